@@ -1,0 +1,85 @@
+#pragma once
+
+#include <limits>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/catalog/unit.h"
+#include "core/catalog/value.h"
+#include "core/result.h"
+
+namespace galilean {
+
+/// The section of a program that a component belongs to.
+enum class ComponentKind {
+  kInputDevice,
+  kOutputDevice,
+  kVariable,
+  kPerceptualSchema,
+  kMotorSchema
+};
+[[nodiscard]] std::string_view to_string(ComponentKind kind) noexcept;
+
+enum class AttributeType {
+  kFlag,     ///< yes or no (also true/false, 1/0)                  -> bool
+  kNumber,   ///< 1.5                                              -> double
+  kInteger,  ///< 3                                                -> double, whole
+  kPair,     ///< <1, 2> or (1, 2)                                 -> Vec2
+  kText,     ///< "words"                                          -> std::string
+  kChoice,   ///< "valid", one of `choices`                        -> std::string
+  kNumbers,  ///< 200 200 -200 -200                                -> std::vector<double>
+  kName,     ///< "trash": what `refers_to` says                   -> std::string
+  kNames     ///< "trash" "basket"                                 -> std::vector<std::string>
+};
+[[nodiscard]] std::string_view to_string(AttributeType type) noexcept;
+
+/// How a component uses the variable that an attribute names.
+enum class Access { kNone, kRead, kWrite, kUpdate };
+[[nodiscard]] std::string_view to_string(Access access) noexcept;
+
+struct AttributeSpec {
+  std::string name;
+  std::vector<std::string>
+      aliases;  ///< spellings that still load, with a hint (the paper's misprints)
+  AttributeType type = AttributeType::kText;
+  Unit unit = unit::kNone;
+  std::optional<Value> default_value;  ///< in the unit named above; none: must be given
+  double minimum = -std::numeric_limits<double>::infinity();  ///< in the unit named above
+  double maximum = std::numeric_limits<double>::infinity();
+  std::size_t count = 0;  ///< of numbers or names that must be given; 0: any
+  std::vector<std::string> choices;
+  std::string refers_to;  ///< of a name: a variable's type ("locate"), "state",
+                          ///< "perceptual_schema", "motor_schema"
+  Access access = Access::kNone;
+  std::string help;
+
+  [[nodiscard]] bool required() const noexcept { return !default_value.has_value(); }
+};
+
+struct ComponentSpec {
+  std::string name;
+  ComponentKind kind = ComponentKind::kVariable;
+  std::string help;
+  std::vector<AttributeSpec> attributes;
+
+  [[nodiscard]] const AttributeSpec* find(
+      std::string_view attribute) const noexcept;  ///< by name or alias
+};
+
+/// What components exist and what they take: plain data, so that whoever checks a program needs no
+/// robot. The build writes the robot's as JSON; a live robot publishes its own.
+struct Catalog {
+  std::vector<ComponentSpec> components;
+
+  [[nodiscard]] const ComponentSpec* find(std::string_view component) const noexcept;
+};
+
+void to_json(nlohmann::json& json, const Catalog& catalog);
+/// Errors name the component and attribute that could not be read.
+[[nodiscard]] Result<Catalog> catalog_from_json(std::string_view text);
+[[nodiscard]] std::string catalog_to_json(const Catalog& catalog);
+
+}  // namespace galilean

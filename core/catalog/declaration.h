@@ -1,0 +1,213 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/catalog/catalog.h"
+#include "core/catalog/wiring.h"
+
+namespace galilean {
+
+/// One component's attributes, each declared once: the loader, the checker, the editor and the
+/// printed reference all read what `T::describe(Declaration<T>&)` says here.
+///
+///   static void describe(Declaration<MoveToGoal>& is) {
+///     is.help("Pulls the robot towards a located object.");
+///     is.reads(&MoveToGoal::goal_, "goal_variable", "what to move to");
+///     is.number(&MoveToGoal::success_m_, "success_radius", unit::kCentimetre, 20, "…").range(0,
+///     1000); is.writes(&MoveToGoal::result_, "result", "the force");
+///   }
+///
+/// Number members are in SI; defaults and ranges are in the unit that the declaration names.
+template <class T>
+class Declaration {
+ public:
+  using Setter = std::function<void(T&, const Value&, const Wiring&)>;
+
+  /// Refines the attribute declared last.
+  class Refinement {
+   public:
+    explicit Refinement(AttributeSpec& spec) : spec_(spec) {}
+    Refinement& range(double minimum, double maximum) {
+      spec_.minimum = minimum;
+      spec_.maximum = maximum;
+      return *this;
+    }
+    Refinement& alias(std::string spelling) {
+      spec_.aliases.push_back(std::move(spelling));
+      return *this;
+    }
+    Refinement& count(std::size_t count) {
+      spec_.count = count;
+      return *this;
+    }
+    /// May be left out (a variable pointer then stays null).
+    Refinement& optional() {
+      if (spec_.type == AttributeType::kNames)
+        spec_.default_value = Value(std::vector<std::string>{});
+      else
+        spec_.default_value = Value(std::string{});
+      return *this;
+    }
+
+   private:
+    AttributeSpec& spec_;
+  };
+
+  Declaration(std::string name, ComponentKind kind) {
+    spec_.name = std::move(name);
+    spec_.kind = kind;
+  }
+
+  void help(std::string text) { spec_.help = std::move(text); }
+
+  Refinement flag(bool T::*member, std::string name, bool preset, std::string text) {
+    return add({.name = std::move(name),
+                .type = AttributeType::kFlag,
+                .default_value = Value(preset),
+                .help = std::move(text)},
+               [member](T& t, const Value& v, const Wiring&) { t.*member = std::get<bool>(v); });
+  }
+  template <class N>
+  Refinement number(N T::*member, std::string name, Unit unit, double preset, std::string text) {
+    return number_attribute(member, std::move(name), unit, Value(preset), std::move(text));
+  }
+  /// Must be given.
+  template <class N>
+  Refinement required_number(N T::*member, std::string name, Unit unit, std::string text) {
+    return number_attribute(member, std::move(name), unit, std::nullopt, std::move(text));
+  }
+  Refinement pair(Vec2 T::*member, std::string name, Unit unit, Vec2 preset, std::string text) {
+    return add({.name = std::move(name),
+                .type = AttributeType::kPair,
+                .unit = unit,
+                .default_value = Value(preset),
+                .help = std::move(text)},
+               [member](T& t, const Value& v, const Wiring&) { t.*member = std::get<Vec2>(v); });
+  }
+  Refinement numbers(std::vector<double> T::*member, std::string name, Unit unit,
+                     std::vector<double> preset, std::string text) {
+    return add({.name = std::move(name),
+                .type = AttributeType::kNumbers,
+                .unit = unit,
+                .default_value = Value(std::move(preset)),
+                .help = std::move(text)},
+               [member](T& t, const Value& v, const Wiring&) {
+                 t.*member = std::get<std::vector<double>>(v);
+               });
+  }
+  Refinement text(std::string T::*member, std::string name, std::string preset,
+                  std::string help_text) {
+    return add(
+        {.name = std::move(name),
+         .type = AttributeType::kText,
+         .default_value = Value(std::move(preset)),
+         .help = std::move(help_text)},
+        [member](T& t, const Value& v, const Wiring&) { t.*member = std::get<std::string>(v); });
+  }
+  /// The member is an enum whose values count up from 0 in the order of `choices`, or a bool.
+  template <class E>
+  Refinement choice(E T::*member, std::string name, std::vector<std::string> choices,
+                    std::string preset, std::string help_text) {
+    AttributeSpec spec{.name = std::move(name),
+                       .type = AttributeType::kChoice,
+                       .default_value = Value(std::move(preset)),
+                       .choices = choices,
+                       .help = std::move(help_text)};
+    return add(std::move(spec),
+               [member, choices = std::move(choices)](T& t, const Value& v, const Wiring&) {
+                 const auto& word = std::get<std::string>(v);
+                 for (std::size_t i = 0; i < choices.size(); ++i)
+                   if (choices[i] == word) t.*member = static_cast<E>(i);
+               });
+  }
+
+  template <class V>
+  Refinement reads(const Variable<V>* T::*member, std::string name, std::string text) {
+    return variable(member, std::move(name), Access::kRead, std::move(text));
+  }
+  template <class V>
+  Refinement writes(Variable<V>* T::*member, std::string name, std::string text) {
+    return variable(member, std::move(name), Access::kWrite, std::move(text));
+  }
+  /// Reads and writes.
+  template <class V>
+  Refinement updates(Variable<V>* T::*member, std::string name, std::string text) {
+    return variable(member, std::move(name), Access::kUpdate, std::move(text));
+  }
+  template <class V>
+  Refinement reads_all(std::vector<const Variable<V>*> T::*member, std::string name,
+                       std::string text) {
+    return add({.name = std::move(name),
+                .type = AttributeType::kNames,
+                .refers_to = variable_type_name<V>(),
+                .access = Access::kRead,
+                .help = std::move(text)},
+               [member](T& t, const Value& v, const Wiring& wiring) {
+                 for (const auto& each : std::get<std::vector<std::string>>(v))
+                   (t.*member).push_back(wiring.variables.find<V>(each));
+               });
+  }
+
+  /// Not attributes: what every component may ask the robot for.
+  void uses_devices(const Devices* T::*member) {
+    connections_.push_back([member](T& t, const Wiring& wiring) { t.*member = &wiring.devices; });
+  }
+  void uses_random(Random T::*member) {
+    connections_.push_back([member](T& t, const Wiring& wiring) { t.*member = wiring.random; });
+  }
+
+  [[nodiscard]] const ComponentSpec& spec() const noexcept { return spec_; }
+
+  /// Sets every attribute that `values` gives (the loader has filled in the defaults), then
+  /// connects.
+  void apply(T& target, const AttributeValues& values, const Wiring& wiring) const {
+    for (std::size_t i = 0; i < setters_.size(); ++i)
+      if (const Value* value = values.find(spec_.attributes[i].name))
+        setters_[i](target, *value, wiring);
+    for (const auto& connect : connections_) connect(target, wiring);
+  }
+
+ private:
+  Refinement add(AttributeSpec spec, Setter setter) {
+    spec_.attributes.push_back(std::move(spec));
+    setters_.push_back(std::move(setter));
+    return Refinement(spec_.attributes.back());
+  }
+  template <class N>
+  Refinement number_attribute(N T::*member, std::string name, Unit unit,
+                              std::optional<Value> preset, std::string text) {
+    constexpr auto type =
+        std::is_floating_point_v<N> ? AttributeType::kNumber : AttributeType::kInteger;
+    return add({.name = std::move(name),
+                .type = type,
+                .unit = unit,
+                .default_value = std::move(preset),
+                .help = std::move(text)},
+               [member](T& t, const Value& v, const Wiring&) {
+                 t.*member = static_cast<N>(std::get<double>(v));
+               });
+  }
+  template <class Pointer>
+  Refinement variable(Pointer T::*member, std::string name, Access access, std::string text) {
+    using V = std::remove_cv_t<std::remove_pointer_t<Pointer>>;
+    using Content = decltype(V::value);
+    return add({.name = std::move(name),
+                .type = AttributeType::kName,
+                .refers_to = variable_type_name<Content>(),
+                .access = access,
+                .help = std::move(text)},
+               [member](T& t, const Value& v, const Wiring& wiring) {
+                 t.*member = wiring.variables.find<Content>(std::get<std::string>(v));
+               });
+  }
+
+  ComponentSpec spec_;
+  std::vector<Setter> setters_;
+  std::vector<std::function<void(T&, const Wiring&)>> connections_;
+};
+
+}  // namespace galilean

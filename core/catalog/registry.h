@@ -1,0 +1,68 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/catalog/declaration.h"
+#include "core/schema/schema.h"
+
+namespace galilean {
+
+/// The components that a robot is built from, filled from one explicit list (robot/components.cpp).
+/// Schemas are made here; variables and devices are described only, since the store and the robot
+/// own them.
+class Registry {
+ public:
+  /// T is a schema with `static void describe(Declaration<T>&)`.
+  template <class T>
+  void add_schema(std::string name) {
+    constexpr auto kind = std::is_base_of_v<MotorSchema, T> ? ComponentKind::kMotorSchema
+                                                            : ComponentKind::kPerceptualSchema;
+    auto declaration = std::make_shared<Declaration<T>>(name, kind);
+    T::describe(*declaration);
+    catalog_.components.push_back(declaration->spec());
+    factories_[std::move(name)] = [declaration](const AttributeValues& values,
+                                                const Wiring& wiring) {
+      auto schema = std::make_unique<T>();
+      declaration->apply(*schema, values, wiring);
+      return schema;
+    };
+  }
+  /// T holds what the program says of a device or a variable; see `settings`.
+  template <class T>
+  void add_settings(std::string name, ComponentKind kind) {
+    Declaration<T> declaration(std::move(name), kind);
+    T::describe(declaration);
+    catalog_.components.push_back(declaration.spec());
+  }
+
+  [[nodiscard]] const Catalog& catalog() const noexcept { return catalog_; }
+
+  /// nullptr if no schema has that name (the checker refuses such programs).
+  [[nodiscard]] std::unique_ptr<Schema> make(std::string_view name, const AttributeValues& values,
+                                             const Wiring& wiring) const {
+    const auto found = factories_.find(name);
+    return found == factories_.end() ? nullptr : found->second(values, wiring);
+  }
+
+ private:
+  using Factory = std::function<std::unique_ptr<Schema>(const AttributeValues&, const Wiring&)>;
+
+  Catalog catalog_;
+  std::map<std::string, Factory, std::less<>> factories_;
+};
+
+/// A device's or a variable's settings, read from what the program gives.
+template <class T>
+[[nodiscard]] T settings(const AttributeValues& values, const Wiring& wiring) {
+  Declaration<T> declaration({}, ComponentKind::kVariable);
+  T::describe(declaration);
+  T result;
+  declaration.apply(result, values, wiring);
+  return result;
+}
+
+}  // namespace galilean

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/clock.h"
+
+namespace galilean {
+
+/// One turn of the control loop.
+struct Tick {
+  Time now{};
+  Duration period{};
+  std::uint64_t number = 0;  ///< 1, 2, 3 … since the robot started
+};
+
+/// The unit of execution. Instances are made when a program is built; what they read, write and are
+/// set to is declared in `describe` (see core/catalog/declaration.h). `run` neither allocates,
+/// locks nor does I/O. A schema that throws is switched off and reported; its siblings run on.
+class Schema {
+ public:
+  virtual ~Schema() = default;
+  /// A state that lists this schema is entered: timers start, noise draws anew.
+  virtual void activate(const Tick&) {}
+  virtual void run(const Tick& tick) = 0;
+};
+
+/// Reads devices and variables, writes what it perceived into variables.
+class PerceptualSchema : public Schema {};
+
+/// Suggests a motion, or commands a device.
+class MotorSchema : public Schema {};
+
+}  // namespace galilean

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <deque>
+#include <string_view>
+#include <tuple>
+
+#include "core/variable/variable.h"
+
+namespace galilean {
+
+/// All variables of one program. Addresses stay as they are for the store's life, so that
+/// schemas hold plain pointers; filled when the program is built, never in the tick.
+class VariableStore {
+ public:
+  VariableStore() = default;
+  VariableStore(const VariableStore&) = delete;
+  VariableStore& operator=(const VariableStore&) = delete;
+
+  template <class T>
+  Variable<T>& add(std::string name) {
+    auto& variable = all<T>().emplace_back();
+    variable.name = std::move(name);
+    return variable;
+  }
+
+  /// nullptr if there is no variable of that name and type.
+  template <class T>
+  [[nodiscard]] Variable<T>* find(std::string_view name) noexcept {
+    for (auto& variable : all<T>())
+      if (variable.name == name) return &variable;
+    return nullptr;
+  }
+
+  template <class T>
+  [[nodiscard]] std::deque<Variable<T>>& all() noexcept {
+    return std::get<std::deque<Variable<T>>>(variables_);
+  }
+  template <class T>
+  [[nodiscard]] const std::deque<Variable<T>>& all() const noexcept {
+    return std::get<std::deque<Variable<T>>>(variables_);
+  }
+
+  /// Calls `visit(Variable<T>&)` for every variable, type by type, in the order of the program.
+  template <class Visitor>
+  void for_each(Visitor&& visit) {
+    std::apply([&](auto&... list) { (visit_list(list, visit), ...); }, variables_);
+  }
+  template <class Visitor>
+  void for_each(Visitor&& visit) const {
+    std::apply([&](const auto&... list) { (visit_list(list, visit), ...); }, variables_);
+  }
+
+ private:
+  template <class List, class Visitor>
+  static void visit_list(List& list, Visitor& visit) {
+    for (auto& variable : list) visit(variable);
+  }
+
+  std::tuple<std::deque<Variable<Shaft>>, std::deque<Variable<Image>>, std::deque<Variable<Locate>>,
+             std::deque<Variable<Bits>>, std::deque<Variable<Force>>>
+      variables_;
+};
+
+}  // namespace galilean

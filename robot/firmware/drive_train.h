@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+
+#include "robot/firmware/hardware.h"
+#include "robot/firmware/messages.h"
+#include "robot/firmware/wheel.h"
+
+namespace galilean::robot::firmware {
+
+/// Both motors, and the timer that stops them. The timer stands here, below the protocol and all
+/// else, so that nothing above can forget it: without a new `drive` for the timeout, `step` cuts
+/// profiles and loops itself, and an old target cannot drive on.
+class DriveTrain {
+ public:
+  /// False, and nothing changed, if a value is not finite or cannot be worked with.
+  [[nodiscard]] bool set(const Parameters& parameters);
+  bool configured() const { return configured_; }
+
+  /// Both wheels reach their speeds together. Speeds above the parameters' are reduced, both by the
+  /// same factor, so that the curve stays.
+  void drive(const Drive& command, std::uint32_t now_ms);
+  /// Cuts both motors at once.
+  void cut();
+  /// One period of the loops: writes both PWM.
+  void step(const Inputs& inputs, std::uint32_t now_ms, float dt_s, Outputs& outputs);
+  void start_at(const Inputs& inputs);
+
+  bool active() const { return left_.active() || right_.active(); }
+  bool stopped_by_timeout() const { return stopped_by_timeout_; }
+  float left_speed_counts_s() const { return left_.measured_counts_s(); }
+  float right_speed_counts_s() const { return right_.measured_counts_s(); }
+
+ private:
+  void watch(std::uint32_t now_ms);
+  float allowed_speed(float left, float right) const;
+
+  Parameters parameters_;
+  bool configured_ = false;
+  Wheel left_;
+  Wheel right_;
+  std::uint32_t last_drive_ms_ = 0;
+  bool stopped_by_timeout_ = false;
+};
+
+}  // namespace galilean::robot::firmware

@@ -1,0 +1,28 @@
+#pragma once
+
+namespace galilean::robot::firmware {
+
+struct PidGains {
+  float proportional = 0;  ///< output per unit of error
+  float integral = 0;      ///< output per unit of error and second
+  float derivative = 0;    ///< output per unit of measured change a second
+};
+
+/// Textbook PID:  u = Kp·e + Ki·∫e dt − Kd·dm/dt,  e = wanted − measured m, clamped to ±limit.
+/// The derivative acts on what is measured, so that a new target gives no kick. The integral stands
+/// still while the output is at its limit and would be driven further into it.
+class Pid {
+ public:
+  void set(const PidGains& gains, float output_limit);
+  /// Forgets integral and derivative.
+  void reset();
+  float step(float wanted, float measured, float dt_s);
+
+ private:
+  PidGains gains_;
+  float limit_ = 0;
+  float integral_ = 0;
+  float last_measured_ = 0;
+};
+
+}  // namespace galilean::robot::firmware

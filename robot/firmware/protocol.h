@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace galilean::robot::firmware {
+
+/// Raised whenever a message changes its meaning or its bytes; both ends must have the same.
+inline constexpr std::uint8_t kProtocolVersion = 1;
+
+inline constexpr std::size_t kMaxPayload = 64;
+/// Type, sequence and CRC around the payload.
+inline constexpr std::size_t kFrameOverhead = 5;
+inline constexpr std::size_t kMaxContent = kMaxPayload + kFrameOverhead;
+/// Both delimiters and the one code byte that COBS adds to contents below 254 bytes.
+inline constexpr std::size_t kMaxEncoded = kMaxContent + 3;
+
+/// One message as it travels: see docs/SERIAL_PROTOCOL.md.
+struct Frame {
+  std::uint8_t type = 0;
+  std::uint16_t sequence = 0;
+  std::span<const std::uint8_t> payload;
+};
+
+/// Writes `frame` with CRC, COBS and a delimiter on both sides to `out`; the number of bytes
+/// written. The payload must not be longer than kMaxPayload.
+std::size_t encode(const Frame& frame, std::span<std::uint8_t, kMaxEncoded> out);
+
+/// Finds frames in a stream of bytes. Whatever is no frame is dropped up to the next delimiter, so
+/// that one delimiter is all it takes to be in step again.
+class FrameDecoder {
+ public:
+  /// Takes the next byte; true if it completed a frame, which `frame` then gives until the next
+  /// push.
+  bool push(std::uint8_t byte);
+  const Frame& frame() const { return frame_; }
+  /// Stretches between delimiters that were no frame: noise, or frames that were damaged.
+  std::uint32_t rejected() const { return rejected_; }
+
+ private:
+  void append(std::uint8_t byte);
+  bool finish();
+  bool content_is_frame();
+
+  std::array<std::uint8_t, kMaxContent> content_{};
+  std::size_t length_ = 0;
+  std::size_t left_in_block_ = 0;
+  bool started_ = false;
+  bool too_long_ = false;
+  std::uint32_t rejected_ = 0;
+  Frame frame_;
+};
+
+}  // namespace galilean::robot::firmware

@@ -1,0 +1,39 @@
+#pragma once
+
+namespace galilean::robot::firmware {
+
+/// Trapezoidal velocity profile of one wheel: ramps with a constant acceleration to the wanted
+/// speed, holds it, and ramps down so that it stands at the travel limit.
+///
+/// Law, for a step of dt with s the travel that is left and a the acceleration: the speed follows
+/// the target by at most a·dt, and is never above the v that can still stop in time,
+///   v²/2a + (v + v_now)·dt/2 = s.
+/// Units are the caller's, as long as they agree (here counts, counts/s, counts/s²).
+class Trapezoid {
+ public:
+  /// A new motion from the present speed on. `travel_limit` 0: none; else it is measured from here
+  /// in the direction of `speed`. A limit below the braking distance is overrun by what braking
+  /// needs.
+  void aim(float speed, float acceleration, float travel_limit);
+  /// Stands at once, without a ramp, and forgets the motion.
+  void cut();
+  /// The speed after the next `dt_s` seconds.
+  float step(float dt_s);
+
+  float speed() const { return speed_; }
+  /// It stands, and will until the next `aim`.
+  bool resting() const { return speed_ == 0 && target_ == 0; }
+
+ private:
+  float fastest_that_stops_in_time(float dt_s) const;
+  void count_down(float travel);
+
+  float speed_ = 0;
+  float target_ = 0;
+  float acceleration_ = 1;
+  bool limited_ = false;
+  float direction_ = 1;
+  float travel_left_ = 0;
+};
+
+}  // namespace galilean::robot::firmware

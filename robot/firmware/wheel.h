@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+
+#include "robot/firmware/pid.h"
+#include "robot/firmware/speedometer.h"
+#include "robot/firmware/trapezoid.h"
+
+namespace galilean::robot::firmware {
+
+struct WheelGains {
+  PidGains pid;           ///< PWM per count/s of speed error
+  float feedforward = 0;  ///< PWM per count/s of wanted speed
+};
+
+/// PWM that only just does not move the motor: forward ≥ 0, reverse ≤ 0.
+struct DeadZone {
+  float forward_pwm = 0;
+  float reverse_pwm = 0;
+};
+
+/// Closes the speed loop of one motor around its trapezoidal profile.
+///   PWM = dead zone in the direction of motion + feedforward · wanted + PID(wanted, measured)
+/// When the profile has come to rest the loop takes up what is left for a moment, then lets go, so
+/// that a standing robot neither hums nor creeps.
+class Wheel {
+ public:
+  void set(const WheelGains& gains);
+  void aim(float speed_counts_s, float acceleration_counts_s2, float limit_counts);
+  /// Profile and loop forget everything: no PWM from this moment on.
+  void cut();
+  /// One period of the loop: the PWM to apply.
+  std::int16_t step(std::int32_t encoder_counts, const DeadZone& dead_zone, float dt_s);
+
+  /// A motion is under way, or only just ended.
+  bool active() const { return active_; }
+  float wanted_counts_s() const { return profile_.speed(); }
+  float measured_counts_s() const { return speedometer_.speed_counts_s(); }
+  void start_at(std::int32_t encoder_counts) { speedometer_.reset(encoder_counts); }
+
+ private:
+  bool settled(float dt_s);
+
+  Trapezoid profile_;
+  Speedometer speedometer_;
+  Pid pid_;
+  float feedforward_ = 0;
+  float rested_s_ = 0;
+  bool active_ = false;
+};
+
+}  // namespace galilean::robot::firmware

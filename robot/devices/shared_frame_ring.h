@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/clock.h"
+#include "core/device/devices.h"
+#include "core/result.h"
+#include "robot/devices/frame_source.h"
+#include "robot/devices/shared_memory.h"
+
+namespace galilean::robot {
+
+/// Pictures from one process to others through POSIX shared memory, always whole: a seqlock a slot,
+/// and the newest number over all. A reader never holds up the writer, and either may die and come
+/// back at any moment. Names are like "/galilean-<run>-io".
+struct FrameRingLayout;
+
+/// The writing side: the simulator's camera. Removes the name when it ends.
+class FrameRingWriter {
+ public:
+  /// Takes over what a killed writer left; fails if another one still writes there.
+  [[nodiscard]] static Result<std::unique_ptr<FrameRingWriter>> create(const std::string& name);
+  ~FrameRingWriter();
+  FrameRingWriter(const FrameRingWriter&) = delete;
+  FrameRingWriter& operator=(const FrameRingWriter&) = delete;
+
+  void write(std::span<const std::uint8_t, Frame::kBytes> rgb);
+
+ private:
+  FrameRingWriter(std::string name, SharedMemory memory);
+  [[nodiscard]] FrameRingLayout& ring();
+
+  std::string name_;
+  SharedMemory memory_;
+};
+
+/// The reading side: the robot's frame source.
+class FrameRingReader final : public FrameSource {
+ public:
+  explicit FrameRingReader(std::string name);
+
+  bool grab(Frame& frame, Time now) override;
+  [[nodiscard]] std::string problem() const override;
+
+ private:
+  void look_for_ring(Time now);
+  bool copy_newest(Frame& frame);
+
+  std::string name_;
+  std::optional<SharedMemory> memory_;
+  std::string problem_;
+  std::uint64_t generation_ = 0;
+  std::uint64_t number_ = 0;
+  Time last_picture_{};
+  Time last_look_{};
+  bool looked_ = false;
+};
+
+}  // namespace galilean::robot

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "core/result.h"
+
+namespace galilean::robot {
+
+/// A named piece of memory that processes share, mapped as long as this lives.
+class SharedMemory {
+ public:
+  /// Opens for writing, makes it where it is missing or has another size, and locks it against
+  /// other writers until the process ends.
+  [[nodiscard]] static Result<SharedMemory> own(const std::string& name, std::size_t bytes);
+  /// Opens what another process owns. Fails where it is missing or has another size.
+  [[nodiscard]] static Result<SharedMemory> join(const std::string& name, std::size_t bytes);
+  ~SharedMemory();
+  SharedMemory(SharedMemory&& other) noexcept;
+  SharedMemory& operator=(SharedMemory&& other) noexcept;
+
+  [[nodiscard]] std::span<std::byte> bytes() const { return bytes_; }
+  /// The name still stands for this very memory, not for none or for a newer one.
+  [[nodiscard]] bool is_current(const std::string& name) const;
+  static void remove(const std::string& name);
+
+ private:
+  SharedMemory(int file, std::span<std::byte> bytes) : file_(file), bytes_(bytes) {}
+  void release();
+
+  int file_ = -1;
+  std::span<std::byte> bytes_;
+};
+
+}  // namespace galilean::robot

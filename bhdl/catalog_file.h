@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/catalog/catalog.h"
+#include "core/result.h"
+
+namespace galilean::bhdl {
+
+/// The catalog that the build wrote from the robot's component list: ../share/galilean/catalog.json
+/// beside the folder of the running executable.
+[[nodiscard]] std::filesystem::path default_catalog_path();
+
+/// Reads a catalog's JSON. Errors name the file and what is wrong in it.
+[[nodiscard]] Result<Catalog> load_catalog(const std::filesystem::path& path);
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "bhdl/diagnostic.h"
+#include "bhdl/program.h"
+#include "core/catalog/catalog.h"
+
+namespace galilean::bhdl {
+
+/// A program, or every reason why the text is none.
+struct CheckResult {
+  std::optional<Program> program;       ///< set if there was no error; warnings do not count
+  std::vector<Diagnostic> diagnostics;  ///< errors and warnings, in the order of the text
+  std::vector<SourceFile> files;        ///< what was read, the main file first, errors or not
+};
+
+/// Checks texts in memory, as a push over the network brings them. The first is the main file; the
+/// others are looked for among `files` by the path that `include` gives, relative to the file that
+/// includes. The disk is never read. Any input gives an answer in linear time.
+[[nodiscard]] CheckResult check(std::vector<SourceFile> files, const Catalog& catalog);
+
+/// Checks a file on disk and what it includes. The paths in `files` are relative to the main file's
+/// folder, so that a program has the same hash wherever it lies; those in the diagnostics begin as
+/// `path` does.
+[[nodiscard]] CheckResult check_file(const std::filesystem::path& path, const Catalog& catalog);
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bhdl/program.h"
+
+namespace galilean::bhdl {
+
+enum class Severity { kWarning, kError };
+[[nodiscard]] std::string_view to_string(Severity severity) noexcept;
+
+/// What is wrong with a program and where, for the person who wrote it. `line` and `column` count
+/// from 1, columns in characters; every position lies inside `file`.
+struct Diagnostic {
+  std::string file;
+  int line = 1;
+  int column = 1;
+  Severity severity = Severity::kError;
+  std::string code;     ///< stable, such as "name/unknown-attribute"; GRAMMAR.md lists them
+  std::string message;  ///< what is wrong and what was expected
+  std::string hint;     ///< what was meant or what to do, where it can be guessed; else empty
+};
+
+/// `file:line:column: error: message`, and the hint on a line of its own. No final newline.
+[[nodiscard]] std::string format(const Diagnostic& diagnostic);
+void to_json(nlohmann::json& json, const Diagnostic& diagnostic);
+[[nodiscard]] bool any_error(const std::vector<Diagnostic>& diagnostics) noexcept;
+
+/// Collects what the lexer, the parser and the checker find. It keeps the first 100 and counts the
+/// rest, so that a file of noise costs no more than a file with a hundred mistakes.
+class Diagnostics {
+ public:
+  static constexpr int kMost = 100;
+
+  void error(const Location& at, std::string_view code, std::string message,
+             std::string hint = {});
+  void warning(const Location& at, std::string_view code, std::string message,
+               std::string hint = {});
+  /// Nothing more is kept: whoever would search long for a hint can spare it.
+  [[nodiscard]] bool full() const noexcept { return kept_.size() >= kMost; }
+  [[nodiscard]] bool has_errors() const noexcept { return has_errors_; }
+
+  /// In the order of the files as read, then of lines; the last says how many more there were.
+  [[nodiscard]] std::vector<Diagnostic> take(const std::vector<std::string>& files_in_order) &&;
+
+ private:
+  void add(const Location& at, Severity severity, std::string_view code, std::string message,
+           std::string hint);
+
+  std::vector<Diagnostic> kept_;
+  int left_off_ = 0;
+  bool has_errors_ = false;
+};
+
+}  // namespace galilean::bhdl

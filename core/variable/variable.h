@@ -102,6 +102,12 @@ struct Variable {
     reliability.stamp = now;
     written_tick = tick;
   }
+  /// A constant does not fade: nobody could write it anew.
+  [[nodiscard]] double certainty_at(Time now) const noexcept {
+    if (constant) return reliability.valid ? reliability.certainty : 0;
+    return reliability.certainty_at(now);
+  }
+  [[nodiscard]] bool valid_at(Time now) const noexcept { return certainty_at(now) > 0; }
   /// What a condition's reset_variables does.
   void reset(Time now) noexcept {
     reliability.valid = false;

@@ -1,0 +1,168 @@
+#include "core/wire/generate/emit.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace galilean::idl {
+namespace {
+
+std::string short_name(const std::string& type) {
+  return type.substr(type.rfind(':') + 1);
+}
+
+/// galilean_msgs::msg::RobotState -> galilean_msgs_msg_RobotState, as idlc names it in C
+std::string c_name(std::string type) {
+  for (std::size_t at; (at = type.find("::")) != std::string::npos;) type.replace(at, 2, "_");
+  return type;
+}
+
+std::string full_name(const Struct& type) {
+  return type.module + "::" + type.name;
+}
+
+/// galilean_msgs::msg::RobotState -> galilean_msgs/msg/RobotState, as ROS 2 and log files name it
+std::string ros_name(std::string type) {
+  for (std::size_t at; (at = type.find("::")) != std::string::npos;) type.replace(at, 2, "/");
+  return type;
+}
+
+std::string cpp_type(const std::string& type) {
+  if (type == "string") return "std::string";
+  const Basic* basic = basic_type(type);
+  return basic ? std::string(basic->cpp) : short_name(type);
+}
+
+std::string cpp_field(const Field& field) {
+  const std::string type = cpp_type(field.type);
+  if (field.sequence) return "std::vector<" + type + "> " + field.name + ";";
+  if (field.array_size)
+    return "std::array<" + type + ", " + std::to_string(field.array_size) + "> " + field.name +
+           "{};";
+  return type + " " + field.name + (basic_type(field.type) ? "{};" : ";");
+}
+
+void emit_struct(std::ostream& out, const Struct& type) {
+  out << "struct " << type.name << " {\n";
+  for (const auto& field : type.fields) out << "  " << cpp_field(field) << "\n";
+  out << "  static constexpr const char* kRosType = \"" << ros_name(full_name(type)) << "\";\n";
+  out << "  bool operator==(const " << type.name << "&) const = default;\n};\n";
+  out << "inline void decode(CdrReader& from, " << type.name << "& to) {\n";
+  for (const auto& field : type.fields) out << "  from.read(to." << field.name << ");\n";
+  out << "}\n\n";
+}
+
+/// What a field of the C struct is set to, and the statement that does it.
+std::string lend_field(const Field& field) {
+  const std::string& name = field.name;
+  if (field.array_size)
+    return "std::copy(from." + name + ".begin(), from." + name + ".end(), to." + name + ");";
+  if (field.sequence && field.type == "string")
+    return "lend_strings(from." + name + ", to." + name + ", arena);";
+  if (field.sequence && basic_type(field.type))
+    return "lend_numbers(from." + name + ", to." + name + ");";
+  if (field.sequence) return "lend_structs(from." + name + ", to." + name + ", arena);";
+  if (field.type == "string")
+    return "to." + name + " = const_cast<char*>(from." + name + ".c_str());";
+  if (basic_type(field.type)) return "to." + name + " = from." + name + ";";
+  return "lend(from." + name + ", to." + name + ", arena);";
+}
+
+void include_closure(const std::vector<File>& files, const File& file,
+                     std::vector<const File*>& closure) {
+  for (const auto& include : file.includes)
+    for (const auto& other : files)
+      if (other.name == include) include_closure(files, other, closure);
+  if (std::find(closure.begin(), closure.end(), &file) == closure.end()) closure.push_back(&file);
+}
+
+std::string schema_text(const std::vector<File>& files, const File& file) {
+  std::vector<const File*> closure;
+  include_closure(files, file, closure);
+  std::string text;
+  for (auto part = closure.rbegin(); part != closure.rend(); ++part) {
+    text += std::string(80, '=') + "\nIDL: " + (*part)->name + "\n";
+    std::istringstream lines((*part)->text);
+    for (std::string line; std::getline(lines, line);)
+      if (!line.starts_with("#")) text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string emit_structs(const std::vector<File>& files) {
+  std::ostringstream out;
+  out << "#pragma once\n\n#include <array>\n#include <cstdint>\n#include <string>\n#include "
+         "<vector>\n\n"
+         "#include \"core/wire/cdr.h\"\n\nnamespace galilean::msg {\n\n";
+  for (const auto& file : files) {
+    for (const auto& constant : file.constants)
+      out << "namespace " << constant.group << " { inline constexpr std::uint8_t " << constant.name
+          << " = " << constant.value << "; }\n";
+    for (const auto& type : file.structs) emit_struct(out, type);
+  }
+  out << "}  // namespace galilean::msg\n";
+  return out.str();
+}
+
+std::string emit_lending_header(const std::vector<File>& files) {
+  std::ostringstream out;
+  out << "#pragma once\n\n#include <memory_resource>\n#include <string_view>\n\n#include "
+         "\"core/wire/messages.h\"\n";
+  for (const auto& file : files) out << "#include \"" << file.name << ".h\"\n";
+  out << "\nnamespace galilean::msg {\n\nusing Arena = std::pmr::memory_resource;\n"
+         "template <class M> struct Lent;\n";
+  for (const auto& file : files)
+    for (const auto& type : file.structs) {
+      const std::string c = c_name(full_name(type));
+      out << "template <> struct Lent<" << type.name << "> { using type = " << c << "; };\n"
+          << "void lend(const " << type.name << "& from, " << c << "& to, Arena& arena);\n";
+    }
+  out << "\n/// What Cyclone knows a type by; nullptr if there is none of that name.\n"
+         "const dds_topic_descriptor_t* descriptor_of(std::string_view ros_type) noexcept;\n"
+         "\n}  // namespace galilean::msg\n";
+  return out.str();
+}
+
+std::string emit_lending(const std::vector<File>& files) {
+  std::ostringstream out;
+  out << "#include \"core/wire/lending.h\"\n\n#include <algorithm>\n\n#include "
+         "\"core/wire/lend_sequences.h\"\n\nnamespace galilean::msg {\n\n";
+  for (const auto& file : files)
+    for (const auto& type : file.structs) {
+      out << "void lend([[maybe_unused]] const " << type.name << "& from, "
+          << c_name(full_name(type)) << "& to, [[maybe_unused]] Arena& arena) {\n";
+      for (const auto& field : type.fields) out << "  " << lend_field(field) << "\n";
+      out << "}\n";
+    }
+  out << "\nconst dds_topic_descriptor_t* descriptor_of(std::string_view ros_type) noexcept {\n";
+  for (const auto& file : files)
+    for (const auto& type : file.structs)
+      out << "  if (ros_type == \"" << ros_name(full_name(type)) << "\") return &"
+          << c_name(full_name(type)) << "_desc;\n";
+  out << "  return nullptr;\n}\n\n}  // namespace galilean::msg\n";
+  return out.str();
+}
+
+std::string emit_schemas(const std::vector<File>& files) {
+  std::ostringstream out;
+  out << "#include \"core/wire/schemas.h\"\n\nnamespace galilean::wire {\nnamespace {\n\n";
+  for (const auto& file : files) {
+    // string literals have a limited length: one a line
+    out << "constexpr const char* k_" << file.name << " =\n";
+    std::istringstream lines(schema_text(files, file));
+    for (std::string line; std::getline(lines, line);)
+      out << "    R\"IDL(" << line << ")IDL\" \"\\n\"\n";
+    out << "    ;\n\n";
+  }
+  out << "constexpr Schema kSchemas[] = {\n";
+  for (const auto& file : files)
+    for (const auto& type : file.structs)
+      out << "    {\"" << ros_name(full_name(type)) << "\", \"" << type.module
+          << "::dds_::" << type.name << "_\", k_" << file.name << "},\n";
+  out << "};\n\n}  // namespace\n\nstd::span<const Schema> schemas() noexcept { return kSchemas; "
+         "}\n\n}  // namespace galilean::wire\n";
+  return out.str();
+}
+
+}  // namespace galilean::idl

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace galilean::idl {
+
+/// The subset of IDL that the messages are written in: modules, final structs, constants; no unions
+/// and no enums (see galilean_msgs.idl for why).
+struct Field {
+  std::string type;  ///< "double", "string", or a struct's full name "std_msgs::msg::Header"
+  bool sequence = false;
+  int array_size = 0;  ///< 0: not an array
+  std::string name;
+};
+struct Struct {
+  std::string module;  ///< "galilean_msgs::msg"
+  std::string name;
+  std::vector<Field> fields;
+};
+struct Constant {
+  std::string group;  ///< "Variable_Constants"
+  std::string name;
+  std::string value;
+};
+struct File {
+  std::string name;  ///< "galilean_msgs"
+  std::string text;
+  std::vector<std::string> includes;  ///< names without ".idl"
+  std::vector<Struct> structs;
+  std::vector<Constant> constants;
+};
+
+/// Throws std::runtime_error with file and line if the text is not of the subset.
+[[nodiscard]] File parse(const std::string& name, const std::string& text);
+
+/// C++ type and CDR size of a basic type; nullptr if `type` names a struct or a string.
+struct Basic {
+  std::string_view cpp;
+  int size;
+};
+[[nodiscard]] const Basic* basic_type(std::string_view type);
+
+}  // namespace galilean::idl

@@ -1,0 +1,181 @@
+#include "core/wire/participant.h"
+
+#include <dds/dds.h>
+
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <sstream>
+
+#include "core/wire/lending.h"
+#include "core/wire/qos.h"
+#include "core/wire/schemas.h"
+
+namespace galilean::wire {
+namespace {
+
+/// Cyclone's own default of MaxAutoParticipantIndex, 9, ends at ten processes a machine. The peer
+/// on loopback finds them where there is no multicast. Its shared-memory mode stays off.
+std::string configuration() {
+  std::ostringstream peers;
+  peers << "<Peer address=\"127.0.0.1\"/>";
+  if (const char* listed = std::getenv("GALILEAN_PEERS")) {
+    std::istringstream addresses(listed);
+    for (std::string address; std::getline(addresses, address, ',');)
+      if (!address.empty()) peers << "<Peer address=\"" << address << "\"/>";
+  }
+  std::string xml =
+      "<Domain id=\"any\"><Discovery><ParticipantIndex>auto</ParticipantIndex>"
+      "<MaxAutoParticipantIndex>99</MaxAutoParticipantIndex><Peers>" +
+      peers.str() +
+      "</Peers></Discovery><SharedMemory><Enable>false</Enable></SharedMemory>"
+      "<Tracing><Verbosity>error</Verbosity></Tracing></Domain>";
+  if (const char* own = std::getenv("CYCLONEDDS_URI"); own && *own) xml += std::string(",") + own;
+  return xml;
+}
+
+Result<dds_domainid_t> domain_id(int domain) {
+  if (domain < 0) {
+    const char* given = std::getenv("ROS_DOMAIN_ID");
+    if (!given || !*given) return dds_domainid_t{0};
+    char* end = nullptr;
+    const long number = std::strtol(given, &end, 10);
+    if (*end)
+      return Error{std::string("ROS_DOMAIN_ID is '") + given +
+                   "'; it must be a number from 0 to 232"};
+    domain = static_cast<int>(number);
+  }
+  if (domain < 0 || domain > 232)
+    return Error{"the DDS domain must be from 0 to 232, not " + std::to_string(domain)};
+  return static_cast<dds_domainid_t>(domain);
+}
+
+std::string hexadecimal(const dds_guid_t& guid) {
+  static constexpr char kDigits[] = "0123456789abcdef";
+  std::string text;
+  for (const unsigned char byte : guid.v) {
+    text += kDigits[byte >> 4];
+    text += kDigits[byte & 15];
+  }
+  return text;
+}
+
+}  // namespace
+
+Entity::~Entity() {
+  if (handle_ > 0) dds_delete(handle_);
+}
+
+struct Participant::State {
+  Entity domain;
+  Entity participant;
+  std::mutex mutex;
+  std::map<std::string, Entity> topics;
+};
+
+Participant::Participant(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+Participant::~Participant() {
+  state_->topics.clear();
+  state_->participant = Entity();
+  state_->domain = Entity();
+}
+
+Result<std::unique_ptr<Participant>> Participant::join(const std::string& name, int domain) {
+  const auto id = domain_id(domain);
+  if (!id) return id.error();
+  auto state = std::make_unique<State>();
+  // Refused where this process made the domain before: then that one serves.
+  const dds_entity_t made = dds_create_domain(id.value(), configuration().c_str());
+  if (made > 0)
+    state->domain = Entity(made);
+  else if (made != DDS_RETCODE_PRECONDITION_NOT_MET)
+    return Error{std::string("DDS cannot start (") + dds_strretcode(made) +
+                 "); check CYCLONEDDS_URI and the network interfaces"};
+
+  Qos qos(dds_create_qos());
+  dds_qset_entity_name(qos.get(), name.c_str());
+  const dds_entity_t participant = dds_create_participant(id.value(), qos.get(), nullptr);
+  if (participant < 0)
+    return Error{"DDS domain " + std::to_string(id.value()) + " cannot be joined (" +
+                 dds_strretcode(participant) +
+                 "); check that a network interface is up (loopback is enough) and that fewer than "
+                 "100 processes are in it"};
+  state->participant = Entity(participant);
+  return std::unique_ptr<Participant>(new Participant(std::move(state)));
+}
+
+std::int32_t Participant::handle() const noexcept {
+  return state_->participant.handle();
+}
+
+std::int32_t Participant::topic(const std::string& name, const std::string& ros_type) {
+  const std::lock_guard lock(state_->mutex);
+  if (const auto found = state_->topics.find(name); found != state_->topics.end())
+    return found->second.handle();
+  const auto* descriptor = msg::descriptor_of(ros_type);
+  const auto* schema = find_schema_by_ros_type(ros_type);
+  if (!descriptor || !schema) throw std::runtime_error("no message type is called " + ros_type);
+  dds_topic_descriptor_t ros_descriptor = *descriptor;
+  ros_descriptor.m_typename = schema->dds_type.data();
+  const auto qos = make_qos(delivery_of(ros_type));
+  Entity entity(
+      checked(dds_create_topic(handle(), &ros_descriptor, name.c_str(), qos.get(), nullptr),
+              "topic " + name));
+  return state_->topics.emplace(name, std::move(entity)).first->second.handle();
+}
+
+struct Discovery::State {
+  std::function<void()> changed;
+  mutable std::mutex mutex;
+  mutable std::map<dds_instance_handle_t, Publication> known;
+  Entity reader;  // last: its thread calls `changed`
+
+  void update() const {
+    constexpr int kAtOnce = 64;
+    void* samples[kAtOnce] = {};
+    dds_sample_info_t infos[kAtOnce];
+    for (int count; (count = dds_take(reader.handle(), samples, infos, kAtOnce, kAtOnce)) > 0;) {
+      for (int i = 0; i < count; ++i)
+        note(*static_cast<dds_builtintopic_endpoint_t*>(samples[i]), infos[i]);
+      dds_return_loan(reader.handle(), samples, count);
+    }
+  }
+  void note(const dds_builtintopic_endpoint_t& endpoint, const dds_sample_info_t& info) const {
+    if (info.instance_state != DDS_ALIVE_INSTANCE_STATE)
+      known.erase(info.instance_handle);
+    else if (info.valid_data)
+      known[info.instance_handle] = {endpoint.topic_name, endpoint.type_name,
+                                     hexadecimal(endpoint.key),
+                                     hexadecimal(endpoint.participant_key)};
+  }
+};
+
+Discovery::Discovery(Participant& participant) : state_(std::make_unique<State>()) {
+  state_->reader = Entity(checked(
+      dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr),
+      "discovery"));
+}
+
+Discovery::~Discovery() {
+  dds_set_listener(state_->reader.handle(), nullptr);
+}
+
+std::vector<Publication> Discovery::publications() const {
+  const std::lock_guard lock(state_->mutex);
+  state_->update();
+  std::vector<Publication> result;
+  for (const auto& [handle, publication] : state_->known) result.push_back(publication);
+  return result;
+}
+
+void Discovery::on_change(std::function<void()> callback) {
+  state_->changed = std::move(callback);
+  dds_listener_t* listener = dds_create_listener(state_.get());
+  dds_lset_data_available(listener,
+                          [](dds_entity_t, void* state) { static_cast<State*>(state)->changed(); });
+  dds_set_listener(state_->reader.handle(), listener);
+  dds_delete_listener(listener);
+}
+
+}  // namespace galilean::wire

@@ -1,0 +1,83 @@
+#include "core/wire/qos.h"
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+namespace galilean::wire {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Delivery>, 19> kDeliveries{{
+    {"galilean_msgs/msg/RobotState", Delivery::kState},
+    {"galilean_msgs/msg/Variables", Delivery::kState},
+    {"galilean_msgs/msg/Program", Delivery::kState},
+    {"galilean_msgs/msg/Catalog", Delivery::kState},
+    {"galilean_msgs/msg/ObjectMap", Delivery::kState},
+    {"galilean_msgs/msg/Score", Delivery::kState},
+    {"nav_msgs/msg/OccupancyGrid", Delivery::kState},
+    {"visualization_msgs/msg/MarkerArray", Delivery::kState},
+    {"galilean_msgs/msg/Transition", Delivery::kEvent},
+    {"galilean_msgs/msg/ProgramReply", Delivery::kEvent},
+    {"rcl_interfaces/msg/Log", Delivery::kEvent},
+    {"galilean_msgs/msg/ProgramPush", Delivery::kCommand},
+    {"galilean_msgs/msg/Command", Delivery::kCommand},
+    {"nav_msgs/msg/Odometry", Delivery::kFlow},
+    {"tf2_msgs/msg/TFMessage", Delivery::kFlow},
+    {"diagnostic_msgs/msg/DiagnosticArray", Delivery::kFlow},
+    {"galilean_msgs/msg/Forces", Delivery::kStream},
+    {"galilean_msgs/msg/Sightings", Delivery::kStream},
+    {"sensor_msgs/msg/CompressedImage", Delivery::kStream},
+}};
+
+constexpr dds_duration_t kMaxBlocking = DDS_MSECS(20);
+
+void set_history(dds_qos_t* qos, int depth, bool kept_for_late_joiners) {
+  dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, depth);
+  dds_qset_durability(
+      qos, kept_for_late_joiners ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
+  if (kept_for_late_joiners)
+    dds_qset_durability_service(qos, 0, DDS_HISTORY_KEEP_LAST, depth, DDS_LENGTH_UNLIMITED,
+                                DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
+}
+
+}  // namespace
+
+Delivery delivery_of(std::string_view ros_type) noexcept {
+  for (const auto& [type, delivery] : kDeliveries)
+    if (type == ros_type) return delivery;
+  return Delivery::kStream;
+}
+
+Qos make_qos(Delivery delivery) {
+  Qos qos(dds_create_qos());
+  const bool best_effort = delivery == Delivery::kStream;
+  dds_qset_reliability(qos.get(),
+                       best_effort ? DDS_RELIABILITY_BEST_EFFORT : DDS_RELIABILITY_RELIABLE,
+                       kMaxBlocking);
+  switch (delivery) {
+    case Delivery::kState:
+      set_history(qos.get(), 1, true);
+      break;
+    case Delivery::kEvent:
+      set_history(qos.get(), 64, true);
+      break;
+    case Delivery::kCommand:
+      set_history(qos.get(), 64, false);
+      break;
+    case Delivery::kFlow:
+      set_history(qos.get(), 10, false);
+      break;
+    case Delivery::kStream:
+      set_history(qos.get(), 1, false);
+      break;
+  }
+  dds_qset_writer_data_lifecycle(qos.get(), false);
+  return qos;
+}
+
+std::int32_t checked(std::int32_t result, const std::string& what) {
+  if (result < 0) throw std::runtime_error(what + ": " + dds_strretcode(result));
+  return result;
+}
+
+}  // namespace galilean::wire

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <dds/dds.h>
+
+#include <memory>
+
+#include "core/wire/topics.h"
+
+namespace galilean::wire {
+
+struct DeleteQos {
+  void operator()(dds_qos_t* qos) const { dds_delete_qos(qos); }
+};
+using Qos = std::unique_ptr<dds_qos_t, DeleteQos>;
+
+[[nodiscard]] Qos make_qos(Delivery delivery);
+
+/// Throws std::runtime_error "what: Cyclone's reason" where `result` is negative; else returns it.
+std::int32_t checked(std::int32_t result, const std::string& what);
+
+}  // namespace galilean::wire

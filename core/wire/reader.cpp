@@ -1,0 +1,56 @@
+#include <dds/dds.h>
+#include <dds/ddsi/ddsi_serdata.h>
+
+#include <vector>
+
+#include "core/wire/qos.h"
+#include "core/wire/topics.h"
+
+namespace galilean::wire {
+
+Reader::Reader(Participant& participant, const std::string& topic, const std::string& ros_type) {
+  const auto qos = make_qos(delivery_of(ros_type));
+  entity_ =
+      Entity(checked(dds_create_reader(participant.handle(), participant.topic(topic, ros_type),
+                                       qos.get(), nullptr),
+                     "reader of " + topic));
+}
+
+Reader::~Reader() {
+  if (callback_) dds_set_listener(entity_.handle(), nullptr);
+}
+
+void Reader::take(const std::function<void(const Received&)>& receive) {
+  constexpr int kAtOnce = 32;
+  ddsi_serdata* samples[kAtOnce] = {};
+  dds_sample_info_t infos[kAtOnce];
+  std::vector<std::uint8_t> bytes;
+  for (int count;
+       (count = dds_takecdr(entity_.handle(), samples, kAtOnce, infos, DDS_ANY_STATE)) > 0;) {
+    for (int i = 0; i < count; ++i) {
+      if (infos[i].valid_data) {
+        bytes.resize(ddsi_serdata_size(samples[i]));
+        ddsi_serdata_to_ser(samples[i], 0, bytes.size(), bytes.data());
+        receive({bytes, infos[i].source_timestamp});
+      }
+      ddsi_serdata_unref(samples[i]);
+    }
+  }
+}
+
+void Reader::on_data(std::function<void()> callback) {
+  callback_ = std::make_unique<std::function<void()>>(std::move(callback));
+  dds_listener_t* listener = dds_create_listener(callback_.get());
+  dds_lset_data_available(
+      listener, [](dds_entity_t, void* call) { (*static_cast<std::function<void()>*>(call))(); });
+  dds_set_listener(entity_.handle(), listener);
+  dds_delete_listener(listener);
+}
+
+int Reader::writers() const {
+  dds_subscription_matched_status_t status{};
+  dds_get_subscription_matched_status(entity_.handle(), &status);
+  return static_cast<int>(status.current_count);
+}
+
+}  // namespace galilean::wire

@@ -1,0 +1,58 @@
+#include <dds/dds.h>
+
+#include <array>
+#include <cstddef>
+#include <memory_resource>
+
+#include "core/wire/lending.h"
+#include "core/wire/qos.h"
+#include "core/wire/topics.h"
+
+namespace galilean::wire {
+
+template <class M>
+Writer<M>::Writer(Participant& participant, const std::string& topic) {
+  const auto qos = make_qos(delivery_of(M::kRosType));
+  entity_ =
+      Entity(checked(dds_create_writer(participant.handle(), participant.topic(topic, M::kRosType),
+                                       qos.get(), nullptr),
+                     "writer of " + topic));
+}
+
+template <class M>
+bool Writer<M>::write(const M& message) {
+  std::array<std::byte, 16 * 1024> first_room;
+  std::pmr::monotonic_buffer_resource arena(first_room.data(), first_room.size());
+  typename msg::Lent<M>::type sample;
+  msg::lend(message, sample, arena);
+  return dds_write(entity_.handle(), &sample) == DDS_RETCODE_OK;
+}
+
+template <class M>
+int Writer<M>::readers() const {
+  dds_publication_matched_status_t status{};
+  dds_get_publication_matched_status(entity_.handle(), &status);
+  return static_cast<int>(status.current_count);
+}
+
+template class Writer<msg::RobotState>;
+template class Writer<msg::Transition>;
+template class Writer<msg::Variables>;
+template class Writer<msg::Forces>;
+template class Writer<msg::Sightings>;
+template class Writer<msg::Program>;
+template class Writer<msg::ProgramPush>;
+template class Writer<msg::ProgramReply>;
+template class Writer<msg::Catalog>;
+template class Writer<msg::Command>;
+template class Writer<msg::ObjectMap>;
+template class Writer<msg::Score>;
+template class Writer<msg::CompressedImage>;
+template class Writer<msg::Odometry>;
+template class Writer<msg::OccupancyGrid>;
+template class Writer<msg::TFMessage>;
+template class Writer<msg::MarkerArray>;
+template class Writer<msg::DiagnosticArray>;
+template class Writer<msg::Log>;
+
+}  // namespace galilean::wire

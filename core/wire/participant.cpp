@@ -29,7 +29,7 @@ std::string configuration() {
       "<MaxAutoParticipantIndex>99</MaxAutoParticipantIndex><Peers>" +
       peers.str() +
       "</Peers></Discovery><SharedMemory><Enable>false</Enable></SharedMemory>"
-      "<Tracing><Verbosity>error</Verbosity></Tracing></Domain>";
+      "</Domain>";
   if (const char* own = std::getenv("CYCLONEDDS_URI"); own && *own) xml += std::string(",") + own;
   return xml;
 }

@@ -30,7 +30,7 @@ void Controller::update(std::uint32_t now_ms) {
   receive();
   if (now_ms_ - last_control_ms_ >= kPeriod_ms) control();
   if (now_ms_ - last_status_ms_ >= kStatusPeriod_ms) send_status();
-  transmitter_.flush(hardware_);
+  transmitter_.flush([this](auto bytes) { return hardware_.send(bytes); });
 }
 
 void Controller::receive() {

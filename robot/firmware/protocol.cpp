@@ -50,6 +50,7 @@ std::size_t stuff(std::span<const std::uint8_t> content, std::span<std::uint8_t>
 }  // namespace
 
 std::size_t encode(const Frame& frame, std::span<std::uint8_t, kMaxEncoded> out) {
+  if (frame.payload.size() > kMaxPayload) return 0;
   std::array<std::uint8_t, kMaxContent> content;
   const std::size_t length = write_content(frame, content);
   out[0] = kDelimiter;
@@ -81,8 +82,7 @@ void FrameDecoder::append(std::uint8_t byte) {
 bool FrameDecoder::finish() {
   const bool complete = started_ && left_in_block_ == 0 && !too_long_ && content_is_frame();
   if (started_ && !complete) ++rejected_;
-  started_ = too_long_ = false;
-  left_in_block_ = length_ = 0;
+  restart();
   return complete;
 }
 

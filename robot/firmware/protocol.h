@@ -25,7 +25,7 @@ struct Frame {
 };
 
 /// Writes `frame` with CRC, COBS and a delimiter on both sides to `out`; the number of bytes
-/// written. The payload must not be longer than kMaxPayload.
+/// written, 0 if the payload is longer than kMaxPayload.
 std::size_t encode(const Frame& frame, std::span<std::uint8_t, kMaxEncoded> out);
 
 /// Finds frames in a stream of bytes. Whatever is no frame is dropped up to the next delimiter, so
@@ -36,6 +36,8 @@ class FrameDecoder {
   /// push.
   bool push(std::uint8_t byte);
   const Frame& frame() const { return frame_; }
+  /// Forgets the frame that is under way: the line was lost.
+  void restart() { started_ = false, too_long_ = false, left_in_block_ = 0, length_ = 0; }
   /// Stretches between delimiters that were no frame: noise, or frames that were damaged.
   std::uint32_t rejected() const { return rejected_; }
 

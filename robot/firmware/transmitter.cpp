@@ -10,12 +10,10 @@ void Transmitter::queue(std::span<const std::uint8_t> frame) {
   length_ += frame.size();
 }
 
-void Transmitter::flush(Hardware& hardware) {
-  if (length_ == 0) return;
-  const std::size_t taken = hardware.send(std::span(waiting_).first(length_));
-  std::copy(waiting_.begin() + static_cast<std::ptrdiff_t>(taken),
+void Transmitter::drop_first(std::size_t count) {
+  std::copy(waiting_.begin() + static_cast<std::ptrdiff_t>(count),
             waiting_.begin() + static_cast<std::ptrdiff_t>(length_), waiting_.begin());
-  length_ -= taken;
+  length_ -= count;
 }
 
 }  // namespace galilean::robot::firmware

@@ -1,0 +1,188 @@
+#include "robot/devices/board_session.h"
+
+#include <array>
+
+namespace galilean::robot {
+namespace {
+
+constexpr Duration kRepeat = std::chrono::milliseconds(100);
+
+bool closes(std::uint8_t gripper_state) {
+  const auto state = static_cast<firmware::GripperState>(gripper_state);
+  return state == firmware::GripperState::kClosing || state == firmware::GripperState::kClosed;
+}
+
+}  // namespace
+
+BoardSession::BoardSession(ByteStream& line, Duration timeout) : line_(line), timeout_(timeout) {}
+
+bool BoardSession::pump(Time now) {
+  now_ = now;
+  status_came_ = false;
+  line_.maintain(now);
+  if (!line_.is_open()) {
+    close_session();
+    return false;
+  }
+  if (stage_ == Stage::kClosed) greet();
+  receive();
+  watch_silence();
+  repeat_unconfirmed();
+  transmitter_.flush([this](auto bytes) { return line_.write(bytes); });
+  return status_came_;
+}
+
+void BoardSession::close_session() {
+  stage_ = Stage::kClosed;
+  decoder_.restart();
+  transmitter_.clear();
+}
+
+void BoardSession::greet() {
+  stage_ = Stage::kGreeting;
+  stopping_ = false;
+  parameters_sent_as_.reset();
+  last_heard_ = last_repeat_ = now_;
+  transmitter_.send(firmware::Hello{});
+}
+
+void BoardSession::receive() {
+  std::array<std::uint8_t, 512> bytes;
+  for (std::size_t count = line_.read(bytes); count > 0; count = line_.read(bytes))
+    for (std::size_t i = 0; i < count; ++i)
+      if (decoder_.push(bytes[i])) handle(decoder_.frame());
+}
+
+void BoardSession::handle(const firmware::Frame& frame) {
+  switch (static_cast<firmware::MessageType>(frame.type)) {
+    case firmware::MessageType::kHelloReply:
+      return handle_reply(frame);
+    case firmware::MessageType::kAcknowledgement:
+      return handle_acknowledgement(frame);
+    case firmware::MessageType::kStatus:
+      return handle_status(frame);
+    default:
+      return;
+  }
+}
+
+void BoardSession::handle_reply(const firmware::Frame& frame) {
+  const bool asked = stage_ == Stage::kGreeting || stage_ == Stage::kWrongVersion;
+  if (!asked || frame.payload.empty()) return;
+  last_heard_ = now_;
+  firmware::HelloReply reply;
+  // The version stands first in every version's reply, whatever may follow it.
+  if (frame.payload[0] != firmware::kProtocolVersion || !unpack(frame, reply)) {
+    other_version_ = frame.payload[0];
+    stage_ = Stage::kWrongVersion;
+    return;
+  }
+  note_boot(reply.boot_count, reply.uptime_ms);
+  stage_ = Stage::kConfiguring;
+  send_parameters();
+}
+
+void BoardSession::note_boot(std::uint16_t boot_count, std::uint32_t uptime_ms) {
+  const bool restarted = boot_count != boot_count_ || uptime_ms < uptime_ms_;
+  if (known_ && restarted) ++epoch_;
+  known_ = true;
+  boot_count_ = boot_count;
+  uptime_ms_ = uptime_ms;
+}
+
+void BoardSession::configure(const firmware::Parameters& parameters) {
+  parameters_ = parameters;
+  if (stage_ == Stage::kRefused) stage_ = Stage::kConfiguring;
+  if (stage_ == Stage::kConfiguring || ready()) send_parameters();
+}
+
+void BoardSession::send_parameters() {
+  last_repeat_ = now_;
+  if (parameters_) parameters_sent_as_ = transmitter_.send(*parameters_);
+}
+
+void BoardSession::handle_acknowledgement(const firmware::Frame& frame) {
+  firmware::Acknowledgement answer;
+  if (!unpack(frame, answer)) return;
+  const bool of_parameters =
+      answer.message == static_cast<std::uint8_t>(firmware::MessageType::kParameters);
+  if (!of_parameters || parameters_sent_as_ != answer.sequence) return;
+  parameters_sent_as_.reset();
+  const bool accepted = answer.result == static_cast<std::uint8_t>(firmware::Result::kAccepted);
+  stage_ = accepted ? Stage::kReady : Stage::kRefused;
+}
+
+void BoardSession::handle_status(const firmware::Frame& frame) {
+  firmware::Status status;
+  if (!unpack(frame, status)) return;
+  last_heard_ = now_;
+  const bool reset = status.boot_count != boot_count_ || status.uptime_ms < uptime_ms_;
+  if (ready() && reset) return greet();
+  if (!ready()) return;
+  uptime_ms_ = status.uptime_ms;
+  status_ = status;
+  status_came_ = true;
+}
+
+void BoardSession::watch_silence() {
+  if (ready() && now_ - last_heard_ > timeout_) greet();
+}
+
+void BoardSession::repeat_unconfirmed() {
+  if (now_ - last_repeat_ < kRepeat) return;
+  last_repeat_ = now_;
+  if (stage_ == Stage::kGreeting || stage_ == Stage::kWrongVersion)
+    transmitter_.send(firmware::Hello{});
+  else if (stage_ == Stage::kConfiguring || parameters_sent_as_)
+    send_parameters();
+  else if (ready())
+    repeat_commands();
+}
+
+void BoardSession::repeat_commands() {
+  if (grip_closed_ && *grip_closed_ != closes(status_.gripper_state)) grip(*grip_closed_);
+  if (stopping_ && (status_.flags & firmware::status_flag::kMotorsActive)) stop();
+}
+
+void BoardSession::drive(const firmware::Drive& command) {
+  if (!ready()) return;
+  stopping_ = false;
+  transmitter_.send(command);
+}
+
+void BoardSession::stop() {
+  if (!ready()) return;
+  stopping_ = true;
+  transmitter_.send(firmware::Stop{});
+}
+
+void BoardSession::grip(bool close) {
+  grip_closed_ = close;
+  if (ready()) transmitter_.send(firmware::Gripper{static_cast<std::uint8_t>(close)});
+}
+
+std::string BoardSession::problem() const {
+  switch (stage_) {
+    case Stage::kClosed:
+      return line_.problem();
+    case Stage::kGreeting:
+      return "The microcontroller on " + line_.name() +
+             " does not answer: check its power and its cable.";
+    case Stage::kWrongVersion:
+      return "The microcontroller on " + line_.name() + " speaks version " +
+             std::to_string(other_version_) + " of the serial protocol and this robot version " +
+             std::to_string(firmware::kProtocolVersion) + ": give it this release's firmware.";
+    case Stage::kConfiguring:
+      return parameters_
+                 ? "The microcontroller on " + line_.name() + " is being given its parameters."
+                 : "No program has given the microcontroller its parameters yet.";
+    case Stage::kRefused:
+      return "The microcontroller on " + line_.name() +
+             " refuses the parameters of motor_drive: bring them within its limits.";
+    case Stage::kReady:
+      break;
+  }
+  return "";
+}
+
+}  // namespace galilean::robot

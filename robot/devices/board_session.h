@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/clock.h"
+#include "robot/devices/byte_stream.h"
+#include "robot/firmware/messages.h"
+#include "robot/firmware/protocol.h"
+#include "robot/firmware/transmitter.h"
+
+namespace galilean::robot {
+
+/// The robot's side of docs/SERIAL_PROTOCOL.md, in the I/O thread: greets the board, checks its
+/// version, gives it its parameters, hands it commands, and begins again whenever the line or the
+/// board was lost.
+///
+///   closed → greeting → configuring → ready;   any → closed when the line is lost,
+///   any → greeting when the board is silent or was reset
+class BoardSession {
+ public:
+  BoardSession(ByteStream& line, Duration timeout);
+
+  /// Reads, answers, repeats what was not confirmed, writes. True if a status came.
+  bool pump(Time now);
+  /// What the board is to work with from now on. Until the first one no session becomes ready.
+  void configure(const firmware::Parameters& parameters);
+
+  /// Commands are dropped unless the session is ready: an old one must not move a robot later.
+  void drive(const firmware::Drive& command);
+  void stop();
+  /// Repeated until the board does it, also after a reset of the board.
+  void grip(bool close);
+
+  [[nodiscard]] bool ready() const { return stage_ == Stage::kReady; }
+  /// As it came last; the session was ready then.
+  [[nodiscard]] const firmware::Status& status() const { return status_; }
+  /// Counts the board's restarts as this side noticed them.
+  [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
+  /// One sentence on why the session is not ready and what to do; empty when it is.
+  [[nodiscard]] std::string problem() const;
+
+ private:
+  enum class Stage { kClosed, kGreeting, kWrongVersion, kConfiguring, kRefused, kReady };
+
+  void receive();
+  void handle(const firmware::Frame& frame);
+  void handle_reply(const firmware::Frame& frame);
+  void handle_acknowledgement(const firmware::Frame& frame);
+  void handle_status(const firmware::Frame& frame);
+  void note_boot(std::uint16_t boot_count, std::uint32_t uptime_ms);
+  void greet();
+  void send_parameters();
+  void close_session();
+  void watch_silence();
+  void repeat_unconfirmed();
+  void repeat_commands();
+
+  ByteStream& line_;
+  Duration timeout_;
+  Stage stage_ = Stage::kClosed;
+  Time now_{};
+  Time last_heard_{};
+  Time last_repeat_{};
+  firmware::FrameDecoder decoder_;
+  firmware::Transmitter transmitter_;
+
+  std::optional<firmware::Parameters> parameters_;
+  std::optional<std::uint16_t> parameters_sent_as_;  ///< the sequence, until the board answers
+  std::optional<bool> grip_closed_;
+  bool stopping_ = false;
+
+  firmware::Status status_;
+  bool status_came_ = false;
+  bool known_ = false;
+  std::uint16_t boot_count_ = 0;
+  std::uint32_t uptime_ms_ = 0;
+  std::uint32_t epoch_ = 0;
+  unsigned other_version_ = 0;
+};
+
+}  // namespace galilean::robot

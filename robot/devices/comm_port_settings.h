@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "core/catalog/declaration.h"
+
+namespace galilean::robot {
+
+/// What a program says of the serial line (BHDL: comm_port).
+struct CommPortSettings {
+  std::string device;
+  int baud = 115200;
+  double timeout_s = 0.5;
+
+  static void describe(Declaration<CommPortSettings>& is);
+};
+
+}  // namespace galilean::robot

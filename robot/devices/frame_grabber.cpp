@@ -1,0 +1,37 @@
+#include "robot/devices/frame_grabber.h"
+
+namespace galilean::robot {
+
+CameraGrabber::CameraGrabber(FrameSource& source, const FrameGrabberSettings& settings)
+    : source_(source), problem_("The camera was not opened yet.") {
+  configure(settings);
+}
+
+void CameraGrabber::configure(const FrameGrabberSettings& settings) noexcept {
+  timeout_ = from_seconds(settings.timeout_s);
+  geometry_ = settings.geometry();
+}
+
+void CameraGrabber::pump(Time now) {
+  Frame& next = frames_.writing();
+  if (source_.grab(next, now)) {
+    next.number = ++grabbed_;
+    next.captured = now;
+    frames_.publish();
+  }
+  std::string problem = source_.problem();
+  const std::lock_guard lock(problem_mutex_);
+  problem_.swap(problem);
+}
+
+void CameraGrabber::sense(Time now) noexcept {
+  frames_.take();
+  healthy_ = frame().number > 0 && now - frame().captured <= timeout_;
+}
+
+std::string CameraGrabber::problem() const {
+  const std::lock_guard lock(problem_mutex_);
+  return problem_;
+}
+
+}  // namespace galilean::robot

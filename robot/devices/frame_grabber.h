@@ -1,0 +1,44 @@
+#pragma once
+
+#include <mutex>
+#include <string>
+
+#include "core/device/devices.h"
+#include "core/latest.h"
+#include "robot/devices/frame_grabber_settings.h"
+#include "robot/devices/frame_source.h"
+
+namespace galilean::robot {
+
+/// The frame_grabber of a robot. `pump` belongs to one I/O thread (or stands between ticks); all
+/// else to the control loop, which finds the newest whole picture without waiting. Pictures live in
+/// three places that are made once.
+class CameraGrabber final : public FrameGrabber {
+ public:
+  CameraGrabber(FrameSource& source, const FrameGrabberSettings& settings);
+
+  /// I/O side: takes the next picture, if there is one.
+  void pump(Time now);
+
+  /// Another program's settings, except for the device. Belongs to the control loop.
+  void configure(const FrameGrabberSettings& settings) noexcept;
+
+  void sense(Time now) noexcept override;
+  [[nodiscard]] bool healthy() const noexcept override { return healthy_; }
+  [[nodiscard]] std::string problem() const override;
+  [[nodiscard]] const Frame& frame() const noexcept override { return frames_.reading(); }
+  [[nodiscard]] const CameraGeometry& geometry() const noexcept override { return geometry_; }
+
+ private:
+  FrameSource& source_;
+  Latest<Frame> frames_;
+  std::uint64_t grabbed_ = 0;
+
+  Duration timeout_{};
+  CameraGeometry geometry_;
+  bool healthy_ = false;
+  mutable std::mutex problem_mutex_;
+  std::string problem_;
+};
+
+}  // namespace galilean::robot

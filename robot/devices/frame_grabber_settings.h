@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "core/catalog/declaration.h"
+#include "core/device/devices.h"
+
+namespace galilean::robot {
+
+/// What a program says of the camera (BHDL: frame_grabber).
+struct FrameGrabberSettings {
+  std::string device;
+  double timeout_s = 1;
+  double view_angle_rad = CameraGeometry{}.view_angle_rad;
+  double height_m = CameraGeometry{}.height_m;
+  double forward_m = CameraGeometry{}.forward_m;
+
+  static void describe(Declaration<FrameGrabberSettings>& is);
+  [[nodiscard]] CameraGeometry geometry() const noexcept;
+};
+
+}  // namespace galilean::robot

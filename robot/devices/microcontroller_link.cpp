@@ -1,0 +1,92 @@
+#include "robot/devices/microcontroller_link.h"
+
+#include "robot/firmware/hardware.h"
+
+namespace galilean::robot {
+
+MicrocontrollerLink::MicrocontrollerLink(ByteStream& line, const CommPortSettings& settings)
+    : timeout_(from_seconds(settings.timeout_s)),
+      session_(line, timeout_),
+      problem_("The serial line " + line.name() + " was not opened yet.") {}
+
+void MicrocontrollerLink::pump(Time now) {
+  if (setup_.take()) {
+    counts_per_m_ = setup_.reading().ticks_per_m * firmware::kCountsPerTick;
+    session_.configure(setup_.reading().parameters);
+  }
+  forward_orders();
+  const bool status_came = session_.pump(now);
+  if (status_came || session_.ready() != newest_.ready) publish_report(now, status_came);
+  note_problem();
+}
+
+void MicrocontrollerLink::forward_orders() {
+  if (gripper_.take()) session_.grip(gripper_.reading() == GripperCommand::kClose);
+  if (!order_.take()) return;
+  if (order_.reading().stop)
+    session_.stop();
+  else
+    session_.drive(order_.reading().drive);
+}
+
+void MicrocontrollerLink::publish_report(Time now, bool status_came) {
+  newest_.ready = session_.ready();
+  if (status_came) {
+    const firmware::Status& board = session_.status();
+    const bool began_anew =
+        newest_.status.received == Time{} || newest_.status.epoch != session_.epoch();
+    if (began_anew)
+      odometer_.restart(board.left_encoder_counts, board.right_encoder_counts, counts_per_m_);
+    odometer_.update(board.left_encoder_counts, board.right_encoder_counts, counts_per_m_);
+    newest_.status = {.received = now,
+                      .bumpers = board.bumpers,
+                      .beam_broken = (board.flags & firmware::status_flag::kBeamBroken) != 0,
+                      .gripper_closed = board.gripper_state ==
+                                        static_cast<std::uint8_t>(firmware::GripperState::kClosed),
+                      .left_travel_m = odometer_.left_m(),
+                      .right_travel_m = odometer_.right_m(),
+                      .left_speed_mps = board.left_speed_counts_s / counts_per_m_,
+                      .right_speed_mps = board.right_speed_counts_s / counts_per_m_,
+                      .epoch = session_.epoch()};
+  }
+  report_.publish(newest_);
+}
+
+void MicrocontrollerLink::note_problem() {
+  std::string problem = session_.problem();
+  const std::lock_guard lock(problem_mutex_);
+  problem_.swap(problem);
+}
+
+void MicrocontrollerLink::sense(Time now) noexcept {
+  report_.take();
+  const Report& report = report_.reading();
+  healthy_ = report.ready && now - report.status.received <= timeout_;
+}
+
+const ControllerStatus& MicrocontrollerLink::status() const noexcept {
+  return report_.reading().status;
+}
+
+std::string MicrocontrollerLink::problem() const {
+  const std::lock_guard lock(problem_mutex_);
+  return problem_;
+}
+
+void MicrocontrollerLink::command_gripper(GripperCommand command) noexcept {
+  gripper_.publish(command);
+}
+
+void MicrocontrollerLink::drive(const firmware::Drive& command) noexcept {
+  order_.publish(Order{false, command});
+}
+
+void MicrocontrollerLink::stop() noexcept {
+  order_.publish(Order{});
+}
+
+void MicrocontrollerLink::configure(const MotorSetup& setup) noexcept {
+  setup_.publish(setup);
+}
+
+}  // namespace galilean::robot

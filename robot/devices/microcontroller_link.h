@@ -1,0 +1,72 @@
+#pragma once
+
+#include <mutex>
+#include <string>
+
+#include "core/device/devices.h"
+#include "core/latest.h"
+#include "robot/devices/board_session.h"
+#include "robot/devices/comm_port_settings.h"
+#include "robot/devices/odometer.h"
+#include "robot/firmware/messages.h"
+
+namespace galilean::robot {
+
+/// What the board needs to know of a program's motor_drive.
+struct MotorSetup {
+  firmware::Parameters parameters;
+  double ticks_per_m = 325;
+};
+
+/// The comm_port of a robot: its microcontroller over a serial line. `pump` belongs to one I/O
+/// thread (or stands between ticks); all else to the control loop. The two exchange what is newest
+/// through wait-free slots, and so neither waits for the other.
+class MicrocontrollerLink final : public CommPort {
+ public:
+  MicrocontrollerLink(ByteStream& line, const CommPortSettings& settings);
+
+  /// I/O side: all traffic of the line. Call it every few milliseconds.
+  void pump(Time now);
+
+  void sense(Time now) noexcept override;
+  [[nodiscard]] bool healthy() const noexcept override { return healthy_; }
+  [[nodiscard]] std::string problem() const override;
+  [[nodiscard]] const ControllerStatus& status() const noexcept override;
+  void command_gripper(GripperCommand command) noexcept override;
+
+  /// For motor_drive. Only the newest order of a tick reaches the board, and none while it is away.
+  void drive(const firmware::Drive& command) noexcept;
+  void stop() noexcept;
+  void configure(const MotorSetup& setup) noexcept;
+
+ private:
+  struct Order {
+    bool stop = true;
+    firmware::Drive drive;
+  };
+  struct Report {
+    bool ready = false;
+    ControllerStatus status;
+  };
+
+  void forward_orders();
+  void publish_report(Time now, bool status_came);
+  void note_problem();
+
+  Duration timeout_;
+  BoardSession session_;
+  Odometer odometer_;
+  double counts_per_m_ = 0;
+  Report newest_;
+
+  Latest<MotorSetup> setup_;
+  Latest<Order> order_;
+  Latest<GripperCommand> gripper_;
+  Latest<Report> report_;
+
+  bool healthy_ = false;
+  mutable std::mutex problem_mutex_;
+  std::string problem_;
+};
+
+}  // namespace galilean::robot

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/device/devices.h"
+#include "robot/devices/microcontroller_link.h"
+#include "robot/devices/motor_drive_settings.h"
+
+namespace galilean::robot {
+
+/// The motor_drive of a robot: turns the movement of its centre into that of its wheels.
+/// Law, with r half the track and ω counter-clockwise:  left = v − ω·r,  right = v + ω·r,  and a
+/// wheel's limit is what it travels until the first limit is reached, after T = min(D/|v|, A/|ω|).
+class WheelDrive final : public MotorDrive {
+ public:
+  WheelDrive(MicrocontrollerLink& link, const MotorDriveSettings& settings);
+
+  /// Another program's settings. Belongs to the control loop; neither allocates nor waits.
+  void configure(const MotorDriveSettings& settings) noexcept;
+
+  void sense(Time) noexcept override {}
+  [[nodiscard]] bool healthy() const noexcept override { return link_.healthy(); }
+  [[nodiscard]] std::string problem() const override;
+  void drive(const DriveCommand& command) noexcept override;
+  void stop() noexcept override { link_.stop(); }
+  [[nodiscard]] double forward_speed_mps() const noexcept override { return forward_speed_mps_; }
+  [[nodiscard]] double turning_speed_radps() const noexcept override {
+    return turning_speed_radps_;
+  }
+  [[nodiscard]] double turn_radius_m() const noexcept override { return turn_radius_m_; }
+
+ private:
+  MicrocontrollerLink& link_;
+  double counts_per_m_ = 0;
+  double forward_speed_mps_ = 0;
+  double turning_speed_radps_ = 0;
+  double turn_radius_m_ = 0;
+};
+
+}  // namespace galilean::robot

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "core/catalog/declaration.h"
+#include "robot/firmware/messages.h"
+
+namespace galilean::robot {
+
+/// What a program says of the motors (BHDL: motor_drive). Speeds are those of a wheel.
+struct MotorDriveSettings {
+  double forward_velocity_ticks_s = 100;
+  double turning_velocity_ticks_s = 100;
+  double acceleration_ticks_s2 = 300;
+  std::vector<double> straight_dead_zones_pwm{200, 200, -200, -200};
+  std::vector<double> turn_dead_zones_pwm{330, 330, -330, -330};
+  double proportional_gain = 4;
+  double integral_gain = 20;
+  double derivative_gain = 0;
+  double feedforward_gain = 3.5;
+  double turn_radius_m = 0.185;
+  double ticks_per_m = 325;
+  double timeout_s = 0.5;
+
+  static void describe(Declaration<MotorDriveSettings>& is);
+  /// As the board takes them.
+  [[nodiscard]] firmware::Parameters parameters() const noexcept;
+};
+
+}  // namespace galilean::robot

@@ -1,0 +1,132 @@
+#include "robot/devices/opencv_module.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+#include <string>
+#include <utility>
+
+namespace galilean::robot {
+namespace {
+
+constexpr Duration kOpenAgain = std::chrono::seconds(1);
+/// A still picture comes again at this pace, as from a camera that nobody moves.
+constexpr double kStillRate_hz = 10;
+constexpr double kSlowest_hz = 0.5;
+
+bool is_picture(const std::string& device) {
+  constexpr std::array endings{".png", ".jpg", ".jpeg", ".bmp", ".ppm", ".tif", ".tiff", ".webp"};
+  std::string ending = std::filesystem::path(device).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return std::ranges::find(endings, ending) != endings.end();
+}
+
+bool is_camera(const std::string& device) {
+  return device.starts_with("/dev/");
+}
+
+/// The paper's picture is a whole 4:3 one with its rows squeezed, and the camera's geometry counts on
+/// that: of a wider one the middle is taken. One that has the size already is taken as it is.
+cv::Mat paper_shape(const cv::Mat& picture) {
+  const int width = picture.rows * 4 / 3;
+  if (picture.size() == cv::Size(Frame::kWidth, Frame::kHeight) || picture.cols <= width)
+    return picture;
+  return picture(cv::Rect((picture.cols - width) / 2, 0, width, picture.rows));
+}
+
+void convert(const cv::Mat& bgr, Frame& frame) {
+  cv::Mat rgb(Frame::kHeight, Frame::kWidth, CV_8UC3, frame.rgb.data());
+  cv::Mat scaled;
+  cv::resize(paper_shape(bgr), scaled, rgb.size(), 0, 0, cv::INTER_AREA);
+  cv::cvtColor(scaled, rgb, cv::COLOR_BGR2RGB);
+}
+
+/// A camera waits for its next picture; a file comes at its own rate, and a video begins again.
+class OpencvSource final : public FrameSource {
+ public:
+  explicit OpencvSource(std::string device)
+      : device_(std::move(device)), problem_("The camera " + device_ + " was not opened yet.") {}
+
+  bool grab(Frame& frame, Time now) override {
+    if (!open_ && !open(now)) return false;
+    if (!is_camera(device_) && now - last_frame_ < period_) return false;
+    if (!next_picture()) return lose("gives no more pictures: check it and its cable");
+    convert(picture_, frame);
+    last_frame_ = now;
+    return true;
+  }
+
+  [[nodiscard]] std::string problem() const override { return problem_; }
+
+ private:
+  bool open(Time now) {
+    if (attempted_ && now - last_attempt_ < kOpenAgain) return false;
+    attempted_ = true;
+    last_attempt_ = now;
+    if (!std::filesystem::exists(device_))
+      return lose("is not there: plug it in, or name another one in frame_grabber");
+    open_ = is_picture(device_) ? open_picture() : open_video();
+    if (!open_) return lose("cannot be opened as a camera, video or picture");
+    problem_.clear();
+    return true;
+  }
+
+  bool open_picture() {
+    still_ = cv::imread(device_, cv::IMREAD_COLOR);
+    set_rate(kStillRate_hz);
+    return !still_.empty();
+  }
+
+  bool open_video() {
+    const bool opened =
+        is_camera(device_) ? video_.open(device_, cv::CAP_V4L2) : video_.open(device_);
+    if (opened) set_rate(video_.get(cv::CAP_PROP_FPS));
+    return opened;
+  }
+
+  void set_rate(double rate_hz) {
+    period_ = from_seconds(1 / (rate_hz >= kSlowest_hz ? rate_hz : kStillRate_hz));
+  }
+
+  bool next_picture() {
+    if (!still_.empty()) {
+      picture_ = still_;
+      return true;
+    }
+    if (video_.read(picture_)) return true;
+    return !is_camera(device_) && video_.open(device_) && video_.read(picture_);
+  }
+
+  bool lose(const std::string& what) {
+    open_ = false;
+    still_.release();
+    video_.release();
+    problem_ = "The camera " + device_ + ' ' + what + '.';
+    return false;
+  }
+
+  std::string device_;
+  std::string problem_;
+  cv::VideoCapture video_;
+  cv::Mat still_;
+  cv::Mat picture_;
+  Duration period_{};
+  Time last_frame_{};
+  Time last_attempt_{};
+  bool attempted_ = false;
+  bool open_ = false;
+};
+
+}  // namespace
+}  // namespace galilean::robot
+
+extern "C" galilean::robot::FrameSource* galilean_make_opencv_source(const char* device) {
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  return new galilean::robot::OpencvSource(device);
+}

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "robot/devices/frame_source.h"
+
+namespace galilean::robot {
+
+inline constexpr auto kOpencvModuleFile = "libgalilean_opencv_source.so";
+inline constexpr auto kMakeOpencvSource = "galilean_make_opencv_source";
+
+/// What the module gives: makes a source that the caller owns. Opening waits for the first `grab`.
+using MakeOpencvSource = FrameSource* (*)(const char* device);
+
+}  // namespace galilean::robot

@@ -1,0 +1,39 @@
+#include "robot/devices/opencv_source.h"
+
+#include <dlfcn.h>
+
+#include <array>
+#include <filesystem>
+
+#include "robot/devices/opencv_module.h"
+
+namespace galilean::robot {
+namespace {
+
+/// Where it stands relative to the executable: in the build, in the build's tests, installed.
+constexpr std::array kFolders{".", "../bin", "../lib/galilean"};
+
+Result<std::filesystem::path> find_module() {
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  for (const auto* relative : kFolders) {
+    const auto candidate = folder / relative / kOpencvModuleFile;
+    if (std::filesystem::exists(candidate)) return candidate;
+  }
+  return Error{std::string("The module for cameras and videos, ") + kOpencvModuleFile +
+               ", is not beside the executable in " + folder.string() + ": build or install it."};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<FrameSource>> open_opencv_source(const std::string& device) {
+  const auto path = find_module();
+  if (!path) return path.error();
+  // Never closed: OpenCV's threads would run on in memory that is gone.
+  auto* const module = dlopen(path.value().c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!module) return Error{std::string("OpenCV cannot be loaded: ") + dlerror() + '.'};
+  const auto make = reinterpret_cast<MakeOpencvSource>(dlsym(module, kMakeOpencvSource));
+  if (!make) return Error{path.value().string() + " is no module of this release: build it again."};
+  return std::unique_ptr<FrameSource>(make(device.c_str()));
+}
+
+}  // namespace galilean::robot

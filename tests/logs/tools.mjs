@@ -1,0 +1,45 @@
+// What the log and wire tests share: where the programs are, and the reference decoders.
+import { execFileSync, spawn } from "node:child_process";
+import { createRequire } from "node:module";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+
+const here = path.dirname(fileURLToPath(import.meta.url));
+const require = createRequire(path.join(here, "../node/package.json"));
+
+export const { parseRos2idl } = require("@foxglove/ros2idl-parser");
+export const { MessageReader, MessageWriter } = require("@foxglove/rosmsg2-serialization");
+export const { McapIndexedReader, McapStreamReader } = require("@mcap/core");
+export const { decompress: unzstd } = require("fzstd");
+
+const build = process.env.GALILEAN_BUILD ?? path.join(here, "../../build");
+export const program = (name) => path.join(build, "bin", name);
+export const testTool = (name) => path.join(build, "tests", name);
+
+// A domain of our own, so that tests hear nobody else.
+export const domain = process.env.ROS_DOMAIN_ID ?? "44";
+
+let schemaList;
+export function schemas() {
+  schemaList ??= JSON.parse(
+    execFileSync(testTool("wire_echo"), ["--schemas"], { maxBuffer: 1 << 26 }).toString(),
+  );
+  return schemaList;
+}
+
+// The definitions that a reader of `rosType` takes: its own first, under no name.
+export function definitionsFor(rosType, idl) {
+  const all = parseRos2idl(idl);
+  const own = all.find((definition) => definition.name === rosType);
+  if (!own) throw new Error(`${rosType} is not in its own schema`);
+  return [{ ...own, name: undefined }, ...all.filter((definition) => definition !== own)];
+}
+
+export function start(command, args, options = {}) {
+  const child = spawn(command, args, options);
+  child.text = "";
+  child.stdout?.on("data", (data) => (child.text += data));
+  child.stderr?.on("data", (data) => (child.text += data));
+  child.ended = new Promise((resolve) => child.on("close", (code, signal) => resolve({ code, signal })));
+  return child;
+}

@@ -66,6 +66,7 @@ nlohmann::json attribute_to_json(const AttributeSpec& spec) {
   if (spec.count) json["count"] = spec.count;
   if (!spec.choices.empty()) json["choices"] = spec.choices;
   if (!spec.refers_to.empty()) json["refers_to"] = spec.refers_to;
+  if (!spec.one_for_each.empty()) json["one_for_each"] = spec.one_for_each;
   if (spec.access != Access::kNone) json["access"] = to_string(spec.access);
   return json;
 }
@@ -84,6 +85,7 @@ AttributeSpec attribute_from_json(const nlohmann::json& json) {
   spec.count = json.value("count", spec.count);
   spec.choices = json.value("choices", spec.choices);
   spec.refers_to = json.value("refers_to", "");
+  spec.one_for_each = json.value("one_for_each", "");
   spec.access = parse_word<Access>(kAccess, json.value("access", "none"));
   spec.help = json.value("help", "");
   return spec;
@@ -145,7 +147,8 @@ Result<Catalog> catalog_from_json(std::string_view text) {
   std::string where = "the catalog";
   try {
     Catalog catalog;
-    for (const auto& component : nlohmann::json::parse(text).at("components")) {
+    const auto json = nlohmann::json::parse(text);
+    for (const auto& component : json.at("components")) {
       where = "component '" + component.value("name", "?") + "' of the catalog";
       catalog.components.push_back(component_from_json(component));
     }

@@ -51,8 +51,10 @@ struct AttributeSpec {
   double maximum = std::numeric_limits<double>::infinity();
   std::size_t count = 0;  ///< of numbers or names that must be given; 0: any
   std::vector<std::string> choices;
-  std::string refers_to;  ///< of a name: a variable's type ("locate"), "state",
-                          ///< "perceptual_schema", "motor_schema"
+  std::string refers_to;     ///< of a name: a variable's type ("locate"), "variable" (of any type),
+                             ///< "state", "perceptual_schema", "motor_schema"
+  std::string one_for_each;  ///< of a list that may be left out: the list that it has to match in
+                             ///< number
   Access access = Access::kNone;
   std::string help;
 

@@ -53,6 +53,17 @@ class Declaration {
       return *this;
     }
 
+    /// Of a name: what it is when the program does not give it. It must exist all the same.
+    Refinement& preset(std::string name) {
+      spec_.default_value = Value(std::move(name));
+      return *this;
+    }
+    /// Of a list: if it is given it has as many entries as the list `attribute`.
+    Refinement& one_for_each(std::string attribute) {
+      spec_.one_for_each = std::move(attribute);
+      return *this;
+    }
+
    private:
     AttributeSpec& spec_;
   };
@@ -149,6 +160,19 @@ class Declaration {
                [member](T& t, const Value& v, const Wiring& wiring) {
                  for (const auto& each : std::get<std::vector<std::string>>(v))
                    (t.*member).push_back(wiring.variables.find<V>(each));
+               });
+  }
+
+  /// Names variables of whatever type, for what all of them have in common.
+  Refinement adjusts(std::vector<Reliability*> T::*member, std::string name, std::string text) {
+    return add({.name = std::move(name),
+                .type = AttributeType::kNames,
+                .refers_to = "variable",
+                .help = std::move(text)},
+               [member](T& t, const Value& v, const Wiring& wiring) {
+                 for (const auto& each : std::get<std::vector<std::string>>(v))
+                   if (Reliability* found = wiring.variables.find_reliability(each))
+                     (t.*member).push_back(found);
                });
   }
 

@@ -40,6 +40,15 @@ class VariableStore {
     return std::get<std::deque<Variable<T>>>(variables_);
   }
 
+  /// Of the variable of that name, whatever its type; nullptr if there is none.
+  [[nodiscard]] Reliability* find_reliability(std::string_view name) noexcept {
+    Reliability* found = nullptr;
+    for_each([&](auto& variable) {
+      if (!found && variable.name == name) found = &variable.reliability;
+    });
+    return found;
+  }
+
   /// Calls `visit(Variable<T>&)` for every variable, type by type, in the order of the program.
   template <class Visitor>
   void for_each(Visitor&& visit) {

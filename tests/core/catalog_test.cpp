@@ -1,0 +1,89 @@
+#include "core/catalog/catalog.h"
+
+#include <gtest/gtest.h>
+
+#include "core/catalog/registry.h"
+
+namespace galilean {
+namespace {
+
+/// A schema with an attribute of every sort.
+class Example final : public MotorSchema {
+ public:
+  static void describe(Declaration<Example>& is) {
+    is.help("For the test.");
+    is.reads(&Example::goal_, "goal_variable", "what to read");
+    is.writes(&Example::result_, "result", "what to write").optional();
+    is.number(&Example::radius_m_, "radius", unit::kCentimetre, 20, "a length")
+        .range(0, 100)
+        .alias("raduis");
+    is.pair(&Example::offset_m_, "offset", unit::kCentimetre, Vec2(0, 22), "a point");
+    is.reads_all(&Example::inputs_, "inputs", "forces");
+    is.choice(&Example::sum_, "mode", {"average", "sum"}, "average", "how");
+  }
+  void run(const Tick&) override {}
+
+  const Variable<Locate>* goal_ = nullptr;
+  Variable<Force>* result_ = nullptr;
+  double radius_m_ = 0;
+  Vec2 offset_m_ = Vec2::Zero();
+  std::vector<const Variable<Force>*> inputs_;
+  bool sum_ = false;
+};
+
+TEST(Catalog, SurvivesJson) {
+  Registry registry;
+  registry.add_schema<Example>("example");
+  const auto text = catalog_to_json(registry.catalog());
+  const auto read = catalog_from_json(text);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(catalog_to_json(read.value()), text);
+  const auto* radius = read.value().find("example")->find("raduis");
+  ASSERT_NE(radius, nullptr);
+  EXPECT_EQ(radius->name, "radius");
+  EXPECT_EQ(radius->unit.symbol, "cm");
+  EXPECT_EQ(radius->maximum, 100);
+  EXPECT_FALSE(radius->required());
+  EXPECT_TRUE(read.value().find("example")->find("goal_variable")->required());
+}
+
+TEST(Catalog, SaysWhichComponentOfBrokenJsonItCouldNotRead) {
+  const auto read =
+      catalog_from_json(R"({"components":[{"name":"noise","kind":"potato","attributes":[]}]})");
+  ASSERT_FALSE(read.ok());
+  EXPECT_NE(read.error().message.find("noise"), std::string::npos);
+  EXPECT_NE(read.error().message.find("potato"), std::string::npos);
+  EXPECT_FALSE(catalog_from_json("{").ok());
+}
+
+TEST(Registry, MakesASchemaWithItsAttributesAndVariables) {
+  Registry registry;
+  registry.add_schema<Example>("example");
+  VariableStore store;
+  auto& goal = store.add<Locate>("trash");
+  auto& noise = store.add<Force>("noise");
+  AttributeValues values;
+  values.set("goal_variable", std::string("trash"));
+  values.set("result", std::string());
+  values.set("radius", 0.5);
+  values.set("inputs", std::vector<std::string>{"noise"});
+  values.set("mode", std::string("sum"));
+  const Devices* no_devices = nullptr;
+  const auto schema = registry.make("example", values, {store, *no_devices, Random(1)});
+  const auto& example = dynamic_cast<Example&>(*schema);
+  EXPECT_EQ(example.goal_, &goal);
+  EXPECT_EQ(example.result_, nullptr);
+  EXPECT_EQ(example.radius_m_, 0.5);
+  EXPECT_EQ(example.inputs_, std::vector<const Variable<Force>*>{&noise});
+  EXPECT_TRUE(example.sum_);
+  EXPECT_EQ(registry.make("nothing", values, {store, *no_devices, Random(1)}), nullptr);
+}
+
+TEST(Unit, IsFoundBySymbol) {
+  EXPECT_EQ(find_unit("cm")->to_si, 0.01);
+  EXPECT_EQ(find_unit("ticks/cm")->dimension, std::string_view("encoder resolution"));
+  EXPECT_FALSE(find_unit("furlong").has_value());
+}
+
+}  // namespace
+}  // namespace galilean

@@ -1,0 +1,25 @@
+#include "robot/motor/move_gripper.h"
+
+namespace galilean::robot {
+
+void MoveGripper::describe(Declaration<MoveGripper>& is) {
+  is.help("Opens or closes the gripper, as a bit or as the program says.");
+  is.reads(&MoveGripper::bits_, "bits_variable", "decides, where given: 1 closes, 0 opens")
+      .optional();
+  is.number(&MoveGripper::bit_index_, "bit_index", unit::kNone, 0, "which bit of bits_variable")
+      .range(0, 31);
+  is.choice(&MoveGripper::command_, "command", {"open", "close"}, "close",
+            "what to do where there is no bits_variable");
+  is.uses_devices(&MoveGripper::devices_);
+}
+
+void MoveGripper::run(const Tick& tick) {
+  if (!bits_) {
+    devices_->comm_port.command_gripper(command_);
+  } else if (bits_->valid_at(tick.now)) {
+    const bool close = bits_->value.test(bit_index_);
+    devices_->comm_port.command_gripper(close ? GripperCommand::kClose : GripperCommand::kOpen);
+  }
+}
+
+}  // namespace galilean::robot

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "core/schema/schema.h"
+#include "core/variable/variable.h"
+
+namespace galilean::robot {
+
+/// A located object as the robot's centre sees it.
+struct RelativeObject {
+  Vec2 in_robot_m = Vec2::Zero();  ///< its centre, robot frame (x right, y forward)
+  double distance_m = 0;           ///< from the robot's centre to its centre
+  double radius_m = 0;
+  double certainty = 0;  ///< of the less certain of object and shaft, more than 0
+
+  /// Unit vectors in the robot frame. In the object's very centre every direction is as good as any
+  /// other: away is backwards then, where the robot came from, and towards is nowhere.
+  [[nodiscard]] Vec2 away() const noexcept;
+  [[nodiscard]] Vec2 towards() const noexcept;
+};
+
+/// Nothing while either variable is invalid.
+[[nodiscard]] std::optional<RelativeObject> relative_object(const Variable<Locate>& object,
+                                                            const Variable<Shaft>& shaft,
+                                                            Time now) noexcept;
+
+/// Whether a force takes part in this tick: valid, and either written in it or a constant. A force
+/// whose schema did not run does not count.
+[[nodiscard]] bool acts(const Variable<Force>& force, const Tick& tick) noexcept;
+
+}  // namespace galilean::robot

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "core/catalog/registry.h"
+
+namespace galilean::robot {
+
+/// Every component that a BHDL program of this robot may name.
+void add_components(Registry& registry);
+
+}  // namespace galilean::robot

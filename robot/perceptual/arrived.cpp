@@ -1,0 +1,25 @@
+#include "robot/perceptual/arrived.h"
+
+#include "robot/variables/relative.h"
+
+namespace galilean::robot {
+
+void Arrived::describe(Declaration<Arrived>& is) {
+  is.help("Sets a bit while the robot is close to an object that it sees or remembers.");
+  is.reads(&Arrived::object_, "locate_variable", "the object");
+  is.reads(&Arrived::shaft_, "shaft_variable", "where the robot is").preset("shaft");
+  is.number(&Arrived::radius_m_, "radius", unit::kCentimetre, 40,
+            "distance from the robot's centre to the object's that counts as there")
+      .range(0, 10000);
+  is.updates(&Arrived::bits_, "bits_variable", "holds the bit");
+  is.number(&Arrived::bit_index_, "bit_index", unit::kNone, 0, "which bit").range(0, 31);
+}
+
+void Arrived::run(const Tick& tick) {
+  const auto object = relative_object(*object_, *shaft_, tick.now);
+  Bits bits = bits_->value;
+  bits.assign(bit_index_, object && object->distance_m <= radius_m_);
+  bits_->write(bits, 1, tick.now, tick.number);
+}
+
+}  // namespace galilean::robot

@@ -1,0 +1,32 @@
+#include "robot/perceptual/seen.h"
+
+#include "robot/variables/relative.h"
+
+namespace galilean::robot {
+
+void Seen::describe(Declaration<Seen>& is) {
+  is.help("Sets a bit while the robot knows well enough where an object is.");
+  is.reads(&Seen::object_, "locate_variable", "the object");
+  is.reads(&Seen::shaft_, "shaft_variable", "where the robot is").preset("shaft");
+  is.number(&Seen::min_certainty_, "min_certainty", unit::kNone, 0.5, "how sure it must be")
+      .range(0, 1);
+  is.number(&Seen::max_range_m_, "max_range", unit::kCentimetre, 10000,
+            "how far from the robot it may be")
+      .range(0, 10000);
+  is.updates(&Seen::bits_, "bits_variable", "holds the bit");
+  is.number(&Seen::bit_index_, "bit_index", unit::kNone, 0, "which bit").range(0, 31);
+}
+
+void Seen::run(const Tick& tick) {
+  Bits bits = bits_->value;
+  bits.assign(bit_index_, holds(tick.now));
+  bits_->write(bits, 1, tick.now, tick.number);
+}
+
+bool Seen::holds(Time now) const noexcept {
+  const auto object = relative_object(*object_, *shaft_, now);
+  return object && object_->certainty_at(now) >= min_certainty_ &&
+         object->distance_m <= max_range_m_;
+}
+
+}  // namespace galilean::robot

@@ -1,5 +1,9 @@
 # The three ways in which a folder adds to the build. Sources are always listed, never globbed.
 
+# What demo.sh builds, and what the sanitizer builds build.
+add_custom_target(programs ALL)
+add_custom_target(unit_tests)
+
 # galilean_library(NAME SOURCES a.cpp … LINK lib …): a static library, includable from the root.
 function(galilean_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
@@ -14,16 +18,23 @@ function(galilean_executable name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} galilean_warnings)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  add_dependencies(programs ${name})
 endfunction()
 
-# galilean_test(NAME SOURCES a_test.cpp … LINK lib …): a GoogleTest program, run by ctest.
+# galilean_test(NAME [THREADS] SOURCES a_test.cpp … LINK lib …): a GoogleTest program, run by ctest.
 # One program a folder keeps linking cheap; ctest still lists every test by its own name.
+# THREADS marks tests that run under ThreadSanitizer as well.
 function(galilean_test name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "THREADS" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gmock GTest::gtest_main galilean_warnings)
   target_compile_definitions(${name} PRIVATE GALILEAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                              GALILEAN_BINARY_DIR="${PROJECT_BINARY_DIR}")
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  add_dependencies(unit_tests ${name})
+  set(label unit)
+  if(arg_THREADS)
+    set(label unit-threads)
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 LABELS ${label})
 endfunction()

@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# Three robots clean an office: installs what is missing, builds, starts the simulator, the robots
+# and the monitor, and prints the page's address. Ctrl-C ends all of it.
+#   ./demo.sh [--robots N] [--port P] [--scenario S] [--headless-for SECONDS] …  (./demo.sh --help)
+set -euo pipefail
+cd "$(dirname "$0")"
+scripts/install.sh build
+scripts/build.sh programs
+exec build/bin/galilean demo "$@"

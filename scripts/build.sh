@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# build.sh programs|all: builds the programs (and with "all" the tests) into build/, and the page
+# into build/share/galilean/web. Does only what changed.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+tests=OFF
+[ "${1:-programs}" = all ] && tests=ON
+if [ ! -f build/build.ninja ] || { [ $tests = ON ] && ! grep -q 'GALILEAN_TESTS:BOOL=ON' build/CMakeCache.txt; }; then
+  cmake -S . -B build -G Ninja -DGALILEAN_TESTS=$tests >build.log 2>&1 || { cat build.log >&2; exit 1; }
+  rm -f build.log
+fi
+target=programs
+[ "${1:-programs}" = all ] && target=all
+if ! ninja -C build -n "$target" | grep -q 'no work to do'; then
+  echo "Building …"
+  ninja -C build "$target" >build/build.log 2>&1 || { grep -A20 -E 'FAILED|error' build/build.log | head -100 >&2; exit 1; }
+fi
+
+sources=$(find web -path web/node_modules -prune -o -path web/dist -prune -o -type f -print0 | sort -z | xargs -0 sha256sum | sha256sum)
+if [ "$(cat build/share/galilean/web.stamp 2>/dev/null)" != "$sources" ]; then
+  echo "Building the page …"
+  (cd web && { [ node_modules/.package-lock.json -nt package-lock.json ] || npm ci --no-audit --no-fund --silent; } && npm run build --silent) \
+    >build/web.log 2>&1 || { tail -40 build/web.log >&2; exit 1; }
+  rm -rf build/share/galilean/web
+  mkdir -p build/share/galilean
+  cp -r web/dist build/share/galilean/web
+  echo "$sources" >build/share/galilean/web.stamp
+fi

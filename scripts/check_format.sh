@@ -1,0 +1,5 @@
+#!/usr/bin/env bash
+# check_format.sh: every C++ file is as clang-format leaves it.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+git ls-files -co --exclude-standard -- '*.h' '*.cpp' | xargs clang-format --dry-run --Werror

@@ -9,7 +9,7 @@ namespace galilean::wire {
 struct Schema {
   std::string_view ros_type;  ///< "galilean_msgs/msg/RobotState"
   std::string_view dds_type;  ///< "galilean_msgs::msg::dds_::RobotState_", as ROS 2 registers it
-  std::string_view idl;       ///< its file with all that it includes: encoding "ros2idl"
+  std::string_view idl;       ///< it and all types that it uses: encoding "ros2idl"
 };
 
 [[nodiscard]] std::span<const Schema> schemas() noexcept;

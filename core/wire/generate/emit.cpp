@@ -1,6 +1,7 @@
 #include "core/wire/generate/emit.h"
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
 namespace galilean::idl {
@@ -67,24 +68,53 @@ std::string lend_field(const Field& field) {
   return "lend(from." + name + ", to." + name + ", arena);";
 }
 
-void include_closure(const std::vector<File>& files, const File& file,
-                     std::vector<const File*>& closure) {
-  for (const auto& include : file.includes)
-    for (const auto& other : files)
-      if (other.name == include) include_closure(files, other, closure);
-  if (std::find(closure.begin(), closure.end(), &file) == closure.end()) closure.push_back(&file);
+/// `file` and `type` of every declaration, by full name.
+struct Declared {
+  const File* file;
+  const Struct* type;
+};
+using Declarations = std::map<std::string, Declared>;
+
+Declarations declarations(const std::vector<File>& files) {
+  Declarations all;
+  for (const auto& file : files)
+    for (const auto& type : file.structs) all[full_name(type)] = {&file, &type};
+  return all;
 }
 
-std::string schema_text(const std::vector<File>& files, const File& file) {
-  std::vector<const File*> closure;
-  include_closure(files, file, closure);
+/// The full names of the structs among the fields of `type`, each once.
+std::vector<std::string> used_by(const Struct& type, const Declarations& all) {
+  std::vector<std::string> used;
+  for (const auto& field : type.fields)
+    if (all.contains(field.type) && std::find(used.begin(), used.end(), field.type) == used.end())
+      used.push_back(field.type);
+  return used;
+}
+
+/// One type as the file that ROS 2 would have of it, under the two lines that name it.
+std::string resource_text(const Declared& declared, const Declarations& all) {
+  const Struct& type = *declared.type;
+  std::string text = std::string(80, '=') + "\nIDL: " + ros_name(full_name(type)) + "\n";
+  for (const auto& used : used_by(type, all)) text += "#include \"" + ros_name(used) + ".idl\"\n";
+  const std::string package = type.module.substr(0, type.module.find(':'));
+  text += "module " + package + " { module msg {\n";
+  const auto constants = declared.file->group_text.find(type.name + "_Constants");
+  if (constants != declared.file->group_text.end()) text += constants->second;
+  return text + type.text + "}; };\n";
+}
+
+void add_closure(const std::string& name, const Declarations& all,
+                 std::vector<std::string>& closure) {
+  if (std::find(closure.begin(), closure.end(), name) != closure.end()) return;
+  closure.push_back(name);
+  for (const auto& used : used_by(*all.at(name).type, all)) add_closure(used, all, closure);
+}
+
+std::string schema_text(const std::string& name, const Declarations& all) {
+  std::vector<std::string> closure;
+  add_closure(name, all, closure);
   std::string text;
-  for (auto part = closure.rbegin(); part != closure.rend(); ++part) {
-    text += std::string(80, '=') + "\nIDL: " + (*part)->name + "\n";
-    std::istringstream lines((*part)->text);
-    for (std::string line; std::getline(lines, line);)
-      if (!line.starts_with("#")) text += line + "\n";
-  }
+  for (const auto& part : closure) text += resource_text(all.at(part), all);
   return text;
 }
 
@@ -146,20 +176,18 @@ std::string emit_lending(const std::vector<File>& files) {
 
 std::string emit_schemas(const std::vector<File>& files) {
   std::ostringstream out;
-  out << "#include \"core/wire/schemas.h\"\n\nnamespace galilean::wire {\nnamespace {\n\n";
-  for (const auto& file : files) {
+  out << "#include \"core/wire/schemas.h\"\n\nnamespace galilean::wire {\nnamespace {\n\n"
+         "constexpr Schema kSchemas[] = {\n";
+  const Declarations all = declarations(files);
+  for (const auto& [name, declared] : all) {
+    out << "    {\"" << ros_name(name) << "\", \"" << declared.type->module
+        << "::dds_::" << declared.type->name << "_\",\n";
     // string literals have a limited length: one a line
-    out << "constexpr const char* k_" << file.name << " =\n";
-    std::istringstream lines(schema_text(files, file));
+    std::istringstream lines(schema_text(name, all));
     for (std::string line; std::getline(lines, line);)
-      out << "    R\"IDL(" << line << ")IDL\" \"\\n\"\n";
-    out << "    ;\n\n";
+      out << "     R\"IDL(" << line << ")IDL\" \"\\n\"\n";
+    out << "    },\n";
   }
-  out << "constexpr Schema kSchemas[] = {\n";
-  for (const auto& file : files)
-    for (const auto& type : file.structs)
-      out << "    {\"" << ros_name(full_name(type)) << "\", \"" << type.module
-          << "::dds_::" << type.name << "_\", k_" << file.name << "},\n";
   out << "};\n\n}  // namespace\n\nstd::span<const Schema> schemas() noexcept { return kSchemas; "
          "}\n\n}  // namespace galilean::wire\n";
   return out.str();

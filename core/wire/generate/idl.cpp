@@ -10,12 +10,13 @@ namespace {
 struct Token {
   std::string text;
   int line;
+  std::size_t begin;
 };
 
 class Tokens {
  public:
   Tokens(std::string file, const std::string& text, std::vector<std::string>& includes)
-      : file_(std::move(file)) {
+      : file_(std::move(file)), text_(text) {
     scan(text, includes);
   }
 
@@ -36,6 +37,14 @@ class Tokens {
   }
   void expect(std::string_view text) {
     if (!accept(text)) fail("expected '" + std::string(text) + "' before '" + peek() + "'");
+  }
+  /// Where the lines after the token taken last begin.
+  [[nodiscard]] std::size_t next_line() const {
+    return std::min(text_.find('\n', tokens_[next_ - 1].begin), text_.size() - 1) + 1;
+  }
+  /// The whole lines from `begin` to the token taken last.
+  [[nodiscard]] std::string lines_since(std::size_t begin) const {
+    return text_.substr(begin, next_line() - begin);
   }
   [[noreturn]] void fail(const std::string& message) const {
     const int line = tokens_.empty() ? 1 : tokens_[std::min(next_, tokens_.size() - 1)].line;
@@ -69,11 +78,12 @@ class Tokens {
     };
     while (end < text.size() && is_word(text[end])) ++end;
     if (end == begin) ++end;
-    tokens_.push_back({text.substr(begin, end - begin), line});
+    tokens_.push_back({text.substr(begin, end - begin), line, begin});
     return end;
   }
 
   std::string file_;
+  const std::string& text_;
   std::vector<Token> tokens_;
   std::size_t next_ = 0;
 };
@@ -109,7 +119,7 @@ Field parse_field(Tokens& tokens, const std::string& module) {
 }
 
 Struct parse_struct(Tokens& tokens, const std::string& module) {
-  Struct result{module, tokens.take(), {}};
+  Struct result{module, tokens.take(), {}, {}};
   tokens.expect("{");
   while (!tokens.accept("}")) result.fields.push_back(parse_field(tokens, module));
   tokens.expect(";");
@@ -130,8 +140,11 @@ void parse_module(Tokens& tokens, const std::string& outer, File& file) {
   const std::string module = outer.empty() ? name : outer + "::" + name;
   tokens.expect("{");
   while (!tokens.accept("}")) {
+    const std::size_t begin = tokens.next_line();
     if (tokens.accept("module")) {
+      const std::string inner = tokens.peek();
       parse_module(tokens, module, file);
+      file.group_text[inner] = tokens.lines_since(begin);
     } else if (tokens.accept("const")) {
       file.constants.push_back(parse_constant(tokens, module));
     } else {
@@ -139,6 +152,7 @@ void parse_module(Tokens& tokens, const std::string& outer, File& file) {
       tokens.expect("final");
       tokens.expect("struct");
       file.structs.push_back(parse_struct(tokens, module));
+      file.structs.back().text = tokens.lines_since(begin);
     }
   }
   tokens.expect(";");

@@ -19,6 +19,7 @@ struct Struct {
   std::string module;  ///< "galilean_msgs::msg"
   std::string name;
   std::vector<Field> fields;
+  std::string text;  ///< as it stands in the file, whole lines with the comments before it
 };
 struct Constant {
   std::string group;  ///< "Variable_Constants"
@@ -31,6 +32,7 @@ struct File {
   std::vector<std::string> includes;  ///< names without ".idl"
   std::vector<Struct> structs;
   std::vector<Constant> constants;
+  std::map<std::string, std::string> group_text;  ///< of "Variable_Constants", as Struct::text
 };
 
 /// Throws std::runtime_error with file and line if the text is not of the subset.

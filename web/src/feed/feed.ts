@@ -1,0 +1,136 @@
+import { type Channel, FoxgloveClient, type MessageData, type SubscriptionId } from "@foxglove/ws-protocol";
+import { ClockOffset } from "./clock_offset";
+import { type Decode, decoderOf } from "./decoder";
+import { isAlwaysWanted } from "./topics";
+
+export type Connection = "connecting" | "live" | "lost";
+export type Listener = (topic: string, message: unknown, received_ms: number) => void;
+
+export interface FeedEvents {
+  message: Listener;
+  connection: (connection: Connection, attempt: number) => void;
+  /** Something of the feed that the reader should know, in one sentence. */
+  trouble: (sentence: string) => void;
+}
+
+const SUBPROTOCOLS = ["foxglove.sdk.v1", "foxglove.websocket.v1"];
+const FIRST_RETRY_MS = 500;
+const LONGEST_RETRY_MS = 5000;
+
+interface Subscription {
+  channel: Channel;
+  decode: Decode;
+}
+
+/**
+ * The page's only socket: reads the monitor's topics by Foxglove's protocol, decodes their CDR, and
+ * connects again by itself. Topics that cost something (pictures) are read only while wanted.
+ */
+export class Feed {
+  #client: FoxgloveClient | undefined;
+  #clock = new ClockOffset();
+  #channels = new Map<number, Channel>();
+  #subscriptions = new Map<SubscriptionId, Subscription>();
+  #decoders = new Map<string, Decode>();
+  #wanted = new Map<string, number>();
+  #attempt = 0;
+
+  constructor(
+    private readonly url: string,
+    private readonly events: FeedEvents,
+  ) {}
+
+  connect(): void {
+    this.events.connection("connecting", this.#attempt);
+    const client = new FoxgloveClient({ ws: new WebSocket(this.url, SUBPROTOCOLS) });
+    this.#client = client;
+    client.on("serverInfo", () => {
+      this.#attempt = 0;
+      this.events.connection("live", 0);
+    });
+    client.on("advertise", (channels) => channels.forEach((channel) => this.#advertised(channel)));
+    client.on("unadvertise", (ids) => ids.forEach((id) => this.#withdrawn(id)));
+    client.on("message", (data) => this.#received(data));
+    client.on("status", (status) => status.level > 0 && this.events.trouble(status.message));
+    client.on("error", () => {}); // a close follows, and tells the reader
+    client.on("close", () => this.#closed());
+  }
+
+  /** Reads `topic` until the returned function is called. */
+  want(topic: string): () => void {
+    this.#wanted.set(topic, (this.#wanted.get(topic) ?? 0) + 1);
+    for (const channel of this.#channels.values()) if (channel.topic === topic) this.#subscribe(channel);
+    return () => this.#release(topic);
+  }
+
+  #release(topic: string): void {
+    const count = (this.#wanted.get(topic) ?? 0) - 1;
+    if (count > 0) this.#wanted.set(topic, count);
+    else {
+      this.#wanted.delete(topic);
+      this.#unsubscribe((channel) => channel.topic === topic);
+    }
+  }
+
+  #advertised(channel: Channel): void {
+    this.#channels.set(channel.id, channel);
+    if (isAlwaysWanted(channel.topic) || this.#wanted.has(channel.topic)) this.#subscribe(channel);
+  }
+
+  #withdrawn(id: number): void {
+    this.#channels.delete(id);
+    for (const [key, { channel }] of this.#subscriptions) if (channel.id === id) this.#subscriptions.delete(key);
+  }
+
+  #subscribe(channel: Channel): void {
+    if ([...this.#subscriptions.values()].some((known) => known.channel.id === channel.id)) return;
+    const decode = this.#decoder(channel);
+    if (!decode || !this.#client) return;
+    this.#subscriptions.set(this.#client.subscribe(channel.id), { channel, decode });
+  }
+
+  #unsubscribe(which: (channel: Channel) => boolean): void {
+    for (const [id, { channel }] of this.#subscriptions) {
+      if (!which(channel)) continue;
+      this.#subscriptions.delete(id);
+      this.#client?.unsubscribe(id);
+    }
+  }
+
+  #decoder({ topic, schemaName, schema, encoding }: Channel): Decode | undefined {
+    const known = this.#decoders.get(schemaName);
+    if (known) return known;
+    try {
+      if (encoding !== "cdr") throw new Error(`its encoding is ${encoding}, not cdr`);
+      const decode = decoderOf(schemaName, schema);
+      this.#decoders.set(schemaName, decode);
+      return decode;
+    } catch (error) {
+      this.events.trouble(`${topic} cannot be read: ${(error as Error).message}`);
+      return undefined;
+    }
+  }
+
+  #received({ subscriptionId, timestamp, data }: MessageData): void {
+    const subscription = this.#subscriptions.get(subscriptionId);
+    if (!subscription) return;
+    const received_ms = this.#clock.received_ms(Number(timestamp / 1000n) / 1000, Date.now());
+    try {
+      this.events.message(subscription.channel.topic, subscription.decode(data), received_ms);
+    } catch (error) {
+      this.events.trouble(`a message on ${subscription.channel.topic} was damaged: ${(error as Error).message}`);
+    }
+  }
+
+  #closed(): void {
+    this.#client = undefined;
+    this.#channels.clear();
+    this.#subscriptions.clear();
+    this.#decoders.clear();
+    this.#clock = new ClockOffset();
+    this.#attempt += 1;
+    this.events.connection("lost", this.#attempt);
+    const wait_ms = Math.min(FIRST_RETRY_MS * 2 ** (this.#attempt - 1), LONGEST_RETRY_MS);
+    setTimeout(() => this.connect(), wait_ms);
+  }
+}

@@ -1,0 +1,28 @@
+// Which topics the page knows, and what a topic's name says.
+
+export const robotTopics = ["state", "transition", "variables", "sightings", "program", "program_reply"] as const;
+export const teamTopics = ["/team/objects", "/team/map", "/team/program_push", "/referee/score"] as const;
+export const pictures = ["camera", "superred", "supergreen", "superblue", "dark"] as const;
+
+export type RobotTopic = (typeof robotTopics)[number];
+export type TeamTopic = (typeof teamTopics)[number];
+export type Picture = (typeof pictures)[number];
+
+const NOT_ROBOTS = new Set(["team", "referee"]);
+
+/** The robot and the rest of "/io/state", or undefined where no robot is named. */
+export function robotTopicOf(topic: string): { robot: string; kind: string } | undefined {
+  const [, robot, kind] = /^\/([^/]+)\/(.+)$/.exec(topic) ?? [];
+  return robot && kind && !NOT_ROBOTS.has(robot) ? { robot, kind } : undefined;
+}
+
+export function pictureTopic(robot: string, picture: Picture): string {
+  return `/${robot}/${picture}/compressed`;
+}
+
+/** Whether the page listens to `topic` all the time; pictures are asked for one by one. */
+export function isAlwaysWanted(topic: string): boolean {
+  if ((teamTopics as readonly string[]).includes(topic)) return true;
+  const named = robotTopicOf(topic);
+  return named !== undefined && (robotTopics as readonly string[]).includes(named.kind);
+}

@@ -1,0 +1,81 @@
+// CodeMirror, as the page uses it. Loaded only when somebody edits.
+
+import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { bracketMatching } from "@codemirror/language";
+import { type Diagnostic as Mark, lintGutter, setDiagnostics } from "@codemirror/lint";
+import { type Extension, StateEffect, StateField } from "@codemirror/state";
+import { Decoration, type DecorationSet, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
+import type { Diagnostic } from "../feed/messages";
+import { bhdl } from "./bhdl_language";
+
+const setRunningLine = StateEffect.define<number | undefined>();
+const runningLine = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update(lines, { changes, effects, newDoc }) {
+    for (const effect of effects) {
+      if (!effect.is(setRunningLine)) continue;
+      const line = effect.value;
+      if (!line || line > newDoc.lines) return Decoration.none;
+      return Decoration.set([Decoration.line({ class: "cm-running" }).range(newDoc.line(line).from)]);
+    }
+    return lines.map(changes);
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
+
+const look = EditorView.theme({
+  "&": { height: "100%", fontSize: "13px", backgroundColor: "var(--panel)", color: "var(--ink)" },
+  ".cm-content": { caretColor: "var(--ink)" },
+  ".cm-cursor": { borderLeftColor: "var(--ink)" },
+  ".cm-gutters": { backgroundColor: "var(--panel)", color: "var(--quiet)", borderRight: "1px solid var(--line)" },
+  ".cm-activeLine": { backgroundColor: "color-mix(in srgb, var(--raised) 55%, transparent)" },
+  ".cm-running": { boxShadow: "inset 3px 0 var(--accent)", backgroundColor: "var(--chosen)" },
+  ".cm-tooltip": { backgroundColor: "var(--panel)", border: "1px solid var(--line)", color: "var(--ink)" },
+  "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground": {
+    backgroundColor: "color-mix(in srgb, var(--accent) 30%, transparent)",
+  },
+});
+
+export class Editor {
+  #view: EditorView;
+
+  constructor(parent: HTMLElement, text: string, edited: (text: string) => void) {
+    const told = EditorView.updateListener.of((update) => update.docChanged && edited(update.state.doc.toString()));
+    const extensions: Extension[] = [
+      lineNumbers(), history(), drawSelection(), bracketMatching(), highlightActiveLine(), lintGutter(), runningLine, bhdl, look, told,
+      keymap.of([...defaultKeymap, ...historyKeymap, indentWithTab]),
+      EditorView.contentAttributes.of({ "aria-label": "Program text" }),
+    ];
+    this.#view = new EditorView({ parent, doc: text, extensions });
+  }
+
+  /** Marks problems of the file that is shown; lines and columns count from 1. */
+  mark(diagnostics: readonly Diagnostic[]): void {
+    const { doc } = this.#view.state;
+    const marks = diagnostics.map(({ line, column, severity, message, hint }): Mark => {
+      const at = doc.line(Math.min(Math.max(line, 1), doc.lines));
+      const from = Math.min(at.from + Math.max(column - 1, 0), at.to);
+      const word = /^[\w.]+/.exec(doc.sliceString(from, at.to))?.[0].length ?? 0;
+      const text = hint ? `${message} (${hint})` : message;
+      return { from, to: Math.min(from + Math.max(word, 1), at.to), severity: severity === "error" ? "error" : "warning", message: text };
+    });
+    this.#view.dispatch(setDiagnostics(this.#view.state, marks));
+  }
+
+  /** Lights the line where the state that runs is declared. */
+  light(line: number | undefined): void {
+    this.#view.dispatch({ effects: setRunningLine.of(line) });
+  }
+
+  show(line: number, column: number): void {
+    const { doc } = this.#view.state;
+    const at = doc.line(Math.min(Math.max(line, 1), doc.lines));
+    const anchor = Math.min(at.from + Math.max(column - 1, 0), at.to);
+    this.#view.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: "center" }) });
+    this.#view.focus();
+  }
+
+  close(): void {
+    this.#view.destroy();
+  }
+}

@@ -1,0 +1,59 @@
+// Numbers and times as an operator reads them: with units, and no more digits than they are good for.
+
+const MINUS = "−";
+
+export function signed(value: number, digits: number): string {
+  const text = Math.abs(value).toFixed(digits);
+  return value < 0 && Number(text) !== 0 ? MINUS + text : text;
+}
+
+export function metres(value_m: number): string {
+  return `${signed(value_m, 2)} m`;
+}
+
+/** Whole degrees, −180 to 180. */
+export function degrees(angle_rad: number): string {
+  const turned = Math.atan2(Math.sin(angle_rad), Math.cos(angle_rad));
+  return `${signed((turned * 180) / Math.PI, 0)}°`;
+}
+
+/** "07:42" */
+export function clock(duration_s: number): string {
+  const whole = Math.max(Math.floor(duration_s), 0);
+  const part = (value: number) => String(value).padStart(2, "0");
+  return `${part(Math.floor(whole / 60))}:${part(whole % 60)}`;
+}
+
+/** How long something has lasted: "0.4 s", "12 s", "3 min", "2 h". */
+export function lasting(duration_s: number): string {
+  const whole = Math.max(duration_s, 0);
+  if (whole < 10) return `${whole.toFixed(1)} s`;
+  if (whole < 120) return `${Math.round(whole)} s`;
+  return whole < 7200 ? `${Math.round(whole / 60)} min` : `${Math.round(whole / 3600)} h`;
+}
+
+const RECENT_S = 60;
+
+/** Relative when recent, clock when old. */
+export function when(at_ms: number, now_ms: number): string {
+  const ago_s = (now_ms - at_ms) / 1000;
+  if (ago_s < 1) return "now";
+  if (ago_s < RECENT_S) return `${Math.round(ago_s)} s ago`;
+  return new Date(at_ms).toLocaleTimeString("en-GB");
+}
+
+/** A hash as people compare it. */
+export function shortHash(hash: string): string {
+  return hash.slice(0, 4);
+}
+
+/** A long name with its middle left out. */
+export function shortened(name: string, longest: number): string {
+  if (name.length <= longest) return name;
+  const ends = longest - 1;
+  return `${name.slice(0, Math.ceil(ends / 2))}…${name.slice(name.length - Math.floor(ends / 2))}`;
+}
+
+export function plural(count: number, one: string, many = `${one}s`): string {
+  return `${count} ${count === 1 ? one : many}`;
+}

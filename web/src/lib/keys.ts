@@ -1,0 +1,34 @@
+// The page's keys. A panel declares its own while it is shown; `?` lists those that work now.
+
+import { SvelteMap } from "svelte/reactivity";
+
+interface Key {
+  readonly does: string;
+  readonly act: () => void;
+  /** Works while one types, too. */
+  readonly anywhere: boolean;
+}
+
+export const keys = new SvelteMap<string, Key>();
+
+/** Declares a key such as "f" or "Ctrl+."; the returned function takes it back. */
+export function onKey(key: string, does: string, act: () => void, anywhere = false): () => void {
+  const declared = { does, act, anywhere };
+  keys.set(key, declared);
+  return () => {
+    if (keys.get(key) === declared) keys.delete(key);
+  };
+}
+
+function isTyping(target: EventTarget | null): boolean {
+  return target instanceof HTMLElement && (target.isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName));
+}
+
+export function pressed(event: KeyboardEvent): void {
+  if (event.altKey) return;
+  const chord = event.ctrlKey || event.metaKey ? `Ctrl+${event.key}` : event.key;
+  const key = keys.get(chord);
+  if (!key || (!key.anywhere && isTyping(event.target))) return;
+  event.preventDefault();
+  key.act();
+}

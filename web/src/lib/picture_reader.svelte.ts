@@ -1,0 +1,55 @@
+import type { CompressedImage } from "../feed/messages";
+import { type Picture, pictureTopic } from "../feed/topics";
+import { live } from "../live.svelte";
+import type { Feed } from "../feed/feed";
+
+const RATE_OVER = 10;
+
+/** Draws one of a robot's pictures on a canvas as it comes; it is asked for no longer than it is read. */
+export class PictureReader {
+  width_px = $state(352);
+  height_px = $state(186);
+  count = $state(0);
+  shown_ms = $state(0);
+  rate_hz = $state(0);
+  #times: number[] = [];
+  #busy = false;
+
+  read(feed: Feed, robot: string, picture: Picture, canvas: HTMLCanvasElement): () => void {
+    const topic = pictureTopic(robot, picture);
+    const release = feed.want(topic);
+    const silence = live.onPicture(topic, (image) => void this.#draw(image, canvas));
+    return () => {
+      release();
+      silence();
+    };
+  }
+
+  /** A picture that comes while one is being drawn is skipped: the next will be newer. */
+  async #draw({ data, format }: CompressedImage, canvas: HTMLCanvasElement): Promise<void> {
+    if (this.#busy) return;
+    this.#busy = true;
+    try {
+      const type = format.includes("png") ? "image/png" : "image/jpeg";
+      const bitmap = await createImageBitmap(new Blob([data as Uint8Array<ArrayBuffer>], { type }));
+      if (canvas.width !== bitmap.width || canvas.height !== bitmap.height)
+        [canvas.width, canvas.height] = [bitmap.width, bitmap.height];
+      [this.width_px, this.height_px] = [bitmap.width, bitmap.height];
+      canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
+      bitmap.close();
+      this.#counted();
+    } catch {
+      live.trouble = `A ${format} picture could not be drawn: it is damaged or of an unknown kind.`;
+    } finally {
+      this.#busy = false;
+    }
+  }
+
+  #counted(): void {
+    this.count += 1;
+    this.shown_ms = Date.now();
+    this.#times = [...this.#times, performance.now()].slice(-RATE_OVER);
+    const [first, last] = [this.#times[0]!, this.#times.at(-1)!];
+    if (last > first) this.rate_hz = ((this.#times.length - 1) * 1000) / (last - first);
+  }
+}

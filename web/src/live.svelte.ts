@@ -1,0 +1,108 @@
+// What the panels see: the team now or at a chosen instant, the robot chosen, and the page's clock.
+
+import { type Connection, Feed } from "./feed/feed";
+import { History } from "./team/history";
+import { emptyTeam, type Reply, type Robot, type Team } from "./team/model";
+import { withPush, withReply } from "./team/pushes";
+import { apply } from "./team/reduce";
+import type { PushResult } from "./lib/api";
+import type { CompressedImage, SourceFile } from "./feed/messages";
+
+/** How often what only ages (certainty, silence, clocks) is drawn anew. */
+const AGEING_MS = 100;
+const CALM_AGEING_MS = 1000;
+
+class Live {
+  connection = $state<Connection>("connecting");
+  trouble = $state<string>();
+  chosen = $state<string>();
+  /** The instant that the panels show; undefined: now. */
+  instant_ms = $state<number>();
+  #now_ms = $state(Date.now());
+  #shown = $state.raw<Team>(emptyTeam);
+  #team: Team = emptyTeam;
+  #history = new History();
+  #pictures = new Map<string, (image: CompressedImage) => void>();
+  #calm = matchMedia("(prefers-reduced-motion: reduce)");
+
+  feed = new Feed(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`, {
+    message: (topic, message, received_ms) => this.#heard(topic, message, received_ms),
+    connection: (connection) => (this.connection = connection),
+    trouble: (sentence) => (this.trouble = sentence),
+  });
+
+  readonly team: Team = $derived(
+    this.instant_ms === undefined
+      ? this.#shown
+      : { ...(this.#history.at(this.instant_ms) ?? this.#shown), grid: this.#shown.grid },
+  );
+  readonly now_ms: number = $derived(this.instant_ms ?? this.#now_ms);
+  readonly present_ms: number = $derived(this.#now_ms);
+  readonly present: Team = $derived(this.#shown);
+  readonly robots: Robot[] = $derived(
+    [...this.team.robots.values()].sort((a, b) => a.identity.index - b.identity.index),
+  );
+  readonly robot: Robot | undefined = $derived(
+    this.robots.find((robot) => robot.name === this.chosen) ?? this.robots[0],
+  );
+
+  start(): void {
+    this.feed.connect();
+    requestAnimationFrame(() => this.#draw());
+  }
+
+  /** What the push's own HTTP answer tells, ahead of or instead of the topics. */
+  pushed({ id, hash, replies }: PushResult, files: readonly SourceFile[], targets: readonly string[]): void {
+    const message = { stamp: { sec: 0, nsec: 0 }, id, hash, replaces_hash: "", author: "operator" };
+    let pushes = withPush(this.#team.pushes, { ...message, targets: [...targets], files: [...files] }, Date.now());
+    for (const reply of replies) pushes = withReply(pushes, id, withDefaults(reply));
+    this.#team = { ...this.#team, pushes };
+  }
+
+  dismiss(pushId: string): void {
+    this.#team = { ...this.#team, pushes: this.#team.pushes.filter((push) => push.id !== pushId) };
+  }
+
+  get earliest_ms(): number {
+    return this.#history.earliest_ms ?? this.#now_ms;
+  }
+
+  /** Tells `listener` of the topic's pictures until the returned function is called. They are no part of the team. */
+  onPicture(topic: string, listener: (image: CompressedImage) => void): () => void {
+    this.#pictures.set(topic, listener);
+    return () => {
+      if (this.#pictures.get(topic) === listener) this.#pictures.delete(topic);
+    };
+  }
+
+  #heard(topic: string, message: unknown, received_ms: number): void {
+    this.#pictures.get(topic)?.(message as CompressedImage);
+    this.#team = apply(this.#team, topic, message, received_ms);
+  }
+
+  // Messages are folded as they come and drawn at most once a frame, however many there are.
+  #draw(): void {
+    const now_ms = Date.now();
+    if (this.#shown !== this.#team) {
+      this.#shown = this.#team;
+      this.#history.record(this.#team, now_ms);
+    }
+    const step_ms = this.#calm.matches ? CALM_AGEING_MS : AGEING_MS;
+    if (now_ms - this.#now_ms >= step_ms) this.#now_ms = now_ms;
+    requestAnimationFrame(() => this.#draw());
+  }
+}
+
+function withDefaults(reply: Partial<Reply> & Pick<Reply, "robot" | "status">): Reply {
+  return {
+    hash: "",
+    running_hash: "",
+    message: "",
+    swap_tick_us: 0,
+    kept_variables: [],
+    diagnostics: [],
+    ...reply,
+  };
+}
+
+export const live = new Live();

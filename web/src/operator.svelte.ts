@@ -1,0 +1,45 @@
+// What the operator tells the robots.
+
+import { type CommandKind, command } from "./lib/api";
+import { live } from "./live.svelte";
+
+class Operator {
+  /** What went wrong with the last word, until the next. */
+  failure = $state<string>();
+  askingToResume = $state(false);
+
+  readonly held: string[] = $derived(
+    [...live.present.robots.values()].filter((robot) => robot.state?.value.held).map((robot) => robot.name),
+  );
+
+  /** Acts at once. */
+  stopAll(): void {
+    this.askingToResume = false;
+    void this.#say("hold", [], "STOP did not reach the robots");
+  }
+
+  hold(robot: string): void {
+    void this.#say("hold", [robot], `${robot} was not told to hold`);
+  }
+
+  /** Empty `robots` mean the whole team. */
+  resume(robots: readonly string[]): void {
+    this.askingToResume = false;
+    void this.#say("resume", robots, "The robots were not told to resume");
+  }
+
+  pushBumper(robot: string): void {
+    void this.#say("push_bumper", [robot], `${robot}'s bumper was not pushed`);
+  }
+
+  async #say(kind: CommandKind, targets: readonly string[], failed: string): Promise<void> {
+    this.failure = undefined;
+    try {
+      await command(kind, targets);
+    } catch (error) {
+      this.failure = `${failed}: ${(error as Error).message}`;
+    }
+  }
+}
+
+export const operator = new Operator();

@@ -1,0 +1,91 @@
+// What the page knows of the team. Plain values, never changed in place: a new one replaces the old,
+// so that an instant can be kept whole at little cost. Times in ms are the page's clock.
+
+import type {
+  MapObject,
+  MapRobot,
+  OccupancyGrid,
+  Program,
+  ProgramReply,
+  RobotState,
+  Score,
+  Sightings,
+  Transition,
+  Variables,
+} from "../feed/messages";
+import type { Identity } from "./identity";
+
+export interface Stamped<T> {
+  readonly value: T;
+  readonly received_ms: number;
+}
+
+export interface TrailPoint {
+  readonly x_m: number;
+  readonly y_m: number;
+  readonly at_ms: number;
+}
+
+/** A robot in the team's frame; `heading_rad` runs on past ±π, so that drawing never spins it round. */
+export interface Pose {
+  readonly x_m: number;
+  readonly y_m: number;
+  readonly heading_rad: number;
+}
+
+/** One state's stay: until the next bar begins, or until now. */
+export interface StateBar {
+  readonly state: string;
+  readonly from_ms: number;
+}
+
+/** Another program began to run. */
+export interface ProgramChange {
+  readonly hash: string;
+  readonly name: string;
+  readonly at_ms: number;
+}
+
+export interface Robot {
+  readonly name: string;
+  readonly identity: Identity;
+  readonly heard_ms: number;
+  /** Add it to a stamp of this robot to have the page's clock. */
+  readonly clock_offset_ms?: number;
+  readonly state?: Stamped<RobotState>;
+  readonly variables?: Stamped<Variables>;
+  readonly sightings?: Stamped<Sightings>;
+  readonly program?: Stamped<Program>;
+  readonly transitions: readonly Transition[];
+  readonly bars: readonly StateBar[];
+  readonly programs: readonly ProgramChange[];
+  readonly placed?: MapRobot;
+  readonly pose?: Pose;
+  readonly trail: readonly TrailPoint[];
+}
+
+/** A push of a program, by whomever, and each robot's newest answer to it. */
+export interface Push {
+  readonly id: string;
+  readonly author: string;
+  readonly name: string;
+  readonly hash: string;
+  readonly targets: readonly string[];
+  readonly at_ms: number;
+  readonly replies: ReadonlyMap<string, Reply>;
+}
+
+export type Reply = Pick<
+  ProgramReply,
+  "robot" | "hash" | "running_hash" | "message" | "swap_tick_us" | "kept_variables" | "diagnostics"
+> & { readonly status: string; readonly latency_ms?: number };
+
+export interface Team {
+  readonly robots: ReadonlyMap<string, Robot>;
+  readonly objects?: Stamped<readonly MapObject[]>;
+  readonly grid?: OccupancyGrid;
+  readonly score?: Stamped<Score>;
+  readonly pushes: readonly Push[];
+}
+
+export const emptyTeam: Team = { robots: new Map(), pushes: [] };

@@ -1,0 +1,38 @@
+import { type ProgramPush, type ProgramReply, replyStatuses } from "../feed/messages";
+import type { Push, Reply } from "./model";
+
+const KEPT = 8;
+const RANK: readonly string[] = replyStatuses;
+
+export function fileName(path: string): string {
+  return path.split("/").at(-1) ?? path;
+}
+
+export function withPush(pushes: readonly Push[], { id, author, files, hash, targets }: ProgramPush, at_ms: number): readonly Push[] {
+  const known = pushes.find((push) => push.id === id);
+  const push: Push = {
+    id,
+    author,
+    name: fileName(files[0]?.path ?? ""),
+    hash,
+    targets,
+    at_ms: known?.at_ms ?? at_ms,
+    replies: known?.replies ?? new Map(),
+  };
+  return [...pushes.filter((other) => other.id !== id), push].slice(-KEPT);
+}
+
+/** The pushes with a robot's answer; an answer that says less than the one before it came late and is dropped. */
+export function withReply(pushes: readonly Push[], id: string, reply: Reply): readonly Push[] {
+  return pushes.map((push) => {
+    if (push.id !== id) return push;
+    const before = push.replies.get(reply.robot);
+    if (before && RANK.indexOf(before.status) > RANK.indexOf(reply.status)) return push;
+    const merged = { ...reply, latency_ms: reply.latency_ms ?? before?.latency_ms };
+    return { ...push, replies: new Map(push.replies).set(reply.robot, merged) };
+  });
+}
+
+export function replyOf(message: ProgramReply): Reply {
+  return { ...message, status: replyStatuses[message.status] ?? "no_answer" };
+}

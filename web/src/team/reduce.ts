@@ -1,0 +1,81 @@
+import type * as wire from "../feed/messages";
+import { type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
+import { identityOf } from "./identity";
+import type { Robot, Team } from "./model";
+import { replyOf, withPush, withReply } from "./pushes";
+import { clockOffset_ms, onPageClock_ms } from "./robot_clock";
+import { withBar, withProgram } from "./timeline";
+import { unwound, withPoint } from "./trail";
+import { withTransition } from "./transitions";
+
+type Reduce<T, M> = (before: T, message: M, received_ms: number) => T;
+
+function robotNamed(team: Team, name: string, received_ms: number): Robot {
+  const known = team.robots.get(name);
+  if (known) return known;
+  const others = [...team.robots.values()].map((robot) => robot.identity);
+  const identity = identityOf(name, others);
+  return { name, identity, heard_ms: received_ms, transitions: [], bars: [], programs: [], trail: [] };
+}
+
+function withState(robot: Robot, value: wire.RobotState, received_ms: number): Robot {
+  const clocked = { ...robot, clock_offset_ms: clockOffset_ms(robot.clock_offset_ms, value.stamp, received_ms) };
+  const { program_hash: hash, program_name: name } = value;
+  return {
+    ...clocked,
+    state: { value, received_ms },
+    bars: withBar(robot.bars, value.state, onPageClock_ms(clocked, value.state_since)),
+    programs: withProgram(robot.programs, { hash, name, at_ms: received_ms }),
+  };
+}
+
+function withChange(robot: Robot, transition: wire.Transition, received_ms: number): Robot {
+  const from_ms = robot.clock_offset_ms === undefined ? received_ms : onPageClock_ms(robot, transition.stamp);
+  const transitions = withTransition(robot.transitions, transition);
+  if (transitions === robot.transitions) return robot;
+  return { ...robot, transitions, bars: withBar(robot.bars, transition.to_state, from_ms) };
+}
+
+const ofRobot: { [K in Exclude<RobotTopic, "program_reply">]: Reduce<Robot, never> } = {
+  state: withState,
+  transition: withChange,
+  variables: (robot, value: wire.Variables, received_ms) => ({ ...robot, variables: { value, received_ms } }),
+  sightings: (robot, value: wire.Sightings, received_ms) => ({ ...robot, sightings: { value, received_ms } }),
+  program: (robot, value: wire.Program, received_ms) => ({ ...robot, program: { value, received_ms } }),
+};
+
+function withObjects(team: Team, message: wire.ObjectMap, received_ms: number): Team {
+  const robots = new Map(team.robots);
+  for (const placed of message.robots) {
+    const robot = robotNamed({ ...team, robots }, placed.name, received_ms - placed.age_s * 1000);
+    const pose = unwound(robot.pose, placed);
+    const trail = withPoint(robot.trail, { x_m: placed.x_m, y_m: placed.y_m, at_ms: received_ms });
+    robots.set(placed.name, { ...robot, placed, pose, trail });
+  }
+  return { ...team, robots, objects: { value: message.objects, received_ms } };
+}
+
+const ofTeam: { [K in TeamTopic]: Reduce<Team, never> } = {
+  "/team/objects": withObjects,
+  "/team/map": (team, grid: wire.OccupancyGrid) => ({ ...team, grid }),
+  "/team/program_push": (team, push: wire.ProgramPush, received_ms) => ({
+    ...team,
+    pushes: withPush(team.pushes, push, received_ms),
+  }),
+  "/referee/score": (team, value: wire.Score, received_ms) => ({ ...team, score: { value, received_ms } }),
+};
+
+/** The team after a message; the same team where the topic says nothing of it. */
+export function apply(team: Team, topic: string, message: unknown, received_ms: number): Team {
+  const named = robotTopicOf(topic);
+  if (!named) return ofTeam[topic as TeamTopic]?.(team, message as never, received_ms) ?? team;
+  if (named.kind === "program_reply") {
+    const reply = message as wire.ProgramReply;
+    return { ...team, pushes: withReply(team.pushes, reply.id, replyOf(reply)) };
+  }
+  const reduce = ofRobot[named.kind as keyof typeof ofRobot];
+  if (!reduce) return team;
+  const before = robotNamed(team, named.robot, received_ms);
+  const robot = reduce({ ...before, heard_ms: Math.max(before.heard_ms, received_ms) }, message as never, received_ms);
+  return { ...team, robots: new Map(team.robots).set(named.robot, robot) };
+}

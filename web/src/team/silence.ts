@@ -1,0 +1,14 @@
+import type { Robot } from "./model";
+
+/** State comes ten times a second: two seconds without any are no hiccup. */
+export const SILENT_AFTER_S = 2;
+
+/** Seconds since the robot was last heard, by us or by the monitor, whichever knows of longer. */
+export function age_s(robot: Robot, now_ms: number): number {
+  const ours_s = Math.max((now_ms - robot.heard_ms) / 1000, 0);
+  return robot.placed?.silent ? Math.max(ours_s, robot.placed.age_s) : ours_s;
+}
+
+export function isSilent(robot: Robot, now_ms: number): boolean {
+  return robot.placed?.silent === true || age_s(robot, now_ms) > SILENT_AFTER_S;
+}

@@ -1,0 +1,20 @@
+import type { Pose, TrailPoint } from "./model";
+
+const STEP_M = 0.02;
+const KEPT_MS = 60_000;
+
+/** The trail with the point where it moved to; a minute of it is kept. */
+export function withPoint(trail: readonly TrailPoint[], point: TrailPoint): readonly TrailPoint[] {
+  const last = trail.at(-1);
+  if (last && Math.hypot(point.x_m - last.x_m, point.y_m - last.y_m) < STEP_M) return trail;
+  const first = trail.findIndex((kept) => kept.at_ms >= point.at_ms - KEPT_MS);
+  return [...(first < 0 ? [] : trail.slice(first)), point];
+}
+
+/** The pose with its heading counted on from the one before, by the short way round. */
+export function unwound(before: Pose | undefined, next: Pose): Pose {
+  if (!before) return { x_m: next.x_m, y_m: next.y_m, heading_rad: next.heading_rad };
+  const turn = next.heading_rad - before.heading_rad;
+  const heading_rad = before.heading_rad + Math.atan2(Math.sin(turn), Math.cos(turn));
+  return { x_m: next.x_m, y_m: next.y_m, heading_rad };
+}

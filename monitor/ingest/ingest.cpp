@@ -1,0 +1,103 @@
+#include "monitor/ingest/ingest.h"
+
+#include <atomic>
+#include <exception>
+#include <utility>
+
+namespace galilean::monitor {
+
+/// What Cyclone's threads may touch.
+struct Ingest::Signals {
+  Wake wake;
+  std::atomic<bool> pending{false};
+  std::atomic<bool> topics_changed{true};
+
+  void raise() {
+    if (!pending.exchange(true)) wake();
+  }
+};
+
+struct Ingest::Source {
+  Channel channel;
+  std::atomic<bool> has_data{false};
+  std::unique_ptr<wire::Reader> reader;
+};
+
+Ingest::Ingest(wire::Participant& participant, Callbacks callbacks, Wake wake,
+               ReadAtOnce read_at_once)
+    : participant_(participant),
+      callbacks_(std::move(callbacks)),
+      read_at_once_(std::move(read_at_once)),
+      signals_(std::make_shared<Signals>()),
+      discovery_(std::make_unique<wire::Discovery>(participant)) {
+  signals_->wake = std::move(wake);
+  discovery_->on_change([signals = signals_] {
+    signals->topics_changed = true;
+    signals->raise();
+  });
+  signals_->raise();
+}
+
+Ingest::~Ingest() {
+  discovery_.reset();
+  for (const auto& source : sources_) source->reader.reset();
+}
+
+bool Ingest::all_but_pictures(const Channel& channel) {
+  return channel.schema->ros_type != msg::CompressedImage::kRosType;
+}
+
+void Ingest::poll() {
+  signals_->pending = false;
+  if (signals_->topics_changed.exchange(false)) discover();
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    Source& source = *sources_[i];
+    if (!source.reader || !source.has_data.exchange(false)) continue;
+    source.reader->take([&](const wire::Received& received) {
+      callbacks_.message({source.channel, wire::wall_clock_ns(), received.sent_ns,
+                          std::make_shared<const std::vector<std::uint8_t>>(received.cdr.begin(),
+                                                                            received.cdr.end())});
+    });
+  }
+}
+
+void Ingest::discover() {
+  for (const auto& publication : discovery_->publications()) {
+    const auto* schema = wire::find_schema_by_dds_type(publication.dds_type);
+    if (!schema || !publication.topic.starts_with("rt/") || by_topic_.contains(publication.topic))
+      continue;
+    auto& source = *sources_.emplace_back(std::make_unique<Source>());
+    source.channel = {static_cast<std::uint32_t>(sources_.size()), publication.topic, schema,
+                      wire::delivery_of(schema->ros_type)};
+    by_topic_[publication.topic] = &source;
+    if (callbacks_.channel) callbacks_.channel(source.channel);
+    if (read_at_once_(source.channel)) open(source);
+  }
+}
+
+void Ingest::open(Source& source) try {
+  source.reader = std::make_unique<wire::Reader>(participant_, source.channel.topic,
+                                                 std::string(source.channel.schema->ros_type));
+  source.has_data = true;  // what came between the reader and its listener
+  source.reader->on_data([signals = signals_, &source] {
+    source.has_data = true;
+    signals->raise();
+  });
+  signals_->raise();
+} catch (const std::exception& error) {
+  source.reader.reset();
+  if (callbacks_.problem)
+    callbacks_.problem(source.channel.topic + " cannot be read: " + error.what());
+}
+
+void Ingest::want(std::uint32_t channel_id, bool wanted) {
+  if (channel_id == 0 || channel_id > sources_.size()) return;
+  Source& source = *sources_[channel_id - 1];
+  if (read_at_once_(source.channel) || wanted == (source.reader != nullptr)) return;
+  if (wanted)
+    open(source);
+  else
+    source.reader.reset();
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,104 @@
+#include "monitor/team/team.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace galilean::monitor {
+namespace {
+
+template <class M>
+bool note_as(Team& team, const Message& message) {
+  M decoded;
+  if (!msg::decode_cdr(*message.cdr, decoded)) return false;
+  team.note(decoded);
+  return true;
+}
+
+using Note = bool (*)(Team&, const Message&);
+constexpr std::array<std::pair<std::string_view, Note>, 6> kNotes{{
+    {msg::RobotState::kRosType, note_as<msg::RobotState>},
+    {msg::Transition::kRosType, note_as<msg::Transition>},
+    {msg::Variables::kRosType, note_as<msg::Variables>},
+    {msg::Program::kRosType, note_as<msg::Program>},
+    {msg::Catalog::kRosType, note_as<msg::Catalog>},
+    {msg::Score::kRosType, note_as<msg::Score>},
+}};
+
+}  // namespace
+
+bool Team::receive(const Message& message) {
+  for (const auto& [type, note_it] : kNotes)
+    if (type == message.channel.schema->ros_type) return note_it(*this, message);
+  return true;
+}
+
+Robot& Team::hear(const std::string& robot) {
+  Robot& heard = robots_[robot];
+  heard.name = robot;
+  heard.heard = clock_.now();
+  return heard;
+}
+
+void Team::note(const msg::RobotState& state) {
+  Robot& robot = hear(state.robot);
+  // A lower tick is a robot that was started anew: its numbers begin again.
+  if (robot.state && state.tick < robot.state->tick) robot.transitions.clear();
+  robot.state = state;
+  robot.state_received = robot.heard;
+}
+
+void Team::note(const msg::Transition& transition) {
+  auto& known = hear(transition.robot).transitions;
+  const auto at =
+      std::lower_bound(known.begin(), known.end(), transition.number,
+                       [](const auto& other, auto number) { return other.number < number; });
+  if (at != known.end() && at->number == transition.number) return;
+  known.insert(at, transition);
+  if (known.size() > Robot::kTransitionsKept) known.pop_front();
+}
+
+void Team::note(const msg::Variables& variables) {
+  Robot& robot = hear(variables.robot);
+  robot.variables = variables;
+  robot.variables_received = robot.heard;
+}
+
+void Team::note(const msg::Program& program) {
+  hear(program.robot).program = program;
+}
+
+void Team::note(const msg::Catalog& catalog) {
+  hear(catalog.robot).catalog = catalog;
+}
+
+const Robot* Team::find(std::string_view robot) const noexcept {
+  const auto found = robots_.find(robot);
+  return found == robots_.end() ? nullptr : &found->second;
+}
+
+double Team::age_s(const Robot& robot) const noexcept {
+  return to_seconds(clock_.now() - robot.heard);
+}
+
+bool Team::silent(const Robot& robot) const noexcept {
+  return clock_.now() - robot.heard > silent_after_;
+}
+
+std::string Team::program_hash() const {
+  std::map<std::string, int> votes;
+  for (const auto& [name, robot] : robots_)
+    if (robot.state && !robot.state->program_hash.empty()) ++votes[robot.state->program_hash];
+  if (votes.contains(pushed_hash_)) return pushed_hash_;
+  const auto most = std::max_element(
+      votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == votes.end() ? std::string() : most->first;
+}
+
+std::vector<RobotStatus> Team::statuses() const {
+  std::vector<RobotStatus> result;
+  for (const auto& [name, robot] : robots_) result.push_back(status(robot));
+  return result;
+}
+
+}  // namespace galilean::monitor

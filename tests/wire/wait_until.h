@@ -1,0 +1,18 @@
+#pragma once
+
+#include <chrono>
+#include <thread>
+
+namespace galilean::wire {
+
+/// Discovery has no clock to step: looks every millisecond, for ten seconds at most.
+template <class Condition>
+[[nodiscard]] bool wait_until(Condition condition) {
+  for (int i = 0; i < 10000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return condition();
+}
+
+}  // namespace galilean::wire

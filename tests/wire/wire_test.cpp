@@ -1,0 +1,146 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/wire/schemas.h"
+#include "core/wire/topics.h"
+#include "tests/wire/wait_until.h"
+
+namespace galilean::wire {
+namespace {
+
+constexpr int kDomain = 44;
+constexpr const char* kStateType = msg::RobotState::kRosType;
+
+std::unique_ptr<Participant> join(const std::string& name = "test") {
+  auto joined = Participant::join(name, kDomain);
+  if (!joined) throw std::runtime_error(joined.error().message);
+  return std::move(joined).value();
+}
+
+msg::RobotState state_of(const std::string& robot, std::uint64_t tick) {
+  msg::RobotState state;
+  state.robot = robot;
+  state.tick = tick;
+  state.x_m = 1.5;
+  state.problems = {"camera: lost", ""};
+  return state;
+}
+
+std::vector<msg::RobotState> take(Reader& reader) {
+  std::vector<msg::RobotState> states;
+  reader.take([&](const Received& received) {
+    EXPECT_TRUE(msg::decode_cdr(received.cdr, states.emplace_back()));
+  });
+  return states;
+}
+
+TEST(Wire, ALateJoinerLearnsTheNewestStateAtOnce) {
+  const auto robot = join("io");
+  Writer<msg::RobotState> writer(*robot, robot_topic("io", "state"));
+  for (std::uint64_t tick = 1; tick <= 3; ++tick) ASSERT_TRUE(writer.write(state_of("io", tick)));
+
+  const auto monitor = join("monitor");
+  Reader reader(*monitor, robot_topic("io", "state"), kStateType);
+  std::vector<msg::RobotState> got;
+  ASSERT_TRUE(wait_until([&] { return !(got = take(reader)).empty(); }));
+  EXPECT_EQ(got, std::vector{state_of("io", 3)});
+}
+
+TEST(Wire, ALateJoinerLearnsTheTransitionsBefore) {
+  const auto robot = join("io");
+  Writer<msg::Transition> writer(*robot, robot_topic("io", "transition"));
+  for (std::uint64_t number = 1; number <= 70; ++number) {
+    msg::Transition transition;
+    transition.number = number;
+    ASSERT_TRUE(writer.write(transition));
+  }
+  const auto monitor = join("monitor");
+  Reader reader(*monitor, robot_topic("io", "transition"), msg::Transition::kRosType);
+  std::vector<std::uint64_t> numbers;
+  ASSERT_TRUE(wait_until([&] {
+    reader.take([&](const Received& received) {
+      msg::Transition transition;
+      EXPECT_TRUE(msg::decode_cdr(received.cdr, transition));
+      numbers.push_back(transition.number);
+    });
+    return numbers.size() >= 64;
+  }));
+  EXPECT_EQ(numbers.front(), 7u);
+  EXPECT_EQ(numbers.back(), 70u);
+}
+
+TEST(Wire, SaysWhenAMessageWasSent) {
+  const auto robot = join();
+  Writer<msg::RobotState> writer(*robot, "rt/clocked/state");
+  Reader reader(*robot, "rt/clocked/state", kStateType);
+  const auto before = wall_clock_ns();
+  ASSERT_TRUE(writer.write(state_of("io", 1)));
+  std::int64_t sent_ns = 0;
+  ASSERT_TRUE(wait_until([&] {
+    reader.take([&](const Received& received) { sent_ns = received.sent_ns; });
+    return sent_ns != 0;
+  }));
+  EXPECT_GE(sent_ns, before);
+  EXPECT_LE(sent_ns, wall_clock_ns());
+}
+
+TEST(Wire, ReadersAreCountedSoThatImagesAreMadeForSomebodyOnly) {
+  const auto robot = join();
+  Writer<msg::CompressedImage> writer(*robot, "rt/io/camera/compressed");
+  EXPECT_EQ(writer.readers(), 0);
+  {
+    Reader reader(*robot, "rt/io/camera/compressed", msg::CompressedImage::kRosType);
+    EXPECT_TRUE(wait_until([&] { return writer.readers() == 1; }));
+  }
+  EXPECT_TRUE(wait_until([&] { return writer.readers() == 0; }));
+}
+
+TEST(Wire, DiscoveryListsTopicsWithTheirTypesAndForgetsThem) {
+  const auto robot = join("io");
+  const auto monitor = join("monitor");
+  Discovery discovery(*monitor);
+  const auto listed = [&] {
+    const auto all = discovery.publications();
+    return std::find_if(all.begin(), all.end(), [](const Publication& publication) {
+             return publication.topic == "rt/discovered/state" &&
+                    publication.dds_type == find_schema_by_ros_type(kStateType)->dds_type;
+           }) != all.end();
+  };
+  {
+    Writer<msg::RobotState> writer(*robot, "rt/discovered/state");
+    EXPECT_TRUE(wait_until(listed));
+  }
+  EXPECT_TRUE(wait_until([&] { return !listed(); }));
+}
+
+TEST(Wire, ATypeThatIsNoneIsRefusedByName) {
+  const auto robot = join();
+  try {
+    Reader reader(*robot, "rt/x", "galilean_msgs/msg/Nothing");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("galilean_msgs/msg/Nothing"), std::string::npos);
+  }
+}
+
+TEST(Wire, DomainsThatAreNoneAreRefusedInASentence) {
+  EXPECT_FALSE(Participant::join("x", 233).ok());
+  setenv("ROS_DOMAIN_ID", "seven", 1);
+  const auto joined = Participant::join("x");
+  unsetenv("ROS_DOMAIN_ID");
+  ASSERT_FALSE(joined.ok());
+  EXPECT_NE(joined.error().message.find("seven"), std::string::npos);
+}
+
+TEST(Schemas, AreFoundByBothNames) {
+  for (const auto& schema : schemas()) {
+    EXPECT_EQ(find_schema_by_ros_type(schema.ros_type), &schema);
+    EXPECT_EQ(find_schema_by_dds_type(schema.dds_type), &schema);
+  }
+  EXPECT_EQ(find_schema_by_dds_type("std_msgs::msg::dds_::String_"), nullptr);
+}
+
+}  // namespace
+}  // namespace galilean::wire

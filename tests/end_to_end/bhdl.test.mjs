@@ -1,0 +1,87 @@
+import assert from 'node:assert/strict';
+import { openSync, readdirSync, truncateSync, writeFileSync, closeSync } from 'node:fs';
+import { test } from 'node:test';
+import { galilean, programs, scratchFolder } from './tools.mjs';
+
+const minimal = `
+output_devices: motor_drive: end
+variables: shaft: name: "shaft" status: "valid"
+  force: name: "ahead" value: <0, 1> status: "valid"
+end
+motor_schemas:
+  move_robot: name: "move" input_force: "ahead" shaft_variable: "shaft" end
+end
+states: state: name: "go" motor_schemas: "move" end end
+`;
+
+function check(t, text, ...options) {
+  const file = `${scratchFolder(t)}/program.bhdl`;
+  writeFileSync(file, text);
+  return galilean(['bhdl', 'check', file, ...options]);
+}
+
+test('every program that ships passes the check', () => {
+  const mains = readdirSync(programs).filter((name) => name.endsWith('.bhdl') && !/^office_(robot|states)/.test(name));
+  assert.ok(mains.length >= 4);
+  const { status, stdout, stderr } = galilean(['bhdl', 'check', ...mains.map((name) => `${programs}/${name}`)]);
+  assert.equal(status, 0, stdout + stderr);
+});
+
+test('a small program passes', (t) => assert.equal(check(t, minimal).status, 0));
+
+test('errors have file, line, column and a hint, and all come in one run', (t) => {
+  const { status, stdout, stderr } = check(t, minimal.replace('"ahead" shaft', '"ahaed" shaft').replace('"move" end', '"moev" end'));
+  assert.equal(status, 1);
+  const text = stdout + stderr;
+  assert.match(text, /program\.bhdl:7:\d+: error: .*ahaed/);
+  assert.match(text, /ahead/);
+  assert.match(text, /program\.bhdl:9:\d+: error: .*moev/);
+});
+
+test('--json gives codes and positions', (t) => {
+  const { status, stdout } = check(t, minimal.replace('input_force', 'input_forse'), '--json');
+  assert.equal(status, 1);
+  const answer = JSON.parse(stdout);
+  const diagnostics = answer.diagnostics ?? answer.flatMap((each) => each.diagnostics);
+  const unknown = diagnostics.find((each) => each.code === 'name/unknown-attribute');
+  assert.equal(unknown.line, 7);
+  assert.match(unknown.hint, /input_force/);
+});
+
+test('a file of 100 MB, and a binary one, are refused with one clear error', (t) => {
+  const folder = scratchFolder(t);
+  const large = `${folder}/large.bhdl`;
+  closeSync(openSync(large, 'w'));
+  truncateSync(large, 100e6);
+  const tooLarge = galilean(['bhdl', 'check', large]);
+  assert.equal(tooLarge.status, 1);
+  assert.match(tooLarge.stdout + tooLarge.stderr, /large\.bhdl:1:1: error: /);
+
+  const binary = galilean(['bhdl', 'check', process.execPath, '--json']);
+  assert.equal(binary.status, 1);
+  writeFileSync(`${folder}/binary.bhdl`, Buffer.from([0, 159, 146, 150, 0, 255]));
+  const small = galilean(['bhdl', 'check', `${folder}/binary.bhdl`]);
+  assert.equal(small.status, 1);
+  assert.match(small.stdout + small.stderr, /binary\.bhdl:1:\d+: error: /);
+});
+
+test('a cycle of includes and a missing file are named', (t) => {
+  const folder = scratchFolder(t);
+  writeFileSync(`${folder}/a.bhdl`, 'include "b.bhdl"\n');
+  writeFileSync(`${folder}/b.bhdl`, '; b\ninclude "a.bhdl"\n');
+  const cycle = galilean(['bhdl', 'check', `${folder}/a.bhdl`]);
+  assert.equal(cycle.status, 1);
+  assert.match(cycle.stdout + cycle.stderr, /b\.bhdl:2:\d+: error: /);
+  const missing = galilean(['bhdl', 'check', `${folder}/none.bhdl`]);
+  assert.equal(missing.status, 1);
+  assert.match(missing.stdout + missing.stderr, /none\.bhdl/);
+});
+
+test('describe prints the reference, and one component of it', () => {
+  const all = galilean(['bhdl', 'describe']);
+  assert.equal(all.status, 0);
+  for (const name of ['move_to_goal', 'blob_detector', 'motor_drive', 'locate', 'condition']) assert.match(all.stdout, new RegExp(name));
+  const one = galilean(['bhdl', 'describe', 'avoid_obstacle']);
+  assert.match(one.stdout, /max_repulsion/);
+  assert.notEqual(galilean(['bhdl', 'describe', 'avoid_obstacel']).status, 0);
+});

@@ -1,0 +1,99 @@
+// Runs the real executables as a user would, each test in a DDS domain and a folder of its own.
+import { spawn, spawnSync } from 'node:child_process';
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+export const root = new URL('../..', import.meta.url).pathname;
+export const galileanBinary = `${root}build/bin/galilean`;
+export const programs = `${root}bhdl/programs`;
+
+let nextDomain = 100 + (process.pid % 50);
+
+/** A DDS domain that no other test of this process uses. */
+export function freshDomain() {
+  return String(nextDomain++);
+}
+
+export function scratchFolder(t) {
+  const folder = mkdtempSync(join(tmpdir(), 'galilean-test-'));
+  t.after(() => rmSync(folder, { recursive: true, force: true }));
+  return folder;
+}
+
+/** Runs a command to its end. */
+export function galilean(args, { domain, cwd, timeout = 120_000 } = {}) {
+  const env = { ...process.env, ...(domain ? { ROS_DOMAIN_ID: domain } : {}) };
+  const done = spawnSync(galileanBinary, args, { env, cwd, timeout, encoding: 'utf8', maxBuffer: 1 << 28 });
+  return { status: done.status, stdout: done.stdout ?? '', stderr: done.stderr ?? '' };
+}
+
+/** A running command: `line(pattern)` waits for output, `stop()` sends SIGINT and waits for the end. */
+export class Running {
+  constructor(t, args, { domain, cwd, env = {} } = {}) {
+    this.output = '';
+    this.waiting = [];
+    this.process = spawn(galileanBinary, args, {
+      cwd, env: { ...process.env, ...(domain ? { ROS_DOMAIN_ID: domain } : {}), ...env },
+    });
+    this.exited = new Promise((resolve) => this.process.on('exit', (code, signal) => resolve({ code, signal })));
+    for (const stream of [this.process.stdout, this.process.stderr]) stream.on('data', (text) => this.#heard(text));
+    this.exited.then(() => this.#heard(''));
+    t.after(() => this.stop());
+  }
+
+  #heard(text) {
+    this.output += text;
+    this.waiting = this.waiting.filter((look) => !look());
+  }
+
+  line(pattern) {
+    return new Promise((resolve, reject) => {
+      const look = () => {
+        const match = this.output.match(pattern);
+        if (match) resolve(match);
+        else if (this.process.exitCode !== null) reject(new Error(`ended before it said ${pattern}:\n${this.output}`));
+        return Boolean(match) || this.process.exitCode !== null;
+      };
+      if (!look()) this.waiting.push(look);
+    });
+  }
+
+  async stop(signal = 'SIGINT') {
+    if (this.process.exitCode === null && this.process.signalCode === null) this.process.kill(signal);
+    return this.exited;
+  }
+}
+
+/** A team that runs: simulator, robots and monitor, by `galilean demo`. */
+export async function startTeam(t, options = []) {
+  const domain = freshDomain();
+  const port = 18000 + Number(domain) * 10 + Math.floor(Math.random() * 10);
+  const cwd = scratchFolder(t);
+  const team = new Running(t, ['demo', '--port', String(port), '--seed', '1', ...options], { domain, cwd });
+  await team.line(/http:\/\/127\.0\.0\.1:\d+/);
+  return { team, domain, cwd, url: `http://127.0.0.1:${port}` };
+}
+
+/** Asks again until `question()` gives something truthy; the test's own limit ends it otherwise. */
+export async function eventually(question) {
+  for (;;) {
+    const answer = await question();
+    if (answer) return answer;
+    await new Promise((resolve) => setImmediate(resolve));
+  }
+}
+
+export const getJson = async (url, options) => (await fetch(url, options)).json();
+
+/** Command lines of processes whose environment names this DDS domain. */
+export function processesIn(domain) {
+  return readdirSync('/proc').filter((pid) => /^\d+$/.test(pid)).flatMap((pid) => {
+    try {
+      const inDomain = readFileSync(`/proc/${pid}/environ`, 'utf8').split('\0').includes(`ROS_DOMAIN_ID=${domain}`);
+      return inDomain ? [readFileSync(`/proc/${pid}/cmdline`, 'utf8').replaceAll('\0', ' ')] : [];
+    } catch { return []; }
+  });
+}
+
+export const sharedMemory = () => readdirSync('/dev/shm').filter((name) => name.startsWith('galilean'));

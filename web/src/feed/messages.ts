@@ -60,7 +60,7 @@ export interface Variables {
   stamp: Time;
   robot: string;
   tick: bigint;
-  variables: Variable[];
+  items: Variable[];
 }
 
 export interface SchemaForce {
@@ -76,7 +76,7 @@ export interface Forces {
   stamp: Time;
   robot: string;
   tick: bigint;
-  forces: SchemaForce[];
+  items: SchemaForce[];
 }
 
 export interface Covariance {
@@ -106,7 +106,7 @@ export interface Sightings {
   y_m: number;
   heading_rad: number;
   view_angle_rad: number;
-  sightings: Sighting[];
+  items: Sighting[];
 }
 
 export interface SourceFile {
@@ -221,7 +221,7 @@ export interface Score {
   pieces: number;
   deposited: number;
   collisions: number;
-  score: number;
+  points: number;
   robots: { robot: string; deposited: number; collisions: number }[];
 }
 

@@ -5,14 +5,14 @@ const COLOURS = ["#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#0072b2", "#f0e442
 
 /** Outlines in a box from −10 to 10, nose up. */
 const SHAPES = [
-  "M0,-10 L9,9 L0,5 L-9,9 Z",
+  "M0,-11 L10,8.5 L-10,8.5 Z",
   "M-8,9 L-8,-4 L0,-10 L8,-4 L8,9 Z",
-  "M0,-10 A8.5,9 0 1 1 -0.01,-10 Z M0,-10",
+  "M0,-9.5 A9.5,9.5 0 1 1 -0.01,-9.5 Z",
   "M0,-10 L8.5,0 L0,10 L-8.5,0 Z",
   "M0,-10 L8,-5 L8,5 L0,10 L-8,5 L-8,-5 Z",
 ] as const;
 
-const SHAPE_NAMES = ["arrow", "house", "drop", "diamond", "hexagon"] as const;
+const SHAPE_NAMES = ["triangle", "house", "circle", "diamond", "hexagon"] as const;
 
 /** The paper's robots keep their places however late they come. */
 const RESERVED = ["io", "ganymede", "callisto"];

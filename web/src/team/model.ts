@@ -35,6 +35,8 @@ export interface Pose {
 
 /** One state's stay: until the next bar begins, or until now. */
 export interface StateBar {
+  /** How many changes of state the robot had made when it began. */
+  readonly number: bigint;
   readonly state: string;
   readonly from_ms: number;
 }

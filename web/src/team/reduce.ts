@@ -24,7 +24,11 @@ function withState(robot: Robot, value: wire.RobotState, received_ms: number): R
   return {
     ...clocked,
     state: { value, received_ms },
-    bars: withBar(robot.bars, value.state, onPageClock_ms(clocked, value.state_since)),
+    bars: withBar(robot.bars, {
+      number: value.transitions,
+      state: value.state,
+      from_ms: onPageClock_ms(clocked, value.state_since),
+    }),
     programs: withProgram(robot.programs, { hash, name, at_ms: received_ms }),
   };
 }
@@ -33,7 +37,8 @@ function withChange(robot: Robot, transition: wire.Transition, received_ms: numb
   const from_ms = robot.clock_offset_ms === undefined ? received_ms : onPageClock_ms(robot, transition.stamp);
   const transitions = withTransition(robot.transitions, transition);
   if (transitions === robot.transitions) return robot;
-  return { ...robot, transitions, bars: withBar(robot.bars, transition.to_state, from_ms) };
+  const bar = { number: transition.number, state: transition.to_state, from_ms };
+  return { ...robot, transitions, bars: withBar(robot.bars, bar) };
 }
 
 const ofRobot: { [K in Exclude<RobotTopic, "program_reply">]: Reduce<Robot, never> } = {

@@ -3,22 +3,20 @@ import type { ProgramChange, StateBar } from "./model";
 const KEPT = 600;
 
 /**
- * The bars with one that begins at `from_ms`. The same change is told twice, by the transition and by
- * the state after it: what begins no later than the newest bar, in the same state, is not news.
+ * The bars with another. A change is told twice, by the transition and by the state after it, in either
+ * order; its number tells that it is the same. A lower number that begins later is a robot's restart.
  */
-export function withBar(bars: readonly StateBar[], state: string, from_ms: number): readonly StateBar[] {
+export function withBar(bars: readonly StateBar[], bar: StateBar): readonly StateBar[] {
   const newest = bars.at(-1);
-  if (!newest) return [{ state, from_ms }];
-  if (newest.state === state && from_ms <= newest.from_ms + SAME_MS) return bars;
-  if (from_ms > newest.from_ms) return [...bars, { state, from_ms }].slice(-KEPT);
-  const at = bars.findIndex((bar) => bar.from_ms > from_ms);
-  const before = bars[at - 1];
-  if (before && before.state === state && Math.abs(before.from_ms - from_ms) <= SAME_MS) return bars;
-  return [...bars.slice(0, at), { state, from_ms }, ...bars.slice(at)].slice(-KEPT);
+  const restarted = newest && bar.number < newest.number && bar.from_ms > newest.from_ms + RESTART_MS;
+  if (!newest || bar.number > newest.number || restarted) return [...bars, bar].slice(-KEPT);
+  if (bars.some((known) => known.number === bar.number)) return bars;
+  const at = bars.findIndex((known) => known.number > bar.number);
+  return [...bars.slice(0, at), bar, ...bars.slice(at)].slice(-KEPT);
 }
 
-/** Two tellings of one change differ by the clocks' jitter; no two changes fall in one tick. */
-const SAME_MS = 60;
+/** What comes in another order than it happened comes within this. */
+const RESTART_MS = 1000;
 
 export function withProgram(list: readonly ProgramChange[], next: ProgramChange): readonly ProgramChange[] {
   return list.at(-1)?.hash === next.hash ? list : [...list, next];

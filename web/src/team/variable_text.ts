@@ -1,5 +1,5 @@
 import { type Variable, VariableType } from "../feed/messages";
-import { degrees, metres } from "../lib/format";
+import { degrees, metres, signed } from "../lib/format";
 
 const TYPE_NAMES = ["", "shaft", "image", "locate", "bits", "force"] as const;
 
@@ -19,11 +19,11 @@ export function valueText({ type, valid, values }: Variable): string {
   if (!valid) return "";
   switch (type) {
     case VariableType.shaft:
-      return `${metres(a)}, ${metres(b)} · ${degrees(c)} · ${d.toFixed(2)} m/s`;
+      return `${signed(a, 2)}, ${metres(b)}  ${degrees(c)}  ${signed(d, 2)} m/s`;
     case VariableType.image:
       return `${a} × ${b} · frame ${c}`;
     case VariableType.locate:
-      return `${metres(a)}, ${metres(b)} ± ${metres(Math.sqrt(Math.max(c, e)))}`;
+      return `${signed(a, 2)}, ${metres(b)} ± ${metres(Math.sqrt(Math.max(c, e)))}`;
     case VariableType.bits:
       return bits(a);
     case VariableType.force:

@@ -8,8 +8,10 @@
 
 namespace galilean::wire {
 
-Reader::Reader(Participant& participant, const std::string& topic, const std::string& ros_type) {
+Reader::Reader(Participant& participant, const std::string& topic, const std::string& ros_type,
+               int depth) {
   const auto qos = make_qos(delivery_of(ros_type));
+  if (depth > 0) dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, depth);
   entity_ =
       Entity(checked(dds_create_reader(participant.handle(), participant.topic(topic, ros_type),
                                        qos.get(), nullptr),

@@ -65,7 +65,10 @@ struct Received {
 /// Takes messages off one topic as bytes; msg::decode_cdr makes structs of them.
 class Reader {
  public:
-  Reader(Participant& participant, const std::string& topic, const std::string& ros_type);
+  /// `depth`: messages of each writer kept between two calls of `take`; 0: as the type's delivery
+  /// says, which for a state is the newest alone.
+  Reader(Participant& participant, const std::string& topic, const std::string& ros_type,
+         int depth = 0);
   ~Reader();
   /// Calls `receive` for each message that came since, oldest first, in the calling thread.
   void take(const std::function<void(const Received&)>& receive);

@@ -45,10 +45,10 @@ void describe_motors(Declaration<S>& is) {
              std::string("the same on the spot, where the treads scrub: ") + order)
       .count(4)
       .range(-1000, 1000);
-  is.number(&S::proportional_gain, "proportional_gain", unit::kNone, 4,
+  is.number(&S::proportional_gain, "proportional_gain", unit::kNone, 8,
             "power per tick/s of speed error")
       .range(0, 1000);
-  is.number(&S::integral_gain, "integral_gain", unit::kNone, 20,
+  is.number(&S::integral_gain, "integral_gain", unit::kNone, 80,
             "power per tick of summed speed error")
       .range(0, 10000);
   is.number(&S::derivative_gain, "derivative_gain", unit::kNone, 0,

@@ -14,8 +14,8 @@ struct MotorDriveSettings {
   double acceleration_ticks_s2 = 300;
   std::vector<double> straight_dead_zones_pwm{200, 200, -200, -200};
   std::vector<double> turn_dead_zones_pwm{330, 330, -330, -330};
-  double proportional_gain = 4;
-  double integral_gain = 20;
+  double proportional_gain = 8;
+  double integral_gain = 80;
   double derivative_gain = 0;
   double feedforward_gain = 3.5;
   double turn_radius_m = 0.185;

@@ -123,6 +123,7 @@ void FrameRingReader::look_for_ring(Time now) {
   }
   memory_ = std::move(memory).value();
   last_picture_ = now;
+  generation_ = number_ = 0;
 }
 
 bool FrameRingReader::copy_newest(Frame& frame) {

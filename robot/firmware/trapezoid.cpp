@@ -32,7 +32,7 @@ float Trapezoid::step(float dt_s) {
 }
 
 float Trapezoid::fastest_that_stops_in_time(float dt_s) const {
-  const float after_this_step = travel_left_ - speed_ * direction_ * dt_s / 2;
+  const auto after_this_step = static_cast<float>(travel_left_ - speed_ * direction_ * dt_s / 2);
   if (after_this_step <= 0) return 0;
   const float ramp = acceleration_ * dt_s / 2;
   return std::sqrt(ramp * ramp + 2 * acceleration_ * after_this_step) - ramp;

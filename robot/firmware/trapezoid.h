@@ -33,7 +33,7 @@ class Trapezoid {
   float acceleration_ = 1;
   bool limited_ = false;
   float direction_ = 1;
-  float travel_left_ = 0;
+  double travel_left_ = 0;  // a float would lose slow steps from a long way
 };
 
 }  // namespace galilean::robot::firmware

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "core/clock.h"
+#include "robot/devices/byte_pipe.h"
+#include "robot/devices/microcontroller_link.h"
+#include "robot/devices/motor_drive.h"
+#include "robot/firmware/controller.h"
+#include "tests/robot/firmware/bench_board.h"
+
+namespace galilean::robot {
+
+/// The real firmware with bench motors behind a pipe, and a robot's devices before it, on a stepped
+/// clock: millisecond by millisecond as the headless simulator runs them.
+class BoardOnAPipe {
+ public:
+  static constexpr int kTick_ms = 20;
+
+  BoardOnAPipe() { power_up(); }
+
+  /// A new start of the board: encoders, parameters and time begin anew.
+  void power_up() {
+    bench_ = {};
+    controller_.emplace(bench_, firmware::Controller::Identity{{'i', 'o'}, ++boots_});
+    board_ms_ = 0;
+  }
+  void run(int milliseconds) {
+    for (int i = 0; i < milliseconds; ++i) {
+      now_ += std::chrono::milliseconds(1);
+      link.pump(now_);
+      if (board_runs) step_board();
+      if (i % kTick_ms == 0) link.sense(now_);
+    }
+  }
+  /// Runs with a command each tick, as a control loop gives it.
+  void keep_driving(const DriveCommand& command, int milliseconds) {
+    for (int i = 0; i < milliseconds; i += kTick_ms) {
+      drive.drive(command);
+      run(kTick_ms);
+    }
+  }
+  firmware::BenchBoard& bench() { return bench_; }
+
+  BytePipe pipe{"bench line"};
+  MicrocontrollerLink link{pipe.robot_end(), CommPortSettings{}};
+  MotorDriveSettings settings;
+  WheelDrive drive{link, settings};
+  bool board_runs = true;
+
+ private:
+  void step_board() {
+    std::array<std::uint8_t, 256> bytes;
+    const auto count = pipe.board_end().read(bytes);
+    bench_.to_board.insert(bench_.to_board.end(), bytes.begin(),
+                           bytes.begin() + static_cast<std::ptrdiff_t>(count));
+    controller_->update(++board_ms_);
+    bench_.step(0.001);
+    pipe.board_end().write(bench_.from_board);
+    bench_.from_board.clear();
+  }
+
+  firmware::BenchBoard bench_;
+  std::optional<firmware::Controller> controller_;
+  std::uint16_t boots_ = 0;
+  std::uint32_t board_ms_ = 0;
+  Time now_{};
+};
+
+}  // namespace galilean::robot

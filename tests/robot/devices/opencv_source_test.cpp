@@ -1,0 +1,76 @@
+#include "robot/devices/opencv_source.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "robot/devices/frame_sources.h"
+
+namespace galilean::robot {
+namespace {
+
+/// A portable pixmap of 4:3, of one colour, with a green column at each side that is cut off again
+/// when it is made wider than that.
+void write_picture(const std::filesystem::path& path, int margin) {
+  constexpr int width = 640, height = 480;
+  std::ofstream file(path, std::ios::binary);
+  file << "P6\n" << width + 2 * margin << ' ' << height << "\n255\n";
+  for (int y = 0; y < height; ++y)
+    for (int x = -margin; x < width + margin; ++x) {
+      const bool outside = x < 0 || x >= width;
+      file.write(outside ? "\x00\xff\x00" : "\xc8\x1e\x0a", 3);
+    }
+}
+
+class OpencvSource : public testing::Test {
+ protected:
+  ~OpencvSource() override { std::filesystem::remove(path); }
+  std::unique_ptr<FrameSource> make() {
+    auto source = make_frame_source(path);
+    EXPECT_TRUE(source.ok()) << source.error().message;
+    return std::move(source).value();
+  }
+
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) / ("galilean-" + std::to_string(getpid()) + ".ppm");
+  std::unique_ptr<Frame> frame = std::make_unique<Frame>();
+  Time now{std::chrono::seconds(10)};
+};
+
+TEST_F(OpencvSource, APictureFileComesInRedGreenBlueAgainAndAgain) {
+  write_picture(path, 100);
+  const auto source = make();
+  ASSERT_TRUE(source->grab(*frame, now)) << source->problem();
+  for (const int pixel : {0, Frame::kWidth - 1, Frame::kWidth * Frame::kHeight - 1}) {
+    const auto at = static_cast<std::size_t>(pixel) * 3;
+    EXPECT_EQ(frame->rgb[at], 200);
+    EXPECT_EQ(frame->rgb[at + 1], 30);
+    EXPECT_EQ(frame->rgb[at + 2], 10);
+  }
+  EXPECT_FALSE(source->grab(*frame, now + std::chrono::milliseconds(50)));
+  EXPECT_TRUE(source->grab(*frame, now + std::chrono::milliseconds(101)));
+}
+
+TEST_F(OpencvSource, AMissingFileIsNamedAndFoundWhenItComes) {
+  const auto source = make();
+  EXPECT_FALSE(source->grab(*frame, now));
+  EXPECT_NE(source->problem().find(path.string()), std::string::npos) << source->problem();
+  write_picture(path, 0);
+  EXPECT_FALSE(source->grab(*frame, now + std::chrono::milliseconds(500)));
+  EXPECT_TRUE(source->grab(*frame, now + std::chrono::milliseconds(1001)));
+  EXPECT_EQ(source->problem(), "");
+}
+
+TEST_F(OpencvSource, AFileThatIsNoPictureIsNamed) {
+  std::ofstream(path) << "no picture";
+  const auto source = make();
+  EXPECT_FALSE(source->grab(*frame, now));
+  EXPECT_NE(source->problem().find("cannot be opened"), std::string::npos) << source->problem();
+}
+
+}  // namespace
+}  // namespace galilean::robot

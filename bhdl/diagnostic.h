@@ -33,15 +33,14 @@ void to_json(nlohmann::json& json, const Diagnostic& diagnostic);
 /// rest, so that a file of noise costs no more than a file with a hundred mistakes.
 class Diagnostics {
  public:
-  static constexpr int kMost = 100;
+  static constexpr std::size_t kMost = 100;
 
-  void error(const Location& at, std::string_view code, std::string message,
-             std::string hint = {});
+  void error(const Location& at, std::string_view code, std::string message, std::string hint = {});
   void warning(const Location& at, std::string_view code, std::string message,
                std::string hint = {});
   /// Nothing more is kept: whoever would search long for a hint can spare it.
   [[nodiscard]] bool full() const noexcept { return kept_.size() >= kMost; }
-  [[nodiscard]] bool has_errors() const noexcept { return has_errors_; }
+  [[nodiscard]] bool has_errors() const noexcept { return errors_ > 0; }
 
   /// In the order of the files as read, then of lines; the last says how many more there were.
   [[nodiscard]] std::vector<Diagnostic> take(const std::vector<std::string>& files_in_order) &&;
@@ -51,8 +50,8 @@ class Diagnostics {
            std::string hint);
 
   std::vector<Diagnostic> kept_;
-  int left_off_ = 0;
-  bool has_errors_ = false;
+  std::size_t left_off_ = 0;
+  std::size_t errors_ = 0;
 };
 
 }  // namespace galilean::bhdl

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bhdl/symbols.h"
+#include "core/catalog/wiring.h"
+
+namespace galilean::bhdl {
+
+/// Holds a component's attributes against what its declaration says and fills in the defaults.
+class AttributeReader {
+ public:
+  /// `text_is_whole`: nothing was unreadable, so that what is missing is missing indeed.
+  AttributeReader(const Symbols& symbols, bool text_is_whole, Diagnostics& diagnostics)
+      : symbols_(symbols), text_is_whole_(text_is_whole), diagnostics_(diagnostics) {}
+
+  /// In SI. What is unknown, given twice, of the wrong type or missing is reported and left out.
+  [[nodiscard]] AttributeValues read(const ComponentSpec& spec, const Word& type,
+                                     const std::vector<AttributeNode>& attributes) const;
+
+ private:
+  void refuse_unknown(const ComponentSpec& spec, const Word& name) const;
+  void refuse_missing(const AttributeSpec& spec, const Word& type, const std::string& owner) const;
+  void warn_of_alias(const AttributeSpec& spec, const Word& name) const;
+  void check_names(const AttributeNode& attribute, const AttributeSpec& spec,
+                   const std::string& owner) const;
+
+  const Symbols& symbols_;
+  bool text_is_whole_;
+  Diagnostics& diagnostics_;
+};
+
+/// The name that the attributes give, or nullptr.
+[[nodiscard]] const ValueNode* given_name(const std::vector<AttributeNode>& attributes) noexcept;
+/// "avoid_obstacle 'aso0'", as messages call a component.
+[[nodiscard]] std::string label(const Word& type, const std::vector<AttributeNode>& attributes);
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "bhdl/diagnostic.h"
+#include "bhdl/syntax.h"
+
+namespace galilean::bhdl {
+
+/// Turns a whole program's tree into a program. All that it knows of components comes from the
+/// catalog. First every name is declared, then every attribute and reference is held against its
+/// declaration, so that the order of the text does not matter.
+///
+/// `main_file` is where a fault of the whole is reported. `Program::name`, `hash` and `files` are
+/// the caller's to fill in; where there are errors the result is not to be used.
+[[nodiscard]] Program check_tree(SyntaxTree tree, const std::string& main_file,
+                                 const Catalog& catalog, Diagnostics& diagnostics);
+
+}  // namespace galilean::bhdl

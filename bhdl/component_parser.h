@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "bhdl/token_stream.h"
+
+namespace galilean::bhdl {
+
+/// What a block is, which decides what may close it besides `end`.
+enum class Block {
+  kComponent,  ///< nothing: a missing `end` is an error
+  kVariable,   ///< the next component too, as the published listings print it
+  kCondition   ///< nothing
+};
+
+/// `type : { attribute } end`. The stream stands at the type.
+[[nodiscard]] ComponentNode parse_component(TokenStream& tokens, Block block,
+                                            Diagnostics& diagnostics);
+
+/// `name : value …`, or a report of what stands in its place. Always takes at least a token.
+void parse_attribute(TokenStream& tokens, std::vector<AttributeNode>& into,
+                     Diagnostics& diagnostics);
+
+/// Reports at the stream's place that `opened` should have been closed before.
+void report_unclosed(const TokenStream& tokens, const Word& opened, Diagnostics& diagnostics);
+
+Word take_label(TokenStream& tokens);
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,139 @@
+#include "bhdl/describe.h"
+
+#include <algorithm>
+#include <array>
+#include <ranges>
+
+#include "bhdl/keywords.h"
+#include "bhdl/names.h"
+#include "bhdl/state_specs.h"
+#include "bhdl/text.h"
+#include "bhdl/vocabulary.h"
+
+namespace galilean::bhdl {
+namespace {
+
+constexpr std::array kKinds{ComponentKind::kInputDevice, ComponentKind::kOutputDevice,
+                            ComponentKind::kVariable, ComponentKind::kPerceptualSchema,
+                            ComponentKind::kMotorSchema};
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(text.size() + 1, width + 2), ' ');
+  return text;
+}
+
+template <class Specs>
+std::size_t widest_name(const Specs& specs) {
+  std::size_t width = 0;
+  for (const auto& spec : specs) width = std::max(width, spec.name.size());
+  return width;
+}
+
+struct ValueInWords {
+  std::string operator()(bool value) const { return value ? "yes" : "no"; }
+  std::string operator()(double value) const { return number_text(value); }
+  std::string operator()(const Vec2& value) const {
+    return "<" + number_text(value.x()) + ", " + number_text(value.y()) + ">";
+  }
+  std::string operator()(const std::string& value) const { return "\"" + value + "\""; }
+  template <class Item>
+  std::string operator()(const std::vector<Item>& values) const {
+    std::string text;
+    for (const auto& value : values) text += (text.empty() ? "" : " ") + (*this)(value);
+    return text;
+  }
+};
+
+std::string default_in_words(const AttributeSpec& spec) {
+  if (spec.required()) return "must be given";
+  const std::string value = std::visit(ValueInWords{}, *spec.default_value);
+  if (value.empty() || value == "\"\"") return "may be left out";
+  const bool has_unit = !spec.unit.symbol.empty();
+  return "default " + value + (has_unit ? " " + std::string(spec.unit.symbol) : "");
+}
+
+std::string use_in_words(Access access) {
+  switch (access) {
+    case Access::kRead:
+      return "; reads it";
+    case Access::kWrite:
+      return "; writes it";
+    case Access::kUpdate:
+      return "; reads and writes it";
+    default:
+      return {};
+  }
+}
+
+std::string attribute_in_words(const AttributeSpec& spec, std::size_t width) {
+  std::string text = "  " + padded(spec.name + ":", width + 1) + expectation(spec) +
+                     use_in_words(spec.access) + "; " + default_in_words(spec);
+  if (const auto range = range_in_words(spec); !range.empty()) text += "; " + range;
+  for (const auto& alias : spec.aliases) text += "; also spelt " + alias;
+  return text + "\n" + std::string(width + 5, ' ') + spec.help + "\n";
+}
+
+std::string component_in_words(const ComponentSpec& spec, std::string_view kind) {
+  std::string text =
+      spec.name + (kind.empty() ? "" : ", a") + std::string(kind) + "\n  " + spec.help + "\n";
+  if (!spec.attributes.empty()) text += "\n";
+  for (const auto& attribute : spec.attributes)
+    text += attribute_in_words(attribute, widest_name(spec.attributes));
+  return text;
+}
+
+std::string kind_with_article(ComponentKind kind) {
+  const auto words = kind_in_words(kind);
+  return (words.starts_with('i') || words.starts_with('o') ? "n " : " ") + std::string(words);
+}
+
+/// Components, then what the language itself adds.
+Catalog with_language(const Catalog& catalog) {
+  Catalog all{Vocabulary(catalog).components()};
+  all.components.push_back(state_spec());
+  all.components.push_back(condition_spec());
+  return all;
+}
+
+Error unknown(const Catalog& all, std::string_view component) {
+  const auto names = all.components | std::views::transform(&ComponentSpec::name);
+  const auto hint = did_you_mean(nearest(component, names));
+  return {"there is no component " + in_quotes(component) + (hint.empty() ? "" : "; " + hint)};
+}
+
+}  // namespace
+
+std::string describe(const Catalog& catalog) {
+  const std::size_t width = widest_name(catalog.components);
+  std::string text;
+  for (const auto kind : kKinds) {
+    text += std::string(section_word(kind)) + ":\n";
+    for (const auto& component : catalog.components)
+      if (component.kind == kind)
+        text += "  " + padded(component.name, width) + component.help + "\n";
+    text += "\n";
+  }
+  text += "states:\n";
+  for (const auto* spec : {&state_spec(), &condition_spec()})
+    text += "  " + padded(spec->name, width) + spec->help + "\n";
+  return text + "\n`galilean bhdl describe COMPONENT` tells what one of them takes.\n";
+}
+
+Result<std::string> describe(const Catalog& catalog, std::string_view component) {
+  if (component == state_spec().name) return component_in_words(state_spec(), {});
+  if (component == condition_spec().name) return component_in_words(condition_spec(), {});
+  const Catalog all = with_language(catalog);
+  const ComponentSpec* spec = all.find(component);
+  if (spec == nullptr) return unknown(all, component);
+  return component_in_words(*spec, kind_with_article(spec->kind));
+}
+
+Result<std::string> describe_json(const Catalog& catalog, std::string_view component) {
+  if (component.empty()) return catalog_to_json(catalog);
+  const Catalog all = with_language(catalog);
+  const ComponentSpec* spec = all.find(component);
+  if (spec == nullptr) return unknown(all, component);
+  return catalog_to_json(Catalog{{*spec}});
+}
+
+}  // namespace galilean::bhdl

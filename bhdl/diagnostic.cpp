@@ -1,0 +1,73 @@
+#include "bhdl/diagnostic.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+namespace galilean::bhdl {
+
+std::string_view to_string(Severity severity) noexcept {
+  return severity == Severity::kError ? "error" : "warning";
+}
+
+std::string format(const Diagnostic& diagnostic) {
+  std::string text = diagnostic.file + ':' + std::to_string(diagnostic.line) + ':' +
+                     std::to_string(diagnostic.column) + ": ";
+  text.append(to_string(diagnostic.severity)).append(": ").append(diagnostic.message);
+  if (!diagnostic.hint.empty()) text.append("\n  hint: ").append(diagnostic.hint);
+  return text;
+}
+
+void to_json(nlohmann::json& json, const Diagnostic& diagnostic) {
+  json = {{"file", diagnostic.file},     {"line", diagnostic.line},
+          {"column", diagnostic.column}, {"severity", to_string(diagnostic.severity)},
+          {"code", diagnostic.code},     {"message", diagnostic.message},
+          {"hint", diagnostic.hint}};
+}
+
+bool any_error(const std::vector<Diagnostic>& diagnostics) noexcept {
+  return std::ranges::any_of(
+      diagnostics, [](const Diagnostic& each) { return each.severity == Severity::kError; });
+}
+
+void Diagnostics::error(const Location& at, std::string_view code, std::string message,
+                        std::string hint) {
+  ++errors_;
+  add(at, Severity::kError, code, std::move(message), std::move(hint));
+}
+
+void Diagnostics::warning(const Location& at, std::string_view code, std::string message,
+                          std::string hint) {
+  add(at, Severity::kWarning, code, std::move(message), std::move(hint));
+}
+
+void Diagnostics::add(const Location& at, Severity severity, std::string_view code,
+                      std::string message, std::string hint) {
+  // Warnings stop early, so that no number of them hides the error that stops the program.
+  const auto most = severity == Severity::kError ? kMost : kMost / 2;
+  if (kept_.size() >= most)
+    ++left_off_;
+  else
+    kept_.push_back({at.file, at.line, at.column, severity, std::string(code), std::move(message),
+                     std::move(hint)});
+}
+
+std::vector<Diagnostic> Diagnostics::take(const std::vector<std::string>& files_in_order) && {
+  const auto rank = [&](const Diagnostic& each) {
+    const auto file = std::ranges::find(files_in_order, each.file) - files_in_order.begin();
+    return std::tuple(file, each.line, each.column);
+  };
+  std::ranges::stable_sort(
+      kept_, [&](const Diagnostic& a, const Diagnostic& b) { return rank(a) < rank(b); });
+  if (left_off_ > 0) {
+    Diagnostic last = kept_.back();
+    last.severity = errors_ > 0 ? Severity::kError : Severity::kWarning;
+    last.code = "too-many";
+    last.message = "and " + std::to_string(left_off_) + " more";
+    last.hint = "correct these first: many of the rest may go with them";
+    kept_.push_back(std::move(last));
+  }
+  return std::move(kept_);
+}
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,88 @@
+#include "bhdl/keywords.h"
+
+#include <algorithm>
+#include <array>
+#include <ranges>
+
+#include "bhdl/names.h"
+
+namespace galilean::bhdl {
+namespace {
+
+struct SectionWord {
+  std::string_view word;
+  std::optional<ComponentKind> components;
+  bool takes_value;
+};
+
+// Of two words for a kind, the first is the one that the reference uses.
+constexpr std::array<SectionWord, 11> kSections{{
+    {"input_devices", ComponentKind::kInputDevice, false},
+    {"output_devices", ComponentKind::kOutputDevice, false},
+    {"variables", ComponentKind::kVariable, false},
+    {"perceptual_schemas", ComponentKind::kPerceptualSchema, false},
+    {"percp_schemas", ComponentKind::kPerceptualSchema, false},
+    {"motor_schemas", ComponentKind::kMotorSchema, false},
+    {"states", std::nullopt, false},
+    {"state", std::nullopt, false},
+    {"include", std::nullopt, true},
+    {"start_state", std::nullopt, true},
+    {"on_swap", std::nullopt, true},
+}};
+constexpr std::array<std::string_view, 5> kStateWords{"name", "perceptual_schemas", "percp_schemas",
+                                                      "motor_schemas", "condition"};
+
+bool is_state_word(std::string_view word) {
+  return std::ranges::find(kStateWords, word) != kStateWords.end();
+}
+
+bool names_schema_list(std::string_view word) {
+  const auto kind = section_kind(word);
+  return kind == ComponentKind::kPerceptualSchema || kind == ComponentKind::kMotorSchema;
+}
+
+}  // namespace
+
+std::optional<ComponentKind> section_kind(std::string_view word) noexcept {
+  const auto found = std::ranges::find(kSections, word, &SectionWord::word);
+  return found == kSections.end() ? std::nullopt : found->components;
+}
+
+std::string_view section_word(ComponentKind kind) noexcept {
+  const auto* found = std::ranges::find(kSections, kind, &SectionWord::components);
+  return found->word;
+}
+
+bool at_section(const TokenStream& tokens) {
+  if (!tokens.at(TokenKind::kWord)) return false;
+  const auto found = std::ranges::find(kSections, tokens.peek().text, &SectionWord::word);
+  if (found == kSections.end()) return false;
+  if (found->takes_value) return tokens.at_label() || tokens.peek(1).kind == TokenKind::kText;
+  return tokens.at_bare_label();
+}
+
+std::string_view meant_section(const TokenStream& tokens) {
+  if (!tokens.at_label()) return {};
+  const bool has_value = tokens.value_at(2);
+  const auto fits = [&](const SectionWord& each) { return each.takes_value == has_value; };
+  const auto name = nearest(tokens.peek().text, kSections | std::views::filter(fits) |
+                                                    std::views::transform(&SectionWord::word));
+  const auto found = std::ranges::find(kSections, name, &SectionWord::word);
+  return found == kSections.end() ? std::string_view() : found->word;
+}
+
+bool at_schema_list(const TokenStream& tokens) {
+  if (!tokens.at_label() || !names_schema_list(tokens.peek().text)) return false;
+  return !tokens.at_label_before_label() || is_state_word(tokens.peek(2).text);
+}
+
+bool at_next_part_of_state(const TokenStream& tokens) {
+  return tokens.at_label("condition") || at_schema_list(tokens);
+}
+
+void take_end(TokenStream& tokens) {
+  tokens.take();
+  if (tokens.at(TokenKind::kColon)) tokens.take();
+}
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,113 @@
+#include "bhdl/loader.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "bhdl/parser.h"
+#include "bhdl/text.h"
+
+namespace galilean::bhdl {
+namespace {
+
+class Loader {
+ public:
+  Loader(const SourceProvider& sources, Diagnostics& diagnostics)
+      : sources_(sources), diagnostics_(diagnostics) {}
+
+  LoadedProgram load(const std::string& main_path) {
+    add_file(normal_path(main_path), std::nullopt);
+    return std::move(program_);
+  }
+
+ private:
+  // Recursion ends at kDeepestInclude.
+  void add_file(const std::string& path, const std::optional<Position>& include) {
+    auto text = sources_.read(path, kMostFileBytes);
+    if (!text) return refuse(path, include, text.error());
+    bytes_ += text.value().size();
+    program_.files.push_back({path, sources_.shown(path), std::move(text).value()});
+    const LoadedFile& file = program_.files.back();
+    if (!is_readable(file)) return;
+    being_read_.push_back(path);
+    for (auto& node : parse(file.shown, file.text, diagnostics_)) {
+      if (const auto* inner = std::get_if<IncludeNode>(&node))
+        follow(*inner, path);
+      else
+        program_.tree.push_back(std::move(node));
+    }
+    being_read_.pop_back();
+  }
+
+  void follow(const IncludeNode& include, const std::string& from) {
+    const auto path =
+        normal_path(std::filesystem::path(from).parent_path() / std::string(include.path.text));
+    if (std::ranges::find(being_read_, path) != being_read_.end())
+      return refuse_cycle(path, include.path.at);
+    if (std::ranges::find(program_.files, path, &LoadedFile::path) != program_.files.end()) return;
+    if (may_go_on(include.path.at)) add_file(path, include.path.at);
+  }
+
+  bool may_go_on(const Position& at) {
+    const bool deep = being_read_.size() >= kDeepestInclude;
+    const bool many = program_.files.size() >= kMostFiles || bytes_ >= kMostProgramBytes;
+    if (deep)
+      diagnostics_.error(
+          at, "include/too-deep",
+          "includes lie more than " + std::to_string(kDeepestInclude) + " files deep here");
+    else if (many && !told_too_many_)
+      diagnostics_.error(at, "include/too-many",
+                         "a program has at most " + std::to_string(kMostFiles) + " files and " +
+                             std::to_string(kMostProgramBytes) + " bytes");
+    told_too_many_ = told_too_many_ || many;
+    return !deep && !many;
+  }
+
+  void refuse_cycle(const std::string& path, const Position& at) {
+    std::string chain;
+    for (auto each = std::ranges::find(being_read_, path); each != being_read_.end(); ++each)
+      chain += in_quotes(*each) + " includes ";
+    diagnostics_.error(at, "include/cycle", "a cycle of includes: " + chain + in_quotes(path));
+  }
+
+  void refuse(const std::string& path, const std::optional<Position>& include,
+              const ReadFailure& why) {
+    const std::string shown = sources_.shown(path);
+    const bool missing = why.code == "file/not-found";
+    if (include && missing)
+      diagnostics_.error(*include, "include/not-found", why.message,
+                         "the path is relative to the file that includes");
+    else
+      diagnostics_.error({shown, 1, 1}, why.code, why.message);
+  }
+
+  bool is_readable(const LoadedFile& file) {
+    const auto bad = find_bad_text(file.text);
+    if (!bad) return true;
+    constexpr std::string_view kDigits = "0123456789ABCDEF";
+    const std::string byte{'0', 'x', kDigits[bad->byte >> 4], kDigits[bad->byte & 15]};
+    const bool binary = bad->kind == BadText::Kind::kBinary;
+    diagnostics_.error({file.shown, bad->line, bad->column},
+                       binary ? "file/binary" : "file/not-utf8",
+                       binary ? "this is not a text: it holds the byte " + byte
+                              : "this is not UTF-8: the byte " + byte + " is out of place",
+                       "save the file as UTF-8 text");
+    return false;
+  }
+
+  const SourceProvider& sources_;
+  Diagnostics& diagnostics_;
+  LoadedProgram program_;
+  std::vector<std::string> being_read_;
+  std::size_t bytes_ = 0;
+  bool told_too_many_ = false;
+};
+
+}  // namespace
+
+LoadedProgram load(const std::string& main_path, const SourceProvider& sources,
+                   Diagnostics& diagnostics) {
+  return Loader(sources, diagnostics).load(main_path);
+}
+
+}  // namespace galilean::bhdl

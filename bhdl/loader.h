@@ -1,0 +1,36 @@
+#pragma once
+
+#include <deque>
+#include <string>
+
+#include "bhdl/diagnostic.h"
+#include "bhdl/source_provider.h"
+#include "bhdl/syntax.h"
+
+namespace galilean::bhdl {
+
+/// How large a program may be. A hundred times the largest that ships; small enough that a robot
+/// checks a hostile push within its memory.
+inline constexpr std::size_t kMostFileBytes = 1 << 20;
+inline constexpr std::size_t kMostProgramBytes = 2 << 20;
+inline constexpr std::size_t kMostFiles = 64;
+inline constexpr std::size_t kDeepestInclude = 16;
+
+struct LoadedFile {
+  std::string path;   ///< relative to the main file's folder
+  std::string shown;  ///< as diagnostics name it
+  std::string text;
+};
+
+/// A program's text with its includes put in place. The tree's views point into `files`.
+struct LoadedProgram {
+  std::deque<LoadedFile> files;  ///< the main file first, then in the order of reading
+  SyntaxTree tree;
+};
+
+/// Reads the main file and what it includes, each once: a second `include` of a file adds nothing,
+/// one of a file that is still being read is a cycle and an error.
+[[nodiscard]] LoadedProgram load(const std::string& main_path, const SourceProvider& sources,
+                                 Diagnostics& diagnostics);
+
+}  // namespace galilean::bhdl

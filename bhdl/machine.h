@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "bhdl/program.h"
+
+namespace galilean::bhdl {
+
+/// A condition in words: "gripper[0] is 1".
+[[nodiscard]] std::string cause(const Condition& condition);
+
+/// A program's state machine: {name, hash, start_state, states, transitions, on_swap}. States have
+/// name, file, line and their two lists of schemas; transitions have from_state, to_state, file,
+/// line, cause and what the condition says.
+void to_json(nlohmann::json& json, const Program& program);
+
+}  // namespace galilean::bhdl

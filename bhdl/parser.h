@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+#include "bhdl/diagnostic.h"
+#include "bhdl/syntax.h"
+
+namespace galilean::bhdl {
+
+/// Builds the tree of one file (GRAMMAR.md). It knows the language's own words and no component. It
+/// reports what it cannot read and goes on where the text makes sense again: at the next attribute,
+/// component or section. No nesting of the text makes it recurse.
+///
+/// The tree's views point into `file` and `text`.
+[[nodiscard]] SyntaxTree parse(std::string_view file, std::string_view text,
+                               Diagnostics& diagnostics);
+
+}  // namespace galilean::bhdl

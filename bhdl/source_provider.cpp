@@ -1,0 +1,64 @@
+#include "bhdl/source_provider.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "bhdl/text.h"
+
+namespace galilean::bhdl {
+namespace {
+
+namespace fs = std::filesystem;
+
+ReadFailure too_large(const std::string& path, std::uintmax_t bytes, std::size_t most_bytes) {
+  return {"file/too-large", in_quotes(path) + " has " + std::to_string(bytes) +
+                                " bytes; a BHDL file has at most " + std::to_string(most_bytes)};
+}
+
+ReadFailure not_found(const std::string& path, const std::string& reason) {
+  return {"file/not-found", "cannot read " + in_quotes(path) + ": " + reason};
+}
+
+}  // namespace
+
+std::string normal_path(const fs::path& path) {
+  return path.lexically_normal().generic_string();
+}
+
+std::string DiskSources::shown(const std::string& path) const {
+  return (folder_ / path).generic_string();
+}
+
+// Only regular files: a pipe or a terminal would keep the reader waiting.
+Result<std::string, ReadFailure> DiskSources::read(const std::string& path,
+                                                   std::size_t most_bytes) const {
+  const fs::path place = folder_ / path;
+  std::error_code failed;
+  const auto status = fs::status(place, failed);
+  if (!fs::exists(status))
+    return not_found(shown(path), failed ? failed.message() : "no such file");
+  if (!fs::is_regular_file(status)) return not_found(shown(path), "it is not a regular file");
+  const auto size = fs::file_size(place, failed);
+  if (!failed && size > most_bytes) return too_large(shown(path), size, most_bytes);
+  std::ifstream file(place, std::ios::binary);
+  std::string text(most_bytes + 1, '\0');
+  if (!file || !(file.read(text.data(), static_cast<std::streamsize>(text.size())) || file.eof()))
+    return not_found(shown(path), std::strerror(errno));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > most_bytes) return too_large(shown(path), text.size(), most_bytes);
+  text.shrink_to_fit();
+  return text;
+}
+
+Result<std::string, ReadFailure> MemorySources::read(const std::string& path,
+                                                     std::size_t most_bytes) const {
+  const auto same = [&](const SourceFile& file) { return normal_path(file.path) == path; };
+  const auto found = std::ranges::find_if(files_, same);
+  if (found == files_.end()) return not_found(path, "it is not among the files that were sent");
+  if (found->text.size() > most_bytes) return too_large(path, found->text.size(), most_bytes);
+  return found->text;
+}
+
+}  // namespace galilean::bhdl

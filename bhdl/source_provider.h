@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bhdl/program.h"
+#include "core/result.h"
+
+namespace galilean::bhdl {
+
+/// Why a file could not be read: a diagnostic's code and message without its place.
+struct ReadFailure {
+  std::string code;
+  std::string message;
+};
+
+/// Where a program's texts come from: the disk, or a push over the network.
+class SourceProvider {
+ public:
+  virtual ~SourceProvider() = default;
+  /// `path` is relative to the main file's folder, without `.` and needless `..`.
+  [[nodiscard]] virtual Result<std::string, ReadFailure> read(const std::string& path,
+                                                              std::size_t most_bytes) const = 0;
+  /// How diagnostics name the file.
+  [[nodiscard]] virtual std::string shown(const std::string& path) const = 0;
+};
+
+/// Regular files below, or beside, a folder.
+class DiskSources : public SourceProvider {
+ public:
+  explicit DiskSources(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  [[nodiscard]] Result<std::string, ReadFailure> read(const std::string& path,
+                                                      std::size_t most_bytes) const override;
+  [[nodiscard]] std::string shown(const std::string& path) const override;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// Texts that are already here; nothing else can be read.
+class MemorySources : public SourceProvider {
+ public:
+  explicit MemorySources(const std::vector<SourceFile>& files) : files_(files) {}
+  [[nodiscard]] Result<std::string, ReadFailure> read(const std::string& path,
+                                                      std::size_t most_bytes) const override;
+  [[nodiscard]] std::string shown(const std::string& path) const override { return path; }
+
+ private:
+  const std::vector<SourceFile>& files_;
+};
+
+/// `path` without `.` and with every `..` that can be worked out gone.
+[[nodiscard]] std::string normal_path(const std::filesystem::path& path);
+
+}  // namespace galilean::bhdl

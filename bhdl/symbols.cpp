@@ -1,0 +1,115 @@
+#include "bhdl/symbols.h"
+
+#include "bhdl/keywords.h"
+#include "bhdl/names.h"
+#include "bhdl/text.h"
+
+namespace galilean::bhdl {
+namespace {
+
+std::size_t index(NameSpace space) noexcept {
+  return static_cast<std::size_t>(space);
+}
+
+NameSpace wanted_space(const std::string& refers_to) noexcept {
+  if (refers_to == "state") return NameSpace::kState;
+  if (refers_to == "perceptual_schema") return NameSpace::kPerceptualSchema;
+  if (refers_to == "motor_schema") return NameSpace::kMotorSchema;
+  return NameSpace::kVariable;
+}
+
+std::string_view undefined_code(NameSpace space) noexcept {
+  if (space == NameSpace::kState) return "name/undefined-state";
+  if (space == NameSpace::kVariable) return "name/undefined-variable";
+  return "name/undefined-schema";
+}
+
+}  // namespace
+
+std::string place(const Position& at) {
+  return std::string(at.file) + ':' + std::to_string(at.line) + ':' + std::to_string(at.column);
+}
+
+NameSpace name_space(ComponentKind kind) noexcept {
+  switch (kind) {
+    case ComponentKind::kVariable:
+      return NameSpace::kVariable;
+    case ComponentKind::kPerceptualSchema:
+      return NameSpace::kPerceptualSchema;
+    case ComponentKind::kMotorSchema:
+      return NameSpace::kMotorSchema;
+    default:
+      return NameSpace::kDevice;
+  }
+}
+
+std::string_view in_words(NameSpace space) noexcept {
+  constexpr std::array<std::string_view, 5> kWords{"device", "variable", "perceptual schema",
+                                                   "motor schema", "state"};
+  return kWords[index(space)];
+}
+
+void Symbols::declare(NameSpace space, const Word& name, std::string_view type,
+                      Diagnostics& diagnostics) {
+  const auto [entry, is_new] = entries_[index(space)].try_emplace(name.text, Entry{type, name.at});
+  if (is_new) {
+    in_order_[index(space)].push_back(name.text);
+    return;
+  }
+  diagnostics.error(name.at, "name/duplicate",
+                    "there is a " + std::string(in_words(space)) + " " + in_quotes(name.text) +
+                        " already: the first is at " + place(entry->second.at));
+}
+
+const Symbols::Entry* Symbols::find(NameSpace space, std::string_view name) const noexcept {
+  const auto found = entries_[index(space)].find(name);
+  return found == entries_[index(space)].end() ? nullptr : &found->second;
+}
+
+std::string Symbols::hint(NameSpace wanted, std::string_view name) const {
+  for (const auto other :
+       {NameSpace::kPerceptualSchema, NameSpace::kMotorSchema, NameSpace::kVariable}) {
+    const bool named = other != wanted && find(other, name) != nullptr;
+    const bool both_schemas = other != NameSpace::kVariable && wanted != NameSpace::kVariable &&
+                              wanted != NameSpace::kState;
+    if (named && both_schemas)
+      return in_quotes(name) + " is a " + std::string(in_words(other)) + ": list it with those";
+  }
+  return did_you_mean(nearest(name, in_order_[index(wanted)]));
+}
+
+void Symbols::refuse_undefined(NameSpace wanted, const Word& name, const std::string& subject,
+                               Diagnostics& diagnostics) const {
+  const std::string help = diagnostics.full() ? std::string() : hint(wanted, name.text);
+  diagnostics.error(name.at, undefined_code(wanted),
+                    subject + " names " + in_quotes(name.text) + ", but there is no such " +
+                        std::string(in_words(wanted)),
+                    help);
+}
+
+void Symbols::check_reference(const AttributeSpec& spec, const ValueNode& name,
+                              const std::string& owner, bool text_is_whole,
+                              Diagnostics& diagnostics) const {
+  if (spec.refers_to.empty()) return;
+  const NameSpace wanted = wanted_space(spec.refers_to);
+  const std::string subject = in_quotes(spec.name) + " of " + owner;
+  const Entry* entry = find(wanted, name.text);
+  if (entry == nullptr) {
+    if (text_is_whole) refuse_undefined(wanted, {name.text, name.at}, subject, diagnostics);
+    return;
+  }
+  const bool any = wanted != NameSpace::kVariable || spec.refers_to == "variable";
+  if (any || entry->type.empty() || entry->type == spec.refers_to) return;
+  diagnostics.error(name.at, "type/wrong-variable",
+                    subject + " takes a " + spec.refers_to + " variable, but " +
+                        in_quotes(name.text) + " is a " + std::string(entry->type) +
+                        " variable: see " + place(entry->at));
+}
+
+void Symbols::check_state(const Word& name, const std::string& subject, bool text_is_whole,
+                          Diagnostics& diagnostics) const {
+  if (text_is_whole && find(NameSpace::kState, name.text) == nullptr)
+    refuse_undefined(NameSpace::kState, name, subject, diagnostics);
+}
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "bhdl/program.h"
+#include "core/catalog/catalog.h"
+
+namespace galilean::bhdl {
+
+/// A Location that owns nothing. All views here point into the texts and names that the loader
+/// keeps, which outlive the tree.
+struct Position {
+  std::string_view file;
+  int line = 1;
+  int column = 1;
+
+  operator Location() const { return {std::string(file), line, column}; }
+};
+
+struct Word {
+  std::string_view text;
+  Position at;
+};
+
+/// One value as it is written; what it should have been is the checker's affair.
+struct ValueNode {
+  enum class Kind { kNumber, kPair, kText, kBareWord, kBroken };
+  Kind kind = Kind::kNumber;
+  double number = 0;      ///< a pair's first number
+  double second = 0;      ///< a pair's second number
+  std::string_view text;  ///< without quotes; a number's own spelling
+  Position at;
+};
+
+struct AttributeNode {
+  Word name;
+  std::vector<ValueNode> values;  ///< never empty but in a state's lists
+};
+
+/// `type: attributes… end`. A condition is a block of type "condition".
+struct ComponentNode {
+  Word type;
+  std::vector<AttributeNode> attributes;
+};
+
+struct StateNode {
+  Word keyword;
+  std::vector<AttributeNode> attributes;  ///< the name and the two lists of schemas
+  std::vector<ComponentNode> conditions;
+};
+
+struct SectionNode {
+  Word keyword;
+  ComponentKind kind = ComponentKind::kVariable;
+  std::vector<ComponentNode> components;
+};
+
+struct IncludeNode {
+  Word path;
+};
+
+struct StartStateNode {
+  Word state;
+};
+
+/// A line of `on_swap:`.
+struct SwapNode {
+  Word old_state;
+  Word new_state;
+};
+
+using SyntaxNode = std::variant<SectionNode, StateNode, IncludeNode, StartStateNode, SwapNode>;
+
+/// A file in the order of its text; after the loader, a whole program with no includes left.
+using SyntaxTree = std::vector<SyntaxNode>;
+
+}  // namespace galilean::bhdl

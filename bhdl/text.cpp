@@ -1,0 +1,96 @@
+#include "bhdl/text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace galilean::bhdl {
+namespace {
+
+constexpr std::size_t kLongestQuoted = 60;
+
+bool continues(unsigned char byte) noexcept {
+  return (byte & 0xC0) == 0x80;
+}
+
+// The second byte of a character decides alone whether it is overlong, a surrogate or too large.
+bool second_byte_fits(unsigned char first, unsigned char second) noexcept {
+  switch (first) {
+    case 0xE0:
+      return second >= 0xA0;
+    case 0xED:
+      return second < 0xA0;
+    case 0xF0:
+      return second >= 0x90;
+    case 0xF4:
+      return second < 0x90;
+    default:
+      return true;
+  }
+}
+
+std::size_t expected_size(unsigned char first) noexcept {
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return 2;
+  if (first >= 0xE0 && first <= 0xEF) return 3;
+  if (first >= 0xF0 && first <= 0xF4) return 4;
+  return 0;
+}
+
+bool is_control(unsigned char byte) noexcept {
+  return (byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r' && byte != '\f') ||
+         byte == 0x7F;
+}
+
+}  // namespace
+
+std::size_t character_size(std::string_view text) noexcept {
+  if (text.empty()) return 0;
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const std::size_t size = expected_size(byte(0));
+  if (size == 0 || size > text.size()) return 0;
+  for (std::size_t i = 1; i < size; ++i)
+    if (!continues(byte(i))) return 0;
+  return size < 2 || second_byte_fits(byte(0), byte(1)) ? size : 0;
+}
+
+std::optional<BadText> find_bad_text(std::string_view text) noexcept {
+  BadText at;
+  while (!text.empty()) {
+    const auto byte = static_cast<unsigned char>(text.front());
+    const std::size_t size = character_size(text);
+    if (size == 0 || is_control(byte)) {
+      at.kind = size == 0 ? BadText::Kind::kNotUtf8 : BadText::Kind::kBinary;
+      at.byte = byte;
+      return at;
+    }
+    const bool line_ends = byte == '\n' || (byte == '\r' && !text.substr(1).starts_with('\n'));
+    at.line += line_ends ? 1 : 0;
+    at.column = line_ends ? 1 : at.column + 1;
+    text.remove_prefix(size);
+  }
+  return std::nullopt;
+}
+
+std::string in_quotes(std::string_view text) {
+  if (text.size() <= kLongestQuoted) return "'" + std::string(text) + "'";
+  std::size_t size = kLongestQuoted;
+  while (size > 0 && continues(static_cast<unsigned char>(text[size]))) --size;
+  return "'" + std::string(text.substr(0, size)) + "…'";
+}
+
+std::string number_text(double number) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  return {digits.data(), end};
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return lower;
+}
+
+}  // namespace galilean::bhdl

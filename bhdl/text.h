@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace galilean::bhdl {
+
+/// Why a text cannot be BHDL at all, and where; `line` and `column` from 1, columns in characters.
+struct BadText {
+  enum class Kind { kBinary, kNotUtf8 };
+  Kind kind = Kind::kBinary;
+  int line = 1;
+  int column = 1;
+  unsigned byte = 0;
+};
+/// The first byte that no text holds: a control character other than tab and line ends, or one that
+/// breaks UTF-8.
+[[nodiscard]] std::optional<BadText> find_bad_text(std::string_view text) noexcept;
+
+/// How many bytes the UTF-8 character at the start of `text` takes; 0 if there is none.
+[[nodiscard]] std::size_t character_size(std::string_view text) noexcept;
+
+/// `'text'`, cut short if it is long: a message stays readable when a name is not.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+/// The shortest digits that read back as `number`.
+[[nodiscard]] std::string number_text(double number);
+[[nodiscard]] std::string lower_case(std::string_view text);
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,176 @@
+#include "bhdl/value_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bhdl/names.h"
+#include "bhdl/text.h"
+#include "bhdl/vocabulary.h"
+
+namespace galilean::bhdl {
+namespace {
+
+using Kind = ValueNode::Kind;
+
+std::string in_words(const ValueNode& value) {
+  switch (value.kind) {
+    case Kind::kNumber:
+      return "the number " + std::string(value.text);
+    case Kind::kPair:
+      return "the pair <" + number_text(value.number) + ", " + number_text(value.second) + ">";
+    case Kind::kText:
+      return "the text " + in_quotes(value.text);
+    default:
+      return "the word " + in_quotes(value.text);
+  }
+}
+
+class ValueReader {
+ public:
+  ValueReader(const AttributeNode& attribute, const AttributeSpec& spec, const std::string& owner,
+              Diagnostics& diagnostics)
+      : attribute_(attribute), spec_(spec), owner_(owner), diagnostics_(diagnostics) {}
+
+  std::optional<Value> read() {
+    const auto broken = [](const ValueNode& value) { return value.kind == Kind::kBroken; };
+    if (std::ranges::any_of(attribute_.values, broken)) return std::nullopt;
+    if (!count_fits()) return std::nullopt;
+    switch (spec_.type) {
+      case AttributeType::kNumbers:
+        return list<double>([this](const ValueNode& value) { return number(value); });
+      case AttributeType::kNames:
+        return list<std::string>([this](const ValueNode& value) { return text(value); });
+      default:
+        return single(attribute_.values.front());
+    }
+  }
+
+ private:
+  std::optional<Value> single(const ValueNode& value) {
+    switch (spec_.type) {
+      case AttributeType::kFlag:
+        return wrapped(flag(value));
+      case AttributeType::kPair:
+        return wrapped(pair(value));
+      case AttributeType::kChoice:
+        return wrapped(choice(value));
+      case AttributeType::kText:
+      case AttributeType::kName:
+        return wrapped(text(value));
+      default:
+        return wrapped(number(value));
+    }
+  }
+
+  template <class T>
+  static std::optional<Value> wrapped(std::optional<T> value) {
+    return value ? std::optional(Value(std::move(*value))) : std::nullopt;
+  }
+
+  template <class T, class ReadOne>
+  std::optional<Value> list(ReadOne read_one) {
+    std::vector<T> items;
+    for (const auto& value : attribute_.values)
+      if (auto item = read_one(value)) items.push_back(std::move(*item));
+    if (items.size() != attribute_.values.size()) return std::nullopt;
+    return Value(std::move(items));
+  }
+
+  bool count_fits() {
+    const bool any = spec_.type == AttributeType::kNumbers || spec_.type == AttributeType::kNames;
+    const std::size_t given = attribute_.values.size();
+    const std::size_t expected = any ? spec_.count : 1;
+    if ((any && expected == 0) || given == expected) return true;
+    diagnostics_.error(attribute_.name.at, "value/count",
+                       subject() + " takes " + expectation(spec_) + "; " + std::to_string(given) +
+                           (given == 1 ? " value is given" : " values are given"));
+    return false;
+  }
+
+  std::optional<bool> flag(const ValueNode& value) {
+    constexpr std::array<std::string_view, 3> kYes{"yes", "true", "on"};
+    constexpr std::array<std::string_view, 3> kNo{"no", "false", "off"};
+    const std::string word = lower_case(value.text);
+    const bool number = value.kind == Kind::kNumber;
+    if (number ? value.number == 1 : std::ranges::find(kYes, word) != kYes.end()) return true;
+    if (number ? value.number == 0 : std::ranges::find(kNo, word) != kNo.end()) return false;
+    return refuse_type<bool>(value);
+  }
+
+  std::optional<double> number(const ValueNode& value) {
+    if (value.kind != Kind::kNumber) return refuse_type<double>(value);
+    if (spec_.type == AttributeType::kInteger && value.number != std::floor(value.number))
+      return refuse_type<double>(value);
+    if (!in_range(value.number, value)) return std::nullopt;
+    return value.number;
+  }
+
+  std::optional<Vec2> pair(const ValueNode& value) {
+    if (value.kind != Kind::kPair) return refuse_type<Vec2>(value);
+    if (!in_range(value.number, value) || !in_range(value.second, value)) return std::nullopt;
+    return Vec2(value.number, value.second);
+  }
+
+  std::optional<std::string> text(const ValueNode& value) {
+    if (value.kind == Kind::kText) return std::string(value.text);
+    const bool bare = value.kind == Kind::kBareWord;
+    return refuse_type<std::string>(value, bare ? "write \"" + std::string(value.text) + "\"" : "");
+  }
+
+  // The listings quote their choices; there is no harm in leaving that out.
+  std::optional<std::string> choice(const ValueNode& value) {
+    if (value.kind != Kind::kText && value.kind != Kind::kBareWord)
+      return refuse_type<std::string>(value);
+    if (std::ranges::find(spec_.choices, value.text) != spec_.choices.end())
+      return std::string(value.text);
+    diagnostics_.error(value.at, "value/not-a-choice",
+                       subject() + " is " + expectation(spec_) + ", not " + in_quotes(value.text),
+                       did_you_mean(nearest(value.text, spec_.choices)));
+    return std::nullopt;
+  }
+
+  bool in_range(double number, const ValueNode& value) {
+    if (number >= spec_.minimum && number <= spec_.maximum) return true;
+    diagnostics_.error(
+        value.at, "value/out-of-range",
+        subject() + " is out of range: " + number_text(number) + " is not " +
+            (std::isfinite(spec_.minimum) && std::isfinite(spec_.maximum) ? "within " : "") +
+            range_in_words(spec_));
+    return false;
+  }
+
+  template <class T>
+  std::optional<T> refuse_type(const ValueNode& value, std::string hint = {}) {
+    diagnostics_.error(value.at, "type/wrong-value",
+                       subject() + " takes " + expectation(spec_) + ", not " + in_words(value),
+                       std::move(hint));
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::string subject() const { return in_quotes(spec_.name) + " of " + owner_; }
+
+  const AttributeNode& attribute_;
+  const AttributeSpec& spec_;
+  const std::string& owner_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+Value to_si(Value value, const Unit& unit) {
+  if (auto* number = std::get_if<double>(&value)) *number *= unit.to_si;
+  if (auto* pair = std::get_if<Vec2>(&value)) *pair *= unit.to_si;
+  if (auto* numbers = std::get_if<std::vector<double>>(&value))
+    for (double& each : *numbers) each *= unit.to_si;
+  return value;
+}
+
+std::optional<Value> read_value(const AttributeNode& attribute, const AttributeSpec& spec,
+                                const std::string& owner, Diagnostics& diagnostics) {
+  auto value = ValueReader(attribute, spec, owner, diagnostics).read();
+  if (!value) return std::nullopt;
+  return to_si(std::move(*value), spec.unit);
+}
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bhdl/program.h"
+#include "robot/executive/event.h"
+
+namespace galilean::robot {
+
+/// Says what the indices in events and snapshots stand for. It never changes, and so any thread may
+/// read it while the program runs.
+struct Description {
+  struct VariableLabel {
+    std::string name;
+    std::string type;  ///< "locate"
+    /// Nothing in the program writes it: it is a parameter, whose value is the text's.
+    bool parameter = false;
+  };
+  struct ForceLabel {
+    std::string schema;      ///< the motor schema's name
+    std::string variable;    ///< the force that it writes
+    double gain = 1;         ///< that combine_forces gives to that force
+    std::size_t runner = 0;  ///< the schema, among all schemas
+  };
+  struct ImageLabel {
+    std::string role;   ///< the attribute of the schema that writes it
+    std::size_t index;  ///< the image, among the images
+  };
+
+  ProgramId id = 0;
+  bhdl::Program program;
+  std::vector<VariableLabel> variables;  ///< in the order of the store
+  std::vector<std::string> schemas;      ///< perceptual, then motor, in the order of the text
+  std::vector<ForceLabel> forces;
+  std::vector<ImageLabel> images;
+};
+
+/// Names of the variables that keep value, status and certainty when `to` takes over from `from`:
+/// those of the same name and type, except for the parameters of both.
+[[nodiscard]] std::vector<std::string> kept_variables(const Description& from,
+                                                      const Description& to);
+
+}  // namespace galilean::robot

@@ -1,0 +1,51 @@
+#include "robot/executive/device_settings.h"
+
+#include "core/catalog/registry.h"
+
+namespace galilean::robot {
+namespace {
+
+/// Settings are read before there are devices, and name neither those nor variables; the loader
+/// wants to be shown some all the same.
+class Unconnected final : public CommPort, public MotorDrive, public FrameGrabber {
+ public:
+  void sense(Time) noexcept override {}
+  [[nodiscard]] bool healthy() const noexcept override { return false; }
+  [[nodiscard]] std::string problem() const override { return "not connected"; }
+  [[nodiscard]] const ControllerStatus& status() const noexcept override { return status_; }
+  void command_gripper(GripperCommand) noexcept override {}
+  void drive(const DriveCommand&) noexcept override {}
+  void stop() noexcept override {}
+  [[nodiscard]] double forward_speed_mps() const noexcept override { return 0; }
+  [[nodiscard]] double turning_speed_radps() const noexcept override { return 0; }
+  [[nodiscard]] double turn_radius_m() const noexcept override { return 0; }
+  [[nodiscard]] const Frame& frame() const noexcept override { return frame_; }
+  [[nodiscard]] const CameraGeometry& geometry() const noexcept override { return geometry_; }
+
+ private:
+  ControllerStatus status_;
+  Frame frame_;
+  CameraGeometry geometry_;
+};
+
+}  // namespace
+
+DeviceSettings DeviceSettings::of(const bhdl::Program& program) {
+  const auto unconnected = std::make_unique<Unconnected>();
+  VariableStore no_variables;
+  const Devices no_devices{*unconnected, *unconnected, *unconnected};
+  const Wiring wiring{no_variables, no_devices, Random(0)};
+  DeviceSettings result;
+  for (const auto& device : program.devices) {
+    if (device.type == "motor_drive")
+      result.motor_drive = settings<MotorDriveSettings>(device.attributes, wiring);
+    else if (device.type == "frame_grabber")
+      result.frame_grabber = settings<FrameGrabberSettings>(device.attributes, wiring);
+    else
+      result.comm_port = settings<CommPortSettings>(device.attributes, wiring);
+    result.uses_camera |= device.type == "frame_grabber";
+  }
+  return result;
+}
+
+}  // namespace galilean::robot

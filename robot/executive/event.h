@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "core/clock.h"
+
+namespace galilean::robot {
+
+/// Numbers the programs that an executive was given: 1, 2, 3 …; 0: none.
+using ProgramId = std::uint32_t;
+
+/// Why a program in probation was taken off again.
+enum class Fault : std::uint8_t { kNone, kSchemaThrew, kOverran, kDeviceLost, kThrashed };
+
+/// Which devices answer.
+struct DeviceHealth {
+  bool comm_port = false;
+  bool motor_drive = false;
+  bool frame_grabber = false;
+
+  [[nodiscard]] bool lost_since(const DeviceHealth& before) const noexcept {
+    return (before.comm_port && !comm_port) || (before.motor_drive && !motor_drive) ||
+           (before.frame_grabber && !frame_grabber);
+  }
+};
+
+/// A few words that need no heap; what is too long is cut.
+class ShortText {
+ public:
+  ShortText() = default;
+  explicit ShortText(std::string_view text) noexcept
+      : size_(static_cast<std::uint8_t>(text.copy(text_.data(), text_.size()))) {}
+  [[nodiscard]] std::string_view view() const noexcept { return {text_.data(), size_}; }
+
+ private:
+  std::array<char, 127> text_{};
+  std::uint8_t size_ = 0;
+};
+
+/// Something that happened in a tick. Names are indices into the description of its program, so
+/// that the control loop hands over nothing that it owns.
+struct Event {
+  enum class Kind : std::uint8_t {
+    kTransition,    ///< the current state changed
+    kStarted,       ///< the first program runs
+    kSwapped,       ///< `program` runs in place of `from_program`
+    kConfirmed,     ///< the probation of `program` is over
+    kRolledBack,    ///< `program`, the last good one, runs again in place of `from_program`
+    kSchemaFailed,  ///< schema `schema` of `program` threw and is switched off
+  };
+  /// What changed the state.
+  enum class Cause : std::uint8_t { kCondition, kSwap, kRollback };
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  Kind kind = Kind::kTransition;
+  Cause cause = Cause::kCondition;
+  Fault fault = Fault::kNone;  ///< of kRolledBack
+  ProgramId program = 0;       ///< the one that runs after it
+  ProgramId from_program = 0;  ///< the one that ran before it
+  Time time{};
+  std::uint64_t tick = 0;
+  std::uint64_t number = 0;         ///< of kTransition: 1, 2, 3 … since the robot started
+  std::uint32_t from_state = 0;     ///< in from_program
+  std::uint32_t to_state = 0;       ///< in program
+  std::uint32_t condition = kNone;  ///< of from_state, where that is the cause
+  std::uint32_t schema = kNone;     ///< of kSchemaFailed and kRolledBack, among all schemas
+  Duration tick_time{};             ///< of kStarted, kSwapped and kRolledBack: what that tick took
+  ShortText text;                   ///< what the schema threw
+};
+
+}  // namespace galilean::robot

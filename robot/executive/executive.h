@@ -1,0 +1,136 @@
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string_view>
+#include <vector>
+
+#include "core/catalog/registry.h"
+#include "core/clock.h"
+#include "core/device/devices.h"
+#include "core/result.h"
+#include "robot/executive/exchange.h"
+#include "robot/executive/guarded_drive.h"
+#include "robot/executive/odometry.h"
+#include "robot/executive/probation.h"
+#include "robot/executive/pushable_port.h"
+#include "robot/executive/running_program.h"
+#include "robot/executive/state_hash.h"
+#include "robot/executive/tick_observer.h"
+
+namespace galilean::robot {
+
+/// What an executive is made of. All of it must outlive the executive.
+struct ExecutiveSetup {
+  const Registry& components;
+  Devices devices;
+  const Clock& clock;      ///< the only time that the logic knows
+  const Clock& stopwatch;  ///< what ticks are measured with; a stepped one finds them all to take 0
+  std::uint64_t seed = 1;
+  Duration tick_period = std::chrono::milliseconds(50);
+  Duration probation = std::chrono::seconds(10);
+  DeviceTuner* tuner = nullptr;  ///< takes over what programs say of devices; may be null
+  std::vector<TickObserver*> observers = {};  ///< see every tick
+};
+
+/// Runs a program: the paper's executive. The live robot calls `tick` from one thread at a fixed
+/// rate; the headless simulator has many executives and calls it whenever it has stepped the clock.
+///
+///   tick:  exchange programs · sense · perceive · sequence · act · publish
+///
+/// In a tick the devices give what is newest, the state's perceptual schemas run in listed order,
+/// the first condition in file order that holds changes the state, and the motor schemas of the
+/// state now current run in listed order. It neither allocates, locks, logs nor does I/O.
+/// Every method says which thread may call it; "control" is the one that ticks, and where nothing
+/// ticks meanwhile, any.
+class Executive {
+ public:
+  explicit Executive(const ExecutiveSetup& setup);
+  ~Executive();
+  Executive(const Executive&) = delete;
+  Executive& operator=(const Executive&) = delete;
+
+  /// Any thread but control, or between ticks. Builds `program` beside the one that runs; it takes
+  /// over at the start of the next tick. The first one loaded starts in its start state; a later
+  /// one is in probation. Fails if another one still waits for its tick.
+  Result<ProgramId> load(bhdl::Program program);
+
+  /// Control.
+  void tick();
+
+  /// Any thread: from the next tick on the schemas run and the motors stand still.
+  void hold() noexcept { held_.store(true, std::memory_order_relaxed); }
+  void resume() noexcept { held_.store(false, std::memory_order_relaxed); }
+  /// Any thread: as if somebody pushed bumper `index` (0 to 7) for 0.3 s.
+  void push_bumper(int index) noexcept { port_.push(index); }
+  /// Any thread but control: destroys programs that were replaced. `load` does so too.
+  void collect();
+  /// Any thread but control: what the numbers in events and snapshots mean. Null for a program
+  /// that sixteen others came after.
+  [[nodiscard]] std::shared_ptr<const Description> description(ProgramId id) const;
+
+  /// Control, as all that follows. Null before the first tick with a program.
+  [[nodiscard]] const RunningProgram* program() const noexcept { return running_.get(); }
+  /// Empty before the first tick with a program.
+  [[nodiscard]] std::string_view state_name() const noexcept;
+  [[nodiscard]] Duration time_in_state() const noexcept;
+  [[nodiscard]] Pose2 pose() const noexcept;  ///< by dead reckoning, odom frame
+  [[nodiscard]] std::uint64_t transitions() const noexcept { return transitions_; }
+  [[nodiscard]] const Tick& last_tick() const noexcept { return tick_; }
+  /// Adds tick, state, pose and every variable (of an image, its frame's number), to tell two runs
+  /// apart.
+  void hash_into(StateHash& hash) const noexcept;
+
+ private:
+  void begin_tick() noexcept;
+  void exchange_programs() noexcept;
+  void sense() noexcept;
+  void perceive() noexcept;
+  void sequence() noexcept;
+  void act() noexcept;
+  void publish() noexcept;
+
+  void take_over(std::unique_ptr<RunningProgram> next) noexcept;
+  void roll_back() noexcept;
+  void install(const RunningProgram* replaced, Event::Cause cause) noexcept;
+  void enter(std::uint32_t state) noexcept;
+  void activate(std::uint32_t schema) noexcept;
+  void run(std::uint32_t schema) noexcept;
+  void note_failure(std::uint32_t schema) noexcept;
+  void note_transition(Event change) noexcept;
+  void judge_probation() noexcept;
+  [[nodiscard]] bool may_drive() const noexcept;
+  [[nodiscard]] Event event(Event::Kind kind) const noexcept;
+  void emit(const Event& event) noexcept;
+  [[nodiscard]] const RunningState& current() const noexcept;
+  void tidy_shelf();
+
+  const ExecutiveSetup setup_;
+  PushablePort port_;
+  GuardedDrive drive_;
+  const Devices devices_;  ///< as schemas see them: with the port and the drive above
+
+  mutable std::mutex shelf_mutex_;
+  std::map<ProgramId, std::shared_ptr<const Description>> shelf_;
+  ProgramId last_id_ = 0;
+  Exchange exchange_;
+
+  std::unique_ptr<RunningProgram> running_;
+  std::unique_ptr<RunningProgram> last_good_;  ///< only while `running_` is in probation
+  Probation probation_;
+  Event exchanged_;  ///< the programs that this tick exchanged, told when its time is known
+  Odometry odometry_;
+  DeviceHealth health_;
+
+  Tick tick_;
+  Time began_{};  ///< by the stopwatch
+  Duration tick_time_{};
+  std::uint32_t overruns_ = 0;
+  std::uint64_t transitions_ = 0;
+  bool state_changed_ = false;
+  std::atomic<bool> held_{false};
+};
+
+}  // namespace galilean::robot

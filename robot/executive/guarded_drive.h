@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/device/devices.h"
+
+namespace galilean::robot {
+
+/// Stands between the schemas and the motors, and lets them stand still when nobody may or does
+/// drive them: while an operator holds the robot or a device is missing, when a state is entered
+/// whose schemas do not drive, and when no schema has driven for the timeout.
+class GuardedDrive final : public MotorDrive {
+ public:
+  explicit GuardedDrive(MotorDrive& motors) : motors_(motors) {}
+
+  void set_timeout(Duration timeout) noexcept { timeout_ = timeout; }
+  /// Before the motor schemas run. `free`: they may drive.
+  void begin(Time now, bool free) noexcept;
+  /// After they ran.
+  void finish(bool state_changed) noexcept;
+
+  void sense(Time now) noexcept override { motors_.sense(now); }
+  [[nodiscard]] bool healthy() const noexcept override { return motors_.healthy(); }
+  [[nodiscard]] std::string problem() const override { return motors_.problem(); }
+  void drive(const DriveCommand& command) noexcept override;
+  void stop() noexcept override;
+  [[nodiscard]] double forward_speed_mps() const noexcept override {
+    return motors_.forward_speed_mps();
+  }
+  [[nodiscard]] double turning_speed_radps() const noexcept override {
+    return motors_.turning_speed_radps();
+  }
+  [[nodiscard]] double turn_radius_m() const noexcept override { return motors_.turn_radius_m(); }
+
+ private:
+  MotorDrive& motors_;
+  Duration timeout_ = std::chrono::milliseconds(500);
+  Time now_{};
+  Time last_command_{};
+  bool free_ = false;
+  bool commanded_ = false;  ///< in this tick
+  bool driving_ = false;    ///< a command may still be in force
+};
+
+}  // namespace galilean::robot

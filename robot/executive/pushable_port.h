@@ -1,0 +1,35 @@
+#pragma once
+
+#include <atomic>
+
+#include "core/device/devices.h"
+
+namespace galilean::robot {
+
+/// The comm_port as schemas see it: the real one, with bumpers that an operator or the referee
+/// pushes from afar.
+class PushablePort final : public CommPort {
+ public:
+  static constexpr Duration kPush = std::chrono::milliseconds(300);
+
+  explicit PushablePort(CommPort& port) : port_(port) {}
+
+  /// Any thread. Bumper `index` is pressed from the next tick on, for `kPush`; an index that no
+  /// bumper has does nothing.
+  void push(int index) noexcept;
+
+  void sense(Time now) noexcept override;
+  [[nodiscard]] bool healthy() const noexcept override { return port_.healthy(); }
+  [[nodiscard]] std::string problem() const override { return port_.problem(); }
+  [[nodiscard]] const ControllerStatus& status() const noexcept override { return status_; }
+  void command_gripper(GripperCommand command) noexcept override { port_.command_gripper(command); }
+
+ private:
+  CommPort& port_;
+  ControllerStatus status_;
+  std::atomic<std::uint8_t> asked_{0};
+  std::uint8_t pushed_ = 0;
+  Time release_{};
+};
+
+}  // namespace galilean::robot

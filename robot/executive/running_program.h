@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/variable/store.h"
+#include "robot/executive/description.h"
+#include "robot/executive/device_settings.h"
+#include "robot/executive/schema_runner.h"
+
+namespace galilean::robot {
+
+/// A condition with its names looked up.
+struct RunningCondition {
+  Variable<Bits>* bits = nullptr;
+  unsigned bit_index = 0;
+  bool bit_value = true;
+  bhdl::BitUpdate bit_update = bhdl::BitUpdate::kSame;
+  std::uint32_t new_state = 0;
+  std::vector<VariableRef> reset_variables;
+};
+
+/// A state with its names looked up. Schemas are indices into RunningProgram::schemas.
+struct RunningState {
+  std::vector<std::uint32_t> perceptual_schemas;
+  std::vector<std::uint32_t> motor_schemas;
+  std::vector<RunningCondition> conditions;
+};
+
+/// A program ready to run: what builder makes, the tick works on and swap exchanges. Only
+/// the thread that holds it touches it, except for its description.
+struct RunningProgram {
+  RunningProgram() = default;
+  RunningProgram(const RunningProgram&) = delete;
+  RunningProgram& operator=(const RunningProgram&) = delete;
+
+  [[nodiscard]] const bhdl::Program& text() const noexcept { return description->program; }
+  [[nodiscard]] const std::string& state_name() const noexcept { return text().states[state].name; }
+
+  std::shared_ptr<const Description> description;
+  DeviceSettings devices;
+  VariableStore variables;
+  std::vector<Pose2> start_poses;  ///< of each shaft, as the text says
+  std::vector<SchemaRunner> schemas;
+  std::vector<RunningState> states;
+  std::uint32_t start_state = 0;
+  std::uint32_t state = 0;  ///< the current one; as it was left while another program runs
+  Time state_since{};
+};
+
+}  // namespace galilean::robot

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/schema/schema.h"
+#include "robot/executive/event.h"
+#include "robot/executive/variable_ref.h"
+
+namespace galilean::robot {
+
+/// Runs one schema of a program. If it throws, it is switched off for as long as the program lives
+/// and what it writes becomes invalid, so that nobody acts on a half-written value.
+class SchemaRunner {
+ public:
+  SchemaRunner(std::unique_ptr<Schema> schema, std::vector<VariableRef> outputs);
+
+  /// Both are false in the tick in which the schema throws, and only then.
+  bool activate(const Tick& tick) noexcept;
+  bool run(const Tick& tick) noexcept;
+
+  [[nodiscard]] bool failed() const noexcept { return failed_; }
+  /// What it threw.
+  [[nodiscard]] const ShortText& failure() const noexcept { return failure_; }
+  /// The tick in which it last ran; 0: never.
+  [[nodiscard]] std::uint64_t last_run() const noexcept { return last_run_; }
+
+ private:
+  template <class Call>
+  bool guarded(Call&& call, const Tick& tick) noexcept;
+  void fail(std::string_view reason, Time now) noexcept;
+
+  std::unique_ptr<Schema> schema_;
+  std::vector<VariableRef> outputs_;
+  ShortText failure_;
+  std::uint64_t last_run_ = 0;
+  bool failed_ = false;
+};
+
+}  // namespace galilean::robot

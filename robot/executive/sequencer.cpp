@@ -1,0 +1,38 @@
+#include "robot/executive/sequencer.h"
+
+namespace galilean::robot {
+namespace {
+
+bool holds(const RunningCondition& condition, Time now) noexcept {
+  return condition.bits->valid_at(now) &&
+         condition.bits->value.test(condition.bit_index) == condition.bit_value;
+}
+
+void update_bit(const RunningCondition& condition) noexcept {
+  Bits& bits = condition.bits->value;
+  switch (condition.bit_update) {
+    case bhdl::BitUpdate::kSame:
+      return;
+    case bhdl::BitUpdate::kSet:
+      return bits.assign(condition.bit_index, true);
+    case bhdl::BitUpdate::kClear:
+      return bits.assign(condition.bit_index, false);
+    case bhdl::BitUpdate::kToggle:
+      return bits.assign(condition.bit_index, !condition.bit_value);
+  }
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> first_that_holds(const RunningState& state, Time now) noexcept {
+  for (std::uint32_t i = 0; i < state.conditions.size(); ++i)
+    if (holds(state.conditions[i], now)) return i;
+  return std::nullopt;
+}
+
+void fire(const RunningCondition& condition, Time now) noexcept {
+  update_bit(condition);
+  for (const VariableRef& variable : condition.reset_variables) reset(variable, now);
+}
+
+}  // namespace galilean::robot

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/device/devices.h"
+#include "core/schema/schema.h"
+#include "robot/executive/event.h"
+#include "robot/executive/running_program.h"
+
+namespace galilean::robot {
+
+/// What an executive shows of a tick at its end.
+struct TickView {
+  const Tick& tick;
+  const RunningProgram* program;  ///< null while there is none
+  const Devices& devices;
+  DeviceHealth health;
+  Pose2 pose;  ///< by dead reckoning, odom frame
+  bool held = false;
+  bool in_probation = false;
+  Duration tick_time{};           ///< of exchange to act
+  std::uint32_t overruns = 0;     ///< ticks that began late by a whole period, since the start
+  std::uint64_t transitions = 0;  ///< since the start
+};
+
+/// Watches an executive from within its control loop: neither method allocates, waits or does I/O.
+/// What is seen is valid during the call only.
+class TickObserver {
+ public:
+  virtual ~TickObserver() = default;
+  /// As it happens, before the end of its tick.
+  virtual void on_event(const Event& event) noexcept = 0;
+  virtual void on_tick(const TickView& view) noexcept = 0;
+};
+
+}  // namespace galilean::robot

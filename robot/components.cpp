@@ -15,9 +15,11 @@
 #include "robot/motor/probe.h"
 #include "robot/motor/swirl.h"
 #include "robot/perceptual/arrived.h"
+#include "robot/perceptual/blob_detector.h"
 #include "robot/perceptual/bumper_scanner.h"
 #include "robot/perceptual/forget.h"
 #include "robot/perceptual/gripper_scanner.h"
+#include "robot/perceptual/look.h"
 #include "robot/perceptual/lost.h"
 #include "robot/perceptual/obstacle_detector.h"
 #include "robot/perceptual/seen.h"
@@ -41,6 +43,8 @@ void add_components(Registry& registry) {
   registry.add_schema<BumperScanner>("bumper_scanner");
   registry.add_schema<GripperScanner>("gripper_scanner");
   registry.add_schema<ObstacleDetector>("obstacle_detector");
+  registry.add_schema<Look>("look");
+  registry.add_schema<BlobDetector>("blob_detector");
   registry.add_schema<TimeDetector>("time_detector");
   registry.add_schema<Forget>("forget");
   registry.add_schema<Seen>("seen");

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "robot/vision/blobs.h"
+#include "robot/vision/camera_model.h"
+
+namespace galilean::robot {
+
+/// What a blob must look like to pass as the object that a detector looks for. A blob that the
+/// picture's edge cuts is judged only by what the visible part proves. One that the bottom edge
+/// cuts is nearer than its range says, hence smaller than it seems: never too large. One that
+/// another edge cuts is larger than it seems: never too small.
+struct BlobGates {
+  double min_area_px = 12;
+  double max_area_px = Image::kWidth * Image::kHeight;
+  double min_aspect = 0;  ///< width / height, in metres of the object
+  double max_aspect = 0;
+  double min_fill = 0;  ///< area / (width · height), in pixels
+  double min_width_m = 0;
+  double max_width_m = 0;
+  double min_height_m = 0;
+  double max_height_m = 0;  ///< of its top over the floor
+  double max_range_m = 0;
+
+  /// `front` is where the blob's lowest pixel meets the floor.
+  [[nodiscard]] bool admit(const Blob& blob, const FloorPoint& front,
+                           const CameraModel& camera) const noexcept;
+};
+
+[[nodiscard]] bool cut_by_bottom(const Blob& blob) noexcept;
+[[nodiscard]] bool cut_by_other_edge(const Blob& blob) noexcept;
+
+}  // namespace galilean::robot

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/catalog/declaration.h"
+#include "core/device/devices.h"
+#include "core/schema/schema.h"
+#include "core/variable/variable.h"
+
+namespace galilean::robot {
+
+/// Takes a new camera picture apart.
+///
+///   reads   frame_grabber
+///   writes  red_variable, green_variable, blue_variable: the supercomponents; dark_variable: the
+///           intensity, in which baskets are dark. Those that are named, and only when there is a
+///           new frame.
+///   law     superred = max(0, R - (G + B)), and so on; intensity = (R + 2G + B) / 4; normalised by
+///           a gain common to the picture (see robot/vision/supercomponent.h)
+///   source  the paper
+class Look final : public PerceptualSchema {
+ public:
+  static void describe(Declaration<Look>& is);
+  void run(const Tick& tick) override;
+
+ private:
+  Variable<Image>* red_ = nullptr;
+  Variable<Image>* green_ = nullptr;
+  Variable<Image>* blue_ = nullptr;
+  Variable<Image>* dark_ = nullptr;
+  bool normalise_ = true;
+  std::uint64_t last_frame_ = 0;
+  const Devices* devices_ = nullptr;
+};
+
+}  // namespace galilean::robot

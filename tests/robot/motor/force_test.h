@@ -1,0 +1,35 @@
+#pragma once
+
+#include "tests/robot/schema_test.h"
+
+namespace galilean::robot {
+
+using namespace std::string_literals;
+
+/// The robot stands in the origin and faces along y, so that its frame is the global one.
+class ForceTest : public SchemaTest {
+ protected:
+  static constexpr double kTolerance = 1e-9;
+
+  ForceTest() { result().constant = false; }
+
+  Variable<Force>& result() { return variable<Force>("result"); }
+  /// What one more tick of the schema writes; fails the test if it writes nothing.
+  Vec2 run(Schema& schema) {
+    advance();
+    schema.run(tick);
+    EXPECT_EQ(result().written_tick, tick.number) << "it did not write";
+    return result().value.value;
+  }
+  void expect_silence(Schema& schema) {
+    advance();
+    schema.run(tick);
+    EXPECT_NE(result().written_tick, tick.number) << "it wrote";
+  }
+  static void expect_near(const Vec2& actual, const Vec2& expected) {
+    EXPECT_NEAR(actual.x(), expected.x(), kTolerance);
+    EXPECT_NEAR(actual.y(), expected.y(), kTolerance);
+  }
+};
+
+}  // namespace galilean::robot

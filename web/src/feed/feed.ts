@@ -34,6 +34,8 @@ export class Feed {
   #decoders = new Map<string, Decode>();
   #wanted = new Map<string, number>();
   #attempt = 0;
+  #retry: ReturnType<typeof setTimeout> | undefined;
+  #ended = false;
 
   constructor(
     private readonly url: string,
@@ -54,6 +56,13 @@ export class Feed {
     client.on("status", (status) => status.level > 0 && this.events.trouble(status.message));
     client.on("error", () => {}); // a close follows, and tells the reader
     client.on("close", () => this.#closed());
+  }
+
+  /** Ends the connection, for good. */
+  disconnect(): void {
+    this.#ended = true;
+    clearTimeout(this.#retry);
+    this.#client?.close();
   }
 
   /** Reads `topic` until the returned function is called. */
@@ -128,9 +137,10 @@ export class Feed {
     this.#subscriptions.clear();
     this.#decoders.clear();
     this.#clock = new ClockOffset();
+    if (this.#ended) return;
     this.#attempt += 1;
     this.events.connection("lost", this.#attempt);
     const wait_ms = Math.min(FIRST_RETRY_MS * 2 ** (this.#attempt - 1), LONGEST_RETRY_MS);
-    setTimeout(() => this.connect(), wait_ms);
+    this.#retry = setTimeout(() => this.connect(), wait_ms);
   }
 }

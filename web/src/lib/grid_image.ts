@@ -3,7 +3,7 @@ import type { OccupancyGrid } from "../feed/messages";
 type Colour = readonly [red: number, green: number, blue: number];
 
 const LIGHT = { free: [255, 255, 255] as Colour, occupied: [70, 74, 80] as Colour };
-const DARK = { free: [34, 38, 43] as Colour, occupied: [168, 174, 182] as Colour };
+const DARK = { free: [38, 42, 48] as Colour, occupied: [168, 174, 182] as Colour };
 
 /** The grid as a picture, north up: free to occupied between two greys, unknown transparent. */
 export function gridImage({ info, data }: OccupancyGrid, dark: boolean): string {

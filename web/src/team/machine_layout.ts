@@ -28,6 +28,7 @@ export interface MachineLayout {
 const CHARACTER_PX = 6.7;
 const LINE_PX = 14;
 const LONGEST_LINE = 11;
+const MARGIN_PX = 6;
 
 /** A long name on two lines, broken at the underscore nearest its middle. */
 export function labelLines(name: string): string[] {
@@ -64,7 +65,7 @@ function arrowsOf(machine: Machine): Map<string, MachineTransition[]> {
 
 function graphOf(machine: Machine, arrows: Map<string, MachineTransition[]>) {
   const graph = new dagre.graphlib.Graph();
-  graph.setGraph({ rankdir: "TB", nodesep: 14, ranksep: 22, edgesep: 8, marginx: 6, marginy: 6 });
+  graph.setGraph({ rankdir: "TB", nodesep: 14, ranksep: 22, edgesep: 8, marginx: MARGIN_PX, marginy: MARGIN_PX });
   graph.setDefaultEdgeLabel(() => ({}));
   for (const { name } of machine.states) {
     const lines = labelLines(name);
@@ -85,9 +86,18 @@ export function layOut(machine: Machine): MachineLayout {
   const arrows = arrowsOf(machine);
   const graph = graphOf({ ...machine, states: [...start, ...others] }, arrows);
   dagre.layout(graph);
-  const { width = 0, height = 0 } = graph.graph();
   const states = graph.nodes().map((name) => ({ name, lines: labelLines(name), ...box(graph.node(name)) }));
-  return { width, height, states, arrows: drawnArrows(graph, arrows) };
+  return { ...extent(graph), states, arrows: drawnArrows(graph, arrows) };
+}
+
+/** dagre's own width leaves out how far arrows swing. */
+function extent(graph: dagre.graphlib.Graph): { width: number; height: number } {
+  const { width = 0, height = 0 } = graph.graph();
+  const bends = graph.edges().flatMap((edge) => graph.edge(edge).points as Point[]);
+  return {
+    width: Math.max(width, ...bends.map(({ x }) => x + MARGIN_PX)),
+    height: Math.max(height, ...bends.map(({ y }) => y + MARGIN_PX)),
+  };
 }
 
 function box({ x, y, width, height }: { x: number; y: number; width: number; height: number }) {

@@ -1,0 +1,18 @@
+import { expect, it } from "vitest";
+import { drifts, programShares } from "../../src/team/drift";
+import { robotOf, state, T0_MS, told } from "./told";
+
+it("shows the robot that runs another program than most", () => {
+  const team = told([
+    ["/io/state", state({ program_hash: "bbbb" }), T0_MS],
+    ["/ganymede/state", state({ program_hash: "aaaa" }), T0_MS],
+    ["/callisto/state", state({ program_hash: "aaaa" }), T0_MS],
+  ]);
+  const shares = programShares(team.robots.values());
+  expect(shares.map(({ hash, robots }) => [hash, robots])).toEqual([
+    ["aaaa", ["ganymede", "callisto"]],
+    ["bbbb", ["io"]],
+  ]);
+  expect(drifts(robotOf(team, "io"), shares)).toBe(true);
+  expect(drifts(robotOf(team, "ganymede"), shares)).toBe(false);
+});

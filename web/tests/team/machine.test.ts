@@ -1,0 +1,57 @@
+import { describe, expect, it } from "vitest";
+import type { Machine } from "../../src/feed/messages";
+import { diffInWords, machineDiff } from "../../src/team/machine_diff";
+import { labelLines, layOut } from "../../src/team/machine_layout";
+
+function machine(...ways: [from: string, to: string, bits?: string][]): Machine {
+  const names = [...new Set(ways.flatMap(([from, to]) => [from, to]))];
+  return {
+    start_state: names[0]!,
+    states: names.map((name, i) => ({ name, file: "a.bhdl", line: i, perceptual_schemas: ["look"], motor_schemas: [] })),
+    transitions: ways.map(([from_state, to_state, bits_variable = "bits"], i) => ({
+      from_state, to_state, bits_variable, file: "a.bhdl", line: i, bit_index: 0, bit_value: true, bit_update: "same", reset_variables: [],
+    })),
+  };
+}
+const office = machine(["start", "wander"], ["wander", "move_to_trash"], ["move_to_trash", "wander"], ["move_to_trash", "grab"]);
+
+describe("a machine's layout", () => {
+  it("places every state within its bounds, none on another, the start on top", () => {
+    const { states, width, height } = layOut(office);
+    expect(states.map(({ name }) => name).sort()).toEqual(["grab", "move_to_trash", "start", "wander"]);
+    for (const a of states) {
+      expect(a.x >= 0 && a.y >= 0 && a.x + a.width <= width && a.y + a.height <= height).toBe(true);
+      for (const b of states) {
+        const apart = a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
+        expect(a === b || apart).toBe(true);
+      }
+    }
+    expect([...states].sort((a, b) => a.y - b.y)[0]?.name).toBe("start");
+  });
+  it("draws all ways from one state to another as one arrow that knows them all", () => {
+    const twice = layOut(machine(["a", "b", "seen"], ["a", "b", "felt"]));
+    expect(twice.arrows).toHaveLength(1);
+    expect(twice.arrows[0]?.transitions.map((way) => way.bits_variable)).toEqual(["seen", "felt"]);
+  });
+  it("draws a state that leads to itself, and leaves out a way to nowhere", () => {
+    const odd = machine(["a", "a"], ["a", "b"]);
+    const { arrows } = layOut({ ...odd, states: odd.states.slice(0, 1) });
+    expect(arrows.map(({ from, to }) => [from, to])).toEqual([["a", "a"]]);
+  });
+  it("breaks long names near their middle", () => {
+    expect(labelLines("wander_for_trashcan")).toEqual(["wander_for_", "trashcan"]);
+    expect(labelLines("backup1")).toEqual(["backup1"]);
+  });
+});
+
+describe("what a push would change", () => {
+  it("is told by states", () => {
+    const spin = machine(["start", "wander"], ["wander", "spin"], ["spin", "move_to_trash"], ["move_to_trash", "wander"]);
+    expect(machineDiff(office, spin)).toEqual({ added: ["spin"], removed: ["grab"], changed: ["wander", "move_to_trash"] });
+    expect(diffInWords(machineDiff(office, spin))[0]).toBe("adds spin");
+  });
+  it("is nothing where only lines have moved", () => {
+    const moved = { ...office, states: office.states.map((state) => ({ ...state, line: state.line + 9 })) };
+    expect(diffInWords(machineDiff(office, moved))).toEqual(["leaves states and transitions as they are"]);
+  });
+});

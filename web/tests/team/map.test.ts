@@ -1,0 +1,24 @@
+import { describe, expect, it } from "vitest";
+import { knownBounds } from "../../src/team/bounds";
+import { ellipseOf } from "../../src/team/ellipse";
+
+describe("an uncertainty ellipse", () => {
+  it("is two standard deviations along the axes of an axis-parallel covariance", () => {
+    const ellipse = ellipseOf({ variance_xx: 0.04, variance_xy: 0, variance_yy: 0.01 });
+    expect(ellipse.major_m).toBeCloseTo(0.4, 9);
+    expect(ellipse.minor_m).toBeCloseTo(0.2, 9);
+    expect(ellipse.angle_rad).toBeCloseTo(0, 9);
+  });
+  it("turns with the covariance", () => {
+    expect(ellipseOf({ variance_xx: 0.02, variance_xy: 0.01, variance_yy: 0.02 }).angle_rad).toBeCloseTo(Math.PI / 4, 9);
+  });
+});
+
+it("shows the known floor without the unknown around it", () => {
+  const data = new Int8Array(40).fill(-1);
+  data.set([0, 0, 100], 13);
+  const origin = { position: { x: -1, y: -2 }, orientation: { z: 0, w: 1 } };
+  const grid = { header: { stamp: { sec: 0, nsec: 0 }, frame_id: "map" }, info: { resolution: 0.5, width: 10, height: 4, origin }, data };
+  expect(knownBounds(grid)).toEqual({ left_m: 0.5, bottom_m: -1.5, width_m: 1.5, height_m: 0.5 });
+  expect(knownBounds({ ...grid, data: data.fill(-1) })).toBeUndefined();
+});

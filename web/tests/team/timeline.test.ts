@@ -1,0 +1,37 @@
+import { describe, expect, it } from "vitest";
+import { drawnBars } from "../../src/team/timeline";
+import { robotOf, state, T0_MS, told, transition } from "./told";
+
+describe("the timeline", () => {
+  const changed = state({ at_ms: T0_MS + 1000, state: "wander", transitions: 1n });
+
+  it("draws a change once, told by transition and state in either order", () => {
+    const first = state();
+    const change = transition(1, "wander", T0_MS + 1000);
+    const one = told([["/io/state", first, T0_MS], ["/io/transition", change, T0_MS + 1000], ["/io/state", changed, T0_MS + 1010]]);
+    const other = told([["/io/state", first, T0_MS], ["/io/state", changed, T0_MS + 1000], ["/io/transition", change, T0_MS + 1010]]);
+    for (const team of [one, other]) expect(robotOf(team).bars.map((bar) => bar.state)).toEqual(["start", "wander"]);
+  });
+  it("keeps one bar while a state lasts, however its time of entry jitters", () => {
+    const again = state({ at_ms: T0_MS + 5000, state: "wander", transitions: 1n });
+    const team = told([["/io/state", changed, T0_MS + 1000], ["/io/state", again, T0_MS + 5000]]);
+    expect(robotOf(team).bars).toHaveLength(1);
+  });
+  it("shows the states that passed between two samples", () => {
+    const team = told([
+      ["/io/state", state(), T0_MS],
+      ["/io/transition", transition(1, "wander", T0_MS + 20), T0_MS + 20],
+      ["/io/transition", transition(2, "grab", T0_MS + 40), T0_MS + 40],
+    ]);
+    expect(drawnBars(robotOf(team).bars, T0_MS + 10, T0_MS + 100)).toEqual([
+      { state: "start", from_ms: T0_MS + 10, to_ms: T0_MS + 20 },
+      { state: "wander", from_ms: T0_MS + 20, to_ms: T0_MS + 40 },
+      { state: "grab", from_ms: T0_MS + 40, to_ms: T0_MS + 100 },
+    ]);
+  });
+  it("goes on when a robot starts again and counts from nothing", () => {
+    const reborn = state({ at_ms: T0_MS + 60_000, state: "start", transitions: 0n });
+    const team = told([["/io/state", changed, T0_MS + 1000], ["/io/state", reborn, T0_MS + 60_000]]);
+    expect(robotOf(team).bars.map((bar) => bar.state)).toEqual(["wander", "start"]);
+  });
+});

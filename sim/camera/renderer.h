@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sim/camera/backdrop.h"
+#include "sim/camera/canvas.h"
+#include "sim/camera/scene.h"
+
+namespace galilean::sim {
+
+/// Draws what a robot's camera sees: backdrop, walls, furniture back to front, then all that is
+/// low, back to front, each where furniture does not hide it. Allocates only in its first pictures.
+class Renderer {
+ public:
+  Renderer(const CameraGeometry& camera, const CameraRules& rules, Random random);
+
+  /// `self`: the robot whose camera it is, which does not see itself.
+  void draw(const Scene& scene, std::size_t self, Frame& frame);
+
+ private:
+  struct FaceInView {
+    const Face* face;
+    ProjectedFace projected;
+  };
+  /// A low thing, by its depth: a disc, or a face of a robot or a seat.
+  struct Low {
+    float depth_m;
+    const Disc* disc;
+    Eigen::Vector2f in_camera_m;
+    FaceInView face;
+  };
+
+  void project(const Canvas& canvas, const std::vector<Face>& faces);
+  void draw_furniture(Canvas& canvas, const std::vector<Face>& faces);
+  void draw_lights(Canvas& canvas, const std::vector<Light>& lights);
+  void gather_low(const Canvas& canvas, const Scene& scene, std::size_t self);
+  void gather(const Canvas& canvas, const std::vector<Disc>& discs);
+  void gather(const Canvas& canvas, const Face* faces, std::size_t count, float depth_m);
+  void draw_low(Canvas& canvas);
+
+  CameraGeometry camera_;
+  NoiseTable noise_;
+  Backdrop backdrop_;
+  Random random_;
+  std::vector<FaceInView> in_view_;
+  std::vector<Low> low_;
+};
+
+}  // namespace galilean::sim

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/clock.h"
+#include "core/result.h"
+#include "robot/components.h"
+#include "sim/headless_robot.h"
+
+namespace galilean::sim {
+
+struct HeadlessOptions {
+  std::size_t robots = 3;
+  std::uint64_t seed = 1;
+  double duration_s = 600;
+  std::ostream* trace = nullptr;  ///< one JSON object a robot and simulated second; may be null
+};
+
+/// A contest in one process and one thread, as fast as the machine allows: the world, and a whole
+/// robot for each of its bodies, on a stepped clock. Same scenario, program, options: same bits.
+///
+///   each 10 ms: link and firmware · each 100 ms: a picture · each 50 ms: a tick · then the world
+///
+/// The referee waits until every robot is connected, then pushes a bumper of each and starts.
+class HeadlessContest {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<HeadlessContest>> make(
+      const Scenario& scenario, const bhdl::Program& program, const HeadlessOptions& options);
+
+  /// Error: a robot never came up; the message is its own.
+  Result<bool> run();
+
+  [[nodiscard]] const World& world() const noexcept { return *world_; }
+  [[nodiscard]] std::size_t robot_count() const noexcept { return robots_.size(); }
+  [[nodiscard]] const HeadlessRobot& robot(std::size_t index) const { return *robots_[index]; }
+  [[nodiscard]] double simulated_s() const noexcept { return world_->referee().elapsed_s(); }
+  /// Of the final state of all bodies, the referee's sheet and all executives.
+  [[nodiscard]] std::uint64_t hash() const;
+
+ private:
+  HeadlessContest(const Scenario& scenario, std::unique_ptr<World> world,
+                  const HeadlessOptions& options);
+  Result<bool> load(const bhdl::Program& program);
+  Result<bool> wait_for_robots();
+  void start();
+  void step();
+  void take_pictures(Time now);
+  void write_trace() const;
+
+  HeadlessOptions options_;
+  std::unique_ptr<World> world_;
+  SteppedClock clock_;
+  SteppedClock stopwatch_;  ///< stands still: here no tick takes time
+  Registry components_;
+  Scene scene_;
+  Renderer renderer_;
+  std::vector<std::unique_ptr<HeadlessRobot>> robots_;
+  std::uint64_t step_ = 0;
+  std::uint64_t bumpers_released_ = 0;  ///< the step in which the referee lets go of them
+  std::uint64_t picture_steps_;
+};
+
+}  // namespace galilean::sim

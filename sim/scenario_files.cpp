@@ -1,0 +1,46 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "sim/scenario.h"
+#include "sim/shipped_files.h"
+
+namespace galilean::sim {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::uintmax_t kLargestFile_bytes = 1 << 20;
+
+std::string known_names() {
+  std::string names;
+  for (const auto& name : shipped_scenarios()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> shipped_scenarios() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry :
+       fs::directory_iterator(shipped_folder("scenarios", GALILEAN_SCENARIO_DIR), error))
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Result<Scenario> load_scenario(const std::string& name_or_path) {
+  std::error_code error;
+  const fs::path path = find_shipped(name_or_path, "scenarios", GALILEAN_SCENARIO_DIR, ".json");
+  if (!fs::is_regular_file(path, error))
+    return Error{"no scenario '" + name_or_path + "': expected a .json file or one of " +
+                 known_names()};
+  if (fs::file_size(path, error) > kLargestFile_bytes)
+    return Error{path.string() + ": larger than 1 MiB; no scenario is"};
+  std::ifstream file(path);
+  if (!file) return Error{path.string() + ": cannot be read; check its permissions"};
+  return scenario_from_json({std::istreambuf_iterator<char>(file), {}}, path.string());
+}
+
+}  // namespace galilean::sim

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/world/physics.h"
+
+namespace galilean::sim {
+
+/// The two hands on the front bumper and the infrared beam between them.
+/// Open, the hands are a funnel that bodies touch. Closing, they take what stands in the beam and
+/// is small enough, and hold it as friction does: the hold pulls it to the pocket's middle with at
+/// most `kHold_n`. What is loose comes along; what stands fast (a chair's leg) slips out as the
+/// robot backs away, since its treads pull harder than the hands hold.
+class Gripper {
+ public:
+  static constexpr double kPocket_m = 0.262;    ///< beam in front of the robot's centre
+  static constexpr double kHalfWidth_m = 0.09;  ///< of the open hands, at the beam
+  static constexpr double kReach_m = 0.30;      ///< tips in front of the robot's centre
+  static constexpr double kHold_n = 6;
+  static constexpr double kLargest_m = 0.06;  ///< radius that the hands close around
+
+  Gripper(Physics& physics, b2Body& robot);
+
+  /// Where the servo stands, 0 open … 1000 closed.
+  void set_servo(int permille);
+  /// After a step of the world: lets go of what slipped out. True if the hold ended just now.
+  bool update();
+  /// The body is about to leave the world: lets go of it, without a word.
+  void forget(BodyTag body);
+  /// Something crosses the line from hand to hand.
+  [[nodiscard]] bool beam_broken() const;
+  [[nodiscard]] std::optional<BodyTag> held() const;
+  /// What the hands held before `update` said that they let go.
+  [[nodiscard]] std::optional<BodyTag> last_held() const noexcept { return last_held_; }
+  [[nodiscard]] bool open() const noexcept { return servo_permille_ < kTakes_permille; }
+
+ private:
+  static constexpr int kTakes_permille = 600;
+
+  [[nodiscard]] Vec2 in_robot(const b2Body& body) const;
+  [[nodiscard]] b2Body* body_in_pocket() const;
+  void let_hands_collide(bool collide);
+  void take(b2Body& body);
+  void release();
+
+  Physics& physics_;
+  b2Body& robot_;
+  b2Fixture* hands_[2] = {nullptr, nullptr};
+  b2MotorJoint* hold_ = nullptr;
+  std::optional<BodyTag> last_held_;
+  bool released_ = false;
+  int servo_permille_ = 0;
+};
+
+}  // namespace galilean::sim

@@ -1,0 +1,63 @@
+#include "sim/world/referee.h"
+
+namespace galilean::sim {
+
+const char* to_string(Phase phase) noexcept {
+  switch (phase) {
+    case Phase::kWaiting:
+      return "waiting";
+    case Phase::kRunning:
+      return "running";
+    case Phase::kOver:
+      break;
+  }
+  return "over";
+}
+
+Referee::Referee(const Rules& rules, std::size_t robots) : rules_(rules), tallies_(robots) {}
+
+void Referee::start() noexcept {
+  if (phase_ == Phase::kWaiting) phase_ = Phase::kRunning;
+}
+
+void Referee::advance(double dt_s) noexcept {
+  if (phase_ != Phase::kRunning) return;
+  elapsed_s_ += dt_s;
+  if (elapsed_s_ < rules_.duration_s) return;
+  elapsed_s_ = rules_.duration_s;
+  phase_ = Phase::kOver;
+}
+
+void Referee::saw_hit(const Hit& hit) {
+  const bool counts = phase_ == Phase::kRunning && hit.other.kind != BodyKind::kPiece &&
+                      hit.approach_mps >= rules_.collision_speed_mps;
+  if (!counts) return;
+  const auto [last, first] = last_hit_s_.try_emplace({hit.robot, hit.other.packed()}, elapsed_s_);
+  const bool again = first || elapsed_s_ - last->second >= rules_.collision_pause_s;
+  last->second = elapsed_s_;
+  if (again) ++tallies_[hit.robot].collisions;
+}
+
+bool Referee::saw_release(std::size_t robot, double to_basket_m) {
+  if (phase_ != Phase::kRunning || to_basket_m > rules_.basket_zone_m) return false;
+  ++tallies_[robot].deposited;
+  return true;
+}
+
+unsigned Referee::deposited() const noexcept {
+  unsigned sum = 0;
+  for (const auto& tally : tallies_) sum += tally.deposited;
+  return sum;
+}
+
+unsigned Referee::collisions() const noexcept {
+  unsigned sum = 0;
+  for (const auto& tally : tallies_) sum += tally.collisions;
+  return sum;
+}
+
+double Referee::score() const noexcept {
+  return rules_.points_per_piece * deposited() - rules_.penalty_per_collision * collisions();
+}
+
+}  // namespace galilean::sim

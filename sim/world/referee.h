@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/scenario.h"
+#include "sim/world/physics.h"
+
+namespace galilean::sim {
+
+enum class Phase { kWaiting, kRunning, kOver };
+[[nodiscard]] const char* to_string(Phase phase) noexcept;
+
+/// The sheet of one robot.
+struct RobotTally {
+  unsigned deposited = 0;
+  unsigned collisions = 0;
+};
+
+/// Keeps the clock and the score by the scenario's rules. Knows only what it is told.
+///   score = points · deposited - penalty · collisions
+class Referee {
+ public:
+  Referee(const Rules& rules, std::size_t robots);
+
+  /// Starts the clock.
+  void start() noexcept;
+  void advance(double dt_s) noexcept;
+  /// A touch that began. Counts if it was hard enough and the same two did not just collide.
+  void saw_hit(const Hit& hit);
+  /// A piece was let go of at a distance from the nearest basket: true if that throws it away.
+  [[nodiscard]] bool saw_release(std::size_t robot, double to_basket_m);
+
+  [[nodiscard]] Phase phase() const noexcept { return phase_; }
+  [[nodiscard]] double elapsed_s() const noexcept { return elapsed_s_; }
+  [[nodiscard]] double remaining_s() const noexcept { return rules_.duration_s - elapsed_s_; }
+  [[nodiscard]] const std::vector<RobotTally>& robots() const noexcept { return tallies_; }
+  [[nodiscard]] unsigned deposited() const noexcept;
+  [[nodiscard]] unsigned collisions() const noexcept;
+  [[nodiscard]] double score() const noexcept;
+
+ private:
+  Rules rules_;
+  Phase phase_ = Phase::kWaiting;
+  double elapsed_s_ = 0;
+  std::vector<RobotTally> tallies_;
+  std::map<std::pair<std::uint16_t, std::uint32_t>, double> last_hit_s_;
+};
+
+}  // namespace galilean::sim

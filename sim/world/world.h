@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "robot/executive/state_hash.h"
+#include "sim/scenario.h"
+#include "sim/world/objects.h"
+#include "sim/world/physics.h"
+#include "sim/world/referee.h"
+#include "sim/world/robot_body.h"
+
+namespace galilean::sim {
+
+/// The office, its pieces, its robots and their referee. All that happens descends from the
+/// scenario, the seed and what the boards put out.
+class World {
+ public:
+  static constexpr double kStep_s = 0.01;
+
+  [[nodiscard]] static Result<std::unique_ptr<World>> make(const Scenario& scenario,
+                                                           std::size_t robots, std::uint64_t seed);
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// `kStep_s` of all physics, and of the contest's clock while it runs.
+  void step();
+
+  [[nodiscard]] const Scenario& scenario() const noexcept { return scenario_; }
+  [[nodiscard]] RobotBody& robot(std::size_t index) { return *robots_[index]; }
+  [[nodiscard]] const RobotBody& robot(std::size_t index) const { return *robots_[index]; }
+  [[nodiscard]] std::size_t robot_count() const noexcept { return robots_.size(); }
+  [[nodiscard]] const Objects& objects() const noexcept { return objects_; }
+  [[nodiscard]] Referee& referee() noexcept { return referee_; }
+  [[nodiscard]] const Referee& referee() const noexcept { return referee_; }
+  [[nodiscard]] double to_nearest_basket_m(const Vec2& from_m) const;
+
+  /// Adds poses and velocities of all bodies and the referee's sheet, to the last bit.
+  void hash_into(robot::StateHash& hash) const;
+
+ private:
+  World(const Scenario& scenario, const std::vector<PlacedPiece>& pieces, std::size_t robots,
+        const Random& random);
+  void judge_release(std::size_t robot);
+
+  Scenario scenario_;
+  Physics physics_;
+  Objects objects_;
+  std::vector<std::unique_ptr<RobotBody>> robots_;
+  Referee referee_;
+};
+
+/// "io", "ganymede", "callisto", then the other moons in the order of their numbers; after those
+/// "robot_17" and so on.
+[[nodiscard]] std::string robot_name(std::size_t index);
+
+}  // namespace galilean::sim

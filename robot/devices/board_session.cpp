@@ -77,17 +77,9 @@ void BoardSession::handle_reply(const firmware::Frame& frame) {
     stage_ = Stage::kWrongVersion;
     return;
   }
-  note_boot(reply.boot_count, reply.uptime_ms);
+  boot_.note(reply.boot_count, reply.uptime_ms);
   stage_ = Stage::kConfiguring;
   send_parameters();
-}
-
-void BoardSession::note_boot(std::uint16_t boot_count, std::uint32_t uptime_ms) {
-  const bool restarted = boot_count != boot_count_ || uptime_ms < uptime_ms_;
-  if (known_ && restarted) ++epoch_;
-  known_ = true;
-  boot_count_ = boot_count;
-  uptime_ms_ = uptime_ms;
 }
 
 void BoardSession::configure(const firmware::Parameters& parameters) {
@@ -116,10 +108,9 @@ void BoardSession::handle_status(const firmware::Frame& frame) {
   firmware::Status status;
   if (!unpack(frame, status)) return;
   last_heard_ = now_;
-  const bool reset = status.boot_count != boot_count_ || status.uptime_ms < uptime_ms_;
-  if (ready() && reset) return greet();
   if (!ready()) return;
-  uptime_ms_ = status.uptime_ms;
+  if (boot_.differs(status.boot_count, status.uptime_ms)) return greet();
+  boot_.note(status.boot_count, status.uptime_ms);
   status_ = status;
   status_came_ = true;
 }
@@ -162,23 +153,21 @@ void BoardSession::grip(bool close) {
 }
 
 std::string BoardSession::problem() const {
+  const std::string board = "The microcontroller on " + line_.name();
   switch (stage_) {
     case Stage::kClosed:
       return line_.problem();
     case Stage::kGreeting:
-      return "The microcontroller on " + line_.name() +
-             " does not answer: check its power and its cable.";
+      return board + " does not answer: check its power and its cable.";
     case Stage::kWrongVersion:
-      return "The microcontroller on " + line_.name() + " speaks version " +
-             std::to_string(other_version_) + " of the serial protocol and this robot version " +
+      return board + " speaks version " + std::to_string(other_version_) +
+             " of the serial protocol and this robot version " +
              std::to_string(firmware::kProtocolVersion) + ": give it this release's firmware.";
     case Stage::kConfiguring:
-      return parameters_
-                 ? "The microcontroller on " + line_.name() + " is being given its parameters."
-                 : "No program has given the microcontroller its parameters yet.";
+      return board + (parameters_ ? " is being given its parameters."
+                                  : " waits for a program to give it parameters.");
     case Stage::kRefused:
-      return "The microcontroller on " + line_.name() +
-             " refuses the parameters of motor_drive: bring them within its limits.";
+      return board + " refuses the parameters of motor_drive: bring them within its limits.";
     case Stage::kReady:
       break;
   }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/clock.h"
+#include "robot/devices/boot_record.h"
 #include "robot/devices/byte_stream.h"
 #include "robot/firmware/messages.h"
 #include "robot/firmware/protocol.h"
@@ -37,7 +38,7 @@ class BoardSession {
   /// As it came last; the session was ready then.
   [[nodiscard]] const firmware::Status& status() const { return status_; }
   /// Counts the board's restarts as this side noticed them.
-  [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
+  [[nodiscard]] std::uint32_t epoch() const { return boot_.epoch(); }
   /// One sentence on why the session is not ready and what to do; empty when it is.
   [[nodiscard]] std::string problem() const;
 
@@ -49,7 +50,6 @@ class BoardSession {
   void handle_reply(const firmware::Frame& frame);
   void handle_acknowledgement(const firmware::Frame& frame);
   void handle_status(const firmware::Frame& frame);
-  void note_boot(std::uint16_t boot_count, std::uint32_t uptime_ms);
   void greet();
   void send_parameters();
   void close_session();
@@ -73,10 +73,7 @@ class BoardSession {
 
   firmware::Status status_;
   bool status_came_ = false;
-  bool known_ = false;
-  std::uint16_t boot_count_ = 0;
-  std::uint32_t uptime_ms_ = 0;
-  std::uint32_t epoch_ = 0;
+  BootRecord boot_;
   unsigned other_version_ = 0;
 };
 

@@ -31,8 +31,8 @@ bool is_camera(const std::string& device) {
   return device.starts_with("/dev/");
 }
 
-/// The paper's picture is a whole 4:3 one with its rows squeezed, and the camera's geometry counts on
-/// that: of a wider one the middle is taken. One that has the size already is taken as it is.
+/// The paper's picture is a whole 4:3 one with its rows squeezed, and the camera's geometry counts
+/// on that: of a wider one the middle is taken. One that has the size already is taken as it is.
 cv::Mat paper_shape(const cv::Mat& picture) {
   const int width = picture.rows * 4 / 3;
   if (picture.size() == cv::Size(Frame::kWidth, Frame::kHeight) || picture.cols <= width)

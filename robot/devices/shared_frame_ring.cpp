@@ -38,15 +38,15 @@ FrameRingLayout& layout(const SharedMemory& memory) {
   return *reinterpret_cast<FrameRingLayout*>(memory.bytes().data());
 }
 
+/// Each word is released, so that a reader that took one of them also sees the odd sequence.
 void fill(Slot& slot, Word number, std::span<const std::uint8_t, Frame::kBytes> rgb) {
   const Word odd = (slot.sequence.load(std::memory_order_relaxed) + 1) | 1;
   slot.sequence.store(odd, std::memory_order_relaxed);
-  std::atomic_thread_fence(std::memory_order_release);
-  slot.number.store(number, std::memory_order_relaxed);
+  slot.number.store(number, std::memory_order_release);
   for (std::size_t i = 0; i < kWords; ++i) {
     Word word;
     std::memcpy(&word, &rgb[i * sizeof word], sizeof word);
-    slot.rgb[i].store(word, std::memory_order_relaxed);
+    slot.rgb[i].store(word, std::memory_order_release);
   }
   slot.sequence.store(odd + 1, std::memory_order_release);
 }
@@ -55,12 +55,11 @@ void fill(Slot& slot, Word number, std::span<const std::uint8_t, Frame::kBytes> 
 bool copy_whole(const Slot& slot, Word number, Frame& frame) {
   const Word before = slot.sequence.load(std::memory_order_acquire);
   if (before & 1) return false;
-  const bool expected = slot.number.load(std::memory_order_relaxed) == number;
+  const bool expected = slot.number.load(std::memory_order_acquire) == number;
   for (std::size_t i = 0; i < kWords; ++i) {
-    const Word word = slot.rgb[i].load(std::memory_order_relaxed);
+    const Word word = slot.rgb[i].load(std::memory_order_acquire);
     std::memcpy(&frame.rgb[i * sizeof word], &word, sizeof word);
   }
-  std::atomic_thread_fence(std::memory_order_acquire);
   return expected && slot.sequence.load(std::memory_order_relaxed) == before;
 }
 

@@ -15,6 +15,8 @@ class Trapezoid {
   /// in the direction of `speed`. A limit below the braking distance is overrun by what braking
   /// needs.
   void aim(float speed, float acceleration, float travel_limit);
+  /// The speed from which the next motion ramps.
+  void start_from(float speed) { speed_ = speed; }
   /// Stands at once, without a ramp, and forgets the motion.
   void cut();
   /// The speed after the next `dt_s` seconds.

@@ -28,6 +28,7 @@ void Wheel::set(const WheelGains& gains) {
 }
 
 void Wheel::aim(float speed_counts_s, float acceleration_counts_s2, float limit_counts) {
+  if (!active_) profile_.start_from(measured_counts_s());
   profile_.aim(speed_counts_s, acceleration_counts_s2, limit_counts);
   if (!profile_.resting()) active_ = true;
 }

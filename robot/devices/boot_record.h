@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+
+namespace galilean::robot {
+
+/// Notices that a board was reset: another boot count, or less uptime than before.
+class BootRecord {
+ public:
+  [[nodiscard]] bool differs(std::uint16_t boot_count, std::uint32_t uptime_ms) const {
+    return boot_count != boot_count_ || uptime_ms < uptime_ms_;
+  }
+  void note(std::uint16_t boot_count, std::uint32_t uptime_ms) {
+    if (known_ && differs(boot_count, uptime_ms)) ++epoch_;
+    known_ = true;
+    boot_count_ = boot_count;
+    uptime_ms_ = uptime_ms;
+  }
+  /// Counts the resets noticed.
+  [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
+
+ private:
+  bool known_ = false;
+  std::uint16_t boot_count_ = 0;
+  std::uint32_t uptime_ms_ = 0;
+  std::uint32_t epoch_ = 0;
+};
+
+}  // namespace galilean::robot

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+namespace galilean::robot::firmware {
+
+/// First byte of a frame; from 0x80 on the board speaks.
+enum class MessageType : std::uint8_t {
+  kHello = 0x01,
+  kParameters = 0x02,
+  kDrive = 0x03,
+  kStop = 0x04,
+  kGripper = 0x05,
+  kStatusRequest = 0x06,
+  kHelloReply = 0x81,
+  kAcknowledgement = 0x82,
+  kStatus = 0x83,
+};
+
+}  // namespace galilean::robot::firmware

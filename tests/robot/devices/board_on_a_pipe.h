@@ -28,10 +28,16 @@ class BoardOnAPipe {
   }
   void run(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
+      run_traffic(1);
+      if (i % kTick_ms == 0) link.sense(now_);
+    }
+  }
+  /// The I/O side and the board alone.
+  void run_traffic(int milliseconds) {
+    for (int i = 0; i < milliseconds; ++i) {
       now_ += std::chrono::milliseconds(1);
       link.pump(now_);
       if (board_runs) step_board();
-      if (i % kTick_ms == 0) link.sense(now_);
     }
   }
   /// Runs with a command each tick, as a control loop gives it.

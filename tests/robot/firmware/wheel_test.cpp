@@ -71,6 +71,19 @@ TEST(Wheel, PushesNoHarderAfterItWasBlocked) {
   EXPECT_NEAR(bench.motor.speed_counts_s(), kSpeed, 0.05 * kSpeed);
 }
 
+TEST(Wheel, DrivesOnFromTheSpeedThatItHasAfterACut) {
+  Bench bench;
+  bench.wheel.aim(kSpeed, kSlope, 0);
+  bench.run(1);
+  bench.wheel.cut();
+  bench.run(0.01);
+  bench.wheel.aim(kSpeed, kSlope, 0);
+  for (int i = 0; i < 200; ++i) {
+    bench.run(kStep_s);
+    ASSERT_GE(bench.pwm, 0) << "braked against its own motion";
+  }
+}
+
 TEST(Wheel, CutGivesNoPowerWhateverTheLoopWanted) {
   Bench bench;
   bench.wheel.aim(kSpeed, kSlope, 0);

@@ -3,6 +3,8 @@
 /** Okabe and Ito's colours less black and vermillion (which is for alarms); told apart by the colour-blind. */
 const COLOURS = ["#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#0072b2", "#f0e442"] as const;
 
+const DARK_COLOUR = "#0072b2";
+
 /** Outlines in a box from −10 to 10, nose up. */
 const SHAPES = [
   "M0,-11 L10,8.5 L-10,8.5 Z",
@@ -21,6 +23,8 @@ export interface Identity {
   readonly index: number;
   readonly letter: string;
   readonly colour: string;
+  /** Of the letter on that colour. */
+  readonly ink: string;
   readonly shape: string;
   readonly shape_name: string;
 }
@@ -38,11 +42,13 @@ export function identityOf(name: string, others: readonly Identity[]): Identity 
   const taken = new Set(others.map((other) => other.index));
   let index = RESERVED.indexOf(name);
   if (index < 0) for (index = RESERVED.length; taken.has(index); ) index += 1;
+  const colour = COLOURS[index % COLOURS.length]!;
   const shape = index % SHAPES.length;
   return {
     index,
     letter: letterOf(name, new Set(others.map((other) => other.letter))),
-    colour: COLOURS[index % COLOURS.length]!,
+    colour,
+    ink: colour === DARK_COLOUR ? "#fff" : "#111",
     shape: SHAPES[shape]!,
     shape_name: SHAPE_NAMES[shape]!,
   };

@@ -1,0 +1,52 @@
+#include "monitor/record/byte_source.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace galilean::mcap {
+
+Result<FileSource> FileSource::open(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return Error{path + " cannot be read: " + std::strerror(errno)};
+  FileSource source(descriptor);
+  struct stat status {};
+  if (fstat(descriptor, &status) == 0 && !S_ISREG(status.st_mode))
+    return Error{path + " is not a file"};
+  return source;
+}
+
+FileSource::FileSource(FileSource&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+FileSource::~FileSource() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+std::uint64_t FileSource::size() const {
+  struct stat status {};
+  return fstat(descriptor_, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+}
+
+bool FileSource::read(std::uint64_t offset, std::span<std::uint8_t> to) const {
+  while (!to.empty()) {
+    const ssize_t count = pread(descriptor_, to.data(), to.size(), static_cast<off_t>(offset));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    offset += static_cast<std::uint64_t>(count);
+    to = to.subspan(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+bool MemorySource::read(std::uint64_t offset, std::span<std::uint8_t> to) const {
+  if (offset > bytes_.size() || bytes_.size() - offset < to.size()) return false;
+  if (!to.empty()) std::memcpy(to.data(), bytes_.data() + offset, to.size());
+  return true;
+}
+
+}  // namespace galilean::mcap

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+
+#include "monitor/record/mcap_records.h"
+
+namespace galilean::mcap {
+
+/// The records of one chunk as they gather, with their times and the index of each channel.
+class ChunkBuilder {
+ public:
+  void add(const Schema& schema) { append(records_, schema); }
+  void add(const Channel& channel) { append(records_, channel); }
+  void add(const Message& message);
+  /// For the next chunk; keeps the memory.
+  void clear();
+
+  [[nodiscard]] bool empty() const noexcept { return records_.empty(); }
+  [[nodiscard]] ByteView records() const noexcept { return records_; }
+  /// Of the messages' log times; 0 where there are none.
+  [[nodiscard]] std::uint64_t start_ns() const noexcept { return start_ns_; }
+  [[nodiscard]] std::uint64_t end_ns() const noexcept { return end_ns_; }
+  /// Of each channel, empty where it has no message here.
+  [[nodiscard]] const std::map<std::uint16_t, MessageIndex>& indexes() const noexcept {
+    return indexes_;
+  }
+
+ private:
+  Bytes records_;
+  bool has_message_ = false;
+  std::uint64_t start_ns_ = 0, end_ns_ = 0;
+  std::map<std::uint16_t, MessageIndex> indexes_;
+};
+
+}  // namespace galilean::mcap

@@ -1,0 +1,41 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "monitor/record/byte_sink.h"
+
+namespace galilean::mcap {
+
+Result<FileSink> FileSink::create(const std::string& path, bool replace) {
+  const int how = O_WRONLY | O_CREAT | O_CLOEXEC | (replace ? O_TRUNC : O_EXCL);
+  const int descriptor = open(path.c_str(), how, 0644);
+  if (descriptor >= 0) return FileSink(path, descriptor);
+  if (errno == EEXIST)
+    return Error{path + " exists already; choose another name, or give --replace"};
+  return Error{path + " cannot be written: " + std::strerror(errno)};
+}
+
+FileSink::~FileSink() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+Failure FileSink::write(std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return Error{path_ + " cannot be written: " + std::strerror(errno)};
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+  }
+  return {};
+}
+
+Failure FileSink::sync() {
+  // Pipes and devices have nothing to wait for.
+  if (fsync(descriptor_) == 0 || errno == EINVAL || errno == EROFS) return {};
+  return Error{path_ + " cannot be written: " + std::strerror(errno)};
+}
+
+}  // namespace galilean::mcap

@@ -1,0 +1,103 @@
+#include "monitor/record/log_info.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "monitor/record/times.h"
+
+namespace galilean::monitor {
+namespace {
+
+struct Row {
+  std::string topic, type;
+  std::uint64_t messages;
+  double rate_hz;
+};
+
+std::vector<Row> rows(const mcap::Summary& summary) {
+  std::vector<Row> result;
+  for (const auto& [id, channel] : summary.channels) {
+    const auto count = summary.statistics.channel_messages.find(id);
+    const auto messages = count == summary.statistics.channel_messages.end() ? 0 : count->second;
+    const auto schema = summary.schemas.find(channel.schema_id);
+    const double span_s = duration_s(summary);
+    result.push_back({channel.topic, schema == summary.schemas.end() ? "" : schema->second.name,
+                      messages, span_s > 0 ? static_cast<double>(messages) / span_s : 0});
+  }
+  std::sort(result.begin(), result.end(),
+            [](const Row& a, const Row& b) { return a.topic < b.topic; });
+  return result;
+}
+
+std::string compression(const mcap::Summary& summary) {
+  std::string names;
+  for (const auto& [name, chunks] : summary.compressions)
+    names += (names.empty() ? "" : ", ") + (name.empty() ? "none" : name);
+  return names.empty() ? "none" : names;
+}
+
+void describe_channels(std::ostream& out, const mcap::Summary& summary) {
+  const auto all = rows(summary);
+  std::size_t widest = 5;
+  for (const auto& row : all) widest = std::max(widest, row.topic.size());
+  for (const auto& row : all)
+    out << "  " << std::left << std::setw(static_cast<int>(widest)) << row.topic << std::right
+        << std::setw(9) << row.messages << std::setw(8) << row.rate_hz << " Hz  " << row.type
+        << '\n';
+}
+
+}  // namespace
+
+double duration_s(const mcap::Summary& summary) {
+  return static_cast<double>(summary.statistics.end_ns - summary.statistics.start_ns) * 1e-9;
+}
+
+std::string describe(const std::string& path, const mcap::Summary& summary) {
+  const auto& statistics = summary.statistics;
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(1);
+  if (summary.recovered)
+    out << path << " was not closed properly; recovered " << statistics.messages << " messages\n";
+  for (const auto& damage : summary.damage) out << "damage: " << damage << '\n';
+  out << "file:      " << path << ", " << static_cast<double>(summary.bytes) * 1e-6 << " MB\n"
+      << "by:        " << summary.header.library << ", profile " << summary.header.profile << '\n';
+  if (statistics.messages > 0)
+    out << "from:      " << iso_time(static_cast<std::int64_t>(statistics.start_ns)) << '\n'
+        << "to:        " << iso_time(static_cast<std::int64_t>(statistics.end_ns)) << '\n';
+  out << "duration:  " << duration_s(summary) << " s\n"
+      << "messages:  " << statistics.messages << '\n'
+      << "chunks:    " << statistics.chunks << ", compression " << compression(summary) << '\n'
+      << "channels:  " << summary.channels.size() << '\n';
+  describe_channels(out, summary);
+  return out.str();
+}
+
+std::string describe_json(const std::string& path, const mcap::Summary& summary) {
+  const auto& statistics = summary.statistics;
+  nlohmann::json json{{"file", path},
+                      {"bytes", summary.bytes},
+                      {"library", summary.header.library},
+                      {"profile", summary.header.profile},
+                      {"start", iso_time(static_cast<std::int64_t>(statistics.start_ns))},
+                      {"end", iso_time(static_cast<std::int64_t>(statistics.end_ns))},
+                      {"duration_seconds", duration_s(summary)},
+                      {"messages", statistics.messages},
+                      {"chunks", statistics.chunks},
+                      {"compression", compression(summary)},
+                      {"recovered", summary.recovered},
+                      {"damage", summary.damage},
+                      {"channels", nlohmann::json::array()},
+                      {"metadata", nlohmann::json::object()}};
+  for (const auto& row : rows(summary))
+    json["channels"].push_back({{"topic", row.topic},
+                                {"type", row.type},
+                                {"messages", row.messages},
+                                {"rate_hz", row.rate_hz}});
+  for (const auto& metadata : summary.metadata) json["metadata"][metadata.name] = metadata.entries;
+  // Damaged files may hold anything in place of text.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "monitor/record/mcap_reader.h"
+
+namespace galilean::monitor {
+
+/// Seconds from the first message to the last.
+[[nodiscard]] double duration_s(const mcap::Summary& summary);
+/// For people, with a line for each channel.
+[[nodiscard]] std::string describe(const std::string& path, const mcap::Summary& summary);
+/// The same as JSON, for programs.
+[[nodiscard]] std::string describe_json(const std::string& path, const mcap::Summary& summary);
+
+}  // namespace galilean::monitor

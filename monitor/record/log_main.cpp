@@ -1,0 +1,33 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "monitor/record/log_info.h"
+
+namespace {
+
+using namespace galilean;
+
+int info(const std::string& path, bool json) {
+  const auto file = mcap::FileSource::open(path);
+  if (!file) return std::cerr << "galilean-log: " << file.error().message << '\n', 1;
+  const auto summary = mcap::summarize(file.value());
+  if (!summary)
+    return std::cerr << "galilean-log: " << path << " " << summary.error().message << '\n', 1;
+  std::cout << (json ? monitor::describe_json(path, summary.value())
+                     : monitor::describe(path, summary.value()));
+  return std::cout.flush() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Looks into recordings of the team."};
+  app.require_subcommand(1);
+  std::string path;
+  bool json = false;
+  auto* command = app.add_subcommand("info", "What a recording contains");
+  command->add_option("file", path, "An MCAP file")->required();
+  command->add_flag("--json", json, "As JSON, for programs");
+  CLI11_PARSE(app, argc, argv);
+  return info(path, json);
+}

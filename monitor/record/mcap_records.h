@@ -1,0 +1,135 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace galilean::mcap {
+
+// The records of MCAP, version 0, as its specification gives them (mcap.dev/spec): little-endian,
+// each behind its opcode and its length. Times are nanoseconds since the Unix epoch; offsets are
+// bytes from the start of the file.
+
+using Bytes = std::vector<std::uint8_t>;
+using ByteView = std::span<const std::uint8_t>;
+
+inline constexpr std::uint8_t kMagic[8] = {0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
+inline constexpr std::size_t kRecordHead = 1 + 8;  ///< opcode and length
+
+enum class Opcode : std::uint8_t {
+  kHeader = 0x01,
+  kFooter = 0x02,
+  kSchema = 0x03,
+  kChannel = 0x04,
+  kMessage = 0x05,
+  kChunk = 0x06,
+  kMessageIndex = 0x07,
+  kChunkIndex = 0x08,
+  kStatistics = 0x0b,
+  kMetadata = 0x0c,
+  kMetadataIndex = 0x0d,
+  kSummaryOffset = 0x0e,
+  kDataEnd = 0x0f
+};
+
+using Text = std::map<std::string, std::string>;
+
+struct Header {
+  std::string profile, library;
+};
+struct Footer {
+  std::uint64_t summary_start = 0, summary_offset_start = 0;
+  std::uint32_t summary_crc = 0;
+};
+struct Schema {
+  std::uint16_t id = 0;
+  std::string name, encoding, data;
+};
+struct Channel {
+  std::uint16_t id = 0, schema_id = 0;
+  std::string topic, message_encoding;
+  Text metadata;
+};
+struct Message {
+  std::uint16_t channel_id = 0;
+  std::uint32_t sequence = 0;
+  std::uint64_t log_ns = 0, publish_ns = 0;
+  ByteView data;
+};
+struct Chunk {
+  std::uint64_t start_ns = 0, end_ns = 0;
+  std::uint64_t uncompressed_size = 0;
+  std::uint32_t uncompressed_crc = 0;
+  std::string compression;
+  ByteView records;
+};
+struct MessageIndex {
+  struct Entry {
+    std::uint64_t log_ns, offset;  ///< offset within the uncompressed chunk
+  };
+  std::uint16_t channel_id = 0;
+  std::vector<Entry> entries;
+};
+struct ChunkIndex {
+  std::uint64_t start_ns = 0, end_ns = 0;
+  std::uint64_t offset = 0, length = 0;
+  std::map<std::uint16_t, std::uint64_t> message_index_offsets;
+  std::uint64_t message_index_length = 0;
+  std::string compression;
+  std::uint64_t compressed_size = 0, uncompressed_size = 0;
+};
+struct Metadata {
+  std::string name;
+  Text entries;
+};
+struct MetadataIndex {
+  std::uint64_t offset = 0, length = 0;
+  std::string name;
+};
+struct Statistics {
+  std::uint64_t messages = 0;
+  std::uint16_t schemas = 0;
+  std::uint32_t channels = 0, attachments = 0, metadata = 0, chunks = 0;
+  std::uint64_t start_ns = 0, end_ns = 0;
+  std::map<std::uint16_t, std::uint64_t> channel_messages;
+};
+struct SummaryOffset {
+  Opcode group = Opcode::kHeader;
+  std::uint64_t start = 0, length = 0;
+};
+struct DataEnd {
+  std::uint32_t crc = 0;
+};
+
+/// Appends the record to `to`, opcode and length before it.
+void append(Bytes& to, const Header& record);
+void append(Bytes& to, const Footer& record);
+void append(Bytes& to, const Schema& record);
+void append(Bytes& to, const Channel& record);
+void append(Bytes& to, const Message& record);
+void append(Bytes& to, const Chunk& record);
+void append(Bytes& to, const MessageIndex& record);
+void append(Bytes& to, const ChunkIndex& record);
+void append(Bytes& to, const Metadata& record);
+void append(Bytes& to, const MetadataIndex& record);
+void append(Bytes& to, const Statistics& record);
+void append(Bytes& to, const SummaryOffset& record);
+void append(Bytes& to, const DataEnd& record);
+
+/// Reads a record from what stands behind its opcode and length; false if that is cut short or
+/// contradicts itself. Fields that later versions may have added are skipped.
+[[nodiscard]] bool parse(ByteView content, Header& record);
+[[nodiscard]] bool parse(ByteView content, Footer& record);
+[[nodiscard]] bool parse(ByteView content, Schema& record);
+[[nodiscard]] bool parse(ByteView content, Channel& record);
+[[nodiscard]] bool parse(ByteView content, Message& record);
+[[nodiscard]] bool parse(ByteView content, Chunk& record);
+[[nodiscard]] bool parse(ByteView content, ChunkIndex& record);
+[[nodiscard]] bool parse(ByteView content, Metadata& record);
+[[nodiscard]] bool parse(ByteView content, MetadataIndex& record);
+[[nodiscard]] bool parse(ByteView content, Statistics& record);
+[[nodiscard]] bool parse(ByteView content, DataEnd& record);
+
+}  // namespace galilean::mcap

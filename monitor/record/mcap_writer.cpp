@@ -1,0 +1,145 @@
+#include "monitor/record/mcap_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "monitor/record/crc32.h"
+
+namespace galilean::mcap {
+namespace {
+constexpr const char* kCompression = "zstd";
+constexpr std::size_t kFooterFieldsBeforeCrc = kRecordHead + 8 + 8;
+}  // namespace
+
+Writer::Writer(ByteSink& sink, WriterOptions options) : sink_(sink), options_(std::move(options)) {}
+
+Failure Writer::emit(ByteView bytes) {
+  if (failure_) return failure_;
+  failure_ = sink_.write(bytes);
+  if (failure_) return failure_;
+  position_ += bytes.size();
+  data_crc_ = crc32(bytes, data_crc_);
+  return {};
+}
+
+template <class Record>
+Failure Writer::emit_record(const Record& record) {
+  scratch_.clear();
+  append(scratch_, record);
+  return emit(scratch_);
+}
+
+Failure Writer::begin() {
+  if (const auto failure = emit(kMagic)) return failure;
+  return emit_record(Header{options_.profile, options_.library});
+}
+
+std::uint16_t Writer::add_schema(std::string name, std::string encoding, std::string data) {
+  const auto id = ++statistics_.schemas;
+  schemas_.push_back({id, std::move(name), std::move(encoding), std::move(data)});
+  chunk_.add(schemas_.back());
+  return id;
+}
+
+std::uint16_t Writer::add_channel(Channel channel) {
+  channel.id = static_cast<std::uint16_t>(++statistics_.channels);
+  channels_.push_back(std::move(channel));
+  chunk_.add(channels_.back());
+  return channels_.back().id;
+}
+
+Failure Writer::write(const Message& message) {
+  if (failure_) return failure_;
+  if (chunk_is_due(message.log_ns))
+    if (const auto failure = close_chunk()) return failure;
+  chunk_.add(message);
+  const bool first = statistics_.messages++ == 0;
+  ++statistics_.channel_messages[message.channel_id];
+  statistics_.start_ns = first ? message.log_ns : std::min(statistics_.start_ns, message.log_ns);
+  statistics_.end_ns = std::max(statistics_.end_ns, message.log_ns);
+  return chunk_.records().size() >= options_.chunk_bytes ? close_chunk() : Failure{};
+}
+
+Failure Writer::write(const Metadata& metadata) {
+  const std::uint64_t offset = position_;
+  if (const auto failure = emit_record(metadata)) return failure;
+  metadata_indexes_.push_back({offset, position_ - offset, metadata.name});
+  ++statistics_.metadata;
+  return {};
+}
+
+bool Writer::chunk_is_due(std::uint64_t now_ns) const {
+  const auto span_ns = static_cast<std::uint64_t>(options_.chunk_span.count());
+  return chunk_.end_ns() != 0 && now_ns >= chunk_.start_ns() + span_ns;
+}
+
+Failure Writer::close_chunk_if_due(std::uint64_t now_ns) {
+  return chunk_is_due(now_ns) ? close_chunk() : failure_;
+}
+
+Failure Writer::close_chunk() {
+  if (failure_ || chunk_.empty()) return failure_;
+  Chunk chunk{chunk_.start_ns(),       chunk_.end_ns(), chunk_.records().size(),
+              crc32(chunk_.records()), kCompression,    compressor_.compress(chunk_.records())};
+  ChunkIndex index{.start_ns = chunk.start_ns,
+                   .end_ns = chunk.end_ns,
+                   .offset = position_,
+                   .compression = kCompression,
+                   .compressed_size = chunk.records.size(),
+                   .uncompressed_size = chunk.uncompressed_size};
+  if (const auto failure = emit_record(chunk)) return failure;
+  index.length = position_ - index.offset;
+  if (const auto failure = write_message_indexes(index)) return failure;
+  chunk_indexes_.push_back(std::move(index));
+  ++statistics_.chunks;
+  chunk_.clear();
+  return {};
+}
+
+Failure Writer::write_message_indexes(ChunkIndex& index) {
+  scratch_.clear();
+  for (const auto& [channel, messages] : chunk_.indexes()) {
+    if (messages.entries.empty()) continue;
+    index.message_index_offsets[channel] = position_ + scratch_.size();
+    append(scratch_, messages);
+  }
+  index.message_index_length = scratch_.size();
+  return emit(scratch_);
+}
+
+Failure Writer::end() {
+  if (const auto failure = close_chunk()) return failure;
+  if (const auto failure = emit_record(DataEnd{data_crc_})) return failure;
+  return write_summary();
+}
+
+template <class Records>
+void Writer::append_group(Opcode opcode, const Records& records, Bytes& summary,
+                          Bytes& offsets) const {
+  const std::uint64_t start = position_ + summary.size();
+  for (const auto& record : records) append(summary, record);
+  const std::uint64_t length = position_ + summary.size() - start;
+  if (length > 0) append(offsets, SummaryOffset{opcode, start, length});
+}
+
+Failure Writer::write_summary() {
+  Bytes summary, offsets;
+  append_group(Opcode::kSchema, schemas_, summary, offsets);
+  append_group(Opcode::kChannel, channels_, summary, offsets);
+  append_group(Opcode::kStatistics, std::array{statistics_}, summary, offsets);
+  append_group(Opcode::kChunkIndex, chunk_indexes_, summary, offsets);
+  append_group(Opcode::kMetadataIndex, metadata_indexes_, summary, offsets);
+
+  Footer footer{position_, position_ + summary.size(), 0};
+  summary.insert(summary.end(), offsets.begin(), offsets.end());
+  const auto footer_at = summary.size();
+  append(summary, footer);
+  footer.summary_crc = crc32(ByteView(summary).first(footer_at + kFooterFieldsBeforeCrc));
+  summary.resize(footer_at);
+  append(summary, footer);
+  summary.insert(summary.end(), std::begin(kMagic), std::end(kMagic));
+  return emit(summary);
+}
+
+}  // namespace galilean::mcap

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/clock.h"
+#include "monitor/record/byte_sink.h"
+#include "monitor/record/chunk_builder.h"
+#include "monitor/record/mcap_records.h"
+#include "monitor/record/zstd.h"
+
+namespace galilean::mcap {
+
+struct WriterOptions {
+  std::string profile = "ros2";
+  std::string library = "galilean";
+  std::size_t chunk_bytes = std::size_t{1} << 20;  ///< a chunk closes when it holds as much,
+  Duration chunk_span = std::chrono::seconds(1);   ///< or spans as much log time
+};
+
+/// Writes an MCAP file: chunks compressed by zstd, with indexes and checksums, and a summary at the
+/// end. Whatever happens, all closed chunks can be read again: they are written whole, in order,
+/// and never touched afterwards. After the first failure nothing more is written, and every call
+/// returns that failure.
+class Writer {
+ public:
+  explicit Writer(ByteSink& sink, WriterOptions options = {});
+
+  [[nodiscard]] Failure begin();
+  /// The ids to use with the next two. Schemas and channels stand in the file before their first
+  /// message, and again in the summary.
+  [[nodiscard]] std::uint16_t add_schema(std::string name, std::string encoding, std::string data);
+  [[nodiscard]] std::uint16_t add_channel(Channel channel);
+  [[nodiscard]] Failure write(const Message& message);
+  [[nodiscard]] Failure write(const Metadata& metadata);
+  /// Closes the chunk if its span is over at `now_ns`, so that a quiet team's messages do not wait.
+  [[nodiscard]] Failure close_chunk_if_due(std::uint64_t now_ns);
+  /// Closes the last chunk and writes the summary.
+  [[nodiscard]] Failure end();
+
+  [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
+  [[nodiscard]] std::uint64_t bytes_written() const noexcept { return position_; }
+
+ private:
+  bool chunk_is_due(std::uint64_t now_ns) const;
+  Failure close_chunk();
+  Failure write_message_indexes(ChunkIndex& index);
+  Failure write_summary();
+  Failure emit(ByteView bytes);
+  template <class Record>
+  Failure emit_record(const Record& record);
+  template <class Records>
+  void append_group(Opcode opcode, const Records& records, Bytes& summary, Bytes& offsets) const;
+
+  ByteSink& sink_;
+  WriterOptions options_;
+  Compressor compressor_;
+  ChunkBuilder chunk_;
+  Bytes scratch_;
+  std::uint64_t position_ = 0;
+  std::uint32_t data_crc_ = 0;
+  Failure failure_;
+  std::vector<Schema> schemas_;
+  std::vector<Channel> channels_;
+  std::vector<ChunkIndex> chunk_indexes_;
+  std::vector<MetadataIndex> metadata_indexes_;
+  Statistics statistics_;
+};
+
+}  // namespace galilean::mcap

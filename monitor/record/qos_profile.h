@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "core/wire/topics.h"
+
+namespace galilean::monitor {
+
+/// How a topic was offered, as a channel of MCAP's profile "ros2" must say it: in YAML, so that
+/// ROS 2 replays it in the same way.
+[[nodiscard]] std::string offered_qos_profiles(wire::Delivery delivery);
+
+}  // namespace galilean::monitor

@@ -1,0 +1,114 @@
+#include <poll.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "core/clock.h"
+#include "core/termination.h"
+#include "monitor/record/recorder.h"
+#include "monitor/record/times.h"
+
+namespace {
+
+using namespace galilean;
+using monitor::Recorder;
+
+struct Options {
+  std::string out;
+  double duration_s = 0;  // 0: until told to end
+  std::string topics;
+  int domain = -1;
+  bool no_images = false;
+  bool replace = false;
+};
+
+int fail(const std::string& sentence) {
+  std::cerr << "galilean-record: " << sentence << '\n';
+  return 1;
+}
+
+/// Until the time is over or somebody ends it; then the failure that ended it sooner, if one did.
+mcap::Failure record(Recorder& recorder, Termination& termination, double duration_s) {
+  constexpr int kLookAtClockEach_ms = 100;
+  const SteadyClock clock;
+  while (!termination.asked() &&
+         (duration_s == 0 || to_seconds(clock.now() - Time{}) < duration_s)) {
+    pollfd events[] = {{recorder.descriptor(), POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
+    poll(events, 2, kLookAtClockEach_ms);
+    if (auto failure = recorder.pump()) return failure;
+  }
+  return {};
+}
+
+mcap::Failure begin(mcap::Writer& writer) {
+  if (auto failure = writer.begin()) return failure;
+  return writer.write(mcap::Metadata{
+      "galilean",
+      {{"version", GALILEAN_VERSION}, {"started", monitor::iso_time(wire::wall_clock_ns())}}});
+}
+
+mcap::Failure end(mcap::Writer& writer, mcap::FileSink& file) {
+  if (auto failure = writer.end()) return failure;
+  return file.sync();
+}
+
+void tell(const Options& options, const mcap::Writer& writer, std::size_t topics) {
+  const auto& statistics = writer.statistics();
+  if (statistics.messages == 0)
+    std::cerr << "galilean-record: no robot was heard; check that they run, and in the same domain "
+                 "(--domain or ROS_DOMAIN_ID)\n";
+  std::printf("%s: %llu messages of %zu topics in %.1f s, %.1f MB\n", options.out.c_str(),
+              static_cast<unsigned long long>(statistics.messages), topics,
+              static_cast<double>(statistics.end_ns - statistics.start_ns) * 1e-9,
+              static_cast<double>(writer.bytes_written()) * 1e-6);
+}
+
+Recorder::Selection selection(const Options& options) {
+  Recorder::Selection selection;
+  selection.images = !options.no_images;
+  if (!options.topics.empty()) selection.topics.emplace(options.topics, std::regex::optimize);
+  return selection;
+}
+
+int run(const Options& options) try {
+  Termination termination;
+  auto chosen = selection(options);
+  const auto participant = wire::Participant::join("galilean-record", options.domain);
+  if (!participant) return fail(participant.error().message);
+  auto file = mcap::FileSink::create(options.out, options.replace);
+  if (!file) return fail(file.error().message);
+
+  mcap::Writer writer(file.value(), {.library = "galilean " GALILEAN_VERSION});
+  auto failure = begin(writer);
+  Recorder recorder(
+      *participant.value(), writer, std::move(chosen),
+      [](const std::string& problem) { std::cerr << "galilean-record: " << problem << '\n'; });
+  if (!failure) failure = record(recorder, termination, options.duration_s);
+  if (!failure) failure = end(writer, file.value());
+  if (failure) return fail(failure->message + "; what was recorded until then can still be read");
+  tell(options, writer, recorder.topics());
+  return 0;
+} catch (const std::regex_error& error) {
+  return fail("--topics '" + options.topics + "' is no regular expression: " + error.what());
+} catch (const std::exception& error) {
+  return fail(error.what());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Records every topic of the team as MCAP, to be opened by Foxglove or ROS 2."};
+  app.add_option("--out", options.out, "File to make, such as run.mcap")->required();
+  app.add_option("--duration", options.duration_s, "Seconds; without it until Ctrl-C")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--topics", options.topics,
+                 "Record only topics in whose names this regular expression is found, such as "
+                 "'^/io/|score'");
+  app.add_option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
+      ->check(CLI::Range(0, 232));
+  app.add_flag("--no-images", options.no_images, "Leave the cameras' pictures out");
+  app.add_flag("--replace", options.replace, "Write over the file if there is one");
+  CLI11_PARSE(app, argc, argv);
+  return run(options);
+}

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+struct ZSTD_CCtx_s;
+
+namespace galilean::mcap {
+
+/// Keeps zstd's working memory from one chunk to the next.
+class Compressor {
+ public:
+  Compressor();
+  ~Compressor();
+  Compressor(const Compressor&) = delete;
+  Compressor& operator=(const Compressor&) = delete;
+  /// One zstd frame of `bytes`, valid until the next call.
+  [[nodiscard]] std::span<const std::uint8_t> compress(std::span<const std::uint8_t> bytes);
+
+ private:
+  ZSTD_CCtx_s* context_;
+  std::vector<std::uint8_t> frame_;
+};
+
+/// False if `frame` is not one whole zstd frame of exactly `to.size()` bytes.
+[[nodiscard]] bool decompress(std::span<const std::uint8_t> frame, std::span<std::uint8_t> to);
+
+}  // namespace galilean::mcap

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <algorithm>
+
+#include "monitor/record/byte_sink.h"
+
+namespace galilean::mcap {
+
+/// Takes bytes until it is full; the write that does not fit is cut short and fails, as a disk's
+/// is.
+class FaultyDisk final : public ByteSink {
+ public:
+  explicit FaultyDisk(std::size_t capacity = SIZE_MAX) : capacity_(capacity) {}
+  [[nodiscard]] Failure write(std::span<const std::uint8_t> bytes) override {
+    const std::size_t fitting = std::min(bytes.size(), capacity_ - bytes_.size());
+    bytes_.insert(bytes_.end(), bytes.begin(),
+                  bytes.begin() + static_cast<std::ptrdiff_t>(fitting));
+    if (fitting == bytes.size()) return {};
+    return Error{"the disk is full"};
+  }
+  [[nodiscard]] const std::vector<std::uint8_t>& bytes() const noexcept { return bytes_; }
+
+ private:
+  std::size_t capacity_;
+  std::vector<std::uint8_t> bytes_;
+};
+
+}  // namespace galilean::mcap

@@ -1,0 +1,187 @@
+#include <gtest/gtest.h>
+
+#include "monitor/record/crc32.h"
+#include "monitor/record/mcap_reader.h"
+#include "monitor/record/mcap_scan.h"
+#include "tests/monitor_tools/record/random_recording.h"
+
+namespace galilean::mcap {
+namespace {
+
+std::vector<Recorded> read_all(ByteView file, ScanEnd* end = nullptr) {
+  std::vector<Recorded> messages;
+  Visitor visitor;
+  visitor.message = [&](const Message& m) {
+    messages.push_back(
+        {m.channel_id, m.sequence, m.log_ns, m.publish_ns, Bytes(m.data.begin(), m.data.end())});
+  };
+  const auto stopped = scan(MemorySource(file), visitor);
+  if (end) *end = stopped;
+  return messages;
+}
+
+Summary summary_of(ByteView file) {
+  auto summary = summarize(MemorySource(file));
+  if (!summary) throw std::runtime_error(summary.error().message);
+  return std::move(summary).value();
+}
+
+TEST(Crc32, IsThatOfZlib) {
+  const std::string text = "123456789";
+  const ByteView bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  EXPECT_EQ(crc32(bytes), 0xcbf43926u);
+  EXPECT_EQ(crc32(bytes.subspan(4), crc32(bytes.first(4))), 0xcbf43926u);
+  EXPECT_EQ(crc32({}), 0u);
+}
+
+TEST(Mcap, GivesBackWhatWasWritten) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const RandomRecording recording(seed, 200);
+    ASSERT_FALSE(recording.failure);
+    ScanEnd end;
+    EXPECT_EQ(read_all(recording.disk.bytes(), &end), recording.messages);
+    EXPECT_TRUE(end.complete);
+    EXPECT_TRUE(end.damage.empty());
+  }
+}
+
+TEST(Mcap, SummarizesWithoutReadingTheMessages) {
+  const RandomRecording recording(1, 300);
+  const auto& file = recording.disk.bytes();
+  const Summary summary = summary_of(file);
+  EXPECT_FALSE(summary.recovered);
+  EXPECT_EQ(summary.header.profile, "ros2");
+  EXPECT_EQ(summary.schemas.size(), 2u);
+  EXPECT_EQ(summary.channels.at(3).schema_id, 2);
+  EXPECT_EQ(summary.statistics.messages, 300u);
+  EXPECT_EQ(summary.statistics.start_ns, recording.messages.front().log_ns);
+  EXPECT_EQ(summary.statistics.end_ns, recording.messages.back().log_ns);
+  EXPECT_EQ(summary.compressions.at("zstd"), summary.statistics.chunks);
+  EXPECT_GT(summary.statistics.chunks, 5u);
+  EXPECT_EQ(summary.metadata.at(0).entries.at("version"), "1");
+}
+
+TEST(Mcap, AnEmptyRecordingIsWhole) {
+  const RandomRecording recording(1, 0);
+  const Summary summary = summary_of(recording.disk.bytes());
+  EXPECT_FALSE(summary.recovered);
+  EXPECT_EQ(summary.statistics.messages, 0u);
+}
+
+TEST(Mcap, ChunksCloseByTimeToo) {
+  FaultyDisk disk;
+  Writer writer(disk);
+  ASSERT_FALSE(writer.begin());
+  const auto channel = writer.add_channel({.topic = "/t", .message_encoding = "cdr"});
+  const Bytes data{1, 2, 3};
+  ASSERT_FALSE(writer.write(Message{channel, 1, 5'000'000'000, 5'000'000'000, data}));
+  ASSERT_FALSE(writer.close_chunk_if_due(5'999'999'999));
+  EXPECT_EQ(writer.statistics().chunks, 0u);
+  ASSERT_FALSE(writer.close_chunk_if_due(6'000'000'000));
+  EXPECT_EQ(writer.statistics().chunks, 1u);
+  EXPECT_EQ(read_all(disk.bytes()).size(), 1u);
+}
+
+/// Messages in chunks that had wholly reached the disk when it held `size` bytes.
+std::size_t whole_messages(const RandomRecording& recording, const std::vector<Recorded>& got) {
+  return std::min(got.size(), recording.messages.size());
+}
+
+TEST(Mcap, AFileCutAnywhereGivesAllItsWholeChunks) {
+  const RandomRecording recording(7, 120);
+  const ByteView file = recording.disk.bytes();
+  std::size_t least = 0;
+  for (std::size_t size = sizeof kMagic; size < file.size(); ++size) {
+    const auto got = read_all(file.first(size));
+    for (std::size_t chunk = 0; chunk + 1 < recording.chunk_ends.size(); ++chunk)
+      if (recording.chunk_ends[chunk] <= size) least = recording.messages_at_chunk[chunk];
+    ASSERT_GE(got.size() + 1, least) << "cut at byte " << size;
+    const std::vector before(
+        recording.messages.begin(),
+        recording.messages.begin() + static_cast<std::ptrdiff_t>(whole_messages(recording, got)));
+    ASSERT_EQ(got, before) << "cut at byte " << size;
+    const Summary summary = summary_of(file.first(size));
+    EXPECT_TRUE(summary.recovered);
+    EXPECT_EQ(summary.statistics.messages, got.size());
+  }
+}
+
+TEST(Mcap, AFullDiskLeavesWhatWasWrittenReadable) {
+  const std::size_t whole = RandomRecording(7, 120).disk.bytes().size();
+  for (std::size_t capacity = sizeof kMagic; capacity < whole; capacity += 13) {
+    const RandomRecording recording(7, 120, capacity);
+    ASSERT_TRUE(recording.failure);
+    EXPECT_EQ(recording.failure->message, "the disk is full");
+    const auto got = read_all(recording.disk.bytes());
+    EXPECT_EQ(got,
+              std::vector(recording.messages.begin(),
+                          recording.messages.begin() + static_cast<std::ptrdiff_t>(got.size())));
+  }
+}
+
+TEST(Mcap, DamageIsFoundNamedAndLeftOut) {
+  const RandomRecording recording(3, 120);
+  Bytes file = recording.disk.bytes();
+  file[recording.chunk_ends[1] - 200] ^= 1;  // within a chunk or its indexes
+  std::mt19937 random(1);
+  for (int round = 0; round < 3000; ++round) {
+    Bytes damaged = file;
+    for (int i = 0; i < 1 + round % 5; ++i)
+      damaged[sizeof kMagic + random() % (damaged.size() - sizeof kMagic)] =
+          static_cast<std::uint8_t>(random());
+    const auto summary = summarize(MemorySource(damaged));
+    ASSERT_TRUE(summary.ok());
+    for (const auto& message : read_all(damaged))
+      EXPECT_NE(std::find(recording.messages.begin(), recording.messages.end(), message),
+                recording.messages.end());
+  }
+}
+
+TEST(Mcap, AChunkThatFailsItsChecksumIsReported) {
+  const RandomRecording recording(3, 120);
+  Bytes file = recording.disk.bytes();
+  std::size_t chunk_at = 0;
+  ASSERT_GT(recording.chunk_ends.size(), 3u);
+  for (std::size_t at = recording.chunk_ends[0]; at < file.size(); ++at)
+    if (file[at] == static_cast<std::uint8_t>(Opcode::kChunk)) {
+      chunk_at = at;
+      break;
+    }
+  constexpr std::size_t kCrcAt = kRecordHead + 8 + 8 + 8;
+  file[chunk_at + kCrcAt] ^= 0xff;
+  ScanEnd end;
+  const auto got = read_all(file, &end);
+  EXPECT_LT(got.size(), recording.messages.size());
+  EXPECT_EQ(got.back(), recording.messages.back());
+  ASSERT_EQ(end.damage.size(), 1u);
+  EXPECT_EQ(end.damage[0],
+            "the chunk at byte " + std::to_string(chunk_at) + " does not match its checksum");
+}
+
+TEST(Mcap, WhatIsNoMcapFileIsSaidToBeNone) {
+  const Bytes other{'P', 'K', 3, 4, 0, 0, 0, 0, 0, 0};
+  const auto summary = summarize(MemorySource(other));
+  ASSERT_FALSE(summary.ok());
+  EXPECT_EQ(summary.error().message, "is not an MCAP file");
+  EXPECT_FALSE(summarize(MemorySource({})).ok());
+}
+
+TEST(FileSink, TellsThatTheDiskIsFull) {
+  auto file = FileSink::create("/dev/full", true);
+  ASSERT_TRUE(file.ok());
+  const Bytes bytes(100);
+  const auto failure = file.value().write(bytes);
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->message, "/dev/full cannot be written: No space left on device");
+}
+
+TEST(FileSink, DoesNotReplaceARecordingUnasked) {
+  const std::string path = testing::TempDir() + "galilean_sink_test.mcap";
+  { ASSERT_TRUE(FileSink::create(path, true).ok()); }
+  const auto again = FileSink::create(path, false);
+  ASSERT_FALSE(again.ok());
+  EXPECT_NE(again.error().message.find("exists already"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace galilean::mcap

@@ -1,5 +1,6 @@
 #include "bhdl/attribute_reader.h"
 
+#include <optional>
 #include <ranges>
 #include <unordered_set>
 
@@ -9,6 +10,27 @@
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
+namespace {
+
+std::optional<std::size_t> list_size(const Value* value) {
+  if (value == nullptr) return std::nullopt;
+  if (const auto* numbers = std::get_if<std::vector<double>>(value)) return numbers->size();
+  if (const auto* names = std::get_if<std::vector<std::string>>(value)) return names->size();
+  return std::nullopt;
+}
+
+std::string attribute_hint(const ComponentSpec& spec, std::string_view misspelt) {
+  const auto names = spec.attributes | std::views::transform(&AttributeSpec::name);
+  const std::string near = nearest(misspelt, names);
+  if (!near.empty()) return did_you_mean(near);
+  if (spec.attributes.empty()) return spec.name + " takes no attributes";
+  std::string hint = spec.name + " takes";
+  for (std::size_t i = 0; i < spec.attributes.size(); ++i)
+    hint += (i == 0 ? " " : ", ") + spec.attributes[i].name;
+  return hint;
+}
+
+}  // namespace
 
 const ValueNode* given_name(const std::vector<AttributeNode>& attributes) noexcept {
   for (const auto& attribute : attributes)
@@ -35,28 +57,51 @@ AttributeValues AttributeReader::read(const ComponentSpec& spec, const Word& typ
       continue;
     }
     const Word*& first = given[static_cast<std::size_t>(known - spec.attributes.data())];
-    if (first != nullptr) {
-      diagnostics_.error(attribute.name.at, "name/duplicate-attribute",
-                         in_quotes(known->name) + " of " + owner +
-                             " is given twice: the first is at " + place(first->at));
-      continue;
-    }
-    first = &attribute.name;
-    if (attribute.name.text != known->name) warn_of_alias(*known, attribute.name);
-    if (auto value = read_value(attribute, *known, owner, diagnostics_)) {
-      check_names(attribute, *known, owner);
-      values.set(known->name, std::move(*value));
-    }
-  }
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    const AttributeSpec& each = spec.attributes[i];
-    if (given[i] != nullptr) continue;
-    if (each.default_value)
-      values.set(each.name, to_si(*each.default_value, each.unit));
+    if (first != nullptr)
+      refuse_second(*known, attribute.name, *first, owner);
     else
-      refuse_missing(each, type, owner);
+      read_one(attribute, *known, owner, values);
+    first = &attribute.name;
   }
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (given[i] == nullptr) fill_in(spec.attributes[i], type, owner, values);
+  check_matching_counts(spec, type, owner, values);
   return values;
+}
+
+void AttributeReader::read_one(const AttributeNode& attribute, const AttributeSpec& spec,
+                               const std::string& owner, AttributeValues& values) const {
+  if (attribute.name.text != spec.name) warn_of_alias(spec, attribute.name);
+  auto value = read_value(attribute, spec, owner, diagnostics_);
+  if (!value) return;
+  check_names(attribute, spec, owner);
+  values.set(spec.name, std::move(*value));
+}
+
+// The name that a default gives must exist like any other, unless it is empty: then there is none.
+void AttributeReader::fill_in(const AttributeSpec& spec, const Word& type, const std::string& owner,
+                              AttributeValues& values) const {
+  if (!spec.default_value) return refuse_missing(spec, type, owner);
+  const auto* name = std::get_if<std::string>(&*spec.default_value);
+  if (spec.type == AttributeType::kName && name != nullptr && !name->empty())
+    symbols_.check_reference(spec, {ValueNode::Kind::kText, 0, 0, *name, type.at}, owner,
+                             text_is_whole_, diagnostics_);
+  values.set(spec.name, to_si(*spec.default_value, spec.unit));
+}
+
+void AttributeReader::check_matching_counts(const ComponentSpec& spec, const Word& type,
+                                            const std::string& owner,
+                                            const AttributeValues& values) const {
+  for (const auto& each : spec.attributes) {
+    const auto count = list_size(values.find(each.name));
+    const auto expected = list_size(values.find(each.one_for_each));
+    if (each.one_for_each.empty() || !count || !expected) continue;
+    if (*count == 0 || *count == *expected) continue;
+    diagnostics_.error(type.at, "value/count",
+                       in_quotes(each.name) + " of " + owner + " has " + std::to_string(*count) +
+                           " entries and " + in_quotes(each.one_for_each) + " has " +
+                           std::to_string(*expected) + ": give one for each");
+  }
 }
 
 void AttributeReader::check_names(const AttributeNode& attribute, const AttributeSpec& spec,
@@ -75,16 +120,16 @@ void AttributeReader::check_names(const AttributeNode& attribute, const Attribut
 }
 
 void AttributeReader::refuse_unknown(const ComponentSpec& spec, const Word& name) const {
-  const auto names = spec.attributes | std::views::transform(&AttributeSpec::name);
-  std::string hint = did_you_mean(nearest(name.text, names));
-  if (hint.empty()) {
-    hint = spec.name + " takes";
-    for (std::size_t i = 0; i < spec.attributes.size(); ++i)
-      hint += (i == 0 ? " " : ", ") + spec.attributes[i].name;
-    if (spec.attributes.empty()) hint += " no attributes";
-  }
+  std::string hint = diagnostics_.full() ? std::string() : attribute_hint(spec, name.text);
   diagnostics_.error(name.at, "name/unknown-attribute",
                      spec.name + " has no attribute " + in_quotes(name.text), std::move(hint));
+}
+
+void AttributeReader::refuse_second(const AttributeSpec& spec, const Word& second,
+                                    const Word& first, const std::string& owner) const {
+  diagnostics_.error(second.at, "name/duplicate-attribute",
+                     in_quotes(spec.name) + " of " + owner + " is given twice: the other is at " +
+                         place(first.at));
 }
 
 void AttributeReader::refuse_missing(const AttributeSpec& spec, const Word& type,

@@ -20,8 +20,16 @@ class AttributeReader {
                                      const std::vector<AttributeNode>& attributes) const;
 
  private:
+  void read_one(const AttributeNode& attribute, const AttributeSpec& spec, const std::string& owner,
+                AttributeValues& values) const;
+  void refuse_second(const AttributeSpec& spec, const Word& second, const Word& first,
+                     const std::string& owner) const;
   void refuse_unknown(const ComponentSpec& spec, const Word& name) const;
   void refuse_missing(const AttributeSpec& spec, const Word& type, const std::string& owner) const;
+  void fill_in(const AttributeSpec& spec, const Word& type, const std::string& owner,
+               AttributeValues& values) const;
+  void check_matching_counts(const ComponentSpec& spec, const Word& type, const std::string& owner,
+                             const AttributeValues& values) const;
   void warn_of_alias(const AttributeSpec& spec, const Word& name) const;
   void check_names(const AttributeNode& attribute, const AttributeSpec& spec,
                    const std::string& owner) const;

@@ -8,7 +8,7 @@ namespace galilean::bhdl {
 namespace {
 
 bool is_over(const TokenStream& tokens, Block block) {
-  if (tokens.at_end_of_file() || at_section(tokens)) return true;
+  if (tokens.at_end_of_file() || at_section(tokens) || tokens.at_unlabelled_block()) return true;
   switch (block) {
     case Block::kVariable:
       return tokens.at_bare_label();
@@ -32,18 +32,17 @@ void refuse_missing_value(TokenStream& tokens, Diagnostics& diagnostics) {
   skip_to_word(tokens);
 }
 
-Word take_unlabelled(TokenStream& tokens, Diagnostics& diagnostics) {
-  const Token word = tokens.take();
-  diagnostics.error(word.at, "syntax/missing-colon", "':' is expected after " + describe(word));
-  return {word.text, word.at};
-}
-
 }  // namespace
 
 Word take_label(TokenStream& tokens) {
   const Token word = tokens.take();
   if (tokens.at(TokenKind::kColon)) tokens.take();
   return {word.text, word.at};
+}
+
+void report_missing_colon(const TokenStream& tokens, Diagnostics& diagnostics) {
+  diagnostics.error(tokens.peek().at, "syntax/missing-colon",
+                    "':' is expected after " + describe(tokens.peek()));
 }
 
 void report_unclosed(const TokenStream& tokens, const Word& opened, Diagnostics& diagnostics) {
@@ -62,12 +61,14 @@ void parse_attribute(TokenStream& tokens, std::vector<AttributeNode>& into,
         "an attribute such as 'name:' or 'end' is expected, found " + describe(tokens.peek()));
     return skip_to_word(tokens);
   }
-  const Word name = tokens.at_label() ? take_label(tokens) : take_unlabelled(tokens, diagnostics);
+  if (!tokens.at_label()) report_missing_colon(tokens, diagnostics);
+  const Word name = take_label(tokens);
   auto values = parse_values(tokens, diagnostics);
   if (!values.empty()) into.push_back({name, std::move(values)});
 }
 
 ComponentNode parse_component(TokenStream& tokens, Block block, Diagnostics& diagnostics) {
+  if (!tokens.at_label()) report_missing_colon(tokens, diagnostics);
   ComponentNode component{take_label(tokens), {}};
   while (!tokens.at_word("end")) {
     if (is_over(tokens, block)) {

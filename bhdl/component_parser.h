@@ -24,6 +24,10 @@ void parse_attribute(TokenStream& tokens, std::vector<AttributeNode>& into,
 /// Reports at the stream's place that `opened` should have been closed before.
 void report_unclosed(const TokenStream& tokens, const Word& opened, Diagnostics& diagnostics);
 
+/// Reports that the word at the stream's place lacks its colon.
+void report_missing_colon(const TokenStream& tokens, Diagnostics& diagnostics);
+
+/// A word and its colon, if it has one.
 Word take_label(TokenStream& tokens);
 
 }  // namespace galilean::bhdl

@@ -61,6 +61,12 @@ bool at_section(const TokenStream& tokens) {
   return tokens.at_bare_label();
 }
 
+bool at_section_word(const TokenStream& tokens) {
+  const bool known =
+      std::ranges::find(kSections, tokens.peek().text, &SectionWord::word) != kSections.end();
+  return at_section(tokens) || (known && tokens.at_label());
+}
+
 std::string_view meant_section(const TokenStream& tokens) {
   if (!tokens.at_label()) return {};
   const bool has_value = tokens.value_at(2);

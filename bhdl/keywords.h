@@ -16,6 +16,8 @@ namespace galilean::bhdl {
 /// Whether a section, a bare state, an include, `start_state` or `on_swap` begins here. The same
 /// word with a value behind it is an attribute or a state's list: `motor_schemas: "noise"`.
 [[nodiscard]] bool at_section(const TokenStream& tokens);
+/// The same where no block is open, and the word can mean nothing else.
+[[nodiscard]] bool at_section_word(const TokenStream& tokens);
 /// The section word that a misspelt label here must have meant; empty if none.
 [[nodiscard]] std::string_view meant_section(const TokenStream& tokens);
 

@@ -17,7 +17,7 @@ class FileParser {
 
   SyntaxTree parse() {
     while (!tokens_.at_end_of_file()) {
-      if (at_section(tokens_))
+      if (at_section_word(tokens_))
         section(tokens_.peek().text);
       else
         refuse_outside();
@@ -39,7 +39,7 @@ class FileParser {
     SectionNode section{take_label(tokens_), kind, {}};
     const auto block = kind == ComponentKind::kVariable ? Block::kVariable : Block::kComponent;
     while (!section_is_over()) {
-      if (tokens_.at_bare_label())
+      if (tokens_.at_bare_label() || tokens_.at_unlabelled_block())
         section.components.push_back(parse_component(tokens_, block, diagnostics_));
       else
         refuse_in_section("a component");
@@ -66,12 +66,16 @@ class FileParser {
     take_label(tokens_);
     if (const auto path = expect_text("the path of a file in quotes"))
       tree_.emplace_back(IncludeNode{*path});
+    else
+      skip_to_section();
   }
 
   void start_state() {
     take_label(tokens_);
     if (const auto name = expect_text("the name of a state in quotes"))
       tree_.emplace_back(StartStateNode{*name});
+    else
+      skip_to_section();
   }
 
   void on_swap() {
@@ -97,8 +101,11 @@ class FileParser {
   }
 
   [[nodiscard]] bool section_is_over() const {
-    if (tokens_.at_end_of_file() || tokens_.at_word("end") || at_section(tokens_)) return true;
-    return tokens_.at_label_before_label() && !meant_section(tokens_).empty();
+    return tokens_.at_end_of_file() || tokens_.at_word("end") || next_section_begins();
+  }
+  [[nodiscard]] bool next_section_begins() const {
+    return at_section(tokens_) ||
+           (tokens_.at_label_before_label() && !meant_section(tokens_).empty());
   }
 
   void refuse(const std::string& expected) {
@@ -110,7 +117,7 @@ class FileParser {
   void refuse_in_section(const std::string& expected) {
     refuse(expected);
     do tokens_.take();
-    while (!tokens_.at_end_of_file() && !at_section(tokens_) && !tokens_.at_bare_label());
+    while (!tokens_.at_end_of_file() && !next_section_begins() && !tokens_.at_bare_label());
   }
 
   void refuse_outside() {
@@ -127,12 +134,12 @@ class FileParser {
                        describe(tokens_.peek()) + " stands outside every section",
                        "open one with 'variables:', 'motor_schemas:', 'states:' …, or take away "
                        "an 'end' before");
+    tokens_.take();
     skip_to_section();
   }
 
   void skip_to_section() {
-    do tokens_.take();
-    while (!tokens_.at_end_of_file() && !at_section(tokens_));
+    while (!tokens_.at_end_of_file() && !next_section_begins()) tokens_.take();
   }
 
   std::optional<Word> expect_text(const std::string& expected) {

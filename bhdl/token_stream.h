@@ -42,6 +42,12 @@ class TokenStream {
   /// `word : word :`, so that the first word is a block's.
   [[nodiscard]] bool at_label_before_label() const noexcept { return at_label() && label_at(2); }
 
+  /// `word name`: a block whose colon was forgotten, for a block begins with its name.
+  [[nodiscard]] bool at_unlabelled_block() const noexcept {
+    return at(TokenKind::kWord) && peek(1).kind == TokenKind::kWord && peek(1).text == "name" &&
+           peek().text != "end";
+  }
+
   [[nodiscard]] bool value_at(std::size_t ahead) const noexcept {
     const Token& token = peek(ahead);
     switch (token.kind) {
@@ -51,7 +57,8 @@ class TokenStream {
       case TokenKind::kLeftParen:
         return true;
       case TokenKind::kWord:
-        return token.text != "end" && peek(ahead + 1).kind != TokenKind::kColon;
+        return token.text != "end" && token.text != "name" &&
+               peek(ahead + 1).kind != TokenKind::kColon;
       default:
         return false;
     }

@@ -36,6 +36,7 @@ std::string target_in_words(const std::string& refers_to) {
 }
 
 std::string counted(const AttributeSpec& spec, const std::string& what) {
+  if (!spec.one_for_each.empty()) return what + ", one for each of " + spec.one_for_each;
   return spec.count == 0 ? "a list of " + what : std::to_string(spec.count) + " " + what;
 }
 

@@ -1,0 +1,101 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "bhdl/loader.h"
+#include "tests/bhdl/small_catalog.h"
+
+namespace galilean::bhdl {
+namespace {
+
+using testing::HasSubstr;
+
+std::string repeated(const std::string& text, std::size_t bytes) {
+  std::string result;
+  result.reserve(bytes + text.size());
+  while (result.size() + text.size() <= bytes) result += text;
+  return result;
+}
+
+TEST(BadInput, ABinaryFileIsRefusedAtItsFirstByte) {
+  using namespace std::string_literals;
+  EXPECT_EQ(summary(check_text("state:\n  \0 name"s)), "2:3 error file/binary\n");
+  EXPECT_EQ(summary(check_text("\x7f"
+                               "ELF")),
+            "1:1 error file/binary\n");
+  const auto result = check_text("a\x1b[31m");
+  EXPECT_EQ(printed(result),
+            "program.bhdl:1:2: error: this is not a text: it holds the byte 0x1B\n"
+            "  hint: save the file as UTF-8 text\n");
+}
+
+TEST(BadInput, WhatIsNotUtf8IsRefusedWhereItBegins) {
+  for (const auto* bad :
+       {"\x93trash\x94", "\xC3(", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80",
+        "\xF8\x88\x80\x80\x80", "\xE2\x80", "\xF0\x80\x80\x80"})
+    EXPECT_EQ(summary(check_text(std::string("; é\n “ ") + bad)), "2:4 error file/not-utf8\n");
+}
+
+TEST(BadInput, ATooLargeTextIsRefused) {
+  EXPECT_EQ(summary(check_text(std::string(kMostFileBytes + 1, ' '))),
+            "1:1 error file/too-large\n");
+}
+
+TEST(BadInput, NoFileAtAllIsAnError) {
+  const auto result = check({}, small_catalog());
+  EXPECT_FALSE(result.program);
+  EXPECT_TRUE(any_error(result.diagnostics));
+}
+
+// Each fills the largest file with what might recurse, nest or take more than linear time.
+TEST(BadInput, LargeFilesOfAnyKindAreAnswered) {
+  const std::vector<std::string> kinds{"x",
+                                       ": ",
+                                       "<",
+                                       "a:",
+                                       "end ",
+                                       "\"",
+                                       "1 ",
+                                       "state:",
+                                       "a: 1 ",
+                                       "“a” ",
+                                       "condition: ",
+                                       "<1,",
+                                       "; comment",
+                                       "states: ",
+                                       "é",
+                                       "a: b: c:",
+                                       "include \"x\" ",
+                                       "on_swap: \"a\": \"b\" ",
+                                       "motor_schemas: ",
+                                       ", "};
+  for (const auto& kind : kinds) {
+    const auto result = check_text(repeated(kind, kMostFileBytes));
+    EXPECT_FALSE(result.program) << kind;
+    EXPECT_LE(result.diagnostics.size(), 101u) << kind;
+  }
+}
+
+TEST(BadInput, LargeListsAndManyNamesAreAnswered) {
+  std::string names;
+  for (int i = 0; names.size() < kMostFileBytes - 1000; ++i)
+    names += "\"n" + std::to_string(i) + "\" ";
+  const auto lists = check_text("state: name: \"s\" motor_schemas: " + names + "end end");
+  EXPECT_EQ(lists.diagnostics.size(), 101u);
+
+  std::string states;
+  for (int i = 0; states.size() < kMostFileBytes - 1000; ++i)
+    states +=
+        "state: name: \"a_state_with_a_long_name_" + std::to_string(i) +
+        "\" condition: bits_variable: \"b\" new_state: \"a_state_with_a_logn_name\" end end\n";
+  EXPECT_EQ(check_text(states).diagnostics.size(), 101u);
+}
+
+TEST(BadInput, LongNamesAreCutInMessages) {
+  const auto result = check_text(std::string(1000, 'x') + ": " + std::string(500, 'y') + ": end");
+  ASSERT_EQ(result.diagnostics.size(), 1u);
+  EXPECT_LT(result.diagnostics[0].message.size(), 150u);
+  EXPECT_THAT(result.diagnostics[0].message, HasSubstr("…"));
+}
+
+}  // namespace
+}  // namespace galilean::bhdl

@@ -12,7 +12,9 @@ export interface Place {
 }
 
 class Workshop {
-  entries = $state<api.ProgramEntry[]>([]);
+  shipped = $state<api.ProgramEntry[]>([]);
+  /** Programs that were pushed before, the newest first, each once. */
+  pushed = $state<api.PushedProgram[]>([]);
   chosen = $state("");
   files = $state<SourceFile[]>([]);
   open = $state(0);
@@ -35,21 +37,23 @@ class Workshop {
 
   async list(): Promise<void> {
     await this.#during(async () => {
-      this.entries = await api.listPrograms();
+      [this.shipped, this.pushed] = await Promise.all([api.listPrograms(), api.listPushed().then(eachOnce)]);
     });
   }
 
-  async choose(name: string): Promise<void> {
-    this.chosen = name;
+  /** A shipped program by its name, or one pushed before by its hash. */
+  async choose(key: string): Promise<void> {
+    this.chosen = key;
     this.asking = undefined;
-    await this.#during(async () => this.#take(await api.readProgram(name)));
+    const before = this.pushed.some(({ hash }) => hash === key);
+    await this.#during(async () => this.#take(await (before ? api.readPushed(key) : api.readProgram(key))));
   }
 
   /** Puts what a robot runs on the bench. */
   takeRunning(): void {
     const program = live.robot?.program?.value;
     if (!program) return;
-    this.chosen = this.entries.some((entry) => entry.name === program.name) ? program.name : "";
+    this.chosen = "";
     this.#take(program.files);
   }
 
@@ -75,7 +79,7 @@ class Workshop {
     return this.isChecked && this.result?.ok === true;
   }
 
-  /** Checks, then asks for the one confirming click. A program with errors may be sent: the robots refuse it. */
+  /** Checks, then asks for the one confirming click. */
   async ask(targets: string[]): Promise<void> {
     await this.check();
     if (this.isChecked) this.asking = targets;
@@ -86,6 +90,7 @@ class Workshop {
     if (!targets) return;
     this.asking = undefined;
     await this.#during(async () => live.pushed(await api.push(this.files, targets), this.files, targets));
+    await api.listPushed().then((all) => (this.pushed = eachOnce(all)), () => {});
   }
 
   #take(files: readonly SourceFile[]): void {
@@ -96,6 +101,11 @@ class Workshop {
     this.place = undefined;
   }
 
+  #refused(diagnostics: readonly Diagnostic[]): void {
+    this.result = { ok: false, hash: "", diagnostics: [...diagnostics] };
+    this.#checked = this.#text;
+  }
+
   async #during(work: () => Promise<void>): Promise<void> {
     this.busy = true;
     this.failure = undefined;
@@ -103,10 +113,16 @@ class Workshop {
       await work();
     } catch (error) {
       this.failure = (error as Error).message;
+      if (error instanceof api.Refusal && error.diagnostics.length) this.#refused(error.diagnostics);
     } finally {
       this.busy = false;
     }
   }
+}
+
+function eachOnce(pushes: readonly api.PushedProgram[]): api.PushedProgram[] {
+  const newestFirst = [...pushes].sort((a, b) => b.pushed_ns - a.pushed_ns);
+  return newestFirst.filter(({ hash }, i) => newestFirst.findIndex((other) => other.hash === hash) === i);
 }
 
 export const workshop = new Workshop();

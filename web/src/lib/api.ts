@@ -22,6 +22,30 @@ export interface PushResult {
   replies: Reply[];
 }
 
+/** A program that somebody pushed before, by the hash that tells it from others of its name. */
+export interface PushedProgram {
+  program: string;
+  hash: string;
+  author: string;
+  pushed_ns: number;
+}
+
+/** What the monitor objects to; of a program, with every place. */
+export class Refusal extends Error {
+  constructor(
+    message: string,
+    readonly diagnostics: readonly Diagnostic[] = [],
+  ) {
+    super(message);
+  }
+}
+
+interface Problem {
+  title?: string;
+  detail?: string;
+  diagnostics?: Diagnostic[];
+}
+
 export type CommandKind = "hold" | "resume" | "push_bumper";
 
 async function call<T>(path: string, body?: unknown): Promise<T> {
@@ -31,11 +55,12 @@ async function call<T>(path: string, body?: unknown): Promise<T> {
   try {
     response = await fetch(path, request);
   } catch {
-    throw new Error("The monitor does not answer.");
+    throw new Refusal("The monitor does not answer.");
   }
   if (response.ok) return (await response.json()) as T;
-  const problem = (await response.json().catch(() => ({}))) as { title?: string; detail?: string };
-  throw new Error(problem.detail ?? problem.title ?? `The monitor answered ${response.status}.`);
+  const problem = (await response.json().catch(() => ({}))) as Problem;
+  const sentence = problem.detail || problem.title || `The monitor answered ${response.status}.`;
+  throw new Refusal(sentence, problem.diagnostics);
 }
 
 export async function listPrograms(): Promise<ProgramEntry[]> {
@@ -45,6 +70,14 @@ export async function listPrograms(): Promise<ProgramEntry[]> {
 export async function readProgram(name: string): Promise<SourceFile[]> {
   const path = `/api/programs/${name.split("/").map(encodeURIComponent).join("/")}`;
   return (await call<{ files: SourceFile[] }>(path)).files;
+}
+
+export async function listPushed(): Promise<PushedProgram[]> {
+  return (await call<{ pushes: PushedProgram[] }>("/api/pushes")).pushes;
+}
+
+export async function readPushed(hash: string): Promise<SourceFile[]> {
+  return (await call<{ files: SourceFile[] }>(`/api/pushed/${hash}`)).files;
 }
 
 export function check(files: readonly SourceFile[], robot?: string): Promise<CheckResult> {

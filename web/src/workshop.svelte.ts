@@ -19,6 +19,8 @@ class Workshop {
   files = $state<SourceFile[]>([]);
   open = $state(0);
   result = $state.raw<api.CheckResult>();
+  /** Somebody changed what was chosen. */
+  edited = $state(false);
   /** Grows when other files come onto the bench. */
   generation = $state(0);
   /** The text that `result` speaks of. */
@@ -59,7 +61,15 @@ class Workshop {
 
   edit(text: string): void {
     const file = this.files[this.open];
-    if (file && file.text !== text) this.files[this.open] = { ...file, text };
+    if (!file || file.text === text) return;
+    this.edited = true;
+    this.files[this.open] = { ...file, text };
+  }
+
+  /** Shows a place of the program that runs; what somebody edits stays on the bench. */
+  showRunning(place: Place): void {
+    if (!this.edited) this.takeRunning();
+    this.show(place);
   }
 
   show(place: Place): void {
@@ -95,6 +105,7 @@ class Workshop {
 
   #take(files: readonly SourceFile[]): void {
     this.generation += 1;
+    this.edited = false;
     this.files = files.map((file) => ({ ...file }));
     this.open = 0;
     this.result = undefined;

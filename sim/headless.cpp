@@ -58,7 +58,7 @@ Result<bool> HeadlessContest::run() {
   while (world_->referee().phase() == Phase::kRunning) {
     step();
     for (auto& robot : robots_) robot->note(World::kStep_s);
-    if (options_.trace && step_ % kStepsASecond == 0) write_trace();
+    if (options_.trace && (step_ - started_) % kStepsASecond == 0) write_trace();
   }
   return true;
 }
@@ -78,6 +78,7 @@ Result<bool> HeadlessContest::wait_for_robots() {
 
 void HeadlessContest::start() {
   for (std::size_t i = 0; i < robots_.size(); ++i) world_->robot(i).push_bumpers(kPushedSwitches);
+  started_ = step_;
   bumpers_released_ = step_ + kPush;
   world_->referee().start();
 }

@@ -59,6 +59,7 @@ class HeadlessContest {
   Renderer renderer_;
   std::vector<std::unique_ptr<HeadlessRobot>> robots_;
   std::uint64_t step_ = 0;
+  std::uint64_t started_ = 0;           ///< the step in which the contest began
   std::uint64_t bumpers_released_ = 0;  ///< the step in which the referee lets go of them
   std::uint64_t picture_steps_;
 };

@@ -29,7 +29,7 @@ struct Furniture {
   double height_m = 0.74;
 };
 
-/// Four legs and a seat.
+/// Four legs and a seat. Light enough to be shoved, too heavy for a gripper's hold.
 struct Chair {
   Pose2 pose;
   double pitch_m = 0.36;  ///< from leg to leg
@@ -60,10 +60,10 @@ struct Rules {
 
 /// How far the treads are from ideal; each robot draws its own from the seed.
 struct Slip {
-  double scale_error = 0.012;    ///< standard deviation of each wheel's true size
-  double turn_error = 0.02;      ///< standard deviation of the true turning radius
-  double straight_noise = 0.02;  ///< share of the speed that is lost and won at random
-  double turning_noise = 0.06;   ///< the same, while the treads scrub
+  double scale_error = 0.008;     ///< standard deviation of each wheel's true size
+  double turn_error = 0.01;       ///< standard deviation of the true turning radius
+  double straight_noise = 0.015;  ///< share of the speed that is lost and won at random
+  double turning_noise = 0.03;    ///< the same, while the treads scrub
 };
 
 struct CameraRules {

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "sim/world/arena.h"
-
 namespace galilean::sim {
 namespace {
 
@@ -76,14 +74,16 @@ std::array<Face, 4> furniture_faces(const Furniture& box) {
                    {{0, 0.05f, kScreenFoot}, {0.05f, top, kScreenCloth, Texture::kPanels}});
 }
 
-void add_chair(const Chair& chair, Scene& scene) {
+void add_chair(const Chair& chair, const Pose2& pose, Scene& scene) {
   const auto seat = static_cast<float>(chair.seat_height_m);
   const Vec2 size(chair.pitch_m + 0.05, chair.pitch_m + 0.05);
-  for (const Face& face : box_faces(chair.pose, size, {{seat - 0.05f, seat, kSeat}}))
+  for (const Face& face : box_faces(pose, size, {{seat - 0.05f, seat, kSeat}}))
     scene.chair_seats.push_back(face);
-  for (const Vec2& leg : chair_legs_m(chair))
+  for (const Vec2& leg : chair_legs_m(chair.pitch_m)) {
+    const Vec2 at = pose.position_m + rotated(leg, pose.heading_rad);
     scene.chair_legs.push_back(
-        {leg.cast<float>(), static_cast<float>(kChairLegRadius_m), seat - 0.05f, DiscKind::kLeg});
+        {at.cast<float>(), static_cast<float>(kChairLegRadius_m), seat - 0.05f, DiscKind::kLeg});
+  }
 }
 
 std::array<Face, 4> robot_faces(const Pose2& pose) {
@@ -104,7 +104,6 @@ Scene scene_of(const Scenario& scenario) {
   add_walls(scenario.arena, scene.walls);
   for (const auto& box : scenario.furniture)
     for (const Face& face : furniture_faces(box)) scene.furniture.push_back(face);
-  for (const auto& chair : scenario.chairs) add_chair(chair, scene);
   scene.lights = scenario.lights;
   return scene;
 }
@@ -122,6 +121,10 @@ void look_at(const World& world, Scene& scene) {
     scene.loose.push_back({from_b2(basket->GetPosition()).cast<float>(),
                            static_cast<float>(kBasketRadius_m), static_cast<float>(kBasketHeight_m),
                            DiscKind::kBasket});
+  scene.chair_seats.clear();
+  scene.chair_legs.clear();
+  for (std::size_t i = 0; i < world.scenario().chairs.size(); ++i)
+    add_chair(world.scenario().chairs[i], pose_of(*world.objects().chairs()[i]), scene);
   scene.robots.clear();
   scene.robot_poses.clear();
   for (std::size_t i = 0; i < world.robot_count(); ++i) {

@@ -30,27 +30,11 @@ void add_walls(const ArenaRules& arena, Physics& physics) {
 
 }  // namespace
 
-std::vector<Vec2> chair_legs_m(const Chair& chair) {
-  std::vector<Vec2> legs;
-  const double half = chair.pitch_m / 2;
-  for (const Vec2& corner :
-       {Vec2(half, half), Vec2(-half, half), Vec2(-half, -half), Vec2(half, -half)})
-    legs.push_back(chair.pose.position_m + rotated(corner, chair.pose.heading_rad));
-  return legs;
-}
-
 void build_arena(const Scenario& scenario, Physics& physics) {
   add_walls(scenario.arena, physics);
   std::uint16_t number = 0;
   for (const auto& box : scenario.furniture)
     add_static(physics, {BodyKind::kFurniture, number++}, box.pose, box_shape(box.size_m));
-  b2CircleShape leg;
-  leg.m_radius = static_cast<float>(kChairLegRadius_m);
-  for (const auto& chair : scenario.chairs) {
-    for (const Vec2& at : chair_legs_m(chair))
-      add_static(physics, {BodyKind::kFurniture, number}, {at, 0}, leg);
-    ++number;
-  }
 }
 
 }  // namespace galilean::sim

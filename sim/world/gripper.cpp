@@ -67,8 +67,8 @@ Gripper::Gripper(Physics& physics, b2Body& robot) : physics_(physics), robot_(ro
   hands_[1] = add_hand(robot, -1);
 }
 
-Vec2 Gripper::in_robot(const b2Body& body) const {
-  return from_b2(robot_.GetLocalPoint(body.GetPosition()));
+Vec2 Gripper::centre_in_robot(b2Fixture& circle) const {
+  return from_b2(robot_.GetLocalPoint(circle.GetBody()->GetWorldPoint(circle_of(circle)->m_p)));
 }
 
 void Gripper::set_servo(int permille) {
@@ -78,8 +78,8 @@ void Gripper::set_servo(int permille) {
   let_hands_collide(open());
   if (open())
     release();
-  else if (b2Body* body = body_in_pocket())
-    take(*body);
+  else if (b2Fixture* circle = circle_in_pocket())
+    take(*circle);
 }
 
 void Gripper::let_hands_collide(bool collide) {
@@ -92,7 +92,7 @@ void Gripper::let_hands_collide(bool collide) {
 
 bool Gripper::update() {
   if (hold_) {
-    const Vec2 offset = in_robot(*hold_->GetBodyB()) - Vec2(kPocket_m, 0);
+    const Vec2 offset = centre_in_robot(*held_circle_) - Vec2(kPocket_m, 0);
     if (offset.norm() > kSlipsOut_m) release();
   }
   return std::exchange(released_, false);
@@ -103,11 +103,17 @@ std::optional<BodyTag> Gripper::held() const {
   return tag_of(*hold_->GetBodyB());
 }
 
-void Gripper::take(b2Body& body) {
+void Gripper::take(b2Fixture& circle) {
+  b2Body& body = *circle.GetBody();
+  // The joint goes by the bodies' origins: lead the circle to the pocket, wherever in its body it
+  // is.
+  const Vec2 origin = from_b2(robot_.GetLocalPoint(body.GetPosition()));
+  const Vec2 wanted = origin + Vec2(kPocket_m, 0) - centre_in_robot(circle);
+  held_circle_ = &circle;
   b2MotorJointDef joint;
   joint.bodyA = &robot_;
   joint.bodyB = &body;
-  joint.linearOffset = {static_cast<float>(kPocket_m), 0};
+  joint.linearOffset = to_b2(wanted);
   joint.angularOffset = body.GetAngle() - robot_.GetAngle();
   joint.maxForce = static_cast<float>(kHold_n);
   joint.maxTorque = 0.05f;
@@ -129,17 +135,17 @@ void Gripper::forget(BodyTag body) {
   hold_ = nullptr;
 }
 
-b2Body* Gripper::body_in_pocket() const {
-  b2Body* nearest = nullptr;
+b2Fixture* Gripper::circle_in_pocket() const {
+  b2Fixture* nearest = nullptr;
   double nearest_m = kHalfWidth_m;
   look_at_beam(physics_, robot_, [&](b2Fixture& fixture) {
     const b2CircleShape* circle = circle_of(fixture);
     if (!circle || circle->m_radius > kLargest_m) return true;
-    const Vec2 at = in_robot(*fixture.GetBody());
-    const double gap_m = std::abs(at.x() - kPocket_m) - circle->m_radius;
-    if (gap_m < 0 && std::abs(at.y()) < nearest_m) {
+    const Vec2 at = centre_in_robot(fixture);
+    const bool in_beam = std::abs(at.x() - kPocket_m) < circle->m_radius;
+    if (in_beam && std::abs(at.y()) < nearest_m) {
       nearest_m = std::abs(at.y());
-      nearest = fixture.GetBody();
+      nearest = &fixture;
     }
     return true;
   });
@@ -155,7 +161,7 @@ bool Gripper::beam_broken() const {
   bool broken = false;
   look_at_beam(physics_, robot_, [&](b2Fixture& fixture) {
     if (const b2CircleShape* circle = circle_of(fixture)) {
-      const Vec2 at = in_robot(*fixture.GetBody());
+      const Vec2 at = centre_in_robot(fixture);
       const double aside_m = std::max(0.0, std::abs(at.y()) - kHalfWidth_m);
       broken = std::hypot(at.x() - kPocket_m, aside_m) < circle->m_radius;
     } else {

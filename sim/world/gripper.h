@@ -37,16 +37,17 @@ class Gripper {
  private:
   static constexpr int kTakes_permille = 600;
 
-  [[nodiscard]] Vec2 in_robot(const b2Body& body) const;
-  [[nodiscard]] b2Body* body_in_pocket() const;
+  [[nodiscard]] Vec2 centre_in_robot(b2Fixture& circle) const;
+  [[nodiscard]] b2Fixture* circle_in_pocket() const;
   void let_hands_collide(bool collide);
-  void take(b2Body& body);
+  void take(b2Fixture& circle);
   void release();
 
   Physics& physics_;
   b2Body& robot_;
   b2Fixture* hands_[2] = {nullptr, nullptr};
   b2MotorJoint* hold_ = nullptr;
+  b2Fixture* held_circle_ = nullptr;
   std::optional<BodyTag> last_held_;
   bool released_ = false;
   int servo_permille_ = 0;

@@ -8,6 +8,8 @@ namespace galilean::sim {
 namespace {
 
 constexpr double kBasketMass_kg = 3;
+constexpr double kChairMass_kg = 5;
+constexpr double kRubbingArm_m = 0.15;  // of a chair's four feet, for its turning
 constexpr double kFloorFriction = 0.45;
 constexpr double kGravity_mps2 = 9.81;
 
@@ -27,14 +29,19 @@ b2Body& add_disc(Physics& physics, BodyTag tag, const Vec2& at_m, double radius_
   return body;
 }
 
-void rub_body(b2Body& body, double dt_s) {
+double less(double speed, double loss) {
+  return std::copysign(std::max(0.0, std::abs(speed) - loss), speed);
+}
+
+/// `arm_m`: how far from the middle the floor rubs, on average; it slows turning.
+void rub_body(b2Body& body, double arm_m, double dt_s) {
   if (!body.IsAwake()) return;
-  const float loss = static_cast<float>(kFloorFriction * kGravity_mps2 * dt_s);
-  b2Vec2 velocity = body.GetLinearVelocity();
-  const float speed = velocity.Length();
-  velocity *= speed > loss ? (speed - loss) / speed : 0.0f;
-  body.SetLinearVelocity(velocity);
-  body.SetAngularVelocity(body.GetAngularVelocity() * 0.9f);
+  const double loss = kFloorFriction * kGravity_mps2 * dt_s;
+  const Vec2 velocity = from_b2(body.GetLinearVelocity());
+  const double speed = velocity.norm();
+  body.SetLinearVelocity(speed > loss ? to_b2(velocity * ((speed - loss) / speed)) : b2Vec2(0, 0));
+  const double turn_loss = loss * body.GetMass() * arm_m / body.GetInertia();
+  body.SetAngularVelocity(static_cast<float>(less(body.GetAngularVelocity(), turn_loss)));
 }
 
 }  // namespace
@@ -57,12 +64,38 @@ Objects::Objects(const Scenario& scenario, const std::vector<PlacedPiece>& piece
     const BodyTag tag{BodyKind::kBasket, static_cast<std::uint16_t>(baskets_.size())};
     baskets_.push_back(&add_disc(physics, tag, at, kBasketRadius_m, kBasketMass_kg));
   }
+  // Chairs are numbered after the furniture that stands fast.
+  auto number = static_cast<std::uint16_t>(scenario.furniture.size());
+  for (const Chair& chair : scenario.chairs) add_chair(chair, number++);
+}
+
+void Objects::add_chair(const Chair& chair, std::uint16_t number) {
+  b2BodyDef definition;
+  definition.type = b2_dynamicBody;
+  definition.position = to_b2(chair.pose.position_m);
+  definition.angle = static_cast<float>(chair.pose.heading_rad);
+  set_tag(definition, {BodyKind::kFurniture, number});
+  b2Body& body = *physics_.world().CreateBody(&definition);
+  b2CircleShape leg;
+  leg.m_radius = static_cast<float>(kChairLegRadius_m);
+  const double leg_area_m2 = kPi * kChairLegRadius_m * kChairLegRadius_m;
+  for (const Vec2& at : chair_legs_m(chair.pitch_m)) {
+    leg.m_p = to_b2(at);
+    body.CreateFixture(&leg, static_cast<float>(kChairMass_kg / 4 / leg_area_m2));
+  }
+  chairs_.push_back(&body);
+}
+
+std::array<Vec2, 4> chair_legs_m(double pitch_m) noexcept {
+  const double half = pitch_m / 2;
+  return {Vec2(half, half), Vec2(-half, half), Vec2(-half, -half), Vec2(half, -half)};
 }
 
 void Objects::rub(double dt_s) {
   for (auto& piece : pieces_)
-    if (piece.body) rub_body(*piece.body, dt_s);
-  for (b2Body* basket : baskets_) rub_body(*basket, dt_s);
+    if (piece.body) rub_body(*piece.body, shape_of(piece.kind).radius_m / 2, dt_s);
+  for (b2Body* basket : baskets_) rub_body(*basket, kBasketRadius_m / 2, dt_s);
+  for (b2Body* chair : chairs_) rub_body(*chair, kRubbingArm_m, dt_s);
 }
 
 void Objects::remove_piece(std::size_t index) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/random.h"
@@ -19,11 +20,15 @@ struct PieceShape {
 inline constexpr double kBasketRadius_m = 0.14;
 inline constexpr double kBasketHeight_m = 0.30;
 
+inline constexpr double kChairLegRadius_m = 0.015;
+/// Where the legs of a chair stand, in its own frame.
+[[nodiscard]] std::array<Vec2, 4> chair_legs_m(double pitch_m) noexcept;
+
 /// Where every piece lies at the start: the placed ones, then the strewn ones, drawn anew until
 /// they keep the scenario's clearance. An error says that the arena has no room for them.
 [[nodiscard]] Result<std::vector<PlacedPiece>> strew(const Scenario& scenario, Random random);
 
-/// The bodies that can be pushed: pieces and baskets. They rub on the floor:
+/// The bodies that can be pushed: pieces, baskets and chairs. They rub on the floor:
 /// a body at speed v loses min(v, mu g dt) a step.
 class Objects {
  public:
@@ -35,15 +40,20 @@ class Objects {
   };
   [[nodiscard]] const std::vector<Piece>& pieces() const noexcept { return pieces_; }
   [[nodiscard]] const std::vector<b2Body*>& baskets() const noexcept { return baskets_; }
+  /// In the order of the scenario.
+  [[nodiscard]] const std::vector<b2Body*>& chairs() const noexcept { return chairs_; }
 
   void rub(double dt_s);
   /// Takes a piece out of the arena.
   void remove_piece(std::size_t index);
 
  private:
+  void add_chair(const Chair& chair, std::uint16_t number);
+
   Physics& physics_;
   std::vector<Piece> pieces_;
   std::vector<b2Body*> baskets_;
+  std::vector<b2Body*> chairs_;
 };
 
 }  // namespace galilean::sim

@@ -85,6 +85,7 @@ double World::to_nearest_basket_m(const Vec2& from_m) const {
 void World::hash_into(robot::StateHash& hash) const {
   for (const auto& robot : robots_) hash_body(hash, robot->body());
   for (const b2Body* basket : objects_.baskets()) hash_body(hash, *basket);
+  for (const b2Body* chair : objects_.chairs()) hash_body(hash, *chair);
   for (const auto& piece : objects_.pieces()) {
     hash.add(std::uint64_t{piece.body != nullptr});
     if (piece.body) hash_body(hash, *piece.body);

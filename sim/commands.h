@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace galilean::sim {
+
+/// What the command line asks for.
+struct Options {
+  bool headless = false;
+  bool live = false;
+  bool json = false;
+  std::string scenario = "office";
+  std::string bhdl = "office_cleanup";
+  std::size_t robots = 3;
+  std::uint64_t seed = 1;
+  double duration_s = 0;  ///< 0: the scenario's
+  std::string trace;
+  std::string snapshot;
+  std::string snapshot_robot = "io";
+  std::string run = "demo";
+  std::optional<double> autostart_s;
+  std::vector<std::string> faults;
+  int domain = -1;
+};
+
+inline constexpr int kBadInput = 2;
+inline constexpr int kFailed = 1;
+
+/// Does it; the process's exit code. What goes wrong is one line on stderr.
+[[nodiscard]] int run(const Options& options);
+
+}  // namespace galilean::sim

@@ -1,0 +1,143 @@
+#include "sim/live.h"
+
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+namespace galilean::sim {
+namespace {
+
+constexpr auto kStep = std::chrono::milliseconds(10);
+constexpr std::uint64_t kStepsASecond = 100;
+constexpr std::uint64_t kPushSteps = kStepsASecond / 2;
+constexpr std::uint8_t kPushedSwitches = 1;  // the front one
+/// When the machine was busy or asleep for longer, the world does not hurry after.
+constexpr auto kMostBehind = std::chrono::milliseconds(250);
+
+}  // namespace
+
+Result<std::unique_ptr<LiveContest>> LiveContest::make(const Scenario& scenario,
+                                                       const LiveOptions& options) {
+  auto world = World::make(scenario, options.robots, options.seed);
+  if (!world) return world.error();
+  auto folder = RunFolder::make(options.run);
+  if (!folder) return folder.error();
+  auto participant = wire::Participant::join("galilean-sim", options.domain);
+  if (!participant) return participant.error();
+  std::unique_ptr<LiveContest> contest(new LiveContest(scenario, std::move(world).value(),
+                                                       std::move(folder).value(),
+                                                       std::move(participant).value(), options));
+  for (auto& robot : contest->robots_)
+    if (const auto plugged = robot->plug_in(); !plugged) return plugged.error();
+  return contest;
+}
+
+LiveContest::LiveContest(const Scenario& scenario, std::unique_ptr<World> world, RunFolder folder,
+                         std::unique_ptr<wire::Participant> participant, const LiveOptions& options)
+    : options_(options),
+      world_(std::move(world)),
+      folder_(std::move(folder)),
+      participant_(std::move(participant)),
+      score_(*participant_),
+      scene_(scene_of(scenario)),
+      renderer_({}, scenario.camera, Random(options.seed).child("camera")),
+      picture_steps_(static_cast<std::uint64_t>(
+          std::lround(static_cast<double>(kStepsASecond) / scenario.camera.rate_hz))) {
+  for (std::size_t i = 0; i < options.robots; ++i)
+    robots_.push_back(std::make_unique<LiveRobot>(
+        *world_, i, folder_.path().string(), "/galilean-" + options.run + "-" + robot_name(i)));
+}
+
+std::string LiveContest::ready_line() const {
+  nlohmann::ordered_json robots = nlohmann::ordered_json::array();
+  for (const auto& robot : robots_)
+    robots.push_back({{"name", robot->name()},
+                      {"serial", robot->serial_path()},
+                      {"camera", "ring:" + robot->ring_name()}});
+  return nlohmann::ordered_json{{"ready", true},
+                                {"run", options_.run},
+                                {"scenario", world_->scenario().name},
+                                {"folder", folder_.path().string()},
+                                {"robots", robots}}
+      .dump();
+}
+
+std::string LiveContest::score_line() const {
+  const Referee& referee = world_->referee();
+  return nlohmann::ordered_json{
+      {"phase", to_string(referee.phase())},         {"elapsed_s", referee.elapsed_s()},
+      {"pieces", world_->objects().pieces().size()}, {"deposited", referee.deposited()},
+      {"collisions", referee.collisions()},          {"score", referee.score()}}
+      .dump();
+}
+
+double LiveContest::now_s() const noexcept {
+  return static_cast<double>(step_) / static_cast<double>(kStepsASecond);
+}
+
+void LiveContest::run(const std::atomic<bool>& ending) {
+  auto due = std::chrono::steady_clock::now();
+  while (!ending) {
+    step();
+    due += kStep;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - due > kMostBehind) due = now;
+    std::this_thread::sleep_until(due);
+  }
+}
+
+void LiveContest::step() {
+  suffer_faults();
+  start_when_ready();
+  const auto now_ms = static_cast<std::uint32_t>(step_ * static_cast<std::uint64_t>(kStep.count()));
+  for (auto& robot : robots_) robot->run_board(now_ms);
+  take_pictures();
+  world_->step();
+  if (step_ % 10 == 0) score_.show(*world_);
+  ++step_;
+}
+
+void LiveContest::suffer_faults() {
+  if (step_ % kStepsASecond != 0) return;
+  for (auto& robot : robots_)
+    if (const auto plugged = robot->suffer(options_.faults, now_s()); !plugged)
+      std::cerr << "galilean-sim: " << plugged.error().message << "\n";
+}
+
+void LiveContest::start_when_ready() {
+  if (world_->referee().phase() == Phase::kWaiting && anybody_moves()) world_->referee().start();
+  if (!options_.autostart_s) return;
+  if (!connected_step_) {
+    for (const auto& robot : robots_)
+      if (!robot->connected()) return;
+    connected_step_ = step_;
+  }
+  const std::uint64_t push =
+      *connected_step_ + static_cast<std::uint64_t>(*options_.autostart_s * kStepsASecond);
+  if (step_ == push) push_bumpers(kPushedSwitches);
+  if (step_ == push + kPushSteps) push_bumpers(0);
+}
+
+void LiveContest::push_bumpers(std::uint8_t switches) {
+  for (std::size_t i = 0; i < robots_.size(); ++i) world_->robot(i).push_bumpers(switches);
+  world_->referee().start();
+}
+
+bool LiveContest::anybody_moves() const {
+  for (std::size_t i = 0; i < robots_.size(); ++i)
+    if (world_->robot(i).powered()) return true;
+  return false;
+}
+
+void LiveContest::take_pictures() {
+  // Not all in one step: the boards' loops must not wait.
+  for (std::size_t i = 0; i < robots_.size(); ++i)
+    if ((step_ + i * 3) % picture_steps_ == 0) {
+      look_at(*world_, scene_);
+      robots_[i]->take_picture(scene_, renderer_);
+    }
+}
+
+}  // namespace galilean::sim

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "sim/faults.h"
+#include "sim/live_robot.h"
+#include "sim/run_folder.h"
+#include "sim/telemetry/score_publisher.h"
+
+namespace galilean::sim {
+
+struct LiveOptions {
+  std::size_t robots = 3;
+  std::uint64_t seed = 1;
+  std::string run = "demo";           ///< part of every name, so that two simulators can run
+  std::optional<double> autostart_s;  ///< push so long after the last robot connected; none: never
+  int domain = -1;                    ///< DDS; -1: as ROS_DOMAIN_ID says
+  std::vector<DeviceFault> faults;
+};
+
+/// The world in real time, for robots in processes of their own. Robots may die and come back:
+/// their lines and cameras stay. The referee starts the contest by pushing a bumper of each robot;
+/// if an operator started them before, its clock begins when the first one moves.
+class LiveContest {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<LiveContest>> make(const Scenario& scenario,
+                                                                 const LiveOptions& options);
+
+  /// One line of JSON: where robots find their devices.
+  [[nodiscard]] std::string ready_line() const;
+  /// Until `ending`. What goes wrong is told once a second on stderr, and tried again.
+  void run(const std::atomic<bool>& ending);
+  /// One line of JSON: the referee's sheet.
+  [[nodiscard]] std::string score_line() const;
+
+ private:
+  LiveContest(const Scenario& scenario, std::unique_ptr<World> world, RunFolder folder,
+              std::unique_ptr<wire::Participant> participant, const LiveOptions& options);
+  void step();
+  void suffer_faults();
+  void start_when_ready();
+  void push_bumpers(std::uint8_t switches);
+  [[nodiscard]] bool anybody_moves() const;
+  void take_pictures();
+  [[nodiscard]] double now_s() const noexcept;
+
+  LiveOptions options_;
+  std::unique_ptr<World> world_;
+  RunFolder folder_;
+  std::unique_ptr<wire::Participant> participant_;
+  ScorePublisher score_;
+  Scene scene_;
+  Renderer renderer_;
+  std::vector<std::unique_ptr<LiveRobot>> robots_;
+  std::uint64_t step_ = 0;
+  std::uint64_t picture_steps_;
+  std::optional<std::uint64_t> connected_step_;  ///< in which the last robot was first heard
+};
+
+}  // namespace galilean::sim

@@ -1,0 +1,41 @@
+#include "sim/live_robot.h"
+
+namespace galilean::sim {
+
+LiveRobot::LiveRobot(World& world, std::size_t index, const std::string& folder, std::string ring)
+    : name_(robot_name(index)),
+      index_(index),
+      ring_name_(std::move(ring)),
+      line_(folder + "/" + name_ + ".serial"),
+      board_(world.robot(index), line_, name_) {}
+
+Result<bool> LiveRobot::plug_in() {
+  if (auto line = line_.plug_in(); !line) return line;
+  return open_ring();
+}
+
+Result<bool> LiveRobot::open_ring() {
+  if (ring_) return true;
+  auto ring = robot::FrameRingWriter::create(ring_name_);
+  if (!ring) return ring.error();
+  ring_ = std::move(ring).value();
+  return true;
+}
+
+Result<bool> LiveRobot::suffer(const std::vector<DeviceFault>& faults, double now_s) {
+  if (is_faulty(faults, FaultyDevice::kSerial, name_, now_s))
+    line_.unplug();
+  else if (auto line = line_.plug_in(); !line)
+    return line;
+  if (!is_faulty(faults, FaultyDevice::kCamera, name_, now_s)) return open_ring();
+  ring_.reset();
+  return true;
+}
+
+void LiveRobot::take_picture(const Scene& scene, Renderer& renderer) {
+  if (!ring_) return;
+  renderer.draw(scene, index_, *frame_);
+  ring_->write(frame_->rgb);
+}
+
+}  // namespace galilean::sim

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/devices/shared_frame_ring.h"
+#include "sim/camera/renderer.h"
+#include "sim/devices/pty_line.h"
+#include "sim/devices/simulated_board.h"
+#include "sim/faults.h"
+
+namespace galilean::sim {
+
+/// The body, board and camera of a robot whose program runs in a process of its own: a
+/// pseudo-terminal as its serial line, a ring in shared memory as its camera.
+class LiveRobot {
+ public:
+  /// `folder`: for the serial line's link, `<robot>.serial`. `ring`: name of the shared memory.
+  LiveRobot(World& world, std::size_t index, const std::string& folder, std::string ring);
+  /// Both devices are there.
+  [[nodiscard]] Result<bool> plug_in();
+
+  /// Unplugs and plugs in as the faults say; what cannot be plugged in is tried again each time.
+  [[nodiscard]] Result<bool> suffer(const std::vector<DeviceFault>& faults, double now_s);
+  void run_board(std::uint32_t now_ms) { board_.update(now_ms); }
+  void take_picture(const Scene& scene, Renderer& renderer);
+
+  [[nodiscard]] const std::string& name() const noexcept { return name_; }
+  [[nodiscard]] const std::string& serial_path() const noexcept { return line_.name(); }
+  [[nodiscard]] const std::string& ring_name() const noexcept { return ring_name_; }
+  /// Somebody spoke to the board since power-up.
+  [[nodiscard]] bool connected() const noexcept { return board_.heard(); }
+
+ private:
+  [[nodiscard]] Result<bool> open_ring();
+
+  std::string name_;
+  std::size_t index_;
+  std::string ring_name_;
+  PtyLine line_;
+  SimulatedBoard board_;
+  std::unique_ptr<robot::FrameRingWriter> ring_;
+  std::unique_ptr<Frame> frame_ = std::make_unique<Frame>();
+};
+
+}  // namespace galilean::sim

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/result.h"
+
+namespace galilean::sim {
+
+/// A folder for one run's serial lines: $XDG_RUNTIME_DIR/galilean-<run>, or below /tmp. One
+/// simulator a run: a second one is refused. Goes, with what is in it, when this object goes.
+class RunFolder {
+ public:
+  [[nodiscard]] static Result<RunFolder> make(const std::string& run);
+  ~RunFolder();
+  RunFolder(RunFolder&& other) noexcept;
+  RunFolder& operator=(RunFolder&&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  RunFolder(std::filesystem::path path, int lock) : path_(std::move(path)), lock_(lock) {}
+
+  std::filesystem::path path_;
+  int lock_;
+};
+
+}  // namespace galilean::sim

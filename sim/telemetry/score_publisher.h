@@ -1,0 +1,39 @@
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/result.h"
+#include "core/wire/topics.h"
+#include "sim/world/world.h"
+
+namespace galilean::sim {
+
+/// Publishes the referee's sheet on rt/referee/score, twice a second and at each change, from a
+/// thread of its own: a write may block, and the world must not.
+class ScorePublisher {
+ public:
+  explicit ScorePublisher(wire::Participant& participant);
+  ~ScorePublisher();
+  ScorePublisher(const ScorePublisher&) = delete;
+  ScorePublisher& operator=(const ScorePublisher&) = delete;
+
+  /// Never waits for the network.
+  void show(const World& world);
+
+ private:
+  void run();
+
+  wire::Writer<msg::Score> writer_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  msg::Score newest_;
+  bool fresh_ = false;
+  bool ending_ = false;
+  std::thread thread_;
+};
+
+}  // namespace galilean::sim

@@ -27,7 +27,7 @@ double CameraModel::azimuth_rad(double column) const noexcept {
 }
 
 std::optional<FloorPoint> CameraModel::floor_point(double column, double row,
-                                                   double beyond_m) const noexcept {
+                                                   double deeper_m) const noexcept {
   const double below_horizon_px = row - geometry_.height_px / 2.0;
   if (below_horizon_px <= 0) return std::nullopt;
   FloorPoint point;
@@ -38,7 +38,7 @@ std::optional<FloorPoint> CameraModel::floor_point(double column, double row,
   const double column_error_rad = std::pow(std::cos(point.azimuth_rad), 2) / fx_px_;
   point.covariance_m2 =
       along_and_across(point.range_error_m, point.range_m * column_error_rad, point.azimuth_rad);
-  point.range_m += beyond_m;
+  point.range_m += deeper_m / std::cos(point.azimuth_rad);
   point.in_robot_m = in_robot_m() + point.range_m * unit_vector(kPi / 2 + point.azimuth_rad);
   return point;
 }

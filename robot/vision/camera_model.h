@@ -31,10 +31,11 @@ class CameraModel {
   explicit CameraModel(const CameraGeometry& geometry) noexcept;
 
   [[nodiscard]] double azimuth_rad(double column) const noexcept;
-  /// Where the ray through this point meets the floor, and `beyond_m` further along the floor (from
-  /// an object's front to its centre). Nothing at the horizon or above.
+  /// Where the ray through this point meets the floor, then `deeper_m` further along that ray,
+  /// measured along the camera's axis: from the foremost point of a round object to its centre, if
+  /// that is its radius. Nothing at the horizon or above.
   [[nodiscard]] std::optional<FloorPoint> floor_point(double column, double row,
-                                                      double beyond_m) const noexcept;
+                                                      double deeper_m) const noexcept;
   /// Over the floor, of what is seen at `row` and stands `depth_m` away.
   [[nodiscard]] double height_m(double row, double depth_m) const noexcept;
   /// Of what covers so many columns `depth_m` away.

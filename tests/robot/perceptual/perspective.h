@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/device/devices.h"
+#include "core/geometry.h"
+
+namespace galilean::robot {
+
+struct Colour {
+  std::uint8_t red, green, blue;
+};
+
+/// Upright on the floor; positions in the robot frame (x right, y forward), metres.
+struct Cylinder {
+  Vec2 centre_m;
+  double radius_m;
+  double height_m;
+  Colour colour;
+};
+
+/// An upright rectangle square to the camera's axis, from `left_m` to `right_m` at `depth_m` in
+/// front of the robot's centre.
+struct Panel {
+  double left_m, right_m, depth_m, bottom_m, top_m;
+  Colour colour;
+};
+
+/// Traces one ray through every pixel's middle: the picture that a pinhole camera really takes, by
+/// other arithmetic than the camera model's.
+class Perspective {
+ public:
+  std::vector<Cylinder> cylinders;
+  std::vector<Panel> panels;
+  Colour floor{120, 118, 115};
+  Colour wall{190, 190, 185};
+  Colour ceiling{190, 190, 185};
+  double room_depth_m = 8;
+  double ceiling_m = 2.6;
+
+  void draw(const CameraGeometry& camera, Frame& frame) const;
+
+ private:
+  /// Along a ray (right, up, with depth 1 forward) from the camera.
+  struct Hit {
+    double depth_m;
+    Colour colour;
+  };
+  [[nodiscard]] Hit trace(const CameraGeometry& camera, double right, double up) const;
+  void trace_cylinder(const Cylinder& cylinder, const CameraGeometry& camera, double right,
+                      double up, Hit& nearest) const;
+};
+
+}  // namespace galilean::robot

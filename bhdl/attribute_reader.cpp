@@ -1,7 +1,6 @@
 #include "bhdl/attribute_reader.h"
 
 #include <optional>
-#include <ranges>
 #include <unordered_set>
 
 #include "bhdl/names.h"
@@ -20,8 +19,7 @@ std::optional<std::size_t> list_size(const Value* value) {
 }
 
 std::string attribute_hint(const ComponentSpec& spec, std::string_view misspelt) {
-  const auto names = spec.attributes | std::views::transform(&AttributeSpec::name);
-  const std::string near = nearest(misspelt, names);
+  const std::string near = nearest(misspelt, names_of(spec.attributes));
   if (!near.empty()) return did_you_mean(near);
   if (spec.attributes.empty()) return spec.name + " takes no attributes";
   std::string hint = spec.name + " takes";

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 
 #include "bhdl/attribute_reader.h"
 #include "bhdl/keywords.h"
@@ -61,8 +60,8 @@ class Declarer {
   }
 
   void refuse_unknown(const Word& type) {
-    const auto names = vocabulary_.components() | std::views::transform(&ComponentSpec::name);
-    const auto near = diagnostics_.full() ? std::string() : nearest(type.text, names);
+    const auto near = diagnostics_.full() ? std::string()
+                                          : nearest(type.text, names_of(vocabulary_.components()));
     diagnostics_.error(type.at, "name/unknown-component",
                        "there is no component " + in_quotes(type.text),
                        near.empty() ? "`galilean bhdl describe` lists them" : did_you_mean(near));

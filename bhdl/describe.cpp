@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 
 #include "bhdl/keywords.h"
 #include "bhdl/names.h"
@@ -96,8 +95,7 @@ Catalog with_language(const Catalog& catalog) {
 }
 
 Error unknown(const Catalog& all, std::string_view component) {
-  const auto names = all.components | std::views::transform(&ComponentSpec::name);
-  const auto hint = did_you_mean(nearest(component, names));
+  const auto hint = did_you_mean(nearest(component, names_of(all.components)));
   return {"there is no component " + in_quotes(component) + (hint.empty() ? "" : "; " + hint)};
 }
 

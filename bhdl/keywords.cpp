@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
+#include <vector>
 
 #include "bhdl/names.h"
 
@@ -70,9 +70,10 @@ bool at_section_word(const TokenStream& tokens) {
 std::string_view meant_section(const TokenStream& tokens) {
   if (!tokens.at_label()) return {};
   const bool has_value = tokens.value_at(2);
-  const auto fits = [&](const SectionWord& each) { return each.takes_value == has_value; };
-  const auto name = nearest(tokens.peek().text, kSections | std::views::filter(fits) |
-                                                    std::views::transform(&SectionWord::word));
+  std::vector<std::string_view> words;
+  for (const auto& each : kSections)
+    if (each.takes_value == has_value) words.push_back(each.word);
+  const auto name = nearest(tokens.peek().text, words);
   const auto found = std::ranges::find(kSections, name, &SectionWord::word);
   return found == kSections.end() ? std::string_view() : found->word;
 }

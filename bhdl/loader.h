@@ -9,10 +9,10 @@
 
 namespace galilean::bhdl {
 
-/// How large a program may be. A hundred times the largest that ships; small enough that a robot
+/// How large a program may be. Many times the largest that ships; small enough that a robot
 /// checks a hostile push within its memory.
-inline constexpr std::size_t kMostFileBytes = 1 << 20;
-inline constexpr std::size_t kMostProgramBytes = 2 << 20;
+inline constexpr std::size_t kMostFileBytes = 512 << 10;
+inline constexpr std::size_t kMostProgramBytes = 1 << 20;
 inline constexpr std::size_t kMostFiles = 64;
 inline constexpr std::size_t kDeepestInclude = 16;
 

@@ -10,6 +10,7 @@ namespace galilean::bhdl {
 namespace {
 
 constexpr std::size_t kLongestName = 64;
+constexpr std::size_t kMostLookedAt = 4000;
 using Row = std::array<int, kLongestName + 1>;
 
 char folded(char c) noexcept {
@@ -43,6 +44,18 @@ int edit_distance(std::string_view a, std::string_view b, int limit) {
 
 int tolerance(std::string_view word) noexcept {
   return std::clamp(static_cast<int>(word.size()) / 3, 1, 3);
+}
+
+std::string nearest(std::string_view word, std::span<const std::string_view> names) {
+  int best = tolerance(word) + 1;
+  std::string found;
+  for (const std::string_view name : names.first(std::min(names.size(), kMostLookedAt))) {
+    const int distance = edit_distance(word, name, best - 1);
+    if (distance >= best) continue;
+    best = distance;
+    found = name;
+  }
+  return found;
 }
 
 std::string did_you_mean(std::string_view name) {

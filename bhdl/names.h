@@ -1,9 +1,9 @@
 #pragma once
 
-#include <concepts>
-#include <ranges>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace galilean::bhdl {
 
@@ -17,18 +17,14 @@ namespace galilean::bhdl {
 
 /// The nearest of `names` that `word` may be a misspelling of; empty if none is near. Only the
 /// first thousands are looked at: a hint is worth no more.
-template <std::ranges::input_range Names>
-requires std::convertible_to<std::ranges::range_reference_t<Names>, std::string_view>
-[[nodiscard]] std::string nearest(std::string_view word, Names&& names) {
-  int best = tolerance(word) + 1;
-  std::string found;
-  for (const std::string_view name : std::forward<Names>(names) | std::views::take(4000)) {
-    const int distance = edit_distance(word, name, best - 1);
-    if (distance >= best) continue;
-    best = distance;
-    found = name;
-  }
-  return found;
+[[nodiscard]] std::string nearest(std::string_view word, std::span<const std::string_view> names);
+
+/// The names of `specs`, in order.
+template <class Specs>
+[[nodiscard]] std::vector<std::string_view> names_of(const Specs& specs) {
+  std::vector<std::string_view> names;
+  for (const auto& spec : specs) names.push_back(spec.name);
+  return names;
 }
 
 /// "did you mean 'x'?", or nothing.

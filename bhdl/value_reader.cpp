@@ -124,9 +124,10 @@ class ValueReader {
       return refuse_type<std::string>(value);
     if (std::ranges::find(spec_.choices, value.text) != spec_.choices.end())
       return std::string(value.text);
+    const std::vector<std::string_view> choices(spec_.choices.begin(), spec_.choices.end());
     diagnostics_.error(value.at, "value/not-a-choice",
                        subject() + " is " + expectation(spec_) + ", not " + in_quotes(value.text),
-                       did_you_mean(nearest(value.text, spec_.choices)));
+                       did_you_mean(nearest(value.text, choices)));
     return std::nullopt;
   }
 

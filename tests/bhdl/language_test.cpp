@@ -75,6 +75,19 @@ TEST_P(Language, ReportsWhatTheProgramExpects) {
   EXPECT_EQ(result.program.has_value(), !any_error(result.diagnostics));
 }
 
+std::string contents(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+TEST_P(Language, ReportsCodesThatTheGrammarLists) {
+  const std::string grammar = contents(fs::path(GALILEAN_SOURCE_DIR) / "bhdl" / "GRAMMAR.md");
+  const auto result = check_file(kCases / (GetParam() + ".bhdl"), small_catalog());
+  for (const auto& each : result.diagnostics)
+    EXPECT_NE(grammar.find('`' + each.code + '`'), std::string::npos) << each.code;
+}
+
 INSTANTIATE_TEST_SUITE_P(Cases, Language, testing::ValuesIn(case_names()),
                          [](const auto& test) { return test.param; });
 

@@ -24,7 +24,7 @@ TEST(EditDistance, StopsAtTheLimit) {
 }
 
 TEST(Nearest, IsTheFirstOfTheNearestOrNothing) {
-  const std::vector<std::string> names{"obstacle0", "obstacle1", "trash"};
+  const std::vector<std::string_view> names{"obstacle0", "obstacle1", "trash"};
   EXPECT_EQ(nearest("obstacl1", names), "obstacle1");
   EXPECT_EQ(nearest("obstacle", names), "obstacle0");
   EXPECT_EQ(nearest("basket", names), "");

@@ -23,6 +23,7 @@
 #include "robot/perceptual/lost.h"
 #include "robot/perceptual/obstacle_detector.h"
 #include "robot/perceptual/seen.h"
+#include "robot/perceptual/stuck_detector.h"
 #include "robot/perceptual/time_detector.h"
 #include "robot/variables/settings.h"
 
@@ -49,6 +50,7 @@ void add_components(Registry& registry) {
   registry.add_schema<Forget>("forget");
   registry.add_schema<Seen>("seen");
   registry.add_schema<Lost>("lost");
+  registry.add_schema<StuckDetector>("stuck_detector");
   registry.add_schema<Arrived>("arrived");
 
   registry.add_schema<AvoidObstacle>("avoid_obstacle");

@@ -10,14 +10,14 @@ constexpr double kTurn = 1.6;    ///< of the fake motors, rad/s
 
 class MoveRobotTest : public ForceTest {
  protected:
-  std::unique_ptr<Schema> schema(bool reverse = false) {
+  std::unique_ptr<Schema> schema(bool reverse = false, double safety_range_deg = 30) {
     variable<Force>("move").constant = false;
     variable<Bits>("bumpers");
     return make("move_robot", {{"input_force", "move"s},
                                {"shaft_variable", "shaft"s},
                                {"mask_variable", "bumpers"s},
                                {"max_distance_magnitude", 0.15},
-                               {"safety_range", 30 * kDegree},
+                               {"safety_range", safety_range_deg * kDegree},
                                {"reverse", reverse}});
   }
   DriveCommand drive(Schema& move, Vec2 force, std::uint32_t pressed = 0) {
@@ -86,6 +86,14 @@ TEST_F(MoveRobotTest, PressedBumpersForbidTheirSide) {
     EXPECT_EQ(ahead == 0, in_front) << "bumper " << bumper;
     EXPECT_EQ(back == 0, behind) << "bumper " << bumper;
   }
+}
+
+TEST_F(MoveRobotTest, DoesNotLeanOnAPressedBumperInAnArcThatLeadsAwayFromIt) {
+  const auto move = schema(false, 60);
+  EXPECT_GT(drive(*move, force(50)).speed_mps, 0);
+  const DriveCommand command = drive(*move, force(50), 1U << 7);  // front right
+  EXPECT_EQ(command.speed_mps, 0);
+  EXPECT_GT(command.turn_rate_radps, 0);
 }
 
 TEST_F(MoveRobotTest, TurnsAwayFromAPressedBumperAndStandsWhenWedged) {

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bhdl/check.h"
+#include "core/result.h"
+#include "monitor/programs/history.h"
+#include "monitor/programs/push.h"
+
+namespace galilean::monitor {
+
+/// {robot, status, message, hash, running_hash, diagnostics, kept_variables, swap_tick_us,
+/// latency_ms}
+[[nodiscard]] nlohmann::json to_json(const PushAnswer& answer);
+[[nodiscard]] nlohmann::json to_json(const std::vector<PushAnswer>& answers);
+/// {id, pushed_ns, author, program, hash, targets, replies}
+[[nodiscard]] nlohmann::json to_json(const PushRecord& record);
+/// {ok, hash, diagnostics, machine}
+[[nodiscard]] nlohmann::json to_json(const bhdl::CheckResult& check);
+[[nodiscard]] nlohmann::json to_json(const std::vector<bhdl::SourceFile>& files);
+
+/// Reads [{path, text}], at least one.
+[[nodiscard]] Result<std::vector<bhdl::SourceFile>> files_from_json(const nlohmann::json& json);
+
+}  // namespace galilean::monitor

@@ -1,0 +1,67 @@
+#include "monitor/programs/library.h"
+
+#include <algorithm>
+#include <set>
+#include <system_error>
+
+#include "bhdl/catalog_file.h"
+#include "bhdl/loader.h"
+#include "bhdl/source_provider.h"
+
+namespace galilean::monitor {
+namespace fs = std::filesystem;
+
+std::vector<std::string> ProgramLibrary::names() const {
+  std::vector<std::string> result;
+  std::error_code failed;
+  for (fs::recursive_directory_iterator at(folder_, failed), end; !failed && at != end;
+       at.increment(failed))
+    if (at->is_regular_file(failed) && at->path().extension() == ".bhdl")
+      result.push_back(at->path().lexically_relative(folder_).generic_string());
+  std::ranges::sort(result);
+  return result;
+}
+
+std::vector<LibraryEntry> ProgramLibrary::list() const {
+  std::vector<LibraryEntry> result;
+  std::set<std::string> included;
+  for (const auto& name : names()) {
+    const auto checked = bhdl::check(files_of(name), catalog_);
+    for (std::size_t i = 1; i < checked.files.size(); ++i) included.insert(checked.files[i].path);
+    result.push_back({name, checked.program ? checked.program->hash : std::string()});
+  }
+  std::erase_if(result, [&](const LibraryEntry& entry) {
+    return entry.hash.empty() && included.contains(entry.name);
+  });
+  return result;
+}
+
+std::vector<bhdl::SourceFile> ProgramLibrary::files_of(const std::string& name) const {
+  auto files = bhdl::check_file(folder_ / name, catalog_).files;
+  const auto folder = fs::path(name).parent_path();
+  for (auto& file : files) file.path = bhdl::normal_path(folder / file.path);
+  return files;
+}
+
+std::optional<std::vector<bhdl::SourceFile>> ProgramLibrary::read(const std::string& name) const {
+  const auto known = names();
+  if (std::ranges::find(known, name) == known.end()) return std::nullopt;
+  return files_of(name);
+}
+
+bhdl::CheckResult ProgramLibrary::check(std::vector<bhdl::SourceFile> files,
+                                        const Catalog& catalog) const {
+  const bhdl::DiskSources shipped(folder_);
+  for (const auto& name : names()) {
+    if (std::ranges::find(files, name, &bhdl::SourceFile::path) != files.end()) continue;
+    if (auto text = shipped.read(name, bhdl::kMostFileBytes))
+      files.push_back({name, std::move(text).value()});
+  }
+  return bhdl::check(std::move(files), catalog);
+}
+
+fs::path default_library_folder() {
+  return bhdl::default_catalog_path().parent_path() / "programs";
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <sqlite3.h>
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace galilean::monitor::sql {
+
+[[noreturn]] inline void fail(sqlite3* database) {
+  throw std::runtime_error(std::string("the history of pushes: ") + sqlite3_errmsg(database));
+}
+
+inline void execute(sqlite3* database, const char* text) {
+  if (sqlite3_exec(database, text, nullptr, nullptr, nullptr) != SQLITE_OK) fail(database);
+}
+
+/// A prepared statement. Parameters count from 1, columns from 0.
+class Statement {
+ public:
+  Statement(sqlite3* database, const char* text) : database_(database) {
+    sqlite3_stmt* made = nullptr;
+    if (sqlite3_prepare_v2(database, text, -1, &made, nullptr) != SQLITE_OK) fail(database);
+    statement_.reset(made);
+  }
+
+  Statement& bind(std::string_view value) {
+    sqlite3_bind_text(statement_.get(), ++bound_, value.data(), static_cast<int>(value.size()),
+                      SQLITE_TRANSIENT);
+    return *this;
+  }
+  Statement& bind(std::int64_t value) {
+    sqlite3_bind_int64(statement_.get(), ++bound_, value);
+    return *this;
+  }
+  Statement& bind(double value) {
+    sqlite3_bind_double(statement_.get(), ++bound_, value);
+    return *this;
+  }
+  /// False when there are no more rows.
+  bool step() {
+    const int result = sqlite3_step(statement_.get());
+    if (result != SQLITE_ROW && result != SQLITE_DONE) fail(database_);
+    return result == SQLITE_ROW;
+  }
+  void run() {
+    while (step()) {
+    }
+  }
+  [[nodiscard]] std::string text(int column) const {
+    const auto* bytes = sqlite3_column_text(statement_.get(), column);
+    const int size = sqlite3_column_bytes(statement_.get(), column);
+    return bytes ? std::string(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size))
+                 : std::string();
+  }
+  [[nodiscard]] std::int64_t integer(int column) const {
+    return sqlite3_column_int64(statement_.get(), column);
+  }
+  [[nodiscard]] double number(int column) const {
+    return sqlite3_column_double(statement_.get(), column);
+  }
+
+ private:
+  struct Finalize {
+    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+  };
+  sqlite3* database_;
+  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+  int bound_ = 0;
+};
+
+/// All that is executed while it lives is kept together by `commit`, or undone.
+class Transaction {
+ public:
+  explicit Transaction(sqlite3* database) : database_(database) {
+    execute(database_, "BEGIN IMMEDIATE");
+  }
+  ~Transaction() {
+    if (open_) sqlite3_exec(database_, "ROLLBACK", nullptr, nullptr, nullptr);
+  }
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  void commit() {
+    execute(database_, "COMMIT");
+    open_ = false;
+  }
+
+ private:
+  sqlite3* database_;
+  bool open_ = true;
+};
+
+}  // namespace galilean::monitor::sql

@@ -1,0 +1,97 @@
+#include "monitor/programs/team_listener.h"
+
+#include <algorithm>
+
+namespace galilean::monitor {
+namespace {
+
+/// A robot that lives says something ten times a second.
+constexpr Duration kNobodyNew = std::chrono::milliseconds(500);
+
+bool is_heard_by_team_tools(const Channel& channel) {
+  const auto type = channel.schema->ros_type;
+  return type == msg::RobotState::kRosType || type == msg::Catalog::kRosType ||
+         type == msg::ProgramReply::kRosType;
+}
+
+std::string list_of(const std::map<std::string, Robot, std::less<>>& robots) {
+  std::string names;
+  for (const auto& [name, robot] : robots) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+}  // namespace
+
+TeamListener::TeamListener(std::unique_ptr<wire::Participant> participant)
+    : participant_(std::move(participant)),
+      team_(clock_),
+      ingest_(
+          *participant_,
+          {{},
+           [this](const Message& message) {
+             team_.receive(message);
+             if (message_) message_(message);
+           },
+           {}},
+          [this] {
+            {
+              const std::lock_guard lock(mutex_);
+              pending_ = true;
+            }
+            woken_.notify_one();
+          },
+          is_heard_by_team_tools) {}
+
+Result<std::unique_ptr<TeamListener>> TeamListener::join(const std::string& name, int domain) try {
+  auto participant = wire::Participant::join(name, domain);
+  if (!participant) return participant.error();
+  return std::unique_ptr<TeamListener>(new TeamListener(std::move(participant).value()));
+} catch (const std::exception& error) {
+  return Error{std::string("DDS cannot be used: ") + error.what()};
+}
+
+bool TeamListener::wait(Duration timeout, const std::function<bool()>& enough) {
+  const auto until = std::chrono::steady_clock::now() + timeout;
+  while (!enough()) {
+    {
+      std::unique_lock lock(mutex_);
+      // Short, for conditions that no message changes.
+      const auto soon = std::min(until, std::chrono::steady_clock::now() + kNobodyNew / 10);
+      woken_.wait_until(lock, soon, [this] { return pending_; });
+      pending_ = false;
+    }
+    ingest_.poll();
+    if (std::chrono::steady_clock::now() >= until) return enough();
+  }
+  return true;
+}
+
+bool TeamListener::known(const std::string& name) const {
+  const Robot* robot = team_.find(name);
+  return robot && robot->state && robot->catalog;
+}
+
+Result<std::vector<const Robot*>> TeamListener::find(const std::vector<std::string>& names,
+                                                     Duration timeout) {
+  std::size_t heard = 0;
+  Time since = now();
+  wait(timeout, [&] {
+    if (!names.empty()) return std::ranges::all_of(names, [&](auto& name) { return known(name); });
+    if (team_.robots().size() != heard) since = now();
+    heard = team_.robots().size();
+    return heard > 0 && now() - since >= kNobodyNew;
+  });
+  std::vector<const Robot*> found;
+  for (const auto& [name, robot] : team_.robots())
+    if (names.empty() || std::ranges::find(names, name) != names.end()) found.push_back(&robot);
+  if (team_.robots().empty())
+    return Error{
+        "no robot is heard; check that robots run and that they are in the same DDS "
+        "domain (--domain, ROS_DOMAIN_ID)"};
+  for (const auto& name : names)
+    if (!team_.find(name))
+      return Error{"robot '" + name + "' is not heard; heard are " + list_of(team_.robots())};
+  return found;
+}
+
+}  // namespace galilean::monitor

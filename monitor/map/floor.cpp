@@ -1,0 +1,99 @@
+#include "monitor/map/floor.h"
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace galilean::monitor {
+namespace {
+
+/// Chance that a cell is free, after one piece of evidence on nothing known.
+constexpr float kStoodOn = 0.80F;
+constexpr float kLookedAcross = 0.58F;
+constexpr float kBumped = 0.15F;
+/// Between these a cell is unknown.
+constexpr float kUnknownAbove = 0.45F;
+constexpr float kUnknownBelow = 0.55F;
+
+constexpr double kStartAcross_m = 10;
+constexpr double kMargin_m = 1;
+constexpr double kChassisRadius_m = 0.16;  ///< half of its narrow side
+constexpr double kObstacleRadius_m = 0.08;
+constexpr double kThingRadius_m = 0.10;  ///< before it a sight line ends
+
+}  // namespace
+
+struct Floor::Cells {
+  mrpt::maps::COccupancyGridMap2D grid{
+      static_cast<float>(-kStartAcross_m / 2), static_cast<float>(kStartAcross_m / 2),
+      static_cast<float>(-kStartAcross_m / 2), static_cast<float>(kStartAcross_m / 2),
+      static_cast<float>(kCell_m)};
+};
+
+Floor::Floor() : cells_(std::make_unique<Cells>()) {}
+Floor::~Floor() = default;
+
+bool Floor::make_room(const Vec2& at_m) {
+  if (!at_m.allFinite() || at_m.cwiseAbs().maxCoeff() > kMostAcross_m / 2 - 2 * kMargin_m)
+    return false;
+  auto& grid = cells_->grid;
+  const auto x = static_cast<float>(at_m.x()), y = static_cast<float>(at_m.y());
+  const auto margin = static_cast<float>(kMargin_m);
+  if (x - margin < grid.getXMin() || x + margin > grid.getXMax() || y - margin < grid.getYMin() ||
+      y + margin > grid.getYMax())
+    grid.resizeGrid(std::min(x - margin, grid.getXMin()), std::max(x + margin, grid.getXMax()),
+                    std::min(y - margin, grid.getYMin()), std::max(y + margin, grid.getYMax()));
+  empty_ = false;
+  return true;
+}
+
+void Floor::update(const Vec2& at_m, float free_probability) {
+  auto& grid = cells_->grid;
+  grid.updateCell(grid.x2idx(at_m.x()), grid.y2idx(at_m.y()), free_probability);
+}
+
+void Floor::update_disc(const Vec2& centre_m, double radius_m, float free_probability) {
+  if (!make_room(centre_m)) return;
+  for (double dx_m = -radius_m; dx_m <= radius_m; dx_m += kCell_m)
+    for (double dy_m = -radius_m; dy_m <= radius_m; dy_m += kCell_m)
+      if (std::hypot(dx_m, dy_m) <= radius_m) update(centre_m + Vec2(dx_m, dy_m), free_probability);
+}
+
+void Floor::stood(const Vec2& robot_m) {
+  update_disc(robot_m, kChassisRadius_m, kStoodOn);
+}
+
+void Floor::looked(const Vec2& from_m, const Vec2& to_m) {
+  if (!make_room(from_m) || !make_room(to_m)) return;
+  const double length_m = (to_m - from_m).norm() - kThingRadius_m;
+  if (length_m <= 0) return;
+  const Vec2 direction = (to_m - from_m).normalized();
+  for (double along_m = 0; along_m < length_m; along_m += kCell_m)
+    update(from_m + along_m * direction, kLookedAcross);
+}
+
+void Floor::bumped(const Vec2& at_m) {
+  update_disc(at_m, kObstacleRadius_m, kBumped);
+}
+
+msg::OccupancyGrid Floor::grid() const {
+  const auto& cells = cells_->grid;
+  msg::OccupancyGrid message;
+  message.info.resolution = cells.getResolution();
+  message.info.width = cells.getSizeX();
+  message.info.height = cells.getSizeY();
+  message.info.origin.position.x = cells.getXMin();
+  message.info.origin.position.y = cells.getYMin();
+  message.info.origin.orientation.w = 1;
+  message.data.reserve(cells.getRawMap().size());
+  for (const auto raw : cells.getRawMap()) {
+    const float free = mrpt::maps::COccupancyGridMap2D::l2p(raw);
+    const bool unknown = free > kUnknownAbove && free < kUnknownBelow;
+    message.data.push_back(unknown ? std::int8_t{-1}
+                                   : static_cast<std::int8_t>(std::lround((1 - free) * 100)));
+  }
+  return message;
+}
+
+}  // namespace galilean::monitor

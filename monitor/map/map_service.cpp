@@ -1,0 +1,115 @@
+#include "monitor/map/map_service.h"
+
+#include <array>
+#include <iostream>
+#include <utility>
+
+#include "monitor/map/markers.h"
+
+namespace galilean::monitor {
+namespace {
+
+constexpr auto kPeriod = std::chrono::milliseconds(200);
+constexpr int kPeriodsAFloor = 5;
+
+template <class M>
+void note_as(TeamMap& map, const Message& message, Time at) {
+  M decoded;
+  if (msg::decode_cdr(*message.cdr, decoded)) map.note(decoded, at);
+}
+
+using Note = void (*)(TeamMap&, const Message&, Time);
+constexpr std::array<std::pair<std::string_view, Note>, 5> kNotes{{
+    {msg::RobotState::kRosType, note_as<msg::RobotState>},
+    {msg::Sightings::kRosType, note_as<msg::Sightings>},
+    {msg::Variables::kRosType, note_as<msg::Variables>},
+    {msg::Catalog::kRosType, note_as<msg::Catalog>},
+    {msg::Program::kRosType, note_as<msg::Program>},
+}};
+
+Note note_for(const Message& message) {
+  for (const auto& [type, note] : kNotes)
+    if (type == message.channel.schema->ros_type) return note;
+  return nullptr;
+}
+
+}  // namespace
+
+MapService::MapService(wire::Participant& participant, const Clock& clock, const Options& options)
+    : clock_(clock),
+      map_(options.silent_after),
+      objects_(participant, wire::kObjectsTopic),
+      grid_(participant, wire::kMapTopic),
+      markers_(participant, wire::kMarkersTopic),
+      tf_(participant, wire::kTfTopic) {
+  for (const auto& [robot, origin] : options.starts) map_.start_at(robot, origin);
+  thread_ = std::thread([this] { run(); });
+}
+
+MapService::~MapService() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  ended_.notify_one();
+  thread_.join();
+}
+
+void MapService::receive(const Message& message) {
+  if (!note_for(message)) return;
+  const std::lock_guard lock(mutex_);
+  if (waiting_.size() < kMostWaiting) waiting_.push_back({message, clock_.now()});
+}
+
+void MapService::run() {
+  auto next = std::chrono::steady_clock::now();
+  for (int period = 0;; ++period) {
+    std::vector<Arrived> arrived;
+    {
+      std::unique_lock lock(mutex_);
+      next += kPeriod;
+      if (ended_.wait_until(lock, next, [this] { return ending_; })) return;
+      arrived = std::exchange(waiting_, {});
+    }
+    try {
+      take_in(arrived);
+      publish(clock_.now(), period % kPeriodsAFloor == 0);
+    } catch (const std::exception& error) {
+      std::clog << "galilean-monitor: the map lost an update: " << error.what() << '\n';
+    }
+  }
+}
+
+void MapService::take_in(const std::vector<Arrived>& arrived) {
+  for (const auto& [message, at] : arrived) note_for(message)(map_, message, at);
+}
+
+void MapService::publish(Time now, bool with_floor) {
+  map_.update(now);
+  const auto stamp_ns = wire::wall_clock_ns();
+  const auto objects = map_.objects(now, stamp_ns);
+  // What is not taken is superseded by the next.
+  (void)objects_.write(objects);
+  if (const auto frames = map_.transforms(stamp_ns); !frames.transforms.empty())
+    (void)tf_.write(frames);
+  if (markers_.readers() > 0) (void)markers_.write(markers(objects));
+  if (!with_floor || map_.floor().empty()) return;
+  auto grid = map_.floor().grid();
+  grid.header = {wire::ros_time(stamp_ns), "map"};
+  grid.info.map_load_time = grid.header.stamp;
+  (void)grid_.write(grid);
+  const std::lock_guard lock(mutex_);
+  newest_grid_ = std::move(grid);
+}
+
+std::optional<MapFiles> MapService::files() const {
+  msg::OccupancyGrid grid;
+  {
+    const std::lock_guard lock(mutex_);
+    grid = newest_grid_;
+  }
+  if (grid.data.empty()) return std::nullopt;
+  return map_files(grid);
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/wire/topics.h"
+#include "monitor/ingest/channel.h"
+#include "monitor/map/map_files.h"
+#include "monitor/map/team_map.h"
+
+namespace galilean::monitor {
+
+/// Keeps the team's map on a thread of its own, and publishes it: objects and frames 5 times a
+/// second, the floor once a second, markers only while somebody reads them.
+class MapService {
+ public:
+  struct Options {
+    std::map<std::string, Pose2> starts;  ///< origins of robots' odom frames in the map
+    Duration silent_after = std::chrono::seconds(2);
+  };
+
+  MapService(wire::Participant& participant, const Clock& clock, const Options& options);
+  ~MapService();
+  MapService(const MapService&) = delete;
+  MapService& operator=(const MapService&) = delete;
+
+  /// Takes any message; those that tell nothing of the map are let pass. Never waits for the map.
+  void receive(const Message& message);
+  /// The floor as it was last published; nothing while no robot has told where it is.
+  [[nodiscard]] std::optional<MapFiles> files() const;
+
+ private:
+  struct Arrived {
+    Message message;
+    Time at;
+  };
+  static constexpr std::size_t kMostWaiting = 4096;
+
+  void run();
+  void take_in(const std::vector<Arrived>& arrived);
+  void publish(Time now, bool with_floor);
+
+  const Clock& clock_;
+  TeamMap map_;
+  wire::Writer<msg::ObjectMap> objects_;
+  wire::Writer<msg::OccupancyGrid> grid_;
+  wire::Writer<msg::MarkerArray> markers_;
+  wire::Writer<msg::TFMessage> tf_;
+
+  mutable std::mutex mutex_;  ///< of all below
+  std::condition_variable ended_;
+  std::vector<Arrived> waiting_;
+  msg::OccupancyGrid newest_grid_;
+  bool ending_ = false;
+
+  std::thread thread_;
+};
+
+}  // namespace galilean::monitor

@@ -43,8 +43,9 @@ Ingest::~Ingest() {
   for (const auto& source : sources_) source->reader.reset();
 }
 
-bool Ingest::all_but_pictures(const Channel& channel) {
-  return channel.schema->ros_type != msg::CompressedImage::kRosType;
+bool Ingest::all_but_costly(const Channel& channel) {
+  return channel.schema->ros_type != msg::CompressedImage::kRosType &&
+         channel.schema->ros_type != msg::MarkerArray::kRosType;
 }
 
 void Ingest::poll() {

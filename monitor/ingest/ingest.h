@@ -12,8 +12,8 @@
 
 namespace galilean::monitor {
 
-/// Reads every topic of the domain whose type is one of the messages. Pictures are read only while
-/// somebody wants them, so that robots encode only then.
+/// Reads every topic of the domain whose type is one of the messages. What is costly to make,
+/// pictures and markers, is read only while somebody wants it, so that it is made only then.
 ///
 /// One thread owns it: construction, `poll` and `want` happen there, and so do the callbacks.
 /// Cyclone's threads do nothing but call `wake` (once until the next `poll`), which must hand over
@@ -32,7 +32,7 @@ class Ingest {
 
   /// `read_at_once` says which topics are read without being asked for.
   Ingest(wire::Participant& participant, Callbacks callbacks, Wake wake,
-         ReadAtOnce read_at_once = all_but_pictures);
+         ReadAtOnce read_at_once = all_but_costly);
   ~Ingest();
   Ingest(const Ingest&) = delete;
   Ingest& operator=(const Ingest&) = delete;
@@ -42,7 +42,7 @@ class Ingest {
   /// Begins or ceases to read a topic that is not read at once. Calls need not be paired.
   void want(std::uint32_t channel_id, bool wanted);
 
-  [[nodiscard]] static bool all_but_pictures(const Channel& channel);
+  [[nodiscard]] static bool all_but_costly(const Channel& channel);
 
  private:
   struct Signals;

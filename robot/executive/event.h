@@ -20,11 +20,6 @@ struct DeviceHealth {
   bool comm_port = false;
   bool motor_drive = false;
   bool frame_grabber = false;
-
-  [[nodiscard]] bool lost_since(const DeviceHealth& before) const noexcept {
-    return (before.comm_port && !comm_port) || (before.motor_drive && !motor_drive) ||
-           (before.frame_grabber && !frame_grabber);
-  }
 };
 
 /// A few words that need no heap; what is too long is cut.
@@ -57,7 +52,7 @@ struct Event {
 
   Kind kind = Kind::kTransition;
   Cause cause = Cause::kCondition;
-  Fault fault = Fault::kNone;  ///< of kRolledBack
+  Fault fault = Fault::kNone;  ///< of a rollback
   ProgramId program = 0;       ///< the one that runs after it
   ProgramId from_program = 0;  ///< the one that ran before it
   Time time{};
@@ -66,9 +61,9 @@ struct Event {
   std::uint32_t from_state = 0;     ///< in from_program
   std::uint32_t to_state = 0;       ///< in program
   std::uint32_t condition = kNone;  ///< of from_state, where that is the cause
-  std::uint32_t schema = kNone;     ///< of kSchemaFailed and kRolledBack, among all schemas
+  std::uint32_t schema = kNone;     ///< of kSchemaFailed and of a rollback, among all schemas
   Duration tick_time{};             ///< of kStarted, kSwapped and kRolledBack: what that tick took
-  ShortText text;                   ///< what the schema threw
+  ShortText text;                   ///< what the schema threw, or which device was lost
 };
 
 }  // namespace galilean::robot

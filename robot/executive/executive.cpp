@@ -137,6 +137,9 @@ void Executive::install(const RunningProgram* replaced, Event::Cause cause) noex
   change.cause = cause;
   change.from_program = id_of(replaced);
   change.from_state = replaced->state;
+  change.fault = exchanged_.fault;
+  change.schema = exchanged_.schema;
+  change.text = exchanged_.text;
   note_transition(change);
 }
 

@@ -57,6 +57,9 @@ class Executive {
   /// one is in probation. Fails if another one still waits for its tick.
   Result<ProgramId> load(bhdl::Program program);
 
+  /// Any thread: a program was loaded and its first tick is yet to come.
+  [[nodiscard]] bool waiting() const noexcept { return exchange_.waiting(); }
+
   /// Control.
   void tick();
 

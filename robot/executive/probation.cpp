@@ -9,15 +9,15 @@ void Probation::begin(Time now, Duration length, const DeviceHealth& health) noe
   healthy_before_ = health;
 }
 
-void Probation::fail(Fault fault) noexcept {
-  if (fault_ == Fault::kNone) fault_ = fault;
+void Probation::fail(Fault fault, std::string_view detail) noexcept {
+  if (fault_ != Fault::kNone) return;
+  fault_ = fault;
+  reason_ = ShortText(detail);
 }
 
 void Probation::note_schema_failure(std::uint32_t schema, const ShortText& reason) noexcept {
-  if (fault_ != Fault::kNone) return;
-  fail(Fault::kSchemaThrew);
-  schema_ = schema;
-  reason_ = reason;
+  if (fault_ == Fault::kNone) schema_ = schema;
+  fail(Fault::kSchemaThrew, reason.view());
 }
 
 void Probation::note_transition(Time now) noexcept {
@@ -27,8 +27,15 @@ void Probation::note_transition(Time now) noexcept {
   if (now - oldest <= std::chrono::seconds(1)) fail(Fault::kThrashed);
 }
 
+void Probation::note_health(const DeviceHealth& health) noexcept {
+  const DeviceHealth& before = healthy_before_;
+  if (before.comm_port && !health.comm_port) fail(Fault::kDeviceLost, "comm_port");
+  if (before.motor_drive && !health.motor_drive) fail(Fault::kDeviceLost, "motor_drive");
+  if (before.frame_grabber && !health.frame_grabber) fail(Fault::kDeviceLost, "frame_grabber");
+}
+
 void Probation::note_tick(const DeviceHealth& health, bool overran) noexcept {
-  if (health.lost_since(healthy_before_)) fail(Fault::kDeviceLost);
+  note_health(health);
   overruns_in_a_row_ = overran ? overruns_in_a_row_ + 1 : 0;
   if (overruns_in_a_row_ >= kOverrunsInARow) fail(Fault::kOverran);
 }

@@ -28,12 +28,13 @@ class Probation {
   [[nodiscard]] bool passed(Time now) const noexcept {
     return active_ && fault_ == Fault::kNone && now >= end_;
   }
-  /// Of kSchemaThrew: which one, and what it threw.
+  /// Of kSchemaThrew: which one, and what it threw. Of kDeviceLost: which device.
   [[nodiscard]] std::uint32_t schema() const noexcept { return schema_; }
   [[nodiscard]] const ShortText& reason() const noexcept { return reason_; }
 
  private:
-  void fail(Fault fault) noexcept;
+  void fail(Fault fault, std::string_view detail = {}) noexcept;
+  void note_health(const DeviceHealth& health) noexcept;
 
   bool active_ = false;
   Fault fault_ = Fault::kNone;

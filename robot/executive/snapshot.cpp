@@ -81,6 +81,7 @@ void copy_program(const RunningProgram& program, Snapshot& to) noexcept {
 
 void copy_tick(const TickView& view, Snapshot& to) noexcept {
   to.program = 0;
+  to.uses_camera = false;
   to.now = view.tick.now;
   to.tick = view.tick.number;
   to.tick_period = view.tick.period;

@@ -1,0 +1,39 @@
+#include "robot/telemetry/command_receiver.h"
+
+#include <spdlog/spdlog.h>
+
+#include "robot/telemetry/targets.h"
+
+namespace galilean::robot {
+
+CommandReceiver::CommandReceiver(const TelemetrySource& source)
+    : source_(source), reader_(source.participant, wire::kCommandTopic, msg::Command::kRosType) {
+  const auto take = [this] {
+    const std::lock_guard lock(taking_);
+    reader_.take([this](const wire::Received& received) {
+      msg::Command command;
+      if (msg::decode_cdr(received.cdr, command)) obey(command);
+    });
+  };
+  reader_.on_data(take);
+  take();
+}
+
+void CommandReceiver::obey(const msg::Command& command) {
+  if (!is_meant(source_.robot, command.targets)) return;
+  switch (command.kind) {
+    case msg::Command_Constants::HOLD:
+      spdlog::info("held by {}", command.author);
+      return source_.executive.hold();
+    case msg::Command_Constants::RESUME:
+      spdlog::info("resumed by {}", command.author);
+      return source_.executive.resume();
+    case msg::Command_Constants::PUSH_BUMPER:
+      spdlog::info("bumper {} pushed by {}", command.argument, command.author);
+      return source_.executive.push_bumper(command.argument);
+    default:
+      spdlog::warn("{} sent a command of unknown kind {}", command.author, command.kind);
+  }
+}
+
+}  // namespace galilean::robot

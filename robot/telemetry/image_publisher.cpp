@@ -1,0 +1,57 @@
+#include "robot/telemetry/image_publisher.h"
+
+#include <array>
+#include <utility>
+
+#include "robot/telemetry/image_encoding.h"
+
+namespace galilean::robot {
+namespace {
+
+constexpr Duration kLookAgain = std::chrono::milliseconds(10);
+constexpr int kLooksPerReaderCheck = 20;
+
+constexpr std::array<std::pair<ImageChannel, const char*>, kImageChannels> kTopics{{
+    {ImageChannel::kCamera, "camera/compressed"},
+    {ImageChannel::kSuperred, "superred/compressed"},
+    {ImageChannel::kSupergreen, "supergreen/compressed"},
+    {ImageChannel::kSuperblue, "superblue/compressed"},
+    {ImageChannel::kDark, "dark/compressed"},
+}};
+
+}  // namespace
+
+ImagePublisher::ImagePublisher(const TelemetrySource& source, ImageTap& tap)
+    : tap_(tap), wall_(source.clock), frame_id_(source.robot + "/camera") {
+  for (const auto& [channel, leaf] : kTopics)
+    outputs_.push_back({channel, wire::Writer<msg::CompressedImage>(
+                                     source.participant, wire::robot_topic(source.robot, leaf))});
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+void ImagePublisher::run(const std::stop_token& stop) {
+  for (int look = 0; !stop.stop_requested(); ++look) {
+    if (look % kLooksPerReaderCheck == 0) note_readers();
+    for (Output& output : outputs_)
+      if (tap_.take(output.channel)) show(output);
+    std::this_thread::sleep_for(kLookAgain);
+  }
+}
+
+void ImagePublisher::note_readers() {
+  wall_.refresh();
+  for (const Output& output : outputs_) tap_.want(output.channel, output.writer.readers() > 0);
+}
+
+void ImagePublisher::show(Output& output) {
+  const Picture& picture = tap_.newest(output.channel);
+  const bool camera = output.channel == ImageChannel::kCamera;
+  message_.header.stamp = wall_.stamp(picture.captured);
+  message_.header.frame_id = frame_id_;
+  message_.format = camera ? "jpeg" : "png";
+  (camera ? encode_jpeg : encode_png)(picture.pixels, message_.data);
+  // Best effort, as all images are: the next one follows.
+  static_cast<void>(output.writer.write(message_));
+}
+
+}  // namespace galilean::robot

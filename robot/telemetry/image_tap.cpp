@@ -1,0 +1,75 @@
+#include "robot/telemetry/image_tap.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace galilean::robot {
+namespace {
+
+/// Somewhat less than a tenth of a second, so that a camera of ten pictures a second, which is
+/// never quite regular, passes whole.
+constexpr Duration kLeastApart = std::chrono::milliseconds(90);
+
+/// The attributes of `look` that name the images.
+constexpr std::array<std::string_view, kImageChannels> kRoles{"", "red_variable", "green_variable",
+                                                              "blue_variable", "dark_variable"};
+
+const Variable<Image>* image_of(const RunningProgram& program, std::string_view role) noexcept {
+  for (const auto& label : program.description->images)
+    if (label.role == role) return &program.variables.all<Image>()[label.index];
+  return nullptr;
+}
+
+}  // namespace
+
+ImageTap::Channel::Channel(std::size_t bytes)
+    : pictures(Picture{.pixels = std::vector<std::uint8_t>(bytes)}) {}
+
+void ImageTap::Channel::offer(std::span<const std::uint8_t> pixels, std::uint64_t frame,
+                              Time captured) noexcept {
+  const bool too_soon = last_frame != 0 && captured - last_captured < kLeastApart;
+  if (frame == 0 || frame == last_frame || too_soon) return;
+  last_frame = frame;
+  last_captured = captured;
+  Picture& picture = pictures.writing();
+  picture.frame = frame;
+  picture.captured = captured;
+  std::ranges::copy(pixels, picture.pixels.begin());
+  pictures.publish();
+}
+
+ImageTap::ImageTap()
+    : channels_{Channel(Frame::kBytes), Channel(Image::kWidth * Image::kHeight),
+                Channel(Image::kWidth * Image::kHeight), Channel(Image::kWidth * Image::kHeight),
+                Channel(Image::kWidth * Image::kHeight)} {}
+
+ImageTap::Channel& ImageTap::of(ImageChannel channel) noexcept {
+  return channels_[static_cast<std::size_t>(channel)];
+}
+
+void ImageTap::on_tick(const TickView& view) noexcept {
+  Channel& camera = of(ImageChannel::kCamera);
+  const Frame& frame = view.devices.frame_grabber.frame();
+  if (camera.wanted.load(std::memory_order_relaxed))
+    camera.offer(frame.rgb, frame.number, frame.captured);
+  if (!view.program) return;
+  for (std::size_t i = 1; i < kImageChannels; ++i) {
+    if (!channels_[i].wanted.load(std::memory_order_relaxed)) continue;
+    if (const auto* image = image_of(*view.program, kRoles[i]))
+      channels_[i].offer(image->value.pixels, image->value.frame, image->value.captured);
+  }
+}
+
+void ImageTap::want(ImageChannel channel, bool wanted) noexcept {
+  of(channel).wanted.store(wanted, std::memory_order_relaxed);
+}
+
+bool ImageTap::take(ImageChannel channel) noexcept {
+  return of(channel).pictures.take();
+}
+
+const Picture& ImageTap::newest(ImageChannel channel) const noexcept {
+  return channels_[static_cast<std::size_t>(channel)].pictures.reading();
+}
+
+}  // namespace galilean::robot

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "bhdl/check.h"
+#include "robot/telemetry/publisher.h"
+#include "robot/telemetry/push_ledger.h"
+
+namespace galilean::robot {
+
+/// Takes programs that are pushed over the network, in a thread of its own: checks each against
+/// this robot's catalog, builds it beside the one that runs, and tells how it fares. A push that is
+/// refused changes nothing and is answered with every diagnostic.
+class ProgramReceiver {
+ public:
+  /// Throws std::runtime_error if DDS refuses a topic.
+  explicit ProgramReceiver(const TelemetrySource& source);
+
+  /// The publisher's thread: answers for programs that began to run, proved themselves or did not.
+  void on_event(const Event& event);
+
+ private:
+  void run(const std::stop_token& stop);
+  void take();
+  void handle(const msg::ProgramPush& push);
+  /// Why the push is refused before it is read; empty if it is not.
+  [[nodiscard]] std::string objection(const msg::ProgramPush& push,
+                                      const std::vector<bhdl::SourceFile>& files) const;
+  void run_program(bhdl::Program program, PushLedger::Push push);
+  [[nodiscard]] bool wait_for_turn() const;
+  void reject(const PushLedger::Push& push, std::string why,
+              std::vector<msg::Diagnostic> diagnostics = {});
+  void send(msg::ProgramReply reply);
+
+  TelemetrySource source_;
+  PushLedger ledger_;
+  wire::Writer<msg::ProgramReply> replies_;
+  wire::Reader pushes_;
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  bool arrived_ = true;
+  std::jthread thread_;
+};
+
+}  // namespace galilean::robot

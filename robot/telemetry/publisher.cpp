@@ -1,0 +1,178 @@
+#include "robot/telemetry/publisher.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "robot/telemetry/words.h"
+
+namespace galilean::robot {
+namespace {
+
+/// The control loop wakes nobody; so this is what an event waits at most.
+constexpr Duration kLookAgain = std::chrono::milliseconds(3);
+constexpr Duration kReport = std::chrono::milliseconds(100);
+constexpr Duration kDiagnosis = std::chrono::seconds(1);
+constexpr Duration kStandstill = std::chrono::seconds(2);
+
+std::string topic(const TelemetrySource& source, std::string_view leaf) {
+  return wire::robot_topic(source.robot, leaf);
+}
+
+bool contains(const std::vector<Problem>& list, const Problem& item) {
+  return std::ranges::find(list, item) != list.end();
+}
+
+/// A message that the network does not take in time is lost; the next says the same or more.
+template <class M>
+void write(wire::Writer<M>& writer, const M& message) {
+  static_cast<void>(writer.write(message));
+}
+
+}  // namespace
+
+struct Publisher::Writers {
+  explicit Writers(const TelemetrySource& source)
+      : state(source.participant, topic(source, "state")),
+        transition(source.participant, topic(source, "transition")),
+        variables(source.participant, topic(source, "variables")),
+        forces(source.participant, topic(source, "forces")),
+        sightings(source.participant, topic(source, "sightings")),
+        program(source.participant, topic(source, "program")),
+        catalog(source.participant, topic(source, "catalog")),
+        odometry(source.participant, topic(source, "odom")),
+        transform(source.participant, wire::kTfTopic),
+        diagnostics(source.participant, wire::kDiagnosticsTopic),
+        log(source.participant, wire::kLogTopic) {}
+
+  wire::Writer<msg::RobotState> state;
+  wire::Writer<msg::Transition> transition;
+  wire::Writer<msg::Variables> variables;
+  wire::Writer<msg::Forces> forces;
+  wire::Writer<msg::Sightings> sightings;
+  wire::Writer<msg::Program> program;
+  wire::Writer<msg::Catalog> catalog;
+  wire::Writer<msg::Odometry> odometry;
+  wire::Writer<msg::TFMessage> transform;
+  wire::Writer<msg::DiagnosticArray> diagnostics;
+  wire::Writer<msg::Log> log;
+};
+
+Publisher::Publisher(const TelemetrySource& source, LogQueue& log, EventListener listener)
+    : source_(source),
+      log_(log),
+      listener_(std::move(listener)),
+      compose_(source.robot, source.clock),
+      writers_(std::make_shared<Writers>(source)) {
+  write(writers_->catalog, compose_.catalog(source_.catalog));
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+void Publisher::run(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    step();
+    std::this_thread::sleep_for(kLookAgain);
+  }
+  step();
+}
+
+void Publisher::step() {
+  compose_.refresh_time();
+  source_.executive.collect();
+  bool anything_happened = false;
+  while (const auto event = source_.tap.next_event()) {
+    tell(*event);
+    anything_happened = true;
+  }
+  if (source_.tap.take()) tell_sightings();
+  if (anything_happened) tell_state();
+  if (source_.clock.now() >= next_report_) tell_regularly();
+  for (const auto& line : log_.take()) {
+    msg::Log message;
+    message.stamp = wire::ros_time(line.time_ns);
+    message.level = line.level;
+    message.name = source_.robot;
+    message.msg = line.text;
+    write(writers_->log, message);
+  }
+}
+
+const Description* Publisher::describe(ProgramId id) {
+  if (!described_ || described_->id != id) described_ = source_.executive.description(id);
+  return described_.get();
+}
+
+void Publisher::tell(const Event& event) {
+  if (event.kind == Event::Kind::kTransition)
+    tell_transition(event);
+  else if (event.kind != Event::Kind::kConfirmed && event.kind != Event::Kind::kSchemaFailed)
+    tell_program(event.program);
+  listener_(event);
+}
+
+void Publisher::tell_transition(const Event& event) {
+  const auto from = source_.executive.description(event.from_program);
+  const auto to = source_.executive.description(event.program);
+  if (!from || !to) return;
+  const msg::Transition transition = compose_.transition(event, *from, *to);
+  spdlog::info("{} -> {} ({})", transition.from_state, transition.to_state, transition.cause);
+  write(writers_->transition, transition);
+}
+
+void Publisher::tell_program(ProgramId id) {
+  if (const Description* program = describe(id))
+    write(writers_->program, compose_.program(*program));
+}
+
+void Publisher::tell_sightings() {
+  const Snapshot& snapshot = source_.tap.newest();
+  if (snapshot.frame == last_frame_) return;
+  last_frame_ = snapshot.frame;
+  if (const Description* program = describe(snapshot.program))
+    write(writers_->sightings, compose_.sightings(snapshot, *program));
+}
+
+std::vector<Problem> Publisher::problems() const {
+  const Snapshot& snapshot = source_.tap.newest();
+  auto problems = problems_of(snapshot, described_.get(), source_.devices);
+  if (source_.clock.now() - snapshot.now > kStandstill)
+    problems.push_back({"executive", "The control loop stands still."});
+  return problems;
+}
+
+void Publisher::tell_state() {
+  const Snapshot& snapshot = source_.tap.newest();
+  write(writers_->state, compose_.state(snapshot, describe(snapshot.program), problems_));
+}
+
+void Publisher::tell_regularly() {
+  const Time now = source_.clock.now();
+  next_report_ = std::max(next_report_ + kReport, now);
+  const Snapshot& snapshot = source_.tap.newest();
+  if (snapshot.tick == 0) return;
+  const Description* program = describe(snapshot.program);
+  auto found = problems();
+  log_changes(found);
+  problems_ = std::move(found);
+  tell_state();
+  source_.tap.restart_longest();
+  write(writers_->odometry, compose_.odometry(snapshot));
+  write(writers_->transform, compose_.transform(snapshot));
+  if (program) {
+    write(writers_->variables, compose_.variables(snapshot, *program));
+    write(writers_->forces, compose_.forces(snapshot, *program));
+  }
+  if (now < next_diagnosis_) return;
+  next_diagnosis_ = now + kDiagnosis;
+  write(writers_->diagnostics, compose_.diagnostics(snapshot, problems_));
+}
+
+void Publisher::log_changes(const std::vector<Problem>& problems) {
+  for (const Problem& problem : problems)
+    if (!contains(problems_, problem)) spdlog::warn("{}", problem.text());
+  for (const Problem& problem : problems_)
+    if (!contains(problems, problem)) spdlog::info("No more: {}", problem.text());
+}
+
+}  // namespace galilean::robot

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <thread>
+
+#include "robot/executive/executive.h"
+#include "robot/executive/snapshot.h"
+#include "robot/telemetry/compose.h"
+#include "robot/telemetry/log_queue.h"
+
+namespace galilean::robot {
+
+/// Where telemetry takes what it tells from. All of it must outlive whoever is made of it.
+struct TelemetrySource {
+  std::string robot;
+  wire::Participant& participant;
+  Executive& executive;
+  SnapshotTap& tap;
+  const Devices& devices;
+  const Catalog& catalog;
+  const Clock& clock;
+};
+
+/// Tells the domain what the robot does, from a thread of its own, so that a network that stalls
+/// delays nothing but itself: events as they come with the state that they led to, state,
+/// variables, forces and pose ten times a second, what the camera saw with each picture,
+/// diagnostics every second.
+class Publisher {
+ public:
+  /// Also sees every event, in the publisher's thread.
+  using EventListener = std::function<void(const Event&)>;
+
+  /// Throws std::runtime_error if DDS refuses a topic.
+  Publisher(const TelemetrySource& source, LogQueue& log, EventListener listener);
+
+ private:
+  struct Writers;
+
+  void run(const std::stop_token& stop);
+  void step();
+  void tell(const Event& event);
+  void tell_transition(const Event& event);
+  void tell_program(ProgramId id);
+  void tell_sightings();
+  void tell_regularly();
+  void tell_state();
+  void log_changes(const std::vector<Problem>& problems);
+  [[nodiscard]] std::vector<Problem> problems() const;
+  /// Null if nobody knows it any more.
+  [[nodiscard]] const Description* describe(ProgramId id);
+
+  TelemetrySource source_;
+  LogQueue& log_;
+  EventListener listener_;
+  Composer compose_;
+  std::shared_ptr<Writers> writers_;
+  std::shared_ptr<const Description> described_;
+  std::vector<Problem> problems_;
+  Time next_report_{};
+  Time next_diagnosis_{};
+  std::uint64_t last_frame_ = 0;
+  std::jthread thread_;
+};
+
+}  // namespace galilean::robot

@@ -1,0 +1,104 @@
+#include "robot/telemetry/push_ledger.h"
+
+#include <utility>
+
+#include "robot/telemetry/words.h"
+
+namespace galilean::robot {
+
+using Replies = std::vector<msg::ProgramReply>;
+namespace status = msg::ProgramReply_Constants;
+
+PushLedger::Running PushLedger::running() const {
+  const std::lock_guard lock(mutex_);
+  return running_;
+}
+
+Result<ProgramId> PushLedger::load(bhdl::Program program, Push push) {
+  // Locked over both, so that the push is known before its program can have begun to run.
+  const std::lock_guard lock(mutex_);
+  auto loaded = executive_.load(std::move(program));
+  if (loaded) pushes_.emplace(loaded.value(), std::move(push));
+  return loaded;
+}
+
+Replies PushLedger::join_running(Push push) {
+  const std::lock_guard lock(mutex_);
+  Replies replies{reply(push, status::RUNNING)};
+  replies.front().message = "it runs already";
+  replies.front().tick = running_.since_tick;
+  if (running_.proven)
+    replies.push_back(reply(push, status::CONFIRMED));
+  else
+    pushes_.emplace(running_.program->id, std::move(push));
+  return replies;
+}
+
+Replies PushLedger::answers(const Event& event) {
+  const std::lock_guard lock(mutex_);
+  switch (event.kind) {
+    case Event::Kind::kStarted:
+    case Event::Kind::kSwapped:
+      return started(event);
+    case Event::Kind::kConfirmed:
+      return confirmed(event);
+    case Event::Kind::kRolledBack:
+      return rolled_back(event);
+    case Event::Kind::kTransition:
+    case Event::Kind::kSchemaFailed:
+      break;
+  }
+  return {};
+}
+
+Replies PushLedger::started(const Event& event) {
+  pushes_.erase(event.from_program);
+  const auto before = std::exchange(running_.program, executive_.description(event.program));
+  running_.since_tick = event.tick;
+  running_.proven = event.kind == Event::Kind::kStarted;
+  Replies replies;
+  for (auto [push, end] = pushes_.equal_range(event.program); push != end; ++push) {
+    msg::ProgramReply& made = replies.emplace_back(reply(push->second, status::RUNNING));
+    made.tick = event.tick;
+    made.swap_tick_us = static_cast<float>(to_seconds(event.tick_time) * 1e6);
+    if (before && running_.program)
+      made.kept_variables = kept_variables(*before, *running_.program);
+    made.diagnostics = push->second.warnings;
+  }
+  return replies;
+}
+
+Replies PushLedger::confirmed(const Event& event) {
+  running_.proven = true;
+  Replies replies;
+  for (auto [push, end] = pushes_.equal_range(event.program); push != end; ++push)
+    replies.push_back(reply(push->second, status::CONFIRMED));
+  pushes_.erase(event.program);
+  return replies;
+}
+
+Replies PushLedger::rolled_back(const Event& event) {
+  const auto failed = std::exchange(running_.program, executive_.description(event.program));
+  running_.since_tick = event.tick;
+  running_.proven = true;
+  Replies replies;
+  for (auto [push, end] = pushes_.equal_range(event.from_program); push != end; ++push) {
+    msg::ProgramReply& made = replies.emplace_back(reply(push->second, status::ROLLED_BACK));
+    if (failed) made.message = fault_of(event, *failed);
+    made.tick = event.tick;
+    made.swap_tick_us = static_cast<float>(to_seconds(event.tick_time) * 1e6);
+  }
+  pushes_.erase(event.from_program);
+  return replies;
+}
+
+msg::ProgramReply PushLedger::reply(const Push& push, std::uint8_t status) const {
+  msg::ProgramReply reply;
+  reply.id = push.id;
+  reply.hash = push.hash;
+  reply.running_hash = running_.hash();
+  reply.status = status;
+  return reply;
+}
+
+}  // namespace galilean::robot

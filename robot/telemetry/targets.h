@@ -1,0 +1,15 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace galilean::robot {
+
+/// Whether a message to `targets` is also for `robot`: none named means every robot.
+[[nodiscard]] inline bool is_meant(const std::string& robot,
+                                   const std::vector<std::string>& targets) {
+  return targets.empty() || std::ranges::find(targets, robot) != targets.end();
+}
+
+}  // namespace galilean::robot

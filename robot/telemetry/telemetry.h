@@ -1,0 +1,32 @@
+#pragma once
+
+#include "robot/telemetry/command_receiver.h"
+#include "robot/telemetry/image_publisher.h"
+#include "robot/telemetry/log_queue.h"
+#include "robot/telemetry/program_receiver.h"
+#include "robot/telemetry/publisher.h"
+
+namespace galilean::robot {
+
+/// All that connects a robot with the domain. The control loop knows none of it; that loop may run
+/// before this is made and after it is gone.
+class Telemetry {
+ public:
+  /// Throws std::runtime_error if DDS refuses a topic.
+  Telemetry(const TelemetrySource& source, ImageTap& images)
+      : log_forwarding_(log_),
+        programs_(source),
+        publisher_(source, log_, [this](const Event& event) { programs_.on_event(event); }),
+        images_(source, images),
+        commands_(source) {}
+
+ private:
+  LogQueue log_;
+  LogForwarding log_forwarding_;
+  ProgramReceiver programs_;
+  Publisher publisher_;
+  ImagePublisher images_;
+  CommandReceiver commands_;
+};
+
+}  // namespace galilean::robot

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/clock.h"
+#include "core/wire/topics.h"
+
+namespace galilean::robot {
+
+/// Turns the process's own time into that of the wall clock, which is what messages are stamped
+/// with. The difference is read anew by `refresh`, since a wall clock may be set.
+class WallTime {
+ public:
+  explicit WallTime(const Clock& clock) : clock_(clock) { refresh(); }
+
+  void refresh() noexcept {
+    epoch_ns_ = wire::wall_clock_ns() - clock_.now().time_since_epoch().count();
+  }
+  [[nodiscard]] msg::Time stamp(Time time) const noexcept {
+    return wire::ros_time(epoch_ns_ + time.time_since_epoch().count());
+  }
+  [[nodiscard]] static msg::Time now() noexcept { return wire::ros_time(wire::wall_clock_ns()); }
+
+ private:
+  const Clock& clock_;
+  std::int64_t epoch_ns_ = 0;
+};
+
+}  // namespace galilean::robot

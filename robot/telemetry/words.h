@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/device/devices.h"
+#include "robot/executive/description.h"
+#include "robot/executive/snapshot.h"
+
+namespace galilean::robot {
+
+/// What the operator reads about what happened in the tick.
+
+/// "trash_seen[0] became 1", "program swapped", "rolled back: …". `from` is the program that the
+/// event left.
+[[nodiscard]] std::string cause_of(const Event& transition, const Description& from);
+
+/// Why a program was taken off again; `of` is that program.
+[[nodiscard]] std::string fault_of(const Event& rollback, const Description& of);
+
+/// Something that is wrong.
+struct Problem {
+  std::string subject;   ///< "comm_port", or a schema's name
+  std::string sentence;  ///< what is wrong and what to do
+
+  [[nodiscard]] std::string text() const { return subject + ": " + sentence; }
+  bool operator==(const Problem&) const = default;
+};
+
+/// All that is wrong now: devices that do not answer, schemas that threw. `program` may be null.
+/// Asks the devices, and so belongs to any thread but the control loop.
+[[nodiscard]] std::vector<Problem> problems_of(const Snapshot& snapshot, const Description* program,
+                                               const Devices& devices);
+
+}  // namespace galilean::robot

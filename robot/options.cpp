@@ -1,0 +1,68 @@
+#include "robot/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+namespace galilean::robot {
+namespace {
+
+/// A robot's name is part of its topics' names, as ROS 2 allows them.
+std::string check_name(const std::string& name) {
+  const auto is_allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  const bool good = !name.empty() && name.size() <= 64 && !(name[0] >= '0' && name[0] <= '9') &&
+                    std::ranges::all_of(name, is_allowed);
+  return good ? "" : "a robot's name has letters, digits and _ only and begins with a letter";
+}
+
+/// The frame source calls the simulator's shared memory "ring:/name".
+std::string camera_device(const std::string& given) {
+  constexpr std::string_view kShared = "shm:";
+  if (!given.starts_with(kShared)) return given;
+  const std::string name = given.substr(kShared.size());
+  return "ring:" + (name.starts_with('/') ? name : "/" + name);
+}
+
+}  // namespace
+
+ParsedOptions parse_options(int argc, const char* const* argv) {
+  Options options;
+  std::string serial;
+  std::string camera;
+  CLI::App app{"Runs one robot from a BHDL program."};
+  app.name("galilean-robot");
+  app.add_option("--name", options.name, "the robot's name, in its topics")
+      ->check(check_name)
+      ->capture_default_str();
+  app.add_option("--bhdl", options.bhdl_file, "the program");
+  app.add_option("--serial", serial, "serial device of the microcontroller [the program's]");
+  app.add_option("--camera", camera,
+                 "shm:NAME for the simulator's, /dev/videoN, or a video or picture file "
+                 "[the program's]");
+  app.add_option("--domain", options.domain, "DDS domain [ROS_DOMAIN_ID, else 0]")
+      ->check(CLI::Range(0, 232));
+  app.add_option("--seed", options.seed, "for all that is random")->capture_default_str();
+  app.add_option("--rate", options.rate_hz, "ticks a second")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->capture_default_str();
+  app.add_option("--log-level", options.log_level, "what is worth a line")
+      ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
+      ->capture_default_str();
+  app.add_flag("--print-catalog", options.print_catalog,
+               "print the components that a program may name, as JSON, and exit");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return {std::nullopt, app.exit(error) == 0 ? 0 : 1};
+  }
+  if (options.bhdl_file.empty() && !options.print_catalog) {
+    std::cerr << "galilean-robot: --bhdl FILE is missing: name the program to run\n";
+    return {std::nullopt, 1};
+  }
+  if (!serial.empty()) options.serial = serial;
+  if (!camera.empty()) options.camera = camera_device(camera);
+  return {options, 0};
+}
+
+}  // namespace galilean::robot

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace galilean::robot {
+
+/// What the command line of galilean-robot says.
+struct Options {
+  std::string name = "io";
+  std::string bhdl_file;
+  std::optional<std::string> serial;  ///< instead of the program's comm_port device
+  std::optional<std::string> camera;  ///< instead of the program's frame_grabber device
+  int domain = -1;                    ///< of DDS; -1: as ROS_DOMAIN_ID says, else 0
+  std::uint64_t seed = 1;
+  double rate_hz = 20;
+  std::string log_level = "info";
+  bool print_catalog = false;
+};
+
+/// The options, or the exit code where help was asked for (0) or they are wrong (1; the reason was
+/// printed).
+struct ParsedOptions {
+  std::optional<Options> options;
+  int exit_code = 0;
+};
+[[nodiscard]] ParsedOptions parse_options(int argc, const char* const* argv);
+
+}  // namespace galilean::robot

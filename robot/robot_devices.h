@@ -1,0 +1,37 @@
+#pragma once
+
+#include "robot/devices/frame_grabber.h"
+#include "robot/devices/microcontroller_link.h"
+#include "robot/devices/motor_drive.h"
+#include "robot/executive/executive.h"
+
+namespace galilean::robot {
+
+/// The devices of a robot over a serial line and a source of pictures. Live, an I/O thread for each
+/// of the two pumps them; in a headless simulator they are pumped between ticks.
+class RobotDevices final : public DeviceTuner {
+ public:
+  /// `settings` as the first program says; line and source must outlive this. Each later program's
+  /// settings are taken over by `tune`, except for which device it is and how long silence may
+  /// last.
+  RobotDevices(ByteStream& line, FrameSource& camera, const DeviceSettings& settings)
+      : link_(line, settings.comm_port),
+        drive_(link_, settings.motor_drive),
+        grabber_(camera, settings.frame_grabber) {}
+
+  void pump_line(Time now) { link_.pump(now); }
+  void pump_camera(Time now) { grabber_.pump(now); }
+
+  [[nodiscard]] Devices devices() noexcept { return {link_, drive_, grabber_}; }
+  void tune(const DeviceSettings& settings) noexcept override {
+    drive_.configure(settings.motor_drive);
+    grabber_.configure(settings.frame_grabber);
+  }
+
+ private:
+  MicrocontrollerLink link_;
+  WheelDrive drive_;
+  CameraGrabber grabber_;
+};
+
+}  // namespace galilean::robot

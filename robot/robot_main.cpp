@@ -1,0 +1,125 @@
+#include <poll.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <cerrno>
+#include <iostream>
+#include <thread>
+
+#include "bhdl/check.h"
+#include "core/termination.h"
+#include "robot/components.h"
+#include "robot/control_loop.h"
+#include "robot/devices/frame_sources.h"
+#include "robot/devices/pump_thread.h"
+#include "robot/devices/serial_port.h"
+#include "robot/executive/snapshot.h"
+#include "robot/options.h"
+#include "robot/robot_devices.h"
+#include "robot/telemetry/telemetry.h"
+
+namespace galilean::robot {
+namespace {
+
+constexpr Duration kLinePause = std::chrono::milliseconds(2);
+constexpr Duration kCameraPause = std::chrono::milliseconds(5);
+/// What a last stop needs to get through the line.
+constexpr Duration kFarewell = std::chrono::milliseconds(100);
+
+void wait_for(const Termination& termination) {
+  pollfd signal{termination.descriptor(), POLLIN, 0};
+  while (poll(&signal, 1, -1) < 0 && errno == EINTR) {
+  }
+}
+
+void set_up_log(const Options& options) {
+  spdlog::set_default_logger(spdlog::stderr_color_mt(options.name));
+  spdlog::set_pattern("%H:%M:%S.%e %^%l%$ %n: %v");
+  spdlog::set_level(spdlog::level::from_str(options.log_level));
+}
+
+/// Nothing if the program has errors; each was printed.
+std::optional<bhdl::Program> read_program(const std::string& file, const Catalog& catalog) {
+  auto checked = bhdl::check_file(file, catalog);
+  for (const auto& diagnostic : checked.diagnostics) std::cerr << format(diagnostic) << "\n";
+  return std::move(checked.program);
+}
+
+int refuse(const std::string& reason) {
+  std::cerr << "galilean-robot: " << reason << "\n";
+  return 1;
+}
+
+/// The robot at work, until a signal. Threads end in the reverse order of their beginning.
+int work(const Options& options, const Registry& components, bhdl::Program program,
+         const Termination& termination) {
+  const DeviceSettings settings = DeviceSettings::of(program);
+  SerialPort line(options.serial.value_or(settings.comm_port.device), settings.comm_port.baud);
+  const auto camera = make_frame_source(options.camera.value_or(settings.frame_grabber.device));
+  if (!camera) return refuse(camera.error().message);
+  const auto participant = wire::Participant::join(options.name, options.domain);
+  if (!participant) return refuse(participant.error().message);
+
+  const SteadyClock clock;
+  RobotDevices devices(line, *camera.value(), settings);
+  SnapshotTap tap;
+  ImageTap images;
+  Executive executive({.components = components,
+                       .devices = devices.devices(),
+                       .clock = clock,
+                       .stopwatch = clock,
+                       .seed = options.seed,
+                       .tick_period = from_seconds(1 / options.rate_hz),
+                       .tuner = &devices,
+                       .observers = {&tap, &images}});
+  if (const auto loaded = executive.load(std::move(program)); !loaded)
+    return refuse(loaded.error().message);
+
+  const PumpThread line_pump(clock, kLinePause, [&](Time now) { devices.pump_line(now); });
+  const PumpThread camera_pump(clock, kCameraPause, [&](Time now) { devices.pump_camera(now); });
+  const Telemetry telemetry({.robot = options.name,
+                             .participant = *participant.value(),
+                             .executive = executive,
+                             .tap = tap,
+                             .devices = devices.devices(),
+                             .catalog = components.catalog(),
+                             .clock = clock},
+                            images);
+  {
+    const ControlLoop loop(from_seconds(1 / options.rate_hz), [&] { executive.tick(); });
+    wait_for(termination);
+  }
+  devices.devices().motor_drive.stop();
+  std::this_thread::sleep_for(kFarewell);
+  spdlog::info("stopped");
+  return 0;
+}
+
+int run(int argc, const char* const* argv) {
+  const auto parsed = parse_options(argc, argv);
+  if (!parsed.options) return parsed.exit_code;
+  const Options& options = *parsed.options;
+  Registry components;
+  add_components(components);
+  if (options.print_catalog) {
+    std::cout << catalog_to_json(components.catalog()) << "\n";
+    return std::cout.flush() ? 0 : 1;
+  }
+  set_up_log(options);
+  auto program = read_program(options.bhdl_file, components.catalog());
+  if (!program) return 1;
+  const Termination termination;
+  return work(options, components, std::move(*program), termination);
+}
+
+}  // namespace
+}  // namespace galilean::robot
+
+int main(int argc, char** argv) {
+  try {
+    return galilean::robot::run(argc, argv);
+  } catch (const std::exception& problem) {
+    std::cerr << "galilean-robot: " << problem.what() << "\n";
+    return 1;
+  }
+}

@@ -18,7 +18,7 @@ msg::Score sheet_of(const World& world) {
   sheet.pieces = static_cast<std::uint32_t>(world.objects().pieces().size());
   sheet.deposited = referee.deposited();
   sheet.collisions = referee.collisions();
-  sheet.score = referee.score();
+  sheet.points = referee.score();
   for (std::size_t i = 0; i < referee.robots().size(); ++i)
     sheet.robots.push_back(
         {robot_name(i), referee.robots()[i].deposited, referee.robots()[i].collisions});

@@ -11,7 +11,6 @@ constexpr double kRoot_m = 0.215;  // the hinges, on the front bumper
 constexpr double kRootHalf_m = 0.085;
 constexpr double kTipHalf_m = 0.11;
 constexpr double kSlipsOut_m = 0.055;  // from the pocket's middle
-constexpr std::uint16_t kNobody = 0;
 constexpr std::uint16_t kEverybody = 0xFFFF;
 
 b2Fixture* add_hand(b2Body& robot, double side) {
@@ -75,17 +74,17 @@ void Gripper::set_servo(int permille) {
   const bool was_open = open();
   servo_permille_ = std::clamp(permille, 0, 1000);
   if (was_open == open()) return;
-  let_hands_collide(open());
+  let_hands_touch(open() ? kEverybody : static_cast<std::uint16_t>(kEverybody & ~kGraspable));
   if (open())
     release();
   else if (b2Fixture* circle = circle_in_pocket())
     take(*circle);
 }
 
-void Gripper::let_hands_collide(bool collide) {
+void Gripper::let_hands_touch(std::uint16_t categories) {
   for (b2Fixture* hand : hands_) {
     b2Filter filter;
-    filter.maskBits = collide ? kEverybody : kNobody;
+    filter.maskBits = categories;
     hand->SetFilterData(filter);
   }
 }

@@ -39,7 +39,7 @@ class Gripper {
 
   [[nodiscard]] Vec2 centre_in_robot(b2Fixture& circle) const;
   [[nodiscard]] b2Fixture* circle_in_pocket() const;
-  void let_hands_collide(bool collide);
+  void let_hands_touch(std::uint16_t categories);
   void take(b2Fixture& circle);
   void release();
 

@@ -8,7 +8,7 @@ namespace galilean::sim {
 namespace {
 
 constexpr double kBasketMass_kg = 3;
-constexpr double kChairMass_kg = 5;
+constexpr double kChairMass_kg = 4;
 constexpr double kRubbingArm_m = 0.15;  // of a chair's four feet, for its turning
 constexpr double kFloorFriction = 0.45;
 constexpr double kGravity_mps2 = 9.81;
@@ -24,6 +24,7 @@ b2Body& add_disc(Physics& physics, BodyTag tag, const Vec2& at_m, double radius_
   b2FixtureDef fixture;
   fixture.shape = &shape;
   fixture.friction = 0.3f;
+  fixture.filter.categoryBits = tag.kind == BodyKind::kPiece ? kGraspable : kSolid;
   fixture.density = static_cast<float>(mass_kg / (kPi * radius_m * radius_m));
   body.CreateFixture(&fixture);
   return body;
@@ -78,10 +79,14 @@ void Objects::add_chair(const Chair& chair, std::uint16_t number) {
   b2Body& body = *physics_.world().CreateBody(&definition);
   b2CircleShape leg;
   leg.m_radius = static_cast<float>(kChairLegRadius_m);
+  b2FixtureDef fixture;
+  fixture.shape = &leg;
+  fixture.filter.categoryBits = kGraspable;
   const double leg_area_m2 = kPi * kChairLegRadius_m * kChairLegRadius_m;
+  fixture.density = static_cast<float>(kChairMass_kg / 4 / leg_area_m2);
   for (const Vec2& at : chair_legs_m(chair.pitch_m)) {
     leg.m_p = to_b2(at);
-    body.CreateFixture(&leg, static_cast<float>(kChairMass_kg / 4 / leg_area_m2));
+    body.CreateFixture(&fixture);
   }
   chairs_.push_back(&body);
 }

@@ -21,6 +21,11 @@ struct BodyTag {
   }
   bool operator==(const BodyTag&) const = default;
 };
+/// Box2D categories. Closed hands pass what they could have closed around, and nothing else: a hand
+/// that passed a thin screen would be caught behind it when it opens.
+inline constexpr std::uint16_t kSolid = 1;
+inline constexpr std::uint16_t kGraspable = 2;
+
 [[nodiscard]] BodyTag tag_of(const b2Body& body) noexcept;
 void set_tag(b2BodyDef& definition, BodyTag tag) noexcept;
 

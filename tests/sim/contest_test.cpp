@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "sim/headless.h"
+#include "sim/programs.h"
+#include "sim/report.h"
+
+namespace galilean::sim {
+namespace {
+
+bhdl::Program program(const std::string& name = "office_cleanup") {
+  Registry components;
+  robot::add_components(components);
+  auto loaded = load_program(name, components.catalog());
+  if (!loaded) throw std::runtime_error(loaded.error().message);
+  return std::move(loaded).value();
+}
+
+std::unique_ptr<HeadlessContest> contest(const std::string& scenario, HeadlessOptions options) {
+  auto made = HeadlessContest::make(load_scenario(scenario).value(), program(), options);
+  if (!made) throw std::runtime_error(made.error().message);
+  const auto done = made.value()->run();
+  if (!done) throw std::runtime_error(done.error().message);
+  return std::move(made).value();
+}
+
+TEST(Contest, SameSeedSameHashAndAnotherSeedAnother) {
+  const auto hash = [](std::uint64_t seed) {
+    return contest("office", {.robots = 3, .seed = seed, .duration_s = 30})->hash();
+  };
+  const std::uint64_t first = hash(1);
+  EXPECT_EQ(hash(1), first);
+  EXPECT_NE(hash(2), first);
+}
+
+TEST(Contest, ARobotCleansThePracticeRoom) {
+  const auto done = contest("practice", {.robots = 1, .seed = 1, .duration_s = 180});
+  EXPECT_GE(done->world().referee().deposited(), 2U);
+  EXPECT_EQ(done->world().referee().phase(), Phase::kOver);
+  EXPECT_NEAR(done->simulated_s(), 180, 0.02);
+}
+
+TEST(Contest, DeadReckoningDriftsButNotBeyondUse) {
+  const auto done = contest("office", {.robots = 1, .seed = 1, .duration_s = 60});
+  const RobotStatistics statistics = done->robot(0).statistics();
+  EXPECT_GT(statistics.distance_m, 3);
+  EXPECT_GT(statistics.drift_m, 0.01);
+  EXPECT_LT(statistics.drift_m, 1.5);
+}
+
+TEST(Contest, ReportAndTraceSayWhatHappened) {
+  std::ostringstream trace;
+  HeadlessOptions options{.robots = 2, .seed = 4, .duration_s = 10, .trace = &trace};
+  const auto done = contest("office", options);
+  const auto json = report(*done, options, program(), 0.5);
+  EXPECT_EQ(json["pieces"], 24);
+  EXPECT_EQ(json["robots"].size(), 2U);
+  EXPECT_EQ(json["robots"][1]["name"], "ganymede");
+  EXPECT_EQ(json["hash"].get<std::string>().size(), 16U);
+  double seconds = 0;
+  for (const auto& [state, spent_s] : json["robots"][0]["seconds_in_state"].items())
+    seconds += spent_s.get<double>();
+  EXPECT_NEAR(seconds, 10, 0.1);
+
+  std::istringstream lines(trace.str());
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count)
+    EXPECT_TRUE(nlohmann::json::parse(line).contains("state"));
+  EXPECT_EQ(count, 20);
+}
+
+TEST(StuckWatch, CountsStandingStillWhileTryingOnly) {
+  StuckWatch watch;
+  const auto stand = [&](const Pose2& pose, bool trying, int steps) {
+    for (int i = 0; i < steps; ++i) watch.see(pose, trying, 0.01);
+  };
+  stand({{1, 1}, 0}, true, 200);
+  EXPECT_NEAR(watch.longest_s(), 2, 0.05);
+  stand({{1, 1}, 0}, false, 500);
+  EXPECT_EQ(watch.stuck_s(), 0);
+  stand({{1, 1}, 0.3}, true, 100);
+  stand({{1.04, 1}, 0.3}, true, 150);
+  EXPECT_NEAR(watch.longest_s(), 2.5, 0.05);
+}
+
+}  // namespace
+}  // namespace galilean::sim

@@ -1,0 +1,65 @@
+#include "sim/world/referee.h"
+
+#include <gtest/gtest.h>
+
+namespace galilean::sim {
+namespace {
+
+const BodyTag kWall{BodyKind::kWall, 0};
+
+Referee running(const Rules& rules = {}) {
+  Referee referee(rules, 2);
+  referee.start();
+  return referee;
+}
+
+TEST(Referee, CountsHardTouchesOncePerPairAndPause) {
+  Referee referee = running();
+  referee.saw_hit({0, kWall, 0.05});
+  EXPECT_EQ(referee.collisions(), 0U);
+  referee.saw_hit({0, kWall, 0.2});
+  referee.saw_hit({0, kWall, 0.2});
+  EXPECT_EQ(referee.collisions(), 1U);
+  referee.saw_hit({0, {BodyKind::kFurniture, 3}, 0.2});
+  referee.saw_hit({1, kWall, 0.2});
+  EXPECT_EQ(referee.collisions(), 3U);
+  referee.advance(5);
+  referee.saw_hit({0, kWall, 0.2});
+  EXPECT_EQ(referee.robots()[0].collisions, 3U);
+}
+
+TEST(Referee, PiecesMayBeTouched) {
+  Referee referee = running();
+  referee.saw_hit({0, {BodyKind::kPiece, 0}, 0.3});
+  EXPECT_EQ(referee.collisions(), 0U);
+}
+
+TEST(Referee, NothingCountsBeforeTheStartOrAfterTheEnd) {
+  Rules rules;
+  rules.duration_s = 10;
+  Referee referee(rules, 1);
+  EXPECT_FALSE(referee.saw_release(0, 0.1));
+  referee.advance(5);
+  EXPECT_EQ(referee.elapsed_s(), 0);
+  referee.start();
+  referee.advance(11);
+  EXPECT_EQ(referee.phase(), Phase::kOver);
+  EXPECT_EQ(referee.remaining_s(), 0);
+  EXPECT_FALSE(referee.saw_release(0, 0.1));
+  EXPECT_EQ(referee.score(), 0);
+}
+
+TEST(Referee, ScoreIsPointsLessPenalties) {
+  Rules rules;
+  rules.points_per_piece = 7;
+  rules.penalty_per_collision = 2;
+  Referee referee = running(rules);
+  EXPECT_TRUE(referee.saw_release(1, rules.basket_zone_m));
+  EXPECT_FALSE(referee.saw_release(1, rules.basket_zone_m + 0.01));
+  referee.saw_hit({0, kWall, 1});
+  EXPECT_EQ(referee.score(), 5);
+  EXPECT_EQ(referee.robots()[1].deposited, 1U);
+}
+
+}  // namespace
+}  // namespace galilean::sim

@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include "tests/sim/scenes.h"
+
+namespace galilean::sim {
+namespace {
+
+TEST(RobotBody, DeadZonesHoldTheMotorsAndAreWiderInATurn) {
+  const auto world = world_of(bare_floor());
+  run(*world, {180, 180, 0}, 1);
+  EXPECT_EQ(world->robot(0).inputs().left_encoder_counts, 0);
+  run(*world, {300, -300, 0}, 1);
+  EXPECT_EQ(world->robot(0).inputs().left_encoder_counts, 0);
+  run(*world, {300, 300, 0}, 1);
+  EXPECT_GT(world->robot(0).inputs().left_encoder_counts, 100);
+}
+
+TEST(RobotBody, EncodersCountTheWayWhereNothingSlips) {
+  const auto world = world_of(bare_floor());
+  run(*world, {500, 500, 0}, 2);
+  run(*world, {0, 0, 0}, 0.5);
+  const double travelled_m = world->robot(0).inputs().left_encoder_counts / Treads::kCountsPerMetre;
+  EXPECT_GT(travelled_m, 0.3);
+  EXPECT_NEAR(world->robot(0).pose().position_m.x() - 3, travelled_m, 0.02);
+}
+
+TEST(RobotBody, EncodersDriftWhereTreadsSlip) {
+  Scenario scenario = bare_floor();
+  scenario.slip = Slip{};
+  const auto world = world_of(scenario, 7);
+  run(*world, {-600, 600, 0}, 10);
+  run(*world, {0, 0, 0}, 0.5);
+  const auto inputs = world->robot(0).inputs();
+  const double believed_rad = (inputs.right_encoder_counts - inputs.left_encoder_counts) /
+                              Treads::kCountsPerMetre / (2 * Treads::kTurnRadius_m);
+  const double error_rad = std::abs(world->robot(0).pose().heading_rad - believed_rad);
+  EXPECT_GT(error_rad, 0.01);
+  EXPECT_LT(error_rad, 0.1 * believed_rad);
+}
+
+TEST(RobotBody, StallsAgainstAWallThatPressesItsFrontSwitches) {
+  Scenario scenario = bare_floor();
+  scenario.starts = {{{5.5, 3}, 0}};
+  const auto world = world_of(scenario);
+  run(*world, {500, 500, 0}, 3);
+  EXPECT_LT(world->robot(0).pose().position_m.x(), 6 - Gripper::kReach_m + 0.03);
+  EXPECT_TRUE(world->robot(0).inputs().bumpers & 0b10000011);
+  run(*world, {-500, -500, 0}, 1);
+  EXPECT_EQ(world->robot(0).inputs().bumpers, 0);
+}
+
+TEST(RobotBody, SwitchesAreNumberedCounterClockwiseFromTheFront) {
+  // Backed against walls on its four sides in turn: front, left, back, right.
+  const struct {
+    double heading_rad;
+    std::int16_t pwm;
+    int number;
+  } cases[] = {{0, 500, 0}, {kPi, -500, 4}};
+  for (const auto& expected : cases) {
+    Scenario scenario = bare_floor();
+    scenario.starts = {{{5.6, 3}, expected.heading_rad}};
+    const auto world = world_of(scenario);
+    run(*world, {expected.pwm, expected.pwm, 1000}, 2);
+    const int touched = world->robot(0).inputs().bumpers;
+    const int left = (expected.number + 1) % 8;
+    const int right = (expected.number + 7) % 8;
+    EXPECT_TRUE(touched & (1 << expected.number | 1 << left | 1 << right)) << touched;
+    EXPECT_FALSE(touched & ~(1 << expected.number | 1 << left | 1 << right)) << touched;
+  }
+}
+
+TEST(RobotBody, ALoosePieceDoesNotPressASwitch) {
+  Scenario scenario = bare_floor();
+  scenario.placed = {{PieceKind::kCan, {3.6, 3.13}}};
+  const auto world = world_of(scenario);
+  for (int i = 0; i < 200; ++i) {
+    run(*world, {500, 500, 0}, World::kStep_s);
+    ASSERT_EQ(world->robot(0).inputs().bumpers, 0);
+  }
+}
+
+TEST(RobotBody, PushedSwitchStaysUntilItIsLetGo) {
+  const auto world = world_of(bare_floor());
+  world->robot(0).push_bumpers(1);
+  run(*world, {0, 0, 0}, 0.2);
+  EXPECT_EQ(world->robot(0).inputs().bumpers, 1);
+  world->robot(0).push_bumpers(0);
+  EXPECT_EQ(world->robot(0).inputs().bumpers, 0);
+}
+
+}  // namespace
+}  // namespace galilean::sim

@@ -80,9 +80,22 @@ class Builder {
   }
 
   void make_variable(const bhdl::Component& component) {
-    for (const auto& maker : kVariableMakers)
-      if (maker.type == component.type) return maker.add(*made_, component, wiring_of(component));
-    throw refusal(component, "is of a type that this robot's variables do not have");
+    const auto maker = std::ranges::find(kVariableMakers, component.type, &VariableMaker::type);
+    if (maker == kVariableMakers.end())
+      throw refusal(component, "is of a type that this robot's variables do not have");
+    maker->add(*made_, component, wiring_of(component));
+    // No schema writes a shaft: dead reckoning does.
+    if (Variable<Shaft>* shaft = made_->variables.find<Shaft>(component.name)) note_written(shaft);
+  }
+
+  /// What is written fades, and is no parameter.
+  void note_written(VariableRef variable) {
+    std::visit(
+        [this](auto* each) {
+          each->constant = false;
+          written_.push_back(each->name);
+        },
+        variable);
   }
 
   void make_schema(const bhdl::Component& component) {
@@ -94,15 +107,13 @@ class Builder {
     description_.schemas.push_back(component.name);
   }
 
-  /// Every variable that a schema writes can fade, and is no parameter.
   std::vector<VariableRef> outputs_of(const bhdl::Component& component, const ComponentSpec& spec) {
     std::vector<VariableRef> outputs;
     for (const auto& attribute : spec.attributes) {
       if (attribute.access != Access::kWrite && attribute.access != Access::kUpdate) continue;
       for (const auto& name : names_in(attribute, component.attributes)) {
         const VariableRef output = variable(name);
-        std::visit([](auto* each) { each->constant = false; }, output);
-        written_.push_back(name);
+        note_written(output);
         outputs.push_back(output);
         describe_output(component, attribute, output);
       }

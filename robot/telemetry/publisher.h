@@ -18,7 +18,7 @@ struct TelemetrySource {
   wire::Participant& participant;
   Executive& executive;
   SnapshotTap& tap;
-  const Devices& devices;
+  Devices devices;
   const Catalog& catalog;
   const Clock& clock;
 };

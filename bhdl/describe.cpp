@@ -28,6 +28,11 @@ std::size_t widest_name(const Specs& specs) {
   return width;
 }
 
+std::string first_sentence(const std::string& help) {
+  const auto end = help.find(". ");
+  return end == std::string::npos ? help : help.substr(0, end + 1);
+}
+
 struct ValueInWords {
   std::string operator()(bool value) const { return value ? "yes" : "no"; }
   std::string operator()(double value) const { return number_text(value); }
@@ -108,12 +113,12 @@ std::string describe(const Catalog& catalog) {
     text += std::string(section_word(kind)) + ":\n";
     for (const auto& component : catalog.components)
       if (component.kind == kind)
-        text += "  " + padded(component.name, width) + component.help + "\n";
+        text += "  " + padded(component.name, width) + first_sentence(component.help) + "\n";
     text += "\n";
   }
   text += "states:\n";
   for (const auto* spec : {&state_spec(), &condition_spec()})
-    text += "  " + padded(spec->name, width) + spec->help + "\n";
+    text += "  " + padded(spec->name, width) + first_sentence(spec->help) + "\n";
   return text + "\n`galilean bhdl describe COMPONENT` tells what one of them takes.\n";
 }
 

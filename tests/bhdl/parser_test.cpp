@@ -51,7 +51,7 @@ TEST(Parser, ClosesAVariableByTheNextOne) {
       " bits: name: \"c\" end\n shaft: name: \"d\"");
   EXPECT_EQ(codes(parsed), "");
   ASSERT_EQ(all<SectionNode>(parsed).size(), 1u);
-  const auto& variables = all<SectionNode>(parsed)[0].components;
+  const auto variables = all<SectionNode>(parsed)[0].components;
   ASSERT_EQ(variables.size(), 4u);
   EXPECT_EQ(variables[0].attributes[1].values[0].second, -1);
   EXPECT_EQ(variables[3].type.text, "shaft");

@@ -1,0 +1,163 @@
+#include <gmock/gmock.h>
+
+#include "tests/robot/executive/test_robot.h"
+
+namespace galilean::robot {
+namespace {
+
+/// Counts its ticks in `count`, and does in its one state what `schema` says.
+std::string program_with(const std::string& schema, const std::string& state = "only") {
+  return R"(
+input_devices: frame_grabber: end end
+variables: bits: name: "count" bits: name: "bumpers" end
+perceptual_schemas:
+  count_bits: name: "counter" bits_variable: "count" end
+  bumper_scanner: name: "scan" bits_variable: "bumpers" end
+)" + schema +
+         R"(
+end
+motor_schemas: call: name: "call" end end
+states:
+  state: name: ")" +
+         state + R"(" perceptual_schemas: "counter" "scan" "it" end motor_schemas: "call" end
+    condition: bits_variable: "bumpers" bit_index: 7 bit_value: 1 new_state: ")" +
+         state + R"(" end
+  end
+end
+)";
+}
+const std::string kHarmless = "note: name: \"it\" end";
+const std::string kThrows = "thrower: name: \"it\" after: 5 end";
+
+class ProbationTest : public testing::Test {
+ protected:
+  ProbationTest() {
+    on_call = [](const Tick&) {};
+    EXPECT_TRUE(robot.load(program_with(kHarmless)));
+    robot.tick(10);
+  }
+  ~ProbationTest() override { on_call = nullptr; }
+
+  void swap(const std::string& text) {
+    ASSERT_TRUE(robot.load(text));
+    robot.tick();
+  }
+  [[nodiscard]] ProgramId running() const { return robot.executive->program()->description->id; }
+  void expect_rolled_back(Fault fault, ProgramId to = 1) {
+    const Event* event = robot.events.last(Event::Kind::kRolledBack);
+    ASSERT_NE(event, nullptr);
+    EXPECT_EQ(event->fault, fault);
+    EXPECT_EQ(event->program, to);
+    EXPECT_EQ(running(), to);
+    EXPECT_FALSE(robot.events.in_probation);
+  }
+
+  TestRobot robot;
+};
+
+TEST_F(ProbationTest, TheFirstProgramIsInNone) {
+  EXPECT_FALSE(robot.events.in_probation);
+  EXPECT_EQ(robot.events.count(Event::Kind::kStarted), 1);
+}
+
+TEST_F(ProbationTest, AProgramThatWorksIsConfirmedAfterTenSeconds) {
+  swap(program_with(kHarmless));
+  robot.tick(199);
+  EXPECT_TRUE(robot.events.in_probation);
+  robot.tick();
+  EXPECT_FALSE(robot.events.in_probation);
+  EXPECT_EQ(robot.events.count(Event::Kind::kConfirmed), 1);
+  EXPECT_EQ(running(), 2U);
+}
+
+TEST_F(ProbationTest, AThrownSchemaRollsBackWithinOneTick) {
+  swap(program_with(kThrows));
+  robot.tick(4);
+  EXPECT_EQ(running(), 2U);
+  robot.tick();
+  const std::uint32_t count = robot.variable<Bits>("count").value.value;
+  EXPECT_EQ(robot.events.count(Event::Kind::kSchemaFailed), 1);
+  robot.tick();
+  expect_rolled_back(Fault::kSchemaThrew);
+  const Event* event = robot.events.last(Event::Kind::kRolledBack);
+  EXPECT_EQ(event->tick, robot.events.last(Event::Kind::kSchemaFailed)->tick + 1);
+  EXPECT_EQ(event->text.view(), "the lens broke");
+  EXPECT_EQ(robot.variable<Bits>("count").value.value, count + 1) << "variables come back too";
+}
+
+TEST_F(ProbationTest, AfterProbationAThrownSchemaIsSwitchedOffOnly) {
+  swap(program_with("thrower: name: \"it\" after: 300 end"));
+  robot.tick(310);
+  EXPECT_EQ(robot.events.count(Event::Kind::kSchemaFailed), 1);
+  EXPECT_EQ(robot.events.count(Event::Kind::kRolledBack), 0);
+  EXPECT_EQ(running(), 2U);
+}
+
+TEST_F(ProbationTest, ThreeLongTicksInARowRollBack) {
+  on_call = [this](const Tick&) { robot.stopwatch.advance(std::chrono::milliseconds(51)); };
+  swap(program_with(kHarmless));
+  robot.tick();
+  on_call = [](const Tick&) {};
+  robot.tick(3);
+  EXPECT_EQ(running(), 2U) << "two are none too many";
+  on_call = [this](const Tick&) { robot.stopwatch.advance(std::chrono::milliseconds(51)); };
+  robot.tick(3);
+  on_call = [](const Tick&) {};
+  robot.tick();
+  expect_rolled_back(Fault::kOverran);
+}
+
+TEST_F(ProbationTest, ADeviceThatIsLostRollsBack) {
+  swap(program_with(kHarmless));
+  robot.camera.answers = false;
+  robot.tick(2);
+  expect_rolled_back(Fault::kDeviceLost);
+  EXPECT_EQ(robot.events.last(Event::Kind::kRolledBack)->text.view(), "frame_grabber");
+}
+
+TEST_F(ProbationTest, ADeviceThatWasLostBeforeIsNoReproach) {
+  robot.camera.answers = false;
+  robot.tick();
+  swap(program_with(kHarmless));
+  robot.tick(5);
+  EXPECT_EQ(running(), 2U);
+}
+
+TEST_F(ProbationTest, MoreThanTenTransitionsASecondRollBack) {
+  swap(program_with(kHarmless));
+  robot.press(7);
+  robot.tick(10);
+  EXPECT_EQ(running(), 2U);
+  robot.tick(2);
+  expect_rolled_back(Fault::kThrashed);
+}
+
+TEST_F(ProbationTest, ARollbackGoesToTheLastThatProvedItself) {
+  swap(program_with(kHarmless));
+  robot.tick(5);
+  swap(program_with(kThrows));
+  robot.tick(10);
+  expect_rolled_back(Fault::kSchemaThrew, 1);
+  EXPECT_EQ(robot.executive->description(2)->id, 2U);
+}
+
+TEST_F(ProbationTest, ARollbackReturnsToTheStateThatWasLeft) {
+  swap(program_with(kThrows, "elsewhere"));
+  EXPECT_EQ(robot.state(), "elsewhere");
+  robot.tick(6);
+  EXPECT_EQ(robot.state(), "only");
+  EXPECT_EQ(robot.events.last(Event::Kind::kTransition)->cause, Event::Cause::kRollback);
+}
+
+TEST_F(ProbationTest, ManySwapsAndRollbacksInARowLeaveTheRobotAtWork) {
+  for (int i = 0; i < 60; ++i) {
+    swap(program_with(i % 3 == 0 ? kThrows : kHarmless));
+    robot.tick(i % 7 == 0 ? 250 : i % 5);
+  }
+  robot.tick(300);
+  EXPECT_FALSE(robot.events.in_probation);
+  EXPECT_NE(robot.executive->description(running()), nullptr);
+}
+
+}  // namespace
+}  // namespace galilean::robot

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <atomic>
+
+#include "core/device/devices.h"
+
+namespace galilean::robot {
+
+/// Devices that say what a test tells them, and remember what they were told.
+class ScriptedPort final : public CommPort {
+ public:
+  void sense(Time now) noexcept override {
+    sensed = next;
+    sensed.received = now;
+  }
+  [[nodiscard]] bool healthy() const noexcept override { return answers; }
+  [[nodiscard]] std::string problem() const override { return answers ? "" : "unplugged"; }
+  [[nodiscard]] const ControllerStatus& status() const noexcept override { return sensed; }
+  void command_gripper(GripperCommand command) noexcept override { gripper = command; }
+
+  ControllerStatus next;
+  ControllerStatus sensed;
+  GripperCommand gripper = GripperCommand::kOpen;
+  std::atomic<bool> answers = true;
+};
+
+class ScriptedDrive final : public MotorDrive {
+ public:
+  void sense(Time) noexcept override {}
+  [[nodiscard]] bool healthy() const noexcept override { return answers; }
+  [[nodiscard]] std::string problem() const override { return ""; }
+  void drive(const DriveCommand& command) noexcept override {
+    last = command;
+    moving = command.speed_mps != 0 || command.turn_rate_radps != 0;
+    ++commands;
+  }
+  void stop() noexcept override {
+    last = {};
+    moving = false;
+  }
+  [[nodiscard]] double forward_speed_mps() const noexcept override { return 0.3; }
+  [[nodiscard]] double turning_speed_radps() const noexcept override { return 1; }
+  [[nodiscard]] double turn_radius_m() const noexcept override { return 0.2; }
+
+  DriveCommand last;
+  bool moving = false;
+  int commands = 0;
+  std::atomic<bool> answers = true;
+};
+
+class ScriptedCamera final : public FrameGrabber {
+ public:
+  void sense(Time now) noexcept override { picture.captured = now; }
+  [[nodiscard]] bool healthy() const noexcept override { return answers; }
+  [[nodiscard]] std::string problem() const override { return answers ? "" : "lens cap on"; }
+  [[nodiscard]] const Frame& frame() const noexcept override { return picture; }
+  [[nodiscard]] const CameraGeometry& geometry() const noexcept override { return camera; }
+
+  Frame picture;
+  CameraGeometry camera;
+  std::atomic<bool> answers = true;
+};
+
+}  // namespace galilean::robot

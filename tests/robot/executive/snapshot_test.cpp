@@ -1,0 +1,97 @@
+#include "robot/executive/snapshot.h"
+
+#include "robot/telemetry/image_tap.h"
+#include "tests/robot/executive/office.h"
+
+namespace galilean::robot {
+namespace {
+
+TEST(SnapshotTap, TheSnapshotIsAtLeastAsNewAsTheEvents) {
+  SnapshotTap tap;
+  TestRobot robot(1, {&tap});
+  ASSERT_TRUE(robot.executive->load(shipped_program("office_cleanup.bhdl")));
+  robot.tick(3);
+  robot.press(0);
+  robot.tick();
+  std::optional<Event> transition;
+  while (const auto event = tap.next_event())
+    if (event->kind == Event::Kind::kTransition) transition = event;
+  ASSERT_TRUE(transition);
+  ASSERT_TRUE(tap.take());
+  EXPECT_GE(tap.newest().tick, transition->tick);
+  EXPECT_EQ(tap.newest().state, transition->to_state);
+  EXPECT_FALSE(tap.take());
+}
+
+TEST(SnapshotTap, HoldsEveryVariableInTheOrderOfTheDescription) {
+  SnapshotTap tap;
+  TestRobot robot(1, {&tap});
+  ASSERT_TRUE(robot.executive->load(shipped_program("office_cleanup.bhdl")));
+  robot.port.next.bumpers = 4;
+  robot.tick();
+  ASSERT_TRUE(tap.take());
+  const Snapshot& snapshot = tap.newest();
+  const auto description = robot.executive->description(snapshot.program);
+  ASSERT_EQ(snapshot.variables.size(), description->variables.size());
+  bool found = false;
+  for (std::size_t i = 0; i < snapshot.variables.size(); ++i) {
+    if (description->variables[i].name != "bumpers") continue;
+    found = true;
+    EXPECT_TRUE(snapshot.variables[i].valid);
+    EXPECT_EQ(snapshot.variables[i].values[0], 4);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(SnapshotTap, LosesNoEventOfManyTicksThatNobodyReads) {
+  SnapshotTap tap;
+  TestRobot robot(1, {&tap});
+  ASSERT_TRUE(robot.load(R"(
+variables: bits: name: "bumpers" end
+perceptual_schemas: bumper_scanner: name: "scan" bits_variable: "bumpers" end end
+states:
+  state: name: "a" perceptual_schemas: "scan" end
+    condition: bits_variable: "bumpers" bit_index: 0 bit_value: 1 new_state: "b" end end
+  state: name: "b" perceptual_schemas: "scan" end
+    condition: bits_variable: "bumpers" bit_index: 0 bit_value: 1 new_state: "a" end end
+end
+)"));
+  robot.press(0);
+  robot.tick(200);
+  std::uint64_t number = 0;
+  while (const auto event = tap.next_event())
+    if (event->kind == Event::Kind::kTransition) {
+      EXPECT_EQ(event->number, ++number);
+    }
+  EXPECT_EQ(number, 200U);
+  EXPECT_EQ(tap.lost_events(), 0U);
+}
+
+TEST(ImageTap, HandsOutOnlyWhatIsWantedAndTenASecond) {
+  ImageTap images;
+  TestRobot robot(1, {&images});
+  paint_office(robot.camera.picture);
+  ASSERT_TRUE(robot.executive->load(shipped_program("office_cleanup.bhdl")));
+  robot.tick(4);
+  EXPECT_FALSE(images.take(ImageChannel::kCamera));
+  images.want(ImageChannel::kCamera, true);
+  images.want(ImageChannel::kSuperred, true);
+  int cameras = 0;
+  int reds = 0;
+  for (int i = 0; i < 20; ++i) {
+    ++robot.camera.picture.number;
+    robot.tick();
+    cameras += images.take(ImageChannel::kCamera);
+    reds += images.take(ImageChannel::kSuperred);
+  }
+  EXPECT_EQ(cameras, 10);
+  EXPECT_EQ(reds, 10);
+  EXPECT_FALSE(images.take(ImageChannel::kDark));
+  EXPECT_EQ(images.newest(ImageChannel::kCamera).pixels[0], 150);
+  const auto& red = images.newest(ImageChannel::kSuperred).pixels;
+  EXPECT_GT(red[125 * Image::kWidth + 170], 100) << "the can";
+  EXPECT_EQ(red[10], 0) << "the floor";
+}
+
+}  // namespace
+}  // namespace galilean::robot

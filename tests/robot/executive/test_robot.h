@@ -1,0 +1,99 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "bhdl/check.h"
+#include "robot/components.h"
+#include "robot/executive/executive.h"
+#include "tests/robot/executive/scripted_devices.h"
+#include "tests/robot/executive/scripted_schemas.h"
+
+namespace galilean::robot {
+
+/// Every event, as it happened.
+class EventList final : public TickObserver {
+ public:
+  EventList() { events.reserve(1000); }
+  void on_event(const Event& event) noexcept override { events.push_back(event); }
+  void on_tick(const TickView& view) noexcept override { in_probation = view.in_probation; }
+
+  [[nodiscard]] int count(Event::Kind kind) const {
+    return static_cast<int>(std::ranges::count(events, kind, &Event::kind));
+  }
+  [[nodiscard]] const Event* last(Event::Kind kind) const {
+    const Event* found = nullptr;
+    for (const Event& event : events)
+      if (event.kind == kind) found = &event;
+    return found;
+  }
+
+  std::vector<Event> events;
+  bool in_probation = false;
+};
+
+inline const Registry& test_components() {
+  static const Registry registry = [] {
+    Registry made;
+    add_components(made);
+    add_scripted_schemas(made);
+    return made;
+  }();
+  return registry;
+}
+
+/// The program that a text says; the test fails if it says none.
+inline bhdl::Program program_of(const std::string& text) {
+  auto checked = bhdl::check({{"test.bhdl", text}}, test_components().catalog());
+  for (const auto& diagnostic : checked.diagnostics)
+    if (diagnostic.severity == bhdl::Severity::kError) ADD_FAILURE() << format(diagnostic) << text;
+  return checked.program.value();
+}
+
+/// An executive on scripted devices and a stepped clock: 20 ticks a second, as long as it takes.
+class TestRobot {
+ public:
+  explicit TestRobot(std::uint64_t seed = 1, std::vector<TickObserver*> more = {}) {
+    more.push_back(&events);
+    executive = std::make_unique<Executive>(ExecutiveSetup{.components = test_components(),
+                                                           .devices = {port, drive, camera},
+                                                           .clock = clock,
+                                                           .stopwatch = stopwatch,
+                                                           .seed = seed,
+                                                           .observers = std::move(more)});
+    journal.clear();
+  }
+
+  Result<ProgramId> load(const std::string& text) { return executive->load(program_of(text)); }
+  void tick(int times = 1) {
+    for (int i = 0; i < times; ++i) {
+      clock.advance(std::chrono::milliseconds(50));
+      executive->tick();
+    }
+  }
+  void press(unsigned bumper, bool pressed = true) {
+    const auto bit = static_cast<std::uint8_t>(1U << bumper);
+    port.next.bumpers =
+        static_cast<std::uint8_t>(pressed ? port.next.bumpers | bit : port.next.bumpers & ~bit);
+  }
+  [[nodiscard]] std::string state() const { return std::string(executive->state_name()); }
+  /// The test fails if the running program has no such variable.
+  template <class T>
+  [[nodiscard]] const Variable<T>& variable(std::string_view name) const {
+    for (const auto& each : executive->program()->variables.all<T>())
+      if (each.name == name) return each;
+    ADD_FAILURE() << "no variable " << name;
+    static const Variable<T> none;
+    return none;
+  }
+  [[nodiscard]] Time now() const { return clock.now(); }
+
+  SteppedClock clock;
+  SteppedClock stopwatch;
+  ScriptedPort port;
+  ScriptedDrive drive;
+  ScriptedCamera camera;
+  EventList events;
+  std::unique_ptr<Executive> executive;
+};
+
+}  // namespace galilean::robot

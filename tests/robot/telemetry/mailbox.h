@@ -1,0 +1,60 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "core/wire/topics.h"
+
+namespace galilean::robot {
+
+/// What came on one topic, for a test to wait on.
+template <class M>
+class Mailbox {
+ public:
+  Mailbox(wire::Participant& participant, const std::string& topic)
+      : reader_(participant, topic, M::kRosType, 64) {
+    reader_.on_data([this] { take(); });
+    take();
+  }
+
+  /// The oldest message that came or comes that `is_it`; none if that takes too long.
+  std::optional<M> wait_for(const std::function<bool(const M&)>& is_it) {
+    constexpr auto kPatience = std::chrono::seconds(10);
+    std::unique_lock lock(mutex_);
+    std::optional<M> found;
+    wake_.wait_for(lock, kPatience, [&] {
+      for (const M& message : messages_)
+        if (!found && is_it(message)) found = message;
+      return found.has_value();
+    });
+    return found;
+  }
+  std::optional<M> wait() {
+    return wait_for([](const M&) { return true; });
+  }
+  [[nodiscard]] std::vector<M> all() {
+    const std::lock_guard lock(mutex_);
+    return messages_;
+  }
+
+ private:
+  void take() {
+    const std::lock_guard lock(mutex_);
+    reader_.take([this](const wire::Received& received) {
+      M message;
+      if (msg::decode_cdr(received.cdr, message)) messages_.push_back(std::move(message));
+    });
+    wake_.notify_all();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::vector<M> messages_;
+  wire::Reader reader_;
+};
+
+}  // namespace galilean::robot

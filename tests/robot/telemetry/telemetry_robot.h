@@ -1,0 +1,104 @@
+#pragma once
+
+#include "bhdl/sha256.h"
+#include "robot/telemetry/telemetry.h"
+#include "tests/robot/executive/test_robot.h"
+#include "tests/robot/telemetry/mailbox.h"
+
+namespace galilean::robot {
+
+inline constexpr int kDomain = 42;
+
+/// A scripted robot "io" on DDS, with somebody else in the same domain. Each robot has a name of
+/// its own, so that no test hears the one before.
+class TelemetryRobot {
+ public:
+  explicit TelemetryRobot(std::string robot_name)
+      : name(std::move(robot_name)),
+        participant(join(name)),
+        other(join("tester")),
+        robot(1, {&tap, &images}),
+        telemetry({.robot = name,
+                   .participant = *participant,
+                   .executive = *robot.executive,
+                   .tap = tap,
+                   .devices = {robot.port, robot.drive, robot.camera},
+                   .catalog = test_components().catalog(),
+                   .clock = robot.clock},
+                  images) {}
+
+  template <class M>
+  [[nodiscard]] Mailbox<M> mailbox(const std::string& leaf) {
+    return Mailbox<M>(*other, wire::robot_topic(name, leaf));
+  }
+  /// As the monitor would send it.
+  [[nodiscard]] msg::ProgramPush push(const std::string& text) const {
+    msg::ProgramPush push;
+    push.id = "push of " + name;
+    push.author = "tester";
+    push.targets = {name};
+    push.files.push_back({"test.bhdl", text});
+    push.hash = bhdl::program_hash({{"test.bhdl", text}});
+    return push;
+  }
+  void send(const msg::ProgramPush& push) { send_on(wire::kProgramPushTopic, push); }
+  void send(std::uint8_t kind, std::int32_t argument, const std::string& target) {
+    msg::Command command;
+    command.author = "tester";
+    command.targets = {target};
+    command.kind = kind;
+    command.argument = argument;
+    send_on(wire::kCommandTopic, command);
+  }
+  /// Ticks until `done`; false if it takes too long.
+  bool tick_until(const std::function<bool()>& done) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (!done() && std::chrono::steady_clock::now() < end) {
+      robot.tick();
+      std::this_thread::yield();
+    }
+    return done();
+  }
+
+  std::string name;
+  std::unique_ptr<wire::Participant> participant;
+  std::unique_ptr<wire::Participant> other;
+  SnapshotTap tap;
+  ImageTap images;
+  TestRobot robot;
+  Telemetry telemetry;
+
+ private:
+  static std::unique_ptr<wire::Participant> join(const std::string& who) {
+    auto joined = wire::Participant::join(who, kDomain);
+    if (!joined) throw std::runtime_error(joined.error().message);
+    return std::move(joined).value();
+  }
+  template <class M>
+  void send_on(const std::string& topic, const M& message) {
+    wire::Writer<M> writer(*other, topic);
+    while (writer.readers() == 0) std::this_thread::yield();
+    EXPECT_TRUE(writer.write(message));
+  }
+};
+
+inline constexpr const char* kWaits = R"(
+variables:
+  bits: name: "bumpers"
+  locate: name: "trash" class: "trash"
+end
+perceptual_schemas:
+  bumper_scanner: name: "scan" bits_variable: "bumpers" end
+  write_all: name: "see" locate_variable: "trash" certainty: 0.75 end
+end
+motor_schemas: ahead: name: "ahead" end end
+states:
+  state: name: "wait" perceptual_schemas: "scan" "see" end
+    condition: bits_variable: "bumpers" bit_index: 2 bit_value: 1
+      reset_variables: "trash" new_state: "go" end
+  end
+  state: name: "go" perceptual_schemas: "scan" end motor_schemas: "ahead" end end
+end
+)";
+
+}  // namespace galilean::robot

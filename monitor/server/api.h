@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "monitor/map/map_service.h"
+#include "monitor/server/http_server.h"
+#include "monitor/server/operations.h"
+#include "monitor/server/page_files.h"
+
+namespace galilean::monitor {
+
+/// Everything over plain HTTP, as docs/openapi.yaml describes it: the page, /healthz, /metrics and
+/// /api/…
+class Api {
+ public:
+  struct Parts {
+    const PageFiles& page;
+    const Team& team;
+    const ProgramLibrary& library;
+    const MapService& map;
+    const foxglove::Hub& hub;
+    Operations& operations;
+    Worker& worker;
+    History& history;  ///< the worker's alone
+  };
+
+  explicit Api(Parts parts);
+
+  void answer(const HttpRequest& request, const Respond& respond);
+  /// For /metrics; the server that counts is made after the API.
+  void set_counts(std::function<HttpServer::Counts()> counts) { counts_ = std::move(counts); }
+
+ private:
+  using Handler = std::function<void(const HttpRequest&, const Respond&)>;
+  struct Route {
+    std::string method;
+    std::string path;  ///< ends with '/' where the rest is an argument
+    Handler handler;
+  };
+
+  void add_routes();
+  [[nodiscard]] Handler operation(void (Operations::*operate)(const nlohmann::json&, Finish));
+  [[nodiscard]] const Route* find(const HttpRequest& request, bool& path_known) const;
+  void programs(const Respond& respond) const;
+  void program(const std::string& name, const Respond& respond) const;
+  void pushes(const Respond& respond);
+  void pushed_program(const std::string& hash, const Respond& respond);
+  void status(const Respond& respond) const;
+  void map_file(const std::string& kind, const Respond& respond) const;
+
+  Parts parts_;
+  std::vector<Route> routes_;
+  std::function<HttpServer::Counts()> counts_;
+};
+
+}  // namespace galilean::monitor

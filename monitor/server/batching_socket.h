@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+#include <boost/asio/async_result.hpp>
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/core/bind_handler.hpp>
+#include <boost/beast/core/role.hpp>
+#include <boost/beast/websocket/teardown.hpp>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "monitor/server/outbox.h"
+
+namespace galilean::monitor {
+
+/// A TCP socket below Beast's WebSocket stream. Beast reads through it and writes its handshake and
+/// control frames into it; data frames come from an Outbox, many to one system call, and go between
+/// Beast's writes, each of which is a whole message.
+class BatchingSocket {
+ public:
+  using tcp = boost::asio::ip::tcp;
+  using executor_type = tcp::socket::executor_type;
+  using next_layer_type = tcp::socket;
+  using error_code = boost::system::error_code;
+
+  explicit BatchingSocket(tcp::socket socket)
+      : state_(std::make_shared<State>(State{std::move(socket)})) {}
+
+  [[nodiscard]] executor_type get_executor() noexcept { return state_->socket.get_executor(); }
+  [[nodiscard]] next_layer_type& next_layer() noexcept { return state_->socket; }
+  [[nodiscard]] const next_layer_type& next_layer() const noexcept { return state_->socket; }
+
+  /// From now on frames are sent; nullptr: no more. The outbox must live until then.
+  void send_from(Outbox* outbox) { state_->outbox = outbox; }
+  /// Sends what waits, unless that is being done already.
+  void flush() { state_->flush(state_); }
+
+  template <class Buffers, class Handler>
+  auto async_read_some(const Buffers& buffers, Handler&& handler) {
+    return state_->socket.async_read_some(buffers, std::forward<Handler>(handler));
+  }
+
+  template <class Buffers, class Handler>
+  auto async_write_some(const Buffers& buffers, Handler&& handler) {
+    return boost::asio::async_initiate<Handler, void(error_code, std::size_t)>(
+        [this, &buffers](auto completion) {
+          const auto size = boost::asio::buffer_size(buffers);
+          const auto start = state_->control.size();
+          state_->control.resize(start + size);
+          boost::asio::buffer_copy(boost::asio::buffer(state_->control.data() + start, size),
+                                   buffers);
+          flush();
+          boost::asio::post(get_executor(), boost::beast::bind_front_handler(std::move(completion),
+                                                                             state_->failed, size));
+        },
+        handler);
+  }
+
+ private:
+  static constexpr std::size_t kFramesAtOnce = 64;
+
+  struct State {
+    tcp::socket socket;
+    Outbox* outbox = nullptr;
+    std::vector<std::uint8_t> control = {};
+    std::vector<std::uint8_t> control_in_flight = {};
+    std::vector<Frame> frames_in_flight = {};
+    bool writing = false;
+    error_code failed = {};
+
+    void flush(const std::shared_ptr<State>& self) {
+      if (writing || failed) return;
+      control_in_flight = std::exchange(control, {});
+      frames_in_flight = outbox ? outbox->take(kFramesAtOnce) : std::vector<Frame>();
+      if (control_in_flight.empty() && frames_in_flight.empty()) return;
+      writing = true;
+      boost::asio::async_write(socket, gathered(), [self](error_code error, std::size_t) {
+        self->writing = false;
+        self->failed = error;
+        self->flush(self);
+      });
+    }
+
+    [[nodiscard]] std::vector<boost::asio::const_buffer> gathered() const {
+      std::vector<boost::asio::const_buffer> buffers;
+      buffers.reserve(1 + 2 * frames_in_flight.size());
+      if (!control_in_flight.empty()) buffers.push_back(boost::asio::buffer(control_in_flight));
+      for (const Frame& frame : frames_in_flight) {
+        buffers.emplace_back(frame.head.data(), frame.head_size);
+        if (frame.payload) buffers.emplace_back(frame.payload->data(), frame.payload->size());
+      }
+      return buffers;
+    }
+  };
+
+  std::shared_ptr<State> state_;  ///< writes in flight keep it
+};
+
+/// How Beast ends a connection: as on a plain socket.
+inline void teardown(boost::beast::role_type role, BatchingSocket& socket,
+                     boost::system::error_code& error) {
+  boost::beast::websocket::teardown(role, socket.next_layer(), error);
+}
+template <class Handler>
+void async_teardown(boost::beast::role_type role, BatchingSocket& socket, Handler&& handler) {
+  boost::beast::websocket::async_teardown(role, socket.next_layer(),
+                                          std::forward<Handler>(handler));
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,163 @@
+#include <algorithm>
+
+#include "monitor/server/foxglove_hub.h"
+#include "monitor/server/json_text.h"
+
+namespace galilean::monitor::foxglove {
+namespace {
+
+std::optional<std::uint32_t> id_of(const nlohmann::json& json) {
+  if (!json.is_number_unsigned() || json.get<std::uint64_t>() > 0xfffffffe) return std::nullopt;
+  return json.get<std::uint32_t>();
+}
+
+std::optional<std::uint32_t> id_of(const nlohmann::json& object, const char* key) {
+  if (!object.is_object() || !object.contains(key)) return std::nullopt;
+  return id_of(object[key]);
+}
+
+const nlohmann::json& list_of(const nlohmann::json& object, const char* key) {
+  static const nlohmann::json kNone = nlohmann::json::array();
+  return object.contains(key) && object[key].is_array() ? object[key] : kNone;
+}
+
+/// Frames of one subscription that wait for a slow client; 0: all of them must arrive.
+std::size_t lane_depth(wire::Delivery delivery) {
+  switch (delivery) {
+    case wire::Delivery::kEvent:
+    case wire::Delivery::kCommand:
+      return 0;
+    case wire::Delivery::kFlow:  // several robots write to the same topic
+      return 10;
+    case wire::Delivery::kState:
+    case wire::Delivery::kStream:
+      return 1;
+  }
+  return 1;
+}
+
+}  // namespace
+
+Hub::Client::Client(Hub& hub, Link& link) : hub_(hub), link_(link) {
+  hub_.clients_.push_back(this);
+  tell(server_info(hub_.server_name_, hub_.session_id_));
+  if (!hub_.services_.empty()) tell(advertise_services(hub_.services_));
+  std::vector<const Channel*> channels;
+  for (const auto& [id, topic] : hub_.topics_) channels.push_back(topic.channel);
+  if (!channels.empty()) tell(advertise(channels));
+}
+
+Hub::Client::~Client() {
+  while (!channel_of_.empty()) unsubscribe_one(channel_of_.begin()->first);
+  hub_.past_.superseded += outbox_.superseded();
+  std::erase(hub_.clients_, this);
+  *alive_ = false;
+}
+
+void Hub::Client::receive_text(std::string_view text) {
+  const auto request = nlohmann::json::parse(text, nullptr, false);
+  const bool has_op = request.is_object() && request.contains("op") && request["op"].is_string();
+  if (!has_op) return refuse("A message must be a JSON object with a string \"op\".");
+  const auto op = request["op"].get<std::string>();
+  if (op == "subscribe")
+    subscribe(request);
+  else if (op == "unsubscribe")
+    unsubscribe(request);
+  else
+    refuse("This server does not know \"" + op.substr(0, 40) +
+           "\"; it knows subscribe and unsubscribe.");
+}
+
+void Hub::Client::receive_binary(std::span<const std::uint8_t> bytes) {
+  ServiceCall request;
+  if (read_service_call(bytes, request))
+    call(request);
+  else
+    refuse("A binary message must be a service call.");
+}
+
+void Hub::Client::subscribe(const nlohmann::json& request) {
+  for (const auto& item : list_of(request, "subscriptions")) {
+    const auto id = id_of(item, "id");
+    const auto channel_id = id_of(item, "channelId");
+    if (id && channel_id)
+      subscribe_one(*id, *channel_id);
+    else
+      refuse("A subscription must have a number \"id\" and a number \"channelId\".");
+  }
+}
+
+void Hub::Client::subscribe_one(std::uint32_t subscription_id, std::uint32_t channel_id) {
+  Topic* topic = hub_.find(channel_id);
+  if (!topic) return refuse("There is no channel " + std::to_string(channel_id) + ".");
+  if (!channel_of_.emplace(subscription_id, channel_id).second)
+    return refuse("Subscription id " + std::to_string(subscription_id) + " is in use already.");
+  topic->subscribers.push_back({this, subscription_id});
+  if (topic->subscribers.size() == 1 && hub_.demand_) hub_.demand_(channel_id, true);
+  for (const auto& message : topic->kept) deliver(subscription_id, message);
+}
+
+void Hub::Client::unsubscribe(const nlohmann::json& request) {
+  for (const auto& item : list_of(request, "subscriptionIds")) {
+    const auto id = id_of(item);
+    if (id && channel_of_.contains(*id))
+      unsubscribe_one(*id);
+    else
+      tell(status(StatusLevel::kWarning, "There is no subscription " + json_text(item) + "."));
+  }
+}
+
+void Hub::Client::unsubscribe_one(std::uint32_t subscription_id) {
+  const auto channel_id = channel_of_.at(subscription_id);
+  channel_of_.erase(subscription_id);
+  outbox_.close_lane(subscription_id);
+  auto& subscribers = hub_.find(channel_id)->subscribers;
+  std::erase_if(subscribers, [&](const Subscriber& subscriber) {
+    return subscriber.client == this && subscriber.subscription_id == subscription_id;
+  });
+  if (subscribers.empty() && hub_.demand_) hub_.demand_(channel_id, false);
+}
+
+void Hub::Client::call(const ServiceCall& call) {
+  const auto service_id = call.service_id;
+  const auto call_id = call.call_id;
+  if (service_id == 0 || service_id > hub_.handlers_.size())
+    return answer(service_id, call_id,
+                  Error{"There is no service " + std::to_string(service_id) + "."});
+  const auto request = nlohmann::json::parse(call.request, nullptr, false);
+  if (call.encoding != "json" || request.is_discarded())
+    return answer(service_id, call_id, Error{"A service call must be encoded as json."});
+  hub_.handlers_[service_id - 1](
+      request, [this, alive = alive_, service_id, call_id](const Result<nlohmann::json>& result) {
+        if (*alive) answer(service_id, call_id, result);
+      });
+}
+
+void Hub::Client::answer(std::uint32_t service_id, std::uint32_t call_id,
+                         const Result<nlohmann::json>& result) {
+  if (result)
+    push(service_response_frame(service_id, call_id, "json", json_text(result.value())));
+  else
+    tell(service_failure(service_id, call_id, result.error().message));
+}
+
+void Hub::Client::deliver(std::uint32_t subscription_id, const Message& message) {
+  const auto depth = lane_depth(message.channel.delivery);
+  if (depth == 0) return push(message_frame(subscription_id, message));
+  if (dismissed_) return;
+  ++hub_.past_.frames;
+  outbox_.offer(subscription_id, message_frame(subscription_id, message), depth);
+  link_.flush();
+}
+
+void Hub::Client::push(Frame frame) {
+  if (dismissed_) return;
+  ++hub_.past_.frames;
+  if (outbox_.push(std::move(frame))) return link_.flush();
+  dismissed_ = true;
+  ++hub_.past_.dismissed;
+  outbox_.clear();
+  link_.close("too slow: more events waited for this client than the server keeps");
+}
+
+}  // namespace galilean::monitor::foxglove

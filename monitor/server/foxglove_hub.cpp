@@ -1,0 +1,74 @@
+#include "monitor/server/foxglove_hub.h"
+
+#include <algorithm>
+
+#include "core/wire/topics.h"
+
+namespace galilean::monitor::foxglove {
+namespace {
+
+/// What a later subscriber is told, as DDS would tell a late joiner.
+std::size_t kept_for_late_joiners(wire::Delivery delivery) {
+  if (delivery == wire::Delivery::kState) return 1;
+  return delivery == wire::Delivery::kEvent ? 64 : 0;
+}
+
+}  // namespace
+
+Hub::Hub(std::string server_name, Demand demand)
+    : server_name_(std::move(server_name)),
+      session_id_(std::to_string(wire::wall_clock_ns())),
+      demand_(std::move(demand)) {}
+
+Hub::~Hub() = default;
+
+void Hub::add_service(Service service, Handler handler) {
+  services_.push_back(std::move(service));
+  handlers_.push_back(std::move(handler));
+}
+
+void Hub::add_channel(const Channel& channel) {
+  topics_[channel.id].channel = &channel;
+  const auto text = advertise({&channel});
+  for (Client* client : std::vector(clients_)) client->tell(text);
+}
+
+void Hub::send(const Message& message) {
+  Topic* topic = find(message.channel.id);
+  if (!topic) return;
+  if (const auto depth = kept_for_late_joiners(message.channel.delivery); depth > 0) {
+    if (topic->kept.size() >= depth) topic->kept.pop_front();
+    topic->kept.push_back(message);
+  }
+  for (const auto& [client, subscription_id] : topic->subscribers)
+    client->deliver(subscription_id, message);
+}
+
+void Hub::send_time(std::int64_t since_epoch_ns) {
+  constexpr std::uint32_t kTimeLane = 0xffffffff;
+  for (Client* client : clients_) {
+    client->outbox_.offer(kTimeLane, time_frame(since_epoch_ns), 1);
+    client->link_.flush();
+  }
+}
+
+std::unique_ptr<Hub::Client> Hub::connect(Link& link) {
+  return std::make_unique<Client>(*this, link);
+}
+
+Hub::Topic* Hub::find(std::uint32_t channel_id) {
+  const auto found = topics_.find(channel_id);
+  return found == topics_.end() ? nullptr : &found->second;
+}
+
+Hub::Counts Hub::counts() const {
+  Counts counts = past_;
+  counts.clients = clients_.size();
+  for (const Client* client : clients_) {
+    counts.subscriptions += client->channel_of_.size();
+    counts.superseded += client->outbox_.superseded();
+  }
+  return counts;
+}
+
+}  // namespace galilean::monitor::foxglove

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "monitor/server/foxglove_messages.h"
+#include "monitor/server/outbox.h"
+
+namespace galilean::monitor::foxglove {
+
+/// The way to one client, as the hub sees it.
+class Link {
+ public:
+  virtual ~Link() = default;
+  /// Something waits in the outbox.
+  virtual void flush() = 0;
+  /// Says goodbye; nothing more is sent. `reason` is at most 123 bytes.
+  virtual void close(const std::string& reason) = 0;
+};
+
+/// Fans the team's messages out to clients of Foxglove's protocol, ws-protocol version 1, and takes
+/// their service calls. A new subscriber to what *is* gets the newest at once, one to what
+/// *happens* the last 64, as a late joiner on DDS does.
+///
+/// For one thread. Knows no sockets: whoever has one opens a Client with it.
+class Hub {
+ public:
+  class Client;
+  using Answer = std::function<void(Result<nlohmann::json>)>;
+  using Handler = std::function<void(const nlohmann::json& request, Answer answer)>;
+  /// Called when the first client wants a channel's messages and when the last one ceases to.
+  using Demand = std::function<void(std::uint32_t channel_id, bool wanted)>;
+
+  Hub(std::string server_name, Demand demand);
+  ~Hub();
+
+  void add_service(Service service, Handler handler);
+  /// `channel` must outlive the hub.
+  void add_channel(const Channel& channel);
+  void send(const Message& message);
+  void send_time(std::int64_t since_epoch_ns);
+  /// Clients may go later than who listened to Demand.
+  void forget_demand() { demand_ = nullptr; }
+
+  /// The client is served until the pointer goes.
+  [[nodiscard]] std::unique_ptr<Client> connect(Link& link);
+
+  struct Counts {
+    std::size_t clients = 0;
+    std::size_t subscriptions = 0;
+    std::uint64_t frames = 0;      ///< handed to clients' outboxes
+    std::uint64_t superseded = 0;  ///< left out because a newer one came before they were sent
+    std::uint64_t dismissed = 0;   ///< clients closed for being too slow
+  };
+  [[nodiscard]] Counts counts() const;
+
+ private:
+  struct Subscriber {
+    Client* client;
+    std::uint32_t subscription_id;
+  };
+  struct Topic {
+    const Channel* channel;
+    std::vector<Subscriber> subscribers;
+    std::deque<Message> kept;  ///< for those who subscribe later
+  };
+
+  [[nodiscard]] Topic* find(std::uint32_t channel_id);
+
+  std::string server_name_;
+  std::string session_id_;
+  Demand demand_;
+  std::vector<Service> services_;
+  std::vector<Handler> handlers_;
+  std::map<std::uint32_t, Topic> topics_;
+  std::vector<Client*> clients_;
+  Counts past_;
+};
+
+/// One connected client and what it subscribed to.
+class Hub::Client {
+ public:
+  Client(Hub& hub, Link& link);
+  ~Client();
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+
+  /// What came from the client, as text or as binary message.
+  void receive_text(std::string_view text);
+  void receive_binary(std::span<const std::uint8_t> bytes);
+  [[nodiscard]] Outbox& outbox() noexcept { return outbox_; }
+
+ private:
+  friend class Hub;
+
+  void subscribe(const nlohmann::json& request);
+  void subscribe_one(std::uint32_t subscription_id, std::uint32_t channel_id);
+  void unsubscribe(const nlohmann::json& request);
+  void unsubscribe_one(std::uint32_t subscription_id);
+  void call(const ServiceCall& call);
+  void answer(std::uint32_t service_id, std::uint32_t call_id,
+              const Result<nlohmann::json>& result);
+  void deliver(std::uint32_t subscription_id, const Message& message);
+  void push(Frame frame);
+  void tell(const std::string& text) { push(text_frame(text)); }
+  void refuse(const std::string& why) { tell(status(StatusLevel::kError, why)); }
+
+  Hub& hub_;
+  Link& link_;
+  Outbox outbox_;
+  bool dismissed_ = false;
+  std::map<std::uint32_t, std::uint32_t> channel_of_;           ///< by subscription id
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< for answers that come late
+};
+
+}  // namespace galilean::monitor::foxglove

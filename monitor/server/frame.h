@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "monitor/ingest/channel.h"
+
+namespace galilean::monitor {
+
+/// One WebSocket frame as it leaves the server. The payload is shared by all who are sent it; what
+/// differs from client to client (the subscription's id) stands in the head.
+struct Frame {
+  std::array<std::uint8_t, 10 + 13> head{};
+  std::uint8_t head_size = 0;
+  Payload payload;
+
+  [[nodiscard]] std::span<const std::uint8_t> head_bytes() const {
+    return std::span(head).first(head_size);
+  }
+  [[nodiscard]] std::size_t size() const { return head_size + (payload ? payload->size() : 0); }
+};
+
+/// Foxglove's binary messages (ws-protocol, "Binary messages"), as WebSocket frames (RFC
+/// 6455, 5.2).
+[[nodiscard]] Frame text_frame(std::string_view text);
+[[nodiscard]] Frame message_frame(std::uint32_t subscription_id, const Message& message);
+[[nodiscard]] Frame time_frame(std::int64_t since_epoch_ns);
+[[nodiscard]] Frame service_response_frame(std::uint32_t service_id, std::uint32_t call_id,
+                                           std::string_view encoding, std::string_view answer);
+
+/// What a client asks of a service; valid as long as the bytes that it was read from.
+struct ServiceCall {
+  std::uint32_t service_id = 0;
+  std::uint32_t call_id = 0;
+  std::string_view encoding;
+  std::string_view request;
+};
+/// False if the bytes are no service call.
+[[nodiscard]] bool read_service_call(std::span<const std::uint8_t> bytes, ServiceCall& call);
+
+}  // namespace galilean::monitor

@@ -1,0 +1,56 @@
+#include "monitor/server/guard.h"
+
+#include <algorithm>
+#include <boost/asio/ip/address.hpp>
+#include <cctype>
+
+namespace galilean::monitor {
+namespace {
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& letter : result)
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return result;
+}
+
+/// "[::1]:8080" -> "::1", "localhost:8080" -> "localhost".
+std::string without_port(std::string_view host) {
+  if (host.starts_with('[')) return lower(host.substr(1, host.find(']') - 1));
+  return lower(host.substr(0, host.find(':')));
+}
+
+/// "http://localhost:8080" -> "localhost:8080".
+std::string_view authority(std::string_view origin) {
+  const auto scheme = origin.find("://");
+  return scheme == origin.npos ? std::string_view() : origin.substr(scheme + 3);
+}
+
+}  // namespace
+
+bool Guard::means_us(std::string_view host) const {
+  const auto name = without_port(host);
+  if (name == "localhost" || name == lower(listen_address_)) return true;
+  boost::system::error_code not_an_address;
+  const auto address = boost::asio::ip::make_address(name, not_an_address);
+  if (not_an_address) return false;  // a name, which anybody's DNS may point here
+  const auto listens = boost::asio::ip::make_address(listen_address_, not_an_address);
+  return address.is_loopback() || (!not_an_address && listens.is_unspecified());
+}
+
+bool Guard::is_allowed_stranger(const std::string& origin) const {
+  return std::ranges::find(allowed_origins_, lower(origin), lower) != allowed_origins_.end();
+}
+
+std::string Guard::objection(const HttpRequest& request) const {
+  if (!means_us(request.host))
+    return "This monitor does not answer for the host '" + request.host +
+           "'; use localhost or the address that it listens on.";
+  if (request.origin.empty() || is_allowed_stranger(request.origin)) return {};
+  if (lower(authority(request.origin)) == lower(request.host)) return {};
+  return "Pages from '" + request.origin +
+         "' may not use this monitor; start it with --allow-origin " + request.origin +
+         " if they should.";
+}
+
+}  // namespace galilean::monitor

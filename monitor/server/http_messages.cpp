@@ -1,0 +1,71 @@
+#include "monitor/server/http_messages.h"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "monitor/server/json_text.h"
+
+namespace galilean::monitor {
+namespace {
+
+const char* title(int status) {
+  switch (status) {
+    case 400:
+      return "Bad request";
+    case 403:
+      return "Forbidden";
+    case 404:
+      return "Not found";
+    case 405:
+      return "Method not allowed";
+    case 409:
+      return "Conflict";
+    case 413:
+      return "Too large";
+    case 422:
+      return "The program has errors";
+    default:
+      return "Failed";
+  }
+}
+
+}  // namespace
+
+HttpResponse text_response(std::string text, std::string content_type, int status) {
+  return {
+      status, std::move(content_type), std::make_shared<const std::string>(std::move(text)), {}};
+}
+
+HttpResponse json_response(const nlohmann::json& json, int status) {
+  return text_response(json_text(json), "application/json", status);
+}
+
+HttpResponse problem(int status, const std::string& detail, const nlohmann::json& more) {
+  nlohmann::json json{{"title", title(status)}, {"status", status}, {"detail", detail}};
+  json.update(more);
+  return text_response(json_text(json), "application/problem+json", status);
+}
+
+HttpResponse problem(int status, const std::string& detail) {
+  return problem(status, detail, nlohmann::json::object());
+}
+
+std::string percent_decoded(std::string_view text) {
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned byte = 0;
+    if (text[i] == '%' && i + 2 < text.size()) {
+      const char* end = text.data() + i + 3;
+      if (const auto [at, error] = std::from_chars(end - 2, end, byte, 16);
+          error == std::errc() && at == end) {
+        decoded += static_cast<char>(byte);
+        i += 2;
+        continue;
+      }
+    }
+    decoded += text[i];
+  }
+  return decoded;
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace galilean::monitor {
+
+/// What a request says, as far as anybody here asks.
+struct HttpRequest {
+  std::string method;
+  std::string path;  ///< without query, percent-decoded
+  std::string body;
+  std::string host;
+  std::string origin;  ///< empty where none was sent
+  std::string if_none_match;
+  bool accepts_gzip = false;
+};
+
+struct HttpResponse {
+  int status = 200;
+  std::string content_type = "application/json";
+  std::shared_ptr<const std::string> body;  ///< shared: what is served from memory is not copied
+  std::vector<std::pair<std::string, std::string>> headers;
+};
+
+using Respond = std::function<void(HttpResponse)>;
+/// Answers a request, at once or later, exactly once.
+using HttpHandler = std::function<void(const HttpRequest&, Respond)>;
+
+[[nodiscard]] HttpResponse json_response(const nlohmann::json& json, int status = 200);
+[[nodiscard]] HttpResponse text_response(std::string text, std::string content_type,
+                                         int status = 200);
+/// An error as problem+json (RFC 9457): {title, status, detail} and the members of `more`.
+[[nodiscard]] HttpResponse problem(int status, const std::string& detail);
+[[nodiscard]] HttpResponse problem(int status, const std::string& detail,
+                                   const nlohmann::json& more);
+
+/// "a%20b" -> "a b"; what is no escape stays as it is.
+[[nodiscard]] std::string percent_decoded(std::string_view text);
+
+}  // namespace galilean::monitor

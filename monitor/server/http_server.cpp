@@ -1,0 +1,58 @@
+#include "monitor/server/http_server.h"
+
+#include <boost/asio/steady_timer.hpp>
+
+#include "monitor/server/http_session.h"
+
+namespace galilean::monitor {
+namespace {
+using boost::asio::ip::tcp;
+using error_code = boost::system::error_code;
+}  // namespace
+
+HttpServer::HttpServer(boost::asio::io_context& io, Site site)
+    : acceptor_(io), site_(std::make_shared<Site>(std::move(site))) {}
+
+Result<std::uint16_t> HttpServer::listen(const std::string& address, std::uint16_t port) {
+  error_code error;
+  const auto literal =
+      boost::asio::ip::make_address(address == "localhost" ? "127.0.0.1" : address, error);
+  if (error) return Error{"'" + address + "' is no address to listen on, such as 127.0.0.1"};
+  const tcp::endpoint endpoint(literal, port);
+  acceptor_.open(endpoint.protocol(), error);
+  if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
+  if (!error) acceptor_.bind(endpoint, error);
+  if (!error) acceptor_.listen(boost::asio::socket_base::max_listen_connections, error);
+  if (error) {
+    const auto where = address + ":" + std::to_string(port);
+    if (error == boost::asio::error::address_in_use)
+      return Error{"another program listens on " + where +
+                   " already; end it, or choose another port with --listen"};
+    return Error{"cannot listen on " + where + ": " + error.message()};
+  }
+  accept();
+  return acceptor_.local_endpoint().port();
+}
+
+void HttpServer::close() {
+  error_code ignored;
+  acceptor_.close(ignored);
+}
+
+void HttpServer::accept() {
+  acceptor_.async_accept([this](error_code error, tcp::socket socket) {
+    if (error == boost::asio::error::operation_aborted) return;
+    if (error) {  // out of file descriptors, mostly: wait until some are given back
+      auto pause = std::make_shared<boost::asio::steady_timer>(acceptor_.get_executor(),
+                                                               std::chrono::milliseconds(100));
+      pause->async_wait([this, pause](error_code) {
+        if (acceptor_.is_open()) accept();
+      });
+      return;
+    }
+    if (site_->counts.connections < kMostConnections) serve_http(std::move(socket), site_);
+    accept();
+  });
+}
+
+}  // namespace galilean::monitor

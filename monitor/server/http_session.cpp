@@ -1,0 +1,142 @@
+#include "monitor/server/http_session.h"
+
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/span.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
+#include <optional>
+
+#include "monitor/server/websocket_session.h"
+
+namespace galilean::monitor {
+namespace {
+
+namespace beast = boost::beast;
+namespace http = beast::http;
+using error_code = boost::system::error_code;
+using SharedBody = http::span_body<const char>;
+
+constexpr std::uint32_t kMostHeaderBytes = 16 << 10;
+constexpr std::uint64_t kMostBodyBytes = 16 << 20;
+constexpr auto kLongestRequest = std::chrono::seconds(30);
+
+HttpRequest plain(http::request<http::string_body>& from) {
+  HttpRequest request;
+  request.method = from.method_string();
+  const std::string_view target(from.target().data(), from.target().size());
+  request.path = percent_decoded(target.substr(0, target.find('?')));
+  request.host = from[http::field::host];
+  request.origin = from[http::field::origin];
+  request.if_none_match = from[http::field::if_none_match];
+  request.accepts_gzip =
+      from[http::field::accept_encoding].find("gzip") != beast::string_view::npos;
+  request.body = std::move(from.body());
+  return request;
+}
+
+class HttpSession : public std::enable_shared_from_this<HttpSession> {
+ public:
+  HttpSession(boost::asio::ip::tcp::socket socket, std::shared_ptr<HttpServer::Site> site)
+      : stream_(std::move(socket)), site_(std::move(site)) {
+    ++site_->counts.connections;
+    error_code ignored;
+    stream_.socket().set_option(boost::asio::ip::tcp::no_delay(true), ignored);
+  }
+  ~HttpSession() { --site_->counts.connections; }
+
+  void read() {
+    parser_.emplace();
+    parser_->header_limit(kMostHeaderBytes);
+    parser_->body_limit(kMostBodyBytes);
+    stream_.expires_after(kLongestRequest);
+    http::async_read(stream_, buffer_, *parser_,
+                     [self = shared_from_this()](error_code error, std::size_t) {
+                       error ? self->fail(error) : self->receive();
+                     });
+  }
+
+ private:
+  void fail(error_code error) {
+    keep_alive_ = false;
+    version_ = 11;
+    if (error == http::error::body_limit)
+      respond(problem(413, "A request's body may have 16 MB."));
+    else if (error == http::error::header_limit)
+      respond(problem(431, "A request's head may have 16 kB."));
+    else if (error.category() == make_error_code(http::error::bad_method).category() &&
+             error != http::error::end_of_stream && error != http::error::partial_message)
+      respond(problem(400, "This is not HTTP: " + error.message() + "."));
+  }
+
+  void receive() {
+    auto message = parser_->release();
+    version_ = message.version();
+    keep_alive_ = message.keep_alive();
+    head_only_ = message.method() == http::verb::head;
+    const bool upgrade = beast::websocket::is_upgrade(message);
+    auto request = plain(message);
+    ++site_->counts.requests;
+    if (const auto objection = site_->guard.objection(request); !objection.empty()) {
+      ++site_->counts.refused;
+      return respond(problem(403, objection));
+    }
+    if (upgrade && request.path == "/ws") return become_websocket(std::move(message));
+    stranger_ = site_->guard.is_allowed_stranger(request.origin) ? request.origin : std::string();
+    stream_.expires_never();
+    site_->handler(request, [self = shared_from_this()](HttpResponse response) {
+      self->respond(std::move(response));
+    });
+  }
+
+  void become_websocket(http::request<http::string_body> message) {
+    stream_.expires_never();
+    serve_websocket(stream_.release_socket(), std::move(message), site_->hub);
+  }
+
+  void respond(HttpResponse response) {
+    body_ = response.body ? std::move(response.body) : std::make_shared<const std::string>();
+    response_.emplace(static_cast<http::status>(response.status), version_);
+    response_->set(http::field::server, "galilean");
+    response_->set("X-Content-Type-Options", "nosniff");
+    if (!stranger_.empty()) response_->set(http::field::access_control_allow_origin, stranger_);
+    if (!response.content_type.empty())
+      response_->set(http::field::content_type, response.content_type);
+    for (const auto& [name, value] : response.headers) response_->set(name, value);
+    response_->keep_alive(keep_alive_);
+    if (response.status != 304) response_->content_length(body_->size());
+    if (!head_only_ && response.status != 304) response_->body() = {body_->data(), body_->size()};
+    stream_.expires_after(kLongestRequest);
+    serializer_.emplace(*response_);
+    http::async_write(stream_, *serializer_,
+                      [self = shared_from_this()](error_code error, std::size_t) {
+                        if (!error) self->go_on();
+                      });
+  }
+
+  void go_on() {
+    if (keep_alive_) return read();
+    error_code ignored;
+    stream_.socket().shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
+  }
+
+  beast::tcp_stream stream_;
+  std::shared_ptr<HttpServer::Site> site_;
+  beast::flat_buffer buffer_;
+  std::optional<http::request_parser<http::string_body>> parser_;
+  std::shared_ptr<const std::string> body_;
+  std::optional<http::response<SharedBody>> response_;
+  std::optional<http::response_serializer<SharedBody>> serializer_;
+  std::string stranger_;
+  unsigned version_ = 11;
+  bool keep_alive_ = false;
+  bool head_only_ = false;
+};
+
+}  // namespace
+
+void serve_http(boost::asio::ip::tcp::socket socket, std::shared_ptr<HttpServer::Site> site) {
+  std::make_shared<HttpSession>(std::move(socket), std::move(site))->read();
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "monitor/server/http_server.h"
+
+namespace galilean::monitor {
+
+/// Serves one connection until it closes or becomes a WebSocket. The session keeps itself.
+void serve_http(boost::asio::ip::tcp::socket socket, std::shared_ptr<HttpServer::Site> site);
+
+}  // namespace galilean::monitor

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "monitor/server/foxglove_hub.h"
+#include "monitor/server/http_server.h"
+#include "monitor/team/team.h"
+
+namespace galilean::monitor {
+
+/// Prometheus' text format 0.0.4.
+[[nodiscard]] std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocket,
+                                       const HttpServer::Counts& http);
+
+}  // namespace galilean::monitor

@@ -1,0 +1,155 @@
+#include "monitor/server/monitor.h"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <csignal>
+#include <iostream>
+
+#include "bhdl/catalog_file.h"
+#include "monitor/ingest/ingest.h"
+#include "monitor/server/api.h"
+
+namespace galilean::monitor {
+namespace {
+namespace asio = boost::asio;
+
+/// The installed catalog may be missing where each robot publishes its own.
+Catalog catalog_or_none(const std::filesystem::path& file) {
+  auto catalog = bhdl::load_catalog(file.empty() ? bhdl::default_catalog_path() : file);
+  if (catalog) return std::move(catalog).value();
+  std::clog << "galilean-monitor: " << catalog.error().message << std::endl;
+  return {};
+}
+
+template <class M, class Take>
+void decode_for(const Message& message, Take take) {
+  if (message.channel.schema->ros_type != M::kRosType) return;
+  M decoded;
+  if (msg::decode_cdr(*message.cdr, decoded)) take(decoded);
+}
+
+}  // namespace
+
+/// In the order of making; they go in the other. The hub stays until every session is gone, and
+/// those go with the io_context.
+struct Monitor::Parts {
+  std::unique_ptr<wire::Participant> participant;
+  std::unique_ptr<History> history;
+  SteadyClock clock;
+  Team team;
+  ProgramLibrary library;
+  PageFiles page;
+  foxglove::Hub hub;
+  asio::io_context io{1};
+  asio::signal_set signals{io, SIGINT, SIGTERM};
+  asio::steady_timer time_timer{io};
+  Worker worker{io};
+  MapService map;
+  PushDesk desk;
+  Operations operations;
+  Api api;
+  HttpServer server;
+  Ingest ingest;
+  std::uint16_t port = 0;
+
+  Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
+        std::unique_ptr<History> opened);
+  ~Parts() {
+    worker.finish();
+    hub.forget_demand();
+  }
+
+  [[nodiscard]] Ingest::Callbacks callbacks();
+  void receive(const Message& message);
+  void tell_time();
+};
+
+Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
+                      std::unique_ptr<History> opened)
+    : participant(std::move(joined)),
+      history(std::move(opened)),
+      team(clock, options.map.silent_after),
+      library(options.library_folder.empty() ? default_library_folder() : options.library_folder,
+              catalog_or_none(options.catalog_file)),
+      page(options.page_folder.empty() ? default_page_folder() : options.page_folder),
+      hub("galilean-monitor",
+          [this](std::uint32_t channel_id, bool wanted) { ingest.want(channel_id, wanted); }),
+      map(*participant, clock, options.map),
+      desk({io, worker, clock, team, library, *history}, *participant),
+      operations(worker, team, library, desk, *participant),
+      api({page, team, library, map, hub, operations, worker, *history}),
+      server(io, {Guard(options.address, options.allowed_origins),
+                  [this](const HttpRequest& request, const Respond& respond) {
+                    api.answer(request, respond);
+                  },
+                  hub}),
+      ingest(*participant, callbacks(), [this] { asio::post(io, [this] { ingest.poll(); }); }) {
+  operations.offer(hub);
+  api.set_counts([this] { return server.counts(); });
+  signals.async_wait([this](boost::system::error_code error, int) {
+    if (!error) io.stop();
+  });
+  tell_time();
+}
+
+Ingest::Callbacks Monitor::Parts::callbacks() {
+  return {[this](const Channel& channel) { hub.add_channel(channel); },
+          [this](const Message& message) { receive(message); },
+          [](const std::string& problem) {
+            std::clog << "galilean-monitor: " << problem << std::endl;
+          }};
+}
+
+void Monitor::Parts::receive(const Message& message) {
+  hub.send(message);  // first: who looks at the page waits for it
+  team.receive(message);
+  map.receive(message);
+  decode_for<msg::ProgramReply>(message, [this](const auto& reply) { desk.note(reply); });
+  decode_for<msg::ProgramPush>(message, [this](const auto& push) { desk.note(push); });
+}
+
+void Monitor::Parts::tell_time() {
+  hub.send_time(wire::wall_clock_ns());
+  time_timer.expires_after(std::chrono::milliseconds(100));
+  time_timer.async_wait([this](boost::system::error_code error) {
+    if (!error) tell_time();
+  });
+}
+
+Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) try {
+  auto history = History::open(options.data_folder / "history.sqlite");
+  if (!history) return history.error();
+  auto participant = wire::Participant::join("galilean-monitor", options.domain);
+  if (!participant) return participant.error();
+  auto parts =
+      std::make_unique<Parts>(options, std::move(participant).value(), std::move(history).value());
+  const auto port = parts->server.listen(options.address, options.port);
+  if (!port) return port.error();
+  parts->port = port.value();
+  return std::unique_ptr<Monitor>(new Monitor(std::move(parts)));
+} catch (const std::exception& error) {
+  return Error{std::string("DDS cannot be used: ") + error.what()};
+}
+
+Monitor::Monitor(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Monitor::~Monitor() = default;
+
+std::uint16_t Monitor::port() const noexcept {
+  return parts_->port;
+}
+
+void Monitor::run() {
+  while (!parts_->io.stopped()) try {
+      parts_->io.run();
+    } catch (const std::exception& error) {
+      // One request's misfortune is not the others'.
+      std::clog << "galilean-monitor: " << error.what() << std::endl;
+    }
+}
+
+void Monitor::stop() {
+  parts_->io.stop();
+}
+
+}  // namespace galilean::monitor

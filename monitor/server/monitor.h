@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "monitor/map/map_service.h"
+
+namespace galilean::monitor {
+
+/// How the monitor is started.
+struct MonitorOptions {
+  std::string address = "127.0.0.1";
+  std::uint16_t port = 8080;  ///< 0: any that is free
+  int domain = -1;            ///< of DDS; negative: ROS_DOMAIN_ID, else 0
+  std::filesystem::path page_folder;
+  std::filesystem::path library_folder;
+  std::filesystem::path data_folder;
+  std::filesystem::path catalog_file;
+  std::vector<std::string> allowed_origins;
+  MapService::Options map;
+};
+
+/// The whole monitor: what DDS brings goes to the clients, the model of the team and the map; what
+/// operators ask goes to the robots.
+class Monitor {
+ public:
+  /// What stands in the way is told in one sentence: a port that is taken, DDS, a folder.
+  [[nodiscard]] static Result<std::unique_ptr<Monitor>> make(const MonitorOptions& options);
+  ~Monitor();
+  Monitor(const Monitor&) = delete;
+  Monitor& operator=(const Monitor&) = delete;
+
+  [[nodiscard]] std::uint16_t port() const noexcept;
+  /// Serves until `stop`, or SIGINT or SIGTERM.
+  void run();
+  /// From any thread.
+  void stop();
+
+ private:
+  struct Parts;
+  explicit Monitor(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace galilean::monitor

@@ -1,0 +1,146 @@
+#include "monitor/server/operations.h"
+
+#include <map>
+
+#include "core/wire/topics.h"
+#include "monitor/programs/json.h"
+#include "monitor/server/request_fields.h"
+
+namespace galilean::monitor {
+namespace {
+
+namespace kinds = msg::Command_Constants;
+const std::map<std::string, std::uint8_t>& command_kinds() {
+  static const std::map<std::string, std::uint8_t> kKinds{
+      {"hold", kinds::HOLD}, {"resume", kinds::RESUME}, {"push_bumper", kinds::PUSH_BUMPER}};
+  return kKinds;
+}
+
+std::vector<bhdl::SourceFile> files_field(const nlohmann::json& request) {
+  auto files = files_from_json(request.value("files", nlohmann::json()));
+  if (!files) throw BadRequest(files.error().message + ".");
+  return std::move(files).value();
+}
+
+Outcome told(const PushOutcome& outcome) {
+  using Kind = PushOutcome::Kind;
+  switch (outcome.kind) {
+    case Kind::kPushed:
+      return {200,
+              {{"id", outcome.id}, {"hash", outcome.hash}, {"replies", to_json(outcome.answers)}}};
+    case Kind::kUnknownTarget:
+      return {404, nlohmann::json::object(), outcome.detail};
+    case Kind::kNobody:
+      return {409, nlohmann::json::object(), outcome.detail};
+    case Kind::kBroken:
+      return {
+          422,
+          {{"robot", outcome.check.refused_by}, {"diagnostics", outcome.check.result.diagnostics}},
+          outcome.detail};
+    case Kind::kFailed:
+      break;
+  }
+  return {503, nlohmann::json::object(), outcome.detail};
+}
+
+}  // namespace
+
+Operations::Operations(Worker& worker, const Team& team, const ProgramLibrary& library,
+                       PushDesk& desk, wire::Participant& participant)
+    : worker_(worker),
+      team_(team),
+      library_(library),
+      desk_(desk),
+      commands_(participant, wire::kCommandTopic) {}
+
+void Operations::check(const nlohmann::json& request, Finish finish) {
+  auto files = files_field(request);
+  std::vector<Target> targets;
+  if (const auto name = text_field(request, "robot"); !name.empty()) {
+    const Robot* robot = team_.find(name);
+    if (!robot) return finish({404, {}, "There is no robot '" + name + "'."});
+    targets.push_back(target_of(*robot));
+  } else {
+    for (const auto& [each, robot] : team_.robots()) targets.push_back(target_of(robot));
+  }
+  worker_.run([files = std::move(files), targets = std::move(targets),
+               &library = library_] { return to_json(check_for(files, targets, library).result); },
+              [finish = std::move(finish)](nlohmann::json json) {
+                finish({200, std::move(json)});
+              });
+}
+
+void Operations::push(const nlohmann::json& request, Finish finish) {
+  PushOrder order{.files = files_field(request),
+                  .targets = names_field(request, "targets"),
+                  .author = text_field(request, "author", "unnamed"),
+                  .replaces_hash = text_field(request, "replaces_hash")};
+  desk_.order(std::move(order),
+              [finish = std::move(finish)](const PushOutcome& outcome) { finish(told(outcome)); });
+}
+
+void Operations::command(const nlohmann::json& request, Finish finish) {
+  const auto kind = command_kinds().find(text_field(request, "kind"));
+  if (kind == command_kinds().end())
+    throw BadRequest("'kind' must be hold, resume or push_bumper.");
+  msg::Command command;
+  command.id = new_id();
+  command.author = text_field(request, "author", "operator");
+  command.targets = names_field(request, "targets");
+  command.kind = kind->second;
+  command.argument = whole_number_field(request, "argument", 0);
+  for (const auto& target : command.targets)
+    if (!team_.find(target)) return finish({404, {}, "There is no robot '" + target + "'."});
+  send(std::move(command), std::move(finish));
+}
+
+void Operations::send(msg::Command command, Finish finish) {
+  command.stamp = wire::ros_time(wire::wall_clock_ns());
+  worker_.run([this, command] { return commands_.write(command); },
+              [finish = std::move(finish), id = command.id](bool taken) {
+                finish(taken ? Outcome{200, {{"id", id}}}
+                             : Outcome{503, {}, "DDS did not take the command; try again."});
+              });
+}
+
+void Operations::offer(foxglove::Hub& hub) {
+  const auto object = [](nlohmann::json properties) {
+    return nlohmann::json{{"type", "object"}, {"properties", std::move(properties)}};
+  };
+  const nlohmann::json text{{"type", "string"}}, number{{"type", "integer"}};
+  const nlohmann::json names{{"type", "array"}, {"items", text}};
+  const nlohmann::json files{{"type", "array"},
+                             {"items", object({{"path", text}, {"text", text}})}};
+  const nlohmann::json replies{{"type", "array"}, {"items", {{"type", "object"}}}};
+
+  const auto serve = [](auto operation) {
+    return [operation](const nlohmann::json& request, foxglove::Hub::Answer answer) {
+      try {
+        operation(request, [answer](const Outcome& outcome) {
+          if (outcome.status < 400) return answer(outcome.json);
+          answer(Error{outcome.detail});
+        });
+      } catch (const BadRequest& wrong) {
+        answer(Error{wrong.what()});
+      }
+    };
+  };
+  hub.add_service(
+      {"/galilean/push", "galilean/Push",
+       object({{"files", files}, {"targets", names}, {"author", text}, {"replaces_hash", text}}),
+       object({{"id", text}, {"hash", text}, {"replies", replies}})},
+      serve([this](const nlohmann::json& request, Finish finish) {
+        push(request, std::move(finish));
+      }));
+  for (const auto& [kind, number_of_kind] : command_kinds())
+    hub.add_service({"/galilean/" + kind, "galilean/Command",
+                     object({{"targets", names}, {"author", text}, {"argument", number}}),
+                     object({{"id", text}})},
+                    serve([this, kind = kind](nlohmann::json request, Finish finish) {
+                      if (!request.is_object()) throw BadRequest("A call must be a JSON object.");
+                      request["kind"] = kind;
+                      command(request, std::move(finish));
+                    }));
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,53 @@
+#include "monitor/server/outbox.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace galilean::monitor {
+
+bool Outbox::push(Frame frame) {
+  queued_bytes_ += frame.size();
+  queue_.push_back(std::move(frame));
+  return queued_bytes_ <= kMostQueuedBytes;
+}
+
+void Outbox::offer(std::uint32_t lane, Frame frame, std::size_t depth) {
+  auto& waiting = lanes_[lane];
+  if (waiting.empty()) turns_.push_back(lane);
+  if (waiting.size() >= depth) {
+    waiting.pop_front();
+    ++superseded_;
+  }
+  waiting.push_back(std::move(frame));
+}
+
+void Outbox::close_lane(std::uint32_t lane) {
+  lanes_.erase(lane);
+  std::erase(turns_, lane);
+}
+
+void Outbox::clear() {
+  queue_.clear();
+  queued_bytes_ = 0;
+  lanes_.clear();
+  turns_.clear();
+}
+
+std::vector<Frame> Outbox::take(std::size_t most) {
+  std::vector<Frame> taken;
+  for (; taken.size() < most && !queue_.empty(); queue_.pop_front()) {
+    queued_bytes_ -= queue_.front().size();
+    taken.push_back(std::move(queue_.front()));
+  }
+  while (taken.size() < most && !turns_.empty()) {
+    const auto lane = turns_.front();
+    turns_.pop_front();
+    auto& waiting = lanes_[lane];
+    taken.push_back(std::move(waiting.front()));
+    waiting.pop_front();
+    if (!waiting.empty()) turns_.push_back(lane);
+  }
+  return taken;
+}
+
+}  // namespace galilean::monitor

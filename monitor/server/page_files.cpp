@@ -1,0 +1,104 @@
+#include "monitor/server/page_files.h"
+
+#include <zlib.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "bhdl/catalog_file.h"
+#include "bhdl/sha256.h"
+
+namespace galilean::monitor {
+namespace {
+namespace fs = std::filesystem;
+
+constexpr const char* kNotBuilt =
+    "<!doctype html><title>Galilean</title><h1>The page is not built</h1>"
+    "<p>The monitor runs. Build the page with <code>npm ci &amp;&amp; npm run build</code> in "
+    "<code>web/</code>, and name its folder with <code>--web web/dist</code>; "
+    "<code>./demo.sh</code> does both.</p>";
+
+std::string type_of(const fs::path& file) {
+  static const std::map<std::string, std::string> kTypes{
+      {".html", "text/html; charset=utf-8"},
+      {".js", "text/javascript; charset=utf-8"},
+      {".css", "text/css; charset=utf-8"},
+      {".json", "application/json"},
+      {".svg", "image/svg+xml"},
+      {".png", "image/png"},
+      {".ico", "image/x-icon"},
+      {".woff2", "font/woff2"},
+      {".txt", "text/plain; charset=utf-8"},
+      {".webmanifest", "application/manifest+json"},
+  };
+  const auto found = kTypes.find(file.extension().string());
+  return found == kTypes.end() ? "application/octet-stream" : found->second;
+}
+
+std::string gzipped(const std::string& content) {
+  constexpr int kGzip = 15 + 16;
+  z_stream stream{};
+  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzip, 9, Z_DEFAULT_STRATEGY) != Z_OK)
+    return content;
+  std::string result(deflateBound(&stream, content.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
+  stream.avail_in = static_cast<uInt>(content.size());
+  stream.next_out = reinterpret_cast<Bytef*>(result.data());
+  stream.avail_out = static_cast<uInt>(result.size());
+  deflate(&stream, Z_FINISH);
+  result.resize(stream.total_out);
+  deflateEnd(&stream);
+  return result;
+}
+
+}  // namespace
+
+PageFiles::PageFiles(const fs::path& folder) {
+  std::error_code failed;
+  for (fs::recursive_directory_iterator at(folder, failed), end; !failed && at != end;
+       at.increment(failed)) {
+    if (!at->is_regular_file(failed)) continue;
+    std::ifstream file(at->path(), std::ios::binary);
+    add("/" + at->path().lexically_relative(folder).generic_string(),
+        {std::istreambuf_iterator<char>(file), {}});
+  }
+  if (!has("/index.html")) add("/index.html", kNotBuilt);
+}
+
+void PageFiles::add(const std::string& path, std::string content) {
+  File& file = files_[path];
+  file.content_type = type_of(path);
+  file.etag = '"' + bhdl::sha256(content).substr(0, 32) + '"';
+  if (auto small = gzipped(content); small.size() < content.size() * 9 / 10)
+    file.gzip = std::make_shared<const std::string>(std::move(small));
+  file.plain = std::make_shared<const std::string>(std::move(content));
+}
+
+HttpResponse PageFiles::get(const HttpRequest& request) const {
+  const auto found = files_.find(request.path == "/" ? "/index.html" : request.path);
+  if (found == files_.end()) return problem(404, "There is no '" + request.path + "' here.");
+  const File& file = found->second;
+  const bool for_ever = found->first.starts_with("/assets/");
+  HttpResponse response{200, file.content_type, file.plain, {}};
+  response.headers = {
+      {"ETag", file.etag},
+      {"Vary", "Accept-Encoding"},
+      {"Cache-Control", for_ever ? "public, max-age=31536000, immutable" : "no-cache"},
+      {"Content-Security-Policy",
+       "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+       "connect-src 'self' ws: wss:; worker-src 'self' blob:; frame-ancestors 'none'"}};
+  if (request.if_none_match.find(file.etag) != std::string::npos) {
+    response.status = 304;
+    response.body.reset();
+  } else if (file.gzip && request.accepts_gzip) {
+    response.body = file.gzip;
+    response.headers.emplace_back("Content-Encoding", "gzip");
+  }
+  return response;
+}
+
+fs::path default_page_folder() {
+  return bhdl::default_catalog_path().parent_path() / "web";
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,83 @@
+#include "monitor/server/team_json.h"
+
+namespace galilean::monitor {
+namespace {
+
+nlohmann::json variables_json(const Team& team, const Robot& robot) {
+  auto json = nlohmann::json::array();
+  for (const auto& variable : robot.variables.items)
+    json.push_back({{"name", variable.name},
+                    {"type", variable.type},
+                    {"object_class", variable.object_class},
+                    {"valid", variable.valid},
+                    {"certainty", team.certainty_now(robot, variable)},
+                    {"decay_per_s", variable.decay_per_s},
+                    {"values", variable.values}});
+  return json;
+}
+
+nlohmann::json transitions_json(const Robot& robot) {
+  auto json = nlohmann::json::array();
+  for (const auto& transition : robot.transitions)
+    json.push_back({{"number", transition.number},
+                    {"from_state", transition.from_state},
+                    {"to_state", transition.to_state},
+                    {"cause", transition.cause},
+                    {"file", transition.file},
+                    {"line", transition.line}});
+  return json;
+}
+
+}  // namespace
+
+nlohmann::json to_json(const RobotStatus& status) {
+  return {{"name", status.name},
+          {"health", to_string(status.health)},
+          {"silent", status.health == Health::kSilent},
+          {"age_s", status.age_s},
+          {"state", status.state},
+          {"in_state_s", status.in_state_s},
+          {"program_name", status.program_name},
+          {"program_hash", status.program_hash},
+          {"drifting", status.drifting},
+          {"held", status.held},
+          {"in_probation", status.in_probation},
+          {"tick", status.tick},
+          {"tick_time_us", status.tick_time_us},
+          {"tick_time_max_us", status.tick_time_max_us},
+          {"overruns", status.overruns},
+          {"least_certain", status.least_certain},
+          {"lowest_certainty", status.lowest_certainty},
+          {"x_m", status.x_m},
+          {"y_m", status.y_m},
+          {"heading_rad", status.heading_rad},
+          {"problems", status.problems}};
+}
+
+nlohmann::json score_json(const Team& team) {
+  if (!team.score()) return nullptr;
+  const auto& score = *team.score();
+  auto robots = nlohmann::json::array();
+  for (const auto& robot : score.robots)
+    robots.push_back(
+        {{"robot", robot.robot}, {"deposited", robot.deposited}, {"collisions", robot.collisions}});
+  return {
+      {"scenario", score.scenario},       {"phase", score.phase},   {"elapsed_s", score.elapsed_s},
+      {"remaining_s", score.remaining_s}, {"pieces", score.pieces}, {"deposited", score.deposited},
+      {"collisions", score.collisions},   {"points", score.points}, {"robots", std::move(robots)}};
+}
+
+nlohmann::json to_json(const Team& team) {
+  auto robots = nlohmann::json::array();
+  for (const auto& [name, robot] : team.robots()) {
+    auto json = to_json(team.status(robot));
+    json["variables"] = variables_json(team, robot);
+    json["transitions"] = transitions_json(robot);
+    robots.push_back(std::move(json));
+  }
+  return {{"program_hash", team.program_hash()},
+          {"robots", std::move(robots)},
+          {"score", score_json(team)}};
+}
+
+}  // namespace galilean::monitor

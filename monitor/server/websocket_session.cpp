@@ -1,0 +1,108 @@
+#include "monitor/server/websocket_session.h"
+
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/http/field.hpp>
+#include <boost/beast/http/rfc7230.hpp>
+#include <boost/beast/websocket/stream.hpp>
+
+#include "monitor/server/batching_socket.h"
+
+namespace galilean::monitor {
+namespace {
+
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using Upgrade = http::request<http::string_body>;
+using error_code = boost::system::error_code;
+
+/// A push of the largest program, escaped as JSON.
+constexpr std::size_t kMostMessageBytes = 16 << 20;
+
+/// The first subprotocol that both sides speak; empty if there is none.
+std::string_view subprotocol_for(const Upgrade& upgrade) {
+  http::token_list offered(upgrade[http::field::sec_websocket_protocol]);
+  for (const auto ours : foxglove::kSubprotocols)
+    if (offered.exists({ours.data(), ours.size()})) return ours;
+  return {};
+}
+
+class WebSocketSession final : public foxglove::Link,
+                               public std::enable_shared_from_this<WebSocketSession> {
+ public:
+  WebSocketSession(boost::asio::ip::tcp::socket socket, foxglove::Hub& hub)
+      : stream_(std::move(socket)), hub_(hub) {}
+
+  void start(const Upgrade& upgrade) {
+    const auto subprotocol = subprotocol_for(upgrade);
+    stream_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
+    stream_.set_option(websocket::stream_base::decorator([subprotocol](auto& response) {
+      response.set(http::field::server, "galilean");
+      if (!subprotocol.empty())
+        response.set(http::field::sec_websocket_protocol,
+                     beast::string_view(subprotocol.data(), subprotocol.size()));
+    }));
+    stream_.read_message_max(kMostMessageBytes);
+    stream_.async_accept(
+        upgrade, [self = shared_from_this(), understood = !subprotocol.empty()](error_code error) {
+          if (error) return;
+          if (understood) return self->begin();
+          self->close("offer the subprotocol foxglove.sdk.v1 or foxglove.websocket.v1");
+          self->read();
+        });
+  }
+
+  void flush() override { stream_.next_layer().flush(); }
+
+  void close(const std::string& reason) override {
+    stream_.next_layer().send_from(nullptr);
+    if (std::exchange(closing_, true)) return;
+    stream_.async_close({websocket::close_code::policy_error, reason},
+                        [self = shared_from_this()](error_code) {});
+  }
+
+ private:
+  void begin() {
+    client_ = hub_.connect(*this);
+    stream_.next_layer().send_from(&client_->outbox());
+    flush();
+    read();
+  }
+
+  void read() {
+    stream_.async_read(incoming_, [self = shared_from_this()](error_code error, std::size_t) {
+      if (error) return self->end();
+      self->receive();
+      self->incoming_.consume(self->incoming_.size());
+      self->read();
+    });
+  }
+
+  void receive() {
+    if (!client_ || closing_) return;
+    const auto* bytes = static_cast<const std::uint8_t*>(incoming_.data().data());
+    if (stream_.got_text())
+      client_->receive_text({reinterpret_cast<const char*>(bytes), incoming_.size()});
+    else
+      client_->receive_binary({bytes, incoming_.size()});
+  }
+
+  void end() {
+    stream_.next_layer().send_from(nullptr);
+    client_.reset();
+  }
+
+  websocket::stream<BatchingSocket> stream_;
+  foxglove::Hub& hub_;
+  std::unique_ptr<foxglove::Hub::Client> client_;
+  beast::flat_buffer incoming_;
+  bool closing_ = false;
+};
+
+}  // namespace
+
+void serve_websocket(boost::asio::ip::tcp::socket socket, Upgrade upgrade, foxglove::Hub& hub) {
+  std::make_shared<WebSocketSession>(std::move(socket), hub)->start(upgrade);
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/http/message.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <memory>
+
+#include "monitor/server/foxglove_hub.h"
+
+namespace galilean::monitor {
+
+/// Serves one WebSocket until it closes. The session keeps itself.
+void serve_websocket(boost::asio::ip::tcp::socket socket,
+                     boost::beast::http::request<boost::beast::http::string_body> upgrade,
+                     foxglove::Hub& hub);
+
+}  // namespace galilean::monitor

@@ -8,25 +8,35 @@
 namespace galilean {
 namespace {
 
-sigset_t both() {
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+sigset_t set_of(bool with_hangup) {
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
+  if (with_hangup) sigaddset(&signals, SIGHUP);
   return signals;
 }
 
 }  // namespace
 
 Termination::Termination() {
-  const sigset_t signals = both();
+  const sigset_t signals = set_of(!is_ignored(SIGHUP));
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   descriptor_ = signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC);
 }
 
 Termination::~Termination() {
   close(descriptor_);
-  const sigset_t signals = both();
+  unblock();
+}
+
+void Termination::unblock() noexcept {
+  const sigset_t signals = set_of(true);
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
 }
 

@@ -2,9 +2,9 @@
 
 namespace galilean {
 
-/// Turns SIGINT and SIGTERM into something to wait for, so that a program ends in order. Make it
-/// before the first other thread: those inherit that the two signals are blocked. Processes started
-/// while it lives inherit that too, and must unblock them.
+/// Turns SIGINT, SIGTERM and SIGHUP (unless that is ignored, as nohup has it) into something to wait
+/// for, so that a program ends in order. Make it before the first other thread: those inherit that
+/// the signals are blocked. Processes started while it lives inherit that too: see `unblock`.
 class Termination {
  public:
   Termination();
@@ -12,10 +12,12 @@ class Termination {
   Termination(const Termination&) = delete;
   Termination& operator=(const Termination&) = delete;
 
-  /// Readable once one of the two came: for poll.
+  /// Readable once one of them came: for poll.
   [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
   /// Whether one came. Never waits.
   [[nodiscard]] bool asked() noexcept;
+  /// For a process that was just forked, before it becomes another program. Safe there.
+  static void unblock() noexcept;
 
  private:
   int descriptor_;

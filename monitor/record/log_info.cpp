@@ -76,7 +76,7 @@ std::string describe(const std::string& path, const mcap::Summary& summary) {
 
 std::string describe_json(const std::string& path, const mcap::Summary& summary) {
   const auto& statistics = summary.statistics;
-  nlohmann::json json{{"file", path},
+  nlohmann::ordered_json json{{"file", path},
                       {"bytes", summary.bytes},
                       {"library", summary.header.library},
                       {"profile", summary.header.profile},
@@ -88,8 +88,8 @@ std::string describe_json(const std::string& path, const mcap::Summary& summary)
                       {"compression", compression(summary)},
                       {"recovered", summary.recovered},
                       {"damage", summary.damage},
-                      {"channels", nlohmann::json::array()},
-                      {"metadata", nlohmann::json::object()}};
+                      {"channels", nlohmann::ordered_json::array()},
+                      {"metadata", nlohmann::ordered_json::object()}};
   for (const auto& row : rows(summary))
     json["channels"].push_back({{"topic", row.topic},
                                 {"type", row.type},
@@ -97,7 +97,7 @@ std::string describe_json(const std::string& path, const mcap::Summary& summary)
                                 {"rate_hz", row.rate_hz}});
   for (const auto& metadata : summary.metadata) json["metadata"][metadata.name] = metadata.entries;
   // Damaged files may hold anything in place of text.
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace galilean::monitor

@@ -13,7 +13,7 @@
 #include "core/wire/schemas.h"
 #include "core/wire/topics.h"
 #include "monitor/record/mcap_writer.h"
-#include "monitor/record/wake.h"
+#include "core/wake.h"
 
 namespace galilean::monitor {
 

@@ -1,4 +1,4 @@
-#include "monitor/record/wake.h"
+#include "core/wake.h"
 
 #include <sys/eventfd.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <system_error>
 
-namespace galilean::monitor {
+namespace galilean {
 
 Wake::Wake() : descriptor_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
   if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), "eventfd");
@@ -26,4 +26,4 @@ void Wake::clear() noexcept {
   eventfd_read(descriptor_, &rings);
 }
 
-}  // namespace galilean::monitor
+}  // namespace galilean

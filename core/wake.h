@@ -1,6 +1,6 @@
 #pragma once
 
-namespace galilean::monitor {
+namespace galilean {
 
 /// Lets other threads wake one that polls.
 class Wake {
@@ -19,4 +19,4 @@ class Wake {
   int descriptor_;
 };
 
-}  // namespace galilean::monitor
+}  // namespace galilean

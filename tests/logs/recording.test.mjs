@@ -1,0 +1,190 @@
+// What galilean-record writes, read by MCAP's own reference reader; and what is left of a recording
+// when things break.
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, before, describe, test } from "node:test";
+import { setTimeout as sleep } from "node:timers/promises";
+import {
+  McapIndexedReader, McapStreamReader, MessageReader, definitionsFor, domain, program, start, testTool, unzstd,
+} from "./tools.mjs";
+
+const decompressHandlers = { zstd: (bytes, size) => unzstd(bytes, new Uint8Array(Number(size))) };
+
+function readable(bytes) {
+  return {
+    size: async () => BigInt(bytes.length),
+    read: async (offset, length) => new Uint8Array(bytes.subarray(Number(offset), Number(offset + length))),
+  };
+}
+
+async function readIndexed(file) {
+  const reader = await McapIndexedReader.Initialize({ readable: readable(readFileSync(file)), decompressHandlers });
+  const messages = [];
+  for await (const message of reader.readMessages({ validateCrcs: true })) messages.push(message);
+  return { reader, messages };
+}
+
+function readStream(file) {
+  const reader = new McapStreamReader({ decompressHandlers, validateCrcs: true });
+  reader.append(new Uint8Array(readFileSync(file)));
+  const records = [];
+  for (let record; (record = reader.nextRecord()); ) records.push(record);
+  return records;
+}
+
+const info = (file) => JSON.parse(execFileSync(program("galilean-log"), ["info", file, "--json"]).toString());
+
+describe("a recording", () => {
+  const folder = mkdtempSync(path.join(tmpdir(), "galilean-logs-"));
+  const file = (name) => path.join(folder, name);
+  let talker;
+
+  const record = (name, ...options) =>
+    start(program("galilean-record"), ["--out", file(name), "--domain", domain, ...options]);
+  const grown = async (name, size) => {
+    for (let i = 0; i < 1000; ++i) {
+      try {
+        if (statSync(file(name)).size > size) return;
+      } catch {
+        // not there yet
+      }
+      await sleep(10);
+    }
+    assert.fail(`${name} did not grow to ${size} bytes`);
+  };
+
+  before(() => (talker = start(testTool("wire_talker"), ["io", domain])));
+  after(async () => {
+    talker.stdin.end();
+    await talker.ended;
+    rmSync(folder, { recursive: true });
+  });
+
+  test("is read whole by the reference reader, with checksums, and decodes to what was said", async () => {
+    const recorder = record("whole.mcap", "--duration", "3");
+    assert.equal((await recorder.ended).code, 0, recorder.text);
+    assert.match(recorder.text, /whole\.mcap: \d+ messages of 4 topics in \d/);
+
+    const { reader, messages } = await readIndexed(file("whole.mcap"));
+    assert.equal(reader.header.profile, "ros2");
+    const topics = [...reader.channelsById.values()].map((channel) => channel.topic).sort();
+    assert.deepEqual(topics, ["/io/camera/compressed", "/io/program", "/io/state", "/io/variables"]);
+    for (const channel of reader.channelsById.values()) {
+      assert.equal(channel.messageEncoding, "cdr");
+      assert.match(channel.metadata.get("offered_qos_profiles"), /reliability: (reliable|best_effort)/);
+      assert.equal(reader.schemasById.get(channel.schemaId).encoding, "ros2idl");
+    }
+
+    const of = (topic) => messages.filter((m) => reader.channelsById.get(m.channelId).topic === topic);
+    const decoded = (topic) => {
+      const channel = [...reader.channelsById.values()].find((c) => c.topic === topic);
+      const schema = reader.schemasById.get(channel.schemaId);
+      const decoder = new MessageReader(definitionsFor(schema.name, new TextDecoder().decode(schema.data)));
+      return of(topic).map((message) => decoder.readMessage(message.data));
+    };
+    const states = decoded("/io/state");
+    assert.ok(states.length > 100, `${states.length} states`);
+    states.forEach((state, i) => {
+      assert.equal(state.tick, states[0].tick + BigInt(i), "a state is missing");
+      assert.equal(state.robot, "io");
+      assert.equal(state.x_m, Number(state.tick) * 0.01);
+    });
+    assert.deepEqual(decoded("/io/program")[0].states.map((state) => state.name), ["talk", "breathe"]);
+    assert.equal(decoded("/io/variables")[0].items[0].certainty, 0.75);
+    assert.equal(decoded("/io/camera/compressed")[0].data.length, 5000);
+    of("/io/state").forEach((message, i, all) => {
+      assert.equal(message.sequence, i + 1);
+      assert.ok(message.publishTime <= message.logTime, "recorded before it was said");
+      assert.ok(i === 0 || all[i - 1].logTime <= message.logTime);
+    });
+
+    const told = info(file("whole.mcap"));
+    assert.equal(told.messages, messages.length);
+    assert.equal(told.recovered, false);
+    assert.equal(told.compression, "zstd");
+    assert.ok(told.chunks >= 2);
+    assert.ok(told.duration_seconds > 1.5 && told.duration_seconds < 4, `${told.duration_seconds} s`);
+    const state = told.channels.find((channel) => channel.topic === "/io/state");
+    assert.equal(state.type, "galilean_msgs/msg/RobotState");
+    assert.equal(state.messages, states.length);
+  });
+
+  test("has the data section's checksum right", async () => {
+    const records = readStream(file("whole.mcap"));
+    assert.ok(records.some((record) => record.type === "DataEnd" && record.dataSectionCrc !== 0));
+    assert.equal(records.at(-1).type, "Footer");
+  });
+
+  test("is closed properly when it is interrupted", async () => {
+    for (const signal of ["SIGINT", "SIGTERM"]) {
+      const name = `${signal}.mcap`;
+      const recorder = record(name);
+      await grown(name, 20_000);
+      recorder.kill(signal);
+      assert.equal((await recorder.ended).code, 0, recorder.text);
+      assert.equal(info(file(name)).recovered, false);
+      assert.ok((await readIndexed(file(name))).messages.length > 0);
+    }
+  });
+
+  test("that was killed is readable up to its last chunk", async () => {
+    const recorder = record("killed.mcap");
+    await grown("killed.mcap", 20_000);
+    recorder.kill("SIGKILL");
+    await recorder.ended;
+    const told = info(file("killed.mcap"));
+    assert.equal(told.recovered, true);
+    assert.ok(told.messages > 50);
+    const text = execFileSync(program("galilean-log"), ["info", file("killed.mcap")]).toString();
+    assert.match(text, /was not closed properly; recovered \d+ messages/);
+    const messages = readStream(file("killed.mcap")).filter((record) => record.type === "Message");
+    assert.equal(messages.length, told.messages);
+  });
+
+  test("keeps what fits when the disk is full", async () => {
+    // A limit on the size of files stands for the disk; ignoring its signal makes it an error.
+    const script = `trap '' XFSZ; ulimit -f 200; exec "$0" --out "$1" --domain ${domain}`;
+    const recorder = start("/bin/bash", ["-c", script, program("galilean-record"), file("full.mcap")]);
+    assert.equal((await recorder.ended).code, 1);
+    assert.match(recorder.text, /^galilean-record: .*full\.mcap cannot be written: File too large; [^\n]*\n$/);
+    const told = info(file("full.mcap"));
+    assert.equal(told.recovered, true);
+    assert.ok(told.messages > 10);
+  });
+
+  test("has only the topics that were asked for", async () => {
+    const recorder = record("some.mcap", "--topics", "/(state|program)$", "--duration", "1.5");
+    assert.equal((await recorder.ended).code, 0, recorder.text);
+    const topics = info(file("some.mcap")).channels.map((channel) => channel.topic);
+    assert.deepEqual(topics, ["/io/program", "/io/state"]);
+  });
+
+  test("leaves pictures out where they are not wanted", async () => {
+    const recorder = record("blind.mcap", "--no-images", "--duration", "1.5");
+    assert.equal((await recorder.ended).code, 0, recorder.text);
+    const topics = info(file("blind.mcap")).channels.map((channel) => channel.topic);
+    assert.deepEqual(topics, ["/io/program", "/io/state", "/io/variables"]);
+  });
+
+  test("that cannot begin says why in one line", () => {
+    const cases = [
+      [["--out", file("whole.mcap")], /exists already/],
+      [["--out", "/nonexistent/x.mcap"], /No such file or directory/],
+      [["--out", file("x.mcap"), "--topics", "("], /no regular expression/],
+    ];
+    for (const [options, reason] of cases) {
+      const ended = spawnSync(program("galilean-record"), [...options, "--domain", domain]);
+      assert.equal(ended.status, 1);
+      assert.match(ended.stderr.toString(), reason);
+      assert.equal(ended.stderr.toString().trim().split("\n").length, 1);
+    }
+    for (const none of ["/nonexistent.mcap", program("galilean-log")]) {
+      const ended = spawnSync(program("galilean-log"), ["info", none]);
+      assert.equal(ended.status, 1);
+      assert.equal(ended.stderr.toString().trim().split("\n").length, 1);
+    }
+  });
+});

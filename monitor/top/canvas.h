@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace galilean::monitor::top {
+
+/// What a cell means; the terminal decides how that looks.
+enum class Style : std::uint8_t {
+  kPlain,
+  kDim,
+  kBold,
+  kHeading,
+  kCurrent,
+  kWarning,
+  kAlarm,
+  kTrash,
+  kBasket,
+  kObstacle,
+  kRobot  ///< the first of kRobotStyles: kRobot + the robot's number, modulo
+};
+inline constexpr int kRobotStyles = 6;
+[[nodiscard]] Style robot_style(std::size_t number) noexcept;
+
+struct Cell {
+  char32_t glyph = U' ';
+  Style style = Style::kPlain;
+};
+
+/// A rectangle of a canvas, in cells.
+struct Area {
+  int row = 0, column = 0, rows = 0, columns = 0;
+};
+
+/// A screen of text, drawn without a terminal. Whatever lies outside is left out.
+class Canvas {
+ public:
+  static constexpr int kWhole = std::numeric_limits<int>::max();
+
+  Canvas(int columns, int rows);
+
+  /// Writes UTF-8 from (row, column) on, at most `width` cells of it; gives the column behind it.
+  /// Characters that could move the cursor or are not one cell wide become '?': names come over the
+  /// network.
+  int put(int row, int column, std::string_view text, Style style = Style::kPlain,
+          int width = kWhole);
+  /// The same, ending before `column`.
+  void put_right(int row, int column, std::string_view text, Style style = Style::kPlain);
+  void set(int row, int column, char32_t glyph, Style style);
+
+  [[nodiscard]] int columns() const noexcept { return columns_; }
+  [[nodiscard]] int rows() const noexcept { return rows_; }
+  [[nodiscard]] const Cell& at(int row, int column) const { return cells_[index(row, column)]; }
+  /// UTF-8, without the blanks at its end.
+  [[nodiscard]] std::string line(int row) const;
+  /// All lines down to the last that is not empty, each ended.
+  [[nodiscard]] std::string text() const;
+
+ private:
+  [[nodiscard]] std::size_t index(int row, int column) const noexcept {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
+
+  int columns_, rows_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace galilean::monitor::top

@@ -1,0 +1,156 @@
+// galilean-command hold|resume|start: an operator's word to robots, and what became of it.
+#include <poll.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <iostream>
+
+#include "core/termination.h"
+#include "core/wake.h"
+#include "monitor/ingest/ingest.h"
+#include "monitor/team/team.h"
+#include "monitor/top/operator.h"
+
+namespace {
+
+using namespace galilean;
+using namespace galilean::monitor;
+
+struct Options {
+  std::vector<std::string> robots;
+  bool team = false;
+  int domain = -1;
+};
+
+/// What the team looks like while one command is given.
+class Conversation {
+ public:
+  explicit Conversation(wire::Participant& participant)
+      : team_(clock_),
+        ingest_(participant, {.message = [this](const Message& m) { team_.receive(m); }},
+                [this] { wake_.ring(); }) {}
+
+  [[nodiscard]] const Team& team() const noexcept { return team_; }
+  /// False if the condition did not come true in time.
+  bool wait(Duration most, const std::function<bool()>& condition) {
+    constexpr int kLookEach_ms = 20;
+    for (const Time start = clock_.now(); clock_.now() - start < most;) {
+      wake_.clear();
+      ingest_.poll();
+      if (condition()) return true;
+      pollfd event{wake_.descriptor(), POLLIN, 0};
+      ::poll(&event, 1, kLookEach_ms);
+    }
+    return false;
+  }
+
+ private:
+  SteadyClock clock_;
+  Wake wake_;
+  Team team_;
+  Ingest ingest_;
+};
+
+const msg::RobotState* state_of(const Team& team, const std::string& robot) {
+  const Robot* found = team.find(robot);
+  return found && found->state ? &*found->state : nullptr;
+}
+
+std::vector<std::string> names(const Team& team) {
+  std::vector<std::string> result;
+  for (const auto& [name, robot] : team.robots())
+    if (robot.state && !team.silent(robot)) result.push_back(name);
+  return result;
+}
+
+/// Whether the robot did as it was told; a start is done once its bumper could be pushed.
+bool complied(Operator::Word word, const msg::RobotState& before, const msg::RobotState& now) {
+  if (word == Operator::Word::kStart) return now.transitions > before.transitions;
+  return now.held == (word == Operator::Word::kHold);
+}
+
+int tell(Operator::Word word, const std::string& robot, const msg::RobotState& before,
+         const msg::RobotState& now) {
+  const bool done = complied(word, before, now);
+  if (word == Operator::Word::kStart) {
+    std::cout << robot << ": "
+              << (done ? before.state + " → " + now.state : "bumper pushed; stays in " + now.state)
+              << '\n';
+    return 0;
+  }
+  const bool hold = word == Operator::Word::kHold;
+  std::cout << robot << ": "
+            << (done ? (hold ? "stands still" : "goes on") : "did not answer; try again") << '\n';
+  return done ? 0 : 1;
+}
+
+int command(Operator::Word word, Conversation& conversation, Operator& speaker,
+            const Options& options) {
+  constexpr Duration kHear = std::chrono::seconds(3), kObey = std::chrono::seconds(2);
+  constexpr Duration kGather = std::chrono::milliseconds(300);
+  const Team& team = conversation.team();
+  const auto all_heard = [&] {
+    for (const auto& robot : options.robots)
+      if (!state_of(team, robot)) return false;
+    return !names(team).empty();
+  };
+  const bool heard = conversation.wait(kHear, all_heard);
+  conversation.wait(kGather, [] { return false; });
+  const auto targets = options.team ? names(team) : options.robots;
+  for (const auto& robot : targets)
+    if (!state_of(team, robot))
+      return std::cerr << "galilean-command: " << robot << " is not heard\n", 1;
+  if (!heard || targets.empty()) return std::cerr << "galilean-command: no robot is heard\n", 1;
+
+  std::map<std::string, msg::RobotState> before;
+  for (const auto& robot : targets) before[robot] = *state_of(team, robot);
+  conversation.wait(kHear, [&] { return speaker.listeners() >= static_cast<int>(targets.size()); });
+  if (!speaker.say(word, options.team ? std::vector<std::string>{} : targets))
+    return std::cerr << "galilean-command: DDS did not take it; try again\n", 1;
+  conversation.wait(kObey, [&] {
+    for (const auto& robot : targets)
+      if (!complied(word, before[robot], *state_of(team, robot))) return false;
+    return true;
+  });
+  int result = 0;
+  for (const auto& robot : targets)
+    result |= tell(word, robot, before[robot], *state_of(team, robot));
+  return result;
+}
+
+int run(Operator::Word word, const Options& options) try {
+  const auto participant = wire::Participant::join("galilean-command", options.domain);
+  if (!participant)
+    return std::cerr << "galilean-command: " << participant.error().message << '\n', 1;
+  Conversation conversation(*participant.value());
+  Operator speaker(*participant.value());
+  return command(word, conversation, speaker, options);
+} catch (const std::exception& error) {
+  return std::cerr << "galilean-command: " << error.what() << '\n', 1;
+}
+
+void add(CLI::App& app, const char* name, const char* help, Options& options) {
+  auto* verb = app.add_subcommand(name, help);
+  auto* robots = verb->add_option("--robot", options.robots, "These robots");
+  auto* team = verb->add_flag("--team", options.team, "Every robot that is heard");
+  verb->add_option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
+      ->check(CLI::Range(0, 232));
+  robots->excludes(team);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"An operator's word to robots."};
+  app.require_subcommand(1);
+  add(app, "hold", "Stand still until resumed", options);
+  add(app, "resume", "Go on after a hold", options);
+  add(app, "start", "Push a bumper: what the start state waits for", options);
+  CLI11_PARSE(app, argc, argv);
+  if (!options.team && options.robots.empty())
+    return std::cerr << "galilean-command: to whom? Give --team or --robot NAME\n", 2;
+  if (app.got_subcommand("hold")) return run(Operator::Word::kHold, options);
+  if (app.got_subcommand("resume")) return run(Operator::Word::kResume, options);
+  return run(Operator::Word::kStart, options);
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+
+#include "monitor/top/knowledge.h"
+#include "monitor/top/operator.h"
+#include "monitor/top/terminal.h"
+#include "monitor/top/view.h"
+
+namespace galilean::monitor::top {
+
+/// What the keys have done so far: which robot is chosen, what was said to whom.
+class Dashboard {
+ public:
+  Dashboard(const Knowledge& knowledge, const Clock& clock, Operator& speaker, std::string chosen)
+      : knowledge_(knowledge), clock_(clock), speaker_(speaker), chosen_(std::move(chosen)) {}
+
+  /// False when the key asks to quit.
+  [[nodiscard]] bool press(const Terminal::Press& press);
+  [[nodiscard]] Canvas draw(int columns, int rows);
+
+ private:
+  void choose(std::size_t number);
+  void move(int step);
+  void say(Operator::Word word, bool to_all);
+
+  const Knowledge& knowledge_;
+  const Clock& clock_;
+  Operator& speaker_;
+  std::string chosen_;
+  bool help_ = false;
+  std::string notice_;
+  Time noticed_{};
+};
+
+}  // namespace galilean::monitor::top

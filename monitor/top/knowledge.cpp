@@ -1,0 +1,48 @@
+#include "monitor/top/knowledge.h"
+
+#include "core/wire/topics.h"
+
+namespace galilean::monitor::top {
+namespace {
+/// A monitor tells the objects five times a second and a robot what it sees as often as its camera
+/// does: after this they have ceased.
+constexpr Duration kCeased = std::chrono::seconds(5);
+}  // namespace
+
+template <class M>
+bool Knowledge::note(const Message& message, std::optional<Heard<M>>& to) {
+  M decoded;
+  if (!msg::decode_cdr(*message.cdr, decoded)) return false;
+  to = Heard<M>{std::move(decoded), clock_.now()};
+  return true;
+}
+
+void Knowledge::receive(const Message& message) {
+  const auto type = message.channel.schema->ros_type;
+  if (type == msg::ObjectMap::kRosType)
+    note(message, objects_);
+  else if (type == msg::OccupancyGrid::kRosType)
+    note(message, floor_);
+  else if (type == msg::Sightings::kRosType)
+    note(message, sightings_[message.channel.topic]);
+  else
+    team_.receive(message);
+}
+
+const msg::ObjectMap* Knowledge::objects() const noexcept {
+  const bool current = objects_ && clock_.now() - objects_->received < kCeased;
+  return current ? &objects_->message : nullptr;
+}
+
+const msg::OccupancyGrid* Knowledge::floor() const noexcept {
+  return floor_ ? &floor_->message : nullptr;
+}
+
+const msg::Sightings* Knowledge::sightings(const std::string& robot) const noexcept {
+  const auto found = sightings_.find(wire::robot_topic(robot, "sightings"));
+  if (found == sightings_.end() || !found->second) return nullptr;
+  const bool current = clock_.now() - found->second->received < kCeased;
+  return current ? &found->second->message : nullptr;
+}
+
+}  // namespace galilean::monitor::top

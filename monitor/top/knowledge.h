@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "core/wire/messages.h"
+#include "monitor/team/team.h"
+
+namespace galilean::monitor::top {
+
+/// All that the dashboard shows: the team, and what is known of the floor.
+class Knowledge {
+ public:
+  explicit Knowledge(const Clock& clock) : clock_(clock), team_(clock) {}
+
+  void receive(const Message& message);
+
+  [[nodiscard]] const Team& team() const noexcept { return team_; }
+  /// What the team knows together, as long as a monitor goes on telling it; nullptr otherwise.
+  [[nodiscard]] const msg::ObjectMap* objects() const noexcept;
+  [[nodiscard]] Time objects_received() const noexcept {
+    return objects_ ? objects_->received : Time{};
+  }
+  [[nodiscard]] const msg::OccupancyGrid* floor() const noexcept;
+  /// What one robot sees, as long as it goes on telling; nullptr otherwise.
+  [[nodiscard]] const msg::Sightings* sightings(const std::string& robot) const noexcept;
+
+ private:
+  template <class M>
+  struct Heard {
+    M message;
+    Time received;
+  };
+  template <class M>
+  bool note(const Message& message, std::optional<Heard<M>>& to);
+
+  const Clock& clock_;
+  Team team_;
+  std::optional<Heard<msg::ObjectMap>> objects_;
+  std::optional<Heard<msg::OccupancyGrid>> floor_;
+  std::map<std::string, std::optional<Heard<msg::Sightings>>> sightings_;  ///< by topic
+};
+
+}  // namespace galilean::monitor::top

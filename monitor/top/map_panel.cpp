@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "monitor/top/panels.h"
+#include "monitor/top/utf8.h"
+
+namespace galilean::monitor::top {
+namespace {
+
+constexpr double kCellAspect = 2;  // a terminal's cells are twice as high as wide
+constexpr double kMargin_m = 0.5, kLeastWidth_m = 4;
+constexpr int kOccupiedPercent = 65, kFreePercent = 35;
+constexpr double kUnsure = 0.33;
+
+/// An axis-parallel box around all that is shown.
+struct Bounds {
+  Vec2 low{1e9, 1e9}, high{-1e9, -1e9};
+
+  void include(const Vec2& point) {
+    if (!point.allFinite()) return;
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+};
+
+Vec2 origin_of(const msg::OccupancyGrid& floor) {
+  return {floor.info.origin.position.x, floor.info.origin.position.y};
+}
+
+Bounds bounds_of(const View& view) {
+  Bounds bounds;
+  for (const auto& object : view.objects) bounds.include(object.position_m);
+  for (const auto& robot : view.poses) bounds.include(robot.pose.position_m);
+  if (view.floor) {
+    const auto& info = view.floor->info;
+    const Vec2 origin = origin_of(*view.floor);
+    bounds.include(origin);
+    bounds.include(origin + Vec2(info.width, info.height) * double{info.resolution});
+  }
+  if (bounds.low.x() > bounds.high.x()) bounds = {{0, 0}, {0, 0}};
+  const Vec2 center = (bounds.low + bounds.high) / 2;
+  const Vec2 half = ((bounds.high - bounds.low) / 2 + Vec2(kMargin_m, kMargin_m))
+                        .cwiseMax(Vec2(kLeastWidth_m / 2, kLeastWidth_m / 2));
+  return {center - half, center + half};
+}
+
+/// Where on the canvas a point of the floor is: one scale, north up, in the middle of the area.
+class Projection {
+ public:
+  Projection(const Bounds& bounds, const Area& area) : area_(area) {
+    const Vec2 size = bounds.high - bounds.low;
+    metres_a_column_ = std::max(size.x() / area.columns, size.y() / (area.rows * kCellAspect));
+    center_m_ = (bounds.low + bounds.high) / 2;
+  }
+  [[nodiscard]] int column(double x_m) const {
+    return area_.column + static_cast<int>(std::floor((x_m - center_m_.x()) / metres_a_column_ +
+                                                      area_.columns / 2.0));
+  }
+  [[nodiscard]] int row(double y_m) const {
+    return area_.row +
+           static_cast<int>(std::floor((center_m_.y() - y_m) / (metres_a_column_ * kCellAspect) +
+                                       area_.rows / 2.0));
+  }
+  [[nodiscard]] bool within(int row, int column) const {
+    return row >= area_.row && row < area_.row + area_.rows && column >= area_.column &&
+           column < area_.column + area_.columns;
+  }
+  [[nodiscard]] double metres_a_column() const { return metres_a_column_; }
+
+ private:
+  Area area_;
+  Vec2 center_m_;
+  double metres_a_column_;
+};
+
+void put_within(const Projection& projection, int row, int column, char32_t glyph, Style style,
+                Canvas& canvas) {
+  if (projection.within(row, column)) canvas.set(row, column, glyph, style);
+}
+
+void draw_floor(const msg::OccupancyGrid& floor, const Projection& projection, Canvas& canvas) {
+  const auto& info = floor.info;
+  const Vec2 origin = origin_of(floor);
+  const std::size_t cells =
+      std::min<std::size_t>(floor.data.size(), std::size_t{info.width} * std::size_t{info.height});
+  for (std::size_t i = 0; i < cells; ++i) {
+    if (floor.data[i] < 0 || (floor.data[i] > kFreePercent && floor.data[i] < kOccupiedPercent))
+      continue;
+    const double half = 0.5;
+    const int column = projection.column(origin.x() + (static_cast<double>(i % info.width) + half) *
+                                                          double{info.resolution});
+    const int row = projection.row(origin.y() + (static_cast<double>(i / info.width) + half) *
+                                                    double{info.resolution});
+    if (!projection.within(row, column)) continue;
+    const bool occupied = floor.data[i] >= kOccupiedPercent;
+    // What is occupied anywhere in a cell of the screen is occupied there.
+    if (occupied || canvas.at(row, column).glyph == U' ')
+      canvas.set(row, column, occupied ? U'▒' : U'·', Style::kDim);
+  }
+}
+
+struct Symbol {
+  char32_t glyph;
+  Style style;
+};
+
+Symbol symbol_of(const std::string& object_class) {
+  if (object_class == "trash") return {U'*', Style::kTrash};
+  if (object_class == "basket") return {U'U', Style::kBasket};
+  return {U'o', Style::kObstacle};
+}
+
+void draw_robot(const ShownRobot& robot, const ShownPose& shown, const Projection& projection,
+                Canvas& canvas) {
+  static constexpr std::array<char32_t, 8> kArrows{U'→', U'↗', U'↑', U'↖', U'←', U'↙', U'↓', U'↘'};
+  static constexpr std::array<int, 8> kRight{1, 1, 0, -1, -1, -1, 0, 1};
+  static constexpr std::array<int, 8> kDown{0, -1, -1, -1, 0, 1, 1, 1};
+  if (!shown.pose.position_m.allFinite() || !std::isfinite(shown.pose.heading_rad)) return;
+  const int row = projection.row(shown.pose.position_m.y());
+  const int column = projection.column(shown.pose.position_m.x());
+  const long eighth = std::lround(wrap_angle(shown.pose.heading_rad) / (kPi / 4));
+  const auto sector = static_cast<std::size_t>((eighth + 8) % 8);
+  const Style style =
+      robot.status.health == Health::kSilent ? Style::kDim : robot_style(shown.robot);
+  put_within(projection, row + kDown[sector], column + kRight[sector], kArrows[sector], style,
+             canvas);
+  put_within(projection, row, column, static_cast<char32_t>(robot.letter), style, canvas);
+}
+
+/// What the map shows, and its scale where there is room for it.
+void draw_heading(const std::string& title, const Projection& projection, const Area& area,
+                  Canvas& canvas) {
+  const int end = canvas.put(area.row, area.column, title, Style::kHeading, area.columns);
+  std::array<char, 40> scale{};
+  std::snprintf(scale.data(), scale.size(), "%.2f m a column", projection.metres_a_column());
+  const int right = area.column + area.columns;
+  if (right - end > width_of(scale.data()))
+    canvas.put_right(area.row, right, scale.data(), Style::kDim);
+}
+
+}  // namespace
+
+void draw_map(const View& view, const Area& area, Canvas& canvas) {
+  if (area.rows < 3 || area.columns < 8) return;
+  const Area inside{area.row + 1, area.column, area.rows - 2, area.columns};
+  const Projection projection(bounds_of(view), inside);
+  draw_heading(view.map_title, projection, area, canvas);
+  if (view.floor) draw_floor(*view.floor, projection, canvas);
+  for (const auto& object : view.objects) {
+    if (!object.position_m.allFinite()) continue;
+    const Symbol symbol = symbol_of(object.object_class);
+    put_within(projection, projection.row(object.position_m.y()),
+               projection.column(object.position_m.x()), symbol.glyph,
+               object.certainty < kUnsure ? Style::kDim : symbol.style, canvas);
+  }
+  for (const auto& pose : view.poses) draw_robot(view.robots[pose.robot], pose, projection, canvas);
+  canvas.put(area.row + area.rows - 1, area.column, "* trash  U basket  o obstacle", Style::kDim,
+             area.columns);
+}
+
+}  // namespace galilean::monitor::top

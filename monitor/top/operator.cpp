@@ -1,0 +1,45 @@
+#include "monitor/top/operator.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+
+namespace galilean::monitor {
+namespace {
+
+constexpr int kFrontBumper = 0;
+
+std::uint8_t kind_of(Operator::Word word) {
+  namespace kinds = msg::Command_Constants;
+  switch (word) {
+    case Operator::Word::kHold:
+      return kinds::HOLD;
+    case Operator::Word::kResume:
+      return kinds::RESUME;
+    case Operator::Word::kStart:
+      break;
+  }
+  return kinds::PUSH_BUMPER;
+}
+
+std::string user() {
+  const char* name = std::getenv("USER");
+  return name && *name ? name : "operator";
+}
+
+}  // namespace
+
+bool Operator::say(Word word, const std::vector<std::string>& robots) {
+  const std::int64_t now_ns = wire::wall_clock_ns();
+  msg::Command command;
+  command.stamp = wire::ros_time(now_ns);
+  command.id =
+      std::to_string(getpid()) + "-" + std::to_string(now_ns) + "-" + std::to_string(++said_);
+  command.author = user();
+  command.targets = robots;
+  command.kind = kind_of(word);
+  command.argument = kFrontBumper;
+  return writer_.write(command);
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,64 @@
+#include <algorithm>
+
+#include "monitor/top/panels.h"
+
+namespace galilean::monitor::top {
+namespace {
+
+/// The first of `count` lines to show in `room`, so that `wanted` is among them.
+int first_shown(int count, int room, int wanted) {
+  return std::clamp(wanted - room / 2, 0, std::max(0, count - room));
+}
+
+void draw_bar(int row, int column, int width, double certainty, Style style, Canvas& canvas) {
+  const int full = std::clamp(static_cast<int>(certainty * width + 0.5), 0, width);
+  for (int i = 0; i < width; ++i)
+    canvas.set(row, column + i, i < full ? U'█' : U'·', i < full ? style : Style::kDim);
+}
+
+Style bar_style(double certainty) {
+  constexpr double kLow = 0.25, kHalf = 0.5;
+  return certainty < kLow ? Style::kAlarm : certainty < kHalf ? Style::kWarning : Style::kBasket;
+}
+
+}  // namespace
+
+void draw_states(const View& view, const Area& area, Canvas& canvas) {
+  if (area.rows < 2) return;
+  canvas.put(area.row, area.column, "STATES", Style::kHeading, area.columns);
+  const auto current =
+      std::find_if(view.states.begin(), view.states.end(), [](const auto& s) { return s.current; });
+  const int count = static_cast<int>(view.states.size()), room = area.rows - 1;
+  const int wanted = static_cast<int>(current - view.states.begin());
+  const int first = first_shown(count, room, wanted);
+  for (int i = 0; i < std::min(room, count); ++i) {
+    const ShownState& state = view.states[static_cast<std::size_t>(first + i)];
+    canvas.put(area.row + 1 + i, area.column, (state.current ? "▶ " : "  ") + state.name,
+               state.current ? Style::kCurrent : Style::kPlain, area.columns);
+  }
+}
+
+void draw_variables(const View& view, const Area& area, Canvas& canvas) {
+  if (area.rows < 2) return;
+  constexpr int kBar = 6, kPercent = 5, kName = 15;
+  canvas.put(area.row, area.column, "VARIABLES", Style::kHeading, area.columns);
+  const int count = static_cast<int>(view.variables.size()), room = area.rows - 1;
+  const int shown = count <= room ? count : room - 1;
+  for (int i = 0; i < shown; ++i) {
+    const ShownVariable& variable = view.variables[static_cast<std::size_t>(i)];
+    const int row = area.row + 1 + i;
+    const Style style = variable.certainty > 0 ? Style::kPlain : Style::kDim;
+    canvas.put(row, area.column, variable.name, style, kName);
+    const int bar = area.column + kName + 1;
+    draw_bar(row, bar, kBar, variable.certainty, bar_style(variable.certainty), canvas);
+    canvas.put_right(row, bar + kBar + kPercent,
+                     std::to_string(static_cast<int>(variable.certainty * 100 + 0.5)) + "%", style);
+    canvas.put(row, bar + kBar + kPercent + 1, variable.value, style,
+               area.columns - (kName + 1 + kBar + kPercent + 1));
+  }
+  if (shown < count)
+    canvas.put(area.row + 1 + shown, area.column, "and " + std::to_string(count - shown) + " more",
+               Style::kDim, area.columns);
+}
+
+}  // namespace galilean::monitor::top

@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "monitor/top/panels.h"
+
+namespace galilean::monitor::top {
+namespace {
+
+std::string one_decimal(double number, const char* unit) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), number < 99.95 ? "%.1f%s" : "%.0f%s", number, unit);
+  return text.data();
+}
+
+std::string microseconds(double time_us) {
+  return std::to_string(static_cast<long>(std::clamp(time_us, 0.0, 1e6) + 0.5)) + "µ";
+}
+
+std::string percent(double fraction) {
+  return std::to_string(static_cast<int>(fraction * 100 + 0.5)) + "%";
+}
+
+std::string clock_text(double seconds) {
+  std::array<char, 32> text{};
+  const int whole = static_cast<int>(seconds);
+  std::snprintf(text.data(), text.size(), "%02d:%02d", whole / 60, whole % 60);
+  return text.data();
+}
+
+/// Columns of the table by the width that there is: names and states get what is left over.
+struct Columns {
+  int name = 4, state, for_s, program, hash, age, tick, lowest;
+
+  explicit Columns(int width) {
+    const int spare = std::max(0, width - 80);
+    state = name + 11 + spare / 4;
+    for_s = state + 19 + spare / 4;
+    program = for_s + 7;
+    hash = program + 13 + spare / 4;
+    age = hash + 9;
+    tick = age + 6;
+    lowest = tick + 6;
+  }
+};
+
+std::string flags(const RobotStatus& status) {
+  std::string text;
+  if (status.held) text += " held";
+  if (status.in_probation) text += " on probation";
+  if (status.drifting) text += " other program";
+  return text;
+}
+
+Style health_style(const RobotStatus& status) {
+  if (status.health == Health::kSilent) return Style::kDim;
+  return status.health == Health::kTroubled ? Style::kWarning : Style::kPlain;
+}
+
+void draw_robot(const ShownRobot& robot, std::size_t number, bool chosen, int row, int width,
+                Canvas& canvas) {
+  const RobotStatus& status = robot.status;
+  const Columns at(width);
+  const Style style = health_style(status);
+  canvas.put(row, 0, chosen ? "▶" : " ", Style::kBold);
+  if (!status.problems.empty()) canvas.put(row, 1, "!", Style::kAlarm);
+  canvas.put(row, 2, std::string(1, robot.letter), robot_style(number));
+  canvas.put(row, at.name, status.name, chosen ? Style::kBold : style, at.state - at.name - 1);
+  canvas.put(row, at.state, status.state + flags(status), status.held ? Style::kWarning : style,
+             at.for_s - at.state - 1);
+  canvas.put_right(row, at.program - 1, one_decimal(status.in_state_s, "s"), style);
+  const Style program = status.drifting ? Style::kWarning : style;
+  canvas.put(row, at.program, status.program_name, program, at.hash - at.program - 1);
+  canvas.put(row, at.hash, status.program_hash, program, 8);
+  canvas.put_right(row, at.tick - 1, one_decimal(status.age_s, "s"), style);
+  canvas.put_right(row, at.lowest - 1, microseconds(status.tick_time_max_us),
+                   status.overruns > 0 ? Style::kWarning : style);
+  const int end = canvas.put(row, at.lowest, percent(status.lowest_certainty), style);
+  canvas.put(row, end + 1, status.least_certain, Style::kDim, width - end - 1);
+}
+
+void draw_heads(int row, int width, Canvas& canvas) {
+  const Columns at(width);
+  canvas.put(row, at.name, "ROBOT", Style::kHeading);
+  canvas.put(row, at.state, "STATE", Style::kHeading);
+  canvas.put_right(row, at.program - 1, "FOR", Style::kHeading);
+  canvas.put(row, at.program, "PROGRAM", Style::kHeading);
+  canvas.put_right(row, at.tick - 1, "AGE", Style::kHeading);
+  canvas.put_right(row, at.lowest - 1, "TICK", Style::kHeading);
+  canvas.put(row, at.lowest, "LEAST SURE", Style::kHeading, width - at.lowest);
+}
+
+}  // namespace
+
+void draw_title(const View& view, Canvas& canvas) {
+  const std::size_t count = view.robots.size();
+  int column =
+      canvas.put(0, 0, std::to_string(count) + (count == 1 ? " robot" : " robots"), Style::kBold);
+  if (!view.score) return;
+  const msg::Score& score = *view.score;
+  column = canvas.put(0, column, "  " + score.scenario + " " + score.phase, Style::kPlain);
+  column = canvas.put(0, column, "  " + clock_text(score.remaining_s) + " left", Style::kBold);
+  column = canvas.put(
+      0, column,
+      "  " + std::to_string(score.deposited) + " of " + std::to_string(score.pieces) + " pieces");
+  column = canvas.put(0, column, "  " + one_decimal(score.points, " points"), Style::kBold);
+  canvas.put(0, column, "  " + std::to_string(score.collisions) + " collisions");
+}
+
+int draw_team(const View& view, const Area& area, Canvas& canvas) {
+  draw_heads(area.row, area.columns, canvas);
+  const int room = area.rows - 1, count = static_cast<int>(view.robots.size());
+  const int shown = count <= room ? count : std::max(0, room - 1);
+  // The chosen robot is always among those shown.
+  const int first =
+      std::clamp(static_cast<int>(view.chosen) - shown + 1, 0, std::max(0, count - shown));
+  for (int i = 0; i < shown; ++i) {
+    const auto number = static_cast<std::size_t>(first + i);
+    draw_robot(view.robots[number], number, number == view.chosen, area.row + 1 + i, area.columns,
+               canvas);
+  }
+  if (shown == count) return 1 + shown;
+  canvas.put(area.row + 1 + shown, Columns(area.columns).name,
+             "and " + std::to_string(count - shown) + " more", Style::kDim);
+  return 2 + shown;
+}
+
+int draw_problems(const View& view, const Area& area, Canvas& canvas) {
+  if (view.robots.empty()) return 0;
+  const RobotStatus& status = view.robots[view.chosen].status;
+  int rows = 0;
+  for (const auto& problem : status.problems) {
+    if (rows == area.rows) break;
+    canvas.put(area.row + rows++, area.column, "! " + status.name + ": " + problem, Style::kAlarm,
+               area.columns);
+  }
+  return rows;
+}
+
+}  // namespace galilean::monitor::top

@@ -1,0 +1,122 @@
+#include <poll.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "core/termination.h"
+#include "core/wake.h"
+#include "monitor/ingest/ingest.h"
+#include "monitor/top/dashboard.h"
+#include "monitor/top/layout.h"
+
+namespace {
+
+using namespace galilean;
+using namespace galilean::monitor;
+
+struct Options {
+  int domain = -1;
+  bool once = false;
+  std::string robot;
+};
+
+constexpr int kRedrawEach_ms = 100;
+
+/// Ingest into what the dashboard knows, polled.
+class Listening {
+ public:
+  Listening(wire::Participant& participant, const Clock& clock)
+      : knowledge_(clock),
+        ingest_(participant,
+                {.message = [this](const Message& message) { knowledge_.receive(message); }},
+                [this] { wake_.ring(); }) {}
+
+  [[nodiscard]] const top::Knowledge& knowledge() const noexcept { return knowledge_; }
+  [[nodiscard]] int descriptor() const noexcept { return wake_.descriptor(); }
+  void poll() {
+    wake_.clear();
+    ingest_.poll();
+  }
+
+ private:
+  Wake wake_;
+  top::Knowledge knowledge_;
+  Ingest ingest_;
+};
+
+/// Every robot that was heard has told its state, program and variables.
+bool all_is_known(const Team& team) {
+  for (const auto& [name, robot] : team.robots())
+    if (!robot.state || !robot.program || robot.variables.items.empty()) return false;
+  return !team.robots().empty();
+}
+
+/// One snapshot, as plain text. Waits until the robots have been heard, at most three seconds, and
+/// half a second more for those that answer later.
+int print_once(Listening& listening, Termination& termination, const Clock& clock,
+               const std::string& robot) {
+  constexpr Duration kMost = std::chrono::seconds(3), kMore = std::chrono::milliseconds(500);
+  Time known{};
+  const Time start = clock.now();
+  while (!termination.asked() && clock.now() - start < kMost) {
+    pollfd events[] = {{listening.descriptor(), POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
+    ::poll(events, 2, kRedrawEach_ms);
+    listening.poll();
+    if (known == Time{} && all_is_known(listening.knowledge().team())) known = clock.now();
+    if (known != Time{} && clock.now() - known >= kMore) break;
+  }
+  const auto view = top::make_view(listening.knowledge(), clock, robot);
+  constexpr int kColumns = 110;
+  const int rows = 40 + static_cast<int>(view.variables.size());
+  auto canvas = top::lay_out(view, kColumns, rows);
+  for (int column = 0; column < kColumns; ++column)  // keys mean nothing on paper
+    canvas.set(rows - 1, column, U' ', top::Style::kPlain);
+  std::cout << canvas.text();
+  return view.robots.empty() ? 1 : 0;
+}
+
+int run_dashboard(Listening& listening, Termination& termination, const Clock& clock,
+                  Operator& speaker, const std::string& robot) {
+  top::Terminal terminal;
+  top::Dashboard dashboard(listening.knowledge(), clock, speaker, robot);
+  while (!termination.asked()) {
+    terminal.show(dashboard.draw(terminal.columns(), terminal.rows()));
+    // Not woken by messages: ten pictures a second are enough, and many robots talk more often.
+    pollfd events[] = {{STDIN_FILENO, POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
+    ::poll(events, 2, kRedrawEach_ms);
+    if (events[0].revents & (POLLHUP | POLLERR)) return 0;  // the terminal is gone
+    listening.poll();
+    for (auto press = terminal.take_key(); press.key != top::Terminal::Key::kNone;
+         press = terminal.take_key())
+      if (!dashboard.press(press)) return 0;
+  }
+  return 0;
+}
+
+int run(const Options& options) try {
+  Termination termination;
+  const SteadyClock clock;
+  const auto participant = wire::Participant::join("galilean-top", options.domain);
+  if (!participant) return std::cerr << "galilean-top: " << participant.error().message << '\n', 1;
+  Listening listening(*participant.value(), clock);
+  if (options.once) return print_once(listening, termination, clock, options.robot);
+  Operator speaker(*participant.value());
+  return run_dashboard(listening, termination, clock, speaker, options.robot);
+} catch (const std::exception& error) {
+  return std::cerr << "galilean-top: " << error.what() << '\n', 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{
+      "The team in a terminal: who does what, where, and how sure of it. ? shows the keys."};
+  app.add_option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
+      ->check(CLI::Range(0, 232));
+  app.add_flag("--once", options.once, "Print one snapshot as plain text, for scripts");
+  app.add_option("--robot", options.robot, "The robot to show first");
+  CLI11_PARSE(app, argc, argv);
+  return run(options);
+}

@@ -14,7 +14,7 @@ const mayInclude = {
   robot: ['core', 'bhdl', 'robot'],
   sim: ['core', 'bhdl', 'robot', 'sim'],
   monitor: ['core', 'bhdl', 'monitor'],
-  front: ['core', 'front'],
+  front: ['core', 'bhdl', 'monitor', 'front'],
 };
 
 function includes(file) {

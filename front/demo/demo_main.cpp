@@ -1,0 +1,163 @@
+#include <poll.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <sstream>
+
+#include "core/clock.h"
+#include "core/termination.h"
+#include "core/wake.h"
+#include "front/demo/ensemble.h"
+#include "front/demo/evidence.h"
+#include "monitor/ingest/ingest.h"
+
+namespace {
+
+using namespace galilean;
+using namespace galilean::front;
+
+void complain(const std::string& sentence) {
+  std::cerr << "galilean-demo: " << sentence << '\n';
+}
+
+/// Hears the team as any other member of the domain does, for as long as this lives.
+class Witness {
+ public:
+  Witness(wire::Participant& participant, Evidence& evidence)
+      : ingest_(
+            participant, {.message = [&evidence](const monitor::Message& m) { hear(m, evidence); }},
+            [this] { wake_.ring(); }, is_wanted) {}
+
+  [[nodiscard]] int descriptor() const noexcept { return wake_.descriptor(); }
+  void poll() {
+    wake_.clear();
+    ingest_.poll();
+  }
+
+ private:
+  static bool is_wanted(const monitor::Channel& channel) {
+    const auto type = channel.schema->ros_type;
+    return type == msg::RobotState::kRosType || type == msg::Score::kRosType;
+  }
+  template <class M>
+  static void note(const monitor::Message& message, Evidence& evidence) {
+    M decoded;
+    if (msg::decode_cdr(*message.cdr, decoded)) evidence.note(decoded);
+  }
+  static void hear(const monitor::Message& message, Evidence& evidence) {
+    if (message.channel.schema->ros_type == msg::Score::kRosType)
+      note<msg::Score>(message, evidence);
+    else
+      note<msg::RobotState>(message, evidence);
+  }
+
+  Wake wake_;
+  monitor::Ingest ingest_;
+};
+
+/// How a run came out.
+struct Outcome {
+  bool fatal_loss = false;
+  std::vector<std::string> lost;
+};
+
+void report(const Ensemble::Loss& loss) {
+  complain(loss.name + " ended (" + loss.ending + "); " +
+           (loss.fatal ? "without it nothing works" : "the others go on") + ". See " +
+           loss.log.string() + (loss.log_end.empty() ? "" : ":\n" + loss.log_end));
+}
+
+/// Until somebody ends it, its time is over, or something dies without which nothing works.
+Outcome run_on(Ensemble& ensemble, Witness& witness, Termination& termination,
+               std::optional<double> for_s) {
+  constexpr int kLookEach_ms = 100;
+  const SteadyClock clock;
+  Outcome outcome;
+  while (!termination.asked() && !(for_s && to_seconds(clock.now() - Time{}) >= *for_s)) {
+    pollfd events[] = {{witness.descriptor(), POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
+    poll(events, 2, kLookEach_ms);
+    witness.poll();
+    for (const auto& loss : ensemble.losses()) {
+      report(loss);
+      outcome.lost.push_back(loss.name);
+      outcome.fatal_loss |= loss.fatal;
+    }
+    if (outcome.fatal_loss) break;
+  }
+  return outcome;
+}
+
+/// The exit code of a headless run, with what there is to say about it.
+int judge(const Evidence& evidence, const Outcome& outcome, bool interrupted) {
+  std::cout << evidence.summary();
+  auto reasons = evidence.shortcomings();
+  for (const auto& name : outcome.lost) reasons.push_back(name + " ended");
+  if (interrupted) reasons.push_back("interrupted before its time was over");
+  for (const auto& reason : reasons) complain(reason);
+  std::cout << (reasons.empty() ? "The team worked.\n" : "The team did not work.\n");
+  return reasons.empty() ? 0 : 1;
+}
+
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+int run(const DemoOptions& options) try {
+  Termination termination;
+  Ensemble ensemble(options, termination);
+  if (const auto failure = ensemble.start()) {
+    complain(failure->message);
+    return 1;
+  }
+  const auto participant = wire::Participant::join("galilean-demo", options.domain);
+  if (!participant) {
+    complain(participant.error().message);
+    return 1;
+  }
+  std::cout << ensemble.address() << "\n  " << list(ensemble.robots()) << " run " << options.bhdl
+            << " in scenario " << options.scenario << "; logs in " << ensemble.logs().string()
+            << "; Ctrl-C ends all" << std::endl;
+  Evidence evidence(ensemble.robots());
+  Outcome outcome;
+  {
+    Witness witness(*participant.value(), evidence);
+    outcome = run_on(ensemble, witness, termination, options.headless_for_s);
+  }
+  const bool interrupted = termination.asked();
+  const auto problems = ensemble.end();
+  for (const auto& problem : problems) complain(problem);
+  if (outcome.fatal_loss || !problems.empty()) return 1;
+  return options.headless_for_s ? judge(evidence, outcome, interrupted) : 0;
+} catch (const std::exception& error) {
+  complain(error.what());
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  DemoOptions options;
+  CLI::App app{"Starts the simulator, robots and the monitor on this machine; Ctrl-C ends all."};
+  app.add_option("--robots", options.robots, "How many")
+      ->check(CLI::Range(1, 16))
+      ->capture_default_str();
+  app.add_option("--port", options.port, "Of the page, on 127.0.0.1")
+      ->check(CLI::Range(1, 65535))
+      ->capture_default_str();
+  app.add_option("--scenario", options.scenario, "A scenario that ships, or a JSON file")
+      ->capture_default_str();
+  app.add_option("--bhdl", options.bhdl, "A program that ships, or a BHDL file")
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "All that is random descends from it")
+      ->capture_default_str();
+  app.add_option("--headless-for", options.headless_for_s,
+                 "End after so many seconds: exit code 0 if the team worked, else 1")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--record", options.record, "Record all topics to this file, as MCAP");
+  app.add_option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
+      ->check(CLI::Range(0, 232));
+  CLI11_PARSE(app, argc, argv);
+  return run(options);
+}

@@ -1,0 +1,162 @@
+#include "front/demo/ensemble.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "front/siblings.h"
+
+namespace galilean::front {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto kStartsWithin = std::chrono::seconds(30);
+constexpr auto kLookEach = std::chrono::milliseconds(10);
+constexpr std::size_t kLogLines = 5;
+constexpr const char* kAutostart_s = "1";  // after the last robot connected
+
+std::string program_file(const std::string& bhdl) {
+  if (fs::exists(bhdl)) return bhdl;
+  const fs::path shipped = fs::path(GALILEAN_PROGRAM_DIR) / (bhdl + ".bhdl");
+  return fs::exists(shipped) ? shipped.string() : bhdl;
+}
+
+}  // namespace
+
+Ensemble::Ensemble(const DemoOptions& options, Termination& termination)
+    : options_(options),
+      termination_(termination),
+      logs_(fs::path(".galilean") / ("run-" + std::to_string(getpid()))),
+      run_("demo-" + std::to_string(getpid())) {}
+
+Ensemble::~Ensemble() {
+  (void)end();
+}
+
+std::string Ensemble::address() const {
+  return "http://127.0.0.1:" + std::to_string(options_.port);
+}
+
+std::optional<Error> Ensemble::start() {
+  std::error_code error;
+  fs::create_directories(logs_, error);
+  if (error) return Error{logs_.string() + " cannot be made: " + error.message()};
+  if (auto failure = start_simulator()) return failure;
+  auto ready = await_line("\"ready\"");
+  if (!ready) return ready.error();
+  if (auto failure = start_recorder()) return failure;
+  if (auto failure = start_robots(ready.value())) return failure;
+  return start_monitor();
+}
+
+std::optional<Error> Ensemble::add(std::string name, std::vector<std::string> command, bool fatal) {
+  command[0] = sibling(command[0]);
+  if (!is_program(command[0])) return Error{command[0] + " is not there; build it first"};
+  if (options_.domain >= 0)
+    command.insert(command.end(), {"--domain", std::to_string(options_.domain)});
+  auto process = Process::start(name, command, logs_ / (name + ".log"));
+  if (!process) return process.error();
+  members_.push_back({std::move(process).value(), fatal});
+  return {};
+}
+
+std::optional<Error> Ensemble::start_simulator() {
+  return add("sim",
+             {"galilean-sim", "--live", "--scenario", options_.scenario, "--robots",
+              std::to_string(options_.robots), "--seed", std::to_string(options_.seed), "--run",
+              run_, "--autostart", kAutostart_s},
+             true);
+}
+
+std::optional<Error> Ensemble::start_robots(const std::string& ready_line) try {
+  const auto ready = nlohmann::json::parse(ready_line);
+  lines_ = ready.value("folder", std::string());
+  const std::string program = program_file(options_.bhdl);
+  std::uint64_t seed = options_.seed * 1000;
+  for (const auto& robot : ready.at("robots")) {
+    const auto name = robot.at("name").get<std::string>();
+    const auto camera = robot.at("camera").get<std::string>();
+    robot_names_.push_back(name);
+    rings_.push_back(camera.substr(camera.find(':') + 1));
+    auto failure = add(name,
+                       {"galilean-robot", "--name", name, "--bhdl", program, "--serial",
+                        robot.at("serial").get<std::string>(), "--camera", camera, "--seed",
+                        std::to_string(++seed)},
+                       false);
+    if (failure) return failure;
+  }
+  return {};
+} catch (const nlohmann::json::exception& error) {
+  return Error{"the simulator's ready line cannot be read: " + std::string(error.what())};
+}
+
+std::optional<Error> Ensemble::start_monitor() {
+  const std::string place = "127.0.0.1:" + std::to_string(options_.port);
+  if (auto failure = add("monitor", {"galilean-monitor", "--listen", place}, true)) return failure;
+  const auto answered = await_line("http://");
+  return answered ? std::nullopt : std::optional(answered.error());
+}
+
+std::optional<Error> Ensemble::start_recorder() {
+  if (options_.record.empty()) return {};
+  return add("record", {"galilean-record", "--out", options_.record}, false);
+}
+
+Result<std::string> Ensemble::await_line(std::string_view mark) {
+  Process& process = members_.back().process;
+  const auto deadline = std::chrono::steady_clock::now() + kStartsWithin;
+  while (std::chrono::steady_clock::now() < deadline) {
+    const bool running = process.running();
+    if (auto line = line_with(process.log(), mark)) return *line;
+    if (termination_.asked()) return Error{"ended while starting"};
+    if (!running)
+      return Error{process.name() + " did not start (" + process.ending() + "):\n" +
+                   last_lines(process.log(), kLogLines)};
+    std::this_thread::sleep_for(kLookEach);
+  }
+  return Error{process.name() + " is not ready after 30 s; see " + process.log().string()};
+}
+
+std::vector<Ensemble::Loss> Ensemble::losses() {
+  std::vector<Loss> lost;
+  for (auto& member : members_) {
+    if (member.lost || member.process.running()) continue;
+    member.lost = true;
+    lost.push_back({member.process.name(), member.process.ending(),
+                    last_lines(member.process.log(), kLogLines), member.process.log(),
+                    member.fatal});
+  }
+  return lost;
+}
+
+/// The recorder first, so that it still hears the others; the simulator last, for the robots stop
+/// their motors through it.
+std::vector<std::string> Ensemble::end() {
+  std::vector<std::string> problems;
+  const auto end_those = [&](auto&& chosen) {
+    for (auto& member : members_)
+      if (chosen(member.process.name())) member.process.ask_to_end();
+    for (auto& member : members_)
+      if (chosen(member.process.name()) && !member.process.end())
+        problems.push_back(member.process.name() + " would not end and was killed; see " +
+                           member.process.log().string());
+  };
+  end_those([](const std::string& name) { return name == "record"; });
+  end_those([](const std::string& name) { return name != "sim"; });
+  end_those([](const std::string&) { return true; });
+  sweep();
+  return problems;
+}
+
+/// What a simulator that was killed could not take with it.
+void Ensemble::sweep() const {
+  for (const auto& ring : rings_) shm_unlink(ring.c_str());
+  std::error_code ignored;
+  if (!lines_.empty() && lines_.filename() == "galilean-" + run_) fs::remove_all(lines_, ignored);
+}
+
+}  // namespace galilean::front

@@ -1,0 +1,64 @@
+#include "front/demo/evidence.h"
+
+#include <iomanip>
+#include <sstream>
+
+namespace galilean::front {
+namespace {
+constexpr double kEnough_m = 1;
+}
+
+Evidence::Evidence(std::vector<std::string> robots) {
+  for (auto& robot : robots) deeds_[std::move(robot)];
+}
+
+void Evidence::note(const msg::RobotState& state) {
+  const auto found = deeds_.find(state.robot);
+  if (found == deeds_.end()) return;
+  Deeds& deeds = found->second;
+  const Vec2 position_m(state.x_m, state.y_m);
+  if (deeds.messages++ > 0) deeds.driven_m += (position_m - deeds.position_m).norm();
+  deeds.position_m = position_m;
+  deeds.program_hash = state.program_hash;
+  deeds.program_name = state.program_name;
+  deeds.state = state.state;
+  deeds.transitions = state.transitions;
+  deeds.overruns = state.overruns;
+}
+
+std::uint32_t Evidence::deposited_by(const std::string& robot) const {
+  for (const auto& score : score_.robots)
+    if (score.robot == robot) return score.deposited;
+  return 0;
+}
+
+std::vector<std::string> Evidence::shortcomings() const {
+  std::vector<std::string> missing;
+  for (const auto& [robot, deeds] : deeds_) {
+    if (deeds.messages == 0)
+      missing.push_back(robot + " was never heard");
+    else if (deeds.program_hash.empty())
+      missing.push_back(robot + " runs no program");
+    else if (deeds.transitions == 0)
+      missing.push_back(robot + " never left its state '" + deeds.state + "'");
+    else if (deeds.driven_m < kEnough_m && deposited_by(robot) == 0)
+      missing.push_back(robot + " drove less than a metre and threw nothing away");
+  }
+  return missing;
+}
+
+std::string Evidence::summary() const {
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(1);
+  for (const auto& [robot, deeds] : deeds_)
+    out << "  " << std::left << std::setw(12) << robot << deeds.program_name << ", in '"
+        << deeds.state << "' after " << deeds.transitions << " transitions; drove "
+        << deeds.driven_m << " m, threw away " << deposited_by(robot) << ", " << deeds.overruns
+        << " late ticks\n";
+  out << "  referee     " << (score_.phase.empty() ? "not heard" : score_.phase) << ", "
+      << score_.deposited << " of " << score_.pieces << " pieces, " << score_.collisions
+      << " collisions, " << score_.points << " points after " << score_.elapsed_s << " s\n";
+  return out.str();
+}
+
+}  // namespace galilean::front

@@ -1,0 +1,34 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "front/doctor/checks.h"
+
+namespace {
+
+using galilean::front::Check;
+
+void tell(const Check& check) {
+  std::printf("%-8s %-17s %s\n", check.ok ? "ok" : "problem", check.what.c_str(),
+              check.told.c_str());
+  if (!check.ok) std::printf("%-8s %-17s → %s\n", "", "", check.to_do.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace galilean::front;
+  int port = 8080, domain = -1;
+  CLI::App app{"Checks what this machine lacks for a team; exit code 0 if nothing."};
+  app.add_option("--port", port, "The page's")->check(CLI::Range(1, 65535))->capture_default_str();
+  app.add_option("--domain", domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
+      ->check(CLI::Range(0, 232));
+  CLI11_PARSE(app, argc, argv);
+  bool well = true;
+  for (const auto& check : {check_programs(), check_page(), check_pseudo_terminals(),
+                            check_shared_memory(), check_port(port), check_loopback(),
+                            check_multicast(), check_dds(domain), check_devices()}) {
+    tell(check);
+    well = well && check.ok;
+  }
+  return well ? 0 : 1;
+}

@@ -1,0 +1,39 @@
+// galilean VERB …: becomes the program of that verb, which lies beside this one.
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <iostream>
+#include <vector>
+
+#include "front/siblings.h"
+#include "front/verbs.h"
+
+namespace {
+
+using namespace galilean::front;
+
+/// Comes back only if it cannot.
+int become(const Verb& verb, char** rest) {
+  std::string program = sibling(verb.program), first(verb.first_argument);
+  std::vector<char*> arguments{program.data()};
+  if (!first.empty()) arguments.push_back(first.data());
+  for (; *rest; ++rest) arguments.push_back(*rest);
+  arguments.push_back(nullptr);
+  execv(program.c_str(), arguments.data());
+  std::cerr << "galilean: " << program << " cannot be started: " << std::strerror(errno)
+            << (errno == ENOENT ? "; it has not been built" : "") << '\n';
+  return 127;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string name = argc > 1 ? argv[1] : "";
+  if (name == "version" || name == "--version")
+    return std::cout << "galilean " GALILEAN_VERSION "\n", 0;
+  if (name == "help" || name == "--help" || name == "-h") return std::cout << usage(), 0;
+  if (name.empty()) return std::cerr << usage(), 2;
+  if (const Verb* verb = find_verb(name)) return become(*verb, argv + 2);
+  return std::cerr << unknown_verb(name) << '\n', 2;
+}

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace galilean::front {
+
+/// The path of a program that lies beside this one.
+[[nodiscard]] std::string sibling(std::string_view program);
+/// Whether it is there and may be run.
+[[nodiscard]] bool is_program(const std::string& path);
+
+}  // namespace galilean::front

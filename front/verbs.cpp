@@ -1,0 +1,53 @@
+#include "front/verbs.h"
+
+#include <array>
+
+#include "bhdl/names.h"
+
+namespace galilean::front {
+namespace {
+
+constexpr std::array kVerbs{
+    Verb{"demo", "galilean-demo", "", "Simulator, robots and monitor together, on this machine"},
+    Verb{"robot", "galilean-robot", "", "One robot: a BHDL program on its devices"},
+    Verb{"sim", "galilean-sim", "", "The simulated office, live or as fast as possible"},
+    Verb{"monitor", "galilean-monitor", "", "The team in a browser, with its map"},
+    Verb{"top", "galilean-top", "", "The team in a terminal"},
+    Verb{"record", "galilean-record", "", "Record all topics as MCAP"},
+    Verb{"log", "galilean-log", "", "Look into recordings: log info FILE"},
+    Verb{"bhdl", "galilean-bhdl", "", "Check programs, describe components"},
+    Verb{"swap", "galilean-swap", "", "Give running robots another program"},
+    Verb{"start", "galilean-command", "start", "Push robots' bumpers: the contest begins"},
+    Verb{"hold", "galilean-command", "hold", "Make robots stand still"},
+    Verb{"resume", "galilean-command", "resume", "Let robots go on"},
+    Verb{"doctor", "galilean-doctor", "", "Check what this machine lacks"},
+};
+
+}  // namespace
+
+std::span<const Verb> verbs() noexcept {
+  return kVerbs;
+}
+
+const Verb* find_verb(std::string_view name) noexcept {
+  for (const auto& verb : kVerbs)
+    if (verb.name == name) return &verb;
+  return nullptr;
+}
+
+std::string unknown_verb(std::string_view name) {
+  const std::string meant = bhdl::nearest(name, bhdl::names_of(kVerbs));
+  return "galilean: there is no '" + std::string(name) + "'" +
+         (meant.empty() ? "; 'galilean help' lists what there is"
+                        : "; did you mean '" + meant + "'?");
+}
+
+std::string usage() {
+  std::string text = "usage: galilean VERB …, and 'galilean VERB --help' for each\n\n";
+  for (const auto& verb : kVerbs)
+    text += "  " + std::string(verb.name) + std::string(10 - verb.name.size(), ' ') +
+            std::string(verb.help) + "\n";
+  return text + "  version   Which release this is\n  help      This list\n";
+}
+
+}  // namespace galilean::front

@@ -1,0 +1,57 @@
+#include "front/demo/evidence.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace galilean::front {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+msg::RobotState at(const std::string& robot, double x_m, std::uint64_t transitions) {
+  msg::RobotState state;
+  state.robot = robot;
+  state.program_hash = "abc";
+  state.state = "wander";
+  state.x_m = x_m;
+  state.transitions = transitions;
+  return state;
+}
+
+TEST(Evidence, ATeamThatDroveAndChangedStatesWorked) {
+  Evidence evidence({"io"});
+  for (int i = 0; i <= 12; ++i) evidence.note(at("io", (i % 2) * 0.1, 1));
+  EXPECT_THAT(evidence.shortcomings(), IsEmpty());
+}
+
+TEST(Evidence, EachShortcomingIsNamed) {
+  Evidence evidence({"callisto", "europa", "ganymede", "io"});
+  evidence.note(at("ganymede", 0, 0));
+  evidence.note(at("io", 100, 3));  // where it began is not driven
+  msg::RobotState idle = at("europa", 0, 1);
+  idle.program_hash.clear();
+  evidence.note(idle);
+  EXPECT_THAT(evidence.shortcomings(),
+              ElementsAre("callisto was never heard", "europa runs no program",
+                          "ganymede never left its state 'wander'",
+                          "io drove less than a metre and threw nothing away"));
+}
+
+TEST(Evidence, APieceThrownAwayCountsAsWork) {
+  Evidence evidence({"io"});
+  evidence.note(at("io", 0, 3));
+  msg::Score score;
+  score.robots.push_back({"io", 1, 0});
+  evidence.note(score);
+  EXPECT_THAT(evidence.shortcomings(), IsEmpty());
+}
+
+TEST(Evidence, StrangersDoNotCount) {
+  Evidence evidence({"io"});
+  for (int i = 0; i < 50; ++i) evidence.note(at("ganymede", i, 4));
+  EXPECT_THAT(evidence.shortcomings(), ElementsAre("io was never heard"));
+}
+
+}  // namespace
+}  // namespace galilean::front

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/wire/topics.h"
 
@@ -80,8 +81,8 @@ void TeamMap::note(const msg::Variables& variables, Time now) {
   robot.grasp.note(variables, now);
   for (const auto& variable : variables.items) {
     if (!is_obstacle(variable)) continue;
-    auto& before = robot.touched[variable.name];
-    if (std::exchange(before, variable.updated) == variable.updated) continue;
+    const auto [touched, is_new] = robot.touched.try_emplace(variable.name, variable.updated);
+    if (!is_new && std::exchange(touched->second, variable.updated) == variable.updated) continue;
     memories_[variables.robot].touch(variable, now);
     floor_.bumped(frames_.of(variables.robot).to_map(Vec2(variable.values[0], variable.values[1])));
   }

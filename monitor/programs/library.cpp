@@ -51,6 +51,7 @@ std::optional<std::vector<bhdl::SourceFile>> ProgramLibrary::read(const std::str
 
 bhdl::CheckResult ProgramLibrary::check(std::vector<bhdl::SourceFile> files,
                                         const Catalog& catalog) const {
+  if (files.empty()) return bhdl::check({}, catalog);
   const bhdl::DiskSources shipped(folder_);
   for (const auto& name : names()) {
     if (std::ranges::find(files, name, &bhdl::SourceFile::path) != files.end()) continue;

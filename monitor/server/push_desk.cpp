@@ -47,10 +47,12 @@ void PushDesk::order(PushOrder order, Done done) {
   std::vector<Target> targets;
   auto outcome = find_targets(order, targets);
   if (!outcome.detail.empty()) return done(std::move(outcome));
-  parts_.worker.run([files = order.files, targets = std::move(targets),
-                     &library = parts_.library] { return check_for(files, targets, library); },
-                    [this, order = std::move(order), done = std::move(done)](TargetCheck check) {
-                      push_checked(order, std::move(check), done);
+  auto check = [files = order.files, targets = std::move(targets), &library = parts_.library] {
+    return check_for(files, targets, library);
+  };
+  parts_.worker.run(std::move(check),
+                    [this, order = std::move(order), done = std::move(done)](TargetCheck checked) {
+                      push_checked(order, std::move(checked), done);
                     });
 }
 

@@ -1,0 +1,73 @@
+#include "monitor/server/guard.h"
+
+#include <gtest/gtest.h>
+
+#include "monitor/server/page_files.h"
+
+namespace galilean::monitor {
+namespace {
+
+bool passes(const Guard& guard, const std::string& host, const std::string& origin = {}) {
+  HttpRequest request;
+  request.host = host;
+  request.origin = origin;
+  return guard.objection(request).empty();
+}
+
+TEST(Guard, LetsLoopbackNamesThroughOnAnyPort) {
+  const Guard guard("127.0.0.1", {});
+  for (const auto* host :
+       {"localhost:8080", "LOCALHOST", "127.0.0.1:9000", "127.0.0.1", "[::1]:8080"})
+    EXPECT_TRUE(passes(guard, host)) << host;
+}
+
+TEST(Guard, RefusesNamesThatDnsMayHaveRebound) {
+  const Guard guard("127.0.0.1", {});
+  for (const auto* host : {"evil.example", "evil.example:8080", "", "localhost.evil.example",
+                           "192.168.1.5", "127.0.0.1.evil.example", "[", "localhost@evil"})
+    EXPECT_FALSE(passes(guard, host)) << host;
+}
+
+TEST(Guard, AServerOnAllAddressesAnswersForAddressesButNotForNames) {
+  const Guard guard("0.0.0.0", {});
+  EXPECT_TRUE(passes(guard, "192.168.1.5:8080"));
+  EXPECT_FALSE(passes(guard, "robots.example:8080"));
+}
+
+TEST(Guard, OnlyItsOwnPageAndAllowedOnesMayAsk) {
+  const Guard guard("127.0.0.1", {"https://studio.example"});
+  EXPECT_TRUE(passes(guard, "localhost:8080", "http://localhost:8080"));
+  EXPECT_TRUE(passes(guard, "localhost:8080", "https://studio.example"));
+  EXPECT_FALSE(passes(guard, "localhost:8080", "http://localhost:3000"));
+  EXPECT_FALSE(passes(guard, "localhost:8080", "https://evil.example"));
+  EXPECT_FALSE(passes(guard, "localhost:8080", "null"));
+}
+
+TEST(PageFiles, WithoutAPageItSaysHowToBuildOne) {
+  const PageFiles page("/nonexistent");
+  HttpRequest request;
+  request.path = "/";
+  const auto response = page.get(request);
+  EXPECT_EQ(response.status, 200);
+  EXPECT_NE(response.body->find("npm run build"), std::string::npos);
+}
+
+TEST(PageFiles, KnowsWhatTheBrowserHasAlready) {
+  const PageFiles page("/nonexistent");
+  HttpRequest request;
+  request.path = "/index.html";
+  const auto first = page.get(request);
+  request.if_none_match = first.headers.at(0).second;
+  EXPECT_EQ(page.get(request).status, 304);
+  request.path = "/../etc/passwd";
+  EXPECT_EQ(page.get(request).status, 404);
+}
+
+TEST(PercentDecoding, TakesEscapesAndLeavesTheRest) {
+  EXPECT_EQ(percent_decoded("/a%20b%2Fc"), "/a b/c");
+  EXPECT_EQ(percent_decoded("%"), "%");
+  EXPECT_EQ(percent_decoded("%g1%4"), "%g1%4");
+}
+
+}  // namespace
+}  // namespace galilean::monitor

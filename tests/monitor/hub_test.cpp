@@ -1,0 +1,183 @@
+#include "monitor/server/foxglove_hub.h"
+
+#include <gmock/gmock.h>
+
+#include "monitor/server/outbox.h"
+
+namespace galilean::monitor::foxglove {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+class FakeLink final : public Link {
+ public:
+  void flush() override { ++flushes; }
+  void close(const std::string& reason) override { closed_for = reason; }
+  int flushes = 0;
+  std::string closed_for;
+};
+
+Channel channel(std::uint32_t id, const std::string& topic, const char* ros_type) {
+  return {id, topic, wire::find_schema_by_ros_type(ros_type), wire::delivery_of(ros_type)};
+}
+
+class HubTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    hub.add_channel(state);
+    hub.add_channel(transition);
+    hub.add_channel(camera);
+    client = hub.connect(link);
+  }
+  [[nodiscard]] std::vector<Frame> sent() { return client->outbox().take(100'000); }
+  [[nodiscard]] static std::string text(const Frame& frame) {
+    return {frame.payload->begin(), frame.payload->end()};
+  }
+  void send(const Channel& to, std::uint8_t content) {
+    hub.send({to, 5, 4, std::make_shared<const std::vector<std::uint8_t>>(8, content)});
+  }
+  void subscribe(std::uint32_t id, std::uint32_t channel_id) {
+    client->receive_text(
+        json{{"op", "subscribe"}, {"subscriptions", {{{"id", id}, {"channelId", channel_id}}}}}
+            .dump());
+  }
+
+  const Channel state = channel(1, "rt/io/state", "galilean_msgs/msg/RobotState");
+  const Channel transition = channel(2, "rt/io/transition", "galilean_msgs/msg/Transition");
+  const Channel camera = channel(3, "rt/io/camera/compressed", "sensor_msgs/msg/CompressedImage");
+  std::vector<std::pair<std::uint32_t, bool>> demands;
+  Hub hub{"monitor", [this](std::uint32_t id, bool wanted) { demands.emplace_back(id, wanted); }};
+  FakeLink link;
+  std::unique_ptr<Hub::Client> client;
+};
+
+TEST_F(HubTest, GreetsWithServerInfoAndChannels) {
+  const auto frames = sent();
+  ASSERT_EQ(frames.size(), 2U);
+  const auto info = json::parse(text(frames[0]));
+  EXPECT_EQ(info["op"], "serverInfo");
+  EXPECT_EQ(info["supportedEncodings"], json::array({"json"}));
+  EXPECT_EQ(info["capabilities"], (json::array({"services", "time"})));
+  const auto channels = json::parse(text(frames[1]))["channels"];
+  ASSERT_EQ(channels.size(), 3U);
+  EXPECT_EQ(channels[0]["topic"], "/io/state");
+  EXPECT_EQ(channels[0]["encoding"], "cdr");
+  EXPECT_EQ(channels[0]["schemaEncoding"], "ros2idl");
+  EXPECT_THAT(channels[0]["schema"].get<std::string>(), HasSubstr("struct RobotState"));
+}
+
+TEST_F(HubTest, AMessageCarriesTheClientsSubscriptionAndSharesItsBytes) {
+  (void)sent();
+  subscribe(0, 2);
+  const auto bytes = std::make_shared<const std::vector<std::uint8_t>>(300, std::uint8_t{9});
+  hub.send({transition, 0x0102030405060708, 0, bytes});
+  const auto frames = sent();
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_EQ(frames[0].payload, bytes);
+  const std::vector<std::uint8_t> head(frames[0].head_bytes().begin(),
+                                       frames[0].head_bytes().end());
+  EXPECT_EQ(head,
+            (std::vector<std::uint8_t>{0x82, 126, 1, 57, 1, 0, 0, 0, 0, 8, 7, 6, 5, 4, 3, 2, 1}));
+}
+
+TEST_F(HubTest, ALateSubscriberIsToldWhatIsAndWhatHappened) {
+  send(state, 1);
+  send(state, 2);
+  for (std::uint8_t number = 0; number < 70; ++number) send(transition, number);
+  (void)sent();
+  subscribe(7, 1);
+  EXPECT_EQ(sent().size(), 1U);
+  subscribe(8, 2);
+  const auto events = sent();
+  ASSERT_EQ(events.size(), 64U);
+  EXPECT_EQ(events.back().payload->front(), 69);
+}
+
+TEST_F(HubTest, ASlowClientGetsEveryEventButOnlyTheNewestState) {
+  subscribe(1, 1);
+  subscribe(2, 2);
+  (void)sent();
+  for (std::uint8_t number = 0; number < 200; ++number) {
+    send(state, number);
+    send(transition, number);
+  }
+  const auto frames = sent();
+  EXPECT_EQ(frames.size(), 201U);
+  EXPECT_EQ(frames.back().payload->front(), 199);
+  EXPECT_EQ(hub.counts().superseded, 199U);
+}
+
+TEST_F(HubTest, AClientThatNeverReadsItsEventsIsClosedWithTheReason) {
+  subscribe(2, 2);
+  const auto large = std::make_shared<const std::vector<std::uint8_t>>(1 << 20);
+  for (int i = 0; i < 20; ++i) hub.send({transition, 0, 0, large});
+  EXPECT_THAT(link.closed_for, HasSubstr("too slow"));
+  EXPECT_TRUE(client->outbox().empty());
+  EXPECT_EQ(hub.counts().dismissed, 1U);
+}
+
+TEST_F(HubTest, PicturesAreWantedOnlyWhileSomebodyLooks) {
+  FakeLink other_link;
+  auto other = hub.connect(other_link);
+  subscribe(1, 3);
+  other->receive_text(R"({"op":"subscribe","subscriptions":[{"id":9,"channelId":3}]})");
+  client->receive_text(R"({"op":"unsubscribe","subscriptionIds":[1]})");
+  EXPECT_EQ(demands, (std::vector<std::pair<std::uint32_t, bool>>{{3, true}}));
+  other.reset();
+  EXPECT_EQ(demands.back(), (std::pair<std::uint32_t, bool>{3, false}));
+}
+
+TEST_F(HubTest, NonsenseIsAnsweredNotObeyed) {
+  (void)sent();
+  const std::vector<std::string> nonsense{
+      "",
+      "[",
+      "3",
+      "{}",
+      R"({"op":3})",
+      R"({"op":"fly"})",
+      R"({"op":"subscribe","subscriptions":[{"id":-1,"channelId":1}]})",
+      R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":99}]})",
+      R"({"op":"subscribe","subscriptions":[1]})",
+      R"({"op":"unsubscribe","subscriptionIds":["x"]})",
+      std::string(100'000, '['),
+      "{\"op\":\"\xff\xfe\"}"};
+  for (const auto& each : nonsense) {
+    client->receive_text(each);
+    const auto frames = sent();
+    ASSERT_EQ(frames.size(), 1U) << each.substr(0, 80);
+    EXPECT_EQ(json::parse(text(frames[0]))["op"], "status");
+  }
+  client->receive_text(R"({"op":"subscribe"})");
+  const std::vector<std::uint8_t> truncated{2, 1, 0, 0, 0, 1, 0, 0, 0, 255, 255, 255, 255};
+  for (std::size_t size = 0; size <= truncated.size(); ++size)
+    client->receive_binary(std::span(truncated).first(size));
+  EXPECT_EQ(hub.counts().subscriptions, 0U);
+}
+
+TEST_F(HubTest, AServiceIsCalledByItsIdAndAnswersItsCall) {
+  hub.add_service({"/echo", "test/Echo", json::object(), json::object()},
+                  [](const json& request, const Hub::Answer& answer) {
+                    if (request.contains("fail")) return answer(Error{"no"});
+                    answer(json{{"got", request}});
+                  });
+  (void)sent();
+  const auto call = [&](const std::string& request) {
+    std::vector<std::uint8_t> bytes{2, 1, 0, 0, 0, 77, 0, 0, 0, 4, 0, 0, 0, 'j', 's', 'o', 'n'};
+    bytes.insert(bytes.end(), request.begin(), request.end());
+    client->receive_binary(bytes);
+    return sent().at(0);
+  };
+  const auto answer = call(R"({"a":1})");
+  EXPECT_EQ(answer.head[2], 3) << "opcode of a service's answer";
+  EXPECT_EQ(answer.head[7], 77) << "the call's id";
+  EXPECT_EQ(text(answer), R"(json{"got":{"a":1}})");
+  const auto failure = json::parse(text(call(R"({"fail":1})")));
+  EXPECT_EQ(failure["op"], "serviceCallFailure");
+  EXPECT_EQ(failure["callId"], 77);
+  EXPECT_EQ(failure["message"], "no");
+}
+
+}  // namespace
+}  // namespace galilean::monitor::foxglove

@@ -1,0 +1,161 @@
+#include <gtest/gtest.h>
+
+#include "monitor/map/map_files.h"
+#include "monitor/map/markers.h"
+#include "monitor/map/team_map.h"
+
+namespace galilean::monitor {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kView_rad = 73.5 * kPi / 180;
+
+/// What a camera at `from` sees of things, with 3 cm of error.
+msg::Sightings frame(const std::string& robot, const Pose2& from,
+                     const std::vector<std::pair<std::string, Vec2>>& things) {
+  msg::Sightings result;
+  result.robot = robot;
+  result.x_m = from.position_m.x();
+  result.y_m = from.position_m.y();
+  result.heading_rad = from.heading_rad;
+  result.view_angle_rad = static_cast<float>(kView_rad);
+  for (const auto& [object_class, at] : things) {
+    const Vec2 towards = at - from.position_m;
+    msg::Sighting& item = result.items.emplace_back();
+    item.object_class = object_class;
+    item.x_m = at.x();
+    item.y_m = at.y();
+    item.variance_xx = item.variance_yy = 9e-4;
+    item.range_m = static_cast<float>(towards.norm());
+    item.azimuth_rad =
+        static_cast<float>(wrap_angle(std::atan2(towards.y(), towards.x()) - from.heading_rad));
+  }
+  return result;
+}
+
+msg::RobotState at(const std::string& robot, const Pose2& pose) {
+  msg::RobotState state;
+  state.robot = robot;
+  state.x_m = pose.position_m.x();
+  state.y_m = pose.position_m.y();
+  state.heading_rad = pose.heading_rad;
+  return state;
+}
+
+class MapTest : public testing::Test {
+ protected:
+  void step(Duration duration = 100ms) { now += duration; }
+  msg::ObjectMap objects() {
+    map.update(now);
+    return map.objects(now, to_ns());
+  }
+  [[nodiscard]] std::int64_t to_ns() const { return now.time_since_epoch().count(); }
+
+  TeamMap map{2s};
+  Time now{1s};
+  const Pose2 io{{0, 0}, 0};
+  const Pose2 ganymede{{2, 0}, kPi};
+};
+
+TEST_F(MapTest, TwoCansFifteenCentimetresApartStayTwo) {
+  for (int i = 0; i < 50; ++i, step()) {
+    map.note(frame("io", io, {{"trash", {1, 0.075}}, {"trash", {1, -0.075}}}), now);
+    map.note(frame("ganymede", ganymede, {{"trash", {1.01, 0.085}}, {"trash", {1, -0.065}}}), now);
+  }
+  const auto seen = objects().objects;
+  ASSERT_EQ(seen.size(), 2U);
+  EXPECT_NEAR(std::abs(seen[0].y_m - seen[1].y_m), 0.15, 0.03);
+}
+
+TEST_F(MapTest, ACanThatTwoRobotsSeeIsOne) {
+  for (int i = 0; i < 10; ++i, step()) {
+    map.note(frame("io", io, {{"trash", {1, 0}}}), now);
+    map.note(frame("ganymede", ganymede, {{"trash", {1.05, 0.03}}}), now + 10ms);
+  }
+  const auto seen = objects().objects;
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_EQ(seen[0].seen_by, (std::vector<std::string>{"ganymede", "io"}));
+  EXPECT_GT(seen[0].x_m, 1.0);
+  EXPECT_LT(seen[0].x_m, 1.05);
+  const auto id = seen[0].id;
+  map.note(frame("io", io, {{"trash", {1, 0}}}), now);
+  EXPECT_EQ(objects().objects[0].id, id);
+}
+
+TEST_F(MapTest, WhatIsNotSeenAnyMoreIsForgottenAfterAMinute) {
+  for (int i = 0; i < 30; ++i, step()) map.note(frame("io", io, {{"trash", {3, 0}}}), now);
+  EXPECT_NEAR(objects().objects[0].certainty, 1, 0.01);
+  step(30s);
+  EXPECT_NEAR(objects().objects[0].certainty, 0.5, 0.01);
+  step(31s);
+  EXPECT_TRUE(objects().objects.empty());
+}
+
+TEST_F(MapTest, WhatIsMissingInPlainViewIsForgottenSoon) {
+  for (int i = 0; i < 30; ++i, step()) map.note(frame("io", io, {{"trash", {1, 0}}}), now);
+  for (int i = 0; i < 35; ++i, step()) map.note(frame("io", io, {}), now);
+  EXPECT_TRUE(objects().objects.empty());
+}
+
+TEST_F(MapTest, WhatSomethingNearerHidesIsNotMissing) {
+  for (int i = 0; i < 30; ++i, step()) map.note(frame("io", io, {{"trash", {1.2, 0}}}), now);
+  for (int i = 0; i < 35; ++i, step()) map.note(frame("io", io, {{"robot", {0.6, 0.02}}}), now);
+  EXPECT_EQ(objects().objects.size(), 1U);
+}
+
+TEST_F(MapTest, ASilentRobotStaysWhereItWas) {
+  map.note(at("io", {{1, 2}, 0.5}), now);
+  step(10s);
+  const auto robots = objects().robots;
+  ASSERT_EQ(robots.size(), 1U);
+  EXPECT_TRUE(robots[0].silent);
+  EXPECT_FLOAT_EQ(robots[0].age_s, 10);
+  EXPECT_DOUBLE_EQ(robots[0].x_m, 1);
+}
+
+TEST_F(MapTest, AGivenStartPlacesTheRobotAndItsFrame) {
+  map.start_at("io", {{3, 1}, kPi / 2});
+  map.note(at("io", {{1, 0}, 0}), now);
+  const auto robot = objects().robots.at(0);
+  EXPECT_NEAR(robot.x_m, 3, 1e-9);
+  EXPECT_NEAR(robot.y_m, 2, 1e-9);
+  EXPECT_NEAR(robot.heading_rad, kPi / 2, 1e-9);
+  const auto frames = map.transforms(to_ns()).transforms;
+  EXPECT_EQ(frames.at(0).child_frame_id, "io/odom");
+  EXPECT_NEAR(frames[0].transform.rotation.z, std::sin(kPi / 4), 1e-9);
+}
+
+TEST_F(MapTest, TheFloorIsFreeWhereItWasCrossedAndOccupiedWhereItWasBumpedInto) {
+  for (double x = 0; x < 1; x += 0.05, step()) map.note(at("io", {{x, 0}, 0}), now);
+  msg::Variables variables;
+  variables.robot = "io";
+  variables.items = {{.name = "wall",
+                      .type = msg::Variable_Constants::LOCATE,
+                      .object_class = "obstacle",
+                      .valid = true,
+                      .certainty = 1,
+                      .values = {1.5, 0}}};
+  map.note(variables, now);
+  const auto grid = map.floor().grid();
+  const auto cell = [&](double x_m, double y_m) {
+    const auto column = static_cast<std::size_t>((x_m - grid.info.origin.position.x) / 0.05);
+    const auto row = static_cast<std::size_t>((y_m - grid.info.origin.position.y) / 0.05);
+    return static_cast<int>(grid.data.at(row * grid.info.width + column));
+  };
+  EXPECT_LT(cell(0.5, 0), 10);
+  EXPECT_GT(cell(1.5, 0), 80);
+  EXPECT_EQ(cell(-3, 3), -1);
+  const auto files = map_files(grid);
+  EXPECT_EQ(files.png.substr(1, 3), "PNG");
+  EXPECT_NE(files.yaml.find("resolution: 0.05"), std::string::npos);
+}
+
+TEST_F(MapTest, MarkersShowEveryObjectAndRobot) {
+  map.note(frame("io", io, {{"trash", {1, 0}}, {"basket", {2, 1}}}), now);
+  map.note(at("io", io), now);
+  EXPECT_EQ(markers(objects()).markers.size(), 4U);
+}
+
+}  // namespace
+}  // namespace galilean::monitor

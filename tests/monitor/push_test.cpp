@@ -1,0 +1,81 @@
+#include "monitor/programs/push.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "monitor/programs/library.h"
+
+namespace galilean::monitor {
+namespace {
+
+using namespace std::chrono_literals;
+namespace status = msg::ProgramReply_Constants;
+
+msg::ProgramReply reply(const std::string& robot, std::uint8_t said) {
+  msg::ProgramReply result;
+  result.id = "1";
+  result.robot = robot;
+  result.status = said;
+  return result;
+}
+
+Push push_to(std::vector<std::string> robots) {
+  msg::ProgramPush message;
+  message.id = "1";
+  return {message, std::move(robots), Time{}};
+}
+
+TEST(Push, IsCompleteWhenEachRunsOrRefuses) {
+  auto push = push_to({"io", "ganymede"});
+  EXPECT_TRUE(push.note(reply("io", status::RECEIVED), Time{5ms}));
+  EXPECT_TRUE(push.note(reply("io", status::RUNNING), Time{20ms}));
+  EXPECT_FALSE(push.complete());
+  EXPECT_TRUE(push.note(reply("ganymede", status::REJECTED), Time{30ms}));
+  EXPECT_TRUE(push.complete());
+  EXPECT_FALSE(push.settled()) << "io is in its probation";
+  push.note(reply("io", status::CONFIRMED), Time{9s});
+  EXPECT_TRUE(push.settled());
+  EXPECT_EQ(push.answers()[1].status, "confirmed");
+  EXPECT_EQ(push.answers()[1].latency_ms, 20) << "of the swap, not of what followed";
+}
+
+TEST(Push, HearsNeitherOthersRepliesNorRepeats) {
+  auto push = push_to({"io"});
+  auto other = reply("io", status::RUNNING);
+  other.id = "2";
+  EXPECT_FALSE(push.note(other, Time{}));
+  EXPECT_TRUE(push.note(reply("io", status::RUNNING), Time{}));
+  EXPECT_FALSE(push.note(reply("io", status::RECEIVED), Time{}));
+  EXPECT_EQ(push.answers()[0].status, "running");
+}
+
+TEST(Push, ListsARobotThatNobodyWaitsFor) {
+  auto push = push_to({"io"});
+  push.list("callisto");
+  push.note(reply("io", status::RUNNING), Time{});
+  EXPECT_TRUE(push.complete());
+  EXPECT_EQ(push.answers()[0].status, "no_answer");
+}
+
+TEST(Library, TakesMissingIncludesFromItsFolderAndNothingFromElsewhere) {
+  const auto folder = std::filesystem::temp_directory_path() / "galilean_library_test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "parts.bhdl") << "variables:\n";
+  std::ofstream(folder / "whole.bhdl") << "include \"parts.bhdl\"\n";
+  std::ofstream(folder.parent_path() / "galilean_secret.bhdl") << "variables:\n";
+  const ProgramLibrary library(folder, {});
+  const auto checked = library.check({{"edited.bhdl", "include \"parts.bhdl\"\n"}}, {});
+  ASSERT_EQ(checked.files.size(), 2U);
+  EXPECT_EQ(checked.files[1].path, "parts.bhdl");
+  EXPECT_EQ(library.read("whole.bhdl")->size(), 2U);
+  EXPECT_FALSE(library.read("../galilean_secret.bhdl"));
+  const auto escaping =
+      library.check({{"edited.bhdl", "include \"../galilean_secret.bhdl\"\n"}}, {});
+  EXPECT_EQ(escaping.files.size(), 1U);
+  std::filesystem::remove_all(folder);
+  std::filesystem::remove(folder.parent_path() / "galilean_secret.bhdl");
+}
+
+}  // namespace
+}  // namespace galilean::monitor

@@ -1,0 +1,127 @@
+#include "tests/monitor/scripted_robot.h"
+
+#include <algorithm>
+
+namespace galilean::monitor {
+
+ScriptedRobot::ScriptedRobot(std::string name, int domain, const std::string& catalog_json)
+    : name_(std::move(name)),
+      participant_(wire::Participant::join("scripted-" + name_, domain).value()),
+      states_(*participant_, wire::robot_topic(name_, "state")),
+      catalogs_(*participant_, wire::robot_topic(name_, "catalog")),
+      transitions_(*participant_, wire::robot_topic(name_, "transition")),
+      replies_(*participant_, wire::robot_topic(name_, "program_reply")),
+      pushes_(*participant_, wire::kProgramPushTopic, msg::ProgramPush::kRosType),
+      commands_(*participant_, wire::kCommandTopic, msg::Command::kRosType) {
+  state_.robot = name_;
+  state_.state = "start";
+  state_.program_name = "first.bhdl";
+  state_.program_hash = "first";
+  state_.tick_period_s = 0.05F;
+  (void)catalogs_.write(
+      {name_, std::to_string(std::hash<std::string>()(catalog_json)), catalog_json});
+  const auto wake = [this] {
+    {
+      const std::lock_guard lock(mutex_);
+      has_data_ = true;
+    }
+    wake_.notify_one();
+  };
+  pushes_.on_data(wake);
+  commands_.on_data(wake);
+  thread_ = std::thread([this] { run(); });
+}
+
+ScriptedRobot::~ScriptedRobot() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+void ScriptedRobot::run() {
+  for (;;) {
+    {
+      std::unique_lock lock(mutex_);
+      state_.stamp = wire::ros_time(wire::wall_clock_ns());
+      ++state_.tick;
+      (void)states_.write(state_);
+      wake_.wait_for(lock, std::chrono::milliseconds(100), [this] { return ending_ || has_data_; });
+      if (ending_) return;
+      has_data_ = false;
+    }
+    pushes_.take([this](const wire::Received& received) {
+      msg::ProgramPush push;
+      if (msg::decode_cdr(received.cdr, push)) take_push(push);
+    });
+    commands_.take([this](const wire::Received& received) {
+      msg::Command command;
+      if (msg::decode_cdr(received.cdr, command)) take_command(command);
+    });
+  }
+}
+
+bool ScriptedRobot::is_meant(const std::vector<std::string>& targets) const {
+  return targets.empty() || std::ranges::find(targets, name_) != targets.end();
+}
+
+void ScriptedRobot::take_push(const msg::ProgramPush& push) {
+  if (!is_meant(push.targets)) return;
+  reply(push, msg::ProgramReply_Constants::RECEIVED, {});
+  const std::lock_guard lock(mutex_);
+  if (refusal_.empty()) {
+    state_.program_hash = push.hash;
+    reply(push, msg::ProgramReply_Constants::RUNNING, {});
+  } else {
+    reply(push, msg::ProgramReply_Constants::REJECTED, refusal_);
+  }
+}
+
+void ScriptedRobot::reply(const msg::ProgramPush& push, std::uint8_t status,
+                          const std::string& message) {
+  msg::ProgramReply reply;
+  reply.id = push.id;
+  reply.robot = name_;
+  reply.hash = push.hash;
+  reply.running_hash = state_.program_hash;
+  reply.status = status;
+  reply.message = message;
+  if (status == msg::ProgramReply_Constants::RUNNING) reply.kept_variables = {"shaft"};
+  (void)replies_.write(reply);
+}
+
+void ScriptedRobot::take_command(const msg::Command& command) {
+  if (!is_meant(command.targets)) return;
+  const std::lock_guard lock(mutex_);
+  if (command.kind == msg::Command_Constants::HOLD) state_.held = true;
+  if (command.kind == msg::Command_Constants::RESUME) state_.held = false;
+}
+
+void ScriptedRobot::refuse_pushes(const std::string& why) {
+  const std::lock_guard lock(mutex_);
+  refusal_ = why;
+}
+
+std::string ScriptedRobot::running_hash() {
+  const std::lock_guard lock(mutex_);
+  return state_.program_hash;
+}
+
+bool ScriptedRobot::held() {
+  const std::lock_guard lock(mutex_);
+  return state_.held;
+}
+
+void ScriptedRobot::change_state(const std::string& to) {
+  const std::lock_guard lock(mutex_);
+  msg::Transition transition;
+  transition.robot = name_;
+  transition.number = ++transitions_written_;
+  transition.from_state = state_.state;
+  transition.to_state = state_.state = to;
+  (void)transitions_.write(transition);
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "core/wire/topics.h"
+
+namespace galilean::monitor {
+
+/// A robot as DDS shows it, without one: publishes a state ten times a second, takes pushes and
+/// commands, and answers as a robot does. For tests of those who watch and steer robots.
+class ScriptedRobot {
+ public:
+  /// `catalog_json` is what its programs may name.
+  ScriptedRobot(std::string name, int domain, const std::string& catalog_json);
+  ~ScriptedRobot();
+
+  /// Says this of pushes instead of running them.
+  void refuse_pushes(const std::string& why);
+  [[nodiscard]] std::string running_hash();
+  [[nodiscard]] bool held();
+  void change_state(const std::string& to);
+  [[nodiscard]] std::string name() const { return name_; }
+
+ private:
+  void run();
+  void take_push(const msg::ProgramPush& push);
+  void take_command(const msg::Command& command);
+  [[nodiscard]] bool is_meant(const std::vector<std::string>& targets) const;
+  void reply(const msg::ProgramPush& push, std::uint8_t status, const std::string& message);
+
+  std::string name_;
+  std::unique_ptr<wire::Participant> participant_;
+  wire::Writer<msg::RobotState> states_;
+  wire::Writer<msg::Catalog> catalogs_;
+  wire::Writer<msg::Transition> transitions_;
+  wire::Writer<msg::ProgramReply> replies_;
+  wire::Reader pushes_;
+  wire::Reader commands_;
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool ending_ = false;
+  bool has_data_ = false;
+  msg::RobotState state_;
+  std::string refusal_;
+  std::uint64_t transitions_written_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace galilean::monitor

@@ -1,0 +1,117 @@
+#include "monitor/team/team.h"
+
+#include <gtest/gtest.h>
+
+namespace galilean::monitor {
+namespace {
+
+using namespace std::chrono_literals;
+
+msg::RobotState state_of(const std::string& robot, const std::string& hash,
+                         std::uint64_t tick = 1) {
+  msg::RobotState state;
+  state.robot = robot;
+  state.program_hash = hash;
+  state.state = "wander_for_trash";
+  state.tick = tick;
+  state.tick_period_s = 0.05F;
+  state.tick_time_max_us = 20;
+  return state;
+}
+
+msg::Transition transition(std::uint64_t number) {
+  msg::Transition result;
+  result.robot = "io";
+  result.number = number;
+  return result;
+}
+
+class TeamTest : public testing::Test {
+ protected:
+  [[nodiscard]] RobotStatus status(const std::string& robot) const {
+    return team.status(*team.find(robot));
+  }
+
+  SteppedClock clock;
+  Team team{clock, 2s};
+};
+
+TEST_F(TeamTest, ASilentRobotStaysWithItsAge) {
+  team.note(state_of("io", "a"));
+  clock.advance(1900ms);
+  EXPECT_EQ(status("io").health, Health::kWell);
+  clock.advance(10min);
+  EXPECT_EQ(status("io").health, Health::kSilent);
+  EXPECT_DOUBLE_EQ(status("io").age_s, 601.9);
+  EXPECT_EQ(status("io").state, "wander_for_trash");
+  team.note(state_of("io", "a"));
+  EXPECT_EQ(status("io").health, Health::kWell);
+}
+
+TEST_F(TeamTest, ARobotWithProblemsOrLateTicksIsTroubled) {
+  auto state = state_of("io", "a");
+  state.problems = {"the camera /dev/video0 is gone"};
+  team.note(state);
+  EXPECT_EQ(status("io").health, Health::kTroubled);
+  state.problems.clear();
+  state.tick_time_max_us = 51'000;
+  team.note(state);
+  EXPECT_EQ(status("io").health, Health::kTroubled);
+}
+
+TEST_F(TeamTest, WhoRunsAnotherProgramThanMostDrifts) {
+  team.note(state_of("io", "a"));
+  team.note(state_of("ganymede", "a"));
+  team.note(state_of("callisto", "b"));
+  EXPECT_FALSE(status("io").drifting);
+  EXPECT_TRUE(status("callisto").drifting);
+}
+
+TEST_F(TeamTest, APushToTheTeamDecidesOnceOneRobotRunsIt) {
+  team.note(state_of("io", "a"));
+  team.note(state_of("ganymede", "a"));
+  team.note_push("b");
+  EXPECT_EQ(team.program_hash(), "a") << "nobody took it";
+  team.note(state_of("ganymede", "b"));
+  EXPECT_EQ(team.program_hash(), "b");
+  EXPECT_TRUE(status("io").drifting);
+}
+
+TEST_F(TeamTest, CertaintyDecaysBetweenMessages) {
+  msg::Variables variables;
+  variables.robot = "io";
+  variables.items = {{.name = "trash", .valid = true, .certainty = 0.9F, .decay_per_s = 0.1F},
+                     {.name = "shaft", .valid = true, .certainty = 1, .decay_per_s = 0},
+                     {.name = "basket", .valid = false, .certainty = 0.1F}};
+  team.note(variables);
+  clock.advance(4s);
+  EXPECT_NEAR(status("io").lowest_certainty, 0.5, 1e-6);
+  EXPECT_EQ(status("io").least_certain, "trash");
+  clock.advance(1min);
+  EXPECT_EQ(status("io").lowest_certainty, 0);
+}
+
+TEST_F(TeamTest, RepeatedAndLateTransitionsFallIntoTheirPlaces) {
+  for (const std::uint64_t number : {3, 1, 2, 2, 3}) team.note(transition(number));
+  std::vector<std::uint64_t> numbers;
+  for (const auto& known : team.find("io")->transitions) numbers.push_back(known.number);
+  EXPECT_EQ(numbers, (std::vector<std::uint64_t>{1, 2, 3}));
+}
+
+TEST_F(TeamTest, ARobotThatStartsAnewForgetsItsTransitions) {
+  team.note(state_of("io", "a", 1000));
+  team.note(transition(7));
+  team.note(state_of("io", "a", 1));
+  EXPECT_TRUE(team.find("io")->transitions.empty());
+}
+
+TEST_F(TeamTest, DamagedBytesAreTold) {
+  const Channel channel{1, "rt/io/state", wire::find_schema_by_ros_type(msg::RobotState::kRosType),
+                        wire::Delivery::kState};
+  const auto bytes = std::make_shared<const std::vector<std::uint8_t>>(8, std::uint8_t{255});
+  EXPECT_FALSE(team.receive({channel, 0, 0, bytes}));
+  EXPECT_TRUE(team.robots().empty());
+}
+
+}  // namespace
+}  // namespace galilean::monitor

@@ -52,10 +52,17 @@ LiveContest::LiveContest(const Scenario& scenario, std::unique_ptr<World> world,
 
 std::string LiveContest::ready_line() const {
   nlohmann::ordered_json robots = nlohmann::ordered_json::array();
-  for (const auto& robot : robots_)
-    robots.push_back({{"name", robot->name()},
-                      {"serial", robot->serial_path()},
-                      {"camera", "ring:" + robot->ring_name()}});
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    // Where the scenario puts it, before the jitter: what a person with a tape would find.
+    const Pose2& start = world_->scenario().starts[i];
+    robots.push_back({{"name", robots_[i]->name()},
+                      {"serial", robots_[i]->serial_path()},
+                      {"camera", "ring:" + robots_[i]->ring_name()},
+                      {"start",
+                       {{"x_m", start.position_m.x()},
+                        {"y_m", start.position_m.y()},
+                        {"heading_deg", start.heading_rad * 180 / kPi}}}});
+  }
   return nlohmann::ordered_json{{"ready", true},
                                 {"run", options_.run},
                                 {"scenario", world_->scenario().name},

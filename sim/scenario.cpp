@@ -105,6 +105,7 @@ void read_rules(JsonReader item, Rules& rules) {
 
 void read_slip(JsonReader item, Slip& slip) {
   slip.scale_error = item.number_or("scale_error", slip.scale_error, 0, 0.2);
+  slip.mismatch = item.number_or("mismatch", slip.mismatch, 0, 0.2);
   slip.turn_error = item.number_or("turn_error", slip.turn_error, 0, 0.2);
   slip.straight_noise = item.number_or("straight_noise", slip.straight_noise, 0, 0.5);
   slip.turning_noise = item.number_or("turning_noise", slip.turning_noise, 0, 0.5);

@@ -60,7 +60,8 @@ struct Rules {
 
 /// How far the treads are from ideal; each robot draws its own from the seed.
 struct Slip {
-  double scale_error = 0.008;     ///< standard deviation of each wheel's true size
+  double scale_error = 0.012;     ///< standard deviation of both treads' true length
+  double mismatch = 0.002;        ///< standard deviation of one tread's length against the other's
   double turn_error = 0.01;       ///< standard deviation of the true turning radius
   double straight_noise = 0.015;  ///< share of the speed that is lost and won at random
   double turning_noise = 0.03;    ///< the same, while the treads scrub

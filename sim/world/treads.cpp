@@ -10,7 +10,7 @@ constexpr double kFullPwm = 1000;
 constexpr double kStraightDeadZone_pwm = 190;
 constexpr double kTurnDeadZone_pwm = 315;
 constexpr double kTopSpeed_mps = 0.6;
-constexpr double kStall_n = 25;        // one tread at full power
+constexpr double kStall_n = 12;        // one tread at full power; less than friction: it stalls
 constexpr double kTreadMass_kg = 0.6;  // with rotor and gears, as the floor feels it
 constexpr double kFriction = 0.7;      // rubber on carpet
 constexpr double kGravity_mps2 = 9.81;
@@ -30,8 +30,10 @@ std::int32_t Treads::Tread::counts() const noexcept {
 }
 
 Treads::Treads(const Slip& slip, Random random) : slip_(slip), random_(random) {
-  left_.scale = 1 + slip.scale_error * random_.normal();
-  right_.scale = 1 + slip.scale_error * random_.normal();
+  const double both = slip.scale_error * random_.normal();
+  const double apart = slip.mismatch * random_.normal() / 2;
+  left_.scale = 1 + both - apart;
+  right_.scale = 1 + both + apart;
   turn_radius_m_ = kTurnRadius_m * (1 + slip.turn_error * random_.normal());
 }
 

@@ -15,7 +15,7 @@ inline Scenario bare_floor() {
   scenario.starts = {{{3, 3}, 0}};
   scenario.start_jitter_m = 0;
   scenario.start_jitter_rad = 0;
-  scenario.slip = {0, 0, 0, 0};
+  scenario.slip = {0, 0, 0, 0, 0};
   return scenario;
 }
 

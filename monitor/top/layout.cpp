@@ -25,8 +25,10 @@ void draw_lower(const View& view, const Area& area, Canvas& canvas) {
   const int left = area.columns * 2 / 5;
   draw_map(view, {area.row, area.column, area.rows, left}, canvas);
   const int column = area.column + left + kGap, columns = area.columns - left - kGap;
-  const int states =
-      std::min(static_cast<int>(view.states.size()) + 1, std::max(4, area.rows * 2 / 5));
+  // Where all variables fit, the states get what is left over.
+  const int left_over = area.rows - 1 - static_cast<int>(view.variables.size());
+  const int states = std::min(static_cast<int>(view.states.size()) + 1,
+                              std::max({4, area.rows * 2 / 5, left_over}));
   draw_states(view, {area.row, column, states, columns}, canvas);
   draw_variables(view, {area.row + states, column, area.rows - states, columns}, canvas);
 }

@@ -25,20 +25,28 @@ struct Bounds {
   }
 };
 
-Vec2 origin_of(const msg::OccupancyGrid& floor) {
-  return {floor.info.origin.position.x, floor.info.origin.position.y};
+/// Calls `visit` with the middle of each cell that is known to be free or occupied.
+template <class Visit>
+void for_each_known(const msg::OccupancyGrid& floor, Visit visit) {
+  const auto& info = floor.info;
+  const std::size_t cells =
+      std::min<std::size_t>(floor.data.size(), std::size_t{info.width} * std::size_t{info.height});
+  for (std::size_t i = 0; i < cells; ++i) {
+    const int percent = floor.data[i];
+    if (percent < 0 || (percent > kFreePercent && percent < kOccupiedPercent)) continue;
+    const Vec2 cell(static_cast<double>(i % info.width) + 0.5,
+                    static_cast<double>(i / info.width) + 0.5);
+    const Vec2 origin(info.origin.position.x, info.origin.position.y);
+    visit(Vec2(origin + cell * double{info.resolution}), percent >= kOccupiedPercent);
+  }
 }
 
 Bounds bounds_of(const View& view) {
   Bounds bounds;
   for (const auto& object : view.objects) bounds.include(object.position_m);
   for (const auto& robot : view.poses) bounds.include(robot.pose.position_m);
-  if (view.floor) {
-    const auto& info = view.floor->info;
-    const Vec2 origin = origin_of(*view.floor);
-    bounds.include(origin);
-    bounds.include(origin + Vec2(info.width, info.height) * double{info.resolution});
-  }
+  if (view.floor)
+    for_each_known(*view.floor, [&](const Vec2& middle, bool) { bounds.include(middle); });
   if (bounds.low.x() > bounds.high.x()) bounds = {{0, 0}, {0, 0}};
   const Vec2 center = (bounds.low + bounds.high) / 2;
   const Vec2 half = ((bounds.high - bounds.low) / 2 + Vec2(kMargin_m, kMargin_m))
@@ -81,24 +89,13 @@ void put_within(const Projection& projection, int row, int column, char32_t glyp
 }
 
 void draw_floor(const msg::OccupancyGrid& floor, const Projection& projection, Canvas& canvas) {
-  const auto& info = floor.info;
-  const Vec2 origin = origin_of(floor);
-  const std::size_t cells =
-      std::min<std::size_t>(floor.data.size(), std::size_t{info.width} * std::size_t{info.height});
-  for (std::size_t i = 0; i < cells; ++i) {
-    if (floor.data[i] < 0 || (floor.data[i] > kFreePercent && floor.data[i] < kOccupiedPercent))
-      continue;
-    const double half = 0.5;
-    const int column = projection.column(origin.x() + (static_cast<double>(i % info.width) + half) *
-                                                          double{info.resolution});
-    const int row = projection.row(origin.y() + (static_cast<double>(i / info.width) + half) *
-                                                    double{info.resolution});
-    if (!projection.within(row, column)) continue;
-    const bool occupied = floor.data[i] >= kOccupiedPercent;
+  for_each_known(floor, [&](const Vec2& middle, bool occupied) {
+    const int row = projection.row(middle.y()), column = projection.column(middle.x());
+    if (!projection.within(row, column)) return;
     // What is occupied anywhere in a cell of the screen is occupied there.
     if (occupied || canvas.at(row, column).glyph == U' ')
       canvas.set(row, column, occupied ? U'▒' : U'·', Style::kDim);
-  }
+  });
 }
 
 struct Symbol {

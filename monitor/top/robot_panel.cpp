@@ -21,6 +21,33 @@ Style bar_style(double certainty) {
   return certainty < kLow ? Style::kAlarm : certainty < kHalf ? Style::kWarning : Style::kBasket;
 }
 
+void draw_variable(const ShownVariable& variable, int row, const Area& area, Canvas& canvas) {
+  constexpr int kBar = 6, kPercent = 5, kName = 15;
+  const Style style = variable.certainty > 0 ? Style::kPlain : Style::kDim;
+  canvas.put(row, area.column, variable.name, style, kName);
+  const int bar = area.column + kName + 1;
+  draw_bar(row, bar, kBar, variable.certainty, bar_style(variable.certainty), canvas);
+  canvas.put_right(row, bar + kBar + kPercent,
+                   std::to_string(static_cast<int>(variable.certainty * 100 + 0.5)) + "%", style);
+  canvas.put(row, bar + kBar + kPercent + 1, variable.value, style,
+             area.columns - (kName + 1 + kBar + kPercent + 1));
+}
+
+/// Where not all fit: first what a robot remembers or perceives, then constants, pictures and what
+/// is as sure as can be, then what is not valid. Within each, the order of the program.
+std::vector<const ShownVariable*> most_telling_first(const std::vector<ShownVariable>& variables,
+                                                     bool too_many) {
+  std::vector<const ShownVariable*> order;
+  for (const auto& variable : variables) order.push_back(&variable);
+  if (!too_many) return order;
+  const auto rank = [](const ShownVariable* variable) {
+    return variable->certainty <= 0 ? 2 : variable->certainty >= 1 ? 1 : 0;
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const auto* a, const auto* b) { return rank(a) < rank(b); });
+  return order;
+}
+
 }  // namespace
 
 void draw_states(const View& view, const Area& area, Canvas& canvas) {
@@ -40,22 +67,12 @@ void draw_states(const View& view, const Area& area, Canvas& canvas) {
 
 void draw_variables(const View& view, const Area& area, Canvas& canvas) {
   if (area.rows < 2) return;
-  constexpr int kBar = 6, kPercent = 5, kName = 15;
   canvas.put(area.row, area.column, "VARIABLES", Style::kHeading, area.columns);
   const int count = static_cast<int>(view.variables.size()), room = area.rows - 1;
   const int shown = count <= room ? count : room - 1;
-  for (int i = 0; i < shown; ++i) {
-    const ShownVariable& variable = view.variables[static_cast<std::size_t>(i)];
-    const int row = area.row + 1 + i;
-    const Style style = variable.certainty > 0 ? Style::kPlain : Style::kDim;
-    canvas.put(row, area.column, variable.name, style, kName);
-    const int bar = area.column + kName + 1;
-    draw_bar(row, bar, kBar, variable.certainty, bar_style(variable.certainty), canvas);
-    canvas.put_right(row, bar + kBar + kPercent,
-                     std::to_string(static_cast<int>(variable.certainty * 100 + 0.5)) + "%", style);
-    canvas.put(row, bar + kBar + kPercent + 1, variable.value, style,
-               area.columns - (kName + 1 + kBar + kPercent + 1));
-  }
+  const auto variables = most_telling_first(view.variables, count > room);
+  for (int i = 0; i < shown; ++i)
+    draw_variable(*variables[static_cast<std::size_t>(i)], area.row + 1 + i, area, canvas);
   if (shown < count)
     canvas.put(area.row + 1 + shown, area.column, "and " + std::to_string(count - shown) + " more",
                Style::kDim, area.columns);

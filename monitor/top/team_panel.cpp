@@ -76,7 +76,9 @@ void draw_robot(const ShownRobot& robot, std::size_t number, bool chosen, int ro
   canvas.put_right(row, at.lowest - 1, microseconds(status.tick_time_max_us),
                    status.overruns > 0 ? Style::kWarning : style);
   const int end = canvas.put(row, at.lowest, percent(status.lowest_certainty), style);
-  canvas.put(row, end + 1, status.least_certain, Style::kDim, width - end - 1);
+  constexpr int kWorthReading = 6;
+  if (width - end > kWorthReading)
+    canvas.put(row, end + 1, status.least_certain, Style::kDim, width - end - 1);
 }
 
 void draw_heads(int row, int width, Canvas& canvas) {

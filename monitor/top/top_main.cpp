@@ -67,8 +67,11 @@ int print_once(Listening& listening, Termination& termination, const Clock& cloc
     if (known != Time{} && clock.now() - known >= kMore) break;
   }
   const auto view = top::make_view(listening.knowledge(), clock, robot);
-  constexpr int kColumns = 110;
-  const int rows = 40 + static_cast<int>(view.variables.size());
+  // Room for every robot, state and variable, and for a map.
+  constexpr int kColumns = 110, kAround = 6, kLeast = 30;
+  const int rows =
+      std::max(kLeast, kAround + static_cast<int>(3 * view.robots.size() + view.states.size() +
+                                                  view.variables.size()));
   auto canvas = top::lay_out(view, kColumns, rows);
   for (int column = 0; column < kColumns; ++column)  // keys mean nothing on paper
     canvas.set(rows - 1, column, U' ', top::Style::kPlain);

@@ -19,6 +19,12 @@ namespace {
   return text.data();
 }
 
+/// Without the sign that "-0.00" would have.
+double tidy(double number) {
+  constexpr double kShownAsZero = 0.005;
+  return std::abs(number) < kShownAsZero ? 0 : number;
+}
+
 /// Bit 0 first, as programs count: "·1··" has bit 1 set. Eight of them, or as many as are needed.
 std::string bits_text(double value) {
   const auto bits = value >= 0 && value < 4294967296.0 ? static_cast<std::uint32_t>(value) : 0U;
@@ -32,7 +38,7 @@ std::string bits_text(double value) {
 
 std::string locate_text(const std::vector<double>& v) {
   const double deviation_m = std::sqrt(std::max(0.0, (v[2] + v[4]) / 2));
-  return print("%.2f, %.2f ±%.2f m", v[0], v[1], deviation_m);
+  return print("%.2f, %.2f ±%.2f m", tidy(v[0]), tidy(v[1]), deviation_m);
 }
 
 }  // namespace
@@ -42,11 +48,12 @@ std::string variable_text(const msg::Variable& variable) {
   const auto& v = variable.values;
   if (!variable.valid) return "-";
   if (variable.type == types::SHAFT && v.size() >= 3)
-    return print("%.2f, %.2f m %.0f°", v[0], v[1], v[2] * 180 / kPi);
+    return print("%.2f, %.2f m %.0f°", tidy(v[0]), tidy(v[1]), v[2] * 180 / kPi);
   if (variable.type == types::IMAGE && v.size() >= 3) return print("frame %.0f", v[2]);
   if (variable.type == types::LOCATE && v.size() >= 5) return locate_text(v);
   if (variable.type == types::BITS && !v.empty()) return bits_text(v[0]);
-  if (variable.type == types::FORCE && v.size() >= 2) return print("%.2f, %.2f", v[0], v[1]);
+  if (variable.type == types::FORCE && v.size() >= 2)
+    return print("%.2f, %.2f", tidy(v[0]), tidy(v[1]));
   return "-";
 }
 

@@ -49,8 +49,8 @@ TEST(TopLayout, AnswersWhoDoesWhatOnTheSmallestTerminal) {
   const std::string screen = lay_out(team_of_three(), 80, 24).text();
   for (const char* told :
        {"3 robots", "office running", "07:31 left", "11 of 24 pieces", "callisto", "ganymede", "io",
-        "wander_for_trash", "12.3s", "office_clean", "3f2a91c0", "31µ", "41%", "0 collisions", "▶ wander_for_trash",
-        "trash", "±0.10 m", "q quit", "the team's map"})
+        "wander_for_trash", "12.3s", "office_clean", "3f2a91c0", "31µ", "41%", "0 collisions",
+        "▶ wander_for_trash", "trash", "±0.10 m", "q quit", "the team's map"})
     EXPECT_THAT(screen, HasSubstr(told));
 }
 
@@ -105,6 +105,33 @@ TEST(TopLayout, MapPutsThingsWhereTheyAre) {
   EXPECT_GT(trash_column, nose_column);
   EXPECT_GT(basket_row, nose_row + 1);
   EXPECT_LT(basket_column, nose_column);
+}
+
+TEST(TopLayout, WhereVariablesDoNotFitTheTellingOnesComeFirst) {
+  View view = team_of_three();
+  view.variables.clear();
+  for (int i = 0; i < 40; ++i) view.variables.push_back({"never_seen" + std::to_string(i), "-", 0});
+  view.variables.push_back({"trash", "here", 0.4});
+  const std::string screen = lay_out(view, 80, 24).text();
+  EXPECT_THAT(screen, HasSubstr("trash "));
+  EXPECT_THAT(screen, HasSubstr(" more"));
+}
+
+TEST(TopLayout, TheMapIsAsLargeAsWhatIsKnownOfTheFloor) {
+  View view = team_of_three();
+  msg::OccupancyGrid floor;
+  floor.info.resolution = 0.5F;
+  floor.info.width = floor.info.height = 200;
+  floor.info.origin.position.x = floor.info.origin.position.y = -50;
+  floor.data.assign(200 * 200, -1);
+  floor.data[100 * 200 + 100] = 0;
+  floor.data[100 * 200 + 102] = 100;
+  view.floor = floor;
+  const std::string screen = lay_out(view, 120, 40).text();
+  EXPECT_THAT(screen, HasSubstr("▒"));
+  EXPECT_THAT(screen, HasSubstr("0.11 m a column"));
+  view.floor->data.resize(7);  // fewer cells than it says
+  EXPECT_THAT(lay_out(view, 120, 40).text(), Not(HasSubstr("▒")));
 }
 
 TEST(TopLayout, AMapOfNumbersThatAreNoneIsDrawnWithoutThem) {

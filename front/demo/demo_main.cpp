@@ -16,7 +16,9 @@ namespace {
 using namespace galilean;
 using namespace galilean::front;
 
-void complain(const std::string& sentence) {
+/// One line end, whether or not the lines of a log that it quotes end in one.
+void complain(std::string_view sentence) {
+  while (sentence.ends_with('\n')) sentence.remove_suffix(1);
   std::cerr << "galilean-demo: " << sentence << '\n';
 }
 

@@ -81,6 +81,9 @@ std::optional<Error> Ensemble::start_robots(const std::string& ready_line) try {
     const auto name = robot.at("name").get<std::string>();
     const auto camera = robot.at("camera").get<std::string>();
     robot_names_.push_back(name);
+    const auto& place = robot.at("start");
+    starts_.push_back(name + ":" + place.at("x_m").dump() + "," + place.at("y_m").dump() + "," +
+                      place.at("heading_deg").dump());
     rings_.push_back(camera.substr(camera.find(':') + 1));
     auto failure = add(name,
                        {"galilean-robot", "--name", name, "--bhdl", program, "--serial",
@@ -96,7 +99,9 @@ std::optional<Error> Ensemble::start_robots(const std::string& ready_line) try {
 
 std::optional<Error> Ensemble::start_monitor() {
   const std::string place = "127.0.0.1:" + std::to_string(options_.port);
-  if (auto failure = add("monitor", {"galilean-monitor", "--listen", place}, true)) return failure;
+  std::vector<std::string> command{"galilean-monitor", "--listen", place};
+  for (const auto& start : starts_) command.insert(command.end(), {"--start", start});
+  if (auto failure = add("monitor", command, true)) return failure;
   const auto answered = await_line("http://");
   return answered ? std::nullopt : std::optional(answered.error());
 }

@@ -60,9 +60,10 @@ class Ensemble {
   std::filesystem::path logs_;
   std::string run_;
   std::vector<std::string> robot_names_;
-  std::vector<std::string> rings_;  ///< names of the cameras' shared memory
-  std::filesystem::path lines_;     ///< the folder of the serial lines
-  std::deque<Member> members_;      ///< in the order of starting
+  std::vector<std::string> starts_;  ///< for the map: ROBOT:X,Y,HEADING in m and degrees
+  std::vector<std::string> rings_;   ///< names of the cameras' shared memory
+  std::filesystem::path lines_;      ///< the folder of the serial lines
+  std::deque<Member> members_;       ///< in the order of starting
 };
 
 }  // namespace galilean::front

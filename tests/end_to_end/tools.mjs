@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 export const root = new URL('../..', import.meta.url).pathname;
-export const galileanBinary = `${root}build/bin/galilean`;
+export const galileanBinary = `${process.env.GALILEAN_BUILD ?? `${root}build`}/bin/galilean`;
 export const programs = `${root}bhdl/programs`;
 
 let nextDomain = 100 + (process.pid % 50);
@@ -86,12 +86,13 @@ export async function eventually(question) {
 
 export const getJson = async (url, options) => (await fetch(url, options)).json();
 
-/** Command lines of processes whose environment names this DDS domain. */
+/** Processes whose environment names this DDS domain, with their command lines. */
 export function processesIn(domain) {
   return readdirSync('/proc').filter((pid) => /^\d+$/.test(pid)).flatMap((pid) => {
     try {
       const inDomain = readFileSync(`/proc/${pid}/environ`, 'utf8').split('\0').includes(`ROS_DOMAIN_ID=${domain}`);
-      return inDomain ? [readFileSync(`/proc/${pid}/cmdline`, 'utf8').replaceAll('\0', ' ')] : [];
+      const command = readFileSync(`/proc/${pid}/cmdline`, 'utf8').replaceAll('\0', ' ');
+      return inDomain && command ? [{ pid: Number(pid), command }] : [];
     } catch { return []; }
   });
 }

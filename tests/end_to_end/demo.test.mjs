@@ -1,0 +1,96 @@
+// `galilean demo` starts a team and ends it, whatever happens to it or to its parts.
+import assert from 'node:assert/strict';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { tmpdir } from 'node:os';
+import { test } from 'node:test';
+import { eventually, freshDomain, galilean, processesIn, Running, scratchFolder, sharedMemory, startTeam } from './tools.mjs';
+
+const limit = { timeout: 120_000 };
+
+/** The process id of the program that was started with these words, in this domain. */
+function pidOf(domain, words) {
+  return Number(readdirSync('/proc').find((pid) => {
+    try {
+      return /^\d+$/.test(pid) && readFileSync(`/proc/${pid}/cmdline`, 'utf8').replaceAll('\0', ' ').includes(words) &&
+        readFileSync(`/proc/${pid}/environ`, 'utf8').split('\0').includes(`ROS_DOMAIN_ID=${domain}`);
+    } catch { return false; }
+  }));
+}
+
+const ringsOf = (run) => sharedMemory().filter((name) => name.includes(run));
+const runOf = (team) => `demo-${team.process.pid}`;
+const lineFolders = (run) => [process.env.XDG_RUNTIME_DIR, tmpdir()].filter(Boolean).map((place) => `${place}/galilean-${run}`);
+
+async function nothingIsLeft(domain, run) {
+  await eventually(() => processesIn(domain).length === 0);
+  assert.deepEqual(ringsOf(run), []);
+  for (const folder of lineFolders(run)) assert.equal(existsSync(folder), false, folder);
+}
+
+test('Ctrl-C ends all and leaves nothing behind', limit, async (t) => {
+  const { team, domain } = await startTeam(t);
+  assert.equal(processesIn(domain).length, 6);  // demo, sim, three robots, monitor
+  assert.equal(ringsOf(runOf(team)).length, 3);
+  assert.deepEqual(await team.stop('SIGINT'), { code: 0, signal: null });
+  await nothingIsLeft(domain, runOf(team));
+});
+
+test('when the demo itself is killed, the others end too', limit, async (t) => {
+  const { team, domain } = await startTeam(t);
+  await team.stop('SIGKILL');
+  await nothingIsLeft(domain, runOf(team));
+});
+
+test('a robot that dies is named, and the rest runs on', limit, async (t) => {
+  const { team, domain } = await startTeam(t, ['--headless-for', '6']);
+  process.kill(pidOf(domain, '--name ganymede'), 'SIGKILL');
+  await team.line(/ganymede ended \(killed by signal 9 \(Killed\)\); the others go on\. See \S+ganymede\.log/);
+  assert.equal(processesIn(domain).length, 5);
+  assert.equal((await team.exited).code, 1);
+  assert.match(team.output, /The team did not work/);
+  await nothingIsLeft(domain, runOf(team));
+});
+
+test('when the simulator dies all ends, and what it left is swept up', limit, async (t) => {
+  const { team, domain } = await startTeam(t);
+  process.kill(pidOf(domain, 'galilean-sim --live'), 'SIGKILL');
+  assert.equal((await team.exited).code, 1);
+  assert.match(team.output, /sim ended \(killed by signal 9 \(Killed\)\); without it nothing works/);
+  await nothingIsLeft(domain, runOf(team));
+});
+
+test('a headless run says that the team worked, and records it', limit, async (t) => {
+  const cwd = scratchFolder(t), domain = freshDomain();
+  const done = galilean(['demo', '--port', '18999', '--headless-for', '12', '--record', 'run.mcap'], { domain, cwd });
+  assert.equal(done.status, 0, done.stdout + done.stderr);
+  assert.match(done.stdout, /The team worked\./);
+  const log = JSON.parse(galilean(['log', 'info', 'run.mcap', '--json'], { cwd }).stdout);
+  assert.equal(log.recovered, false);
+  assert.ok(log.duration_seconds > 10, `${log.duration_seconds} s`);
+  for (const topic of ['/io/state', '/ganymede/variables', '/callisto/program', '/team/objects', '/referee/score'])
+    assert.ok(log.channels.find((channel) => channel.topic === topic)?.messages > 0, topic);
+});
+
+test('what cannot start says why in a line and leaves nothing', limit, async (t) => {
+  const taken = createServer().listen(0, '127.0.0.1');
+  t.after(() => taken.close());
+  await new Promise((resolve) => taken.on('listening', resolve));
+  const cases = [
+    [['--port', String(taken.address().port)], /monitor did not start[^]*listens on [0-9.:]+ already/],
+    [['--scenario', 'moon'], /sim did not start[^]*moon/],
+  ];
+  for (const [options, reason] of cases) {
+    const domain = freshDomain();
+    const demo = new Running(t, ['demo', ...options], { domain, cwd: scratchFolder(t) });
+    assert.equal((await demo.exited).code, 1);
+    assert.match(demo.output, reason);
+    await nothingIsLeft(domain, `demo-${demo.process.pid}`);
+  }
+});
+
+test('a robot that refuses its program is named with its reason', limit, async (t) => {
+  const { team } = await startTeam(t, ['--bhdl', '/nonexistent.bhdl']);
+  await team.line(/io ended \(exit code 1\)[^]*nonexistent/);
+  assert.equal((await team.stop()).code, 0);
+});

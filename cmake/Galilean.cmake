@@ -10,6 +10,7 @@ function(galilean_library name)
   add_library(${name} STATIC ${arg_SOURCES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
   target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE_LINK} galilean_warnings)
+  galilean_precompile(${name} galilean_headers)
 endfunction()
 
 # galilean_executable(NAME SOURCES main.cpp … LINK lib …): a program in build/bin.
@@ -19,6 +20,7 @@ function(galilean_executable name)
   target_link_libraries(${name} PRIVATE ${arg_LINK} galilean_warnings)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   add_dependencies(programs ${name})
+  galilean_precompile(${name} galilean_headers)
 endfunction()
 
 # galilean_test(NAME [THREADS] SOURCES a_test.cpp … LINK lib …): a GoogleTest program, run by ctest.
@@ -32,6 +34,7 @@ function(galilean_test name)
                                              GALILEAN_BINARY_DIR="${PROJECT_BINARY_DIR}")
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   add_dependencies(unit_tests ${name})
+  galilean_precompile(${name} galilean_test_headers)
   set(label unit)
   if(arg_THREADS)
     set(label unit-threads)

@@ -1,0 +1,25 @@
+# Eigen and the standard library are half of what a file costs to compile. Each set is precompiled once
+# and shared; all of it is compiled with the same flags, as GCC demands of whoever shares.
+function(galilean_header_set name)
+  cmake_parse_arguments(arg "" "" "HEADERS;LINK" ${ARGN})
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/${name}.cpp CONTENT "")
+  add_library(${name} STATIC ${PROJECT_BINARY_DIR}/generated/${name}.cpp)
+  target_link_libraries(${name} PRIVATE Eigen3::Eigen ${arg_LINK} galilean_warnings)
+  target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
+endfunction()
+
+function(galilean_precompile target set)
+  if(GALILEAN_PCH AND TARGET ${set})
+    target_precompile_headers(${target} REUSE_FROM ${set})
+  endif()
+endfunction()
+
+if(GALILEAN_PCH)
+  set(common <Eigen/Core> <algorithm> <array> <chrono> <functional> <map> <memory> <mutex> <optional>
+             <span> <string> <string_view> <variant> <vector>)
+  galilean_header_set(galilean_headers HEADERS ${common})
+  if(GALILEAN_TESTS)
+    galilean_header_set(galilean_test_headers HEADERS ${common} <gmock/gmock.h> <gtest/gtest.h>
+                        LINK GTest::gtest GTest::gmock)
+  endif()
+endif()

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# browser_tests.sh: starts the demo, runs the browser tests on its page, and ends it.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+port=$((20000 + RANDOM % 20000))
+folder=$(mktemp -d)
+export ROS_DOMAIN_ID=$((150 + RANDOM % 50))
+
+(cd "$folder" && exec "$OLDPWD/build/bin/galilean" demo --port $port --seed 3 >"$folder/demo.log" 2>&1) &
+demo=$!
+leave() { kill -INT $demo 2>/dev/null || true; wait $demo 2>/dev/null || true; rm -rf "$folder"; }
+trap leave EXIT
+until grep -q "http://127.0.0.1:$port" "$folder/demo.log"; do
+  kill -0 $demo 2>/dev/null || { cat "$folder/demo.log"; exit 1; }
+  read -rt 0.2 <> <(:) || true
+done
+GALILEAN_URL=http://127.0.0.1:$port node --test tests/browser/team.test.mjs

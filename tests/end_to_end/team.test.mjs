@@ -1,0 +1,137 @@
+import assert from 'node:assert/strict';
+import { createServer } from 'node:net';
+import { writeFileSync } from 'node:fs';
+import { test } from 'node:test';
+import {
+  eventually, freshDomain, galilean, getJson, processesIn, programs, Running, scratchFolder, sharedMemory, startTeam,
+} from './tools.mjs';
+
+const status = (url) => getJson(`${url}/api/status`);
+const wellOf = (answer) => answer.robots.filter((robot) => !robot.silent);
+
+async function wholeTeam(url) {
+  return eventually(async () => {
+    const answer = await status(url).catch(() => ({ robots: [] }));
+    return wellOf(answer).length === 3 && answer.robots.every((robot) => robot.state !== 'start') && answer;
+  });
+}
+
+test('the demo without a browser: the team works, and nothing is left behind', (t) => {
+  const domain = freshDomain();
+  const before = sharedMemory();
+  const run = galilean(['demo', '--port', '18970', '--seed', '1', '--headless-for', '20'], { domain, cwd: scratchFolder(t) });
+  assert.equal(run.status, 0, run.stdout + run.stderr);
+  assert.deepEqual(processesIn(domain), []);
+  assert.deepEqual(sharedMemory().filter((name) => !before.includes(name)), []);
+});
+
+test('another strategy while the team runs', async (t) => {
+  const { team, domain, url } = await startTeam(t);
+  const before = await wholeTeam(url);
+
+  await t.test('a broken program shows its errors and changes nothing', async (inner) => {
+    const broken = `${scratchFolder(inner)}/broken.bhdl`;
+    writeFileSync(broken, 'include "no_such_file.bhdl"\nstates:\n  state: name: "go"\n    motor_schemas: "nothing" end\n  end\nend\n');
+    const refused = galilean(['swap', broken, '--team'], { domain });
+    assert.equal(refused.status, 1);
+    assert.match(refused.stdout + refused.stderr, /broken\.bhdl:1:\d+: error: /);
+    const after = await status(url);
+    assert.deepEqual(after.robots.map((robot) => robot.program_hash), before.robots.map((robot) => robot.program_hash));
+  });
+
+  await t.test('sit and spin runs on all three, variables kept, no tick missed', async (inner) => {
+    const pushed = galilean(['swap', `${programs}/sit_and_spin.bhdl`, '--team', '--json'], { domain });
+    assert.equal(pushed.status, 0, pushed.stdout + pushed.stderr);
+    const { replies } = JSON.parse(pushed.stdout);
+    assert.equal(replies.length, 3);
+    for (const reply of replies) {
+      inner.diagnostic(`${reply.robot}: ${reply.status} ${reply.latency_ms?.toFixed?.(1)} ms after the push, swap tick ${reply.swap_tick_us?.toFixed?.(0)} µs`);
+      assert.match(reply.status, /running|confirmed/);
+      assert.ok(reply.kept_variables.includes('shaft') && reply.kept_variables.includes('trash'));
+    }
+    const after = await eventually(async () => {
+      const answer = await status(url);
+      return answer.robots.every((robot) => robot.program_name === 'sit_and_spin.bhdl') && answer;
+    });
+    for (const robot of after.robots) assert.ok(robot.tick > 0 && robot.problems.length === 0, JSON.stringify(robot));
+  });
+
+  await t.test('one robot is swapped back, and is shown as drifting', async () => {
+    const pushed = galilean(['swap', `${programs}/office_cleanup.bhdl`, '--robot', 'io'], { domain });
+    assert.equal(pushed.status, 0, pushed.stdout + pushed.stderr);
+    const answer = await eventually(async () => {
+      const now = await status(url);
+      return now.robots.some((robot) => robot.drifting) && now;
+    });
+    assert.deepEqual(answer.robots.filter((robot) => robot.drifting).map((robot) => robot.name), ['io']);
+  });
+
+  const { code } = await team.stop();
+  assert.equal(code, 0);
+});
+
+test('a robot that is killed is silent, stays in the team, and the others run on', async (t) => {
+  const { domain, url } = await startTeam(t);
+  await wholeTeam(url);
+  const callisto = processesIn(domain).find(({ command }) => /galilean-robot .*--name callisto/.test(command));
+  process.kill(callisto.pid, 'SIGKILL');
+  const answer = await eventually(async () => {
+    const now = await status(url);
+    return now.robots.find((robot) => robot.name === 'callisto').silent && now;
+  });
+  assert.equal(answer.robots.length, 3);
+  assert.equal(wellOf(answer).length, 2);
+  const top = galilean(['top', '--once'], { domain });
+  assert.equal(top.status, 0);
+  assert.match(top.stdout, /io/);
+});
+
+test('camera and serial line unplugged: the robot says which, and comes back', async (t) => {
+  const domain = freshDomain();
+  const cwd = scratchFolder(t);
+  const sim = new Running(t, ['sim', '--live', '--scenario', 'office', '--robots', '1', '--run', `fault-${domain}`,
+    '--autostart', '1', '--fault', 'camera:io@4-8', '--fault', 'serial:io@10-14'], { domain, cwd });
+  const { robots } = JSON.parse((await sim.line(/^\{.*"ready".*\}$/m))[0]);
+  new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', robots[0].serial, '--camera', robots[0].camera], { domain, cwd });
+  const port = 18900 + Number(domain) % 60;
+  const monitor = new Running(t, ['monitor', '--listen', `127.0.0.1:${port}`, '--data', cwd], { domain, cwd });
+  await monitor.line(/http:\/\//);
+
+  const problem = (pattern) => eventually(async () => {
+    const io = (await status(`http://127.0.0.1:${port}`)).robots.find((robot) => robot.name === 'io');
+    return io && (pattern ? io.problems.find((text) => pattern.test(text)) : io.problems.length === 0 && io.state !== 'start');
+  });
+  t.diagnostic(await problem(/camera|frame|picture/i));
+  await problem(null);
+  t.diagnostic(await problem(/serial|line|microcontroller/i));
+  await problem(null);
+});
+
+test('a port that is taken, and an address of another machine, end with one clear line', async (t) => {
+  const server = createServer().listen(0, '127.0.0.1');
+  t.after(() => server.close());
+  await new Promise((resolve) => server.on('listening', resolve));
+  for (const address of [`127.0.0.1:${server.address().port}`, '203.0.113.1:8080']) {
+    const { status: code, stderr } = galilean(['monitor', '--listen', address], { domain: freshDomain(), cwd: scratchFolder(t) });
+    assert.notEqual(code, 0);
+    assert.equal(stderr.trim().split('\n').length, 1, stderr);
+  }
+});
+
+test('DDS that cannot start ends with one clear line', (t) => {
+  const { status: code, stderr } = galilean(['top', '--once'], { domain: '999', cwd: scratchFolder(t) });
+  assert.notEqual(code, 0);
+  assert.equal(stderr.trim().split('\n').length, 1, stderr);
+});
+
+test('a team is recorded without a display', async (t) => {
+  const { domain, url, cwd } = await startTeam(t);
+  await wholeTeam(url);
+  const recorded = galilean(['record', '--out', `${cwd}/run.mcap`, '--duration', '5'], { domain, cwd });
+  assert.equal(recorded.status, 0, recorded.stderr);
+  const info = JSON.parse(galilean(['log', 'info', `${cwd}/run.mcap`, '--json']).stdout);
+  assert.ok(Math.abs(info.duration_seconds - 5) < 1.5, `${info.duration_seconds} s`);
+  const topics = info.channels.map((channel) => channel.topic);
+  for (const topic of ['/io/state', '/ganymede/variables', '/callisto/program', '/team/objects', '/referee/score'])
+    assert.ok(topics.includes(topic), `${topic} is not among ${topics}`);
+});

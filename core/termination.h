@@ -2,9 +2,9 @@
 
 namespace galilean {
 
-/// Turns SIGINT, SIGTERM and SIGHUP (unless that is ignored, as nohup has it) into something to wait
-/// for, so that a program ends in order. Make it before the first other thread: those inherit that
-/// the signals are blocked. Processes started while it lives inherit that too: see `unblock`.
+/// Turns SIGINT, SIGTERM and SIGHUP (unless that is ignored, as nohup has it) into something to
+/// wait for, so that a program ends in order. Make it before the first other thread: those inherit
+/// that the signals are blocked. Processes started while it lives inherit that too: see `unblock`.
 class Termination {
  public:
   Termination();

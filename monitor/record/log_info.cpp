@@ -77,19 +77,19 @@ std::string describe(const std::string& path, const mcap::Summary& summary) {
 std::string describe_json(const std::string& path, const mcap::Summary& summary) {
   const auto& statistics = summary.statistics;
   nlohmann::ordered_json json{{"file", path},
-                      {"bytes", summary.bytes},
-                      {"library", summary.header.library},
-                      {"profile", summary.header.profile},
-                      {"start", iso_time(static_cast<std::int64_t>(statistics.start_ns))},
-                      {"end", iso_time(static_cast<std::int64_t>(statistics.end_ns))},
-                      {"duration_seconds", duration_s(summary)},
-                      {"messages", statistics.messages},
-                      {"chunks", statistics.chunks},
-                      {"compression", compression(summary)},
-                      {"recovered", summary.recovered},
-                      {"damage", summary.damage},
-                      {"channels", nlohmann::ordered_json::array()},
-                      {"metadata", nlohmann::ordered_json::object()}};
+                              {"bytes", summary.bytes},
+                              {"library", summary.header.library},
+                              {"profile", summary.header.profile},
+                              {"start", iso_time(static_cast<std::int64_t>(statistics.start_ns))},
+                              {"end", iso_time(static_cast<std::int64_t>(statistics.end_ns))},
+                              {"duration_seconds", duration_s(summary)},
+                              {"messages", statistics.messages},
+                              {"chunks", statistics.chunks},
+                              {"compression", compression(summary)},
+                              {"recovered", summary.recovered},
+                              {"damage", summary.damage},
+                              {"channels", nlohmann::ordered_json::array()},
+                              {"metadata", nlohmann::ordered_json::object()}};
   for (const auto& row : rows(summary))
     json["channels"].push_back({{"topic", row.topic},
                                 {"type", row.type},

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "core/wake.h"
 #include "core/wire/participant.h"
 #include "core/wire/schemas.h"
 #include "core/wire/topics.h"
 #include "monitor/record/mcap_writer.h"
-#include "core/wake.h"
 
 namespace galilean::monitor {
 

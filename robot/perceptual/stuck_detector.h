@@ -23,7 +23,7 @@ class StuckDetector final : public PerceptualSchema {
   double duration_s_ = 0;
   Variable<Bits>* bits_ = nullptr;
   unsigned bit_index_ = 0;
-  Time free_{};                   ///< when it last touched nothing
+  Time free_{};  ///< when it last touched nothing
   std::uint64_t last_tick_ = 0;
 };
 

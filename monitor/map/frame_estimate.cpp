@@ -45,6 +45,10 @@ Pose2 FrameEstimate::to_map(const Pose2& in_odom) const {
   return {to_map(in_odom.position_m), wrap_angle(pose.heading_rad + in_odom.heading_rad)};
 }
 
+Vec2 FrameEstimate::to_odom(const Vec2& in_map_m) const {
+  return rotated(in_map_m - pose.position_m, -pose.heading_rad);
+}
+
 Mat2 FrameEstimate::covariance_at(const Vec2& in_odom_m) const {
   const Vec2 turned = rotated(in_odom_m, pose.heading_rad);
   Eigen::Matrix<double, 2, 3> jacobian;

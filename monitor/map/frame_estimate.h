@@ -20,6 +20,7 @@ struct FrameEstimate {
   /// With what is not known of the frame added to what is not known of the place.
   [[nodiscard]] Gaussian2 to_map(const Gaussian2& in_odom) const;
   [[nodiscard]] Pose2 to_map(const Pose2& in_odom) const;
+  [[nodiscard]] Vec2 to_odom(const Vec2& in_map_m) const;
   /// Covariance of the position of a point that is fixed in the odom frame.
   [[nodiscard]] Mat2 covariance_at(const Vec2& in_odom_m) const;
 };

@@ -15,10 +15,12 @@ constexpr double square(double value) {
 /// A start that somebody gave by hand, or that all robots share.
 const Eigen::DiagonalMatrix<double, 3> kStartCovariance(square(0.15), square(0.15),
                                                         square(12 * kDegree));
+/// The reference says where the map is.
+const Eigen::DiagonalMatrix<double, 3> kReference(1e-6, 1e-6, 1e-6);
 /// What dead reckoning loses in a second of driving.
 const Eigen::DiagonalMatrix<double, 3> kDrift_ps(square(0.01), square(0.01), square(0.4 * kDegree));
 /// Fits a second apart rest on much the same sightings: none is worth more than this.
-const Eigen::DiagonalMatrix<double, 3> kFitFloor(square(0.03), square(0.03), square(1.0 * kDegree));
+const Eigen::DiagonalMatrix<double, 3> kFitFloor(square(0.08), square(0.08), square(2.0 * kDegree));
 
 constexpr double kPointDeviation_m = 0.10;
 /// Narrower where all pairs are tried: two dozen things in a room agree by chance otherwise.
@@ -75,6 +77,7 @@ void Frames::align(const Memories& memories, Time now) {
   const auto first = std::ranges::find_if(
       memories, [](const auto& each) { return !each.second.landmarks().empty(); });
   if (first == memories.end()) return;
+  tracked(first->first).estimate.covariance = Mat3(kReference);
   // The first is the reference: all others in turn.
   auto next = memories.upper_bound(last_aligned_);
   if (next == memories.end()) next = memories.begin();

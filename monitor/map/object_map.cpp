@@ -121,8 +121,7 @@ void ObjectMap::put_down(const std::string& robot, std::map<std::string, RobotMe
            (other.place.mean_m - object.place.mean_m).norm() < kBasketReach_m;
   });
   if (in_basket) return;
-  const Pose2& frame = frames.of(robot).pose;
-  const Gaussian2 in_odom{rotated(object.place.mean_m - frame.position_m, -frame.heading_rad),
+  const Gaussian2 in_odom{frames.of(robot).to_odom(object.place.mean_m),
                           object.place.covariance_m2};
   memories[robot].landmarks().push_back({"trash", in_odom, 1, now, now, object.id});
 }

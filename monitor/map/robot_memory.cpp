@@ -14,14 +14,19 @@ double smallest_distance_m(const std::string& object_class) {
 
 /// What dead reckoning adds while a landmark is not seen: (3 cm)² a second.
 constexpr double kDrift_m2ps = 9e-4;
-/// However often it is seen, a place is not known better than this: (2 cm)².
-constexpr double kFloor_m2 = 4e-4;
+/// Of every sighting beside its own covariance: the robot's pose is not exact either. A part grows
+/// with the range, as its heading's error does.
+constexpr double kPoseError_m2 = 1.6e-3;
+constexpr double kHeadingError_rad = 0.03;
+/// Sightings that follow one another err alike: what each adds to what it takes away, so that a
+/// place is never known better than to some centimetres.
+constexpr double kCommonError_m2 = 1e-3;
 constexpr double kTouchVariance_m2 = 2.5e-3;
 
 /// What a camera must see if it is there: not so near that the blob leaves the picture, not so far
 /// that it is small, and not at the picture's edge.
 constexpr double kPlainViewFrom_m = 0.5;
-constexpr double kPlainViewTo_m = 1.5;
+constexpr double kPlainViewTo_m = 2.0;
 constexpr double kPictureEdge_rad = 0.10;
 constexpr double kHides_rad = 0.15;
 
@@ -30,7 +35,8 @@ Gaussian2 place_of(const msg::Sighting& sighting) {
   place.mean_m = {sighting.x_m, sighting.y_m};
   place.covariance_m2 << sighting.variance_xx, sighting.variance_xy, sighting.variance_xy,
       sighting.variance_yy;
-  place.covariance_m2 += kFloor_m2 * Mat2::Identity();
+  const double across_m = kHeadingError_rad * sighting.range_m;
+  place.covariance_m2 += (kPoseError_m2 + across_m * across_m) * Mat2::Identity();
   return place;
 }
 
@@ -80,25 +86,21 @@ std::vector<RobotMemory::Match> RobotMemory::matches(const msg::Sightings& frame
 void RobotMemory::see(const msg::Sightings& frame, Time now) {
   fade(now);
   std::vector<bool> told(frame.items.size()), seen(landmarks_.size());
-  std::vector<std::size_t> doubles;
   for (const auto& [distance, i, j] : matches(frame)) {
     if (told[i] || seen[j]) continue;
     told[i] = seen[j] = true;
     confirm(landmarks_[j], place_of(frame.items[i]), now);
   }
-  doubt_unseen(frame, seen, now);
   for (std::size_t i = 0; i < frame.items.size(); ++i)
     if (!told[i] && is_usable(frame.items[i]))
       learn(frame.items[i].object_class, place_of(frame.items[i]), now);
-  std::erase_if(landmarks_, [](const Landmark& landmark) { return landmark.certainty <= 0; });
-  last_frame_ = now;
 }
 
 void RobotMemory::confirm(Landmark& landmark, const Gaussian2& sighting, Time now) {
   landmark.place.covariance_m2 +=
       kDrift_m2ps * to_seconds(now - landmark.last_seen) * Mat2::Identity();
   landmark.place = fused(landmark.place, sighting);
-  landmark.place.covariance_m2 += 0.1 * kFloor_m2 * Mat2::Identity();
+  landmark.place.covariance_m2 += kCommonError_m2 * Mat2::Identity();
   landmark.certainty = 1 - (1 - landmark.certainty) * kDoubtKept;
   landmark.last_seen = now;
 }
@@ -111,11 +113,10 @@ void RobotMemory::learn(const std::string& object_class, const Gaussian2& sighti
   if (!overlaps) landmarks_.push_back({object_class, sighting, 1 - kDoubtKept, now, now});
 }
 
-void RobotMemory::doubt_unseen(const msg::Sightings& frame, const std::vector<bool>& seen,
-                               Time now) {
-  constexpr double kLongestGap_s = 0.5;
-  const double dt_s = std::min(to_seconds(now - last_frame_), kLongestGap_s);
-  for (std::size_t j = 0; j < seen.size(); ++j) {
+void RobotMemory::doubt_unseen(const msg::Sightings& frame, double period_s) {
+  std::vector<bool> seen(landmarks_.size());
+  for (const auto& match : matches(frame)) seen[match.landmark] = true;
+  for (std::size_t j = 0; j < landmarks_.size(); ++j) {
     Landmark& landmark = landmarks_[j];
     if (seen[j] || landmark.object_class == "obstacle") continue;
     const Vec2 towards = landmark.place.mean_m - Vec2(frame.x_m, frame.y_m);
@@ -125,8 +126,9 @@ void RobotMemory::doubt_unseen(const msg::Sightings& frame, const std::vector<bo
         range_m > kPlainViewFrom_m && range_m < kPlainViewTo_m &&
         std::abs(azimuth_rad) < frame.view_angle_rad / 2 - kPictureEdge_rad &&
         !hides(frame, azimuth_rad, range_m);
-    if (in_plain_view) landmark.certainty -= dt_s / kAbsenceNoticed_s;
+    if (in_plain_view) landmark.certainty -= period_s / kAbsenceNoticed_s;
   }
+  std::erase_if(landmarks_, [](const Landmark& landmark) { return landmark.certainty <= 0; });
 }
 
 void RobotMemory::touch(const msg::Variable& obstacle, Time now) {

@@ -28,16 +28,19 @@ struct Landmark {
 ///   distance
 ///           and inside the gate, each landmark to one sighting of a frame at most: what is seen as
 ///           two stays two. Certainty c becomes 1 - (1 - c) * kDoubtKept with each sighting, falls
-///           by 1 in kMemory, and by 1 in kAbsenceNoticed while the landmark stands in plain view
-///           and is not seen. At 0 it is forgotten.
+///           by 1 in kMemory, and by 1 in kAbsenceNoticed while its place is in somebody's plain
+///           view and nothing is seen there. At 0 it is forgotten.
 ///   source  the paper's minute of memory; the rest is ours
 class RobotMemory {
  public:
   static constexpr double kMemory_s = 60;
-  static constexpr double kAbsenceNoticed_s = 3;
+  static constexpr double kAbsenceNoticed_s = 1.5;
   static constexpr double kDoubtKept = 0.6;
 
   void see(const msg::Sightings& frame, Time now);
+  /// Doubts what stands in plain view of `frame` and is not in it. `frame` may be another robot's,
+  /// in this one's odom frame; `period_s` is the time since the frame before.
+  void doubt_unseen(const msg::Sightings& frame, double period_s);
   /// An obstacle that was touched: a locate variable of the class obstacle.
   void touch(const msg::Variable& obstacle, Time now);
   /// Lets certainty fade until `now` and forgets what reached 0.
@@ -54,10 +57,8 @@ class RobotMemory {
   [[nodiscard]] std::vector<Match> matches(const msg::Sightings& frame) const;
   void confirm(Landmark& landmark, const Gaussian2& sighting, Time now);
   void learn(const std::string& object_class, const Gaussian2& sighting, Time now);
-  void doubt_unseen(const msg::Sightings& frame, const std::vector<bool>& seen, Time now);
 
   std::vector<Landmark> landmarks_;
-  Time last_frame_{};
 };
 
 }  // namespace galilean::monitor

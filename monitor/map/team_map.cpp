@@ -21,6 +21,27 @@ bool is_obstacle(const msg::Variable& variable) {
          std::isfinite(variable.values[0]) && std::isfinite(variable.values[1]);
 }
 
+/// What one robot saw, in another's odom frame.
+msg::Sightings in_frame(msg::Sightings seen, const FrameEstimate& from, const FrameEstimate& to) {
+  const auto carry_over = [&](auto& message) {
+    const Vec2 there = to.to_odom(from.to_map(Vec2(message.x_m, message.y_m)));
+    message.x_m = there.x();
+    message.y_m = there.y();
+  };
+  carry_over(seen);
+  seen.heading_rad = wrap_angle(seen.heading_rad + from.pose.heading_rad - to.pose.heading_rad);
+  for (auto& item : seen.items) {
+    // All ways alike, and rather too much: it only says what may be the same thing.
+    const Vec2 here(item.x_m, item.y_m);
+    const double own = item.variance_xx + item.variance_yy + from.covariance_at(here).trace();
+    carry_over(item);
+    const Vec2 there(item.x_m, item.y_m);
+    item.variance_xx = item.variance_yy = own + to.covariance_at(there).trace();
+    item.variance_xy = 0;
+  }
+  return seen;
+}
+
 void put(const Gaussian2& place, auto& message) {
   message.x_m = place.mean_m.x();
   message.y_m = place.mean_m.y();
@@ -53,12 +74,23 @@ void TeamMap::note(const msg::Sightings& frame, Time now) {
            object_map_.is_carried(to_map.to_map(Vec2(sighting.x_m, sighting.y_m)));
   });
   memories_[frame.robot].see(things, now);
+  doubt_together(things, now);
   for (const auto& sighting : frame.items) {
     if (sighting.object_class == "robot") meet(frame.robot, sighting, now);
     if (sighting.range_m < kMostSightRange_m)
       floor_.looked(to_map.to_map(Vec2(frame.x_m, frame.y_m)),
                     to_map.to_map(Vec2(sighting.x_m, sighting.y_m)));
   }
+}
+
+void TeamMap::doubt_together(const msg::Sightings& things, Time now) {
+  constexpr double kLongestPeriod_s = 0.5;
+  const Time before = std::exchange(robots_[things.robot].last_frame, now);
+  const double period_s = std::min(to_seconds(now - before), kLongestPeriod_s);
+  const FrameEstimate& own = frames_.of(things.robot);
+  for (auto& [robot, memory] : memories_)
+    memory.doubt_unseen(robot == things.robot ? things : in_frame(things, own, frames_.of(robot)),
+                        period_s);
 }
 
 void TeamMap::meet(const std::string& observer, const msg::Sighting& sighting, Time now) {

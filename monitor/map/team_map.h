@@ -42,7 +42,7 @@ class TeamMap {
     bool placed = false;  ///< it has told where it is
     Time heard{};
     Time posed{};
-    Time aligned{};
+    Time last_frame{};
     Vec2 last_stood_m = Vec2::Constant(1e9);
     Grasp grasp;
     Catalog catalog;
@@ -50,6 +50,8 @@ class TeamMap {
     std::map<std::string, msg::Time> touched;  ///< obstacle variables, when last written
   };
 
+  /// What one robot sees no more, the others need not remember either.
+  void doubt_together(const msg::Sightings& things, Time now);
   void meet(const std::string& observer, const msg::Sighting& sighting, Time now);
   [[nodiscard]] msg::MapRobot robot_message(const std::string& name, const Mapped& robot, Time now);
 

@@ -37,7 +37,7 @@ run browser scripts/browser_tests.sh
 run sanitizers scripts/sanitize.sh address,undefined
 run threads scripts/sanitize.sh thread
 run format scripts/check_format.sh
-run tidy scripts/tidy.sh core/variable core/catalog robot/firmware robot/motor
+run tidy scripts/tidy.sh core/variable core/catalog robot/firmware
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -23,11 +23,12 @@ function(galilean_executable name)
   galilean_precompile(${name} galilean_headers)
 endfunction()
 
-# galilean_test(NAME [THREADS] SOURCES a_test.cpp … LINK lib …): a GoogleTest program, run by ctest.
+# galilean_test(NAME [THREADS] [DDS] SOURCES a_test.cpp … LINK lib …): a GoogleTest program, run by ctest.
 # One program a folder keeps linking cheap; ctest still lists every test by its own name.
-# THREADS marks tests that run under ThreadSanitizer as well.
+# THREADS marks tests that run under ThreadSanitizer as well; DDS those that must not run beside one
+# another, since they would hear one another.
 function(galilean_test name)
-  cmake_parse_arguments(arg "THREADS" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "THREADS;DDS" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gmock GTest::gtest_main galilean_warnings)
   target_compile_definitions(${name} PRIVATE GALILEAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
@@ -39,5 +40,9 @@ function(galilean_test name)
   if(arg_THREADS)
     set(label unit-threads)
   endif()
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 LABELS ${label})
+  set(properties TIMEOUT 300 LABELS ${label})
+  if(arg_DDS)
+    list(APPEND properties RESOURCE_LOCK dds)
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
 endfunction()

@@ -28,7 +28,8 @@ using asio::ip::tcp;
 using nlohmann::json;
 using testing::HasSubstr;
 
-constexpr int kDomain = 43;
+/// One a process: tests that run side by side do not hear one another.
+const int kDomain = 60 + getpid() % 150;
 constexpr const char* kProgram = "states:\n  state:\n    name: \"start\"\n  end\nend\n";
 constexpr const char* kBroken = "states:\n  state:\n    nme: \"start\"\n  end\n  nonsense\nend\n";
 
@@ -352,14 +353,14 @@ TEST_F(ServerTest, SwapPrintsEachRobotsAnswer) {
 
 TEST_F(ServerTest, SwapWithoutARobotSaysSoInOneLine) {
   const auto alone =
-      run(std::string(GALILEAN_SWAP) + " --domain 143 --team " + (folder / "good.bhdl").string());
+      run(std::string(GALILEAN_SWAP) + " --domain 230 --team " + (folder / "good.bhdl").string());
   EXPECT_EQ(alone.exit_code, 2);
   EXPECT_EQ(std::ranges::count(alone.output, '\n'), 1);
 }
 
 TEST_F(ServerTest, APortThatIsTakenOrABadAddressIsOneLineAndExitCode2) {
-  const std::string start = std::string(GALILEAN_MONITOR) + " --domain 43 --data " +
-                            (folder / "second").string() + " --listen ";
+  const std::string start = std::string(GALILEAN_MONITOR) + " --domain " + std::to_string(kDomain) +
+                            " --data " + (folder / "second").string() + " --listen ";
   for (const auto& where : {host(), std::string("203.0.113.1:8080"), std::string("nowhere:1"),
                             std::string("127.0.0.1:99999")}) {
     const auto ended = run(start + where);

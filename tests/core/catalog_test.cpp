@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/catalog/registry.h"
+#include "tests/robot/fake_devices.h"
 
 namespace galilean {
 namespace {
@@ -68,15 +69,18 @@ TEST(Registry, MakesASchemaWithItsAttributesAndVariables) {
   values.set("radius", 0.5);
   values.set("inputs", std::vector<std::string>{"noise"});
   values.set("mode", std::string("sum"));
-  const Devices* no_devices = nullptr;
-  const auto schema = registry.make("example", values, {store, *no_devices, Random(1)});
+  robot::FakeCommPort comm_port;
+  robot::FakeMotorDrive motor_drive;
+  robot::FakeFrameGrabber frame_grabber;
+  const Devices devices{comm_port, motor_drive, frame_grabber};
+  const auto schema = registry.make("example", values, {store, devices, Random(1)});
   const auto& example = dynamic_cast<Example&>(*schema);
   EXPECT_EQ(example.goal_, &goal);
   EXPECT_EQ(example.result_, nullptr);
   EXPECT_EQ(example.radius_m_, 0.5);
   EXPECT_EQ(example.inputs_, std::vector<const Variable<Force>*>{&noise});
   EXPECT_TRUE(example.sum_);
-  EXPECT_EQ(registry.make("nothing", values, {store, *no_devices, Random(1)}), nullptr);
+  EXPECT_EQ(registry.make("nothing", values, {store, devices, Random(1)}), nullptr);
 }
 
 TEST(Unit, IsFoundBySymbol) {

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 kind=$1
 dir=build/sanitize-${kind%%,*}
-tests="core_test firmware_test devices_test bhdl_test motor_test perceptual_test vision_test executive_test"
+tests="core_test firmware_test devices_test bhdl_test vision_test"
 [ "$kind" = thread ] && tests="core_test devices_test"
 
 cmake -S . -B "$dir" -G Ninja -DGALILEAN_PARTS="core;bhdl;robot" -DGALILEAN_SANITIZE="$kind" \

@@ -60,18 +60,6 @@ test('when the simulator dies all ends, and what it left is swept up', limit, as
   await nothingIsLeft(domain, runOf(team));
 });
 
-test('a headless run says that the team worked, and records it', limit, async (t) => {
-  const cwd = scratchFolder(t), domain = freshDomain();
-  const done = galilean(['demo', '--port', '18999', '--headless-for', '12', '--record', 'run.mcap'], { domain, cwd });
-  assert.equal(done.status, 0, done.stdout + done.stderr);
-  assert.match(done.stdout, /The team worked\./);
-  const log = JSON.parse(galilean(['log', 'info', 'run.mcap', '--json'], { cwd }).stdout);
-  assert.equal(log.recovered, false);
-  assert.ok(log.duration_seconds > 10, `${log.duration_seconds} s`);
-  for (const topic of ['/io/state', '/ganymede/variables', '/callisto/program', '/team/objects', '/referee/score'])
-    assert.ok(log.channels.find((channel) => channel.topic === topic)?.messages > 0, topic);
-});
-
 test('what cannot start says why in a line and leaves nothing', limit, async (t) => {
   const taken = createServer().listen(0, '127.0.0.1');
   t.after(() => taken.close());

@@ -1,0 +1,66 @@
+// One minute of a headless contest, recorded, and read back by MCAP's reference reader.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { before, describe, test } from 'node:test';
+import { McapIndexedReader, MessageReader, definitionsFor, unzstd } from '../logs/tools.mjs';
+import { freshDomain, galilean, scratchFolder } from './tools.mjs';
+
+const robots = ['io', 'ganymede', 'callisto'];
+const decompressHandlers = { zstd: (bytes, size) => unzstd(bytes, new Uint8Array(Number(size))) };
+
+/** Every message of a log by topic, decoded with the schemas that the log itself carries. */
+async function readLog(path) {
+  const bytes = readFileSync(path);
+  const readable = {
+    size: async () => BigInt(bytes.length),
+    read: async (offset, length) => new Uint8Array(bytes.subarray(Number(offset), Number(offset + length))),
+  };
+  const reader = await McapIndexedReader.Initialize({ readable, decompressHandlers });
+  const decoders = new Map(), topics = {};
+  for await (const { channelId, data } of reader.readMessages({ validateCrcs: true })) {
+    const { topic, schemaId } = reader.channelsById.get(channelId);
+    if (!decoders.has(schemaId)) {
+      const { name, data: idl } = reader.schemasById.get(schemaId);
+      decoders.set(schemaId, new MessageReader(definitionsFor(name, new TextDecoder().decode(idl))));
+    }
+    (topics[topic] ??= []).push(decoders.get(schemaId).readMessage(data));
+  }
+  return topics;
+}
+
+describe('a headless minute', () => {
+  let done, info, topics;
+  before(async () => {
+    const cwd = scratchFolder({ after: (leave) => process.on('exit', leave) }), domain = freshDomain();
+    done = galilean(['demo', '--port', '18999', '--headless-for', '60', '--record', 'run.mcap'], { domain, cwd, timeout: 180_000 });
+    assert.equal(done.status, 0, done.stdout + done.stderr);
+    info = JSON.parse(galilean(['log', 'info', 'run.mcap', '--json'], { cwd }).stdout);
+    topics = await readLog(`${cwd}/run.mcap`);
+  });
+
+  test('works, and its log is whole', () => {
+    assert.match(done.stdout, /The team worked\./);
+    assert.equal(info.recovered, false);
+    assert.ok(info.duration_seconds > 55, `${info.duration_seconds} s`);
+  });
+
+  for (const robot of robots)
+    test(`${robot} is there all the time, moves, and changes its state`, () => {
+      const states = topics[`/${robot}/state`];
+      assert.ok(states.length > 500, `${states.length} states`);
+      assert.ok(new Set(states.map((state) => state.state)).size >= 3);
+      const place = (state) => [state.x_m, state.y_m];
+      const farthest = Math.max(...states.map((state) => Math.hypot(...place(state).map((v, i) => v - place(states[0])[i]))));
+      assert.ok(farthest > 0.5, `${farthest} m from its start at most`);
+      const transitions = topics[`/${robot}/transition`];
+      assert.ok(transitions.length >= 2);
+      for (const { from_state: from, to_state: to, cause } of transitions) assert.ok(to && cause, `${from} → ${to}: ${cause}`);
+      assert.ok(topics[`/${robot}/variables`].at(-1).items.length > 5);
+      assert.match(topics[`/${robot}/program`].at(-1).name, /^office_cleanup/);
+    });
+
+  test('the referee counts, and the monitor maps', () => {
+    assert.ok(topics['/referee/score'].length > 10);
+    assert.ok(topics['/team/objects'].at(-1).objects.length > 0);
+  });
+});

@@ -1,12 +1,14 @@
 #include "front/process.h"
 
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <signal.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <fstream>
-#include <thread>
 
 namespace galilean::front {
 namespace {
@@ -15,28 +17,36 @@ namespace fs = std::filesystem;
 
 class Processes : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder); }
+  void SetUp() override {
+    fs::create_directories(folder);
+    ASSERT_EQ(mkfifo(word.c_str(), 0600), 0);
+  }
   void TearDown() override { fs::remove_all(folder); }
   Process shell(const std::string& script) {
     auto process = Process::start("sh", {"/bin/sh", "-c", script}, log);
     if (!process) throw std::runtime_error(process.error().message);
     return std::move(process).value();
   }
-  /// The log's first line, once it is there.
-  std::string first_line() {
-    for (int i = 0; i < 5000; ++i) {
-      if (const auto line = line_with(log, "")) return *line;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return {};
+  /// What a script says with `echo … >word`; waits for it.
+  std::string said() {
+    std::string line;
+    std::getline(std::ifstream(word) >> std::ws, line);
+    return line;
   }
 
   fs::path folder = fs::path(testing::TempDir()) / ("process_test_" + std::to_string(getpid()));
   fs::path log = folder / "sh.log";
+  fs::path word = folder / "word";
 };
 
 bool exists(pid_t pid) {
   return kill(pid, 0) == 0;
+}
+
+/// Readable once that process has ended, whoever reaps it.
+bool ends_within(int process_descriptor, int timeout_ms) {
+  pollfd process{process_descriptor, POLLIN, 0};
+  return poll(&process, 1, timeout_ms) == 1;
 }
 
 TEST_F(Processes, SayHowTheyEnded) {
@@ -57,8 +67,9 @@ TEST_F(Processes, LogWhatTheyPrint) {
 }
 
 TEST_F(Processes, AreAskedToEndBeforeTheyAreMade) {
-  Process process = shell("trap 'echo bye; exit 0' TERM; echo up; while :; do sleep 0.01; done");
-  EXPECT_EQ(first_line(), "up");
+  Process process = shell("trap 'echo bye; exit 0' TERM; echo up >" + word.string() +
+                          "; while :; do read line <" + word.string() + "; done");
+  EXPECT_EQ(said(), "up");
   process.ask_to_end();
   EXPECT_TRUE(process.end());
   EXPECT_EQ(last_lines(log, 1), "    bye\n");
@@ -67,9 +78,9 @@ TEST_F(Processes, AreAskedToEndBeforeTheyAreMade) {
 TEST_F(Processes, EndWithTheirObject) {
   pid_t pid = 0;
   {
-    const Process process = shell("echo up; exec sleep 100");
+    const Process process = shell("echo up >" + word.string() + "; exec cat " + word.string());
     pid = process.pid();
-    EXPECT_EQ(first_line(), "up");
+    EXPECT_EQ(said(), "up");
   }
   EXPECT_FALSE(exists(pid));
 }
@@ -77,23 +88,18 @@ TEST_F(Processes, EndWithTheirObject) {
 TEST_F(Processes, EndWhenWhoStartedThemIsKilled) {
   const pid_t parent = fork();
   if (parent == 0) {
-    const Process process = shell("echo $$; exec sleep 100");
+    const Process process = shell("echo $$ >" + word.string() + "; exec cat " + word.string());
     pause();
     _exit(0);
   }
-  const pid_t orphan = std::stoi(first_line());
-  EXPECT_TRUE(exists(orphan));
+  const pid_t orphan = std::stoi(said());
+  const int descriptor = static_cast<int>(syscall(SYS_pidfd_open, orphan, 0));
+  ASSERT_GE(descriptor, 0);
+  EXPECT_FALSE(ends_within(descriptor, 0));
   kill(parent, SIGKILL);
   waitpid(parent, nullptr, 0);
-  // Whoever inherits it reaps it; until then its number stays, as a zombie's.
-  const auto ended = [&] {
-    std::ifstream status("/proc/" + std::to_string(orphan) + "/stat");
-    std::string number, name, state;
-    return !(status >> number >> name >> state) || state == "Z";
-  };
-  for (int i = 0; i < 5000 && !ended(); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  EXPECT_TRUE(ended());
+  EXPECT_TRUE(ends_within(descriptor, 5000));
+  close(descriptor);
 }
 
 TEST_F(Processes, ThatCannotBeStartedSayWhy) {

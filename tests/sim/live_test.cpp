@@ -17,6 +17,7 @@ namespace {
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 constexpr int kDomain = 41;
+constexpr auto kTick = 5ms;  // the simulator runs in real time here, and so do its robots
 
 std::string own_run(const std::string& name) {
   return name + "-" + std::to_string(getpid());
@@ -62,7 +63,7 @@ struct Robot {
       link.sense(clock.now());
       frames += camera.grab(*frame, clock.now());
       if (is_so()) return true;
-      std::this_thread::sleep_for(5ms);
+      std::this_thread::sleep_for(kTick);
     }
     return false;
   }

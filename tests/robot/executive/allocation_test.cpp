@@ -1,28 +1,7 @@
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "robot/executive/snapshot.h"
 #include "robot/telemetry/image_tap.h"
+#include "tests/robot/count_allocations.h"
 #include "tests/robot/executive/office.h"
-
-namespace {
-thread_local bool counting = false;
-thread_local long allocations = 0;
-}  // namespace
-
-void* operator new(std::size_t size) {
-  if (counting) ++allocations;
-  if (void* room = std::malloc(size)) return room;
-  throw std::bad_alloc();
-}
-void operator delete(void* room) noexcept {
-  if (counting && room) ++allocations;
-  std::free(room);
-}
-void operator delete(void* room, std::size_t) noexcept {
-  operator delete(room);
-}
 
 namespace galilean::robot {
 namespace {
@@ -35,7 +14,7 @@ class Allocations : public testing::Test {
   }
   /// Allocations and releases of so many ticks.
   long of_ticks(int times) {
-    allocations = 0;
+    long allocations = 0;
     for (int i = 0; i < times; ++i) {
       robot.clock.advance(std::chrono::milliseconds(50));
       if (i % 2) ++robot.camera.picture.number;
@@ -43,9 +22,11 @@ class Allocations : public testing::Test {
       robot.port.next.beam_broken = i % 60 > 30;
       robot.port.next.gripper_closed = i % 60 > 35;
       robot.port.next.left_travel_m += 0.01;
-      counting = true;
-      robot.executive->tick();
-      counting = false;
+      {
+        const AllocationCount count;
+        robot.executive->tick();
+        allocations += count.so_far();
+      }
       while (snapshots.next_event()) {
       }
     }

@@ -1,0 +1,39 @@
+#include "tests/robot/count_allocations.h"
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+thread_local bool counting = false;
+thread_local long count = 0;
+}  // namespace
+
+void* operator new(std::size_t size) {
+  if (counting) ++count;
+  if (void* room = std::malloc(size)) return room;
+  throw std::bad_alloc();
+}
+void operator delete(void* room) noexcept {
+  if (counting && room) ++count;
+  std::free(room);
+}
+void operator delete(void* room, std::size_t) noexcept {
+  operator delete(room);
+}
+
+namespace galilean::robot {
+
+AllocationCount::AllocationCount() {
+  count = 0;
+  counting = true;
+}
+
+AllocationCount::~AllocationCount() {
+  counting = false;
+}
+
+long AllocationCount::so_far() const {
+  return count;
+}
+
+}  // namespace galilean::robot

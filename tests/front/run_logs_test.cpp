@@ -1,0 +1,33 @@
+#include "front/demo/run_logs.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace galilean::front {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(RunLogs, TheNewestStayAndNothingElseIsTouched) {
+  const fs::path logs = fs::path(testing::TempDir()) / ("run_logs_" + std::to_string(getpid()));
+  const auto now = fs::file_time_type::clock::now();
+  for (int age = 0; age < 5; ++age) {
+    const fs::path run = logs / ("run-" + std::to_string(age));
+    fs::create_directories(run);
+    std::ofstream(run / "io.log") << "up\n";
+    fs::last_write_time(run, now - std::chrono::hours(age));
+  }
+  fs::create_directories(logs / "notes");
+
+  forget_old_runs(logs, 2);
+  for (int age = 0; age < 5; ++age)
+    EXPECT_EQ(fs::exists(logs / ("run-" + std::to_string(age))), age < 2) << age;
+  EXPECT_TRUE(fs::exists(logs / "notes"));
+  fs::remove_all(logs);
+  forget_old_runs(logs, 2);
+}
+
+}  // namespace
+}  // namespace galilean::front

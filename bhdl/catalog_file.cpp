@@ -3,13 +3,12 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/installation.h"
+
 namespace galilean::bhdl {
 
 std::filesystem::path default_catalog_path() {
-  std::error_code failed;
-  const auto executable = std::filesystem::read_symlink("/proc/self/exe", failed);
-  const auto binaries = failed ? std::filesystem::current_path(failed) : executable.parent_path();
-  return binaries.parent_path() / "share" / "galilean" / "catalog.json";
+  return shipped("catalog.json");
 }
 
 Result<Catalog> load_catalog(const std::filesystem::path& path) {

@@ -7,8 +7,7 @@
 
 namespace galilean::bhdl {
 
-/// The catalog that the build wrote from the robot's component list: ../share/galilean/catalog.json
-/// beside the folder of the running executable.
+/// The catalog that the build wrote from the robot's component list, as it ships.
 [[nodiscard]] std::filesystem::path default_catalog_path();
 
 /// Reads a catalog's JSON. Errors name the file and what is wrong in it.

@@ -2,14 +2,12 @@
 
 #include <unistd.h>
 
-#include <filesystem>
+#include "core/installation.h"
 
 namespace galilean::front {
 
 std::string sibling(std::string_view program) {
-  std::error_code error;
-  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
-  return (error ? std::filesystem::path(program) : self.parent_path() / program).string();
+  return (program_folder() / program).string();
 }
 
 bool is_program(const std::string& path) {

@@ -3,8 +3,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/installation.h"
 #include "sim/scenario.h"
-#include "sim/shipped_files.h"
 
 namespace galilean::sim {
 namespace {
@@ -23,8 +23,7 @@ std::string known_names() {
 std::vector<std::string> shipped_scenarios() {
   std::vector<std::string> names;
   std::error_code error;
-  for (const auto& entry :
-       fs::directory_iterator(shipped_folder("scenarios", GALILEAN_SCENARIO_DIR), error))
+  for (const auto& entry : fs::directory_iterator(shipped("scenarios"), error))
     if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
   return names;
@@ -32,7 +31,7 @@ std::vector<std::string> shipped_scenarios() {
 
 Result<Scenario> load_scenario(const std::string& name_or_path) {
   std::error_code error;
-  const fs::path path = find_shipped(name_or_path, "scenarios", GALILEAN_SCENARIO_DIR, ".json");
+  const fs::path path = find_file(name_or_path, "scenarios", ".json");
   if (!fs::is_regular_file(path, error))
     return Error{"no scenario '" + name_or_path + "': expected a .json file or one of " +
                  known_names()};

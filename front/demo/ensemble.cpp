@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "core/installation.h"
+#include "front/demo/run_logs.h"
 #include "front/siblings.h"
 
 namespace galilean::front {
@@ -18,12 +20,6 @@ constexpr auto kStartsWithin = std::chrono::seconds(30);
 constexpr auto kLookEach = std::chrono::milliseconds(10);
 constexpr std::size_t kLogLines = 5;
 constexpr const char* kAutostart_s = "1";  // after the last robot connected
-
-std::string program_file(const std::string& bhdl) {
-  if (fs::exists(bhdl)) return bhdl;
-  const fs::path shipped = fs::path(GALILEAN_PROGRAM_DIR) / (bhdl + ".bhdl");
-  return fs::exists(shipped) ? shipped.string() : bhdl;
-}
 
 }  // namespace
 
@@ -42,6 +38,7 @@ std::string Ensemble::address() const {
 }
 
 std::optional<Error> Ensemble::start() {
+  forget_old_runs(logs_.parent_path(), kKeptRuns - 1);
   std::error_code error;
   fs::create_directories(logs_, error);
   if (error) return Error{logs_.string() + " cannot be made: " + error.message()};
@@ -75,7 +72,7 @@ std::optional<Error> Ensemble::start_simulator() {
 std::optional<Error> Ensemble::start_robots(const std::string& ready_line) try {
   const auto ready = nlohmann::json::parse(ready_line);
   lines_ = ready.value("folder", std::string());
-  const std::string program = program_file(options_.bhdl);
+  const std::string program = find_file(options_.bhdl, "programs", ".bhdl").string();
   std::uint64_t seed = options_.seed * 1000;
   for (const auto& robot : ready.at("robots")) {
     const auto name = robot.at("name").get<std::string>();

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <set>
 
+#include "core/installation.h"
 #include "front/doctor/checks.h"
 #include "front/siblings.h"
 #include "front/verbs.h"
@@ -15,15 +16,14 @@ Check check_programs() {
     if (!is_program(sibling(verb.program))) missing.emplace(verb.program);
   std::string list;
   for (const auto& program : missing) list += (list.empty() ? "" : ", ") + program;
-  const std::string folder = fs::path(sibling("galilean")).parent_path().string();
+  const std::string folder = program_folder().string();
   if (missing.empty()) return {"programs", true, "all in " + folder};
   return {"programs", false, "missing in " + folder + ": " + list,
           "build them: ./demo.sh does, or ninja -C build programs"};
 }
 
 Check check_page() {
-  const fs::path page =
-      fs::path(sibling("galilean")).parent_path().parent_path() / "share/galilean/web/index.html";
+  const fs::path page = shipped("web") / "index.html";
   if (fs::exists(page)) return {"page", true, page.string()};
   return {"page", false, page.string() + " is not there",
           "build it: ./demo.sh does. Robots, top and record work without it"};

@@ -4,9 +4,9 @@
 #include <set>
 #include <system_error>
 
-#include "bhdl/catalog_file.h"
 #include "bhdl/loader.h"
 #include "bhdl/source_provider.h"
+#include "core/installation.h"
 
 namespace galilean::monitor {
 namespace fs = std::filesystem;
@@ -62,7 +62,7 @@ bhdl::CheckResult ProgramLibrary::check(std::vector<bhdl::SourceFile> files,
 }
 
 fs::path default_library_folder() {
-  return bhdl::default_catalog_path().parent_path() / "programs";
+  return shipped("programs");
 }
 
 }  // namespace galilean::monitor

@@ -39,7 +39,7 @@ class ProgramLibrary {
   Catalog catalog_;
 };
 
-/// ../share/galilean/programs beside the folder of the running executable.
+/// The programs as they ship.
 [[nodiscard]] std::filesystem::path default_library_folder();
 
 }  // namespace galilean::monitor

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "bhdl/catalog_file.h"
 #include "bhdl/sha256.h"
+#include "core/installation.h"
 
 namespace galilean::monitor {
 namespace {
@@ -98,7 +98,7 @@ HttpResponse PageFiles::get(const HttpRequest& request) const {
 }
 
 fs::path default_page_folder() {
-  return bhdl::default_catalog_path().parent_path() / "web";
+  return shipped("web");
 }
 
 }  // namespace galilean::monitor

@@ -33,7 +33,7 @@ class PageFiles {
   std::map<std::string, File> files_;  ///< by "/assets/index-1a2b.js"
 };
 
-/// ../share/galilean/web beside the folder of the running executable.
+/// The page as it ships.
 [[nodiscard]] std::filesystem::path default_page_folder();
 
 }  // namespace galilean::monitor

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 
+#include "core/installation.h"
 #include "robot/devices/opencv_module.h"
 
 namespace galilean::robot {
@@ -14,7 +15,7 @@ namespace {
 constexpr std::array kFolders{".", "../bin", "../lib/galilean"};
 
 Result<std::filesystem::path> find_module() {
-  const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const auto folder = program_folder();
   for (const auto* relative : kFolders) {
     const auto candidate = folder / relative / kOpencvModuleFile;
     if (std::filesystem::exists(candidate)) return candidate;

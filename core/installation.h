@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace galilean {
+
+/// The folder of the running executable, where its siblings are; the current one if the system does
+/// not tell.
+[[nodiscard]] std::filesystem::path program_folder();
+
+/// What the build installs beside the programs: ../share/galilean/<name>, seen from their folder.
+[[nodiscard]] std::filesystem::path shipped(const std::string& name);
+
+/// A file as people name it: a bare name ("office") is one that ships in `room`; anything with a
+/// folder, or that is there as it stands, is a path. Whether it exists is for the caller to find.
+[[nodiscard]] std::filesystem::path find_file(const std::string& name_or_path,
+                                              const std::string& room,
+                                              const std::string& extension);
+
+}  // namespace galilean

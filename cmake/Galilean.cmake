@@ -1,25 +1,56 @@
-# The three ways in which a folder adds to the build. Sources are always listed, never globbed.
+# The ways in which a folder adds to the build. Sources are always listed, never globbed.
 
 # What demo.sh builds, and what the sanitizer builds build.
 add_custom_target(programs ALL)
 add_custom_target(unit_tests)
 
-# galilean_library(NAME SOURCES a.cpp … LINK lib …): a static library, includable from the root.
+# galilean_library(NAME [COMMAND_LINE] SOURCES a.cpp … LINK lib …): a static library, includable from
+# the root. COMMAND_LINE is for one that parses options and does no more.
 function(galilean_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(arg "COMMAND_LINE" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
   target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE_LINK} galilean_warnings)
-  galilean_precompile(${name} galilean_headers)
+  if(arg_COMMAND_LINE)
+    target_link_libraries(${name} PRIVATE CLI11::CLI11 galilean_runs_once)
+    galilean_precompile(${name} galilean_command_line_headers)
+  else()
+    galilean_precompile(${name} galilean_headers)
+  endif()
 endfunction()
 
 # galilean_executable(NAME SOURCES main.cpp … LINK lib …): a program in build/bin.
 function(galilean_executable name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
-  target_link_libraries(${name} PRIVATE ${arg_LINK} galilean_warnings)
+  target_link_libraries(${name} PRIVATE ${arg_LINK} CLI11::CLI11 galilean_runs_once galilean_warnings)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   add_dependencies(programs ${name})
+  galilean_precompile(${name} galilean_command_line_headers)
+endfunction()
+
+# galilean_ship(ROOM FILE…): copies files to where programs look for them, share/galilean/ROOM.
+function(galilean_ship room)
+  set(shipped)
+  foreach(file IN LISTS ARGN)
+    get_filename_component(name ${file} NAME)
+    set(copy ${PROJECT_BINARY_DIR}/share/galilean/${room}/${name})
+    add_custom_command(OUTPUT ${copy} DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file}
+      COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_CURRENT_SOURCE_DIR}/${file} ${copy} COMMENT "")
+    list(APPEND shipped ${copy})
+  endforeach()
+  add_custom_target(ship_${room} ALL DEPENDS ${shipped})
+  add_dependencies(programs ship_${room})
+  add_dependencies(unit_tests ship_${room})
+endfunction()
+
+# galilean_benchmark(NAME SOURCES a.cpp … LINK lib …): figures beside those of a peer, in build/bin.
+function(galilean_benchmark name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LINK} benchmark::benchmark_main galilean_warnings)
+  target_compile_definitions(${name} PRIVATE GALILEAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   galilean_precompile(${name} galilean_headers)
 endfunction()
 
@@ -30,7 +61,8 @@ endfunction()
 function(galilean_test name)
   cmake_parse_arguments(arg "THREADS;DDS" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
-  target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gmock GTest::gtest_main galilean_warnings)
+  target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gmock GTest::gtest_main
+                                        galilean_runs_once galilean_warnings)
   target_compile_definitions(${name} PRIVATE GALILEAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                              GALILEAN_BINARY_DIR="${PROJECT_BINARY_DIR}")
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)

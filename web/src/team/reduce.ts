@@ -18,13 +18,25 @@ function robotNamed(team: Team, name: string, received_ms: number): Robot {
   return { name, identity, heard_ms: received_ms, transitions: [], bars: [], programs: [], trail: [] };
 }
 
+const barOf = (robot: Robot, { number, to_state: state, stamp }: wire.Transition) => ({
+  number,
+  state,
+  from_ms: onPageClock_ms(robot, stamp),
+});
+
+/** Until its first state tells what its clock is against the page's, a robot's changes have no place in time. */
+function barsBefore(robot: Robot, clocked: Robot): Robot["bars"] {
+  if (robot.clock_offset_ms !== undefined) return robot.bars;
+  return robot.transitions.reduce((bars, change) => withBar(bars, barOf(clocked, change)), [] as Robot["bars"]);
+}
+
 function withState(robot: Robot, value: wire.RobotState, received_ms: number): Robot {
   const clocked = { ...robot, clock_offset_ms: clockOffset_ms(robot.clock_offset_ms, value.stamp, received_ms) };
   const { program_hash: hash, program_name: name } = value;
   return {
     ...clocked,
     state: { value, received_ms },
-    bars: withBar(robot.bars, {
+    bars: withBar(barsBefore(robot, clocked), {
       number: value.transitions,
       state: value.state,
       from_ms: onPageClock_ms(clocked, value.state_since),
@@ -33,12 +45,11 @@ function withState(robot: Robot, value: wire.RobotState, received_ms: number): R
   };
 }
 
-function withChange(robot: Robot, transition: wire.Transition, received_ms: number): Robot {
-  const from_ms = robot.clock_offset_ms === undefined ? received_ms : onPageClock_ms(robot, transition.stamp);
+function withChange(robot: Robot, transition: wire.Transition): Robot {
   const transitions = withTransition(robot.transitions, transition);
   if (transitions === robot.transitions) return robot;
-  const bar = { number: transition.number, state: transition.to_state, from_ms };
-  return { ...robot, transitions, bars: withBar(robot.bars, bar) };
+  if (robot.clock_offset_ms === undefined) return { ...robot, transitions };
+  return { ...robot, transitions, bars: withBar(robot.bars, barOf(robot, transition)) };
 }
 
 const ofRobot: { [K in Exclude<RobotTopic, "program_reply">]: Reduce<Robot, never> } = {

@@ -34,4 +34,16 @@ describe("the timeline", () => {
     const team = told([["/io/state", changed, T0_MS + 1000], ["/io/state", reborn, T0_MS + 60_000]]);
     expect(robotOf(team).bars.map((bar) => bar.state)).toEqual(["wander", "start"]);
   });
+  it("puts changes that were heard before the first state where they happened", () => {
+    const late = T0_MS + 30_000;
+    const team = told([
+      ["/io/transition", transition(1, "wander", T0_MS + 1000), late],
+      ["/io/transition", transition(2, "grab", T0_MS + 9000), late],
+      ["/io/state", state({ at_ms: late, state: "grab", transitions: 2n }), late],
+    ]);
+    expect(drawnBars(robotOf(team).bars, T0_MS, late)).toEqual([
+      { state: "wander", from_ms: T0_MS + 1000, to_ms: T0_MS + 9000 },
+      { state: "grab", from_ms: T0_MS + 9000, to_ms: late },
+    ]);
+  });
 });

@@ -8,7 +8,7 @@ void ObstacleDetector::describe(Declaration<ObstacleDetector>& is) {
   is.number(&ObstacleDetector::bit_index_, "bit_index", unit::kNone, 0, "which bumper")
       .range(0, 31);
   is.pair(
-      &ObstacleDetector::translation_m_, "translation", unit::kCentimetre, {0, 0.22},
+      &ObstacleDetector::translation_m_, "translation", unit::kCentimetre, {0, 22},
       "where the obstacle is when the bit is 1: to the right and forward of the robot's centre");
   is.reads(&ObstacleDetector::shaft_, "shaft_variable", "where the robot is").preset("shaft");
   is.writes(&ObstacleDetector::obstacle_, "obstacle_variable", "where the obstacle is");

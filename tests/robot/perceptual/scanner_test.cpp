@@ -88,6 +88,15 @@ TEST_F(MemoryTest, ObstacleDetectorLeavesTheObstacleWhereItWasTouched) {
   EXPECT_LT((obstacle.value.position_m - Vec2(3.2, 1.1)).norm(), 1e-9);
 }
 
+TEST_F(MemoryTest, AnObstacleIsBeforeTheRobotUnlessTheProgramSaysWhere) {
+  auto& obstacle = locate("obstacle", {0, 0});
+  bits().write({1}, 1, tick.now, tick.number);
+  make("obstacle_detector", {{"bits_variable", "bits"s}, {"obstacle_variable", "obstacle"s}})
+      ->run(tick);
+  EXPECT_LT((obstacle.value.position_m - point_to_global(shaft().value.pose, {0, 0.22})).norm(),
+            1e-9);
+}
+
 TEST_F(MemoryTest, ForgetSetsTheRateOfVariablesOfEveryType) {
   auto& trash = locate("trash", {1, 1});
   bits().write({1}, 1, tick.now, tick.number);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <opencv2/videoio.hpp>
 #include <string>
 
 #include "robot/devices/frame_sources.h"
@@ -35,7 +36,7 @@ class OpencvSource : public testing::Test {
     return std::move(source).value();
   }
 
-  const std::filesystem::path path =
+  std::filesystem::path path =
       std::filesystem::path(testing::TempDir()) / ("galilean-" + std::to_string(getpid()) + ".ppm");
   std::unique_ptr<Frame> frame = std::make_unique<Frame>();
   Time now{std::chrono::seconds(10)};
@@ -53,6 +54,28 @@ TEST_F(OpencvSource, APictureFileComesInRedGreenBlueAgainAndAgain) {
   }
   EXPECT_FALSE(source->grab(*frame, now + std::chrono::milliseconds(50)));
   EXPECT_TRUE(source->grab(*frame, now + std::chrono::milliseconds(101)));
+}
+
+/// Four pictures at 20 Hz, each redder than the one before.
+void write_video(const std::filesystem::path& path) {
+  cv::VideoWriter video(path.string(), cv::CAP_OPENCV_MJPEG,
+                        cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 20, {320, 240});
+  ASSERT_TRUE(video.isOpened());
+  for (int i = 0; i < 4; ++i)
+    video.write(cv::Mat(240, 320, CV_8UC3, cv::Scalar(20, 20, 60 + 50 * i)));
+}
+
+TEST_F(OpencvSource, AVideoRunsAtItsOwnRateAndBeginsAgain) {
+  path.replace_extension(".avi");
+  write_video(path);
+  const auto source = make();
+  for (const int red : {60, 110, 160, 210, 60, 110}) {
+    ASSERT_TRUE(source->grab(*frame, now)) << source->problem();
+    EXPECT_NEAR(frame->rgb[0], red, 8);
+    EXPECT_NEAR(frame->rgb[2], 20, 8);
+    EXPECT_FALSE(source->grab(*frame, now + std::chrono::milliseconds(45)));
+    now += std::chrono::milliseconds(51);
+  }
 }
 
 TEST_F(OpencvSource, AMissingFileIsNamedAndFoundWhenItComes) {

@@ -35,8 +35,9 @@ run node scripts/node_tests.sh tests/logs/*.test.mjs tests/architecture/*.test.m
 run end-to-end scripts/node_tests.sh tests/end_to_end/*.test.mjs
 run browser scripts/browser_tests.sh
 run sanitizers scripts/sanitize.sh address,undefined
+run threads scripts/sanitize.sh thread
 run format scripts/check_format.sh
-run tidy scripts/tidy.sh core/variable core/catalog robot/firmware
+run tidy scripts/tidy.sh
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

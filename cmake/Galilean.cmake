@@ -3,6 +3,7 @@
 # What demo.sh builds, and what the sanitizer builds build.
 add_custom_target(programs ALL)
 add_custom_target(unit_tests)
+add_custom_target(thread_tests)
 
 # galilean_library(NAME [COMMAND_LINE] SOURCES a.cpp … LINK lib …): a static library, includable from
 # the root. COMMAND_LINE is for one that parses options and does no more.
@@ -71,6 +72,7 @@ function(galilean_test name)
   set(label unit)
   if(arg_THREADS)
     set(label unit-threads)
+    add_dependencies(thread_tests ${name})
   endif()
   set(properties TIMEOUT 300 LABELS ${label})
   if(arg_DDS)

@@ -1,22 +1,21 @@
 #!/usr/bin/env bash
-# sanitize.sh address,undefined|thread: builds unit tests with these sanitizers and runs them.
-# ThreadSanitizer runs what has threads and no DDS: Cyclone is not built with it, and its locks
-# would all look like races.
+# sanitize.sh address,undefined|thread: builds the unit tests with these sanitizers and runs them.
+# ThreadSanitizer runs what has threads and no DDS (THREADS in the tests' CMakeLists.txt): Cyclone is
+# not built with it, and its locks would all look like races.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 kind=$1
 dir=build/sanitize-${kind%%,*}
-tests="core_test firmware_test devices_test bhdl_test vision_test"
-[ "$kind" = thread ] && tests="core_test devices_test"
 
-cmake -S . -B "$dir" -G Ninja -DGALILEAN_PARTS="core;bhdl;robot" -DGALILEAN_SANITIZE="$kind" \
-  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" >"$dir.log" 2>&1 ||
-  { cat "$dir.log"; exit 1; }
-ninja -C "$dir" $tests >"$dir/build.log" 2>&1 || { tail -60 "$dir/build.log"; exit 1; }
+# Many files at a time: these builds are made whole or not at all.
+cmake -S . -B "$dir" -G Ninja -DGALILEAN_SANITIZE="$kind" -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+  -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 \
+  >"$dir.log" 2>&1 || { cat "$dir.log"; exit 1; }
+target=unit_tests
+[ "$kind" = thread ] && target=thread_tests
+ninja -C "$dir" $target >"$dir/build.log" 2>&1 || { grep -A20 -E 'FAILED|error' "$dir/build.log" | head -100; exit 1; }
 
 export UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
-status=0
-for test in $tests; do
-  "$dir/tests/$test" --gtest_brief=1 || status=1
-done
-exit $status
+label=unit
+[ "$kind" = thread ] && label=unit-threads
+exec ctest --test-dir "$dir" -j2 -L "$label" --output-on-failure

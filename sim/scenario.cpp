@@ -135,9 +135,9 @@ void check_places(const Scenario& scenario) {
     require_inside(scenario.arena, scenario.placed[i].position_m, number("pieces.placed", i));
 }
 
-Scenario read_scenario(const nlohmann::json& json) {
+Scenario read_scenario(const nlohmann::json& document) {
   Scenario scenario;
-  JsonReader root(json, "");
+  JsonReader root(document, "");
   scenario.name = root.text("name");
   read_arena(root.object("arena"), scenario.arena);
   auto& furniture = scenario.furniture;

@@ -13,19 +13,18 @@ constexpr std::size_t kWords = Frame::kBytes / sizeof(Word);
 constexpr std::size_t kSlots = 4;
 constexpr Word kMagic = 0x474c4e4652414d45;  // "GLNFRAME"
 constexpr Duration kSilence = std::chrono::milliseconds(500);
-constexpr Duration kLookAgain = std::chrono::seconds(1);
+constexpr Duration kSearchPause = std::chrono::seconds(1);
 static_assert(kWords * sizeof(Word) == Frame::kBytes);
 static_assert(std::atomic<Word>::is_always_lock_free);
-
-struct Slot {
-  std::atomic<Word> sequence;  // odd while it is written
-  std::atomic<Word> number;
-  std::array<std::atomic<Word>, kWords> rgb;
-};
 
 }  // namespace
 
 struct FrameRingLayout {
+  struct Slot {
+    std::atomic<Word> sequence;  // odd while it is written
+    std::atomic<Word> number;
+    std::array<std::atomic<Word>, kWords> rgb;
+  };
   std::atomic<Word> magic;
   std::atomic<Word> generation;  // counts the writers
   std::atomic<Word> newest;      // number of the newest whole picture, 0: none
@@ -33,6 +32,8 @@ struct FrameRingLayout {
 };
 
 namespace {
+
+using Slot = FrameRingLayout::Slot;
 
 FrameRingLayout& layout(const SharedMemory& memory) {
   return *reinterpret_cast<FrameRingLayout*>(memory.bytes().data());
@@ -106,7 +107,7 @@ bool FrameRingReader::grab(Frame& frame, Time now) {
 }
 
 void FrameRingReader::look_for_ring(Time now) {
-  if (looked_ && now - last_look_ < kLookAgain) return;
+  if (looked_ && now - last_look_ < kSearchPause) return;
   looked_ = true;
   last_look_ = now;
   if (memory_ && memory_->is_current(name_)) {

@@ -8,7 +8,7 @@
 namespace galilean::robot {
 namespace {
 
-constexpr Duration kLookAgain = std::chrono::milliseconds(10);
+constexpr Duration kPicturePause = std::chrono::milliseconds(10);
 constexpr int kLooksPerReaderCheck = 20;
 
 constexpr std::array<std::pair<ImageChannel, const char*>, kImageChannels> kTopics{{
@@ -34,7 +34,7 @@ void ImagePublisher::run(const std::stop_token& stop) {
     if (look % kLooksPerReaderCheck == 0) note_readers();
     for (Output& output : outputs_)
       if (tap_.take(output.channel)) show(output);
-    std::this_thread::sleep_for(kLookAgain);
+    std::this_thread::sleep_for(kPicturePause);
   }
 }
 

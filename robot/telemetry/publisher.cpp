@@ -11,7 +11,7 @@ namespace galilean::robot {
 namespace {
 
 /// The control loop wakes nobody; so this is what an event waits at most.
-constexpr Duration kLookAgain = std::chrono::milliseconds(3);
+constexpr Duration kSnapshotPause = std::chrono::milliseconds(3);
 constexpr Duration kReport = std::chrono::milliseconds(100);
 constexpr Duration kDiagnosis = std::chrono::seconds(1);
 constexpr Duration kStandstill = std::chrono::seconds(2);
@@ -72,7 +72,7 @@ Publisher::Publisher(const TelemetrySource& source, LogQueue& log, EventListener
 void Publisher::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     step();
-    std::this_thread::sleep_for(kLookAgain);
+    std::this_thread::sleep_for(kSnapshotPause);
   }
   step();
 }

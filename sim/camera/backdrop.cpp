@@ -6,7 +6,6 @@
 namespace galilean::sim {
 namespace {
 
-constexpr int kWidth = Canvas::kWidth;
 constexpr Colour kHallWall{120, 118, 116};
 constexpr Colour kCeiling{92, 90, 92};
 constexpr Colour kDarkCeiling{20, 19, 22};
@@ -57,7 +56,7 @@ Backdrop::Backdrop(const CameraGeometry& camera, const NoiseTable& noise, Random
 }
 
 void Backdrop::make_hall(const NoiseTable& noise, Random random) {
-  const int width = turn_px_ + kWidth;
+  const int width = turn_px_ + Canvas::kWidth;
   hall_.resize(static_cast<std::size_t>(width * horizon_ * 3));
   const auto patches = draw_patches(turn_px_, horizon_, random);
   for (int row = 0; row < horizon_; ++row)
@@ -92,10 +91,11 @@ void Backdrop::paint(Canvas& canvas, double heading_rad, std::uint32_t shift_px)
   // A turn to the left brings in what lies to the left.
   const double turns = -heading_rad / (2 * kPi);
   const int hall_column = static_cast<int>((turns - std::floor(turns)) * turn_px_) % turn_px_;
-  const int hall_width = turn_px_ + kWidth;
+  const int hall_width = turn_px_ + Canvas::kWidth;
   for (int row = 0; row < horizon_; ++row)
     std::memcpy(canvas.pixel(0, row),
-                &hall_[static_cast<std::size_t>((row * hall_width + hall_column) * 3)], kWidth * 3);
+                &hall_[static_cast<std::size_t>((row * hall_width + hall_column) * 3)],
+                Canvas::kWidth * 3);
   for (int row = horizon_; row < Canvas::kHeight; ++row) {
     const auto shift = static_cast<int>((shift_px + static_cast<std::uint32_t>(row) * 97) %
                                         static_cast<std::uint32_t>(kSlack_px));

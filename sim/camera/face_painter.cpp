@@ -6,7 +6,6 @@
 namespace galilean::sim {
 namespace {
 
-constexpr int kWidth = Canvas::kWidth;
 constexpr int kStrips = 8;
 
 /// A repeatable number in [0, 1) for a place on the cloth.
@@ -52,7 +51,7 @@ float haze(float inverse_depth) noexcept {
 
 /// The same row of pixels several times over, each with noise of its own.
 struct Strips {
-  alignas(16) std::uint8_t rgb[kStrips][kWidth * 3];
+  alignas(16) std::uint8_t rgb[kStrips][Canvas::kWidth * 3];
 };
 
 /// Where on the face a column looks: perspective makes (along / depth) linear, not along.
@@ -88,7 +87,7 @@ void shade(const Face& face, const Band& band, const ProjectedFace& projected, i
 
 void make_strips(const Canvas& canvas, const Face& face, const Band& band,
                  const ProjectedFace& projected, int first, int last, Strips& strips) {
-  std::uint8_t clean[kWidth * 3];
+  std::uint8_t clean[Canvas::kWidth * 3];
   shade(face, band, projected, first, last, clean);
   const auto bytes = static_cast<std::size_t>(last - first) * 3;
   std::uint32_t place = canvas.noise_place + static_cast<std::uint32_t>(band.top_m * 4096);
@@ -120,7 +119,7 @@ void keep_columns(const Edge& edge, float row, bool above, int& first, int& last
     return;
   }
   const float crossing = (row - edge.at_zero) / edge.slope;
-  const int pixel = first_pixel(crossing, kWidth);
+  const int pixel = first_pixel(crossing, Canvas::kWidth);
   const bool keep_left = (edge.slope > 0) == above;
   if (keep_left)
     last = std::min(last, pixel);
@@ -152,8 +151,8 @@ void fill(Canvas& canvas, const Strips& strips, const Edge& top, const Edge& bot
 /// Calls `paint(first, last)` for each stretch of columns that no furniture hides.
 template <class Paint>
 void for_each_visible(const Canvas& canvas, const ProjectedFace& face, Paint&& paint) {
-  int column = first_pixel(face.left_px, kWidth);
-  const int end = first_pixel(face.right_px, kWidth);
+  int column = first_pixel(face.left_px, Canvas::kWidth);
+  const int end = first_pixel(face.right_px, Canvas::kWidth);
   const auto hidden = [&](int c) {
     return canvas.hidden(c, face.inverse_at(static_cast<float>(c) + 0.5f));
   };
@@ -180,8 +179,8 @@ void paint_face(Canvas& canvas, const Face& face, const ProjectedFace& projected
 }
 
 void mark_furniture(Canvas& canvas, const ProjectedFace& projected) {
-  const int end = first_pixel(projected.right_px, kWidth);
-  for (int column = first_pixel(projected.left_px, kWidth); column < end; ++column) {
+  const int end = first_pixel(projected.right_px, Canvas::kWidth);
+  for (int column = first_pixel(projected.left_px, Canvas::kWidth); column < end; ++column) {
     float& nearest = canvas.furniture[static_cast<std::size_t>(column)];
     nearest = std::max(nearest, projected.inverse_at(static_cast<float>(column) + 0.5f));
   }

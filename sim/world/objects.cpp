@@ -11,7 +11,6 @@ constexpr double kBasketMass_kg = 3;
 constexpr double kChairMass_kg = 4;
 constexpr double kRubbingArm_m = 0.15;  // of a chair's four feet, for its turning
 constexpr double kFloorFriction = 0.45;
-constexpr double kGravity_mps2 = 9.81;
 
 b2Body& add_disc(Physics& physics, BodyTag tag, const Vec2& at_m, double radius_m, double mass_kg) {
   b2BodyDef definition;

@@ -9,6 +9,8 @@
 
 namespace galilean::sim {
 
+inline constexpr double kGravity_mps2 = 9.81;
+
 enum class BodyKind : std::uint8_t { kWall, kFurniture, kBasket, kPiece, kRobot };
 
 /// What a Box2D body is: its kind and its number among those of its kind.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/world/physics.h"
+
 namespace galilean::sim {
 namespace {
 
@@ -13,7 +15,6 @@ constexpr double kTopSpeed_mps = 0.6;
 constexpr double kStall_n = 12;        // one tread at full power; less than friction: it stalls
 constexpr double kTreadMass_kg = 0.6;  // with rotor and gears, as the floor feels it
 constexpr double kFriction = 0.7;      // rubber on carpet
-constexpr double kGravity_mps2 = 9.81;
 constexpr double kWanderingTime_s = 1;  // over which slip forgets itself
 
 /// The impulse that equalises the speeds of two masses, as far as friction carries it.

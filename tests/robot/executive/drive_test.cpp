@@ -4,7 +4,7 @@ namespace galilean::robot {
 namespace {
 
 /// Drives in "go" while no bumper is pressed; "rest" has no schema that drives.
-std::string program_with(const std::string& devices, const std::string& motor_schemas) {
+std::string driving_program(const std::string& devices, const std::string& motor_schemas) {
   return devices + R"(
 output_devices: motor_drive: timeout: 0.4 end end
 variables: bits: name: "bumpers" end
@@ -25,7 +25,7 @@ end
 
 TEST(Drive, HoldStopsTheMotorsWhileTheSchemasRun) {
   TestRobot robot;
-  ASSERT_TRUE(robot.load(program_with("", "\"ahead\" \"note\"")));
+  ASSERT_TRUE(robot.load(driving_program("", "\"ahead\" \"note\"")));
   robot.tick();
   EXPECT_TRUE(robot.drive.moving);
   robot.executive->hold();
@@ -40,7 +40,7 @@ TEST(Drive, HoldStopsTheMotorsWhileTheSchemasRun) {
 
 TEST(Drive, AStateThatDoesNotDriveStopsTheMotorsAtOnce) {
   TestRobot robot;
-  ASSERT_TRUE(robot.load(program_with("", "\"ahead\"")));
+  ASSERT_TRUE(robot.load(driving_program("", "\"ahead\"")));
   robot.tick();
   robot.press(0);
   robot.tick();
@@ -50,7 +50,7 @@ TEST(Drive, AStateThatDoesNotDriveStopsTheMotorsAtOnce) {
 
 TEST(Drive, ALostLineStopsTheMotorsAndTheyComeBackWithIt) {
   TestRobot robot;
-  ASSERT_TRUE(robot.load(program_with("", "\"ahead\"")));
+  ASSERT_TRUE(robot.load(driving_program("", "\"ahead\"")));
   robot.tick();
   robot.port.answers = false;
   robot.tick();
@@ -62,9 +62,9 @@ TEST(Drive, ALostLineStopsTheMotorsAndTheyComeBackWithIt) {
 
 TEST(Drive, ALostCameraStopsTheMotorsOfAProgramThatUsesIt) {
   TestRobot seeing;
-  ASSERT_TRUE(seeing.load(program_with("input_devices: frame_grabber: end end", "\"ahead\"")));
+  ASSERT_TRUE(seeing.load(driving_program("input_devices: frame_grabber: end end", "\"ahead\"")));
   TestRobot blind;
-  ASSERT_TRUE(blind.load(program_with("", "\"ahead\"")));
+  ASSERT_TRUE(blind.load(driving_program("", "\"ahead\"")));
   for (TestRobot* robot : {&seeing, &blind}) {
     robot->camera.answers = false;
     robot->tick();
@@ -78,10 +78,10 @@ TEST(Drive, ALostCameraStopsTheMotorsOfAProgramThatUsesIt) {
 
 TEST(Drive, WhenNobodyDrivesAnyMoreTheLastCommandEndsWithItsTimeout) {
   TestRobot robot;
-  ASSERT_TRUE(robot.load(program_with("", "\"ahead\"")));
+  ASSERT_TRUE(robot.load(driving_program("", "\"ahead\"")));
   robot.tick();
   // The same state without a schema that drives: no transition says that the motors should stop.
-  ASSERT_TRUE(robot.load(program_with("", "\"note\"")));
+  ASSERT_TRUE(robot.load(driving_program("", "\"note\"")));
   robot.tick();
   EXPECT_TRUE(robot.drive.moving);
   robot.tick(6);

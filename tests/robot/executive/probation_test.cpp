@@ -6,7 +6,7 @@ namespace galilean::robot {
 namespace {
 
 /// Counts its ticks in `count`, and does in its one state what `schema` says.
-std::string program_with(const std::string& schema, const std::string& state = "only") {
+std::string counting_program(const std::string& schema, const std::string& state = "only") {
   return R"(
 input_devices: frame_grabber: end end
 variables: bits: name: "count" bits: name: "bumpers" end
@@ -33,7 +33,7 @@ class ProbationTest : public testing::Test {
  protected:
   ProbationTest() {
     on_call = [](const Tick&) {};
-    EXPECT_TRUE(robot.load(program_with(kHarmless)));
+    EXPECT_TRUE(robot.load(counting_program(kHarmless)));
     robot.tick(10);
   }
   ~ProbationTest() override { on_call = nullptr; }
@@ -61,7 +61,7 @@ TEST_F(ProbationTest, TheFirstProgramIsInNone) {
 }
 
 TEST_F(ProbationTest, AProgramThatWorksIsConfirmedAfterTenSeconds) {
-  swap(program_with(kHarmless));
+  swap(counting_program(kHarmless));
   robot.tick(199);
   EXPECT_TRUE(robot.events.in_probation);
   robot.tick();
@@ -71,7 +71,7 @@ TEST_F(ProbationTest, AProgramThatWorksIsConfirmedAfterTenSeconds) {
 }
 
 TEST_F(ProbationTest, AThrownSchemaRollsBackWithinOneTick) {
-  swap(program_with(kThrows));
+  swap(counting_program(kThrows));
   robot.tick(4);
   EXPECT_EQ(running(), 2U);
   robot.tick();
@@ -86,7 +86,7 @@ TEST_F(ProbationTest, AThrownSchemaRollsBackWithinOneTick) {
 }
 
 TEST_F(ProbationTest, AfterProbationAThrownSchemaIsSwitchedOffOnly) {
-  swap(program_with("thrower: name: \"it\" after: 300 end"));
+  swap(counting_program("thrower: name: \"it\" after: 300 end"));
   robot.tick(310);
   EXPECT_EQ(robot.events.count(Event::Kind::kSchemaFailed), 1);
   EXPECT_EQ(robot.events.count(Event::Kind::kRolledBack), 0);
@@ -95,7 +95,7 @@ TEST_F(ProbationTest, AfterProbationAThrownSchemaIsSwitchedOffOnly) {
 
 TEST_F(ProbationTest, ThreeLongTicksInARowRollBack) {
   on_call = [this](const Tick&) { robot.stopwatch.advance(std::chrono::milliseconds(51)); };
-  swap(program_with(kHarmless));
+  swap(counting_program(kHarmless));
   robot.tick();
   on_call = [](const Tick&) {};
   robot.tick(3);
@@ -108,7 +108,7 @@ TEST_F(ProbationTest, ThreeLongTicksInARowRollBack) {
 }
 
 TEST_F(ProbationTest, ADeviceThatIsLostRollsBack) {
-  swap(program_with(kHarmless));
+  swap(counting_program(kHarmless));
   robot.camera.answers = false;
   robot.tick(2);
   expect_rolled_back(Fault::kDeviceLost);
@@ -118,13 +118,13 @@ TEST_F(ProbationTest, ADeviceThatIsLostRollsBack) {
 TEST_F(ProbationTest, ADeviceThatWasLostBeforeIsNoReproach) {
   robot.camera.answers = false;
   robot.tick();
-  swap(program_with(kHarmless));
+  swap(counting_program(kHarmless));
   robot.tick(5);
   EXPECT_EQ(running(), 2U);
 }
 
 TEST_F(ProbationTest, MoreThanTenTransitionsASecondRollBack) {
-  swap(program_with(kHarmless));
+  swap(counting_program(kHarmless));
   robot.press(7);
   robot.tick(10);
   EXPECT_EQ(running(), 2U);
@@ -133,16 +133,16 @@ TEST_F(ProbationTest, MoreThanTenTransitionsASecondRollBack) {
 }
 
 TEST_F(ProbationTest, ARollbackGoesToTheLastThatProvedItself) {
-  swap(program_with(kHarmless));
+  swap(counting_program(kHarmless));
   robot.tick(5);
-  swap(program_with(kThrows));
+  swap(counting_program(kThrows));
   robot.tick(10);
   expect_rolled_back(Fault::kSchemaThrew, 1);
   EXPECT_EQ(robot.executive->description(2)->id, 2U);
 }
 
 TEST_F(ProbationTest, ARollbackReturnsToTheStateThatWasLeft) {
-  swap(program_with(kThrows, "elsewhere"));
+  swap(counting_program(kThrows, "elsewhere"));
   EXPECT_EQ(robot.state(), "elsewhere");
   robot.tick(6);
   EXPECT_EQ(robot.state(), "only");
@@ -151,7 +151,7 @@ TEST_F(ProbationTest, ARollbackReturnsToTheStateThatWasLeft) {
 
 TEST_F(ProbationTest, ManySwapsAndRollbacksInARowLeaveTheRobotAtWork) {
   for (int i = 0; i < 60; ++i) {
-    swap(program_with(i % 3 == 0 ? kThrows : kHarmless));
+    swap(counting_program(i % 3 == 0 ? kThrows : kHarmless));
     robot.tick(i % 7 == 0 ? 250 : i % 5);
   }
   robot.tick(300);

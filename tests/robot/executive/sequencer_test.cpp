@@ -4,7 +4,7 @@ namespace galilean::robot {
 namespace {
 
 /// One state that tests bit 0 of `bumpers` as `condition` says, and what else it says.
-std::string program_with(const std::string& conditions, const std::string& variables = "") {
+std::string branching_program(const std::string& conditions, const std::string& variables = "") {
   return R"(
 variables:
   bits: name: "bumpers"
@@ -36,17 +36,17 @@ std::string condition(const std::string& variable, int index, int value, const s
 
 TEST(Sequencer, TheFirstConditionInTheTextThatHoldsFires) {
   TestRobot robot;
-  ASSERT_TRUE(robot.load(program_with(condition("flags", 1, 1, "new_state: \"a\"") +
-                                      condition("flags", 0, 1, "new_state: \"b\"") +
-                                      condition("flags", 2, 1, "new_state: \"a\""))));
+  ASSERT_TRUE(robot.load(branching_program(condition("flags", 1, 1, "new_state: \"a\"") +
+                                           condition("flags", 0, 1, "new_state: \"b\"") +
+                                           condition("flags", 2, 1, "new_state: \"a\""))));
   robot.tick();
   EXPECT_EQ(robot.state(), "b");
 }
 
 TEST(Sequencer, NoConditionHoldsOnAnInvalidVariable) {
   TestRobot robot;
-  ASSERT_TRUE(robot.load(program_with(condition("never", 0, 0, "new_state: \"a\"") +
-                                      condition("never", 0, 1, "new_state: \"b\""))));
+  ASSERT_TRUE(robot.load(branching_program(condition("never", 0, 0, "new_state: \"a\"") +
+                                           condition("never", 0, 1, "new_state: \"b\""))));
   robot.tick(10);
   EXPECT_EQ(robot.state(), "start");
 }
@@ -54,7 +54,7 @@ TEST(Sequencer, NoConditionHoldsOnAnInvalidVariable) {
 TEST(Sequencer, ABitThatIsZeroCanBeWaitedFor) {
   TestRobot robot;
   robot.press(0);
-  ASSERT_TRUE(robot.load(program_with(condition("bumpers", 0, 0, "new_state: \"a\""))));
+  ASSERT_TRUE(robot.load(branching_program(condition("bumpers", 0, 0, "new_state: \"a\""))));
   robot.tick(3);
   EXPECT_EQ(robot.state(), "start");
   robot.press(0, false);
@@ -73,7 +73,7 @@ class BitUpdates : public testing::TestWithParam<Update> {};
 TEST_P(BitUpdates, ActsOnTheTestedBitAlone) {
   const Update update = GetParam();
   TestRobot robot;
-  ASSERT_TRUE(robot.load(program_with(
+  ASSERT_TRUE(robot.load(branching_program(
       condition("flags", update.tested, update.tested == 1 ? 0 : 1,
                 std::string("bit_update: \"") + update.word + "\" new_state: \"a\""))));
   robot.tick();
@@ -90,8 +90,8 @@ INSTANTIATE_TEST_SUITE_P(All, BitUpdates,
 
 TEST(Sequencer, ResetVariablesBecomeInvalidWithoutCertainty) {
   TestRobot robot;
-  ASSERT_TRUE(robot.load(
-      program_with(condition("bumpers", 0, 1, "reset_variables: \"trash\" new_state: \"a\""))));
+  ASSERT_TRUE(robot.load(branching_program(
+      condition("bumpers", 0, 1, "reset_variables: \"trash\" new_state: \"a\""))));
   robot.tick();
   EXPECT_TRUE(robot.variable<Locate>("trash").valid_at(robot.now()));
   robot.press(0);
@@ -103,7 +103,7 @@ TEST(Sequencer, ResetVariablesBecomeInvalidWithoutCertainty) {
 
 TEST(Sequencer, AnInactiveSchemasVariableStaysAndFades) {
   TestRobot robot;
-  ASSERT_TRUE(robot.load(program_with(condition("bumpers", 0, 1, "new_state: \"a\""))));
+  ASSERT_TRUE(robot.load(branching_program(condition("bumpers", 0, 1, "new_state: \"a\""))));
   robot.press(0);
   robot.tick();
   robot.tick(20 * 30);

@@ -7,8 +7,25 @@
 #include <vector>
 
 #include "robot/firmware/hardware.h"
+#include "robot/firmware/messages.h"
 
 namespace galilean::robot::firmware {
+
+inline constexpr float kStep_s = 0.002f;
+
+/// What a robot would give the board.
+inline Parameters bench_parameters(std::uint16_t timeout_ms) {
+  Parameters p;
+  p.proportional_gain = 8;
+  p.integral_gain = 80;
+  p.feedforward_gain = 3.5;
+  p.straight_dead_zones = {200, 200, -200, -200};
+  p.turn_dead_zones = {330, 330, -330, -330};
+  p.forward_velocity_ticks_s = p.turning_velocity_ticks_s = 100;
+  p.acceleration_ticks_s2 = 300;
+  p.timeout_ms = timeout_ms;
+  return p;
+}
 
 /// A direct-current motor with its drive train: below its dead zone it stands, above it its speed
 /// follows (|PWM| - dead zone) / slope with a first-order lag.

@@ -10,21 +10,8 @@
 namespace galilean::robot::firmware {
 namespace {
 
-constexpr std::uint32_t kTimeout_ms = 300;
+constexpr std::uint16_t kTimeout_ms = 300;
 constexpr std::int16_t kSpeed = 100 * kCountsPerTick;
-
-Parameters parameters() {
-  Parameters p;
-  p.proportional_gain = 8;
-  p.integral_gain = 80;
-  p.feedforward_gain = 3.5;
-  p.straight_dead_zones = {200, 200, -200, -200};
-  p.turn_dead_zones = {330, 330, -330, -330};
-  p.forward_velocity_ticks_s = p.turning_velocity_ticks_s = 100;
-  p.acceleration_ticks_s2 = 300;
-  p.timeout_ms = kTimeout_ms;
-  return p;
-}
 
 class ControllerOnTheBench : public testing::Test {
  protected:
@@ -67,7 +54,7 @@ class ControllerOnTheBench : public testing::Test {
   }
   Result result() const { return static_cast<Result>(answer_->result); }
   void configure() {
-    send(parameters());
+    send(bench_parameters(kTimeout_ms));
     run(2);
     answer_.reset();
   }
@@ -120,7 +107,7 @@ TEST_F(ControllerOnTheBench, DoesNotMoveBeforeItHasParameters) {
 
 TEST_F(ControllerOnTheBench, RefusesParametersThatItCannotWorkWith) {
   const auto refused = [this](auto&& spoil) {
-    Parameters p = parameters();
+    Parameters p = bench_parameters(kTimeout_ms);
     spoil(p);
     answer_.reset();
     const auto sequence = send(p);
@@ -177,7 +164,7 @@ TEST_F(ControllerOnTheBench, GoesNoFasterThanTheParametersSayAndKeepsTheCurve) {
 }
 
 TEST_F(ControllerOnTheBench, StopsAtTheTravelLimit) {
-  Parameters patient = parameters();
+  Parameters patient = bench_parameters(kTimeout_ms);
   patient.timeout_ms = 10000;
   send(patient);
   send(Drive{kSpeed, kSpeed, 1600, 1600});
@@ -214,7 +201,7 @@ TEST_F(ControllerOnTheBench, OtherMessagesDoNotKeepTheMotorsRunning) {
     send(StatusRequest{});
     send(Hello{});
     send(Gripper{1});
-    send(parameters());
+    send(bench_parameters(kTimeout_ms));
     run(20);
   }
   EXPECT_TRUE(flag(status_flag::kStoppedByTimeout));
@@ -251,7 +238,7 @@ TEST_F(ControllerOnTheBench, TheStopTimerOutlivesTheMillisecondCountersWrap) {
     board.to_board.insert(board.to_board.end(), bytes.begin(),
                           bytes.begin() + static_cast<std::ptrdiff_t>(size));
   };
-  put(parameters());
+  put(bench_parameters(kTimeout_ms));
   put(Drive{kSpeed, kSpeed, 0, 0});
   for (int i = 0; i < 250; ++i) controller.update(now_ms++), board.step(0.001);
   EXPECT_GT(board.outputs.left_pwm, 0);

@@ -8,6 +8,7 @@
 
 #include "robot/firmware/controller.h"
 #include "robot/firmware/messages.h"
+#include "tests/robot/firmware/bench_board.h"
 
 namespace galilean::robot::firmware {
 namespace {
@@ -47,20 +48,6 @@ std::array<std::uint8_t, 16> name(std::string_view text) {
   return bytes;
 }
 
-Parameters parameters() {
-  Parameters p;
-  p.proportional_gain = 8;
-  p.integral_gain = 80;
-  p.feedforward_gain = 3.5;
-  p.straight_dead_zones = {200, 200, -200, -200};
-  p.turn_dead_zones = {330, 330, -330, -330};
-  p.forward_velocity_ticks_s = 100;
-  p.turning_velocity_ticks_s = 100;
-  p.acceleration_ticks_s2 = 300;
-  p.timeout_ms = 500;
-  return p;
-}
-
 Status status() {
   Status s;
   s.uptime_ms = 61020;
@@ -82,7 +69,7 @@ Status status() {
 TEST(SerialProtocolPage, ItsExamplesAreWhatTheFirmwareSpeaks) {
   const std::map<std::string, std::string> expected{
       {"0x01 Hello", hex(Hello{}, 1)},
-      {"0x02 Parameters", hex(parameters(), 2)},
+      {"0x02 Parameters", hex(bench_parameters(500), 2)},
       {"0x03 Drive", hex(Drive{1600, -1600, 5200, 5200}, 259)},
       {"0x04 Stop", hex(Stop{}, 260)},
       {"0x05 Gripper", hex(Gripper{1}, 261)},

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <random>
 
+#include "tests/robot/firmware/bench_board.h"
+
 namespace galilean::robot::firmware {
 namespace {
-
-constexpr float kStep_s = 0.002f;
 
 struct Ride {
   double travelled = 0;

@@ -9,8 +9,7 @@
 namespace galilean::robot::firmware {
 namespace {
 
-constexpr float kStep_s = 0.002f;
-constexpr float kSpeed = 100 * kCountsPerTick;
+constexpr float kSpeed_counts_s = 100 * kCountsPerTick;
 constexpr float kSlope = 300 * kCountsPerTick;
 constexpr WheelGains kGains{{8.0f / kCountsPerTick, 80.0f / kCountsPerTick, 0},
                             3.5f / kCountsPerTick};
@@ -31,11 +30,12 @@ struct Bench {
 };
 
 TEST(Wheel, ReachesItsSpeedBothWays) {
-  for (const float speed : {kSpeed, -kSpeed, kSpeed / 10, -kSpeed / 10}) {
+  for (const float speed :
+       {kSpeed_counts_s, -kSpeed_counts_s, kSpeed_counts_s / 10, -kSpeed_counts_s / 10}) {
     Bench bench;
     bench.wheel.aim(speed, kSlope, 0);
     bench.run(2);
-    EXPECT_NEAR(bench.motor.speed_counts_s(), speed, 0.03 * kSpeed) << speed;
+    EXPECT_NEAR(bench.motor.speed_counts_s(), speed, 0.03 * kSpeed_counts_s) << speed;
   }
 }
 
@@ -43,16 +43,16 @@ TEST(Wheel, ReachesItsSpeedWithADeadZoneThatIsNotTheOneItWasTold) {
   for (const double zone : {100.0, 320.0}) {
     Bench bench;
     bench.motor.dead_zone_pwm = zone;
-    bench.wheel.aim(kSpeed, kSlope, 0);
+    bench.wheel.aim(kSpeed_counts_s, kSlope, 0);
     bench.run(4);
-    EXPECT_NEAR(bench.motor.speed_counts_s(), kSpeed, 0.05 * kSpeed) << zone;
+    EXPECT_NEAR(bench.motor.speed_counts_s(), kSpeed_counts_s, 0.05 * kSpeed_counts_s) << zone;
   }
 }
 
 TEST(Wheel, StandsAtTheTravelLimitAndLetsGo) {
   for (const float limit : {16.0f, 160.0f, 1600.0f}) {
     Bench bench;
-    bench.wheel.aim(kSpeed, kSlope, limit);
+    bench.wheel.aim(kSpeed_counts_s, kSlope, limit);
     bench.run(4);
     EXPECT_NEAR(bench.motor.counts(), limit, 10) << limit;
     EXPECT_EQ(bench.pwm, 0);
@@ -63,21 +63,21 @@ TEST(Wheel, StandsAtTheTravelLimitAndLetsGo) {
 TEST(Wheel, PushesNoHarderAfterItWasBlocked) {
   Bench bench;
   bench.motor.blocked = true;
-  bench.wheel.aim(kSpeed, kSlope, 0);
+  bench.wheel.aim(kSpeed_counts_s, kSlope, 0);
   bench.run(30);
   EXPECT_LE(bench.pwm, kFullPwm);
   bench.motor.blocked = false;
   bench.run(3);
-  EXPECT_NEAR(bench.motor.speed_counts_s(), kSpeed, 0.05 * kSpeed);
+  EXPECT_NEAR(bench.motor.speed_counts_s(), kSpeed_counts_s, 0.05 * kSpeed_counts_s);
 }
 
 TEST(Wheel, DrivesOnFromTheSpeedThatItHasAfterACut) {
   Bench bench;
-  bench.wheel.aim(kSpeed, kSlope, 0);
+  bench.wheel.aim(kSpeed_counts_s, kSlope, 0);
   bench.run(1);
   bench.wheel.cut();
   bench.run(0.01);
-  bench.wheel.aim(kSpeed, kSlope, 0);
+  bench.wheel.aim(kSpeed_counts_s, kSlope, 0);
   for (int i = 0; i < 200; ++i) {
     bench.run(kStep_s);
     ASSERT_GE(bench.pwm, 0) << "braked against its own motion";
@@ -86,7 +86,7 @@ TEST(Wheel, DrivesOnFromTheSpeedThatItHasAfterACut) {
 
 TEST(Wheel, CutGivesNoPowerWhateverTheLoopWanted) {
   Bench bench;
-  bench.wheel.aim(kSpeed, kSlope, 0);
+  bench.wheel.aim(kSpeed_counts_s, kSlope, 0);
   bench.run(1);
   bench.wheel.cut();
   bench.run(kStep_s);

@@ -3,8 +3,6 @@
 namespace galilean::robot {
 namespace {
 
-constexpr double kStep = 1e-6;  ///< metres inside or outside of a zone's edge
-
 class AvoidObstacleTest : public ForceTest {
  protected:
   std::unique_ptr<Schema> schema() {
@@ -28,16 +26,16 @@ class AvoidObstacleTest : public ForceTest {
 
 TEST_F(AvoidObstacleTest, IsGreatestInsideMinSphere) {
   EXPECT_NEAR(push_at(0.10), 100, kTolerance);
-  EXPECT_NEAR(push_at(0.30 - kStep), 100, kTolerance);
+  EXPECT_NEAR(push_at(0.30 - kEdgeStep_m), 100, kTolerance);
   EXPECT_NEAR(push_at(0.30), 100, kTolerance);
 }
 
 TEST_F(AvoidObstacleTest, FallsLinearlyToMaxSphere) {
-  EXPECT_NEAR(push_at(0.30 + kStep), 100 * (0.50 - kStep) / 0.50, kTolerance);
+  EXPECT_NEAR(push_at(0.30 + kEdgeStep_m), 100 * (0.50 - kEdgeStep_m) / 0.50, kTolerance);
   EXPECT_NEAR(push_at(0.55), 50, kTolerance);
-  EXPECT_NEAR(push_at(0.80 - kStep), 100 * kStep / 0.50, kTolerance);
+  EXPECT_NEAR(push_at(0.80 - kEdgeStep_m), 100 * kEdgeStep_m / 0.50, kTolerance);
   EXPECT_EQ(push_at(0.80), 0);
-  EXPECT_EQ(push_at(0.80 + kStep), 0);
+  EXPECT_EQ(push_at(0.80 + kEdgeStep_m), 0);
   EXPECT_EQ(push_at(5), 0);
 }
 
@@ -86,13 +84,13 @@ class AvoidRobotTest : public ForceTest {
 
 TEST_F(AvoidRobotTest, IsInfiniteUpToMinThenFallsFromOneToZero) {
   EXPECT_NEAR(push_at(0), 100, kTolerance);
-  EXPECT_NEAR(push_at(0.5 - kStep), 100, kTolerance);
+  EXPECT_NEAR(push_at(0.5 - kEdgeStep_m), 100, kTolerance);
   EXPECT_NEAR(push_at(0.5), 100, kTolerance);
-  EXPECT_NEAR(push_at(0.5 + kStep), 1 - kStep, kTolerance);
+  EXPECT_NEAR(push_at(0.5 + kEdgeStep_m), 1 - kEdgeStep_m, kTolerance);
   EXPECT_NEAR(push_at(1.0), 0.5, kTolerance);
-  EXPECT_NEAR(push_at(1.5 - kStep), kStep, kTolerance);
+  EXPECT_NEAR(push_at(1.5 - kEdgeStep_m), kEdgeStep_m, kTolerance);
   EXPECT_EQ(push_at(1.5), 0);
-  EXPECT_EQ(push_at(1.5 + kStep), 0);
+  EXPECT_EQ(push_at(1.5 + kEdgeStep_m), 0);
 }
 
 TEST_F(AvoidRobotTest, CountsFromCentreToCentre) {
@@ -122,13 +120,13 @@ class SwirlTest : public ForceTest {
 };
 
 TEST_F(SwirlTest, HasTheMagnitudeOfAvoid) {
-  for (const double distance : {0.0, 0.3 - kStep, 0.3}) {
+  for (const double distance : {0.0, 0.3 - kEdgeStep_m, 0.3}) {
     EXPECT_NEAR(force_from({0, distance}).norm(), 1, kTolerance);
   }
-  EXPECT_NEAR(force_from({0, 0.3 + kStep}).norm(), (0.5 - kStep) / 0.5, kTolerance);
-  EXPECT_NEAR(force_from({0, 0.8 - kStep}).norm(), kStep / 0.5, kTolerance);
+  EXPECT_NEAR(force_from({0, 0.3 + kEdgeStep_m}).norm(), (0.5 - kEdgeStep_m) / 0.5, kTolerance);
+  EXPECT_NEAR(force_from({0, 0.8 - kEdgeStep_m}).norm(), kEdgeStep_m / 0.5, kTolerance);
   EXPECT_EQ(force_from({0, 0.8}).norm(), 0);
-  EXPECT_EQ(force_from({0, 0.8 + kStep}).norm(), 0);
+  EXPECT_EQ(force_from({0, 0.8 + kEdgeStep_m}).norm(), 0);
 }
 
 TEST_F(SwirlTest, PassesOnTheSideAwayFromTheObstacle) {

@@ -10,6 +10,7 @@ using namespace std::string_literals;
 class ForceTest : public SchemaTest {
  protected:
   static constexpr double kTolerance = 1e-9;
+  static constexpr double kEdgeStep_m = 1e-6;  ///< inside or outside of a zone's edge
 
   ForceTest() { result().constant = false; }
 

@@ -3,8 +3,6 @@
 namespace galilean::robot {
 namespace {
 
-constexpr double kStep = 1e-6;  ///< metres inside or outside of a zone's edge
-
 class MoveToGoalTest : public ForceTest {
  protected:
   std::unique_ptr<Schema> schema() {
@@ -22,9 +20,9 @@ class MoveToGoalTest : public ForceTest {
 
 TEST_F(MoveToGoalTest, IsAUnitVectorOutsideTheSuccessRadius) {
   expect_near(force_to({0, 0}), {0, 0});
-  expect_near(force_to({0, 0.2 - kStep}), {0, 0});
+  expect_near(force_to({0, 0.2 - kEdgeStep_m}), {0, 0});
   expect_near(force_to({0, 0.2}), {0, 0});
-  expect_near(force_to({0, 0.2 + kStep}), {0, 1});
+  expect_near(force_to({0, 0.2 + kEdgeStep_m}), {0, 1});
   expect_near(force_to({-3, 4}), {-0.6, 0.8});
 }
 
@@ -59,13 +57,13 @@ class GuardedGoalTest : public ForceTest {
 
 TEST_F(GuardedGoalTest, FallsLinearlyFromDropToDeadRadius) {
   EXPECT_EQ(pull_at(0), 0);
-  EXPECT_EQ(pull_at(0.1 - kStep), 0);
+  EXPECT_EQ(pull_at(0.1 - kEdgeStep_m), 0);
   EXPECT_EQ(pull_at(0.1), 0);
-  EXPECT_NEAR(pull_at(0.1 + kStep), kStep / 0.3, kTolerance);
+  EXPECT_NEAR(pull_at(0.1 + kEdgeStep_m), kEdgeStep_m / 0.3, kTolerance);
   EXPECT_NEAR(pull_at(0.25), 0.5, kTolerance);
-  EXPECT_NEAR(pull_at(0.4 - kStep), (0.3 - kStep) / 0.3, kTolerance);
+  EXPECT_NEAR(pull_at(0.4 - kEdgeStep_m), (0.3 - kEdgeStep_m) / 0.3, kTolerance);
   EXPECT_NEAR(pull_at(0.4), 1, kTolerance);
-  EXPECT_NEAR(pull_at(0.4 + kStep), 1, kTolerance);
+  EXPECT_NEAR(pull_at(0.4 + kEdgeStep_m), 1, kTolerance);
   EXPECT_NEAR(pull_at(9), 1, kTolerance);
 }
 
@@ -108,13 +106,13 @@ class DockTest : public ForceTest {
 };
 
 TEST_F(DockTest, IsBallisticFarAway) {
-  expect_near(force_at(1 + kStep, 1.0), towards(1.0));
+  expect_near(force_at(1 + kEdgeStep_m, 1.0), towards(1.0));
   expect_near(force_at(4, 0), {0, 1});
 }
 
 TEST_F(DockTest, AddsATangentialPartInTheControlledZone) {
   expect_near(force_at(1, 0), {0, 1});
-  expect_near(force_at(1 - kStep, 0.2), towards(0.2) + clockwise(0.2) * (0.2 / kCone));
+  expect_near(force_at(1 - kEdgeStep_m, 0.2), towards(0.2) + clockwise(0.2) * (0.2 / kCone));
   expect_near(force_at(0.5, -0.2), towards(-0.2) - clockwise(-0.2) * (0.2 / kCone));
 }
 
@@ -127,8 +125,8 @@ TEST_F(DockTest, IsFullyTangentialOutsideTheCone) {
 }
 
 TEST_F(DockTest, StopsWithinTheStopRadius) {
-  expect_near(force_at(0.05 + kStep, 0), {0, 1});
-  expect_near(force_at(0.05 - kStep, 0), {0, 0});
+  expect_near(force_at(0.05 + kEdgeStep_m, 0), {0, 1});
+  expect_near(force_at(0.05 - kEdgeStep_m, 0), {0, 0});
   expect_near(force_at(0, 0), {0, 0});
 }
 

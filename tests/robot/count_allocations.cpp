@@ -8,9 +8,12 @@ thread_local bool counting = false;
 thread_local long count = 0;
 }  // namespace
 
-void* operator new(std::size_t size) {
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   if (counting) ++count;
-  if (void* room = std::malloc(size)) return room;
+  return std::malloc(size);
+}
+void* operator new(std::size_t size) {
+  if (void* room = operator new(size, std::nothrow)) return room;
   throw std::bad_alloc();
 }
 void operator delete(void* room) noexcept {

@@ -40,8 +40,10 @@ HeadlessContest::HeadlessContest(const Scenario& scenario, std::unique_ptr<World
   robot::add_components(components_);
   for (std::size_t i = 0; i < options.robots; ++i) {
     const std::uint64_t seed = Random(options.seed).child(robot_name(i)).child("executive").bits();
-    robots_.push_back(std::make_unique<HeadlessRobot>(HeadlessRobot::Setup{
-        *world_, i, scene_, renderer_, components_, clock_, stopwatch_, seed}));
+    HeadlessRobot::Setup setup{*world_,     i,      scene_,     renderer_,
+                               components_, clock_, stopwatch_, seed};
+    if (i < options.observers.size()) setup.observer = options.observers[i];
+    robots_.push_back(std::make_unique<HeadlessRobot>(setup));
   }
 }
 
@@ -58,6 +60,7 @@ Result<bool> HeadlessContest::run() {
   while (world_->referee().phase() == Phase::kRunning) {
     step();
     for (auto& robot : robots_) robot->note(World::kStep_s);
+    if (options_.after_step) options_.after_step(clock_.now());
     if (options_.trace && (step_ - started_) % kStepsASecond == 0) write_trace();
   }
   return true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 #include <memory>
 #include <string>
@@ -17,6 +18,8 @@ struct HeadlessOptions {
   std::uint64_t seed = 1;
   double duration_s = 600;
   std::ostream* trace = nullptr;  ///< one JSON object a robot and simulated second; may be null
+  std::vector<robot::TickObserver*> observers;  ///< of the robots, in their order; may be fewer
+  std::function<void(Time now)> after_step;     ///< while the contest runs; may be empty
 };
 
 /// A contest in one process and one thread, as fast as the machine allows: the world, and a whole

@@ -23,6 +23,7 @@ robot::ExecutiveSetup executive_setup(const HeadlessRobot::Setup& setup, const D
                              .stopwatch = setup.stopwatch};
   made.seed = setup.seed;
   made.tuner = &tuner;
+  if (setup.observer) made.observers.push_back(setup.observer);
   return made;
 }
 

@@ -39,6 +39,7 @@ class HeadlessRobot final : private robot::DeviceTuner {
     const Clock& clock;
     const Clock& stopwatch;
     std::uint64_t seed;
+    robot::TickObserver* observer = nullptr;  ///< sees every tick; may be null
   };
   explicit HeadlessRobot(const Setup& setup);
   HeadlessRobot(const HeadlessRobot&) = delete;

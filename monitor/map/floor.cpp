@@ -11,6 +11,7 @@ namespace {
 /// Chance that a cell is free, after one piece of evidence on nothing known.
 constexpr float kStoodOn = 0.80F;
 constexpr float kLookedAcross = 0.58F;
+constexpr float kSawNothing = 0.54F;
 constexpr float kBumped = 0.15F;
 /// Between these a cell is unknown.
 constexpr float kUnknownAbove = 0.45F;
@@ -21,6 +22,7 @@ constexpr double kMargin_m = 1;
 constexpr double kChassisRadius_m = 0.16;  ///< half of its narrow side
 constexpr double kObstacleRadius_m = 0.08;
 constexpr double kThingRadius_m = 0.10;  ///< before it a sight line ends
+constexpr double kRay_rad = 0.04;
 
 }  // namespace
 
@@ -64,13 +66,38 @@ void Floor::stood(const Vec2& robot_m) {
   update_disc(robot_m, kChassisRadius_m, kStoodOn);
 }
 
-void Floor::looked(const Vec2& from_m, const Vec2& to_m) {
-  if (!make_room(from_m) || !make_room(to_m)) return;
-  const double length_m = (to_m - from_m).norm() - kThingRadius_m;
-  if (length_m <= 0) return;
-  const Vec2 direction = (to_m - from_m).normalized();
-  for (double along_m = 0; along_m < length_m; along_m += kCell_m)
-    update(from_m + along_m * direction, kLookedAcross);
+void Floor::looked(const View& view) {
+  for (double off_rad = -view.angle_rad / 2; off_rad <= view.angle_rad / 2; off_rad += kRay_rad) {
+    const double direction_rad = view.heading_rad + off_rad;
+    double nearest_m = 0;
+    for (const auto& thing : view.seen_m) {
+      const Vec2 towards = rotated(thing - view.from_m, -direction_rad);
+      const bool in_the_way =
+          towards.x() > 0 && std::abs(std::atan2(towards.y(), towards.x())) < kRay_rad;
+      if (in_the_way && (nearest_m == 0 || towards.x() < nearest_m)) nearest_m = towards.x();
+    }
+    if (nearest_m > 0)
+      look_along(view.from_m, direction_rad, nearest_m - kThingRadius_m, kLookedAcross);
+    else
+      look_along(view.from_m, direction_rad, kClear_m, kSawNothing);
+  }
+}
+
+void Floor::look_along(const Vec2& from_m, double direction_rad, double length_m,
+                       float free_probability) {
+  const Vec2 step = kCell_m * unit_vector(direction_rad);
+  const auto steps = static_cast<int>(length_m / kCell_m);
+  if (steps <= 0 || !make_room(from_m) || !make_room(from_m + steps * step)) return;
+  for (int i = 0; i < steps; ++i) {
+    const Vec2 at_m = from_m + i * step;
+    if (is_occupied(at_m)) return;
+    update(at_m, free_probability);
+  }
+}
+
+bool Floor::is_occupied(const Vec2& at_m) const {
+  return cells_->grid.getPos(static_cast<float>(at_m.x()), static_cast<float>(at_m.y())) <
+         kUnknownAbove;
 }
 
 void Floor::bumped(const Vec2& at_m) {

@@ -5,15 +5,17 @@
 #include <utility>
 
 #include "core/wire/topics.h"
+#include "monitor/map/meetings.h"
 
 namespace galilean::monitor {
 namespace {
 
 constexpr double kAlignEvery_s = 0.5;
-constexpr double kFreshPose_s = 0.3;     ///< older than this a pose is no partner of a sighting
-constexpr double kFloorStep_m = 0.05;    ///< standing still is no new evidence
+constexpr double kFloorStep_m = 0.05;  ///< standing still is no new evidence
+constexpr double kFloorTurn_rad = 0.1;
 constexpr double kMostSightRange_m = 4;  ///< beyond, the end of a sight line is too unsure
-constexpr double kPoseVariance_m2 = 4e-4;
+constexpr double kTouchDeviation_m = 0.05;
+constexpr double kPose_m2 = 1e-4;  ///< of a pose that is 0.1 s old
 
 bool is_obstacle(const msg::Variable& variable) {
   return variable.type == msg::Variable_Constants::LOCATE && variable.valid &&
@@ -21,25 +23,8 @@ bool is_obstacle(const msg::Variable& variable) {
          std::isfinite(variable.values[0]) && std::isfinite(variable.values[1]);
 }
 
-/// What one robot saw, in another's odom frame.
-msg::Sightings in_frame(msg::Sightings seen, const FrameEstimate& from, const FrameEstimate& to) {
-  const auto carry_over = [&](auto& message) {
-    const Vec2 there = to.to_odom(from.to_map(Vec2(message.x_m, message.y_m)));
-    message.x_m = there.x();
-    message.y_m = there.y();
-  };
-  carry_over(seen);
-  seen.heading_rad = wrap_angle(seen.heading_rad + from.pose.heading_rad - to.pose.heading_rad);
-  for (auto& item : seen.items) {
-    // All ways alike, and rather too much: it only says what may be the same thing.
-    const Vec2 here(item.x_m, item.y_m);
-    const double own = item.variance_xx + item.variance_yy + from.covariance_at(here).trace();
-    carry_over(item);
-    const Vec2 there(item.x_m, item.y_m);
-    item.variance_xx = item.variance_yy = own + to.covariance_at(there).trace();
-    item.variance_xy = 0;
-  }
-  return seen;
+Vec2 in_map(const Pose2& frame, const Vec2& in_odom_m) {
+  return frame.position_m + rotated(in_odom_m, frame.heading_rad);
 }
 
 void put(const Gaussian2& place, auto& message) {
@@ -52,139 +37,152 @@ void put(const Gaussian2& place, auto& message) {
 
 }  // namespace
 
+bool TeamMap::move(const std::string& robot, const Pose2& in_odom, Time now) {
+  if (!in_odom.position_m.allFinite() || !std::isfinite(in_odom.heading_rad)) return false;
+  if (poses_.knows(robot))
+    things_.blur_around(robot, std::max(0.0, to_seconds(now - poses_.moved(robot))));
+  Heard& heard = heard_[robot];
+  poses_.move(robot, in_odom, heard.senses.touches(now), now);
+  heard.at = now;
+  return true;
+}
+
 void TeamMap::note(const msg::RobotState& state, Time now) {
-  if (!std::isfinite(state.x_m) || !std::isfinite(state.y_m) || !std::isfinite(state.heading_rad))
-    return;
-  Mapped& robot = robots_[state.robot];
-  robot.in_odom = {{state.x_m, state.y_m}, state.heading_rad};
-  robot.placed = true;
-  robot.heard = robot.posed = now;
-  const Vec2 in_map = frames_.of(state.robot).to_map(robot.in_odom.position_m);
-  if ((in_map - robot.last_stood_m).norm() < kFloorStep_m) return;
-  robot.last_stood_m = in_map;
-  floor_.stood(in_map);
+  if (!move(state.robot, {{state.x_m, state.y_m}, state.heading_rad}, now)) return;
+  const Vec2 at_m = poses_.pose(state.robot).position_m;
+  Heard& robot = heard_[state.robot];
+  if ((at_m - robot.last_stood_m).norm() < kFloorStep_m) return;
+  robot.last_stood_m = at_m;
+  floor_.stood(at_m);
 }
 
 void TeamMap::note(const msg::Sightings& frame, Time now) {
-  robots_[frame.robot].heard = now;
-  const FrameEstimate& to_map = frames_.of(frame.robot);
+  if (!move(frame.robot, {{frame.x_m, frame.y_m}, frame.heading_rad}, now)) return;
+  const Pose2 to_map = poses_.frame(frame.robot);
   msg::Sightings things = frame;
   std::erase_if(things.items, [&](const msg::Sighting& sighting) {
     return sighting.object_class == "trash" &&
-           object_map_.is_carried(to_map.to_map(Vec2(sighting.x_m, sighting.y_m)));
+           carried_.is_carried(in_map(to_map, {sighting.x_m, sighting.y_m}), poses_);
   });
-  memories_[frame.robot].see(things, now);
-  doubt_together(things, now);
-  for (const auto& sighting : frame.items) {
-    if (sighting.object_class == "robot") meet(frame.robot, sighting, now);
+  things_.see(things, now);
+  note_meetings(frame, poses_, joint_, now);
+  look(frame);
+}
+
+void TeamMap::look(const msg::Sightings& frame) {
+  const Pose2 pose = poses_.pose(frame.robot), to_map = poses_.frame(frame.robot);
+  Pose2& last = heard_[frame.robot].last_looked;
+  if ((pose.position_m - last.position_m).norm() < kFloorStep_m &&
+      std::abs(wrap_angle(pose.heading_rad - last.heading_rad)) < kFloorTurn_rad)
+    return;
+  last = pose;
+  Floor::View view{pose.position_m, pose.heading_rad, frame.view_angle_rad, {}};
+  for (const auto& sighting : frame.items)
     if (sighting.range_m < kMostSightRange_m)
-      floor_.looked(to_map.to_map(Vec2(frame.x_m, frame.y_m)),
-                    to_map.to_map(Vec2(sighting.x_m, sighting.y_m)));
-  }
-}
-
-void TeamMap::doubt_together(const msg::Sightings& things, Time now) {
-  constexpr double kLongestPeriod_s = 0.5;
-  const Time before = std::exchange(robots_[things.robot].last_frame, now);
-  const double period_s = std::min(to_seconds(now - before), kLongestPeriod_s);
-  const FrameEstimate& own = frames_.of(things.robot);
-  for (auto& [robot, memory] : memories_)
-    memory.doubt_unseen(robot == things.robot ? things : in_frame(things, own, frames_.of(robot)),
-                        period_s);
-}
-
-void TeamMap::meet(const std::string& observer, const msg::Sighting& sighting, Time now) {
-  ++sightings_of_robots_;
-  for (const auto& [observed, robot] : robots_) {
-    if (observed == observer || !robot.placed || to_seconds(now - robot.posed) > kFreshPose_s)
-      continue;
-    frames_.note({observer,
-                  observed,
-                  {sighting.x_m, sighting.y_m},
-                  robot.in_odom.position_m,
-                  sightings_of_robots_,
-                  now});
-  }
+      view.seen_m.push_back(in_map(to_map, {sighting.x_m, sighting.y_m}));
+  floor_.looked(view);
 }
 
 void TeamMap::note(const msg::Variables& variables, Time now) {
-  Mapped& robot = robots_[variables.robot];
-  robot.heard = now;
-  robot.grasp.note(variables, now);
+  Heard& robot = heard_[variables.robot];
+  robot.at = now;
+  robot.senses.note(variables, now);
+  if (!poses_.knows(variables.robot)) return;
   for (const auto& variable : variables.items) {
     if (!is_obstacle(variable)) continue;
     const auto [touched, is_new] = robot.touched.try_emplace(variable.name, variable.updated);
-    if (!is_new && std::exchange(touched->second, variable.updated) == variable.updated) continue;
-    memories_[variables.robot].touch(variable, now);
-    floor_.bumped(frames_.of(variables.robot).to_map(Vec2(variable.values[0], variable.values[1])));
+    if (is_new || std::exchange(touched->second, variable.updated) != variable.updated)
+      touch(variables.robot, variable, now);
   }
+}
+
+void TeamMap::touch(const std::string& robot, const msg::Variable& obstacle, Time now) {
+  const Vec2 at_m = in_map(poses_.frame(robot), {obstacle.values[0], obstacle.values[1]});
+  const Pose2 pose = poses_.pose(robot);
+  const Gaussian2 from_robot{rotated(at_m - pose.position_m, -pose.heading_rad),
+                             kTouchDeviation_m * kTouchDeviation_m * Mat2::Identity()};
+  things_.note("obstacle", robot, from_robot, obstacle.certainty, now);
+  floor_.bumped(at_m);
 }
 
 void TeamMap::note(const msg::Catalog& catalog, Time now) {
-  Mapped& robot = robots_[catalog.robot];
-  robot.heard = now;
+  Heard& robot = heard_[catalog.robot];
+  robot.at = now;
   if (auto read = catalog_from_json(catalog.json)) robot.catalog = std::move(read).value();
-  if (robot.program) robot.grasp.note(*robot.program, robot.catalog);
+  if (robot.program) robot.senses.note(*robot.program, robot.catalog);
 }
 
 void TeamMap::note(const msg::Program& program, Time now) {
-  Mapped& robot = robots_[program.robot];
-  robot.heard = now;
+  Heard& robot = heard_[program.robot];
+  robot.at = now;
   robot.program = program;
-  robot.grasp.note(program, robot.catalog);
+  robot.senses.note(program, robot.catalog);
 }
 
 void TeamMap::update(Time now) {
-  for (auto& [name, memory] : memories_) memory.fade(now);
+  things_.fade(now);
   if (to_seconds(now - aligned_) >= kAlignEvery_s) {
-    frames_.align(memories_, now);
+    same_things_.align(now);
     aligned_ = now;
   }
-  object_map_.merge(memories_, frames_);
-  std::vector<ObjectMap::Carrier> carriers;
-  for (const auto& [name, robot] : robots_)
-    if (robot.placed)
-      carriers.push_back({name, frames_.of(name).to_map(robot.in_odom), robot.grasp.holds(now)});
-  object_map_.carry(carriers, memories_, frames_, now);
+  same_things_.unite_neighbours();
+  for (const auto& [name, robot] : poses_.all())
+    carried_.note(name, heard_[name].senses.holds(now), poses_, things_, now);
 }
 
-msg::MapRobot TeamMap::robot_message(const std::string& name, const Mapped& robot, Time now) {
-  const FrameEstimate& frame = frames_.of(name);
-  const Pose2 pose = frame.to_map(robot.in_odom);
+msg::MapRobot TeamMap::robot_message(const std::string& name, Time now) const {
   msg::MapRobot message;
   message.name = name;
-  put({pose.position_m,
-       frame.covariance_at(robot.in_odom.position_m) + kPoseVariance_m2 * Mat2::Identity()},
-      message);
-  message.heading_rad = pose.heading_rad;
-  message.age_s = static_cast<float>(to_seconds(now - robot.heard));
-  message.silent = now - robot.heard > silent_after_;
+  Gaussian2 at = poses_.position(name);
+  at.covariance_m2 += kPose_m2 * Mat2::Identity();
+  put(at, message);
+  message.heading_rad = poses_.pose(name).heading_rad;
+  const Time heard = heard_.at(name).at;
+  message.age_s = static_cast<float>(to_seconds(now - heard));
+  message.silent = now - heard > silent_after_;
   return message;
 }
 
-msg::ObjectMap TeamMap::objects(Time now, std::int64_t stamp_ns) {
+void TeamMap::put_things(msg::ObjectMap& message, Time now, std::int64_t stamp_ns) const {
+  for (const auto& thing : things_.all()) {
+    if (!thing.told()) continue;
+    msg::MapObject& item = message.objects.emplace_back();
+    item.id = static_cast<std::uint32_t>(thing.id);
+    item.object_class = thing.object_class;
+    put(things_.place(thing), item);
+    item.certainty = static_cast<float>(thing.certainty);
+    item.decay_per_s = 1 / static_cast<float>(Thing::kMemory_s);
+    item.last_seen = wire::ros_time(stamp_ns - (now - thing.last_seen).count());
+    item.seen_by = thing.observers();
+  }
+}
+
+void TeamMap::put_loads(msg::ObjectMap& message) const {
+  for (const auto& [robot, load] : carried_.all()) {
+    msg::MapObject& item = message.objects.emplace_back();
+    item.id = static_cast<std::uint32_t>(load.id);
+    item.object_class = "trash";
+    put(Carried::place(robot, poses_), item);
+    item.certainty = 1;
+    item.last_seen = message.stamp;
+    item.seen_by = load.seen_by;
+    item.held_by = robot;
+  }
+}
+
+msg::ObjectMap TeamMap::objects(Time now, std::int64_t stamp_ns) const {
   msg::ObjectMap message;
   message.stamp = wire::ros_time(stamp_ns);
-  for (const auto& object : object_map_.objects()) {
-    msg::MapObject& item = message.objects.emplace_back();
-    item.id = static_cast<std::uint32_t>(object.id);
-    item.object_class = object.object_class;
-    put(object.place, item);
-    item.certainty = static_cast<float>(object.certainty);
-    item.decay_per_s = object.held_by.empty() ? 1 / static_cast<float>(RobotMemory::kMemory_s) : 0;
-    item.last_seen = wire::ros_time(stamp_ns - (now - object.last_seen).count());
-    item.seen_by = object.seen_by;
-    item.held_by = object.held_by;
-  }
-  for (const auto& [name, robot] : robots_)
-    if (robot.placed) message.robots.push_back(robot_message(name, robot, now));
+  put_things(message, now, stamp_ns);
+  put_loads(message);
+  for (const auto& [name, robot] : poses_.all()) message.robots.push_back(robot_message(name, now));
   return message;
 }
 
-msg::TFMessage TeamMap::transforms(std::int64_t stamp_ns) {
+msg::TFMessage TeamMap::transforms(std::int64_t stamp_ns) const {
   msg::TFMessage message;
-  for (const auto& [name, robot] : robots_) {
-    const Pose2& frame = frames_.of(name).pose;
+  for (const auto& [name, robot] : poses_.all()) {
+    const Pose2 frame = poses_.frame(name);
     msg::TransformStamped& item = message.transforms.emplace_back();
     item.header = {wire::ros_time(stamp_ns), "map"};
     item.child_frame_id = name + "/odom";

@@ -6,21 +6,24 @@
 
 #include "core/clock.h"
 #include "core/wire/messages.h"
+#include "monitor/map/carried.h"
 #include "monitor/map/floor.h"
-#include "monitor/map/frames.h"
-#include "monitor/map/grasp.h"
-#include "monitor/map/object_map.h"
+#include "monitor/map/same_things.h"
+#include "monitor/map/senses.h"
 
 namespace galilean::monitor {
 
 /// What the team knows together: the floor, the things on it and the robots, in one frame, "map".
+/// Robots and things are estimated together (JointGaussian); the floor is drawn where they are now.
 /// Pure: messages and the time go in, messages come out.
 class TeamMap {
  public:
   explicit TeamMap(Duration silent_after) : silent_after_(silent_after) {}
+  TeamMap(const TeamMap&) = delete;
+  TeamMap& operator=(const TeamMap&) = delete;
 
   /// Where a robot's odom frame has its origin in the map frame.
-  void start_at(const std::string& robot, const Pose2& origin) { frames_.start_at(robot, origin); }
+  void start_at(const std::string& robot, const Pose2& origin) { poses_.start_at(robot, origin); }
 
   void note(const msg::RobotState& state, Time now);
   void note(const msg::Sightings& frame, Time now);
@@ -28,40 +31,41 @@ class TeamMap {
   void note(const msg::Catalog& catalog, Time now);
   void note(const msg::Program& program, Time now);
 
-  /// Lets things be forgotten, frames be aligned and landmarks become objects: before the messages
-  /// are asked for.
+  /// Lets things be forgotten, be found to be the same, and be carried: before the messages are
+  /// asked for.
   void update(Time now);
   /// `stamp_ns`: the same instant as `now`, since the Unix epoch.
-  [[nodiscard]] msg::ObjectMap objects(Time now, std::int64_t stamp_ns);
-  [[nodiscard]] msg::TFMessage transforms(std::int64_t stamp_ns);
+  [[nodiscard]] msg::ObjectMap objects(Time now, std::int64_t stamp_ns) const;
+  [[nodiscard]] msg::TFMessage transforms(std::int64_t stamp_ns) const;
   [[nodiscard]] const Floor& floor() const noexcept { return floor_; }
 
  private:
-  struct Mapped {
-    Pose2 in_odom;
-    bool placed = false;  ///< it has told where it is
-    Time heard{};
-    Time posed{};
-    Time last_frame{};
+  struct Heard {
+    Time at{};
     Vec2 last_stood_m = Vec2::Constant(1e9);
-    Grasp grasp;
+    Pose2 last_looked{Vec2::Constant(1e9), 0};
+    Senses senses;
     Catalog catalog;
     std::optional<msg::Program> program;
     std::map<std::string, msg::Time> touched;  ///< obstacle variables, when last written
   };
 
-  /// What one robot sees no more, the others need not remember either.
-  void doubt_together(const msg::Sightings& things, Time now);
-  void meet(const std::string& observer, const msg::Sighting& sighting, Time now);
-  [[nodiscard]] msg::MapRobot robot_message(const std::string& name, const Mapped& robot, Time now);
+  /// False: the message says nothing that can be used.
+  bool move(const std::string& robot, const Pose2& in_odom, Time now);
+  void look(const msg::Sightings& frame);
+  void touch(const std::string& robot, const msg::Variable& obstacle, Time now);
+  [[nodiscard]] msg::MapRobot robot_message(const std::string& name, Time now) const;
+  void put_things(msg::ObjectMap& message, Time now, std::int64_t stamp_ns) const;
+  void put_loads(msg::ObjectMap& message) const;
 
   Duration silent_after_;
-  std::map<std::string, Mapped> robots_;
-  std::map<std::string, RobotMemory> memories_;
-  Frames frames_;
-  ObjectMap object_map_;
+  std::map<std::string, Heard> heard_;
+  JointGaussian joint_;
+  RobotPoses poses_{joint_};
+  Things things_{joint_, poses_};
+  SameThings same_things_{joint_, poses_, things_};
+  Carried carried_;
   Floor floor_;
-  std::uint64_t sightings_of_robots_ = 0;
   Time aligned_{};
 };
 

@@ -1,0 +1,57 @@
+#include "monitor/map/meetings.h"
+
+#include <optional>
+#include <string>
+
+#include "monitor/map/sighting_model.h"
+
+namespace galilean::monitor {
+namespace {
+
+constexpr double kFreshPose_s = 0.3;
+constexpr double kMostDeviation_m = 0.6;
+/// A robot is too big and blurred a mark to tell more than things do.
+constexpr double kLeastDeviation_m = 0.15;
+constexpr double kNearer = 0.75;
+constexpr double kRangeError = 0.3;
+/// Another robot that fits less badly than this could have been meant as well.
+constexpr double kRivalGate = 25;
+
+/// The only robot that can have been meant.
+std::optional<Expected> met(const std::string& observer, const Gaussian2& from_robot,
+                            const RobotPoses& robots, const JointGaussian& joint, Time now) {
+  std::optional<Expected> found;
+  for (const auto& [name, robot] : robots.all()) {
+    if (name == observer || to_seconds(now - robot.moved) > kFreshPose_s) continue;
+    const auto expected = expected_sighting(joint, robots.part(observer), robot.part);
+    const Fit fit = fit_of(joint, expected, from_robot);
+    if (fit.squared_distance > kRivalGate) continue;
+    const bool fits = fit.squared_distance < same_thing_gate() &&
+                      fit.deviation_m < kMostDeviation_m && fit.deviation_m > kLeastDeviation_m;
+    if (found || !fits) return std::nullopt;
+    found = expected;
+  }
+  return found;
+}
+
+/// A robot's green begins above the floor, and so it seems further away than it is.
+Gaussian2 nearer(const Gaussian2& seen) {
+  const Vec2 error_m = kRangeError * seen.mean_m;
+  return {kNearer * seen.mean_m, seen.covariance_m2 + error_m * error_m.transpose()};
+}
+
+}  // namespace
+
+void note_meetings(const msg::Sightings& frame, const RobotPoses& robots, JointGaussian& joint,
+                   Time now) {
+  for (const auto& sighting : frame.items) {
+    if (sighting.object_class != "robot") continue;
+    const auto bearing = bearing_of(sighting, frame);
+    if (!bearing || !bearing->whole) continue;
+    const Gaussian2 seen = nearer(bearing->from_robot);
+    if (const auto expected = met(frame.robot, seen, robots, joint, now))
+      joint.correct(expected->terms, seen.mean_m - expected->from_robot_m, seen.covariance_m2);
+  }
+}
+
+}  // namespace galilean::monitor

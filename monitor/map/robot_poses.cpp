@@ -1,0 +1,89 @@
+#include "monitor/map/robot_poses.h"
+
+#include <utility>
+
+#include "monitor/map/robot_motion.h"
+
+namespace galilean::monitor {
+namespace {
+
+/// How well a person places a robot, or says where it is.
+constexpr double kPlaced_m = 0.06;
+constexpr double kPlaced_rad = 0.15;
+/// Of the one whose frame is the map's.
+constexpr double kReference = 1e-3;
+/// Of robots of which nothing is said.
+constexpr double kGuessed_m = 0.15;
+constexpr double kGuessed_rad = 0.2;
+/// Dead reckoning before it was first heard, a metre from its start.
+constexpr double kUnheard_mpm = 0.1;
+constexpr double kUnheard_radpm = 0.08;
+
+constexpr double kFastest_mps = 1.5;
+constexpr double kJitter_m = 0.3;
+constexpr double kSetDown_m = 0.05;  ///< what a restart may have moved a robot
+constexpr double kSetDown_rad = 0.1;
+
+Pose2 composed(const Pose2& frame, const Pose2& in_frame) {
+  return {frame.position_m + rotated(in_frame.position_m, frame.heading_rad),
+          wrap_angle(frame.heading_rad + in_frame.heading_rad)};
+}
+
+}  // namespace
+
+void RobotPoses::place(const std::string& robot, const Pose2& in_odom, Time now) {
+  const auto given = starts_.find(robot);
+  const bool reference = starts_.empty() && robots_.empty();
+  const Pose2 origin = given != starts_.end() ? given->second
+                       : starts_.empty()      ? Pose2{}
+                                              : starts_.begin()->second;
+  double position_m = reference ? kReference : given != starts_.end() ? kPlaced_m : kGuessed_m;
+  double heading_rad = reference ? kReference : given != starts_.end() ? kPlaced_rad : kGuessed_rad;
+  if (!reference) {
+    position_m += kUnheard_mpm * in_odom.position_m.norm();
+    heading_rad += kUnheard_radpm * in_odom.position_m.norm();
+  }
+  const Pose2 at = composed(origin, in_odom);
+  RobotVector mean = RobotVector::Zero();
+  mean.head<3>() << at.position_m, at.heading_rad;
+  robots_[robot] = {joint_.add(mean, start_covariance(position_m, heading_rad)), in_odom, now};
+}
+
+void RobotPoses::move(const std::string& robot, const Pose2& in_odom, bool touching, Time now) {
+  const auto known = robots_.find(robot);
+  if (known == robots_.end()) return place(robot, in_odom, now);
+  Robot& moving = known->second;
+  OdometryStep step = step_between(moving.in_odom, in_odom);
+  step.touching = touching;
+  if (std::exchange(moving.touching, touching) != touching)
+    joint_.replace(moving.part, kSlip, touching ? kTouchingSlip : 0, touching ? kTouchingSlip2 : 0);
+  const double since_s = std::max(0.0, to_seconds(now - moving.moved));
+  moving.in_odom = in_odom;
+  moving.moved = now;
+  if (step.by_m.norm() > kJitter_m + kFastest_mps * since_s) {
+    RobotMatrix noise = start_covariance(kSetDown_m, kSetDown_rad);
+    noise.bottomRightCorner<4, 4>().setZero();
+    joint_.blur(moving.part, noise);
+    return;
+  }
+  const Moved now_at = galilean::monitor::moved(joint_.mean(moving.part), step);
+  joint_.move(moving.part, now_at.mean, now_at.jacobian, now_at.noise);
+}
+
+Pose2 RobotPoses::pose(const std::string& robot) const {
+  const auto mean = joint_.mean(part(robot));
+  return {{mean[0], mean[1]}, wrap_angle(mean[2])};
+}
+
+Gaussian2 RobotPoses::position(const std::string& robot) const {
+  return {joint_.mean(part(robot)).head<2>(), joint_.covariance(part(robot)).topLeftCorner<2, 2>()};
+}
+
+Pose2 RobotPoses::frame(const std::string& robot) const {
+  const Pose2 in_map = pose(robot);
+  const Pose2& in_odom = robots_.at(robot).in_odom;
+  const double turn_rad = in_map.heading_rad - in_odom.heading_rad;
+  return {in_map.position_m - rotated(in_odom.position_m, turn_rad), wrap_angle(turn_rad)};
+}
+
+}  // namespace galilean::monitor

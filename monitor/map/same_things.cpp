@@ -1,0 +1,167 @@
+#include "monitor/map/same_things.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace galilean::monitor {
+namespace {
+
+constexpr double kWellKnown_m = 0.10;   ///< standard deviation of a distance
+constexpr double kNeighbours_m = 0.30;  ///< things that two robots saw, if nearer, may be one
+constexpr double kTwins_m = 0.12;       ///< things that one robot saw, likewise
+constexpr double kMatchedWithin_m = 1.2;
+constexpr double kPointDeviation_m = 0.08;
+/// Narrower where all pairs are tried: two dozen things in a room agree by chance otherwise.
+constexpr double kSearchDeviation_m = 0.06;
+/// A robot that lost its way sees anew what it knew before.
+constexpr Duration kLately = std::chrono::seconds(10);
+constexpr double kLeastSpread_m = 0.8;
+constexpr double kAlreadyThere_m = 0.5, kAlreadyThere_rad = 0.2;
+constexpr double kTransported_m = 0.10, kTransported_rad = 0.05;
+
+/// Two robots never saw them in one frame as two.
+bool seen_at_once(const Thing& a, const Thing& b) {
+  return std::ranges::any_of(a.seen_by, [&](const auto& seen) {
+    const auto other = b.seen_by.find(seen.first);
+    return other != b.seen_by.end() && other->second == seen.second;
+  });
+}
+
+bool share_an_observer(const Thing& a, const Thing& b) {
+  return std::ranges::any_of(a.seen_by,
+                             [&](const auto& seen) { return b.was_seen_by(seen.first); });
+}
+
+bool may_be_one(const Thing& a, const Thing& b) {
+  return a.id != b.id && a.object_class == b.object_class && a.object_class != "obstacle" &&
+         !seen_at_once(a, b);
+}
+
+JointGaussian::Terms difference(const Thing& a, const Thing& b) {
+  return {{a.part, Mat2::Identity()}, {b.part, -Mat2::Identity()}};
+}
+
+bool are_near(const RigidFit& a, const RigidFit& b) {
+  return (a.transform.position_m - b.transform.position_m).norm() < 0.3 &&
+         std::abs(wrap_angle(a.transform.heading_rad - b.transform.heading_rad)) < 0.1;
+}
+
+}  // namespace
+
+void SameThings::unite_neighbours() {
+  while (const auto pair = nearest_neighbours()) things_.unite(pair->kept, pair->same);
+}
+
+std::optional<SameThings::Pair> SameThings::nearest_neighbours() const {
+  std::optional<Pair> best;
+  const auto& all = things_.all();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = i + 1; j < all.size(); ++j) {
+      if (!may_be_one(all[i], all[j])) continue;
+      const Vec2 apart = joint_.mean(all[i].part) - joint_.mean(all[j].part);
+      const double within_m = share_an_observer(all[i], all[j]) ? kTwins_m : kNeighbours_m;
+      if (apart.norm() > within_m) continue;
+      const Mat2 covariance = joint_.covariance(difference(all[i], all[j]));
+      if (covariance.trace() > 2 * kWellKnown_m * kWellKnown_m) continue;
+      const double distance = apart.dot(covariance.inverse() * apart);
+      if (distance < same_thing_gate() && (!best || distance < best->squared_distance))
+        best = Pair{std::min(all[i].id, all[j].id), std::max(all[i].id, all[j].id), distance};
+    }
+  return best;
+}
+
+void SameThings::align(Time now) {
+  now_ = now;
+  const auto& robots = robots_.all();
+  if (robots.empty()) return;
+  auto next = robots.upper_bound(last_aligned_);
+  if (next == robots.end()) next = robots.begin();
+  last_aligned_ = next->first;
+  unite_agreeing(next->first);
+  if (next != robots.begin() && !shares_things(next->first)) search(next->first);
+}
+
+std::vector<PointPair> SameThings::pairs(const std::string& robot, bool inside_gate) const {
+  std::vector<PointPair> result;
+  const auto& all = things_.all();
+  const Time since = inside_gate ? now_ - kLately : Time::min();
+  for (const auto& own : all) {
+    if (!own.established() || !own.was_seen_by(robot, since)) continue;
+    for (const auto& other : all) {
+      if (!other.established() || other.was_seen_by(robot, since) || !may_be_one(own, other))
+        continue;
+      const Vec2 own_m = joint_.mean(own.part), other_m = joint_.mean(other.part);
+      if (inside_gate) {
+        const Vec2 apart = own_m - other_m;
+        if (apart.norm() > kMatchedWithin_m) continue;
+        const Mat2 covariance = joint_.covariance(difference(own, other)) +
+                                kPointDeviation_m * kPointDeviation_m * Mat2::Identity();
+        if (apart.dot(covariance.inverse() * apart) > same_thing_gate()) continue;
+      }
+      result.push_back({other_m, own_m, other.id, own.id});
+    }
+  }
+  return result;
+}
+
+void SameThings::unite_agreeing(const std::string& robot) {
+  const auto fit = fit_rigidly(pairs(robot, true), kPointDeviation_m, kLeastAgreeing);
+  if (fit.agreeing.empty() || fit.spread_m < kLeastSpread_m) return;
+  for (const auto& pair : fit.agreeing)
+    things_.unite(std::min(pair.map_index, pair.other_index),
+                  std::max(pair.map_index, pair.other_index));
+}
+
+bool SameThings::shares_things(const std::string& robot) const {
+  return std::ranges::any_of(things_.all(), [&](const Thing& thing) {
+    return thing.seen_by.size() > 1 && thing.was_seen_by(robot);
+  });
+}
+
+void SameThings::search(const std::string& robot) {
+  const auto all = pairs(robot, false);
+  const auto fit = fit_rigidly(all, kSearchDeviation_m, kLeastForUnknown);
+  const auto before = candidates_.find(robot);
+  if (fit.agreeing.empty() || fit.spread_m < kLeastSpread_m) {
+    candidates_.erase(robot);
+    return;
+  }
+  if (before != candidates_.end() && are_near(before->second, fit)) {
+    transport(robot, fit);
+    candidates_.erase(robot);
+    return;
+  }
+  candidates_[robot] = fit;
+}
+
+void SameThings::transport(const std::string& robot, const RigidFit& fit) {
+  const Vec2 from_m = robots_.pose(robot).position_m;
+  if ((fit.to_map(from_m) - from_m).norm() < kAlreadyThere_m &&
+      std::abs(fit.transform.heading_rad) < kAlreadyThere_rad)
+    return;
+  JointGaussian::Terms moved;
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(fit.transform.heading_rad).toRotationMatrix();
+  const auto move = [&](JointGaussian::Part part) {
+    Eigen::VectorXd mean = joint_.mean(part);
+    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Identity(mean.size(), mean.size());
+    jacobian.topLeftCorner<2, 2>() = turn;
+    mean.head<2>() = fit.to_map(mean.head<2>());
+    if (mean.size() > 2) mean[2] += fit.transform.heading_rad;
+    joint_.move(part, mean, jacobian, Eigen::MatrixXd::Zero(mean.size(), mean.size()));
+    const Vec2 arm = mean.head<2>() - fit.transform.position_m;
+    Eigen::MatrixXd shared = Eigen::MatrixXd::Zero(mean.size(), 3);
+    shared.topLeftCorner<2, 2>().setIdentity();
+    shared.col(2).head<2>() << -arm.y(), arm.x();
+    if (mean.size() > 2) shared(2, 2) = 1;
+    moved.push_back({part, shared});
+  };
+  move(robots_.part(robot));
+  for (const auto& thing : things_.all())
+    if (thing.seen_by.size() == 1 && thing.was_seen_by(robot)) move(thing.part);
+  const Eigen::Vector3d deviations(kTransported_m, kTransported_m, kTransported_rad);
+  joint_.blur(moved, deviations.cwiseAbs2().asDiagonal());
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "monitor/map/rigid_fit.h"
+#include "monitor/map/things.h"
+
+namespace galilean::monitor {
+
+/// Finds out which things were noted twice, by two robots that did not know well enough where they
+/// are, or by one that lost its way; and so where those robots are.
+///
+///   law     two things of a class near one another are one where their places are known well and
+///           nothing else comes into question. Where they are not, the things of a robot and those
+///           of the others are matched by the rigid transformation that most of them agree on.
+///           Where a robot shares nothing with the others, because it
+///           is not where it was said to be, all
+///           pairs of a class are tried; a transformation that at least kLeastForUnknown agree on,
+///           twice running, moves the robot and what it alone saw.
+///   source  mrpt::tfest
+class SameThings {
+ public:
+  static constexpr std::size_t kLeastAgreeing = 5;
+  static constexpr std::size_t kLeastForUnknown = 8;
+
+  SameThings(JointGaussian& joint, RobotPoses& robots, Things& things)
+      : joint_(joint), robots_(robots), things_(things) {}
+
+  void unite_neighbours();
+  /// Of one robot, another one with each call.
+  void align(Time now);
+
+ private:
+  struct Pair {
+    std::uint64_t kept, same;
+    double squared_distance;
+  };
+
+  [[nodiscard]] std::optional<Pair> nearest_neighbours() const;
+  void unite_agreeing(const std::string& robot);
+  [[nodiscard]] bool shares_things(const std::string& robot) const;
+  void search(const std::string& robot);
+  void transport(const std::string& robot, const RigidFit& fit);
+  [[nodiscard]] std::vector<PointPair> pairs(const std::string& robot, bool inside_gate) const;
+
+  JointGaussian& joint_;
+  RobotPoses& robots_;
+  Things& things_;
+  Time now_{};
+  std::map<std::string, RigidFit> candidates_;  ///< found once
+  std::string last_aligned_;
+};
+
+}  // namespace galilean::monitor

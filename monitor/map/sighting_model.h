@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+
+#include "core/wire/messages.h"
+#include "monitor/map/gaussian.h"
+#include "monitor/map/joint_gaussian.h"
+
+namespace galilean::monitor {
+
+/// Where a robot saw something, from its centre: x forward, y left.
+struct Bearing {
+  Gaussian2 from_robot;
+  bool whole = false;  ///< no edge of the picture cuts it: its place can be relied upon
+};
+
+/// Nothing if the message is none that a robot can mean.
+[[nodiscard]] std::optional<Bearing> bearing_of(const msg::Sighting& sighting,
+                                                const msg::Sightings& frame);
+
+/// What is expected of a sighting, and how it depends on what is estimated.
+///   law  expected = R(-heading) (thing - robot)
+struct Expected {
+  Vec2 from_robot_m;
+  JointGaussian::Terms terms;
+};
+/// `seen`'s first two numbers are its place in the map frame: a thing or another robot.
+[[nodiscard]] Expected expected_sighting(const JointGaussian& joint, JointGaussian::Part robot,
+                                         JointGaussian::Part seen);
+
+/// How well a sighting fits what is expected of it: squared Mahalanobis distance, and the standard
+/// deviation of what is expected alone, along its longest axis.
+struct Fit {
+  double squared_distance = 0;
+  double deviation_m = 0;
+};
+[[nodiscard]] Fit fit_of(const JointGaussian& joint, const Expected& expected,
+                         const Gaussian2& from_robot);
+
+/// The place of something seen, as a function of the robot's pose.
+struct Placed {
+  Vec2 in_map_m;
+  JointGaussian::Terms of;
+  Mat2 noise_m2;
+};
+[[nodiscard]] Placed place_of(const JointGaussian& joint, JointGaussian::Part robot,
+                              const Gaussian2& from_robot);
+
+}  // namespace galilean::monitor

@@ -1,0 +1,60 @@
+#include "monitor/map/thing.h"
+
+#include <algorithm>
+
+namespace galilean::monitor {
+namespace {
+
+/// Trash is carried away; what else is missing is rather hidden.
+double absence_noticed_s(const std::string& object_class) {
+  return object_class == "trash" ? 1.5 : 6;
+}
+
+}  // namespace
+
+void Thing::confirm(const std::string& robot, Time now) {
+  fade(now);
+  certainty = 1 - (1 - certainty) * kDoubtKept;
+  ++sightings;
+  absent_s = 0;
+  last_seen = seen_by[robot] = now;
+}
+
+void Thing::fade(Time now) {
+  certainty = std::max(0.0, certainty - to_seconds(now - faded) / kMemory_s);
+  faded = now;
+}
+
+void Thing::doubt(double for_s) {
+  absent_s += for_s;
+  certainty = std::max(0.0, certainty - for_s / absence_noticed_s(object_class));
+}
+
+bool Thing::forgotten(Time now) const noexcept {
+  const bool kept =
+      established() && object_class != "obstacle" && to_seconds(now - last_seen) < kLandmark_s;
+  return absent_s > absence_noticed_s(object_class) || (certainty <= 0 && !kept);
+}
+
+void Thing::absorb(const Thing& other) {
+  certainty = std::max(certainty, other.certainty);
+  sightings += other.sightings;
+  last_seen = std::max(last_seen, other.last_seen);
+  absent_s = std::min(absent_s, other.absent_s);
+  for (const auto& [robot, at] : other.seen_by) seen_by[robot] = std::max(seen_by[robot], at);
+}
+
+bool Thing::was_seen_by(const std::string& robot, Time since) const {
+  const auto seen = seen_by.find(robot);
+  return seen != seen_by.end() && seen->second > since;
+}
+
+std::vector<std::string> Thing::observers() const {
+  std::vector<std::string> names;
+  for (const auto& [robot, at] : seen_by) names.push_back(robot);
+  std::ranges::stable_sort(
+      names, [&](const auto& a, const auto& b) { return seen_by.at(a) > seen_by.at(b); });
+  return names;
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/clock.h"
+#include "monitor/map/joint_gaussian.h"
+
+namespace galilean::monitor {
+
+/// Something that stands on the floor, as the team remembers it. Its place is a part of the joint
+/// distribution.
+///
+///   law     certainty c becomes 1 - (1 - c) · kDoubtKept with each sighting and falls by 1 in
+///           kMemory. At 0 it is told no more, but kept for kLandmark as something to find one's
+///           way by. It is forgotten when somebody had its place in plain view for long enough and
+///           saw nothing. What was seen less than kLeastSightings times may be a trick of the
+///           light: it is not told, nor kept.
+///   source  the paper's minute of memory; the rest is ours
+struct Thing {
+  static constexpr double kMemory_s = 60;
+  static constexpr double kLandmark_s = 900;
+  static constexpr double kDoubtKept = 0.6;
+  static constexpr unsigned kLeastSightings = 3;
+
+  std::uint64_t id = 0;  ///< the same as long as it is remembered
+  std::string object_class;
+  JointGaussian::Part part = 0;
+  Time last_seen{};
+  Time faded{};  ///< until when the decay is reckoned in
+  double certainty = 0;
+  unsigned sightings = 0;
+  double absent_s = 0;                  ///< its place was in plain view for so long, and empty
+  std::map<std::string, Time> seen_by;  ///< robots, and when each saw it last
+
+  void confirm(const std::string& robot, Time now);
+  void fade(Time now);
+  /// Its place was in plain view for so long, and empty.
+  void doubt(double for_s);
+  /// It is the same as `other`, which was noted twice.
+  void absorb(const Thing& other);
+
+  [[nodiscard]] bool forgotten(Time now) const noexcept;
+  [[nodiscard]] bool established() const noexcept {
+    return sightings >= kLeastSightings || object_class == "obstacle";
+  }
+  [[nodiscard]] bool told() const noexcept { return established() && certainty > 0; }
+  [[nodiscard]] bool was_seen_by(const std::string& robot) const { return seen_by.contains(robot); }
+  [[nodiscard]] bool was_seen_by(const std::string& robot, Time since) const;
+  /// The latest first.
+  [[nodiscard]] std::vector<std::string> observers() const;
+};
+
+}  // namespace galilean::monitor

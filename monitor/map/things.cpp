@@ -1,0 +1,114 @@
+#include "monitor/map/things.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace galilean::monitor {
+namespace {
+
+constexpr double kSamePlace_m = 0.02;     ///< what is known of two notes of one thing
+constexpr double kTouchedAgain_m = 0.20;  ///< obstacles nearer to one another are one
+
+constexpr double kPushedWithin_m = 0.42;
+constexpr double kPushed_m2ps = 4e-3;
+
+bool is_thing(const msg::Sighting& sighting) {
+  return sighting.object_class != "robot" && sighting.object_class != "obstacle";
+}
+
+}  // namespace
+
+Gaussian2 Things::place(const Thing& thing) const {
+  return {joint_.mean(thing.part), joint_.covariance(thing.part)};
+}
+
+Thing* Things::find(std::uint64_t id) {
+  const auto found = std::ranges::find(things_, id, &Thing::id);
+  return found == things_.end() ? nullptr : &*found;
+}
+
+void Things::see(const msg::Sightings& frame, Time now) {
+  const auto robot = robots_.part(frame.robot);
+  std::vector<Seen> seen;
+  for (const auto& sighting : frame.items)
+    if (const auto bearing = bearing_of(sighting, frame); bearing && is_thing(sighting))
+      seen.push_back({&sighting, *bearing, std::nullopt});
+  // One by one: each that is sure tells better where to look for the next.
+  while (const auto next = match(seen, robot)) {
+    seen[next->seen].thing = next->thing;
+    Thing& thing = things_[next->thing];
+    thing.confirm(frame.robot, now);
+    if (next->is_sure && seen[next->seen].bearing.whole)
+      correct(thing, seen[next->seen].bearing, robot);
+  }
+  doubt_unseen(frame, seen, now);
+  for (const auto& each : seen)
+    if (!each.thing && each.bearing.whole)
+      note(each.sighting->object_class, frame.robot, each.bearing.from_robot, 1 - Thing::kDoubtKept,
+           now);
+}
+
+void Things::correct(const Thing& thing, const Bearing& bearing, JointGaussian::Part robot) {
+  const auto expected = expected_sighting(joint_, robot, thing.part);
+  joint_.correct(expected.terms, bearing.from_robot.mean_m - expected.from_robot_m,
+                 bearing.from_robot.covariance_m2);
+}
+
+void Things::note(const std::string& object_class, const std::string& robot,
+                  const Gaussian2& from_robot, double certainty, Time now, std::uint64_t id) {
+  const auto placed = place_of(joint_, robots_.part(robot), from_robot);
+  if (object_class == "obstacle")
+    for (auto& thing : things_)
+      if (thing.object_class == object_class &&
+          (place(thing).mean_m - placed.in_map_m).norm() < kTouchedAgain_m) {
+        thing.confirm(robot, now);
+        return;
+      }
+  make_room();
+  Thing& thing = things_.emplace_back();
+  thing.id = id ? id : next_id();
+  thing.object_class = object_class;
+  thing.part = joint_.add(placed.in_map_m, placed.of, placed.noise_m2);
+  thing.certainty = certainty;
+  thing.sightings = id ? Thing::kLeastSightings : 1;
+  thing.faded = thing.last_seen = thing.seen_by[robot] = now;
+}
+
+void Things::fade(Time now) {
+  for (auto& thing : things_) thing.fade(now);
+  for (const auto& thing : things_)
+    if (thing.forgotten(now)) joint_.remove(thing.part);
+  std::erase_if(things_, [&](const Thing& thing) { return thing.forgotten(now); });
+}
+
+void Things::forget(std::uint64_t id) {
+  if (const Thing* thing = find(id)) joint_.remove(thing->part);
+  std::erase_if(things_, [&](const Thing& thing) { return thing.id == id; });
+}
+
+void Things::make_room() {
+  if (things_.size() < kMostThings) return;
+  forget(std::ranges::min_element(things_, {}, &Thing::certainty)->id);
+}
+
+void Things::unite(std::uint64_t kept, std::uint64_t same) {
+  Thing* thing = find(kept);
+  const Thing* other = find(same);
+  if (!thing || !other || thing == other) return;
+  const JointGaussian::Terms difference{{other->part, Mat2::Identity()},
+                                        {thing->part, -Mat2::Identity()}};
+  joint_.correct(difference, joint_.mean(thing->part) - joint_.mean(other->part),
+                 kSamePlace_m * kSamePlace_m * Mat2::Identity());
+  thing->absorb(*other);
+  forget(same);
+}
+
+void Things::blur_around(const std::string& robot, double for_s) {
+  const Vec2 at_m = robots_.pose(robot).position_m;
+  for (const auto& thing : things_)
+    if (thing.object_class != "obstacle" &&
+        (joint_.mean(thing.part) - at_m).norm() < kPushedWithin_m)
+      joint_.blur(thing.part, kPushed_m2ps * for_s * Mat2::Identity());
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/wire/messages.h"
+#include "monitor/map/robot_poses.h"
+#include "monitor/map/sighting_model.h"
+#include "monitor/map/thing.h"
+
+namespace galilean::monitor {
+
+/// What stands on the floor, estimated together with the robots that saw it.
+///
+///   reads   Sightings, after the robot was moved to their pose
+///   law     a sighting belongs to the thing of its class that is nearest by Mahalanobis distance
+///           and inside the gate, each thing to one sighting of a frame at most: what is seen as
+///           two stays two. It corrects thing and robot. Where two things come into question alike,
+///           it corrects neither; where where to look is not known well, it makes a new thing, and
+///           SameThings finds out.
+class Things {
+ public:
+  Things(JointGaussian& joint, const RobotPoses& robots) : joint_(joint), robots_(robots) {}
+
+  void see(const msg::Sightings& frame, Time now);
+  /// Something that a robot touched or put down, `from_robot` of its centre. What is touched again
+  /// is the same, and tells nothing of where the robot is.
+  void note(const std::string& object_class, const std::string& robot, const Gaussian2& from_robot,
+            double certainty, Time now, std::uint64_t id = 0);
+  /// Lets certainties fade and forgets what reached 0.
+  void fade(Time now);
+  void forget(std::uint64_t id);
+  /// `same` is `kept`, noted twice: corrects all that hangs on either.
+  void unite(std::uint64_t kept, std::uint64_t same);
+  /// What stands so near to a moving robot may be pushed by it.
+  void blur_around(const std::string& robot, double for_s);
+
+  [[nodiscard]] const std::vector<Thing>& all() const noexcept { return things_; }
+  [[nodiscard]] Gaussian2 place(const Thing& thing) const;
+  [[nodiscard]] std::uint64_t next_id() noexcept { return ++last_id_; }
+
+ private:
+  struct Seen {
+    const msg::Sighting* sighting;
+    Bearing bearing;
+    std::optional<std::size_t> thing;  ///< that it belongs to
+  };
+  struct Match {
+    double squared_distance;
+    std::size_t seen, thing;
+    bool is_sure = false;  ///< nothing else comes into question
+  };
+  static constexpr std::size_t kMostThings = 160;
+
+  /// The surest among what is not matched yet.
+  [[nodiscard]] std::optional<Match> match(const std::vector<Seen>& seen,
+                                           JointGaussian::Part robot) const;
+  void correct(const Thing& thing, const Bearing& bearing, JointGaussian::Part robot);
+  void doubt_unseen(const msg::Sightings& frame, const std::vector<Seen>& seen, Time now);
+  void make_room();
+  Thing* find(std::uint64_t id);
+
+  JointGaussian& joint_;
+  const RobotPoses& robots_;
+  std::vector<Thing> things_;
+  std::map<std::string, Time> last_frame_;
+  std::uint64_t last_id_ = 0;
+};
+
+}  // namespace galilean::monitor

@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "monitor/map/things.h"
+
+namespace galilean::monitor {
+namespace {
+
+/// Where to look must be known so well that the nearest thing can be the one meant.
+constexpr double kMostDeviation_m = 0.25;
+/// Another thing that fits nearly as well, by squared Mahalanobis distance.
+constexpr double kRivalMargin = 6;
+
+/// What a camera must see if it is there: not so near that the blob leaves the picture, not so far
+/// that it is small, and not at the picture's edge.
+constexpr double kPlainViewFrom_m = 0.6;
+constexpr double kPlainViewTo_m = 2.0;
+constexpr double kPictureEdge_rad = 0.10;
+constexpr double kHides_rad = 0.15;
+constexpr double kLongestPeriod_s = 0.5;
+constexpr double kPlainViewDeviation_m = 0.2;
+
+bool is_matched(std::size_t thing, const auto& seen) {
+  return std::ranges::any_of(seen, [&](const auto& each) { return each.thing == thing; });
+}
+
+bool has_rival(const auto& matches, const auto& best) {
+  return std::ranges::any_of(matches, [&](const auto& other) {
+    const bool same_sighting = other.seen == best.seen && other.thing != best.thing;
+    const bool same_thing = other.thing == best.thing && other.seen != best.seen;
+    return (same_sighting || same_thing) &&
+           other.squared_distance < best.squared_distance + kRivalMargin;
+  });
+}
+
+bool is_hidden(const msg::Sightings& frame, double azimuth_rad, double range_m) {
+  return std::ranges::any_of(frame.items, [&](const auto& other) {
+    return other.range_m < range_m &&
+           std::abs(wrap_angle(other.azimuth_rad - azimuth_rad)) < kHides_rad;
+  });
+}
+
+bool in_plain_view(const msg::Sightings& frame, const Vec2& from_robot_m) {
+  const double range_m = from_robot_m.norm();
+  const double azimuth_rad = std::atan2(from_robot_m.y(), from_robot_m.x());
+  return range_m > kPlainViewFrom_m && range_m < kPlainViewTo_m &&
+         std::abs(azimuth_rad) < frame.view_angle_rad / 2 - kPictureEdge_rad &&
+         !is_hidden(frame, azimuth_rad, range_m);
+}
+
+}  // namespace
+
+std::optional<Things::Match> Things::match(const std::vector<Seen>& seen,
+                                           JointGaussian::Part robot) const {
+  std::vector<Match> matches;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].thing) continue;
+    for (std::size_t j = 0; j < things_.size(); ++j) {
+      if (things_[j].object_class != seen[i].sighting->object_class || is_matched(j, seen))
+        continue;
+      const auto expected = expected_sighting(joint_, robot, things_[j].part);
+      const Fit fit = fit_of(joint_, expected, seen[i].bearing.from_robot);
+      if (fit.squared_distance < same_thing_gate() && fit.deviation_m < kMostDeviation_m)
+        matches.push_back({fit.squared_distance, i, j});
+    }
+  }
+  if (matches.empty()) return std::nullopt;
+  for (auto& match : matches) match.is_sure = !has_rival(matches, match);
+  return *std::ranges::min_element(matches, {}, [](const Match& match) {
+    return std::pair(!match.is_sure, match.squared_distance);
+  });
+}
+
+void Things::doubt_unseen(const msg::Sightings& frame, const std::vector<Seen>& seen, Time now) {
+  const auto before = std::exchange(last_frame_.try_emplace(frame.robot, now).first->second, now);
+  const double period_s = std::min(to_seconds(now - before), kLongestPeriod_s);
+  const auto robot = robots_.part(frame.robot);
+  for (std::size_t j = 0; j < things_.size(); ++j) {
+    Thing& thing = things_[j];
+    if (thing.object_class == "obstacle" || is_matched(j, seen)) continue;
+    const auto expected = expected_sighting(joint_, robot, thing.part);
+    if (!in_plain_view(frame, expected.from_robot_m)) continue;
+    const Fit fit = fit_of(joint_, expected, {expected.from_robot_m, Mat2::Identity()});
+    if (fit.deviation_m < kPlainViewDeviation_m) thing.doubt(period_s);
+  }
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,110 @@
+#include "monitor/map/same_things.h"
+
+#include <gtest/gtest.h>
+
+namespace galilean::monitor {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Things of an office, in the map frame; no two pairs are equally far apart.
+const std::vector<std::pair<std::string, Vec2>> kThings{
+    {"basket", {0.7, 4.2}}, {"basket", {3.6, 3.4}}, {"basket", {4.8, 0.6}}, {"basket", {7.4, 5.2}},
+    {"trash", {1.3, 2.1}},  {"trash", {2.9, 1.2}},  {"trash", {5.5, 2.7}},  {"trash", {6.3, 4.4}},
+    {"trash", {2.2, 5.1}},  {"trash", {4.1, 4.9}}};
+
+class SameThingsTest : public testing::Test {
+ protected:
+  /// `robot` stands at `truly`, its odometer at 0, and sees everything.
+  void look(const std::string& robot, const Pose2& truly, std::size_t things = kThings.size()) {
+    msg::Sightings frame;
+    frame.robot = robot;
+    frame.view_angle_rad = 7;
+    for (std::size_t i = 0; i < things; ++i) {
+      const Vec2 at_m = rotated(kThings[i].second - truly.position_m, -truly.heading_rad);
+      msg::Sighting& item = frame.items.emplace_back();
+      item.object_class = kThings[i].first;
+      item.x_m = at_m.x();
+      item.y_m = at_m.y();
+      item.variance_xx = item.variance_yy = 4e-4;
+      item.range_m = static_cast<float>(at_m.norm());
+      item.left_px = item.top_px = 100;
+      item.right_px = item.bottom_px = 120;
+    }
+    for (int i = 0; i < 5; ++i) {
+      now += 100ms;
+      robots.move(robot, {}, false, now);
+      seen.see(frame, now);
+    }
+  }
+  void align(int times) {
+    for (int i = 0; i < times; ++i) {
+      same.align(now);
+      same.unite_neighbours();
+    }
+  }
+  void expect_at(const std::string& robot, const Pose2& truly, double within_m, double within_rad) {
+    const Pose2 pose = robots.pose(robot);
+    EXPECT_LT((pose.position_m - truly.position_m).norm(), within_m);
+    EXPECT_LT(std::abs(wrap_angle(pose.heading_rad - truly.heading_rad)), within_rad);
+  }
+
+  JointGaussian joint;
+  RobotPoses robots{joint};
+  Things seen{joint, robots};
+  SameThings same{joint, robots, seen};
+  Time now{1s};
+};
+
+TEST_F(SameThingsTest, ARobotPlacedRoughlyIsPutRightByWhatOthersSaw) {
+  robots.start_at("ganymede", {});
+  robots.start_at("io", {{0.1, -0.05}, 0.1});
+  look("ganymede", {});
+  look("io", {});
+  align(6);
+  EXPECT_EQ(seen.all().size(), kThings.size());
+  const Pose2 ganymede = robots.pose("ganymede"), io = robots.pose("io");
+  EXPECT_LT((ganymede.position_m - io.position_m).norm(), 0.03);
+  EXPECT_LT(std::abs(wrap_angle(ganymede.heading_rad - io.heading_rad)), 0.01);
+}
+
+TEST_F(SameThingsTest, ARobotThatStandsQuiteElsewhereIsFound) {
+  const Pose2 elsewhere{{3.4, 1.5}, 2.1};
+  look("ganymede", {});
+  look("io", elsewhere);
+  align(12);
+  expect_at("io", elsewhere, 0.05, 0.02);
+  EXPECT_EQ(seen.all().size(), kThings.size());
+}
+
+TEST_F(SameThingsTest, TooFewThingsInCommonMoveNothing) {
+  look("ganymede", {});
+  look("io", {{3, 1}, 1}, 4);
+  align(12);
+  expect_at("io", {}, 0.01, 0.01);
+}
+
+TEST_F(SameThingsTest, WhatOneRobotSeesAtOnceStaysTwo) {
+  msg::Sightings frame;
+  frame.robot = "io";
+  for (const double y_m : {-0.05, 0.05}) {
+    msg::Sighting item;
+    item.object_class = "trash";
+    item.x_m = 1;
+    item.y_m = y_m;
+    item.variance_xx = item.variance_yy = 1e-4;
+    item.range_m = 1;
+    item.left_px = item.top_px = item.right_px = item.bottom_px = 100;
+    frame.items.push_back(item);
+  }
+  for (int i = 0; i < 5; ++i) {
+    now += 100ms;
+    robots.move("io", {}, false, now);
+    seen.see(frame, now);
+    same.unite_neighbours();
+  }
+  EXPECT_EQ(seen.all().size(), 2U);
+}
+
+}  // namespace
+}  // namespace galilean::monitor

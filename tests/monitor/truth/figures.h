@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "tests/monitor/truth/mapped_contest.h"
+
+namespace galilean::monitor {
+
+/// Sums of squares, of errors or of Mahalanobis distances.
+struct Squares {
+  double sum = 0;
+  std::size_t count = 0;
+
+  void add(double square) {
+    sum += square;
+    ++count;
+  }
+  void add(const Squares& other) {
+    sum += other.sum;
+    count += other.count;
+  }
+  [[nodiscard]] double mean() const { return count ? sum / static_cast<double>(count) : 0; }
+  [[nodiscard]] double rms() const { return std::sqrt(mean()); }
+};
+
+/// How a map compares with the world, over some time. NEES: mean squared Mahalanobis distance
+/// between truth and estimate, 2 where covariances say what errors are.
+struct Figures {
+  Squares robot_m2, robot_nees, dead_reckoning_m2;
+  Squares thing_m2, thing_nees;    ///< trash seen in the last kLately
+  Squares basket_m2, basket_nees;  ///< all that are told
+  std::size_t told = 0;            ///< trash in the map that was seen in the last kLately
+  std::size_t right = 0;           ///< of that, what is there
+  std::size_t real = 0;            ///< trash that robots truly saw in the last kLately
+  std::size_t found = 0;           ///< of that, what is in the map
+  std::size_t all_told = 0, all_real = 0, baskets_told = 0, baskets_right = 0, looks = 0;
+
+  static constexpr double kLately_s = 10;
+  static constexpr double kSame_m = 0.30;  ///< a thing told so near to one that is there, is it
+
+  void add(const Figures& other);
+  [[nodiscard]] double precision() const { return told ? double(right) / double(told) : 1; }
+  [[nodiscard]] double recall() const { return real ? double(found) / double(real) : 1; }
+};
+
+/// Compares a mapped contest with the truth, each second between `from_s` and `to_s` of it.
+class TruthWatch {
+ public:
+  TruthWatch(MappedContest& contest, double from_s, double to_s);
+  void look(const MappedContest& contest, const msg::ObjectMap& map);
+  [[nodiscard]] const Figures& figures() const noexcept { return figures_; }
+
+ private:
+  void note_seen(const MappedContest& contest, std::size_t robot, const msg::Sightings& frame);
+  void look_at_robots(const MappedContest& contest, const msg::ObjectMap& map);
+  void look_at_trash(const MappedContest& contest, const msg::ObjectMap& map);
+  void look_at_baskets(const MappedContest& contest, const msg::ObjectMap& map);
+
+  double from_s_, to_s_;
+  std::map<std::size_t, Time> seen_;  ///< when a robot truly saw a piece last
+  Figures figures_;
+};
+
+}  // namespace galilean::monitor

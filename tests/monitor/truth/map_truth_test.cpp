@@ -1,0 +1,35 @@
+#include <gtest/gtest.h>
+
+#include "tests/monitor/truth/figures.h"
+
+namespace galilean::monitor {
+namespace {
+
+Figures after(double to_s, MappedContest::Starts starts) {
+  Figures all;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    MappedContest contest({.seed = seed, .duration_s = to_s, .starts = starts});
+    TruthWatch watch(contest, to_s - 20, to_s);
+    contest.run([&](const auto& now, const auto& map) { watch.look(now, map); });
+    all.add(watch.figures());
+  }
+  return all;
+}
+
+TEST(MapTruth, AfterAMinuteTheMapIsRight) {
+  const Figures figures = after(60, MappedContest::Starts::kMeasured);
+  EXPECT_LT(figures.robot_m2.rms(), 0.25);
+  EXPECT_LT(figures.robot_m2.rms(), figures.dead_reckoning_m2.rms() / 2);
+  EXPECT_LT(figures.thing_m2.rms(), 0.20);
+  EXPECT_GT(figures.recall(), 0.6);
+  EXPECT_LT(figures.basket_m2.rms(), 0.20);
+}
+
+TEST(MapTruth, AfterThreeMinutesItIsFarBetterThanDeadReckoning) {
+  const Figures figures = after(180, MappedContest::Starts::kMeasured);
+  EXPECT_LT(figures.robot_m2.rms(), figures.dead_reckoning_m2.rms() / 2);
+  EXPECT_LT(figures.thing_m2.rms(), 0.25);
+}
+
+}  // namespace
+}  // namespace galilean::monitor

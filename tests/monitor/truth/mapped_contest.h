@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "monitor/map/team_map.h"
+#include "robot/executive/snapshot.h"
+#include "robot/telemetry/compose.h"
+#include "sim/headless.h"
+
+namespace galilean::monitor {
+
+/// A headless contest whose robots' telemetry goes straight into a TeamMap: what the network would
+/// carry, at its rates, on the stepped clock. So the map can be held against the world's truth.
+class MappedContest {
+ public:
+  enum class Starts {
+    kMeasured,  ///< the map is told where robots truly stand
+    kRough,     ///< where the scenario says, before the jitter
+  };
+  struct Options {
+    std::uint64_t seed = 1;
+    double duration_s = 180;
+    Starts starts = Starts::kMeasured;
+    std::size_t robots = 3;
+  };
+
+  explicit MappedContest(const Options& options);
+
+  /// Runs it to its end; `look` is called each simulated second, after the map was updated.
+  void run(const std::function<void(const MappedContest&, const msg::ObjectMap&)>& look);
+
+  [[nodiscard]] const sim::HeadlessContest& contest() const noexcept { return *contest_; }
+  [[nodiscard]] const TeamMap& map() const noexcept { return map_; }
+  [[nodiscard]] Time now() const noexcept { return now_; }
+  /// Called with what a robot sent, before the map gets it; may be empty.
+  std::function<void(std::size_t robot, const msg::Sightings&)> on_sightings;
+
+ private:
+  static constexpr std::int64_t kEpoch_ns = 1'000'000'000'000;
+
+  struct Telemetry {
+    robot::SnapshotTap tap;
+    std::optional<robot::Composer> compose;
+    std::shared_ptr<const robot::Description> program;
+    std::uint64_t last_frame = 0;
+    Time next_report{};
+  };
+
+  void after_step(Time now);
+  void tell(std::size_t robot);
+  void tell_regularly(Telemetry& telemetry, const robot::Snapshot& snapshot);
+
+  TeamMap map_{std::chrono::seconds(2)};
+  SteppedClock stopped_;  ///< messages' own stamps are not what the map goes by
+  Registry components_;
+  std::vector<std::unique_ptr<Telemetry>> telemetry_;
+  std::unique_ptr<sim::HeadlessContest> contest_;
+  std::function<void(const MappedContest&, const msg::ObjectMap&)> look_;
+  Time now_{};
+  Time next_update_{};
+  Time next_look_{};
+};
+
+}  // namespace galilean::monitor

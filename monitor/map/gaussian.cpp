@@ -3,6 +3,8 @@
 #include <mrpt/math/distributions.h>
 #include <mrpt/poses/CPointPDFGaussian.h>
 
+#include <Eigen/Geometry>
+
 namespace galilean::monitor {
 namespace {
 
@@ -16,6 +18,10 @@ mrpt::poses::CPointPDFGaussian to_mrpt(const Gaussian2& from) {
 }
 
 }  // namespace
+
+Mat2 rotation_by(double angle_rad) {
+  return Eigen::Rotation2Dd(angle_rad).toRotationMatrix();
+}
 
 Gaussian2 fused(const Gaussian2& a, const Gaussian2& b) {
   mrpt::poses::CPointPDFGaussian both;
@@ -33,11 +39,6 @@ double squared_mahalanobis(const Gaussian2& a, const Gaussian2& b) {
 
 double same_thing_gate() {
   static const double kGate = mrpt::math::chi2inv(0.99, 2);
-  return kGate;
-}
-
-double same_pose_gate() {
-  static const double kGate = mrpt::math::chi2inv(0.999, 3);
   return kGate;
 }
 

@@ -10,6 +10,9 @@ struct Gaussian2 {
   Mat2 covariance_m2 = Mat2::Identity();
 };
 
+/// Turns vectors counter-clockwise by so much.
+[[nodiscard]] Mat2 rotation_by(double angle_rad);
+
 /// Both say where the same thing is: what follows from them together
 /// (mrpt::poses::CPointPDFGaussian).
 [[nodiscard]] Gaussian2 fused(const Gaussian2& a, const Gaussian2& b);
@@ -18,7 +21,5 @@ struct Gaussian2 {
 /// know. Of the same thing it is below `same_thing_gate()` with a probability of 99 %.
 [[nodiscard]] double squared_mahalanobis(const Gaussian2& a, const Gaussian2& b);
 [[nodiscard]] double same_thing_gate();
-/// chi²'s inverse for the three degrees of freedom of a pose, at 99.9 %.
-[[nodiscard]] double same_pose_gate();
 
 }  // namespace galilean::monitor

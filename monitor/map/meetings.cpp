@@ -9,9 +9,9 @@ namespace galilean::monitor {
 namespace {
 
 constexpr double kFreshPose_s = 0.3;
-constexpr double kMostDeviation_m = 0.6;
+constexpr double kVaguestMeeting_m = 0.6;
 /// A robot is too big and blurred a mark to tell more than things do.
-constexpr double kLeastDeviation_m = 0.15;
+constexpr double kSurestMeeting_m = 0.15;
 constexpr double kNearer = 0.75;
 constexpr double kRangeError = 0.3;
 /// Another robot that fits less badly than this could have been meant as well.
@@ -27,7 +27,7 @@ std::optional<Expected> met(const std::string& observer, const Gaussian2& from_r
     const Fit fit = fit_of(joint, expected, from_robot);
     if (fit.squared_distance > kRivalGate) continue;
     const bool fits = fit.squared_distance < same_thing_gate() &&
-                      fit.deviation_m < kMostDeviation_m && fit.deviation_m > kLeastDeviation_m;
+                      fit.deviation_m < kVaguestMeeting_m && fit.deviation_m > kSurestMeeting_m;
     if (found || !fits) return std::nullopt;
     found = expected;
   }

@@ -1,7 +1,8 @@
 #include "monitor/map/robot_motion.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
+
+#include "monitor/map/gaussian.h"
 
 namespace galilean::monitor {
 namespace {
@@ -23,10 +24,6 @@ constexpr double kSlipChange = 0.05;
 constexpr double kScale = 0.015;
 constexpr double kTurnScale = 0.02;
 constexpr double kCurvature_radpm = 0.01;
-
-Eigen::Matrix2d rotation(double angle_rad) {
-  return Eigen::Rotation2Dd(angle_rad).toRotationMatrix();
-}
 
 }  // namespace
 
@@ -55,7 +52,7 @@ Moved moved(const RobotVector& robot, const OdometryStep& step) {
   const double way_m = step.by_m.norm(), angle_rad = std::abs(step.turn_rad);
   const Vec2 position(kAlong_m2pm * way_m + kPosition_m2prad * angle_rad,
                       kAcross_m2pm * way_m + kPosition_m2prad * angle_rad);
-  const Mat2 turn = rotation(robot[2]);
+  const Mat2 turn = rotation_by(robot[2]);
   result.noise.setZero();
   result.noise.topLeftCorner<2, 2>() = turn * position.asDiagonal() * turn.transpose();
   result.noise(2, 2) = kHeading_rad2pm * way_m + kHeading_rad2prad * angle_rad;

@@ -1,6 +1,5 @@
 #include "monitor/map/same_things.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -142,7 +141,7 @@ void SameThings::transport(const std::string& robot, const RigidFit& fit) {
       std::abs(fit.transform.heading_rad) < kAlreadyThere_rad)
     return;
   JointGaussian::Terms moved;
-  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(fit.transform.heading_rad).toRotationMatrix();
+  const Mat2 turn = rotation_by(fit.transform.heading_rad);
   const auto move = [&](JointGaussian::Part part) {
     Eigen::VectorXd mean = joint_.mean(part);
     Eigen::MatrixXd jacobian = Eigen::MatrixXd::Identity(mean.size(), mean.size());

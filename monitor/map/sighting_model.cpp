@@ -1,6 +1,5 @@
 #include "monitor/map/sighting_model.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 
@@ -13,10 +12,6 @@ namespace {
 constexpr double kPlaceError_m = 0.02;
 /// A robot's foremost pixel may be of its nose or of its flank.
 constexpr double kRobotShape_m = 0.2;
-
-Mat2 rotation(double angle_rad) {
-  return Eigen::Rotation2Dd(angle_rad).toRotationMatrix();
-}
 
 bool is_sound(const msg::Sighting& sighting) {
   const bool finite = std::isfinite(sighting.x_m) && std::isfinite(sighting.y_m) &&
@@ -38,7 +33,7 @@ bool is_whole(const msg::Sighting& sighting) {
 std::optional<Bearing> bearing_of(const msg::Sighting& sighting, const msg::Sightings& frame) {
   if (!is_sound(sighting)) return std::nullopt;
   Bearing result;
-  const Mat2 turn = rotation(-frame.heading_rad);
+  const Mat2 turn = rotation_by(-frame.heading_rad);
   Mat2 in_odom;
   in_odom << sighting.variance_xx, sighting.variance_xy, sighting.variance_xy, sighting.variance_yy;
   const Vec2 from_robot_m = turn * Vec2(sighting.x_m - frame.x_m, sighting.y_m - frame.y_m);
@@ -54,7 +49,7 @@ Expected expected_sighting(const JointGaussian& joint, JointGaussian::Part robot
                            JointGaussian::Part seen) {
   const auto from = joint.mean(robot);
   const auto to = joint.mean(seen);
-  const Mat2 turn = rotation(-from[2]);
+  const Mat2 turn = rotation_by(-from[2]);
   Expected expected;
   expected.from_robot_m = turn * (to.head<2>() - from.head<2>());
   Eigen::MatrixXd of_robot = Eigen::MatrixXd::Zero(2, from.size());
@@ -79,7 +74,7 @@ Fit fit_of(const JointGaussian& joint, const Expected& expected, const Gaussian2
 Placed place_of(const JointGaussian& joint, JointGaussian::Part robot,
                 const Gaussian2& from_robot) {
   const auto from = joint.mean(robot);
-  const Mat2 turn = rotation(from[2]);
+  const Mat2 turn = rotation_by(from[2]);
   const Vec2 offset = turn * from_robot.mean_m;
   Eigen::MatrixXd of_robot = Eigen::MatrixXd::Zero(2, from.size());
   of_robot.leftCols<2>().setIdentity();

@@ -30,6 +30,7 @@ msg::Sightings frame(const std::string& robot, const Pose2& from,
     item.range_m = static_cast<float>(towards.norm());
     item.azimuth_rad =
         static_cast<float>(wrap_angle(std::atan2(towards.y(), towards.x()) - from.heading_rad));
+    item.left_px = item.top_px = item.right_px = item.bottom_px = 100;
   }
   return result;
 }
@@ -152,7 +153,8 @@ TEST_F(MapTest, TheFloorIsFreeWhereItWasCrossedAndOccupiedWhereItWasBumpedInto) 
 }
 
 TEST_F(MapTest, MarkersShowEveryObjectAndRobot) {
-  map.note(frame("io", io, {{"trash", {1, 0}}, {"basket", {2, 1}}}), now);
+  for (int i = 0; i < 3; ++i, step())
+    map.note(frame("io", io, {{"trash", {1, 0}}, {"basket", {2, 1}}}), now);
   map.note(at("io", io), now);
   EXPECT_EQ(markers(objects()).markers.size(), 4U);
 }

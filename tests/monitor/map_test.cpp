@@ -56,13 +56,18 @@ class MapTest : public testing::Test {
   TeamMap map{2s};
   Time now{1s};
   const Pose2 io{{0, 0}, 0};
-  const Pose2 ganymede{{2, 0}, kPi};
+  /// Face to face, 2 m apart; each odom frame begins where its robot stands.
+  void place_both() {
+    map.start_at("io", io);
+    map.start_at("ganymede", {{2, 0}, kPi});
+  }
 };
 
 TEST_F(MapTest, TwoCansFifteenCentimetresApartStayTwo) {
+  place_both();
   for (int i = 0; i < 50; ++i, step()) {
     map.note(frame("io", io, {{"trash", {1, 0.075}}, {"trash", {1, -0.075}}}), now);
-    map.note(frame("ganymede", ganymede, {{"trash", {1.01, 0.085}}, {"trash", {1, -0.065}}}), now);
+    map.note(frame("ganymede", {}, {{"trash", {0.99, -0.085}}, {"trash", {1, 0.065}}}), now);
   }
   const auto seen = objects().objects;
   ASSERT_EQ(seen.size(), 2U);
@@ -70,9 +75,10 @@ TEST_F(MapTest, TwoCansFifteenCentimetresApartStayTwo) {
 }
 
 TEST_F(MapTest, ACanThatTwoRobotsSeeIsOne) {
+  place_both();
   for (int i = 0; i < 10; ++i, step()) {
     map.note(frame("io", io, {{"trash", {1, 0}}}), now);
-    map.note(frame("ganymede", ganymede, {{"trash", {1.05, 0.03}}}), now + 10ms);
+    map.note(frame("ganymede", {}, {{"trash", {0.95, -0.03}}}), now + 10ms);
   }
   const auto seen = objects().objects;
   ASSERT_EQ(seen.size(), 1U);

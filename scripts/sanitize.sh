@@ -15,7 +15,7 @@ target=unit_tests
 [ "$kind" = thread ] && target=thread_tests
 ninja -C "$dir" $target >"$dir/build.log" 2>&1 || { grep -A20 -E 'FAILED|error' "$dir/build.log" | head -100; exit 1; }
 
-export UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
+export UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS="halt_on_error=1 suppressions=$PWD/tests/sanitizers/thread.supp"
 # Whole programs one after another: to start one a test takes longer here than the test.
 status=0
 for program in "$dir"/tests/*_test; do

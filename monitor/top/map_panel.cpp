@@ -32,10 +32,10 @@ void for_each_known(const msg::OccupancyGrid& floor, Visit visit) {
   const std::size_t cells =
       std::min<std::size_t>(floor.data.size(), std::size_t{info.width} * std::size_t{info.height});
   for (std::size_t i = 0; i < cells; ++i) {
-    const int percent = floor.data[i];
+    const std::int8_t percent = floor.data[i];
     if (percent < 0 || (percent > kFreePercent && percent < kOccupiedPercent)) continue;
-    const Vec2 cell(static_cast<double>(i % info.width) + 0.5,
-                    static_cast<double>(i / info.width) + 0.5);
+    const std::size_t column = i % info.width, row = i / info.width;
+    const Vec2 cell(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
     const Vec2 origin(info.origin.position.x, info.origin.position.y);
     visit(Vec2(origin + cell * double{info.resolution}), percent >= kOccupiedPercent);
   }

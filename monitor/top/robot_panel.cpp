@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "monitor/top/panels.h"
 
@@ -11,7 +12,7 @@ int first_shown(int count, int room, int wanted) {
 }
 
 void draw_bar(int row, int column, int width, double certainty, Style style, Canvas& canvas) {
-  const int full = std::clamp(static_cast<int>(certainty * width + 0.5), 0, width);
+  const int full = std::clamp(static_cast<int>(std::lround(certainty * width)), 0, width);
   for (int i = 0; i < width; ++i)
     canvas.set(row, column + i, i < full ? U'█' : U'·', i < full ? style : Style::kDim);
 }
@@ -28,7 +29,7 @@ void draw_variable(const ShownVariable& variable, int row, const Area& area, Can
   const int bar = area.column + kName + 1;
   draw_bar(row, bar, kBar, variable.certainty, bar_style(variable.certainty), canvas);
   canvas.put_right(row, bar + kBar + kPercent,
-                   std::to_string(static_cast<int>(variable.certainty * 100 + 0.5)) + "%", style);
+                   std::to_string(std::lround(variable.certainty * 100)) + "%", style);
   canvas.put(row, bar + kBar + kPercent + 1, variable.value, style,
              area.columns - (kName + 1 + kBar + kPercent + 1));
 }

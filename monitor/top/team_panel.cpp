@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "monitor/top/panels.h"
@@ -14,11 +15,11 @@ std::string one_decimal(double number, const char* unit) {
 }
 
 std::string microseconds(double time_us) {
-  return std::to_string(static_cast<long>(std::clamp(time_us, 0.0, 1e6) + 0.5)) + "µ";
+  return std::to_string(std::lround(std::clamp(time_us, 0.0, 1e6))) + "µ";
 }
 
 std::string percent(double fraction) {
-  return std::to_string(static_cast<int>(fraction * 100 + 0.5)) + "%";
+  return std::to_string(std::lround(fraction * 100)) + "%";
 }
 
 std::string clock_text(double seconds) {

@@ -43,7 +43,7 @@ struct Canvas {
 [[nodiscard]] inline int first_pixel(float edge, int limit) noexcept {
   if (!(edge > 0)) return 0;
   if (edge >= static_cast<float>(limit)) return limit;
-  const int pixel = static_cast<int>(edge + 0.5f);
+  const int pixel = static_cast<int>(edge + 0.5f);  // NOLINT(bugprone-incorrect-roundings): > 0
   return pixel < limit ? pixel : limit;
 }
 

@@ -55,19 +55,21 @@ function(galilean_benchmark name)
   galilean_precompile(${name} galilean_headers)
 endfunction()
 
-# galilean_test(NAME [THREADS] [DDS] SOURCES a_test.cpp … LINK lib …): a GoogleTest program, run by ctest.
+# galilean_test(NAME [THREADS] [DDS] [LONG] SOURCES a_test.cpp … LINK lib …): a GoogleTest program, run by ctest.
 # One program a folder keeps linking cheap; ctest still lists every test by its own name.
 # THREADS marks tests that run under ThreadSanitizer as well; DDS those that must not run beside one
-# another, since they would hear one another.
+# another, since they would hear one another; LONG those that would take minutes under sanitizers.
 function(galilean_test name)
-  cmake_parse_arguments(arg "THREADS;DDS" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "THREADS;DDS;LONG" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gmock GTest::gtest_main
                                         galilean_runs_once galilean_warnings)
   target_compile_definitions(${name} PRIVATE GALILEAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                              GALILEAN_BINARY_DIR="${PROJECT_BINARY_DIR}")
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
-  add_dependencies(unit_tests ${name})
+  if(NOT arg_LONG)
+    add_dependencies(unit_tests ${name})
+  endif()
   galilean_precompile(${name} galilean_test_headers)
   set(label unit)
   if(arg_THREADS)

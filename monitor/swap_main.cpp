@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "bhdl/catalog_file.h"
+#include "core/account.h"
 #include "monitor/programs/json.h"
 #include "monitor/programs/target_check.h"
 #include "monitor/programs/team_listener.h"
@@ -21,7 +22,7 @@ struct Options {
   std::string file;
   bool team = false;
   std::vector<std::string> robots;
-  std::string author;
+  std::string author = galilean::user_name();
   std::string replaces_hash;
   double timeout_s = 2;
   int domain = -1;
@@ -118,12 +119,11 @@ int swap(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  if (const char* user = std::getenv("USER")) options.author = user;
   CLI::App app("Swaps the program of running robots, without a stop.", "galilean swap");
   app.add_option("file", options.file, "the program, a BHDL file")->required();
   auto* team = app.add_flag("--team", options.team, "to every robot that is heard");
   auto* robots = app.add_option("--robot", options.robots, "to these robots")->excludes(team);
-  app.add_option("--author", options.author, "who pushes, for the history ($USER)");
+  app.add_option("--author", options.author, "who pushes, for the history")->capture_default_str();
   app.add_option("--replaces", options.replaces_hash,
                  "refuse where another program than this hash runs");
   app.add_option("--timeout", options.timeout_s, "seconds to wait for answers")

@@ -2,7 +2,7 @@
 
 #include <unistd.h>
 
-#include <cstdlib>
+#include "core/account.h"
 
 namespace galilean::monitor {
 namespace {
@@ -22,11 +22,6 @@ std::uint8_t kind_of(Operator::Word word) {
   return kinds::PUSH_BUMPER;
 }
 
-std::string user() {
-  const char* name = std::getenv("USER");
-  return name && *name ? name : "operator";
-}
-
 }  // namespace
 
 bool Operator::say(Word word, const std::vector<std::string>& robots) {
@@ -35,7 +30,7 @@ bool Operator::say(Word word, const std::vector<std::string>& robots) {
   command.stamp = wire::ros_time(now_ns);
   command.id =
       std::to_string(getpid()) + "-" + std::to_string(now_ns) + "-" + std::to_string(++said_);
-  command.author = user();
+  command.author = user_name();
   command.targets = robots;
   command.kind = kind_of(word);
   command.argument = kFrontBumper;

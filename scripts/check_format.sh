@@ -2,4 +2,4 @@
 # check_format.sh: every C++ file is as clang-format leaves it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-git ls-files -co --exclude-standard -- '*.h' '*.cpp' | xargs clang-format --dry-run --Werror
+scripts/sources.sh '*.h' '*.cpp' | xargs clang-format --dry-run --Werror

@@ -6,8 +6,7 @@ cd "$(dirname "$0")/.."
 dir=build/tidy
 mkdir -p "$dir"
 
-sources=$(git ls-files -co --exclude-standard -- '*.h' '*.cpp' '*.idl' '*CMakeLists.txt' '*.cmake' .clang-tidy |
-  xargs sha256sum | sha256sum)
+sources=$(scripts/sources.sh '*.h' '*.cpp' '*.idl' CMakeLists.txt '*.cmake' .clang-tidy | xargs sha256sum | sha256sum)
 [ "$(cat "$dir/clean" 2>/dev/null)" = "$sources" ] && exit 0
 
 # clang cannot read what g++ precompiles.

@@ -1,3 +1,7 @@
 import { defineConfig } from "vitest/config";
 
-export default defineConfig({ test: { include: ["tests/**/*.test.ts"], environment: "node" } });
+// By number: where /etc/hosts is missing nobody knows localhost.
+export default defineConfig({
+  server: { host: "127.0.0.1" },
+  test: { include: ["tests/**/*.test.ts"], environment: "node" },
+});

@@ -12,9 +12,9 @@ constexpr double kFullPwm = 1000;
 constexpr double kStraightDeadZone_pwm = 190;
 constexpr double kTurnDeadZone_pwm = 315;
 constexpr double kTopSpeed_mps = 0.6;
-constexpr double kStall_n = 12;        // one tread at full power; less than friction: it stalls
-constexpr double kTreadMass_kg = 0.6;  // with rotor and gears, as the floor feels it
-constexpr double kFriction = 0.7;      // rubber on carpet
+constexpr double kStall_n = 12;         // one tread at full power; less than friction: it stalls
+constexpr double kTreadMass_kg = 0.6;   // with rotor and gears, as the floor feels it
+constexpr double kFriction = 0.7;       // rubber on carpet
 constexpr double kWanderingTime_s = 1;  // over which slip forgets itself
 
 /// The impulse that equalises the speeds of two masses, as far as friction carries it.

@@ -5,8 +5,9 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 
 const root = new URL('../..', import.meta.url).pathname;
-const sources = execFileSync('git', ['ls-files', '-co', '--exclude-standard', '*.h', '*.cpp'], { cwd: root })
-  .toString().split('\n').filter(Boolean);
+const filesNamed = (...patterns) =>
+  execFileSync(`${root}/scripts/sources.sh`, patterns).toString().split('\n').filter(Boolean);
+const sources = filesNamed('*.h', '*.cpp');
 
 const mayInclude = {
   core: ['core'],
@@ -49,7 +50,6 @@ test('perceptual and motor schemas know neither one another, nor the executive, 
 });
 
 test('build files list their sources', () => {
-  const files = execFileSync('git', ['ls-files', '-co', '--exclude-standard', '*CMakeLists.txt', '*.cmake'], { cwd: root })
-    .toString().split('\n').filter(Boolean);
+  const files = filesNamed('CMakeLists.txt', '*.cmake');
   assert.deepEqual(files.filter((file) => /file\s*\(\s*GLOB/i.test(readFileSync(`${root}/${file}`, 'utf8'))), []);
 });

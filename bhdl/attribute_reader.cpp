@@ -1,5 +1,6 @@
 #include "bhdl/attribute_reader.h"
 
+#include <algorithm>
 #include <optional>
 #include <unordered_set>
 
@@ -10,6 +11,11 @@
 
 namespace galilean::bhdl {
 namespace {
+
+bool takes_numbers(AttributeType type) noexcept {
+  return type == AttributeType::kNumber || type == AttributeType::kInteger ||
+         type == AttributeType::kNumbers || type == AttributeType::kPair;
+}
 
 std::optional<std::size_t> list_size(const Value* value) {
   if (value == nullptr) return std::nullopt;
@@ -70,10 +76,22 @@ AttributeValues AttributeReader::read(const ComponentSpec& spec, const Word& typ
 void AttributeReader::read_one(const AttributeNode& attribute, const AttributeSpec& spec,
                                const std::string& owner, AttributeValues& values) const {
   if (attribute.name.text != spec.name) warn_of_alias(spec, attribute.name);
+  if (!constants_exist(attribute, spec, owner)) return;
   auto value = read_value(attribute, spec, owner, diagnostics_);
   if (!value) return;
   check_names(attribute, spec, owner);
   values.set(spec.name, std::move(*value));
+}
+
+// What could not be read may hold a constant, as it may hold any other name.
+bool AttributeReader::constants_exist(const AttributeNode& attribute, const AttributeSpec& spec,
+                                      const std::string& owner) const {
+  if (!takes_numbers(spec.type)) return true;
+  const auto word =
+      std::ranges::find(attribute.values, ValueNode::Kind::kBareWord, &ValueNode::kind);
+  if (word == attribute.values.end()) return true;
+  if (text_is_whole_) symbols_.refuse_undefined_constant(spec, *word, owner, diagnostics_);
+  return false;
 }
 
 // The name that a default gives must exist like any other, unless it is empty: then there is none.

@@ -1,6 +1,7 @@
 #include "bhdl/checker.h"
 
 #include "bhdl/attribute_reader.h"
+#include "bhdl/constants.h"
 #include "bhdl/declarations.h"
 #include "bhdl/reachability.h"
 #include "bhdl/state_specs.h"
@@ -95,6 +96,7 @@ class ProgramReader {
   }
 
   void read(const IncludeNode&) {}
+  void read(const DefineNode&) {}
 
   [[nodiscard]] Program program() && {
     if (start_)
@@ -133,6 +135,7 @@ Program check_tree(SyntaxTree tree, const std::string& main_file, const Catalog&
   const Vocabulary vocabulary(catalog);
   return_lost_attributes(tree, vocabulary, diagnostics);
   const bool text_is_whole = !diagnostics.has_errors();
+  put_in_constants(tree, diagnostics);
   const Symbols symbols = declare_names(tree, vocabulary, diagnostics);
   ProgramReader reader(vocabulary, symbols, text_is_whole, diagnostics);
   for (const auto& node : tree) std::visit([&](const auto& each) { reader.read(each); }, node);

@@ -28,6 +28,10 @@ class Declarer {
     for (const auto& component : section.components) declare(component, section);
   }
   void declare(const StateNode& state) { declare_name(NameSpace::kState, state.attributes, {}); }
+  void declare(const DefineNode& node) {
+    for (const auto& constant : node.constants)
+      symbols_.declare(NameSpace::kConstant, constant.name, {}, diagnostics_);
+  }
   template <class Other>
   void declare(const Other&) {}
 

@@ -16,7 +16,7 @@ struct SectionWord {
 };
 
 // Of two words for a kind, the first is the one that the reference uses.
-constexpr std::array<SectionWord, 11> kSections{{
+constexpr std::array<SectionWord, 12> kSections{{
     {"input_devices", ComponentKind::kInputDevice, false},
     {"output_devices", ComponentKind::kOutputDevice, false},
     {"variables", ComponentKind::kVariable, false},
@@ -25,6 +25,7 @@ constexpr std::array<SectionWord, 11> kSections{{
     {"motor_schemas", ComponentKind::kMotorSchema, false},
     {"states", std::nullopt, false},
     {"state", std::nullopt, false},
+    {"define", std::nullopt, false},
     {"include", std::nullopt, true},
     {"start_state", std::nullopt, true},
     {"on_swap", std::nullopt, true},

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "bhdl/text.h"
 
@@ -53,6 +54,20 @@ std::size_t number_size(std::string_view text) {
   return size;
 }
 
+// word [^ digit]
+std::size_t unit_factor_size(std::string_view text, std::size_t from) {
+  const std::size_t size = count_while(text, from, continues_word);
+  const bool raised = size + 1 < text.size() && text[size] == '^' && is_digit(text[size + 1]);
+  return raised ? size + 2 : size;
+}
+
+// factor [/ factor]
+std::size_t unit_size(std::string_view text) {
+  const std::size_t size = unit_factor_size(text, 0);
+  const bool divided = size + 1 < text.size() && text[size] == '/' && starts_word(text[size + 1]);
+  return divided ? unit_factor_size(text, size + 1) : size;
+}
+
 TokenKind punctuation_kind(char c) noexcept {
   switch (c) {
     case ':':
@@ -86,12 +101,14 @@ Lexer::Lexer(std::string_view file, std::string_view text, Diagnostics& diagnost
 }
 
 Token Lexer::next() {
+  const bool after_number = std::exchange(after_number_, false);
   for (;;) {
     skip_blanks();
     if (done()) return {TokenKind::kEndOfFile, {}, 0, at_};
     const auto kind = punctuation_kind(rest_.front());
     if (kind != TokenKind::kEndOfFile) return punctuation(kind);
-    if (starts_word(rest_.front())) return word();
+    if (starts_word(rest_.front()))
+      return word(after_number ? unit_size(rest_) : count_while(rest_, 0, continues_word));
     if (starts_number()) return number();
     if (quote_size() > 0) return text();
     refuse_characters();
@@ -150,10 +167,9 @@ Token Lexer::punctuation(TokenKind kind) {
   return token;
 }
 
-Token Lexer::word() {
-  const Token token{TokenKind::kWord, rest_.substr(0, count_while(rest_, 0, continues_word)), 0,
-                    at_};
-  step_over(token.text.size());
+Token Lexer::word(std::size_t size) {
+  const Token token{TokenKind::kWord, rest_.substr(0, size), 0, at_};
+  step_over(size);
   return token;
 }
 
@@ -184,19 +200,20 @@ Token Lexer::number() {
     diagnostics_.error(at, "syntax/number", "the number " + in_quotes(digits) + " cannot be held");
     value = 0;
   }
-  refuse_unit(digits, at);
+  refuse_second_point(digits, at);
+  after_number_ = true;
   return {TokenKind::kNumber, whole.substr(0, whole.size() - rest_.size()),
           negative ? -value : value, at};
 }
 
-void Lexer::refuse_unit(std::string_view digits, const Position& at) {
+void Lexer::refuse_second_point(std::string_view digits, const Position& at) {
+  if (!sees(".")) return;
   const std::size_t size =
       count_while(rest_, 0, [](char c) { return continues_word(c) || c == '.'; });
-  if (size == 0) return;
   diagnostics_.error(
       at, "syntax/number",
       in_quotes(std::string(digits) + std::string(rest_.substr(0, size))) + " is not a number",
-      "write the number alone: each attribute has a unit of its own");
+      "a number has one decimal point");
   step_over(size);
 }
 

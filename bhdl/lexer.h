@@ -9,7 +9,7 @@
 namespace galilean::bhdl {
 
 enum class TokenKind {
-  kWord,    ///< bits_variable
+  kWord,    ///< bits_variable; behind a number also m/s and px^2
   kText,    ///< "wander" or “wander”
   kNumber,  ///< 3.25, -200 or –200
   kColon,
@@ -53,14 +53,15 @@ class Lexer {
   [[nodiscard]] std::size_t minus_size() const noexcept;
   [[nodiscard]] bool starts_number() const noexcept;
   Token punctuation(TokenKind kind);
-  Token word();
+  Token word(std::size_t size);
   Token text();
   Token number();
-  void refuse_unit(std::string_view digits, const Position& at);
+  void refuse_second_point(std::string_view digits, const Position& at);
   void refuse_characters();
 
   std::string_view rest_;
   Position at_;
+  bool after_number_ = false;  ///< so that m/s and px^2 are words there and nowhere else
   Diagnostics& diagnostics_;
 };
 

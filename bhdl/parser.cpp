@@ -30,6 +30,7 @@ class FileParser {
     if (const auto kind = section_kind(word)) return components(*kind);
     if (word == "states") return states();
     if (word == "state") return state();
+    if (word == "define") return define();
     if (word == "include") return include();
     if (word == "start_state") return start_state();
     on_swap();
@@ -61,6 +62,14 @@ class FileParser {
   }
 
   void state() { tree_.emplace_back(parse_state(tokens_, diagnostics_)); }
+
+  void define() {
+    take_label(tokens_);
+    DefineNode node;
+    while (!section_is_over()) parse_attribute(tokens_, node.constants, diagnostics_);
+    if (tokens_.at_word("end")) take_end(tokens_);
+    tree_.emplace_back(std::move(node));
+  }
 
   void include() {
     take_label(tokens_);

@@ -1,8 +1,10 @@
 #include "bhdl/symbols.h"
 
+#include "bhdl/constants.h"
 #include "bhdl/keywords.h"
 #include "bhdl/names.h"
 #include "bhdl/text.h"
+#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 namespace {
@@ -44,8 +46,8 @@ NameSpace name_space(ComponentKind kind) noexcept {
 }
 
 std::string_view in_words(NameSpace space) noexcept {
-  constexpr std::array<std::string_view, 5> kWords{"device", "variable", "perceptual schema",
-                                                   "motor schema", "state"};
+  constexpr std::array<std::string_view, 6> kWords{"device",       "variable", "perceptual schema",
+                                                   "motor schema", "state",    "constant"};
   return kWords[index(space)];
 }
 
@@ -79,11 +81,11 @@ std::string Symbols::hint(NameSpace wanted, std::string_view name) const {
 }
 
 void Symbols::refuse_undefined(NameSpace wanted, const Word& name, const std::string& subject,
-                               Diagnostics& diagnostics) const {
+                               const std::string& note, Diagnostics& diagnostics) const {
   const std::string help = diagnostics.full() ? std::string() : hint(wanted, name.text);
   diagnostics.error(name.at, undefined_code(wanted),
                     subject + " names " + in_quotes(name.text) + ", but there is no such " +
-                        std::string(in_words(wanted)),
+                        std::string(in_words(wanted)) + note,
                     help);
 }
 
@@ -95,7 +97,8 @@ void Symbols::check_reference(const AttributeSpec& spec, const ValueNode& name,
   const std::string subject = in_quotes(spec.name) + " of " + owner;
   const Entry* entry = find(wanted, name.text);
   if (entry == nullptr) {
-    if (text_is_whole) refuse_undefined(wanted, {name.text, name.at}, subject, diagnostics);
+    if (text_is_whole)
+      refuse_undefined(wanted, {name.text, name.at}, subject, definition_note(name), diagnostics);
     return;
   }
   const bool any = wanted != NameSpace::kVariable || spec.refers_to == "variable";
@@ -103,13 +106,24 @@ void Symbols::check_reference(const AttributeSpec& spec, const ValueNode& name,
   diagnostics.error(name.at, "type/wrong-variable",
                     subject + " takes a " + spec.refers_to + " variable, but " +
                         in_quotes(name.text) + " is a " + std::string(entry->type) +
-                        " variable: see " + place(entry->at));
+                        " variable: see " + place(entry->at) + definition_note(name));
 }
 
 void Symbols::check_state(const Word& name, const std::string& subject, bool text_is_whole,
                           Diagnostics& diagnostics) const {
   if (text_is_whole && find(NameSpace::kState, name.text) == nullptr)
-    refuse_undefined(NameSpace::kState, name, subject, diagnostics);
+    refuse_undefined(NameSpace::kState, name, subject, {}, diagnostics);
+}
+
+void Symbols::refuse_undefined_constant(const AttributeSpec& spec, const ValueNode& word,
+                                        const std::string& owner, Diagnostics& diagnostics) const {
+  const auto& constants = in_order_[index(NameSpace::kConstant)];
+  const auto near = diagnostics.full() ? std::string() : nearest(word.text, constants);
+  diagnostics.error(
+      word.at, "name/undefined-constant",
+      in_quotes(spec.name) + " of " + owner + " takes " + expectation(spec) +
+          "; there is no constant " + in_quotes(word.text),
+      near.empty() ? "write the number, or name it under 'define:'" : did_you_mean(near));
 }
 
 }  // namespace galilean::bhdl

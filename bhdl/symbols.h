@@ -13,7 +13,7 @@ namespace galilean::bhdl {
 
 /// The names that a program gives, each kind in a space of its own: a schema and the variable that
 /// it writes may share theirs, as in the published listings.
-enum class NameSpace { kDevice, kVariable, kPerceptualSchema, kMotorSchema, kState };
+enum class NameSpace { kDevice, kVariable, kPerceptualSchema, kMotorSchema, kState, kConstant };
 [[nodiscard]] NameSpace name_space(ComponentKind kind) noexcept;
 [[nodiscard]] std::string_view in_words(NameSpace space) noexcept;
 
@@ -33,6 +33,9 @@ class Symbols {
   /// it.
   void check_reference(const AttributeSpec& spec, const ValueNode& name, const std::string& owner,
                        bool text_is_whole, Diagnostics& diagnostics) const;
+  /// Reports a bare word that stands where `spec` wants numbers and is no constant's name.
+  void refuse_undefined_constant(const AttributeSpec& spec, const ValueNode& word,
+                                 const std::string& owner, Diagnostics& diagnostics) const;
   /// The same for a name outside every component; `subject` begins the sentence.
   void check_state(const Word& name, const std::string& subject, bool text_is_whole,
                    Diagnostics& diagnostics) const;
@@ -40,9 +43,9 @@ class Symbols {
  private:
   [[nodiscard]] std::string hint(NameSpace wanted, std::string_view name) const;
   void refuse_undefined(NameSpace wanted, const Word& name, const std::string& subject,
-                        Diagnostics& diagnostics) const;
+                        const std::string& note, Diagnostics& diagnostics) const;
 
-  static constexpr std::size_t kSpaces = 5;
+  static constexpr std::size_t kSpaces = 6;
   std::array<std::unordered_map<std::string_view, Entry>, kSpaces> entries_;
   std::array<std::vector<std::string_view>, kSpaces> in_order_;  ///< so that hints never change
 };

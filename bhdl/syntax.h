@@ -32,6 +32,9 @@ struct ValueNode {
   double second = 0;      ///< a pair's second number
   std::string_view text;  ///< without quotes; a number's own spelling
   Position at;
+  const Unit* unit = nullptr;         ///< of the number, or the pair's first; null: none is written
+  const Unit* second_unit = nullptr;  ///< of the pair's second number
+  const Word* constant = nullptr;     ///< the name in `define:` that stood here instead
 };
 
 struct AttributeNode {
@@ -61,6 +64,11 @@ struct IncludeNode {
   Word path;
 };
 
+/// `define:`. Each attribute is a constant.
+struct DefineNode {
+  std::vector<AttributeNode> constants;
+};
+
 struct StartStateNode {
   Word state;
 };
@@ -71,7 +79,8 @@ struct SwapNode {
   Word new_state;
 };
 
-using SyntaxNode = std::variant<SectionNode, StateNode, IncludeNode, StartStateNode, SwapNode>;
+using SyntaxNode =
+    std::variant<SectionNode, StateNode, DefineNode, IncludeNode, StartStateNode, SwapNode>;
 
 /// A file in the order of its text; after the loader, a whole program with no includes left.
 using SyntaxTree = std::vector<SyntaxNode>;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "bhdl/constants.h"
 #include "bhdl/names.h"
 #include "bhdl/text.h"
 #include "bhdl/vocabulary.h"
@@ -13,17 +14,40 @@ namespace {
 
 using Kind = ValueNode::Kind;
 
+std::string with_unit(std::string text, const Unit* unit) {
+  return unit == nullptr ? text : text.append(" ").append(unit->symbol);
+}
+
 std::string in_words(const ValueNode& value) {
   switch (value.kind) {
     case Kind::kNumber:
-      return "the number " + std::string(value.text);
+      return "the number " + with_unit(std::string(value.text), value.unit);
     case Kind::kPair:
-      return "the pair <" + number_text(value.number) + ", " + number_text(value.second) + ">";
+      return "the pair <" + with_unit(number_text(value.number), value.unit) + ", " +
+             with_unit(number_text(value.second), value.second_unit) + ">";
     case Kind::kText:
       return "the text " + in_quotes(value.text);
     default:
       return "the word " + in_quotes(value.text);
   }
+}
+
+/// "write it in cm, m …", as a hint says it.
+std::string units_of(const Unit& expected) {
+  if (expected.symbol.empty()) return "write the number alone";
+  std::string text = "write it in " + std::string(expected.symbol);
+  for (const auto& unit : all_units())
+    if (unit.dimension == expected.dimension && unit.symbol != expected.symbol)
+      text.append(", ").append(unit.symbol);
+  return text;
+}
+
+// 0.3 m is 30 cm, and no last digit of the arithmetic puts it out of range.
+double converted(double number, const Unit& from, const AttributeSpec& spec) {
+  const double result = number * (from.to_si / spec.unit.to_si);
+  for (const double limit : {spec.minimum, spec.maximum})
+    if (std::isfinite(limit) && std::abs(result - limit) <= 1e-12 * std::abs(limit)) return limit;
+  return result;
 }
 
 class ValueReader {
@@ -93,6 +117,7 @@ class ValueReader {
     constexpr std::array<std::string_view, 3> kNo{"no", "false", "off"};
     const std::string word = lower_case(value.text);
     const bool number = value.kind == Kind::kNumber;
+    if (number && !dimension_fits(value.unit, value)) return std::nullopt;
     if (number ? value.number == 1 : std::ranges::find(kYes, word) != kYes.end()) return true;
     if (number ? value.number == 0 : std::ranges::find(kNo, word) != kNo.end()) return false;
     return refuse_type<bool>(value);
@@ -100,16 +125,36 @@ class ValueReader {
 
   std::optional<double> number(const ValueNode& value) {
     if (value.kind != Kind::kNumber) return refuse_type<double>(value);
-    if (spec_.type == AttributeType::kInteger && value.number != std::floor(value.number))
+    const auto number = in_own_unit(value.number, value.unit, value);
+    if (!number) return std::nullopt;
+    if (spec_.type == AttributeType::kInteger && *number != std::floor(*number))
       return refuse_type<double>(value);
-    if (!in_range(value.number, value)) return std::nullopt;
-    return value.number;
+    return in_range(*number, value) ? number : std::nullopt;
   }
 
   std::optional<Vec2> pair(const ValueNode& value) {
     if (value.kind != Kind::kPair) return refuse_type<Vec2>(value);
-    if (!in_range(value.number, value) || !in_range(value.second, value)) return std::nullopt;
-    return Vec2(value.number, value.second);
+    const auto first = in_own_unit(value.number, value.unit, value);
+    if (!first) return std::nullopt;
+    const auto second = in_own_unit(value.second, value.second_unit, value);
+    if (!second || !in_range(*first, value) || !in_range(*second, value)) return std::nullopt;
+    return Vec2(*first, *second);
+  }
+
+  /// The number in the unit that the catalog names, which is what a bare number is in.
+  std::optional<double> in_own_unit(double number, const Unit* given, const ValueNode& value) {
+    if (given == nullptr || given->symbol == spec_.unit.symbol) return number;
+    if (!dimension_fits(given, value)) return std::nullopt;
+    return converted(number, *given, spec_);
+  }
+
+  bool dimension_fits(const Unit* given, const ValueNode& value) {
+    if (given == nullptr || given->dimension == spec_.unit.dimension) return true;
+    report(value, "type/wrong-unit",
+           subject() + " takes " + expectation(spec_) + ", not " + in_words(value) + ": " +
+               in_quotes(given->symbol) + " is a unit of " + std::string(given->dimension),
+           units_of(spec_.unit));
+    return false;
   }
 
   std::optional<std::string> text(const ValueNode& value) {
@@ -125,28 +170,33 @@ class ValueReader {
     if (std::ranges::find(spec_.choices, value.text) != spec_.choices.end())
       return std::string(value.text);
     const std::vector<std::string_view> choices(spec_.choices.begin(), spec_.choices.end());
-    diagnostics_.error(value.at, "value/not-a-choice",
-                       subject() + " is " + expectation(spec_) + ", not " + in_quotes(value.text),
-                       did_you_mean(nearest(value.text, choices)));
+    report(value, "value/not-a-choice",
+           subject() + " is " + expectation(spec_) + ", not " + in_quotes(value.text),
+           did_you_mean(nearest(value.text, choices)));
     return std::nullopt;
   }
 
   bool in_range(double number, const ValueNode& value) {
     if (number >= spec_.minimum && number <= spec_.maximum) return true;
-    diagnostics_.error(
-        value.at, "value/out-of-range",
-        subject() + " is out of range: " + number_text(number) + " is not " +
-            (std::isfinite(spec_.minimum) && std::isfinite(spec_.maximum) ? "within " : "") +
-            range_in_words(spec_));
+    report(value, "value/out-of-range",
+           subject() + " is out of range: " + number_text(number) + " is not " +
+               (std::isfinite(spec_.minimum) && std::isfinite(spec_.maximum) ? "within " : "") +
+               range_in_words(spec_));
     return false;
   }
 
   template <class T>
   std::optional<T> refuse_type(const ValueNode& value, std::string hint = {}) {
-    diagnostics_.error(value.at, "type/wrong-value",
-                       subject() + " takes " + expectation(spec_) + ", not " + in_words(value),
-                       std::move(hint));
+    report(value, "type/wrong-value",
+           subject() + " takes " + expectation(spec_) + ", not " + in_words(value),
+           std::move(hint));
     return std::nullopt;
+  }
+
+  void report(const ValueNode& value, std::string_view code, std::string message,
+              std::string hint = {}) {
+    diagnostics_.error(value.at, code, std::move(message) + definition_note(value),
+                       std::move(hint));
   }
 
   [[nodiscard]] std::string subject() const { return in_quotes(spec_.name) + " of " + owner_; }

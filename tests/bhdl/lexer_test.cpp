@@ -77,8 +77,21 @@ TEST(Lexer, SkipsByteOrderMarkCommentsAndWideBlanks) {
   EXPECT_EQ(tokens[1].text, "d");
 }
 
+TEST(Lexer, ReadsAUnitBehindANumberAndNowhereElse) {
+  for (const auto* text : {"30cm/s", "30 cm/s", "30\n; so fast\ncm/s"}) {
+    const auto tokens = lex(text).tokens;
+    ASSERT_EQ(tokens.size(), 2u) << text;
+    EXPECT_EQ(tokens[0].number, 30);
+    EXPECT_EQ(tokens[1].text, "cm/s") << text;
+  }
+  EXPECT_EQ(lex("5 px^2 x").tokens[1].text, "px^2");
+  EXPECT_EQ(lex("5 ticks/s^2 x").tokens[1].text, "ticks/s^2");
+  EXPECT_EQ(lex("cm/s").diagnostics.size(), 1u);
+  EXPECT_EQ(lex("5 cm /s").diagnostics.size(), 1u);
+}
+
 TEST(Lexer, ReportsWhatIsNoToken) {
-  const auto lexed = lex("a = 30cm \"open\n#!? b 1e999");
+  const auto lexed = lex("a = 3.0.1 \"open\n#!? b 1e999");
   ASSERT_EQ(lexed.diagnostics.size(), 5u);
   EXPECT_EQ(format(lexed.diagnostics[0]).substr(0, 48),
             "a.bhdl:1:3: error: the character '=' has no mean");

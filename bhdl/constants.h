@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "bhdl/diagnostic.h"
+#include "bhdl/syntax.h"
+
+namespace galilean::bhdl {
+
+/// How many values constants may put into a program, so that constants of constants stay small.
+inline constexpr std::size_t kMostConstantValues = 100'000;
+
+/// Puts the values of `define:` wherever their names stand bare, as if they had been written there.
+/// A constant may use those before it and no others, so that there are no cycles. Words that are no
+/// constant's name stay. The values point into the tree's definitions.
+void put_in_constants(SyntaxTree& tree, Diagnostics& diagnostics);
+
+/// "; 'name' is defined at file:line:column" of a value that a constant stood for, else nothing.
+[[nodiscard]] std::string definition_note(const ValueNode& value);
+
+}  // namespace galilean::bhdl

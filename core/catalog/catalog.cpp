@@ -96,6 +96,7 @@ ComponentSpec component_from_json(const nlohmann::json& json) {
   component.name = json.at("name");
   component.kind = parse_word<ComponentKind>(kKinds, json.at("kind"));
   component.help = json.value("help", "");
+  component.drives = json.value("drives", "");
   for (const auto& attribute : json.at("attributes"))
     component.attributes.push_back(attribute_from_json(attribute));
   return component;
@@ -136,6 +137,7 @@ void to_json(nlohmann::json& json, const Catalog& catalog) {
                                   {"kind", to_string(component.kind)},
                                   {"help", component.help},
                                   {"attributes", attributes}});
+    if (!component.drives.empty()) json["components"].back()["drives"] = component.drives;
   }
 }
 

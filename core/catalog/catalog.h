@@ -66,6 +66,8 @@ struct ComponentSpec {
   ComponentKind kind = ComponentKind::kVariable;
   std::string help;
   std::vector<AttributeSpec> attributes;
+  std::string drives;  ///< of a motor schema: the device that it commands, where the last to do so
+                       ///< in a tick wins; empty: none
 
   [[nodiscard]] const AttributeSpec* find(
       std::string_view attribute) const noexcept;  ///< by name or alias

@@ -75,6 +75,9 @@ class Declaration {
 
   void help(std::string text) { spec_.help = std::move(text); }
 
+  /// The device that the schema commands. Two that drive one do not belong in one state.
+  void drives(std::string device) { spec_.drives = std::move(device); }
+
   Refinement flag(bool T::*member, std::string name, bool preset, std::string text) {
     return add({.name = std::move(name),
                 .type = AttributeType::kFlag,

@@ -10,6 +10,7 @@ void MoveGripper::describe(Declaration<MoveGripper>& is) {
       .range(0, 31);
   is.choice(&MoveGripper::command_, "command", {"open", "close"}, "close",
             "what to do where there is no bits_variable");
+  is.drives("gripper");
   is.uses_devices(&MoveGripper::devices_);
 }
 

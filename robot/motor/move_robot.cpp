@@ -44,6 +44,7 @@ void MoveRobot::describe(Declaration<MoveRobot>& is) {
       .range(1, 90);
   is.flag(&MoveRobot::reverse_, "reverse", false,
           "whether it drives backwards along a force that points backwards, instead of turning");
+  is.drives("motor_drive");
   is.uses_devices(&MoveRobot::devices_);
 }
 

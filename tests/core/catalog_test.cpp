@@ -13,6 +13,7 @@ class Example final : public MotorSchema {
  public:
   static void describe(Declaration<Example>& is) {
     is.help("For the test.");
+    is.drives("motor_drive");
     is.reads(&Example::goal_, "goal_variable", "what to read");
     is.writes(&Example::result_, "result", "what to write").optional();
     is.number(&Example::radius_m_, "radius", unit::kCentimetre, 20, "a length")
@@ -39,6 +40,7 @@ TEST(Catalog, SurvivesJson) {
   const auto read = catalog_from_json(text);
   ASSERT_TRUE(read.ok()) << read.error().message;
   EXPECT_EQ(catalog_to_json(read.value()), text);
+  EXPECT_EQ(read.value().find("example")->drives, "motor_drive");
   const auto* radius = read.value().find("example")->find("raduis");
   ASSERT_NE(radius, nullptr);
   EXPECT_EQ(radius->name, "radius");

@@ -3,7 +3,7 @@
 #include "bhdl/attribute_reader.h"
 #include "bhdl/constants.h"
 #include "bhdl/declarations.h"
-#include "bhdl/reachability.h"
+#include "bhdl/program_check.h"
 #include "bhdl/state_specs.h"
 #include "bhdl/text.h"
 #include "bhdl/vocabulary.h"
@@ -144,7 +144,8 @@ Program check_tree(SyntaxTree tree, const std::string& main_file, const Catalog&
     diagnostics.error({main_file, 1, 1}, "state/none",
                       "the program has no state: a robot would not know what to do",
                       "add one with 'states:'");
-  if (!diagnostics.has_errors()) warn_of_unreachable_states(program, diagnostics);
+  if (!diagnostics.has_errors())
+    warn_of_suspects(program, vocabulary, tree, main_file, diagnostics);
   return program;
 }
 

@@ -1,30 +1,32 @@
 #include "bhdl/reachability.h"
 
-#include <string_view>
-#include <unordered_map>
-#include <vector>
+#include <algorithm>
 
 #include "bhdl/text.h"
 
 namespace galilean::bhdl {
 
-void warn_of_unreachable_states(const Program& program, Diagnostics& diagnostics) {
-  std::unordered_map<std::string_view, const State*> unreached;
-  for (const auto& state : program.states) unreached.emplace(state.name, &state);
-  std::vector<std::string_view> to_visit{program.start_state};
-  for (const auto& [old_state, new_state] : program.on_swap) to_visit.push_back(new_state);
-  while (!to_visit.empty()) {
-    const auto found = unreached.find(to_visit.back());
-    to_visit.pop_back();
-    if (found == unreached.end()) continue;
-    for (const auto& condition : found->second->conditions) to_visit.push_back(condition.new_state);
-    unreached.erase(found);
-  }
-  for (const auto& state : program.states)
-    if (unreached.contains(state.name))
-      diagnostics.warning(state.location, "state/unreachable",
-                          "no condition leads to the state " + in_quotes(state.name),
+void warn_of_unreachable_states(const Program& program, const StateGraph& graph,
+                                Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < program.states.size(); ++i)
+    if (!graph.reached(i))
+      diagnostics.warning(program.states[i].location, "state/unreachable",
+                          "no condition leads to the state " + in_quotes(program.states[i].name),
                           "name it as a new_state, or as 'start_state:'");
+}
+
+void warn_of_traps(const Program& program, const StateGraph& graph, Diagnostics& diagnostics) {
+  if (program.states.size() < 2) return;
+  for (std::size_t i = 0; i < program.states.size(); ++i) {
+    const State& state = program.states[i];
+    const bool rests = state.conditions.empty() && state.motor_schemas.empty();
+    const auto stays = [&](const Condition& each) { return each.new_state == state.name; };
+    if (!graph.reached(i) || rests || !std::ranges::all_of(state.conditions, stays)) continue;
+    diagnostics.warning(state.location, "state/trap",
+                        "the state " + in_quotes(state.name) +
+                            " is never left for another; the way there: " + graph.way_to(i),
+                        "give it a condition with another 'new_state:'");
+  }
 }
 
 }  // namespace galilean::bhdl

@@ -1,10 +1,16 @@
 #pragma once
 
 #include "bhdl/diagnostic.h"
+#include "bhdl/state_graph.h"
 
 namespace galilean::bhdl {
 
 /// Warns of every state that neither the start state nor a swap leads to.
-void warn_of_unreachable_states(const Program& program, Diagnostics& diagnostics);
+void warn_of_unreachable_states(const Program& program, const StateGraph& graph,
+                                Diagnostics& diagnostics);
+
+/// Warns of a state that runs motor schemas, or has conditions, and yet is never left for another,
+/// in a program that has others. One that has neither is where a program means to rest.
+void warn_of_traps(const Program& program, const StateGraph& graph, Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

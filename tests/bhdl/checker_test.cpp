@@ -132,9 +132,11 @@ TEST(Checker, HintsAtTheOtherListOfSchemas) {
 }
 
 TEST(Checker, KnowsTheStartStateAndTheSwaps) {
-  const auto result = check_text(program_with_states(
-      "start_state: \"b\"\non_swap: \"old\": \"c\" end\n"
-      "states: state: name: \"a\" end state: name: \"b\" end state: name: \"c\" end end"));
+  const auto result =
+      check_text(program_with_states("start_state: \"b\"\non_swap: \"old\": \"c\" end\n"
+                                     "states: state: name: \"a\" perceptual_schemas: \"scan\" end\n"
+                                     "motor_schemas: \"wander\" \"drive\" end end\n"
+                                     "state: name: \"b\" end state: name: \"c\" end end"));
   ASSERT_TRUE(result.program) << printed(result);
   EXPECT_EQ(result.program->start_state, "b");
   EXPECT_EQ(result.program->on_swap.at("old"), "c");

@@ -167,7 +167,8 @@ Catalog small_catalog() {
             "Drives along a force.",
             {reference("input_force", "force", Access::kRead),
              number("max_distance_magnitude", unit::kCentimetre, 15, 0, 100),
-             number("safety_range", unit::kDegree, 30, 0, 180)}},
+             number("safety_range", unit::kDegree, 30, 0, 180)},
+            "motor_drive"},
            combine_forces()}};
 }
 

@@ -18,11 +18,12 @@ TEST(Typography, OfThePublishedListingsLoads) {
       "bits: \nname: “touch” value: 0 status: “invalid”\n\n"
       "locate:\nname: “wall” status: “invalid”\n\n"
       "force:\nname: “rear” value: <0,–1> status: “valid” \n\n"
-      "percp_schemas:\nobstacle_detector:\n\nname: “front”\nbits_variable: “touch” \nbit_index: 2\n"
+      "percp_schemas:\nbumper_scanner: name: “scan” bits_variable: “touch” "
+      "end;\nobstacle_detector:\n\nname: “front”\nbits_variable: “touch” \nbit_index: 2\n"
       "translation: <0.0,21.0> \nobstacle_variable: “wall”\nshaft_variable: “pose”\nend;\n\n"
       "motor_schemas:\nmove_robot: \n\nname: “go”\ninput_force: “rear”\n"
       "max_distance_magnitude: 12.0 ; in cms.\nend:\n\n"
-      "state:\nname: “reverse”\nperceptual_schemas: ; what it senses.\n\n“front”\nend:\n\n"
+      "state:\nname: “reverse”\nperceptual_schemas: ; what it senses.\n\n“scan” “front”\nend:\n\n"
       "motor_schemas: ; what it does.\n“go”\nend:\n\n"
       "condition: ; on a touch.\nbits_variable: “touch”\nbit_index: 2\nbit_value: 1\n"
       "bit_update: “same”\nnew_state: “reverse”\nreset_variables: “wall”\n\nend:\nend: \n");
@@ -32,7 +33,7 @@ TEST(Typography, OfThePublishedListingsLoads) {
             "19:1 warning name/misspelt-attribute\n");
   EXPECT_EQ(result.program->devices.size(), 3u);
   EXPECT_EQ(result.program->variables.back().attributes.get<Vec2>("value"), Vec2(0, -1));
-  EXPECT_DOUBLE_EQ(result.program->perceptual_schemas[0].attributes.get<Vec2>("translation").y(),
+  EXPECT_DOUBLE_EQ(result.program->perceptual_schemas[1].attributes.get<Vec2>("translation").y(),
                    0.21);
 }
 

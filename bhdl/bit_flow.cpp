@@ -1,0 +1,103 @@
+#include "bhdl/bit_flow.h"
+
+#include <algorithm>
+
+#include "bhdl/initial_value.h"
+
+namespace galilean::bhdl {
+namespace {
+
+constexpr BitValues kValid = kBitZero | kBitOne;
+constexpr BitValues kAnything = kValid | kBitInvalid;
+
+BitValues updated(const Condition& condition) noexcept {
+  switch (condition.bit_update) {
+    case BitUpdate::kSet:
+      return kBitOne;
+    case BitUpdate::kClear:
+      return kBitZero;
+    case BitUpdate::kToggle:
+      return bit_values_of(!condition.bit_value);
+    default:
+      return bit_values_of(condition.bit_value);
+  }
+}
+
+void note_writes(const SchemaUse& use, std::size_t state, WritersOfTested& writers) {
+  for (const auto* variables : {&use.writes, &use.updates})
+    for (const std::size_t variable : *variables)
+      if (const auto found = writers.find(variable); found != writers.end())
+        found->second.in_state[state] = true;
+}
+
+void note_fading(const SchemaUse& use, WritersOfTested& writers) {
+  for (const auto* variables : {&use.writes, &use.updates, &use.adjusts})
+    for (const std::size_t variable : *variables)
+      if (const auto found = writers.find(variable); found != writers.end())
+        found->second.fades = true;
+}
+
+}  // namespace
+
+WritersOfTested writers_of_tested(const Program& program, const SchemaUses& uses) {
+  WritersOfTested writers;
+  for (const auto& state : program.states)
+    for (const auto& condition : state.conditions)
+      writers[uses.variable(condition.bits_variable)].in_state.resize(program.states.size());
+  for (std::size_t i = 0; i < program.states.size(); ++i) {
+    for (const auto* use : uses.listed(i).perceptual) note_writes(*use, i, writers);
+    for (const auto* use : uses.listed(i).motor) note_writes(*use, i, writers);
+  }
+  for (const auto& use : uses.all()) note_fading(use, writers);
+  return writers;
+}
+
+BitFlow::BitFlow(const Program& program, const StateGraph& graph, const VariableWriters& writers,
+                 const TestedBit& bit)
+    : program_(program), writers_(writers), bit_(bit), entered_(program.states.size(), 0) {
+  enter(graph.index(program.start_state), initial());
+  for (const auto& [old_state, new_state] : program.on_swap)
+    enter(graph.index(new_state), kAnything);
+  while (!to_visit_.empty()) {
+    const std::size_t state = to_visit_.back();
+    to_visit_.pop_back();
+    const auto& conditions = program.states[state].conditions;
+    for (std::size_t i = 0; i < conditions.size(); ++i)
+      enter(graph.targets(state)[i], behind(conditions[i], within(state)));
+  }
+}
+
+BitValues BitFlow::within(std::size_t state) const noexcept {
+  BitValues values = entered_[state];
+  if (values != 0 && writers_.in_state[state]) values |= kValid;
+  if ((values & kValid) != 0 && writers_.fades) values |= kBitInvalid;
+  return values;
+}
+
+BitValues BitFlow::initial() const {
+  const auto found = std::ranges::find(program_.variables, bit_.variable, &Component::name);
+  if (found == program_.variables.end()) return kAnything;
+  const auto value = initial_bits(*found);
+  if (!value) return kAnything;
+  return starts_valid(*found) ? bit_values_of((*value >> bit_.index & 1U) != 0) : kBitInvalid;
+}
+
+BitValues BitFlow::behind(const Condition& condition, BitValues values) const {
+  if (condition.bits_variable == bit_.variable) {
+    const bool same = condition.bit_index == bit_.index;
+    const BitValues seen = same ? bit_values_of(condition.bit_value) : kValid;
+    if ((values & seen) == 0) return 0;
+    values = same ? updated(condition) : static_cast<BitValues>(values & seen);
+  }
+  const auto& reset = condition.reset_variables;
+  return std::ranges::find(reset, bit_.variable) != reset.end() ? kBitInvalid : values;
+}
+
+void BitFlow::enter(std::size_t state, BitValues values) {
+  const auto more = static_cast<BitValues>(entered_[state] | values);
+  if (more == entered_[state]) return;
+  entered_[state] = more;
+  to_visit_.push_back(state);
+}
+
+}  // namespace galilean::bhdl

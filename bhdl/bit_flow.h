@@ -1,0 +1,68 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "bhdl/schema_use.h"
+#include "bhdl/state_graph.h"
+
+namespace galilean::bhdl {
+
+/// What a bit may be, as a set.
+using BitValues = std::uint8_t;
+inline constexpr BitValues kBitInvalid = 1;
+inline constexpr BitValues kBitZero = 2;
+inline constexpr BitValues kBitOne = 4;
+
+/// The one value that a condition asks for.
+[[nodiscard]] constexpr BitValues bit_values_of(bool value) noexcept {
+  return value ? kBitOne : kBitZero;
+}
+
+/// A bit that a condition tests.
+struct TestedBit {
+  std::string_view variable;
+  unsigned index = 0;
+
+  auto operator<=>(const TestedBit&) const = default;
+};
+
+/// In which states a variable may be written, and whether it fades when it is not.
+struct VariableWriters {
+  std::vector<bool> in_state;
+  bool fades = false;
+};
+
+/// The same for every variable that a condition tests, counted as in Program::variables.
+using WritersOfTested = std::unordered_map<std::size_t, VariableWriters>;
+[[nodiscard]] WritersOfTested writers_of_tested(const Program& program, const SchemaUses& uses);
+
+/// Follows one bit from state to state: a schema that may write its variable can make it 0 or 1, a
+/// condition that fires has seen the value that it asks for, `bit_update` and `reset_variables`
+/// change it, and what is written fades. What this allows may still never happen; what it forbids
+/// never does.
+class BitFlow {
+ public:
+  BitFlow(const Program& program, const StateGraph& graph, const VariableWriters& writers,
+          const TestedBit& bit);
+
+  /// When a state's conditions are tried; empty if nothing that this bit allows leads there.
+  [[nodiscard]] BitValues within(std::size_t state) const noexcept;
+
+ private:
+  [[nodiscard]] BitValues initial() const;
+  /// Empty if the condition cannot fire.
+  [[nodiscard]] BitValues behind(const Condition& condition, BitValues values) const;
+  void enter(std::size_t state, BitValues values);
+
+  const Program& program_;
+  const VariableWriters& writers_;
+  const TestedBit& bit_;
+  std::vector<BitValues> entered_;
+  std::vector<std::size_t> to_visit_;
+};
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,106 @@
+#include "bhdl/condition_check.h"
+
+#include <map>
+
+#include "bhdl/bit_flow.h"
+#include "bhdl/text.h"
+
+namespace galilean::bhdl {
+namespace {
+
+constexpr std::size_t kMostBits = 256;
+
+TestedBit bit_of(const Condition& condition) noexcept {
+  return {condition.bits_variable, condition.bit_index};
+}
+
+std::string bit_in_words(const TestedBit& bit) {
+  return "bit " + std::to_string(bit.index) + " of " + in_quotes(bit.variable);
+}
+
+class ConditionChecker {
+ public:
+  ConditionChecker(const Program& program, const SchemaUses& uses, const StateGraph& graph,
+                   Diagnostics& diagnostics)
+      : program_(program), uses_(uses), graph_(graph), diagnostics_(diagnostics) {}
+
+  void check() {
+    for (std::size_t state = 0; state < program_.states.size(); ++state) {
+      if (!graph_.reached(state)) continue;
+      std::map<std::pair<TestedBit, bool>, const Condition*> tried;
+      for (const auto& condition : program_.states[state].conditions) {
+        const auto [first, is_new] =
+            tried.try_emplace({bit_of(condition), condition.bit_value}, &condition);
+        if (is_new)
+          tests_[bit_of(condition)].push_back({state, &condition});
+        else
+          warn_of_second(condition, *first->second);
+      }
+    }
+    const WritersOfTested writers = writers_of_tested(program_, uses_);
+    std::size_t followed = 0;
+    for (const auto& [bit, tests] : tests_)
+      if (++followed <= kMostBits)
+        check(tests, bit, BitFlow(program_, graph_, writers.at(uses_.variable(bit.variable)), bit));
+  }
+
+ private:
+  struct Test {
+    std::size_t state = 0;
+    const Condition* condition = nullptr;
+  };
+
+  void check(const std::vector<Test>& tests, const TestedBit& bit, const BitFlow& flow) {
+    for (const auto& test : tests) {
+      const BitValues values = flow.within(test.state);
+      if (values == 0) continue;
+      const BitValues holds = bit_values_of(test.condition->bit_value);
+      if ((values & holds) == 0) warn_of_never(test, bit, values);
+      if (values == holds) warn_of_always(test, bit);
+    }
+  }
+
+  void warn_of_second(const Condition& condition, const Condition& first) {
+    diagnostics_.warning(condition.location, "condition/never",
+                         "this condition never fires: that of line " +
+                             std::to_string(first.location.line) + " tests the same before it",
+                         "take one of them away, or test another bit");
+  }
+
+  void warn_of_never(const Test& test, const TestedBit& bit, BitValues values) {
+    const bool invalid = values == kBitInvalid;
+    const std::string& state = program_.states[test.state].name;
+    diagnostics_.warning(
+        test.condition->location, "condition/never",
+        "this condition never holds: " +
+            (invalid ? in_quotes(bit.variable) + " is always invalid"
+                     : bit_in_words(bit) + " is never " + (test.condition->bit_value ? "1" : "0")) +
+            " in the state " + in_quotes(state) + "; the way there: " + graph_.way_to(test.state),
+        "list a schema that writes " + in_quotes(bit.variable) + " in " + in_quotes(state));
+  }
+
+  void warn_of_always(const Test& test, const TestedBit& bit) {
+    const std::string& state = program_.states[test.state].name;
+    diagnostics_.warning(
+        test.condition->location, "condition/always",
+        "this condition always holds: " + bit_in_words(bit) + " is always " +
+            (test.condition->bit_value ? "1" : "0") + " in the state " + in_quotes(state) +
+            ", which is left in its first tick; the way there: " + graph_.way_to(test.state),
+        "list a schema that writes " + in_quotes(bit.variable) + " in " + in_quotes(state));
+  }
+
+  const Program& program_;
+  const SchemaUses& uses_;
+  const StateGraph& graph_;
+  Diagnostics& diagnostics_;
+  std::map<TestedBit, std::vector<Test>> tests_;
+};
+
+}  // namespace
+
+void warn_of_certain_conditions(const Program& program, const SchemaUses& uses,
+                                const StateGraph& graph, Diagnostics& diagnostics) {
+  ConditionChecker(program, uses, graph, diagnostics).check();
+}
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,98 @@
+#include "bhdl/idle_check.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "bhdl/initial_value.h"
+#include "bhdl/text.h"
+
+namespace galilean::bhdl {
+namespace {
+
+std::string idle_schema_in_words(const Component& component) {
+  return component.type + " " + in_quotes(component.name);
+}
+
+/// The types of variable that some schema of the catalog can write; the robot keeps the others.
+std::unordered_set<std::string_view> types_written(const Vocabulary& vocabulary) {
+  std::unordered_set<std::string_view> types;
+  for (const auto& component : vocabulary.components())
+    for (const auto& attribute : component.attributes)
+      if (attribute.access == Access::kWrite || attribute.access == Access::kUpdate)
+        types.insert(attribute.refers_to);
+  return types;
+}
+
+std::vector<bool> written_variables(const Program& program, const SchemaUses& uses) {
+  std::vector<bool> written(program.variables.size());
+  for (const auto& use : uses.all())
+    for (const auto* variables : {&use.writes, &use.updates})
+      for (const std::size_t variable : *variables) written[variable] = true;
+  return written;
+}
+
+std::unordered_set<const Component*> listed_schemas(const Program& program,
+                                                    const SchemaUses& uses) {
+  std::unordered_set<const Component*> listed;
+  for (std::size_t i = 0; i < program.states.size(); ++i)
+    for (const auto* schemas : {&uses.listed(i).perceptual, &uses.listed(i).motor})
+      for (const auto* use : *schemas) listed.insert(use->component);
+  return listed;
+}
+
+// Tells a list of gains by what the catalog says of it: numbers, one for each name of another list.
+void warn_of_zero_gains(const SchemaUse& use, Diagnostics& diagnostics) {
+  for (const auto& attribute : use.spec->attributes) {
+    if (attribute.type != AttributeType::kNumbers || attribute.one_for_each.empty()) continue;
+    const Value* gains = use.component->attributes.find(attribute.name);
+    const Value* inputs = use.component->attributes.find(attribute.one_for_each);
+    if (gains == nullptr || inputs == nullptr) continue;
+    const auto& numbers = std::get<std::vector<double>>(*gains);
+    const auto& names = std::get<std::vector<std::string>>(*inputs);
+    for (std::size_t i = 0; i < std::min(numbers.size(), names.size()); ++i)
+      if (numbers[i] == 0)
+        diagnostics.warning(
+            use.component->location, "value/no-effect",
+            in_quotes(names[i]) + " has no effect in " + idle_schema_in_words(*use.component) +
+                ": its entry in " + in_quotes(attribute.name) + " is 0",
+            "take it out of " + in_quotes(attribute.one_for_each) + ", or give it another number");
+  }
+}
+
+}  // namespace
+
+void warn_of_unwritten_variables(const Program& program, const SchemaUses& uses,
+                                 const Vocabulary& vocabulary, Diagnostics& diagnostics) {
+  const auto types = types_written(vocabulary);
+  const auto listed = listed_schemas(program, uses);
+  std::vector<bool> done = written_variables(program, uses);
+  for (const auto& use : uses.all()) {
+    if (!listed.contains(use.component)) continue;
+    for (const std::size_t index : use.reads) {
+      const Component& variable = program.variables[index];
+      if (done[index] || starts_valid(variable) || !types.contains(variable.type)) continue;
+      done[index] = true;
+      diagnostics.warning(variable.location, "variable/never-written",
+                          "no schema writes " + in_quotes(variable.name) + ", which " +
+                              idle_schema_in_words(*use.component) +
+                              " reads: it stays invalid for ever",
+                          "add a schema that writes it, or make it valid from the start");
+    }
+  }
+}
+
+void warn_of_unused_schemas(const Program& program, const SchemaUses& uses,
+                            std::string_view main_file, Diagnostics& diagnostics) {
+  const auto listed = listed_schemas(program, uses);
+  for (const auto& use : uses.all())
+    if (use.component->location.file == main_file && !listed.contains(use.component))
+      diagnostics.warning(use.component->location, "schema/unused",
+                          "no state lists " + idle_schema_in_words(*use.component),
+                          "list it in a state, or take it away");
+}
+
+void warn_of_gains_without_effect(const SchemaUses& uses, Diagnostics& diagnostics) {
+  for (const auto& use : uses.all()) warn_of_zero_gains(use, diagnostics);
+}
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string_view>
+
+#include "bhdl/diagnostic.h"
+#include "bhdl/schema_use.h"
+
+namespace galilean::bhdl {
+
+/// Warns of a variable that a listed schema reads, that no schema writes and that is not valid from
+/// the start.
+void warn_of_unwritten_variables(const Program& program, const SchemaUses& uses,
+                                 const Vocabulary& vocabulary, Diagnostics& diagnostics);
+
+/// Warns of schemas of the main file that no state lists. An included file may offer more than one
+/// program uses.
+void warn_of_unused_schemas(const Program& program, const SchemaUses& uses,
+                            std::string_view main_file, Diagnostics& diagnostics);
+
+/// Warns of gains of 0.
+void warn_of_gains_without_effect(const SchemaUses& uses, Diagnostics& diagnostics);
+
+}  // namespace galilean::bhdl

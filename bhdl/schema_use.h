@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "bhdl/program.h"
+#include "bhdl/vocabulary.h"
+
+namespace galilean::bhdl {
+
+/// What a schema of a program does with variables, as its declaration in the catalog says.
+/// Variables are counted as in Program::variables.
+struct SchemaUse {
+  const Component* component = nullptr;
+  const ComponentSpec* spec = nullptr;
+  std::vector<std::size_t> reads;    ///< updates included
+  std::vector<std::size_t> writes;   ///< whole: what was there is gone
+  std::vector<std::size_t> updates;  ///< in part: it reads and writes
+  std::vector<std::size_t> adjusts;  ///< how fast they fade
+};
+
+/// The uses of all schemas, and which of them each state lists. Points into the program and the
+/// vocabulary.
+class SchemaUses {
+ public:
+  SchemaUses(const Program& program, const Vocabulary& vocabulary);
+
+  struct Listed {
+    std::vector<const SchemaUse*> perceptual;  ///< in the order of the list
+    std::vector<const SchemaUse*> motor;
+  };
+
+  [[nodiscard]] const std::vector<SchemaUse>& all() const noexcept { return all_; }
+  /// By a state, counted as in Program::states.
+  [[nodiscard]] const Listed& listed(std::size_t state) const noexcept { return listed_[state]; }
+  /// Of a variable that exists.
+  [[nodiscard]] std::size_t variable(std::string_view name) const { return variables_.at(name); }
+
+ private:
+  void add(const Component& component, const Vocabulary& vocabulary);
+  void add_names(const Value* value, std::vector<std::size_t>& into) const;
+
+  std::unordered_map<std::string_view, std::size_t> variables_;
+  std::vector<SchemaUse> all_;
+  std::vector<Listed> listed_;
+};
+
+}  // namespace galilean::bhdl

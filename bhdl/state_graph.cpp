@@ -1,0 +1,49 @@
+#include "bhdl/state_graph.h"
+
+#include <algorithm>
+
+namespace galilean::bhdl {
+namespace {
+
+constexpr std::size_t kLongestWay = 8;
+
+}  // namespace
+
+StateGraph::StateGraph(const Program& program)
+    : program_(program), before_(program.states.size(), kNever) {
+  for (std::size_t i = 0; i < program.states.size(); ++i)
+    indices_.emplace(program.states[i].name, i);
+  for (const auto& state : program.states) {
+    auto& targets = targets_.emplace_back();
+    for (const auto& condition : state.conditions) targets.push_back(index(condition.new_state));
+  }
+  if (const auto start = indices_.find(program.start_state); start != indices_.end())
+    enter(start->second, start->second);
+  for (const auto& [old_state, new_state] : program.on_swap)
+    if (!reached(index(new_state))) enter(index(new_state), index(new_state));
+  for (std::size_t next = 0; next < order_.size(); ++next) {
+    const std::size_t from = order_[next];
+    for (const std::size_t target : targets_[from])
+      if (!reached(target)) enter(target, from);
+  }
+}
+
+void StateGraph::enter(std::size_t state, std::size_t from) {
+  before_[state] = from;
+  order_.push_back(state);
+}
+
+std::string StateGraph::way_to(std::size_t state) const {
+  std::vector<std::size_t> way{state};
+  while (before_[way.back()] != way.back()) way.push_back(before_[way.back()]);
+  std::ranges::reverse(way);
+  std::string text;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const bool cut = way.size() > kLongestWay && i == kLongestWay / 2;
+    if (cut) i = way.size() - kLongestWay / 2;
+    text += (i == 0 ? "" : cut ? " → … → " : " → ") + program_.states[way[i]].name;
+  }
+  return text;
+}
+
+}  // namespace galilean::bhdl

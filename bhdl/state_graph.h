@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "bhdl/program.h"
+
+namespace galilean::bhdl {
+
+/// Which states a program gets to, and by which way. It begins in its start state, or where a swap
+/// leads to. Views point into the program.
+class StateGraph {
+ public:
+  explicit StateGraph(const Program& program);
+
+  /// Of a state that exists, counted as in Program::states.
+  [[nodiscard]] std::size_t index(std::string_view state) const { return indices_.at(state); }
+  /// Where each condition of a state leads to, in the order of the text.
+  [[nodiscard]] const std::vector<std::size_t>& targets(std::size_t state) const noexcept {
+    return targets_[state];
+  }
+  [[nodiscard]] bool reached(std::size_t state) const noexcept { return before_[state] != kNever; }
+  /// A shortest way to a state that is reached: "start → wander → grab". Long ones lose their
+  /// middle.
+  [[nodiscard]] std::string way_to(std::size_t state) const;
+
+ private:
+  static constexpr std::size_t kNever = static_cast<std::size_t>(-1);
+
+  void enter(std::size_t state, std::size_t from);
+
+  const Program& program_;
+  std::unordered_map<std::string_view, std::size_t> indices_;
+  std::vector<std::vector<std::size_t>> targets_;
+  std::vector<std::size_t> before_;  ///< itself where the program begins
+  std::vector<std::size_t> order_;   ///< in which they were reached
+};
+
+}  // namespace galilean::bhdl

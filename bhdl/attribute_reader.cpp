@@ -54,17 +54,20 @@ AttributeValues AttributeReader::read(const ComponentSpec& spec, const Word& typ
   const std::string owner = label(type, attributes);
   std::vector<const Word*> given(spec.attributes.size(), nullptr);
   AttributeValues values;
+  Diagnostics reported_at_base;
+  const AttributeReader at_base(symbols_, text_is_whole_, reported_at_base);
   for (const auto& attribute : attributes) {
     const AttributeSpec* known = spec.find(attribute.name.text);
+    const AttributeReader& reader = attribute.inherited ? at_base : *this;
     if (known == nullptr) {
-      refuse_unknown(spec, attribute.name);
+      reader.refuse_unknown(spec, attribute.name);
       continue;
     }
     const Word*& first = given[static_cast<std::size_t>(known - spec.attributes.data())];
     if (first != nullptr)
       refuse_second(*known, attribute.name, *first, owner);
     else
-      read_one(attribute, *known, owner, values);
+      reader.read_one(attribute, *known, owner, values);
     first = &attribute.name;
   }
   for (std::size_t i = 0; i < given.size(); ++i)

@@ -1,8 +1,11 @@
 #include "bhdl/checker.h"
 
+#include <algorithm>
+
 #include "bhdl/attribute_reader.h"
 #include "bhdl/constants.h"
 #include "bhdl/declarations.h"
+#include "bhdl/extension.h"
 #include "bhdl/program_check.h"
 #include "bhdl/state_specs.h"
 #include "bhdl/text.h"
@@ -68,7 +71,7 @@ class ProgramReader {
                 names(values, "motor_schemas"),
                 {},
                 node.keyword.at};
-    for (const auto& each : node.conditions) state.conditions.push_back(condition(each));
+    for (const auto& each : node.conditions) add_condition(each, state.conditions);
     program_.states.push_back(std::move(state));
   }
 
@@ -107,8 +110,22 @@ class ProgramReader {
   }
 
  private:
-  [[nodiscard]] Condition condition(const ComponentNode& node) const {
-    const auto values = attributes_.read(condition_spec(), node.type, node.attributes);
+  // An inherited condition gives way to one of the state's own that tests the same.
+  void add_condition(const ComponentNode& node, std::vector<Condition>& conditions) const {
+    Diagnostics reported_at_base;
+    const AttributeReader at_base(symbols_, text_is_whole_, reported_at_base);
+    Condition read = condition(node, node.inherited ? at_base : attributes_);
+    const auto tests_the_same = [&](const Condition& each) {
+      return each.bits_variable == read.bits_variable && each.bit_index == read.bit_index &&
+             each.bit_value == read.bit_value;
+    };
+    if (!node.inherited || std::ranges::none_of(conditions, tests_the_same))
+      conditions.push_back(std::move(read));
+  }
+
+  [[nodiscard]] static Condition condition(const ComponentNode& node,
+                                           const AttributeReader& attributes) {
+    const auto values = attributes.read(condition_spec(), node.type, node.attributes);
     return {text(values, "bits_variable"),
             static_cast<unsigned>(value_or_nothing<double>(values, "bit_index")),
             value_or_nothing<bool>(values, "bit_value"),
@@ -136,6 +153,7 @@ Program check_tree(SyntaxTree tree, const std::string& main_file, const Catalog&
   return_lost_attributes(tree, vocabulary, diagnostics);
   const bool text_is_whole = !diagnostics.has_errors();
   put_in_constants(tree, diagnostics);
+  const Bases bases = inherit(tree, vocabulary, text_is_whole, diagnostics);
   const Symbols symbols = declare_names(tree, vocabulary, diagnostics);
   ProgramReader reader(vocabulary, symbols, text_is_whole, diagnostics);
   for (const auto& node : tree) std::visit([&](const auto& each) { reader.read(each); }, node);
@@ -145,7 +163,7 @@ Program check_tree(SyntaxTree tree, const std::string& main_file, const Catalog&
                       "the program has no state: a robot would not know what to do",
                       "add one with 'states:'");
   if (!diagnostics.has_errors())
-    warn_of_suspects(program, vocabulary, tree, main_file, diagnostics);
+    warn_of_suspects(program, vocabulary, {tree, bases, main_file}, diagnostics);
   return program;
 }
 

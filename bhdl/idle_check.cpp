@@ -40,6 +40,11 @@ std::unordered_set<const Component*> listed_schemas(const Program& program,
   return listed;
 }
 
+bool is_base(const Component& schema, const Bases& bases) {
+  const bool moves = schema.kind == ComponentKind::kMotorSchema;
+  return (moves ? bases.motor_schemas : bases.perceptual_schemas).contains(schema.name);
+}
+
 // Tells a list of gains by what the catalog says of it: numbers, one for each name of another list.
 void warn_of_zero_gains(const SchemaUse& use, Diagnostics& diagnostics) {
   for (const auto& attribute : use.spec->attributes) {
@@ -81,11 +86,12 @@ void warn_of_unwritten_variables(const Program& program, const SchemaUses& uses,
   }
 }
 
-void warn_of_unused_schemas(const Program& program, const SchemaUses& uses,
-                            std::string_view main_file, Diagnostics& diagnostics) {
+void warn_of_unused_schemas(const Program& program, const SchemaUses& uses, const ProgramText& text,
+                            Diagnostics& diagnostics) {
   const auto listed = listed_schemas(program, uses);
   for (const auto& use : uses.all())
-    if (use.component->location.file == main_file && !listed.contains(use.component))
+    if (use.component->location.file == text.main_file && !listed.contains(use.component) &&
+        !is_base(*use.component, text.bases))
       diagnostics.warning(use.component->location, "schema/unused",
                           "no state lists " + idle_schema_in_words(*use.component),
                           "list it in a state, or take it away");

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <string_view>
-
 #include "bhdl/diagnostic.h"
+#include "bhdl/program_check.h"
 #include "bhdl/schema_use.h"
 
 namespace galilean::bhdl {
@@ -12,10 +11,10 @@ namespace galilean::bhdl {
 void warn_of_unwritten_variables(const Program& program, const SchemaUses& uses,
                                  const Vocabulary& vocabulary, Diagnostics& diagnostics);
 
-/// Warns of schemas of the main file that no state lists. An included file may offer more than one
-/// program uses.
-void warn_of_unused_schemas(const Program& program, const SchemaUses& uses,
-                            std::string_view main_file, Diagnostics& diagnostics);
+/// Warns of schemas of the main file that no state lists and none extends. An included file may
+/// offer more than one program uses.
+void warn_of_unused_schemas(const Program& program, const SchemaUses& uses, const ProgramText& text,
+                            Diagnostics& diagnostics);
 
 /// Warns of gains of 0.
 void warn_of_gains_without_effect(const SchemaUses& uses, Diagnostics& diagnostics);

@@ -7,16 +7,16 @@
 
 namespace galilean::bhdl {
 
-void warn_of_suspects(const Program& program, const Vocabulary& vocabulary, const SyntaxTree& tree,
-                      std::string_view main_file, Diagnostics& diagnostics) {
+void warn_of_suspects(const Program& program, const Vocabulary& vocabulary, const ProgramText& text,
+                      Diagnostics& diagnostics) {
   const StateGraph graph(program);
   const SchemaUses uses(program, vocabulary);
-  warn_of_unreachable_states(program, graph, diagnostics);
+  warn_of_unreachable_states(program, graph, text.bases, diagnostics);
   warn_of_traps(program, graph, diagnostics);
   warn_of_certain_conditions(program, uses, graph, diagnostics);
-  warn_of_wiring(program, uses, tree, diagnostics);
+  warn_of_wiring(program, uses, text.tree, diagnostics);
   warn_of_unwritten_variables(program, uses, vocabulary, diagnostics);
-  warn_of_unused_schemas(program, uses, main_file, diagnostics);
+  warn_of_unused_schemas(program, uses, text, diagnostics);
   warn_of_gains_without_effect(uses, diagnostics);
 }
 

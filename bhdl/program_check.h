@@ -3,14 +3,22 @@
 #include <string_view>
 
 #include "bhdl/diagnostic.h"
+#include "bhdl/extension.h"
 #include "bhdl/syntax.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 
+/// What the program alone does not tell.
+struct ProgramText {
+  const SyntaxTree& tree;  ///< that the program was read from
+  const Bases& bases;
+  std::string_view main_file;
+};
+
 /// Warns of what a program without errors can hardly mean. Every warning is of something certain: a
-/// robot that runs the program would show it. `tree` is what the program was read from.
-void warn_of_suspects(const Program& program, const Vocabulary& vocabulary, const SyntaxTree& tree,
-                      std::string_view main_file, Diagnostics& diagnostics);
+/// robot that runs the program would show it.
+void warn_of_suspects(const Program& program, const Vocabulary& vocabulary, const ProgramText& text,
+                      Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

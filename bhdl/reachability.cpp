@@ -6,17 +6,19 @@
 
 namespace galilean::bhdl {
 
-void warn_of_unreachable_states(const Program& program, const StateGraph& graph,
+void warn_of_unreachable_states(const Program& program, const StateGraph& graph, const Bases& bases,
                                 Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < program.states.size(); ++i)
-    if (!graph.reached(i))
+    if (!graph.reached(i) && !bases.states.contains(program.states[i].name))
       diagnostics.warning(program.states[i].location, "state/unreachable",
                           "no condition leads to the state " + in_quotes(program.states[i].name),
                           "name it as a new_state, or as 'start_state:'");
 }
 
 void warn_of_traps(const Program& program, const StateGraph& graph, Diagnostics& diagnostics) {
-  if (program.states.size() < 2) return;
+  std::size_t reached = 0;
+  for (std::size_t i = 0; i < program.states.size(); ++i) reached += graph.reached(i) ? 1 : 0;
+  if (reached < 2) return;
   for (std::size_t i = 0; i < program.states.size(); ++i) {
     const State& state = program.states[i];
     const bool rests = state.conditions.empty() && state.motor_schemas.empty();

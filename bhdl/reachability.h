@@ -1,16 +1,17 @@
 #pragma once
 
 #include "bhdl/diagnostic.h"
+#include "bhdl/extension.h"
 #include "bhdl/state_graph.h"
 
 namespace galilean::bhdl {
 
-/// Warns of every state that neither the start state nor a swap leads to.
-void warn_of_unreachable_states(const Program& program, const StateGraph& graph,
+/// Warns of every state that neither the start state nor a swap leads to and that none extends.
+void warn_of_unreachable_states(const Program& program, const StateGraph& graph, const Bases& bases,
                                 Diagnostics& diagnostics);
 
 /// Warns of a state that runs motor schemas, or has conditions, and yet is never left for another,
-/// in a program that has others. One that has neither is where a program means to rest.
+/// in a program that gets to others. One that has neither is where a program means to rest.
 void warn_of_traps(const Program& program, const StateGraph& graph, Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

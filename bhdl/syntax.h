@@ -40,12 +40,14 @@ struct ValueNode {
 struct AttributeNode {
   Word name;
   std::vector<ValueNode> values;  ///< never empty but in a state's lists
+  bool inherited = false;         ///< it stands in what this one extends, and is checked there
 };
 
 /// `type: attributes… end`. A condition is a block of type "condition".
 struct ComponentNode {
   Word type;
   std::vector<AttributeNode> attributes;
+  bool inherited = false;  ///< a condition of the state that this one extends
 };
 
 struct StateNode {

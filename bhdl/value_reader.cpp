@@ -14,17 +14,17 @@ namespace {
 
 using Kind = ValueNode::Kind;
 
-std::string with_unit(std::string text, const Unit* unit) {
+std::string number_with_unit(std::string text, const Unit* unit) {
   return unit == nullptr ? text : text.append(" ").append(unit->symbol);
 }
 
 std::string in_words(const ValueNode& value) {
   switch (value.kind) {
     case Kind::kNumber:
-      return "the number " + with_unit(std::string(value.text), value.unit);
+      return "the number " + number_with_unit(std::string(value.text), value.unit);
     case Kind::kPair:
-      return "the pair <" + with_unit(number_text(value.number), value.unit) + ", " +
-             with_unit(number_text(value.second), value.second_unit) + ">";
+      return "the pair <" + number_with_unit(number_text(value.number), value.unit) + ", " +
+             number_with_unit(number_text(value.second), value.second_unit) + ">";
     case Kind::kText:
       return "the text " + in_quotes(value.text);
     default:

@@ -9,6 +9,14 @@ namespace {
 
 constexpr BitValues kValid = kBitZero | kBitOne;
 constexpr BitValues kAnything = kValid | kBitInvalid;
+constexpr int kInvalidShift = 2;
+
+BitValues made_invalid(BitValues values) noexcept {
+  return static_cast<BitValues>((values & kBitInvalid) | (values & kValid) << kInvalidShift);
+}
+BitValues made_valid(BitValues values) noexcept {
+  return static_cast<BitValues>((values & kValid) | values >> kInvalidShift);
+}
 
 BitValues updated(const Condition& condition) noexcept {
   switch (condition.bit_update) {
@@ -24,10 +32,9 @@ BitValues updated(const Condition& condition) noexcept {
 }
 
 void note_writes(const SchemaUse& use, std::size_t state, WritersOfTested& writers) {
-  for (const auto* variables : {&use.writes, &use.updates})
-    for (const std::size_t variable : *variables)
-      if (const auto found = writers.find(variable); found != writers.end())
-        found->second.in_state[state] = true;
+  for (const auto& written : use.written)
+    if (const auto found = writers.find(written.variable); found != writers.end())
+      found->second.in_state[state] |= written.bits;
 }
 
 void note_fading(const SchemaUse& use, WritersOfTested& writers) {
@@ -69,8 +76,11 @@ BitFlow::BitFlow(const Program& program, const StateGraph& graph, const Variable
 
 BitValues BitFlow::within(std::size_t state) const noexcept {
   BitValues values = entered_[state];
-  if (values != 0 && writers_.in_state[state]) values |= kValid;
-  if ((values & kValid) != 0 && writers_.fades) values |= kBitInvalid;
+  if (values == 0) return values;
+  const std::uint32_t written = writers_.in_state[state];
+  if (written != 0) values |= made_valid(values);
+  if ((written >> bit_.index & 1U) != 0) values |= kValid;
+  if (writers_.fades) values |= made_invalid(values);
   return values;
 }
 
@@ -79,7 +89,8 @@ BitValues BitFlow::initial() const {
   if (found == program_.variables.end()) return kAnything;
   const auto value = initial_bits(*found);
   if (!value) return kAnything;
-  return starts_valid(*found) ? bit_values_of((*value >> bit_.index & 1U) != 0) : kBitInvalid;
+  const BitValues held = bit_values_of((*value >> bit_.index & 1U) != 0);
+  return starts_valid(*found) ? held : made_invalid(held);
 }
 
 BitValues BitFlow::behind(const Condition& condition, BitValues values) const {
@@ -90,7 +101,7 @@ BitValues BitFlow::behind(const Condition& condition, BitValues values) const {
     values = same ? updated(condition) : static_cast<BitValues>(values & seen);
   }
   const auto& reset = condition.reset_variables;
-  return std::ranges::find(reset, bit_.variable) != reset.end() ? kBitInvalid : values;
+  return std::ranges::find(reset, bit_.variable) != reset.end() ? made_invalid(values) : values;
 }
 
 void BitFlow::enter(std::size_t state, BitValues values) {

@@ -11,11 +11,12 @@
 
 namespace galilean::bhdl {
 
-/// What a bit may be, as a set.
+/// What a bit may be, as a set. An invalid variable still holds its bits: what writes another of
+/// them makes them valid again.
 using BitValues = std::uint8_t;
-inline constexpr BitValues kBitInvalid = 1;
-inline constexpr BitValues kBitZero = 2;
-inline constexpr BitValues kBitOne = 4;
+inline constexpr BitValues kBitZero = 1;
+inline constexpr BitValues kBitOne = 2;
+inline constexpr BitValues kBitInvalid = 4 | 8;  ///< invalid 0, invalid 1
 
 /// The one value that a condition asks for.
 [[nodiscard]] constexpr BitValues bit_values_of(bool value) noexcept {
@@ -30,9 +31,9 @@ struct TestedBit {
   auto operator<=>(const TestedBit&) const = default;
 };
 
-/// In which states a variable may be written, and whether it fades when it is not.
+/// Which bits of a variable may be written in each state, and whether it fades when it is not.
 struct VariableWriters {
-  std::vector<bool> in_state;
+  std::vector<std::uint32_t> in_state;
   bool fades = false;
 };
 
@@ -40,7 +41,7 @@ struct VariableWriters {
 using WritersOfTested = std::unordered_map<std::size_t, VariableWriters>;
 [[nodiscard]] WritersOfTested writers_of_tested(const Program& program, const SchemaUses& uses);
 
-/// Follows one bit from state to state: a schema that may write its variable can make it 0 or 1, a
+/// Follows one bit from state to state: a schema that writes it can make it 0 or 1, a
 /// condition that fires has seen the value that it asks for, `bit_update` and `reset_variables`
 /// change it, and what is written fades. What this allows may still never happen; what it forbids
 /// never does.

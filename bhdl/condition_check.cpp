@@ -68,7 +68,7 @@ class ConditionChecker {
   }
 
   void warn_of_never(const Test& test, const TestedBit& bit, BitValues values) {
-    const bool invalid = values == kBitInvalid;
+    const bool invalid = (values & (kBitZero | kBitOne)) == 0;
     const std::string& state = program_.states[test.state].name;
     diagnostics_.warning(
         test.condition->location, "condition/never",

@@ -13,6 +13,21 @@ std::vector<const SchemaUse*> uses_of(const std::vector<std::string>& list,
   return uses;
 }
 
+/// As the attributes that are declared to say so say; all if there are none.
+std::uint32_t bits_written(const Component& component, const ComponentSpec& spec,
+                           const std::string& variable_attribute) {
+  constexpr double kLastBit = 31;
+  std::uint32_t bits = 0;
+  for (const auto& attribute : spec.attributes) {
+    if (attribute.bit_of != variable_attribute) continue;
+    const Value* value = component.attributes.find(attribute.name);
+    const auto* index = value == nullptr ? nullptr : std::get_if<double>(value);
+    if (index == nullptr || *index < 0 || *index > kLastBit) return ~std::uint32_t{0};
+    bits |= std::uint32_t{1} << static_cast<unsigned>(*index);
+  }
+  return bits == 0 ? ~std::uint32_t{0} : bits;
+}
+
 }  // namespace
 
 SchemaUses::SchemaUses(const Program& program, const Vocabulary& vocabulary) {
@@ -41,6 +56,11 @@ void SchemaUses::add(const Component& component, const Vocabulary& vocabulary) {
     if (access == Access::kRead || access == Access::kUpdate) add_names(value, use.reads);
     if (access == Access::kWrite) add_names(value, use.writes);
     if (access == Access::kUpdate) add_names(value, use.updates);
+    if (access != Access::kWrite && access != Access::kUpdate) continue;
+    std::vector<std::size_t> written;
+    add_names(value, written);
+    for (const std::size_t variable : written)
+      use.written.push_back({variable, bits_written(component, *use.spec, attribute.name)});
   }
   all_.push_back(std::move(use));
 }

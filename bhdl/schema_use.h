@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -9,6 +10,12 @@
 
 namespace galilean::bhdl {
 
+/// Bits of a variable that a schema writes.
+struct WrittenBits {
+  std::size_t variable = 0;
+  std::uint32_t bits = ~std::uint32_t{0};
+};
+
 /// What a schema of a program does with variables, as its declaration in the catalog says.
 /// Variables are counted as in Program::variables.
 struct SchemaUse {
@@ -17,6 +24,7 @@ struct SchemaUse {
   std::vector<std::size_t> reads;    ///< updates included
   std::vector<std::size_t> writes;   ///< whole: what was there is gone
   std::vector<std::size_t> updates;  ///< in part: it reads and writes
+  std::vector<WrittenBits> written;  ///< all that it writes or updates
   std::vector<std::size_t> adjusts;  ///< how fast they fade
 };
 

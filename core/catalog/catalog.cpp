@@ -67,6 +67,7 @@ nlohmann::json attribute_to_json(const AttributeSpec& spec) {
   if (!spec.choices.empty()) json["choices"] = spec.choices;
   if (!spec.refers_to.empty()) json["refers_to"] = spec.refers_to;
   if (!spec.one_for_each.empty()) json["one_for_each"] = spec.one_for_each;
+  if (!spec.bit_of.empty()) json["bit_of"] = spec.bit_of;
   if (spec.access != Access::kNone) json["access"] = to_string(spec.access);
   return json;
 }
@@ -86,6 +87,7 @@ AttributeSpec attribute_from_json(const nlohmann::json& json) {
   spec.choices = json.value("choices", spec.choices);
   spec.refers_to = json.value("refers_to", "");
   spec.one_for_each = json.value("one_for_each", "");
+  spec.bit_of = json.value("bit_of", "");
   spec.access = parse_word<Access>(kAccess, json.value("access", "none"));
   spec.help = json.value("help", "");
   return spec;

@@ -55,6 +55,8 @@ struct AttributeSpec {
                              ///< "state", "perceptual_schema", "motor_schema"
   std::string one_for_each;  ///< of a list that may be left out: the list that it has to match in
                              ///< number
+  std::string bit_of;  ///< of a whole number that says which bit of a bits variable is written:
+                       ///< the attribute that names the variable; less than 0: all bits
   Access access = Access::kNone;
   std::string help;
 

@@ -63,6 +63,12 @@ class Declaration {
       spec_.one_for_each = std::move(attribute);
       return *this;
     }
+    /// Of a bit's index: the schema writes that bit of the variable that `attribute` names. A
+    /// schema writes no bits but those that are so declared, or any if none is.
+    Refinement& bit_of(std::string attribute) {
+      spec_.bit_of = std::move(attribute);
+      return *this;
+    }
 
    private:
     AttributeSpec& spec_;

@@ -12,7 +12,9 @@ void Arrived::describe(Declaration<Arrived>& is) {
             "distance from the robot's centre to the object's that counts as there")
       .range(0, 10000);
   is.updates(&Arrived::bits_, "bits_variable", "holds the bit");
-  is.number(&Arrived::bit_index_, "bit_index", unit::kNone, 0, "which bit").range(0, 31);
+  is.number(&Arrived::bit_index_, "bit_index", unit::kNone, 0, "which bit")
+      .range(0, 31)
+      .bit_of("bits_variable");
 }
 
 void Arrived::run(const Tick& tick) {

@@ -7,7 +7,8 @@ void BumperScanner::describe(Declaration<BumperScanner>& is) {
   is.updates(&BumperScanner::bits_, "bits_variable", "a bit for each bumper");
   is.number(&BumperScanner::bit_index_, "bit_index", unit::kNone, kAllBumpers,
             "the one bumper to scan; -1: all eight")
-      .range(kAllBumpers, ControllerStatus::kBumpers - 1);
+      .range(kAllBumpers, ControllerStatus::kBumpers - 1)
+      .bit_of("bits_variable");
   is.uses_devices(&BumperScanner::devices_);
 }
 

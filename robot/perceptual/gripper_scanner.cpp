@@ -7,10 +7,12 @@ void GripperScanner::describe(Declaration<GripperScanner>& is) {
   is.updates(&GripperScanner::bits_, "bits_variable", "a bit for the beam, one for the servo");
   is.number(&GripperScanner::beam_index_, "beam_index", unit::kNone, 0,
             "the bit that is 1 while the infrared beam is broken")
-      .range(0, 31);
+      .range(0, 31)
+      .bit_of("bits_variable");
   is.number(&GripperScanner::closed_index_, "closed_index", unit::kNone, 1,
             "the bit that is 1 while the gripper is closed")
-      .range(0, 31);
+      .range(0, 31)
+      .bit_of("bits_variable");
   is.uses_devices(&GripperScanner::devices_);
 }
 

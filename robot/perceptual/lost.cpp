@@ -9,7 +9,9 @@ void Lost::describe(Declaration<Lost>& is) {
             "certainty below which the object is lost")
       .range(0, 1);
   is.updates(&Lost::bits_, "bits_variable", "holds the bit");
-  is.number(&Lost::bit_index_, "bit_index", unit::kNone, 0, "which bit").range(0, 31);
+  is.number(&Lost::bit_index_, "bit_index", unit::kNone, 0, "which bit")
+      .range(0, 31)
+      .bit_of("bits_variable");
 }
 
 void Lost::run(const Tick& tick) {

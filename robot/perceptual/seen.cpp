@@ -14,7 +14,9 @@ void Seen::describe(Declaration<Seen>& is) {
             "how far from the robot it may be")
       .range(0, 10000);
   is.updates(&Seen::bits_, "bits_variable", "holds the bit");
-  is.number(&Seen::bit_index_, "bit_index", unit::kNone, 0, "which bit").range(0, 31);
+  is.number(&Seen::bit_index_, "bit_index", unit::kNone, 0, "which bit")
+      .range(0, 31)
+      .bit_of("bits_variable");
 }
 
 void Seen::run(const Tick& tick) {

@@ -8,7 +8,9 @@ void StuckDetector::describe(Declaration<StuckDetector>& is) {
   is.number(&StuckDetector::duration_s_, "duration", unit::kSecond, 3, "how long is too long")
       .range(0, 86400);
   is.updates(&StuckDetector::bits_, "bits_variable", "holds the bit");
-  is.number(&StuckDetector::bit_index_, "bit_index", unit::kNone, 0, "which bit").range(0, 31);
+  is.number(&StuckDetector::bit_index_, "bit_index", unit::kNone, 0, "which bit")
+      .range(0, 31)
+      .bit_of("bits_variable");
 }
 
 void StuckDetector::run(const Tick& tick) {

@@ -5,7 +5,9 @@ namespace galilean::robot {
 void TimeDetector::describe(Declaration<TimeDetector>& is) {
   is.help("Sets a bit when a time has passed since the state was entered.");
   is.updates(&TimeDetector::bits_, "bits_variable", "holds the bit");
-  is.number(&TimeDetector::bit_index_, "bit_index", unit::kNone, 0, "which bit").range(0, 31);
+  is.number(&TimeDetector::bit_index_, "bit_index", unit::kNone, 0, "which bit")
+      .range(0, 31)
+      .bit_of("bits_variable");
   is.required_number(&TimeDetector::duration_s_, "duration", unit::kSecond, "the time")
       .range(0, 86400);
 }

@@ -103,6 +103,21 @@ ComponentSpec forget() {
           {std::move(variables), number("time", unit::kSecond, 60, 0, 1e4), std::move(shaft)}};
 }
 
+ComponentSpec time_detector() {
+  return {"time_detector",
+          ComponentKind::kPerceptualSchema,
+          "Sets a bit after a time.",
+          {reference("bits_variable", "bits", Access::kUpdate),
+           {.name = "bit_index",
+            .type = AttributeType::kInteger,
+            .default_value = Value(0.0),
+            .minimum = 0,
+            .maximum = 31,
+            .bit_of = "bits_variable",
+            .help = "which bit"},
+           number("duration", unit::kSecond, 1, 0, 600)}};
+}
+
 ComponentSpec obstacle_detector() {
   AttributeSpec shaft = reference("shaft_variable", "shaft", Access::kRead);
   shaft.default_value = Value(std::string("shaft"));
@@ -160,6 +175,7 @@ Catalog small_catalog() {
             "Reads the bumpers.",
             {reference("bits_variable", "bits", Access::kWrite)}},
            obstacle_detector(),
+           time_detector(),
            forget(),
            noise(),
            {"move_robot",

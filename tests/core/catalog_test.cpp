@@ -21,6 +21,7 @@ class Example final : public MotorSchema {
         .alias("raduis");
     is.pair(&Example::offset_m_, "offset", unit::kCentimetre, Vec2(0, 22), "a point");
     is.reads_all(&Example::inputs_, "inputs", "forces");
+    is.number(&Example::index_, "bit_index", unit::kNone, 0, "which").bit_of("bits_variable");
     is.choice(&Example::sum_, "mode", {"average", "sum"}, "average", "how");
   }
   void run(const Tick&) override {}
@@ -30,6 +31,7 @@ class Example final : public MotorSchema {
   double radius_m_ = 0;
   Vec2 offset_m_ = Vec2::Zero();
   std::vector<const Variable<Force>*> inputs_;
+  int index_ = 0;
   bool sum_ = false;
 };
 
@@ -41,6 +43,7 @@ TEST(Catalog, SurvivesJson) {
   ASSERT_TRUE(read.ok()) << read.error().message;
   EXPECT_EQ(catalog_to_json(read.value()), text);
   EXPECT_EQ(read.value().find("example")->drives, "motor_drive");
+  EXPECT_EQ(read.value().find("example")->find("bit_index")->bit_of, "bits_variable");
   const auto* radius = read.value().find("example")->find("raduis");
   ASSERT_NE(radius, nullptr);
   EXPECT_EQ(radius->name, "radius");

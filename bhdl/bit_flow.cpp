@@ -64,7 +64,7 @@ BitFlow::BitFlow(const Program& program, const StateGraph& graph, const Variable
     : program_(program), writers_(writers), bit_(bit), entered_(program.states.size(), 0) {
   enter(graph.index(program.start_state), initial());
   for (const auto& [old_state, new_state] : program.on_swap)
-    enter(graph.index(new_state), kAnything);
+    enter(graph.index(new_state), changes() ? kAnything : initial());
   while (!to_visit_.empty()) {
     const std::size_t state = to_visit_.back();
     to_visit_.pop_back();
@@ -82,6 +82,18 @@ BitValues BitFlow::within(std::size_t state) const noexcept {
   if ((written >> bit_.index & 1U) != 0) values |= kValid;
   if (writers_.fades) values |= made_invalid(values);
   return values;
+}
+
+bool BitFlow::changes() const {
+  const auto writes = [this](std::uint32_t bits) { return (bits >> bit_.index & 1U) != 0; };
+  if (std::ranges::any_of(writers_.in_state, writes)) return true;
+  const auto updates = [this](const Condition& each) {
+    return each.bit_update != BitUpdate::kSame && each.bits_variable == bit_.variable &&
+           each.bit_index == bit_.index;
+  };
+  return std::ranges::any_of(program_.states, [&](const State& state) {
+    return std::ranges::any_of(state.conditions, updates);
+  });
 }
 
 BitValues BitFlow::initial() const {

@@ -55,6 +55,8 @@ class BitFlow {
 
  private:
   [[nodiscard]] BitValues initial() const;
+  /// Whether anything in the program does: then a program before it may have left the bit so, too.
+  [[nodiscard]] bool changes() const;
   /// Empty if the condition cannot fire.
   [[nodiscard]] BitValues behind(const Condition& condition, BitValues values) const;
   void enter(std::size_t state, BitValues values);

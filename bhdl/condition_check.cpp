@@ -76,7 +76,7 @@ class ConditionChecker {
             (invalid ? in_quotes(bit.variable) + " is always invalid"
                      : bit_in_words(bit) + " is never " + (test.condition->bit_value ? "1" : "0")) +
             " in the state " + in_quotes(state) + "; the way there: " + graph_.way_to(test.state),
-        "list a schema that writes " + in_quotes(bit.variable) + " in " + in_quotes(state));
+        "list a schema that writes " + bit_in_words(bit) + " in " + in_quotes(state));
   }
 
   void warn_of_always(const Test& test, const TestedBit& bit) {
@@ -86,7 +86,7 @@ class ConditionChecker {
         "this condition always holds: " + bit_in_words(bit) + " is always " +
             (test.condition->bit_value ? "1" : "0") + " in the state " + in_quotes(state) +
             ", which is left in its first tick; the way there: " + graph_.way_to(test.state),
-        "list a schema that writes " + in_quotes(bit.variable) + " in " + in_quotes(state));
+        "list a schema that writes " + bit_in_words(bit) + " in " + in_quotes(state));
   }
 
   const Program& program_;

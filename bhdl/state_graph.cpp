@@ -18,10 +18,14 @@ StateGraph::StateGraph(const Program& program)
     for (const auto& condition : state.conditions) targets.push_back(index(condition.new_state));
   }
   if (const auto start = indices_.find(program.start_state); start != indices_.end())
-    enter(start->second, start->second);
-  for (const auto& [old_state, new_state] : program.on_swap)
-    if (!reached(index(new_state))) enter(index(new_state), index(new_state));
-  for (std::size_t next = 0; next < order_.size(); ++next) {
+    explore_from(start->second);
+  for (const auto& [old_state, new_state] : program.on_swap) explore_from(index(new_state));
+}
+
+void StateGraph::explore_from(std::size_t beginning) {
+  if (reached(beginning)) return;
+  enter(beginning, beginning);
+  for (std::size_t next = order_.size() - 1; next < order_.size(); ++next) {
     const std::size_t from = order_[next];
     for (const std::size_t target : targets_[from])
       if (!reached(target)) enter(target, from);

@@ -9,7 +9,7 @@
 
 namespace galilean::bhdl {
 
-/// Which states a program gets to, and by which way. It begins in its start state, or where a swap
+/// Which states a program gets to, and by which way: from its start state, else from where a swap
 /// leads to. Views point into the program.
 class StateGraph {
  public:
@@ -29,6 +29,7 @@ class StateGraph {
  private:
   static constexpr std::size_t kNever = static_cast<std::size_t>(-1);
 
+  void explore_from(std::size_t beginning);
   void enter(std::size_t state, std::size_t from);
 
   const Program& program_;

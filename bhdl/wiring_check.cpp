@@ -38,15 +38,22 @@ class StateWiring {
     node_ = &node;
     listed_ = &uses_.listed(state);
     note_readers();
+    unread_.clear();
     for (std::size_t i = 0; i < listed_->motor.size(); ++i) {
       check_writer(i);
       check_result(i);
       check_driver(i);
     }
+    if (!unread_.empty()) warn_of_unread();
     wipe();
   }
 
  private:
+  struct Result {
+    std::size_t schema = 0;
+    std::size_t variable = 0;
+  };
+
   // Perceptual schemas and conditions read what the tick before left, so whoever writes it is in
   // time for them.
   void note_readers() {
@@ -84,17 +91,27 @@ class StateWiring {
   void check_result(std::size_t schema) {
     for (const std::size_t variable : listed_->motor[schema]->writes) {
       const std::size_t reader = last_reader_[variable];
-      const std::string subject = schema_in_words(*listed_->motor[schema]);
       if (reader == kNobody)
-        warn(schema, "state/unread-result",
-             "nothing in this state reads " + name(variable) + ", the result of " + subject,
-             "list a schema that reads it, or take this one away");
+        unread_.push_back({schema, variable});
       else if (reader < schema)
         warn(schema, "state/late-result",
-             subject + " writes " + name(variable) + " after " +
+             schema_in_words(*listed_->motor[schema]) + " writes " + name(variable) + " after " +
                  schema_in_words(*listed_->motor[reader]) + " has read it: schemas run as listed",
              "list it before");
     }
+  }
+
+  // One warning for all: what is missing is most often the one schema that would read them.
+  void warn_of_unread() {
+    constexpr std::size_t kMostNamed = 3;
+    std::string results;
+    for (std::size_t i = 0; i < std::min(unread_.size(), kMostNamed); ++i)
+      results += (i == 0 ? "" : ", nor ") + name(unread_[i].variable) + ", the result of " +
+                 schema_in_words(*listed_->motor[unread_[i].schema]);
+    if (unread_.size() > kMostNamed)
+      results += ", nor " + std::to_string(unread_.size() - kMostNamed) + " more";
+    warn(unread_.front().schema, "state/unread-result", "nothing reads " + results,
+         "list a schema that reads it, or take away what writes it");
   }
 
   void check_driver(std::size_t schema) {
@@ -125,6 +142,7 @@ class StateWiring {
   Diagnostics& diagnostics_;
   std::vector<std::size_t> writer_;       ///< of each variable, among the state's motor schemas
   std::vector<std::size_t> last_reader_;  ///< beyond the motor schemas: somebody else
+  std::vector<Result> unread_;            ///< in this state
   const State* state_ = nullptr;
   const StateNode* node_ = nullptr;
   const SchemaUses::Listed* listed_ = nullptr;

@@ -5,6 +5,9 @@
 #include "bhdl/catalog_file.h"
 #include "bhdl/check.h"
 #include "bhdl/describe.h"
+#include "bhdl/diff_command.h"
+#include "bhdl/format_command.h"
+#include "bhdl/graph_command.h"
 #include "bhdl/machine.h"
 
 namespace galilean::bhdl {
@@ -15,6 +18,8 @@ struct Options {
   std::vector<std::string> files;
   std::string component;
   bool json = false;
+  std::string graph_format = "dot";
+  bool check_only = false;
 };
 
 nlohmann::json check_to_json(const std::string& file, const CheckResult& result) {
@@ -66,31 +71,65 @@ int run_describe(const Options& options, const Catalog& catalog) {
   return 0;
 }
 
-int run(int argc, char** argv) {
-  Options options;
-  CLI::App app("Checks BHDL programs and prints the reference of the language.", "galilean bhdl");
-  app.require_subcommand(1);
-  auto* check = app.add_subcommand("check", "Check programs; exits 0 if all of them are right");
-  check->add_option("FILE", options.files, "programs")->required();
-  auto* describe = app.add_subcommand("describe", "Print what programs can name");
-  describe->add_option("COMPONENT", options.component, "one component, or state or condition");
-  for (auto* command : {check, describe}) {
+/// The verbs of the command line.
+struct Commands {
+  CLI::App* check;
+  CLI::App* describe;
+  CLI::App* format;
+  CLI::App* diff;
+  CLI::App* graph;
+};
+
+Commands add_commands(CLI::App& app, Options& options) {
+  Commands commands{
+      app.add_subcommand("check", "Check programs; exits 0 if all of them are right"),
+      app.add_subcommand("describe", "Print what programs can name"),
+      app.add_subcommand("fmt", "Lay files out in the one way and name those that changed"),
+      app.add_subcommand("diff", "Print what one program does otherwise than another"),
+      app.add_subcommand("graph", "Print a program's state machine")};
+  commands.check->add_option("FILE", options.files, "programs")->required();
+  commands.describe->add_option("COMPONENT", options.component,
+                                "one component, or state or condition");
+  commands.format->add_option("FILE", options.files, "files, or - for standard input")->required();
+  commands.format->add_flag("--check", options.check_only,
+                            "Write nothing, name what would change and exit 1 if anything would");
+  commands.diff->add_option("FILE", options.files, "two programs")->required()->expected(2);
+  commands.diff->footer("Exits 0 if they do the same, 1 if not, 2 if one of them is no program.");
+  commands.graph->add_option("FILE", options.files, "a program")->required()->expected(1);
+  commands.graph->add_option("--format", options.graph_format, "What to print it as")
+      ->check(CLI::IsMember({"dot", "svg", "json"}))
+      ->capture_default_str();
+  for (auto* command : {commands.check, commands.describe, commands.diff})
     command->add_flag("--json", options.json, "Print JSON");
+  for (auto* command : {commands.check, commands.describe, commands.diff, commands.graph})
     command->add_option("--catalog", options.catalog_path,
                         "What components there are (default: this build's robot)");
-  }
+  return commands;
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  CLI::App app("Checks, lays out, compares, draws and explains BHDL programs.", "galilean bhdl");
+  app.require_subcommand(1);
+  const Commands commands = add_commands(app, options);
+  const auto failure = [&] { return commands.diff->parsed() ? 2 : 1; };
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
-    return app.exit(problem) == 0 ? 0 : 1;
+    return app.exit(problem) == 0 ? 0 : failure();
   }
+  if (commands.format->parsed()) return run_format(options.files, options.check_only);
   const auto catalog = load_catalog(options.catalog_path);
   if (!catalog) {
     std::cerr << "galilean-bhdl: " << catalog.error().message << '\n';
-    return 1;
+    return failure();
   }
-  return check->parsed() ? run_check(options, catalog.value())
-                         : run_describe(options, catalog.value());
+  if (commands.diff->parsed())
+    return run_diff(options.files[0], options.files[1], options.json, catalog.value());
+  if (commands.graph->parsed())
+    return run_graph(options.files[0], options.graph_format, catalog.value());
+  return commands.check->parsed() ? run_check(options, catalog.value())
+                                  : run_describe(options, catalog.value());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "bhdl/names.h"
 #include "bhdl/state_specs.h"
 #include "bhdl/text.h"
+#include "bhdl/value_words.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
@@ -33,27 +34,11 @@ std::string first_sentence(const std::string& help) {
   return end == std::string::npos ? help : help.substr(0, end + 1);
 }
 
-struct ValueInWords {
-  std::string operator()(bool value) const { return value ? "yes" : "no"; }
-  std::string operator()(double value) const { return number_text(value); }
-  std::string operator()(const Vec2& value) const {
-    return "<" + number_text(value.x()) + ", " + number_text(value.y()) + ">";
-  }
-  std::string operator()(const std::string& value) const { return "\"" + value + "\""; }
-  template <class Item>
-  std::string operator()(const std::vector<Item>& values) const {
-    std::string text;
-    for (const auto& value : values) text += (text.empty() ? "" : " ") + (*this)(value);
-    return text;
-  }
-};
-
 std::string default_in_words(const AttributeSpec& spec) {
   if (spec.required()) return "must be given";
-  const std::string value = std::visit(ValueInWords{}, *spec.default_value);
+  const std::string value = value_in_words(*spec.default_value);
   if (value.empty() || value == "\"\"") return "may be left out";
-  const bool has_unit = !spec.unit.symbol.empty();
-  return "default " + value + (has_unit ? " " + std::string(spec.unit.symbol) : "");
+  return "default " + value_in_words(*spec.default_value, spec.unit);
 }
 
 std::string use_in_words(Access access) {

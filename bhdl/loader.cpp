@@ -1,10 +1,10 @@
 #include "bhdl/loader.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "bhdl/parser.h"
+#include "bhdl/readable.h"
 #include "bhdl/text.h"
 
 namespace galilean::bhdl {
@@ -28,7 +28,7 @@ class Loader {
     bytes_ += text.value().size();
     program_.files.push_back({path, sources_.shown(path), std::move(text).value()});
     const LoadedFile& file = program_.files.back();
-    if (!is_readable(file)) return;
+    if (!is_readable(file.shown, file.text, diagnostics_)) return;
     being_read_.push_back(path);
     for (auto& node : parse(file.shown, file.text, diagnostics_)) {
       if (const auto* inner = std::get_if<IncludeNode>(&node))
@@ -79,20 +79,6 @@ class Loader {
                          "the path is relative to the file that includes");
     else
       diagnostics_.error({shown, 1, 1}, why.code, why.message);
-  }
-
-  bool is_readable(const LoadedFile& file) {
-    const auto bad = find_bad_text(file.text);
-    if (!bad) return true;
-    constexpr std::string_view kDigits = "0123456789ABCDEF";
-    const std::string byte{'0', 'x', kDigits[bad->byte >> 4], kDigits[bad->byte & 15]};
-    const bool binary = bad->kind == BadText::Kind::kBinary;
-    diagnostics_.error({file.shown, bad->line, bad->column},
-                       binary ? "file/binary" : "file/not-utf8",
-                       binary ? "this is not a text: it holds the byte " + byte
-                              : "this is not UTF-8: the byte " + byte + " is out of place",
-                       "save the file as UTF-8 text");
-    return false;
   }
 
   const SourceProvider& sources_;

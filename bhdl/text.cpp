@@ -72,6 +72,11 @@ std::optional<BadText> find_bad_text(std::string_view text) noexcept {
   return std::nullopt;
 }
 
+std::size_t character_count(std::string_view text) noexcept {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return !continues(static_cast<unsigned char>(c)); }));
+}
+
 std::string in_quotes(std::string_view text) {
   if (text.size() <= kLongestQuoted) return "'" + std::string(text) + "'";
   std::size_t size = kLongestQuoted;

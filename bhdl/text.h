@@ -21,6 +21,9 @@ struct BadText {
 /// How many bytes the UTF-8 character at the start of `text` takes; 0 if there is none.
 [[nodiscard]] std::size_t character_size(std::string_view text) noexcept;
 
+/// How many characters a text of UTF-8 has.
+[[nodiscard]] std::size_t character_count(std::string_view text) noexcept;
+
 /// `'text'`, cut short if it is long: a message stays readable when a name is not.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 /// The shortest digits that read back as `number`.

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { openSync, readdirSync, truncateSync, writeFileSync, closeSync } from 'node:fs';
+import { closeSync, openSync, readFileSync, readdirSync, truncateSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { galilean, programs, scratchFolder } from './tools.mjs';
 
@@ -84,4 +84,58 @@ test('describe prints the reference, and one component of it', () => {
   const one = galilean(['bhdl', 'describe', 'avoid_obstacle']);
   assert.match(one.stdout, /max_repulsion/);
   assert.notEqual(galilean(['bhdl', 'describe', 'avoid_obstacel']).status, 0);
+});
+
+test('fmt lays a file out, names it, changes nothing twice and leaves a broken one alone', (t) => {
+  const file = `${scratchFolder(t)}/program.bhdl`;
+  writeFileSync(file, 'state:\nname: “go” ; where it goes\nend:');
+  assert.equal(galilean(['bhdl', 'fmt', '--check', file]).status, 1);
+  const first = galilean(['bhdl', 'fmt', file]);
+  assert.equal(first.status, 0, first.stderr);
+  assert.equal(first.stdout, `${file}\n`);
+  assert.equal(readFileSync(file, 'utf8'), 'state:\n  name: "go"  ; where it goes\nend\n');
+  assert.deepEqual(galilean(['bhdl', 'fmt', file]), { status: 0, stdout: '', stderr: '' });
+  assert.equal(galilean(['bhdl', 'fmt', '--check', file]).status, 0);
+
+  const broken = 'state: name "go" end';
+  writeFileSync(file, broken);
+  const { status, stderr } = galilean(['bhdl', 'fmt', file]);
+  assert.equal(status, 1);
+  assert.match(stderr, /program\.bhdl:1:\d+: error: .*:/);
+  assert.equal(readFileSync(file, 'utf8'), broken);
+});
+
+test('fmt - lays standard input out, and changes no program that ships', () => {
+  const input = readFileSync(`${programs}/office_robot.bhdl`, 'utf8');
+  const done = galilean(['bhdl', 'fmt', '-'], { input: input.replaceAll('\n', '\r\n') });
+  assert.deepEqual(done, { status: 0, stdout: input, stderr: '' });
+  const shipped = readdirSync(programs).filter((name) => name.endsWith('.bhdl')).map((name) => `${programs}/${name}`);
+  assert.deepEqual(galilean(['bhdl', 'fmt', '--check', ...shipped]), { status: 0, stdout: '', stderr: '' });
+});
+
+test('diff tells what one program does otherwise, in words and as JSON', (t) => {
+  const folder = scratchFolder(t);
+  writeFileSync(`${folder}/a.bhdl`, minimal);
+  writeFileSync(`${folder}/b.bhdl`, minimal.replace('shaft_variable', 'safety_range: 45 shaft_variable'));
+  const files = [`${folder}/a.bhdl`, `${folder}/b.bhdl`];
+  const words = galilean(['bhdl', 'diff', ...files]);
+  assert.equal(words.status, 1, words.stderr);
+  assert.match(words.stdout, /^~ motor schema move_robot 'move': safety_range was \S+ deg, is 45 deg\n$/);
+  const json = JSON.parse(galilean(['bhdl', 'diff', '--json', ...files]).stdout);
+  assert.equal(json.same, false);
+  assert.deepEqual([json.changes[0].attribute, json.changes[0].to, json.changes[0].unit], ['safety_range', 45, 'deg']);
+  assert.deepEqual(galilean(['bhdl', 'diff', files[0], files[0]]), { status: 0, stdout: '', stderr: '' });
+  assert.equal(galilean(['bhdl', 'diff', files[0], `${folder}/none.bhdl`]).status, 2);
+  assert.equal(galilean(['bhdl', 'diff', files[0]]).status, 2);
+});
+
+test('graph draws the states as dot, SVG and JSON', () => {
+  const graph = (format) => galilean(['bhdl', 'graph', '--format', format, `${programs}/office_cleanup.bhdl`]);
+  assert.match(graph('dot').stdout, /"grab_trash" -> "backup1" \[label="gripper\[1\] is 1/);
+  const { start_state: start, states } = JSON.parse(graph('json').stdout);
+  assert.equal(start, 'start');
+  const svg = graph('svg').stdout;
+  assert.match(svg, /^<svg .*[^]*<\/svg>\n$/);
+  for (const { name } of states) assert.ok(svg.includes(`>${name}</text>`), name);
+  assert.notEqual(graph('png').status, 0);
 });

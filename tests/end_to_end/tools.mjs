@@ -22,9 +22,9 @@ export function scratchFolder(t) {
 }
 
 /** Runs a command to its end. */
-export function galilean(args, { domain, cwd, timeout = 120_000 } = {}) {
+export function galilean(args, { domain, cwd, input, timeout = 120_000 } = {}) {
   const env = { ...process.env, ...(domain ? { ROS_DOMAIN_ID: domain } : {}) };
-  const done = spawnSync(galileanBinary, args, { env, cwd, timeout, encoding: 'utf8', maxBuffer: 1 << 28 });
+  const done = spawnSync(galileanBinary, args, { env, cwd, input, timeout, encoding: 'utf8', maxBuffer: 1 << 28 });
   return { status: done.status, stdout: done.stdout ?? '', stderr: done.stderr ?? '' };
 }
 

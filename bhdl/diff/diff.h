@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "bhdl/diff/change.h"
+#include "bhdl/program.h"
+#include "core/catalog/catalog.h"
+
+namespace galilean::bhdl {
+
+/// What makes two programs different for a robot, in the order: start state, states with their
+/// transitions, on_swap, devices, variables, schemas. Layout, comments, files and the order of what
+/// is only declared do not count; the order of a state's schemas and conditions does. The catalog
+/// names the units. Time is linear in the programs.
+[[nodiscard]] std::vector<Change> differences(const Program& from, const Program& to,
+                                              const Catalog& catalog);
+
+}  // namespace galilean::bhdl

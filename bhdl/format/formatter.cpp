@@ -1,0 +1,54 @@
+#include "bhdl/format/formatter.h"
+
+#include "bhdl/format/line.h"
+#include "bhdl/format/same_meaning.h"
+#include "bhdl/loader.h"
+#include "bhdl/parser.h"
+#include "bhdl/readable.h"
+
+namespace galilean::bhdl {
+namespace {
+
+void refuse_large(const std::string& file, std::size_t bytes, Diagnostics& diagnostics) {
+  diagnostics.error({file, 1, 1}, "file/too-large",
+                    "laid out, it would have " + std::to_string(bytes) +
+                        " bytes; a BHDL file has at most " + std::to_string(kMostFileBytes),
+                    "move some of its sections to a file that it includes");
+}
+
+// A formatter that changed what a program does would be worse than none: this holds it back.
+bool means_the_same(const std::string& file, const SyntaxTree& tree, std::string_view laid_out) {
+  Diagnostics diagnostics;
+  const SyntaxTree again = parse(file, laid_out, diagnostics);
+  return !diagnostics.has_errors() && same_meaning(tree, again);
+}
+
+std::optional<std::string> lay_out(const std::string& file, std::string_view text,
+                                   Diagnostics& diagnostics) {
+  if (!is_readable(file, text, diagnostics)) return std::nullopt;
+  const SyntaxTree tree = parse(file, text, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  std::string laid_out = in_columns(break_lines(read_pieces(file, text)));
+  if (laid_out.size() > kMostFileBytes)
+    refuse_large(file, laid_out.size(), diagnostics);
+  else if (!means_the_same(file, tree, laid_out))
+    diagnostics.error({file, 1, 1}, "format/meaning",
+                      "the layout would change what this file means, which is a fault of the "
+                      "formatter: it is left as it is",
+                      "report it with the file");
+  else
+    return laid_out;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Formatted format_text(const std::string& file, std::string_view text) {
+  Diagnostics diagnostics;
+  Formatted formatted;
+  formatted.text = lay_out(file, text, diagnostics);
+  formatted.diagnostics = std::move(diagnostics).take({file});
+  return formatted;
+}
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "bhdl/format/piece.h"
+
+namespace galilean::bhdl {
+
+/// What stands between two tokens.
+struct Trivia {
+  std::vector<Comment> comments;
+  bool first_is_remark = false;  ///< the first comment begins on the line of the token before
+  bool begins_line = false;      ///< the token behind is the first of its line
+  bool after_blank_line = false;
+};
+
+/// `gap` holds blanks and comments alone.
+[[nodiscard]] Trivia read_trivia(std::string_view gap);
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace galilean::bhdl {
+
+/// `galilean bhdl fmt`: lays files out in place and names those that it changed; `-` is standard
+/// input, laid out to standard output. With `check_only` nothing is written. Returns the exit
+/// status: 1 if a file could not be laid out, or if `check_only` and one would change.
+[[nodiscard]] int run_format(const std::vector<std::string>& files, bool check_only);
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "bhdl/diagnostic.h"
+
+namespace galilean::bhdl {
+
+/// Whether a text can be BHDL at all; if not, says at which byte and why.
+bool is_readable(const std::string& file, std::string_view text, Diagnostics& diagnostics);
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,60 @@
+#include "bhdl/replace_file.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace galilean::bhdl {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReplaceFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / ("galilean_replace_" + std::string(test->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    std::ofstream(folder_ / "a.bhdl") << "old";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string contents(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(folder_ / name).rdbuf();
+    return text.str();
+  }
+  [[nodiscard]] auto files() const {
+    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(ReplaceFile, KeepsTheModeAndLeavesNothingBeside) {
+  fs::permissions(folder_ / "a.bhdl", fs::perms(0640));
+  EXPECT_FALSE(replace_file(folder_ / "a.bhdl", "new"));
+  EXPECT_EQ(contents("a.bhdl"), "new");
+  EXPECT_EQ(fs::status(folder_ / "a.bhdl").permissions(), fs::perms(0640));
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(ReplaceFile, WritesThroughALink) {
+  fs::create_symlink("a.bhdl", folder_ / "link.bhdl");
+  EXPECT_FALSE(replace_file(folder_ / "link.bhdl", "new"));
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.bhdl"));
+  EXPECT_EQ(contents("a.bhdl"), "new");
+}
+
+TEST_F(ReplaceFile, SaysWhyItCannot) {
+  const auto problem = replace_file(folder_ / "none.bhdl", "new");
+  ASSERT_TRUE(problem);
+  EXPECT_NE(problem->message.find("none.bhdl"), std::string::npos);
+  EXPECT_EQ(files(), 1);
+}
+
+}  // namespace
+}  // namespace galilean::bhdl

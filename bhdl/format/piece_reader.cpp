@@ -37,6 +37,7 @@ class PieceReader {
     if (const auto kind = section_kind(word)) return components(*kind);
     if (word == "states") return states();
     if (word == "state") return state();
+    if (word == "define") return define();
     if (word == "include") return line("include ");
     if (word == "start_state") return line("start_state: ");
     on_swap();
@@ -54,6 +55,12 @@ class PieceReader {
   void states() {
     const std::size_t opened = pieces_.open("states");
     while (tokens_.at_label("state")) state();
+    close_section(opened, false);
+  }
+
+  void define() {
+    const std::size_t opened = pieces_.open("define");
+    while (!section_is_over()) attribute();
     close_section(opened, false);
   }
 
@@ -132,10 +139,11 @@ class PieceReader {
   }
 
   void values() {
-    bool last_is_word = true;
-    while (tokens_.value_at(0) && (!tokens_.at(TokenKind::kWord) || last_is_word)) {
-      last_is_word = tokens_.at(TokenKind::kWord);
+    bool word_may_follow = true;
+    while (tokens_.value_at(0) && (!tokens_.at(TokenKind::kWord) || word_may_follow)) {
+      const bool is_word = tokens_.at(TokenKind::kWord);
       value();
+      word_may_follow = is_word || tokens_.at(TokenKind::kComma);
       if (tokens_.at(TokenKind::kComma)) pieces_.more();
     }
   }
@@ -143,13 +151,22 @@ class PieceReader {
   void value() {
     const Token first = pieces_.begin(Role::kValue);
     if (first.kind != TokenKind::kLess && first.kind != TokenKind::kLeftParen) {
-      pieces_.last().text = plain(first);
+      pieces_.last().text = quantity(first);
       return;
     }
-    std::string text = std::string(first.text) + plain(pieces_.more()) + ", ";
+    std::string text = std::string(first.text) + quantity(pieces_.more()) + ", ";
     if (tokens_.at(TokenKind::kComma)) pieces_.more();
-    text += plain(pieces_.more());
+    text += quantity(pieces_.more());
     pieces_.last().text = text.append(pieces_.more().text);
+  }
+
+  /// A value with its unit, if it has one: behind a number a word is nothing else.
+  std::string quantity(const Token& value) {
+    std::string text = plain(value);
+    const bool has_unit =
+        value.kind == TokenKind::kNumber && tokens_.at(TokenKind::kWord) && tokens_.value_at(0);
+    if (has_unit) text.append(" ").append(pieces_.more().text);
+    return text;
   }
 
   [[nodiscard]] bool section_is_over() const {

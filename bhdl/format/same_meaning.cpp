@@ -14,6 +14,7 @@ bool same(const Word& a, const Word& b) {
 
 bool same(const ValueNode& a, const ValueNode& b) {
   if (a.kind != b.kind || a.number != b.number || a.second != b.second) return false;
+  if (a.unit != b.unit || a.second_unit != b.second_unit) return false;
   const bool is_word = a.kind == ValueNode::Kind::kText || a.kind == ValueNode::Kind::kBareWord;
   return !is_word || a.text == b.text;
 }
@@ -40,6 +41,10 @@ bool same(const SectionNode& a, const SectionNode& b) {
 
 bool same(const StateNode& a, const StateNode& b) {
   return all_same(a.attributes, b.attributes) && all_same(a.conditions, b.conditions);
+}
+
+bool same(const DefineNode& a, const DefineNode& b) {
+  return all_same(a.constants, b.constants);
 }
 
 bool same(const IncludeNode& a, const IncludeNode& b) {

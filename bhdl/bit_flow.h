@@ -28,7 +28,7 @@ struct TestedBit {
   std::string_view variable;
   unsigned index = 0;
 
-  auto operator<=>(const TestedBit&) const = default;
+  auto operator<=>(const TestedBit&) const = default;  // NOLINT(modernize-use-nullptr): none here
 };
 
 /// Which bits of a variable may be written in each state, and whether it fades when it is not.

@@ -143,8 +143,12 @@ class PieceReader {
     while (tokens_.value_at(0) && (!tokens_.at(TokenKind::kWord) || word_may_follow)) {
       const bool is_word = tokens_.at(TokenKind::kWord);
       value();
-      word_may_follow = is_word || tokens_.at(TokenKind::kComma);
-      if (tokens_.at(TokenKind::kComma)) pieces_.more();
+      const bool has_comma = tokens_.at(TokenKind::kComma);
+      word_may_follow = is_word || has_comma;
+      if (!has_comma) continue;
+      pieces_.more();
+      // Without it a word here would be a number's unit, or an attribute whose colon is missing.
+      if (!is_word && tokens_.at(TokenKind::kWord)) pieces_.last().text += ',';
     }
   }
 

@@ -187,6 +187,19 @@ TEST(Format, WritesIncludeStartAndSwapOneWay) {
                 "end\n");
 }
 
+TEST(Format, SetsUnitsApartAndKeepsTheCommaBeforeAConstant) {
+  expect_layout(
+      "define: near: 30cm\nways: \"a\",\"b\"\nend\n"
+      "motor_schemas: avoid_obstacle: name: \"x\" min_sphere: 5cm, near at: <0,22cm> end end\n"
+      "state: name: \"s\" motor_schemas: \"x\", ways end end\n",
+      "define:\n"
+      "  near: 30 cm\n"
+      "  ways: \"a\" \"b\"\n"
+      "end\n"
+      "motor_schemas: avoid_obstacle: name: \"x\"  min_sphere: 5 cm, near  at: <0, 22 cm> end end\n"
+      "state: name: \"s\"  motor_schemas: \"x\", ways end end\n");
+}
+
 TEST(Format, HasNothingToSayOfNothing) {
   expect_layout("", "");
   expect_layout("\n \n", "");

@@ -13,25 +13,26 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-Program program(const std::string& states) {
+Program machine_program(const std::string& states) {
   auto result = check_text("variables: bits: name: \"b\" end\n" + states);
   EXPECT_TRUE(result.program) << printed(result);
   return result.program.value_or(Program{});
 }
 
-std::string way_out(int bit, const std::string& to) {
+std::string way_to(int bit, const std::string& to) {
   return "condition: bits_variable: \"b\" bit_index: " + std::to_string(bit) + " new_state: \"" +
          to + "\" end ";
 }
 
-std::string state(const std::string& name, const std::string& ways) {
+std::string state_with(const std::string& name, const std::string& ways) {
   return "state: name: \"" + name + "\" " + ways + "end\n";
 }
 
 TEST(Graph, TakesBitsInARowAsOneWay) {
-  const auto machine = program(state("a", way_out(0, "b") + way_out(1, "b") + way_out(2, "b") +
-                                              way_out(4, "b") + way_out(5, "a")) +
-                               state("b", ""));
+  const auto machine =
+      machine_program(state_with("a", way_to(0, "b") + way_to(1, "b") + way_to(2, "b") +
+                                          way_to(4, "b") + way_to(5, "a")) +
+                      state_with("b", ""));
   const auto ways = ways_out(machine.states[0]);
   ASSERT_EQ(ways.size(), 3u);
   EXPECT_EQ(ways[0].cause, "b[0-2] is 1");
@@ -40,14 +41,14 @@ TEST(Graph, TakesBitsInARowAsOneWay) {
 }
 
 TEST(Graph, GivesDotWithOneArrowForEachPair) {
-  const auto dot =
-      to_dot(program(state("start", way_out(0, "b\\n") + way_out(2, "b\\n")) + state("b\\n", "")));
+  const auto dot = to_dot(machine_program(
+      state_with("start", way_to(0, "b\\n") + way_to(2, "b\\n")) + state_with("b\\n", "")));
   EXPECT_THAT(dot, HasSubstr("\"\\n\" -> \"start\";"));
   EXPECT_THAT(dot, HasSubstr("  \"start\" -> \"b\\\\n\" [label=\"b[0] is 1\\nb[2] is 1\"];\n"));
 }
 
 TEST(Graph, EscapesTextInSvg) {
-  const auto svg = to_svg(program(state("<a> & 'b'", way_out(0, "<a> & 'b'"))));
+  const auto svg = to_svg(machine_program(state_with("<a> & 'b'", way_to(0, "<a> & 'b'"))));
   EXPECT_THAT(svg, HasSubstr(">&lt;a&gt; &amp; 'b'</text>"));
   EXPECT_THAT(svg, Not(HasSubstr("<a>")));
   EXPECT_THAT(svg, HasSubstr("prefers-color-scheme: dark"));
@@ -70,10 +71,10 @@ TEST(Graph, LaysBoxesAndArrowsBesideOneAnother) {
     for (int i = 0; i < states; ++i) {
       std::string ways;
       for (int way = random.below(5); way > 0; --way)
-        ways += way_out(random.below(32), std::to_string(random.below(states)));
-      text += state(std::to_string(i), ways);
+        ways += way_to(random.below(32), std::to_string(random.below(states)));
+      text += state_with(std::to_string(i), ways);
     }
-    const Program machine = program(text);
+    const Program machine = machine_program(text);
     const GraphLayout layout = lay_out_graph(machine);
     ASSERT_EQ(layout.boxes.size(), machine.states.size());
     for (std::size_t i = 0; i < layout.boxes.size(); ++i) {
@@ -94,9 +95,9 @@ TEST(Graph, DrawsAMachineOfManyStatesAllTheSame) {
   std::string text;
   constexpr int kStates = 2000;
   for (int i = 0; i < kStates; ++i)
-    text +=
-        state(std::to_string(i), way_out(0, std::to_string((i + 1) % kStates)) + way_out(2, "0"));
-  const auto layout = lay_out_graph(program(text));
+    text += state_with(std::to_string(i),
+                       way_to(0, std::to_string((i + 1) % kStates)) + way_to(2, "0"));
+  const auto layout = lay_out_graph(machine_program(text));
   EXPECT_EQ(layout.arrows.size(), 2u * kStates);
 }
 

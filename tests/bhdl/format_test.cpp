@@ -196,8 +196,9 @@ TEST(Format, SetsUnitsApartAndKeepsTheCommaBeforeAConstant) {
       "  near: 30 cm\n"
       "  ways: \"a\" \"b\"\n"
       "end\n"
-      "motor_schemas: avoid_obstacle: name: \"x\"  min_sphere: 5 cm, near  at: <0, 22 cm> end end\n"
-      "state: name: \"s\"  motor_schemas: \"x\", ways end end\n");
+      "motor_schemas: avoid_obstacle: name: \"x\"  min_sphere: 5 cm, near  at: <0, 22 cm>  end  "
+      "end\n"
+      "state: name: \"s\"  motor_schemas: \"x\", ways end  end\n");
 }
 
 TEST(Format, HasNothingToSayOfNothing) {

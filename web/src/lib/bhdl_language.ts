@@ -1,7 +1,7 @@
 import { HighlightStyle, LanguageSupport, StreamLanguage, type StreamParser, syntaxHighlighting } from "@codemirror/language";
 import { tags } from "@lezer/highlight";
 
-const SECTIONS = /^(input_devices|output_devices|variables|perceptual_schemas|percp_schemas|motor_schemas|states?|condition)\b/;
+const SECTIONS = /^(input_devices|output_devices|variables|perceptual_schemas|percp_schemas|motor_schemas|states?|condition|define|start_state|on_swap)\b/;
 
 /** BHDL's words by colour; what they mean is the checker's business. */
 const parser: StreamParser<unknown> = {

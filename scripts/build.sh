@@ -18,10 +18,15 @@ if ! ninja -C build -n "$target" | grep -q 'no work to do'; then
   ninja -C build "$target" >build/build.log 2>&1 || { grep -A20 -E 'FAILED|error' build/build.log | head -100 >&2; exit 1; }
 fi
 
+# npm 11 misses other systems' optional packages in a lock without addresses, and `ci` then refuses it.
+packages() {
+  npm ci --no-audit --no-fund --silent || npm install --no-save --no-audit --no-fund --silent
+}
+
 sources=$(find web -path web/node_modules -prune -o -path web/dist -prune -o -type f -print0 | sort -z | xargs -0 sha256sum | sha256sum)
 if [ "$(cat build/share/galilean/web.stamp 2>/dev/null)" != "$sources" ]; then
   echo "Building the page …"
-  (cd web && { [ node_modules/.package-lock.json -nt package-lock.json ] || npm ci --no-audit --no-fund --silent; } && npm run build --silent) \
+  (cd web && { [ node_modules/.package-lock.json -nt package-lock.json ] || packages; } && npm run build --silent) \
     >build/web.log 2>&1 || { tail -40 build/web.log >&2; exit 1; }
   rm -rf build/share/galilean/web
   mkdir -p build/share/galilean

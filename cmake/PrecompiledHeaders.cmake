@@ -10,7 +10,7 @@ function(galilean_header_set name)
 endfunction()
 
 add_library(galilean_runs_once INTERFACE)
-target_compile_options(galilean_runs_once INTERFACE $<$<CONFIG:Release>:-O1>)
+target_compile_options(galilean_runs_once INTERFACE $<$<CONFIG:Release>:-O1> $<$<CONFIG:RelWithDebInfo>:-O0>)
 
 function(galilean_precompile target set)
   if(GALILEAN_PCH AND TARGET ${set})

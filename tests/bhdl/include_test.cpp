@@ -7,6 +7,7 @@
 #include "bhdl/loader.h"
 #include "bhdl/sha256.h"
 #include "tests/bhdl/small_catalog.h"
+#include "tests/temporary_folder.h"
 
 namespace galilean::bhdl {
 namespace {
@@ -24,18 +25,14 @@ CheckResult check_files(std::vector<SourceFile> files) {
 
 class OnDisk : public testing::Test {
  protected:
-  OnDisk() : folder_(std::filesystem::path(testing::TempDir()) / "bhdl_include_test") {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_ / "parts");
-  }
-  ~OnDisk() override { std::filesystem::remove_all(folder_); }
+  OnDisk() { std::filesystem::create_directory(folder_ / "parts"); }
 
   std::string write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name, std::ios::binary) << text;
     return (folder_ / name).string();
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST(Include, PutsTheTextInPlace) {

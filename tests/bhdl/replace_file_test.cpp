@@ -6,6 +6,8 @@
 #include <iterator>
 #include <sstream>
 
+#include "tests/temporary_folder.h"
+
 namespace galilean::bhdl {
 namespace {
 
@@ -13,14 +15,7 @@ namespace fs = std::filesystem;
 
 class ReplaceFile : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / ("galilean_replace_" + std::string(test->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    std::ofstream(folder_ / "a.bhdl") << "old";
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { std::ofstream(folder_ / "a.bhdl") << "old"; }
 
   [[nodiscard]] std::string contents(const std::string& name) const {
     std::ostringstream text;
@@ -28,10 +23,10 @@ class ReplaceFile : public testing::Test {
     return text.str();
   }
   [[nodiscard]] auto files() const {
-    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+    return std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator());
   }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(ReplaceFile, KeepsTheModeAndLeavesNothingBeside) {

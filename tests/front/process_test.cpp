@@ -10,6 +10,8 @@
 
 #include <fstream>
 
+#include "tests/temporary_folder.h"
+
 namespace galilean::front {
 namespace {
 
@@ -17,11 +19,7 @@ namespace fs = std::filesystem;
 
 class Processes : public testing::Test {
  protected:
-  void SetUp() override {
-    fs::create_directories(folder);
-    ASSERT_EQ(mkfifo(word.c_str(), 0600), 0);
-  }
-  void TearDown() override { fs::remove_all(folder); }
+  void SetUp() override { ASSERT_EQ(mkfifo(word.c_str(), 0600), 0); }
   Process shell(const std::string& script) {
     auto process = Process::start("sh", {"/bin/sh", "-c", script}, log);
     if (!process) throw std::runtime_error(process.error().message);
@@ -34,7 +32,7 @@ class Processes : public testing::Test {
     return line;
   }
 
-  fs::path folder = fs::path(testing::TempDir()) / ("process_test_" + std::to_string(getpid()));
+  TemporaryFolder folder;
   fs::path log = folder / "sh.log";
   fs::path word = folder / "word";
 };

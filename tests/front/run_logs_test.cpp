@@ -1,9 +1,10 @@
 #include "front/demo/run_logs.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
+
+#include "tests/temporary_folder.h"
 
 namespace galilean::front {
 namespace {
@@ -11,7 +12,8 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(RunLogs, TheNewestStayAndNothingElseIsTouched) {
-  const fs::path logs = fs::path(testing::TempDir()) / ("run_logs_" + std::to_string(getpid()));
+  const TemporaryFolder folder;
+  const fs::path logs = folder / "logs";
   const auto now = fs::file_time_type::clock::now();
   for (int age = 0; age < 5; ++age) {
     const fs::path run = logs / ("run-" + std::to_string(age));

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "core/wire/topics.h"
+#include "tests/temporary_folder.h"
 
 namespace galilean::monitor {
 namespace {
@@ -27,14 +28,7 @@ msg::ProgramPush push(int number) {
 
 class HistoryTest : public testing::Test {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
-  const fs::path folder =
-      fs::temp_directory_path() / ("galilean_history_" + std::to_string(getpid()));
+  const TemporaryFolder folder;
   const fs::path file = folder / "new" / "history.sqlite";
 };
 

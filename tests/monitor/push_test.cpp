@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "monitor/programs/library.h"
+#include "tests/temporary_folder.h"
 
 namespace galilean::monitor {
 namespace {
@@ -59,22 +60,20 @@ TEST(Push, ListsARobotThatNobodyWaitsFor) {
 }
 
 TEST(Library, TakesMissingIncludesFromItsFolderAndNothingFromElsewhere) {
-  const auto folder = std::filesystem::temp_directory_path() / "galilean_library_test";
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder parent;
+  const auto folder = parent / "programs";
+  std::filesystem::create_directory(folder);
   std::ofstream(folder / "parts.bhdl") << "variables:\n";
   std::ofstream(folder / "whole.bhdl") << "include \"parts.bhdl\"\n";
-  std::ofstream(folder.parent_path() / "galilean_secret.bhdl") << "variables:\n";
+  std::ofstream(parent / "secret.bhdl") << "variables:\n";
   const ProgramLibrary library(folder, {});
   const auto checked = library.check({{"edited.bhdl", "include \"parts.bhdl\"\n"}}, {});
   ASSERT_EQ(checked.files.size(), 2U);
   EXPECT_EQ(checked.files[1].path, "parts.bhdl");
   EXPECT_EQ(library.read("whole.bhdl")->size(), 2U);
-  EXPECT_FALSE(library.read("../galilean_secret.bhdl"));
-  const auto escaping =
-      library.check({{"edited.bhdl", "include \"../galilean_secret.bhdl\"\n"}}, {});
+  EXPECT_FALSE(library.read("../secret.bhdl"));
+  const auto escaping = library.check({{"edited.bhdl", "include \"../secret.bhdl\"\n"}}, {});
   EXPECT_EQ(escaping.files.size(), 1U);
-  std::filesystem::remove_all(folder);
-  std::filesystem::remove(folder.parent_path() / "galilean_secret.bhdl");
 }
 
 }  // namespace

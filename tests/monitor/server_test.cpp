@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "tests/monitor/scripted_robot.h"
+#include "tests/temporary_folder.h"
 
 namespace galilean::monitor {
 namespace {
@@ -66,7 +67,7 @@ class ServerTest : public testing::Test {
     MonitorOptions options;
     options.port = 0;
     options.domain = kDomain;
-    options.data_folder = folder;
+    options.data_folder = folder.path();
     options.library_folder = folder / "programs";
     options.catalog_file = folder / "catalog.json";
     write("catalog.json", catalog_to_json({}));
@@ -79,7 +80,6 @@ class ServerTest : public testing::Test {
     if (monitor) monitor->stop();
     if (thread.joinable()) thread.join();
     monitor.reset();
-    fs::remove_all(folder);
   }
 
   void write(const std::string& name, const std::string& text) const {
@@ -128,8 +128,7 @@ class ServerTest : public testing::Test {
     }));
   }
 
-  const fs::path folder =
-      fs::temp_directory_path() / ("galilean_server_" + std::to_string(getpid()));
+  const TemporaryFolder folder;
   const std::string catalog = catalog_to_json({});
   std::unique_ptr<Monitor> monitor;
   std::thread thread;

@@ -23,7 +23,7 @@ class Neighbourhood {
         readers_.try_emplace(publication.topic, participant_, publication.topic, kType);
     std::size_t count = 0;
     for (auto& [topic, neighbour] : readers_) {
-      neighbour.reader.take([&](const wire::Received&) { neighbour.heard = true; });
+      neighbour.reader.take([&heard = neighbour.heard](const wire::Received&) { heard = true; });
       count += neighbour.heard;
     }
     return count;

@@ -4,6 +4,7 @@
 #include "monitor/record/mcap_reader.h"
 #include "monitor/record/mcap_scan.h"
 #include "tests/monitor_tools/record/random_recording.h"
+#include "tests/temporary_folder.h"
 
 namespace galilean::mcap {
 namespace {
@@ -176,7 +177,8 @@ TEST(FileSink, TellsThatTheDiskIsFull) {
 }
 
 TEST(FileSink, DoesNotReplaceARecordingUnasked) {
-  const std::string path = testing::TempDir() + "galilean_sink_test.mcap";
+  const TemporaryFolder folder;
+  const std::string path = folder / "recording.mcap";
   { ASSERT_TRUE(FileSink::create(path, true).ok()); }
   const auto again = FileSink::create(path, false);
   ASSERT_FALSE(again.ok());

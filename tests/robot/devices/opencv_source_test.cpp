@@ -1,7 +1,6 @@
 #include "robot/devices/opencv_source.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "robot/devices/frame_sources.h"
+#include "tests/temporary_folder.h"
 
 namespace galilean::robot {
 namespace {
@@ -29,15 +29,14 @@ void write_picture(const std::filesystem::path& path, int margin) {
 
 class OpencvSource : public testing::Test {
  protected:
-  ~OpencvSource() override { std::filesystem::remove(path); }
   std::unique_ptr<FrameSource> make() {
     auto source = make_frame_source(path);
     EXPECT_TRUE(source.ok()) << source.error().message;
     return std::move(source).value();
   }
 
-  std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) / ("galilean-" + std::to_string(getpid()) + ".ppm");
+  TemporaryFolder folder;
+  std::filesystem::path path = folder / "picture.ppm";
   std::unique_ptr<Frame> frame = std::make_unique<Frame>();
   Time now{std::chrono::seconds(10)};
 };

@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/temporary_folder.h"
+
 namespace galilean::robot {
 namespace {
 
@@ -55,8 +57,8 @@ class SerialLine : public testing::Test {
   }
   void maintain() { port.maintain(now += milliseconds(600)); }
 
-  const std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) / ("galilean-line-" + std::to_string(getpid()));
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "line";
   SerialPort port{path, 115200};
   Time now{};
 };

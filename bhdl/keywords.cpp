@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include "bhdl/names.h"
 
@@ -52,6 +51,12 @@ std::optional<ComponentKind> section_kind(std::string_view word) noexcept {
 std::string_view section_word(ComponentKind kind) noexcept {
   const auto* found = std::ranges::find(kSections, kind, &SectionWord::components);
   return found->word;
+}
+
+std::vector<std::string_view> opening_words() {
+  std::vector<std::string_view> words;
+  for (const auto& each : kSections) words.push_back(each.word);
+  return words;
 }
 
 bool at_section(const TokenStream& tokens) {

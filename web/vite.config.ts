@@ -1,10 +1,11 @@
 import { svelte } from "@sveltejs/vite-plugin-svelte";
 import { defineConfig } from "vite";
+import { grammars } from "./grammar_plugin";
 
 const monitor = process.env.GALILEAN_URL ?? "http://127.0.0.1:8080";
 
 export default defineConfig({
-  plugins: [svelte()],
+  plugins: [svelte(), grammars()],
   build: { target: "es2022" },
   server: {
     proxy: {

@@ -1,12 +1,12 @@
 // CodeMirror, as the page uses it. Loaded only when somebody edits.
 
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
-import { bracketMatching } from "@codemirror/language";
+import { bracketMatching, foldGutter, foldKeymap } from "@codemirror/language";
 import { type Diagnostic as Mark, lintGutter, setDiagnostics } from "@codemirror/lint";
 import { type Extension, StateEffect, StateField } from "@codemirror/state";
 import { Decoration, type DecorationSet, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
 import type { Diagnostic } from "../feed/messages";
-import { bhdl } from "./bhdl_language";
+import { bhdl } from "../bhdl/language";
 
 const setRunningLine = StateEffect.define<number | undefined>();
 const runningLine = StateField.define<DecorationSet>({
@@ -42,8 +42,8 @@ export class Editor {
   constructor(parent: HTMLElement, text: string, edited: (text: string) => void) {
     const told = EditorView.updateListener.of((update) => update.docChanged && edited(update.state.doc.toString()));
     const extensions: Extension[] = [
-      lineNumbers(), history(), drawSelection(), bracketMatching(), highlightActiveLine(), lintGutter(), runningLine, bhdl, look, told,
-      keymap.of([...defaultKeymap, ...historyKeymap, indentWithTab]),
+      lineNumbers(), foldGutter(), history(), drawSelection(), bracketMatching(), highlightActiveLine(), lintGutter(), runningLine, bhdl, look, told,
+      keymap.of([...defaultKeymap, ...historyKeymap, ...foldKeymap, indentWithTab]),
       EditorView.contentAttributes.of({ "aria-label": "Program text" }),
     ];
     this.#view = new EditorView({ parent, doc: text, extensions });

@@ -6,7 +6,7 @@ import { emptyTeam, type Reply, type Robot, type Team } from "./team/model";
 import { withPush, withReply } from "./team/pushes";
 import { apply } from "./team/reduce";
 import type { PushResult } from "./lib/api";
-import type { CompressedImage, SourceFile } from "./feed/messages";
+import type { SourceFile } from "./feed/messages";
 
 /** How often what only ages (certainty, silence, clocks) is drawn anew. */
 const AGEING_MS = 100;
@@ -22,7 +22,7 @@ class Live {
   #shown = $state.raw<Team>(emptyTeam);
   #team: Team = emptyTeam;
   #history = new History();
-  #pictures = new Map<string, (image: CompressedImage) => void>();
+  #listeners = new Map<string, Set<(message: unknown) => void>>();
   #calm = matchMedia("(prefers-reduced-motion: reduce)");
 
   feed = new Feed(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`, {
@@ -67,16 +67,15 @@ class Live {
     return this.#history.earliest_ms ?? this.#now_ms;
   }
 
-  /** Tells `listener` of the topic's pictures until the returned function is called. They are no part of the team. */
-  onPicture(topic: string, listener: (image: CompressedImage) => void): () => void {
-    this.#pictures.set(topic, listener);
-    return () => {
-      if (this.#pictures.get(topic) === listener) this.#pictures.delete(topic);
-    };
+  /** Tells `listener` of what is no part of the team (a picture, a catalog) until the returned function is called. */
+  onMessage(topic: string, listener: (message: unknown) => void): () => void {
+    const listeners = this.#listeners.get(topic) ?? new Set();
+    this.#listeners.set(topic, listeners.add(listener));
+    return () => void listeners.delete(listener);
   }
 
   #heard(topic: string, message: unknown, received_ms: number): void {
-    this.#pictures.get(topic)?.(message as CompressedImage);
+    this.#listeners.get(topic)?.forEach((listener) => listener(message));
     this.#team = apply(this.#team, topic, message, received_ms);
   }
 

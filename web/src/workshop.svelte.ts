@@ -59,6 +59,14 @@ class Workshop {
     this.#take(program.files);
   }
 
+  /** Puts files on the bench that somebody changed elsewhere on the page, and shows the one that is changed. */
+  takeChanged(files: readonly SourceFile[], changed: number): void {
+    this.chosen = "";
+    this.#take(files);
+    this.open = changed;
+    this.edited = true;
+  }
+
   edit(text: string): void {
     const file = this.files[this.open];
     if (!file || file.text === text) return;

@@ -146,6 +146,28 @@ test("STOP ALL holds every robot, and resuming asks", async () => {
   for (const robot of ROBOTS) await untilRow(robot, "data-held", "false");
 });
 
+test("a threshold that was tuned on a live picture goes to the robot as a program", async () => {
+  await row("io").getByRole("button").first().click();
+  const [running, others] = [await row("io").getAttribute("data-hash"), await row("callisto").getAttribute("data-hash")];
+  await at("tune-button").click();
+  const slider = at("tune-threshold");
+  await slider.fill("255");
+  await until(() => document.querySelector("[data-testid=vision-tuning] canvas")?.width === 352);
+  await at("tune-write").click();
+  await at("push-confirm").click();
+  await until(([hash]) => {
+    const now = document.querySelector("[data-testid=team-row-io]")?.dataset.hash;
+    return now !== undefined && now !== hash;
+  }, [running]);
+  const { robots } = await api("/api/team");
+  const { hash } = robots.find(({ name }) => name === "io").program;
+  assert.notEqual(hash, running);
+  assert.equal(await row("callisto").getAttribute("data-hash"), others);
+  const pushed = await api(`/api/pushed/${hash}`);
+  assert.match(pushed.files.map(({ text }) => text).join(""), /threshold: 255/);
+  await at("tune-button").click();
+});
+
 test("the browser has nothing to complain of", () => {
   assert.deepEqual(complaints, []);
 });

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "bhdl/token_stream.h"
 #include "core/catalog/catalog.h"
@@ -12,6 +13,10 @@ namespace galilean::bhdl {
 [[nodiscard]] std::optional<ComponentKind> section_kind(std::string_view word) noexcept;
 /// The section that a component of this kind belongs in, as the reference spells it.
 [[nodiscard]] std::string_view section_word(ComponentKind kind) noexcept;
+
+/// Every word that begins a section or stands for one, but for a bare `state`; none has two
+/// spellings here.
+[[nodiscard]] std::vector<std::string_view> section_words();
 
 /// Whether a section, a bare state, an include, `start_state` or `on_swap` begins here. The same
 /// word with a value behind it is an attribute or a state's list: `motor_schemas: "noise"`.

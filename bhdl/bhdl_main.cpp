@@ -112,7 +112,8 @@ Commands add_commands(CLI::App& app, Options& options) {
        {commands.check, commands.describe, commands.diff, commands.graph, commands.language_server})
     command->add_option("--catalog", options.catalog_path,
                         "What components there are (default: this build's robot)");
-  commands.language_server->add_flag("--stdio", "What it always does; some editors say so");
+  commands.language_server->add_flag("--stdio")->description(
+      "What it always does; some editors say so");
   return commands;
 }
 

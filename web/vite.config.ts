@@ -9,6 +9,7 @@ export default defineConfig({
   server: {
     proxy: {
       "/api": { target: monitor, changeOrigin: true },
+      "/lsp": { target: monitor, ws: true, changeOrigin: true },
       "/ws": { target: monitor, ws: true, changeOrigin: true },
     },
   },

@@ -13,8 +13,10 @@ std::vector<std::string> shown_names(const std::deque<LoadedFile>& files) {
   return names;
 }
 
-CheckResult check_sources(const std::string& main_path, const SourceProvider& sources,
-                          const Catalog& catalog) {
+}  // namespace
+
+CheckResult check(const std::string& main_path, const SourceProvider& sources,
+                  const Catalog& catalog) {
   Diagnostics diagnostics;
   LoadedProgram loaded = load(main_path, sources, diagnostics);
   CheckResult result;
@@ -32,8 +34,6 @@ CheckResult check_sources(const std::string& main_path, const SourceProvider& so
   return result;
 }
 
-}  // namespace
-
 CheckResult check(std::vector<SourceFile> files, const Catalog& catalog) {
   if (files.empty()) {
     Diagnostic nothing;
@@ -41,11 +41,11 @@ CheckResult check(std::vector<SourceFile> files, const Catalog& catalog) {
     nothing.message = "there is no file to check";
     return {std::nullopt, {nothing}, {}};
   }
-  return check_sources(normal_path(files.front().path), MemorySources(files), catalog);
+  return check(normal_path(files.front().path), MemorySources(files), catalog);
 }
 
 CheckResult check_file(const std::filesystem::path& path, const Catalog& catalog) {
-  return check_sources(path.filename().string(), DiskSources(path.parent_path()), catalog);
+  return check(path.filename().string(), DiskSources(path.parent_path()), catalog);
 }
 
 }  // namespace galilean::bhdl

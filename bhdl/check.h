@@ -6,6 +6,7 @@
 
 #include "bhdl/diagnostic.h"
 #include "bhdl/program.h"
+#include "bhdl/source_provider.h"
 #include "core/catalog/catalog.h"
 
 namespace galilean::bhdl {
@@ -21,6 +22,10 @@ struct CheckResult {
 /// others are looked for among `files` by the path that `include` gives, relative to the file that
 /// includes. The disk is never read. Any input gives an answer in linear time.
 [[nodiscard]] CheckResult check(std::vector<SourceFile> files, const Catalog& catalog);
+
+/// The same with the texts from wherever `sources` has them.
+[[nodiscard]] CheckResult check(const std::string& main_path, const SourceProvider& sources,
+                                const Catalog& catalog);
 
 /// Checks a file on disk and what it includes. The paths in `files` are relative to the main file's
 /// folder, so that a program has the same hash wherever it lies; those in the diagnostics begin as

@@ -54,12 +54,20 @@ std::string use_in_words(Access access) {
   }
 }
 
-std::string attribute_in_words(const AttributeSpec& spec, std::size_t width) {
-  std::string text = "  " + padded(spec.name + ":", width + 1) + expectation(spec) +
-                     use_in_words(spec.access) + "; " + default_in_words(spec);
+}  // namespace
+
+std::string facts_in_words(const AttributeSpec& spec) {
+  std::string text = expectation(spec) + use_in_words(spec.access) + "; " + default_in_words(spec);
   if (const auto range = range_in_words(spec); !range.empty()) text += "; " + range;
   for (const auto& alias : spec.aliases) text += "; also spelt " + alias;
-  return text + "\n" + std::string(width + 5, ' ') + spec.help + "\n";
+  return text;
+}
+
+namespace {
+
+std::string attribute_in_words(const AttributeSpec& spec, std::size_t width) {
+  return "  " + padded(spec.name + ":", width + 1) + facts_in_words(spec) + "\n" +
+         std::string(width + 5, ' ') + spec.help + "\n";
 }
 
 std::string component_in_words(const ComponentSpec& spec, std::string_view kind) {
@@ -86,7 +94,8 @@ Catalog with_language(const Catalog& catalog) {
 
 Error unknown(const Catalog& all, std::string_view component) {
   const auto hint = did_you_mean(nearest(component, names_of(all.components)));
-  return {"there is no component " + in_quotes(component) + (hint.empty() ? "" : "; " + hint)};
+  return {"there is no component " + in_quotes(component) +
+          (hint.text.empty() ? "" : "; " + hint.text)};
 }
 
 }  // namespace

@@ -59,6 +59,13 @@ std::vector<std::string_view> opening_words() {
   return words;
 }
 
+std::vector<std::string_view> section_words() {
+  std::vector<std::string_view> words;
+  for (const auto& each : kSections)
+    if (each.word != "state" && each.word != "percp_schemas") words.push_back(each.word);
+  return words;
+}
+
 bool at_section(const TokenStream& tokens) {
   if (!tokens.at(TokenKind::kWord)) return false;
   const auto found = std::ranges::find(kSections, tokens.peek().text, &SectionWord::word);

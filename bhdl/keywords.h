@@ -17,6 +17,10 @@ namespace galilean::bhdl {
 /// Every word that opens a section or says something of the whole program. Editors know them too.
 [[nodiscard]] std::vector<std::string_view> opening_words();
 
+/// Every word that begins a section or stands for one, but for a bare `state`; none has two
+/// spellings here.
+[[nodiscard]] std::vector<std::string_view> section_words();
+
 /// Whether a section, a bare state, an include, `start_state` or `on_swap` begins here. The same
 /// word with a value behind it is an attribute or a state's list: `motor_schemas: "noise"`.
 [[nodiscard]] bool at_section(const TokenStream& tokens);

@@ -58,8 +58,8 @@ std::string nearest(std::string_view word, std::span<const std::string_view> nam
   return found;
 }
 
-std::string did_you_mean(std::string_view name) {
-  return name.empty() ? std::string() : "did you mean " + in_quotes(name) + "?";
+Hint did_you_mean(std::string_view name) {
+  return name.empty() ? Hint() : Hint("did you mean " + in_quotes(name) + "?", std::string(name));
 }
 
 }  // namespace galilean::bhdl

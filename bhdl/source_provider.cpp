@@ -12,16 +12,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ReadFailure too_large(const std::string& path, std::uintmax_t bytes, std::size_t most_bytes) {
-  return {"file/too-large", in_quotes(path) + " has " + std::to_string(bytes) +
-                                " bytes; a BHDL file has at most " + std::to_string(most_bytes)};
-}
-
 ReadFailure not_found(const std::string& path, const std::string& reason) {
   return {"file/not-found", "cannot read " + in_quotes(path) + ": " + reason};
 }
 
 }  // namespace
+
+ReadFailure too_large(const std::string& path, std::uintmax_t bytes, std::size_t most_bytes) {
+  return {"file/too-large", in_quotes(path) + " has " + std::to_string(bytes) +
+                                " bytes; a BHDL file has at most " + std::to_string(most_bytes)};
+}
 
 std::string normal_path(const fs::path& path) {
   return path.lexically_normal().generic_string();

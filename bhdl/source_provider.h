@@ -15,6 +15,10 @@ struct ReadFailure {
   std::string message;
 };
 
+/// That a file has more bytes than may be read.
+[[nodiscard]] ReadFailure too_large(const std::string& path, std::uintmax_t bytes,
+                                    std::size_t most_bytes);
+
 /// Where a program's texts come from: the disk, or a push over the network.
 class SourceProvider {
  public:

@@ -12,6 +12,7 @@ export default defineConfig({
   server: {
     proxy: {
       "/api": own,
+      "/lsp": { ...own, ws: true },
       "/ws": { ...own, ws: true },
     },
   },

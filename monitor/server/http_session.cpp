@@ -82,6 +82,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
       return respond(problem(403, objection));
     }
     if (upgrade && request.path == "/ws") return become_websocket(std::move(message));
+    if (upgrade && request.path == "/lsp") return become_language_server(message);
     stranger_ = site_->guard.is_allowed_stranger(request.origin) ? request.origin : std::string();
     stream_.expires_never();
     site_->handler(request, [self = shared_from_this()](HttpResponse response) {
@@ -92,6 +93,11 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   void become_websocket(http::request<http::string_body> message) {
     stream_.expires_never();
     serve_websocket(stream_.release_socket(), std::move(message), site_->hub);
+  }
+
+  void become_language_server(const http::request<http::string_body>& message) {
+    stream_.expires_never();
+    serve_language(stream_.release_socket(), message, site_->language);
   }
 
   void respond(HttpResponse response) {

@@ -22,6 +22,10 @@ Catalog catalog_or_none(const std::filesystem::path& file) {
   return {};
 }
 
+std::filesystem::path library_folder(const MonitorOptions& options) {
+  return options.library_folder.empty() ? default_library_folder() : options.library_folder;
+}
+
 template <class M, class Take>
 void decode_for(const Message& message, Take take) {
   if (message.channel.schema->ros_type != M::kRosType) return;
@@ -45,6 +49,8 @@ struct Monitor::Parts {
   asio::signal_set signals{io, SIGINT, SIGTERM};
   asio::steady_timer time_timer{io};
   Worker worker{io};
+  Worker language_worker{io};
+  LanguageDesk language;
   MapService map;
   PushDesk desk;
   Operations operations;
@@ -57,6 +63,7 @@ struct Monitor::Parts {
         std::unique_ptr<History> opened);
   ~Parts() {
     worker.finish();
+    language_worker.finish();
     hub.forget_demand();
   }
 
@@ -70,11 +77,11 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
     : participant(std::move(joined)),
       history(std::move(opened)),
       team(clock, options.map.silent_after),
-      library(options.library_folder.empty() ? default_library_folder() : options.library_folder,
-              catalog_or_none(options.catalog_file)),
+      library(library_folder(options), catalog_or_none(options.catalog_file)),
       page(options.page_folder.empty() ? default_page_folder() : options.page_folder),
       hub("galilean-monitor",
           [this](std::uint32_t channel_id, bool wanted) { ingest.want(channel_id, wanted); }),
+      language{language_worker, team, library.catalog(), library_folder(options)},
       map(*participant, clock, options.map),
       desk({io, worker, clock, team, library, *history}, *participant),
       operations(worker, team, library, desk, *participant),
@@ -83,7 +90,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
                   [this](const HttpRequest& request, const Respond& respond) {
                     api.answer(request, respond);
                   },
-                  hub}),
+                  hub, language}),
       ingest(*participant, callbacks(), [this] { asio::post(io, [this] { ingest.poll(); }); }) {
   operations.offer(hub);
   api.set_counts([this] { return server.counts(); });

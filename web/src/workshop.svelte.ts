@@ -34,7 +34,11 @@ class Workshop {
 
   readonly #text: string = $derived(JSON.stringify(this.files));
   readonly isChecked: boolean = $derived(this.#checked === this.#text && this.result !== undefined);
-  readonly diagnostics: Diagnostic[] = $derived(this.isChecked ? (this.result?.diagnostics ?? []) : []);
+  /** What the language server says of each file as one types. */
+  #typed = $state.raw<ReadonlyMap<string, readonly Diagnostic[]>>(new Map());
+  readonly diagnostics: Diagnostic[] = $derived(
+    this.isChecked ? (this.result?.diagnostics ?? []) : this.files.flatMap(({ path }) => this.#typed.get(path) ?? []),
+  );
   readonly errors: Diagnostic[] = $derived(this.diagnostics.filter(({ severity }) => severity === "error"));
 
   async list(): Promise<void> {
@@ -72,6 +76,22 @@ class Workshop {
     if (!file || file.text === text) return;
     this.edited = true;
     this.files[this.open] = { ...file, text };
+  }
+
+  /** A change that was made elsewhere than in the editor: by renaming. */
+  editFile(path: string, text: string): void {
+    const index = this.files.findIndex((file) => file.path === path);
+    if (index < 0 || this.files[index]?.text === text) return;
+    this.edited = true;
+    this.files[index] = { path, text };
+  }
+
+  noteProblems(path: string, problems: readonly Diagnostic[]): void {
+    this.#typed = new Map(this.#typed).set(path, problems);
+  }
+
+  forgetProblems(): void {
+    this.#typed = new Map();
   }
 
   /** Shows a place of the program that runs; what somebody edits stays on the bench. */

@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "robot/executive/probation.h"
+
 namespace galilean::robot {
 namespace {
 
@@ -45,6 +47,14 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   app.add_option("--seed", options.seed, "for all that is random")->capture_default_str();
   app.add_option("--rate", options.rate_hz, "ticks a second")
       ->check(CLI::Range(1.0, 1000.0))
+      ->capture_default_str();
+  app.add_option("--probation", options.probation_s,
+                 "seconds in which a new program that fails is taken off again")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
+  app.add_option("--max-transitions", options.most_transitions_per_s,
+                 "more changes of state within a second are such a failure")
+      ->check(CLI::Range(1, ProbationRules::kMostCounted))
       ->capture_default_str();
   app.add_option("--log-level", options.log_level, "what is worth a line")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))

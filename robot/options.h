@@ -15,6 +15,8 @@ struct Options {
   int domain = -1;                    ///< of DDS; -1: as ROS_DOMAIN_ID says, else 0
   std::uint64_t seed = 1;
   double rate_hz = 20;
+  double probation_s = 10;
+  int most_transitions_per_s = 10;
   std::string log_level = "info";
   bool print_catalog = false;
 };

@@ -70,6 +70,8 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
                        .stopwatch = clock,
                        .seed = options.seed,
                        .tick_period = from_seconds(1 / options.rate_hz),
+                       .probation = {.length = from_seconds(options.probation_s),
+                                     .most_transitions_per_s = options.most_transitions_per_s},
                        .tuner = &devices,
                        .observers = {&tap, &images}});
   if (const auto loaded = executive.load(std::move(program)); !loaded)

@@ -7,7 +7,7 @@
 namespace galilean::wire {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Delivery>, 19> kDeliveries{{
+constexpr std::array<std::pair<std::string_view, Delivery>, 20> kDeliveries{{
     {"galilean_msgs/msg/RobotState", Delivery::kState},
     {"galilean_msgs/msg/Variables", Delivery::kState},
     {"galilean_msgs/msg/Program", Delivery::kState},
@@ -20,6 +20,7 @@ constexpr std::array<std::pair<std::string_view, Delivery>, 19> kDeliveries{{
     {"galilean_msgs/msg/ProgramReply", Delivery::kEvent},
     {"rcl_interfaces/msg/Log", Delivery::kEvent},
     {"galilean_msgs/msg/ProgramPush", Delivery::kCommand},
+    {"galilean_msgs/msg/ProgramRollback", Delivery::kCommand},
     {"galilean_msgs/msg/Command", Delivery::kCommand},
     {"nav_msgs/msg/Odometry", Delivery::kFlow},
     {"tf2_msgs/msg/TFMessage", Delivery::kFlow},

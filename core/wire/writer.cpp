@@ -42,6 +42,7 @@ template class Writer<msg::Forces>;
 template class Writer<msg::Sightings>;
 template class Writer<msg::Program>;
 template class Writer<msg::ProgramPush>;
+template class Writer<msg::ProgramRollback>;
 template class Writer<msg::ProgramReply>;
 template class Writer<msg::Catalog>;
 template class Writer<msg::Command>;

@@ -56,6 +56,7 @@ class Builder {
   Builder(bhdl::Program text, ProgramId id, const BuildMaterial& material)
       : material_(material), made_(std::make_unique<RunningProgram>()) {
     description_.id = id;
+    description_.probation = material.probation;
     description_.program = std::move(text);
   }
 

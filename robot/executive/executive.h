@@ -30,7 +30,7 @@ struct ExecutiveSetup {
   const Clock& stopwatch;  ///< what ticks are measured with; a stepped one finds them all to take 0
   std::uint64_t seed = 1;
   Duration tick_period = std::chrono::milliseconds(50);
-  Duration probation = std::chrono::seconds(10);
+  ProbationRules probation = {};
   DeviceTuner* tuner = nullptr;  ///< takes over what programs say of devices; may be null
   std::vector<TickObserver*> observers = {};  ///< see every tick
 };
@@ -54,11 +54,21 @@ class Executive {
 
   /// Any thread but control, or between ticks. Builds `program` beside the one that runs; it takes
   /// over at the start of the next tick. The first one loaded starts in its start state; a later
-  /// one is in probation. Fails if another one still waits for its tick.
-  Result<ProgramId> load(bhdl::Program program);
+  /// one is in probation, by the rules of the setup or by its own. Fails if another one still waits
+  /// for its tick.
+  Result<ProgramId> load(bhdl::Program program) {
+    return load(std::move(program), setup_.probation);
+  }
+  Result<ProgramId> load(bhdl::Program program, const ProbationRules& rules);
+
+  /// Any thread but control: in the next tick `program`, if it still runs, gives way to the last
+  /// good one before it, in probation or not; an event tells so, with the reason. Nothing happens
+  /// where there is none to go back to. False if too many such orders wait.
+  bool roll_back(ProgramId program, std::string_view reason);
 
   /// Any thread: a program was loaded and its first tick is yet to come.
   [[nodiscard]] bool waiting() const noexcept { return exchange_.waiting(); }
+  [[nodiscard]] const ProbationRules& probation_rules() const noexcept { return setup_.probation; }
 
   /// Control.
   void tick();
@@ -95,8 +105,9 @@ class Executive {
   void act() noexcept;
   void publish() noexcept;
 
+  [[nodiscard]] Verdict judgement() noexcept;
   void take_over(std::unique_ptr<RunningProgram> next) noexcept;
-  void roll_back() noexcept;
+  void roll_back(const Verdict& verdict) noexcept;
   void install(const RunningProgram* replaced, Event::Cause cause) noexcept;
   void enter(std::uint32_t state) noexcept;
   void activate(std::uint32_t schema) noexcept;
@@ -110,6 +121,12 @@ class Executive {
   [[nodiscard]] const RunningState& current() const noexcept;
   void tidy_shelf();
 
+  /// An operator's word against a program.
+  struct RollbackOrder {
+    ProgramId program = 0;
+    ShortText reason;
+  };
+
   const ExecutiveSetup setup_;
   PushablePort port_;
   GuardedDrive drive_;
@@ -119,9 +136,10 @@ class Executive {
   std::map<ProgramId, std::shared_ptr<const Description>> shelf_;
   ProgramId last_id_ = 0;
   Exchange exchange_;
+  SpscRing<RollbackOrder, 4> orders_;  ///< written under shelf_mutex_
 
   std::unique_ptr<RunningProgram> running_;
-  std::unique_ptr<RunningProgram> last_good_;  ///< only while `running_` is in probation
+  std::unique_ptr<RunningProgram> last_good_;  ///< what `running_` may give way to
   Probation probation_;
   Event exchanged_;  ///< the programs that this tick exchanged, told when its time is known
   Odometry odometry_;

@@ -43,6 +43,7 @@ class Publisher {
   void tell(const Event& event);
   void tell_transition(const Event& event);
   void tell_program(ProgramId id);
+  void log_rollback(const Event& event);
   void tell_sightings();
   void tell_regularly();
   void tell_state();

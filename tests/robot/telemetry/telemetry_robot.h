@@ -18,13 +18,14 @@ class TelemetryRobot {
         participant(join(name)),
         other(join("tester")),
         robot(1, {&tap, &images}),
-        telemetry({.robot = name,
-                   .participant = *participant,
-                   .executive = *robot.executive,
-                   .tap = tap,
-                   .devices = {robot.port, robot.drive, robot.camera},
-                   .catalog = test_components().catalog(),
-                   .clock = robot.clock},
+        telemetry(std::in_place,
+                  TelemetrySource{.robot = name,
+                                  .participant = *participant,
+                                  .executive = *robot.executive,
+                                  .tap = tap,
+                                  .devices = {robot.port, robot.drive, robot.camera},
+                                  .catalog = test_components().catalog(),
+                                  .clock = robot.clock},
                   images) {}
 
   template <class M>
@@ -42,6 +43,7 @@ class TelemetryRobot {
     return push;
   }
   void send(const msg::ProgramPush& push) { send_on(wire::kProgramPushTopic, push); }
+  void send(const msg::ProgramRollback& order) { send_on(wire::kProgramRollbackTopic, order); }
   void send(std::uint8_t kind, std::int32_t argument, const std::string& target) {
     msg::Command command;
     command.author = "tester";
@@ -66,7 +68,7 @@ class TelemetryRobot {
   SnapshotTap tap;
   ImageTap images;
   TestRobot robot;
-  Telemetry telemetry;
+  std::optional<Telemetry> telemetry;
 
  private:
   static std::unique_ptr<wire::Participant> join(const std::string& who) {

@@ -7,7 +7,7 @@
 namespace galilean::wire {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Delivery>, 19> kDeliveries{{
+constexpr std::array<std::pair<std::string_view, Delivery>, 20> kDeliveries{{
     {"galilean_msgs/msg/RobotState", Delivery::kState},
     {"galilean_msgs/msg/Variables", Delivery::kState},
     {"galilean_msgs/msg/Program", Delivery::kState},
@@ -18,6 +18,7 @@ constexpr std::array<std::pair<std::string_view, Delivery>, 19> kDeliveries{{
     {"visualization_msgs/msg/MarkerArray", Delivery::kState},
     {"galilean_msgs/msg/Transition", Delivery::kEvent},
     {"galilean_msgs/msg/ProgramReply", Delivery::kEvent},
+    {"galilean_msgs/msg/PushProgress", Delivery::kEvent},
     {"rcl_interfaces/msg/Log", Delivery::kEvent},
     {"galilean_msgs/msg/ProgramPush", Delivery::kCommand},
     {"galilean_msgs/msg/Command", Delivery::kCommand},

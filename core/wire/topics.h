@@ -27,6 +27,7 @@ enum class Delivery {
 /// "rt/io/state" for ("io", "state"): ROS 2's name for topic /io/state.
 [[nodiscard]] std::string robot_topic(std::string_view robot, std::string_view leaf);
 inline constexpr const char* kProgramPushTopic = "rt/team/program_push";
+inline constexpr const char* kPushProgressTopic = "rt/team/push_progress";
 inline constexpr const char* kCommandTopic = "rt/team/command";
 inline constexpr const char* kObjectsTopic = "rt/team/objects";
 inline constexpr const char* kMapTopic = "rt/team/map";

@@ -17,6 +17,7 @@ constexpr std::array kVerbs{
     Verb{"log", "galilean-log", "", "Look into recordings: log info FILE"},
     Verb{"bhdl", "galilean-bhdl", "", "Check, lay out, compare and draw programs"},
     Verb{"swap", "galilean-swap", "", "Give running robots another program"},
+    Verb{"programs", "galilean-programs", "", "What was pushed: list, show, diff, restore"},
     Verb{"start", "galilean-command", "start", "Push robots' bumpers: the contest begins"},
     Verb{"hold", "galilean-command", "hold", "Make robots stand still"},
     Verb{"resume", "galilean-command", "resume", "Let robots go on"},

@@ -18,6 +18,7 @@ constexpr std::array<std::pair<std::string_view, Delivery>, 20> kDeliveries{{
     {"visualization_msgs/msg/MarkerArray", Delivery::kState},
     {"galilean_msgs/msg/Transition", Delivery::kEvent},
     {"galilean_msgs/msg/ProgramReply", Delivery::kEvent},
+    {"galilean_msgs/msg/PushProgress", Delivery::kEvent},
     {"rcl_interfaces/msg/Log", Delivery::kEvent},
     {"galilean_msgs/msg/ProgramPush", Delivery::kCommand},
     {"galilean_msgs/msg/ProgramRollback", Delivery::kCommand},

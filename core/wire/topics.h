@@ -28,6 +28,7 @@ enum class Delivery {
 [[nodiscard]] std::string robot_topic(std::string_view robot, std::string_view leaf);
 inline constexpr const char* kProgramPushTopic = "rt/team/program_push";
 inline constexpr const char* kProgramRollbackTopic = "rt/team/program_rollback";
+inline constexpr const char* kPushProgressTopic = "rt/team/push_progress";
 inline constexpr const char* kCommandTopic = "rt/team/command";
 inline constexpr const char* kObjectsTopic = "rt/team/objects";
 inline constexpr const char* kMapTopic = "rt/team/map";

@@ -44,6 +44,7 @@ template class Writer<msg::Program>;
 template class Writer<msg::ProgramPush>;
 template class Writer<msg::ProgramRollback>;
 template class Writer<msg::ProgramReply>;
+template class Writer<msg::PushProgress>;
 template class Writer<msg::Catalog>;
 template class Writer<msg::Command>;
 template class Writer<msg::ObjectMap>;

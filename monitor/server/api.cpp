@@ -39,6 +39,10 @@ void Api::add_routes() {
   get("/api/programs/",
       [this](auto& request, auto& respond) { program(rest(request, "/api/programs/"), respond); });
   get("/api/pushes", [this](auto&, auto& respond) { pushes(respond); });
+  get("/api/pushes/", [this](auto& request, auto& respond) {
+    parts_.desk.describe(rest(request, "/api/pushes/"),
+                         [respond](const Outcome& outcome) { respond(response_of(outcome)); });
+  });
   get("/api/pushed/", [this](auto& request, auto& respond) {
     pushed_program(rest(request, "/api/pushed/"), respond);
   });
@@ -46,6 +50,8 @@ void Api::add_routes() {
   get("/api/map.yaml", [this](auto&, auto& respond) { map_file("yaml", respond); });
   routes_.push_back({"POST", "/api/check", operation(&Operations::check)});
   routes_.push_back({"POST", "/api/push", operation(&Operations::push)});
+  routes_.push_back({"POST", "/api/pushes/",
+                     [this](auto& request, auto& respond) { cancel_push(request, respond); }});
   routes_.push_back({"POST", "/api/command", operation(&Operations::command)});
 }
 
@@ -109,6 +115,23 @@ void Api::pushes(const Respond& respond) {
                       for (const auto& record : records) list.push_back(to_json(record));
                       respond(json_response({{"pushes", std::move(list)}}));
                     });
+}
+
+/// POST /api/pushes/ID/cancel; the body may name an author.
+void Api::cancel_push(const HttpRequest& request, const Respond& respond) {
+  constexpr std::string_view kVerb = "/cancel";
+  auto id = rest(request, "/api/pushes/");
+  if (!id.ends_with(kVerb)) return respond(problem(404, "There is no " + request.path + "."));
+  id.resize(id.size() - kVerb.size());
+  auto body = nlohmann::json::parse(request.body.empty() ? "{}" : request.body, nullptr, false);
+  if (!body.is_object()) return respond(problem(400, "The body must be a JSON object."));
+  body["id"] = id;
+  try {
+    parts_.operations.cancel_push(
+        body, [respond](const Outcome& outcome) { respond(response_of(outcome)); });
+  } catch (const BadRequest& wrong) {
+    respond(problem(400, wrong.what()));
+  }
 }
 
 void Api::pushed_program(const std::string& hash, const Respond& respond) {

@@ -21,6 +21,7 @@ class Api {
     const MapService& map;
     const foxglove::Hub& hub;
     Operations& operations;
+    PushDesk& desk;
     Worker& worker;
     History& history;  ///< the worker's alone
   };
@@ -45,6 +46,7 @@ class Api {
   void programs(const Respond& respond) const;
   void program(const std::string& name, const Respond& respond) const;
   void pushes(const Respond& respond);
+  void cancel_push(const HttpRequest& request, const Respond& respond);
   void pushed_program(const std::string& hash, const Respond& respond);
   void status(const Respond& respond) const;
   void map_file(const std::string& kind, const Respond& respond) const;

@@ -42,7 +42,7 @@ HttpResponse json_response(const nlohmann::json& json, int status) {
 
 HttpResponse problem(int status, const std::string& detail, const nlohmann::json& more) {
   nlohmann::json json{{"title", title(status)}, {"status", status}, {"detail", detail}};
-  json.update(more);
+  if (more.is_object()) json.update(more);
   return text_response(json_text(json), "application/problem+json", status);
 }
 

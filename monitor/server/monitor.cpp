@@ -85,7 +85,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
       map(*participant, clock, options.map),
       desk({io, worker, clock, team, library, *history}, *participant),
       operations(worker, team, library, desk, *participant),
-      api({page, team, library, map, hub, operations, worker, *history}),
+      api({page, team, library, map, hub, operations, desk, worker, *history}),
       server(io, {Guard(options.address, options.allowed_origins),
                   [this](const HttpRequest& request, const Respond& respond) {
                     api.answer(request, respond);

@@ -108,6 +108,7 @@ class ServerTest : public testing::Test {
   Answer post(const std::string& target, const json& body) {
     return request(http::verb::post, target, body.dump());
   }
+  json push_named(const std::string& id) { return get("/api/pushes/" + id).as_json(); }
   [[nodiscard]] static json files(const char* text) {
     return json::array({{{"path", "pushed.bhdl"}, {"text", text}}});
   }
@@ -275,6 +276,109 @@ TEST_F(ServerTest, ABrokenProgramIsPushedToNobody) {
   EXPECT_TRUE(get("/api/pushes").as_json()["pushes"].empty());
 }
 
+TEST_F(ServerTest, TheOthersGetAProgramOnceTheCanaryHasProvedIt) {
+  ScriptedRobot io("io", kDomain, catalog), ganymede("ganymede", kDomain, catalog);
+  wait_for_robots(2);
+  const auto answer =
+      post("/api/push", {{"files", files(kProgram)}, {"canary", "io"}, {"probation_s", 0.5}});
+  ASSERT_EQ(answer.status, 202U) << answer.body;
+  const auto push = answer.as_json();
+  EXPECT_TRUE(becomes_true([&] { return io.running_hash() == push["hash"]; }));
+  EXPECT_EQ(ganymede.running_hash(), "first");
+  ASSERT_TRUE(becomes_true([&] { return push_named(push["id"])["state"] == "done"; }));
+  EXPECT_EQ(ganymede.running_hash(), push["hash"]);
+  const auto done = push_named(push["id"]);
+  EXPECT_EQ(done["steps"][2]["state"], "done");
+  EXPECT_EQ(done["replies"].size(), 2U);
+  EXPECT_EQ(get("/api/pushes/nothing").status, 404U);
+}
+
+TEST_F(ServerTest, WhileOnePushesTheOtherIsToldWhoAndWhat) {
+  ScriptedRobot io("io", kDomain, catalog), ganymede("ganymede", kDomain, catalog);
+  wait_for_robots(2);
+  const auto answer = post(
+      "/api/push",
+      {{"files", files(kProgram)}, {"author", "balch"}, {"canary", "io"}, {"probation_s", 60}});
+  const auto push = answer.as_json();
+  EXPECT_TRUE(becomes_true([&] { return io.running_hash() == push["hash"]; }));
+
+  const auto second = post("/api/push", {{"files", files(kProgram)}, {"targets", {"ganymede"}}});
+  EXPECT_EQ(second.status, 409U);
+  EXPECT_THAT(second.as_json()["detail"].get<std::string>(),
+              HasSubstr("balch is pushing pushed.bhdl ("));
+  EXPECT_EQ(second.as_json()["pushed"]["id"], push["id"]);
+
+  const std::string cancel = "/api/pushes/" + push["id"].get<std::string>() + "/cancel";
+  const auto cancelled = post(cancel, {{"author", "collins"}});
+  EXPECT_EQ(cancelled.status, 200U) << cancelled.body;
+  EXPECT_EQ(cancelled.as_json()["steps"][2]["detail"], "cancelled by collins");
+  EXPECT_TRUE(becomes_true([&] { return io.running_hash() == "first"; })) << "it is taken back";
+  EXPECT_EQ(ganymede.running_hash(), "first");
+  EXPECT_EQ(post(cancel, json::object()).status, 409U);
+  EXPECT_EQ(post("/api/pushes/nothing/cancel", json::object()).status, 404U);
+  ASSERT_TRUE(becomes_true([&] {
+    return std::ranges::any_of(get("/api/pushes").as_json()["pushes"], [&](const auto& each) {
+      return each["id"] == push["id"] && each["state"] == "cancelled";
+    });
+  }));
+}
+
+TEST_F(ServerTest, AStalePageIsToldWhoPushedWhat) {
+  ScriptedRobot io("io", kDomain, catalog);
+  wait_for_robots(1);
+  EXPECT_EQ(
+      post("/api/push", {{"files", files(kProgram)}, {"author", "balch"}, {"replaces", "first"}})
+          .status,
+      200U);
+  ASSERT_TRUE(becomes_true([&] {
+    return get("/api/status").as_json()["robots"][0]["program_hash"] == io.running_hash();
+  }));
+  const auto stale = post("/api/push", {{"files", files(kProgram)}, {"replaces", "first"}});
+  EXPECT_EQ(stale.status, 409U);
+  EXPECT_THAT(stale.as_json()["detail"].get<std::string>(), HasSubstr("which balch pushed at "));
+  EXPECT_EQ(stale.as_json()["running_hash"], io.running_hash());
+}
+
+TEST_F(ServerTest, SwapPrintsEachStepAndProgramsRemembersThem) {
+  ScriptedRobot io("io", kDomain, catalog), ganymede("ganymede", kDomain, catalog);
+  wait_for_robots(2);
+  const std::string monitor_option = " --monitor http://" + host() + " ";
+  const std::string swap = GALILEAN_SWAP + monitor_option;
+  const auto swapped =
+      run(swap + (folder / "good.bhdl").string() + " --team --canary io --probation 300ms");
+  EXPECT_EQ(swapped.exit_code, 0) << swapped.output;
+  EXPECT_THAT(swapped.output, HasSubstr("check   done\n"));
+  EXPECT_THAT(swapped.output, HasSubstr("canary  done  io ran it for 0.3 s\n"));
+  EXPECT_THAT(swapped.output, HasSubstr("rest    done\n"));
+  EXPECT_EQ(ganymede.running_hash(), io.running_hash());
+  const auto first_hash = io.running_hash();
+
+  write("other.bhdl", "states:\n  state:\n    name: \"wait\"\n  end\nend\n");
+  const auto other = run(swap + (folder / "other.bhdl").string() + " --robot io");
+  EXPECT_EQ(other.exit_code, 0) << other.output;
+  EXPECT_EQ(run(swap + (folder / "broken.bhdl").string() + " --team").exit_code, 1);
+
+  const std::string programs = GALILEAN_PROGRAMS + monitor_option;
+  const auto list = run(programs + "list").output;
+  EXPECT_EQ(std::ranges::count(list, '\n'), 2) << list;
+  EXPECT_EQ(run(programs + "show " + first_hash.substr(0, 10)).output, kProgram);
+  const auto diff =
+      run(programs + "diff " + first_hash.substr(0, 10) + " " + io.running_hash().substr(0, 10));
+  EXPECT_EQ(diff.exit_code, 1) << diff.output;
+  EXPECT_THAT(diff.output, HasSubstr("wait"));
+  EXPECT_EQ(run(programs + "restore " + first_hash + " --robot io").exit_code, 0);
+  EXPECT_EQ(io.running_hash(), first_hash);
+  EXPECT_EQ(run(programs + "show 0123").exit_code, 2);
+}
+
+TEST_F(ServerTest, SwapWithoutAMonitorThereSaysSoInOneLine) {
+  const auto alone = run(std::string(GALILEAN_SWAP) + " --monitor http://127.0.0.1:1 --team " +
+                         (folder / "good.bhdl").string());
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_THAT(alone.output, HasSubstr("no monitor answers at http://127.0.0.1:1"));
+  EXPECT_EQ(std::ranges::count(alone.output, '\n'), 1);
+}
+
 TEST_F(ServerTest, HoldStopsTheRobotsThatAreNamed) {
   ScriptedRobot io("io", kDomain, catalog), ganymede("ganymede", kDomain, catalog);
   wait_for_robots(2);
@@ -291,7 +395,7 @@ TEST_F(ServerTest, AFoxgloveClientReadsStatesEventsAndCallsServices) {
   Socket socket(host(), monitor->port());
   EXPECT_EQ(socket.response[http::field::sec_websocket_protocol], "foxglove.websocket.v1");
   const auto services = socket.read_op("advertiseServices")["services"];
-  ASSERT_EQ(services.size(), 4U);
+  ASSERT_EQ(services.size(), 5U);
   const auto states = socket.channel("/io/state");
   socket.send({{"op", "subscribe"}, {"subscriptions", {{{"id", 40}, {"channelId", states}}}}});
   const auto message = socket.read();
@@ -325,11 +429,11 @@ TEST_F(ServerTest, ARobotThatEndsStaysAndIsSilent) {
   EXPECT_EQ(get("/api/team").as_json()["robots"][0]["state"], "start");
 }
 
-TEST_F(ServerTest, SwapPrintsEachRobotsAnswer) {
+TEST_F(ServerTest, SwapWithoutAMonitorPrintsEachRobotsAnswer) {
   ScriptedRobot io("io", kDomain, catalog), ganymede("ganymede", kDomain, catalog);
   wait_for_robots(2);
   const std::string swap =
-      std::string(GALILEAN_SWAP) + " --domain " + std::to_string(kDomain) + " ";
+      std::string(GALILEAN_SWAP) + " --direct --domain " + std::to_string(kDomain) + " ";
   const auto swapped = run(swap + (folder / "good.bhdl").string() + " --team --json");
   EXPECT_EQ(swapped.exit_code, 0) << swapped.output;
   const auto answers = json::parse(swapped.output)["replies"];
@@ -351,8 +455,8 @@ TEST_F(ServerTest, SwapPrintsEachRobotsAnswer) {
 }
 
 TEST_F(ServerTest, SwapWithoutARobotSaysSoInOneLine) {
-  const auto alone =
-      run(std::string(GALILEAN_SWAP) + " --domain 230 --team " + (folder / "good.bhdl").string());
+  const auto alone = run(std::string(GALILEAN_SWAP) + " --direct --domain 230 --team " +
+                         (folder / "good.bhdl").string());
   EXPECT_EQ(alone.exit_code, 2);
   EXPECT_EQ(std::ranges::count(alone.output, '\n'), 1);
 }

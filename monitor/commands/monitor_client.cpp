@@ -1,0 +1,113 @@
+#include "monitor/commands/monitor_client.h"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http.hpp>
+#include <regex>
+
+namespace galilean::monitor {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+using boost::system::error_code;
+
+constexpr std::uint64_t kMostAnswerBytes = 64 << 20;
+
+/// One request and its answer, on a connection of its own.
+class Exchange {
+ public:
+  Exchange(asio::io_context& io, http::request<http::string_body> request)
+      : stream_(io), request_(std::move(request)) {
+    parser_.body_limit(kMostAnswerBytes);
+  }
+
+  void start(const asio::ip::tcp::resolver::results_type& endpoints) {
+    stream_.expires_after(std::chrono::seconds(MonitorClient::kPatience_s));
+    stream_.async_connect(endpoints, [this](error_code error, const auto&) {
+      if (!failed(error)) write();
+    });
+  }
+  [[nodiscard]] error_code error() const { return error_; }
+  [[nodiscard]] const auto& response() const { return parser_.get(); }
+
+ private:
+  bool failed(error_code error) {
+    error_ = error;
+    return bool(error);
+  }
+  void write() {
+    http::async_write(stream_, request_, [this](error_code error, std::size_t) {
+      if (!failed(error)) read();
+    });
+  }
+  void read() {
+    http::async_read(stream_, buffer_, parser_,
+                     [this](error_code error, std::size_t) { failed(error); });
+  }
+
+  beast::tcp_stream stream_;
+  http::request<http::string_body> request_;
+  beast::flat_buffer buffer_;
+  http::response_parser<http::string_body> parser_;
+  error_code error_;
+};
+
+}  // namespace
+
+std::string MonitorAnswer::detail() const {
+  if (json.is_object() && json.contains("detail")) return json["detail"].get<std::string>();
+  return "the monitor answered " + std::to_string(status);
+}
+
+Result<MonitorClient> MonitorClient::at(const std::string& url) {
+  static const std::regex kForm(R"(http://(\[[0-9a-fA-F:]+\]|[^/:\[\]]+)(?::(\d{1,5}))?/?)");
+  std::smatch found;
+  if (!std::regex_match(url, found, kForm))
+    return Error{"'" + url + "' is no address of a monitor, such as http://127.0.0.1:8080"};
+  return MonitorClient(url, found[1], found[2].matched ? found[2].str() : "80");
+}
+
+Result<MonitorAnswer> MonitorClient::get(const std::string& path) const {
+  return request("GET", path, {});
+}
+
+Result<MonitorAnswer> MonitorClient::post(const std::string& path,
+                                          const nlohmann::json& body) const {
+  return request("POST", path, body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+Result<MonitorAnswer> MonitorClient::request(const std::string& method, const std::string& path,
+                                             const std::string& body) const {
+  const auto nobody = [&](const error_code& why) {
+    return Error{"no monitor answers at " + url_ + " (" + why.message() +
+                 "); start one with 'galilean monitor', or name another with --monitor"};
+  };
+  http::request<http::string_body> message;
+  message.method_string(method);
+  message.target(path);
+  message.version(11);
+  message.set(http::field::host, host_ + ":" + port_);
+  message.set(http::field::content_type, "application/json");
+  message.set(http::field::connection, "close");
+  message.body() = body;
+  message.prepare_payload();
+
+  asio::io_context io;
+  error_code unknown;
+  asio::ip::tcp::resolver resolver(io);
+  const auto bare_host = host_.starts_with('[') ? host_.substr(1, host_.size() - 2) : host_;
+  const auto endpoints = resolver.resolve(bare_host, port_, unknown);
+  if (unknown) return nobody(unknown);
+  Exchange exchange(io, std::move(message));
+  exchange.start(endpoints);
+  io.run();
+  if (exchange.error()) return nobody(exchange.error());
+  return MonitorAnswer{static_cast<int>(exchange.response().result_int()),
+                       nlohmann::json::parse(exchange.response().body(), nullptr, false)};
+}
+
+}  // namespace galilean::monitor

@@ -47,7 +47,7 @@ Json params_for(const Session& session, const std::string& path,
 
 ByteRange range_of(const ParsedFile& file, const Diagnostic& diagnostic) {
   const std::size_t begin = file.index.offset_of_place(diagnostic.line, diagnostic.column);
-  if (find_bad_text(file.text)) return {begin, begin};
+  if (!file.is_readable) return {begin, begin};
   Diagnostics unheard;
   const std::string_view rest = std::string_view(file.text).substr(begin);
   const Token token = Lexer("", rest, unheard).next();

@@ -108,14 +108,14 @@ void fold_comments(const TextIndex& index, Json& folds) {
 
 Json document_symbols(const Session& session, const Json& params) {
   const FilePointer file = session.file(params);
-  if (find_bad_text(file->text)) return Json::array();
+  if (!file->is_readable) return Json::array();
   return SymbolTree(session, *file).of(blocks_of(file->text, session.vocabulary));
 }
 
 Json folding_ranges(const Session& session, const Json& params) {
   const FilePointer file = session.file(params);
   Json folds = Json::array();
-  if (find_bad_text(file->text)) return folds;
+  if (!file->is_readable) return folds;
   for (const auto& block : blocks_of(file->text, session.vocabulary)) {
     const std::size_t first = file->index.line_of(block.range.begin);
     const std::size_t last = file->index.line_of(block.range.end);

@@ -7,8 +7,11 @@
 namespace galilean::bhdl::lsp {
 
 ParsedFile::ParsedFile(std::string its_path, std::string its_text, const Vocabulary& vocabulary)
-    : path(std::move(its_path)), text(std::move(its_text)), index(text) {
-  if (text.size() > kMostFileBytes || find_bad_text(text)) return;
+    : path(std::move(its_path)),
+      text(std::move(its_text)),
+      index(text),
+      is_readable(text.size() <= kMostFileBytes && !find_bad_text(text)) {
+  if (!is_readable) return;
   Diagnostics told_by_the_check;
   tree = parse(path, text, told_by_the_check);
   for (const auto& node : tree)

@@ -21,6 +21,7 @@ struct ParsedFile {
   const std::string path;
   const std::string text;
   const TextIndex index;
+  const bool is_readable;  ///< else it is no text that a lexer may see
   SyntaxTree tree;
   std::vector<std::string> includes;  ///< paths, as the loader resolves them
   Mentions mentions;

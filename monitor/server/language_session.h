@@ -5,6 +5,7 @@
 #include <boost/beast/http/string_body.hpp>
 #include <filesystem>
 
+#include "core/catalog/catalog.h"
 #include "monitor/server/worker.h"
 #include "monitor/team/team.h"
 

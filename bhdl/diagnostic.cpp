@@ -44,8 +44,7 @@ void Diagnostics::warning(const Location& at, std::string_view code, std::string
 void Diagnostics::add(const Location& at, Severity severity, std::string_view code,
                       std::string message, std::string hint) {
   // Warnings stop early, so that no number of them hides the error that stops the program.
-  const auto most = severity == Severity::kError ? kMost : kMost / 2;
-  if (kept_.size() >= most)
+  if (severity == Severity::kError ? full() : full_of_warnings())
     ++left_off_;
   else
     kept_.push_back({at.file, at.line, at.column, severity, std::string(code), std::move(message),

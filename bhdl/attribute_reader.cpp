@@ -112,9 +112,10 @@ void AttributeReader::check_matching_counts(const ComponentSpec& spec, const Wor
                                             const std::string& owner,
                                             const AttributeValues& values) const {
   for (const auto& each : spec.attributes) {
+    if (each.one_for_each.empty()) continue;
     const auto count = list_size(values.find(each.name));
     const auto expected = list_size(values.find(each.one_for_each));
-    if (each.one_for_each.empty() || !count || !expected) continue;
+    if (!count || !expected) continue;
     if (*count == 0 || *count == *expected) continue;
     diagnostics_.error(type.at, "value/count",
                        in_quotes(each.name) + " of " + owner + " has " + std::to_string(*count) +

@@ -45,8 +45,7 @@ void Diagnostics::warning(const Location& at, std::string_view code, std::string
 
 void Diagnostics::add(Diagnostic diagnostic) {
   // Warnings stop early, so that no number of them hides the error that stops the program.
-  const auto most = diagnostic.severity == Severity::kError ? kMost : kMost / 2;
-  if (kept_.size() >= most)
+  if (diagnostic.severity == Severity::kError ? full() : full_of_warnings())
     ++left_off_;
   else
     kept_.push_back(std::move(diagnostic));

@@ -61,6 +61,8 @@ class Diagnostics {
                std::vector<RelatedPlace> related = {});
   /// Nothing more is kept: whoever would search long for a hint can spare it.
   [[nodiscard]] bool full() const noexcept { return kept_.size() >= kMost; }
+  /// The same of warnings, of which fewer are kept.
+  [[nodiscard]] bool full_of_warnings() const noexcept { return kept_.size() >= kMost / 2; }
   [[nodiscard]] bool has_errors() const noexcept { return errors_ > 0; }
 
   /// In the order of the files as read, then of lines; the last says how many more there were.

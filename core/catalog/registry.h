@@ -58,8 +58,11 @@ class Registry {
 /// A device's or a variable's settings, read from what the program gives.
 template <class T>
 [[nodiscard]] T settings(const AttributeValues& values, const Wiring& wiring) {
-  Declaration<T> declaration({}, ComponentKind::kVariable);
-  T::describe(declaration);
+  static const Declaration<T> declaration = [] {
+    Declaration<T> described({}, ComponentKind::kVariable);
+    T::describe(described);
+    return described;
+  }();
   T result;
   declaration.apply(result, values, wiring);
   return result;

@@ -12,6 +12,8 @@ const char* title(int status) {
   switch (status) {
     case 400:
       return "Bad request";
+    case 401:
+      return "Not known";
     case 403:
       return "Forbidden";
     case 404:

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "monitor/access/access.h"
+
 namespace galilean::monitor {
 
 /// What a request says, as far as anybody here asks.
@@ -16,6 +18,8 @@ struct HttpRequest {
   std::string body;
   std::string host;
   std::string origin;  ///< empty where none was sent
+  std::string token;   ///< the bearer's; empty where none was sent
+  Right right = Right::kNone;
   std::string if_none_match;
   bool accepts_gzip = false;
 };

@@ -118,9 +118,9 @@ int run(const DemoOptions& options) try {
     complain(participant.error().message);
     return 1;
   }
-  std::cout << ensemble.address() << "\n  " << list(ensemble.robots()) << " run " << options.bhdl
-            << " in scenario " << options.scenario << "; logs in " << ensemble.logs().string()
-            << "; Ctrl-C ends all" << std::endl;
+  std::cout << ensemble.operator_link() << "\n  " << list(ensemble.robots()) << " run "
+            << options.bhdl << " in scenario " << options.scenario << "; logs in "
+            << ensemble.logs().string() << "; Ctrl-C ends all" << std::endl;
   Evidence evidence(ensemble.robots());
   Outcome outcome;
   {

@@ -10,6 +10,7 @@
 #include "core/installation.h"
 #include "front/demo/run_logs.h"
 #include "front/siblings.h"
+#include "monitor/access/tokens.h"
 
 namespace galilean::front {
 namespace {
@@ -33,8 +34,11 @@ Ensemble::~Ensemble() {
   (void)end();
 }
 
-std::string Ensemble::address() const {
-  return "http://127.0.0.1:" + std::to_string(options_.port);
+std::string Ensemble::operator_link() const {
+  const auto token =
+      monitor::read_token(monitor::operator_token_file(monitor::default_data_folder()));
+  return "http://127.0.0.1:" + std::to_string(options_.port) +
+         (token ? "/#token=" + token.value() : "");
 }
 
 std::optional<Error> Ensemble::start() {

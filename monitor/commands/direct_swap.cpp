@@ -67,7 +67,7 @@ int converse(TeamListener& listener, wire::Writer<msg::ProgramPush>& writer,
 
 int swap_directly(const DirectSwapOptions& options) {
   const auto installed = bhdl::load_catalog(bhdl::default_catalog_path());
-  auto joined = TeamListener::join("galilean-swap", options.domain);
+  auto joined = TeamListener::join("swap", options.domain);
   if (!joined) return fail(joined.error().message);
   TeamListener& listener = *joined.value();
   wire::Writer<msg::ProgramPush> writer(listener.participant(), wire::kProgramPushTopic);

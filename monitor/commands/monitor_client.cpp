@@ -5,7 +5,10 @@
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
+#include <filesystem>
 #include <regex>
+
+#include "monitor/access/access.h"
 
 namespace galilean::monitor {
 namespace {
@@ -56,6 +59,11 @@ class Exchange {
   error_code error_;
 };
 
+/// "[::1]" -> "::1"
+std::string without_brackets(const std::string& host) {
+  return host.starts_with('[') ? host.substr(1, host.size() - 2) : host;
+}
+
 }  // namespace
 
 std::string MonitorAnswer::detail() const {
@@ -63,12 +71,21 @@ std::string MonitorAnswer::detail() const {
   return "the monitor answered " + std::to_string(status);
 }
 
-Result<MonitorClient> MonitorClient::at(const std::string& url) {
+Result<MonitorClient> MonitorClient::at(const std::string& url, const std::string& token_file) {
   static const std::regex kForm(R"(http://(\[[0-9a-fA-F:]+\]|[^/:\[\]]+)(?::(\d{1,5}))?/?)");
   std::smatch found;
   if (!std::regex_match(url, found, kForm))
     return Error{"'" + url + "' is no address of a monitor, such as http://127.0.0.1:8080"};
-  return MonitorClient(url, found[1], found[2].matched ? found[2].str() : "80");
+  MonitorClient client(url, found[1], found[2].matched ? found[2].str() : "80");
+  const bool is_near = is_loopback(without_brackets(client.host_));
+  const auto file = operator_token_file(default_data_folder());
+  if (std::error_code none;
+      token_file.empty() && (!is_near || !std::filesystem::exists(file, none)))
+    return client;
+  auto token = read_token(token_file.empty() ? file : std::filesystem::path(token_file));
+  if (!token) return token.error();
+  client.token_ = std::move(token).value();
+  return client;
 }
 
 Result<MonitorAnswer> MonitorClient::get(const std::string& path) const {
@@ -93,14 +110,14 @@ Result<MonitorAnswer> MonitorClient::request(const std::string& method, const st
   message.set(http::field::host, host_ + ":" + port_);
   message.set(http::field::content_type, "application/json");
   message.set(http::field::connection, "close");
+  if (!token_.empty()) message.set(http::field::authorization, "Bearer " + token_);
   message.body() = body;
   message.prepare_payload();
 
   asio::io_context io;
   error_code unknown;
   asio::ip::tcp::resolver resolver(io);
-  const auto bare_host = host_.starts_with('[') ? host_.substr(1, host_.size() - 2) : host_;
-  const auto endpoints = resolver.resolve(bare_host, port_, unknown);
+  const auto endpoints = resolver.resolve(without_brackets(host_), port_, unknown);
   if (unknown) return nobody(unknown);
   Exchange exchange(io, std::move(message));
   exchange.start(endpoints);

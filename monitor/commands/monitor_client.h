@@ -23,8 +23,10 @@ class MonitorClient {
  public:
   static constexpr int kPatience_s = 20;
 
-  /// `url` as in http://127.0.0.1:8080. The error says what is wrong with it.
-  [[nodiscard]] static Result<MonitorClient> at(const std::string& url);
+  /// `url` as in http://127.0.0.1:8080. `token_file`: who we are; empty: this user's operator
+  /// token, which is told to nobody but this machine. The error says what is wrong with them.
+  [[nodiscard]] static Result<MonitorClient> at(const std::string& url,
+                                                const std::string& token_file);
 
   /// The errors say that nobody answered, and what to do.
   [[nodiscard]] Result<MonitorAnswer> get(const std::string& path) const;
@@ -40,6 +42,7 @@ class MonitorClient {
   std::string url_;
   std::string host_;
   std::string port_;
+  std::string token_;  ///< empty: none
 };
 
 }  // namespace galilean::monitor

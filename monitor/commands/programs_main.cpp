@@ -149,7 +149,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? EXIT_SUCCESS : kCannotReach;
   }
-  const auto monitor = MonitorClient::at(options.monitor);
+  const auto monitor = MonitorClient::at(options.monitor, options.token_file);
   if (!monitor) return fail(monitor.error().message);
   if (listing->parsed()) return list(monitor.value(), as_json);
   if (showing->parsed()) return show(monitor.value(), hash);

@@ -21,10 +21,8 @@ json request_of(const std::vector<bhdl::SourceFile>& files, const PushOptions& o
                {"author", options.author},
                {"replaces", options.replaces},
                {"canary", options.canary}};
-  if (options.tries_only)
-    request["try"] = {{"only", true}};
-  else
-    request["try"] = options.tries;
+  if (options.tries || options.tries_only)
+    request["try"] = {{"only", options.tries_only}, {"even_if_worse", options.even_if_worse}};
   if (options.probation_s) request["probation_s"] = *options.probation_s;
   return request;
 }

@@ -24,6 +24,8 @@ double seconds_of(const std::string& text) {
 
 void add_monitor_option(CLI::App& app, PushOptions& options) {
   app.add_option("--monitor", options.monitor, "the monitor to speak to")->capture_default_str();
+  app.add_option("--token-file", options.token_file,
+                 "the operator's token; of a monitor on this machine it is found");
 }
 
 void add_push_options(CLI::App& app, PushOptions& options) {
@@ -34,6 +36,8 @@ void add_push_options(CLI::App& app, PushOptions& options) {
                  "refuse where another program than this hash runs");
   app.add_flag("--try", options.tries, "first in simulation, beside the program that runs");
   app.add_flag("--try-only", options.tries_only, "in simulation alone: no robot is given it");
+  app.add_flag("--even-if-worse", options.even_if_worse,
+               "push it though it scores clearly less in simulation");
   app.add_option("--canary", options.canary, "the robot that runs it first");
   app.add_option_function<std::string>(
       "--probation", [&](const std::string& text) { options.probation_s = seconds_of(text); },

@@ -16,7 +16,7 @@ int swap_through_monitor(const DirectSwapOptions& options) {
     std::cerr << "galilean swap: " << options.file << " cannot be read" << std::endl;
     return kCannotReach;
   }
-  const auto monitor = MonitorClient::at(options.push.monitor);
+  const auto monitor = MonitorClient::at(options.push.monitor, options.push.token_file);
   if (!monitor) {
     std::cerr << "galilean swap: " << monitor.error().message << std::endl;
     return kCannotReach;
@@ -36,7 +36,8 @@ int main(int argc, char** argv) {
   auto* directly = app.add_flag("--direct", direct,
                                 "over DDS, without a monitor: to robots that were started with "
                                 "--accept-swaps-from naming this program");
-  for (const auto* other : {"--try", "--try-only", "--canary", "--probation", "--monitor"})
+  for (const auto* other :
+       {"--try", "--try-only", "--canary", "--probation", "--monitor", "--token-file"})
     app.get_option(other)->excludes(directly);
   app.add_option("--timeout", options.timeout_s, "seconds to wait for answers (with --direct)")
       ->check(CLI::PositiveNumber);

@@ -109,6 +109,13 @@ void SwapTransaction::fail(const std::string& why) {
   end("failed", "failed", why);
 }
 
+void SwapTransaction::describe(const std::string& detail) {
+  SwapStep* step = running_step();
+  if (!step || step->detail == detail) return;
+  step->detail = detail;
+  ++version_;
+}
+
 void SwapTransaction::checked(const std::string& objection, Time now) {
   if (!is_at("check")) return;
   objection.empty() ? finish_step({}, now) : fail(objection);

@@ -61,6 +61,8 @@ class SwapTransaction {
   /// An objection ends the transaction; an empty one lets it go on.
   void checked(const std::string& objection, Time now);
   void tried(const std::string& objection, const std::string& finding, Time now);
+  /// How far the running step is.
+  void describe(const std::string& detail);
   /// This machine could not do an act.
   void fail(const std::string& why);
   /// False if the reply belongs to another push or tells nothing new.

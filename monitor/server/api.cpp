@@ -25,9 +25,10 @@ Api::Api(Parts parts) : parts_(parts) {
 
 void Api::add_routes() {
   const auto get = [this](std::string path, Handler handler) {
-    routes_.push_back({"GET", std::move(path), std::move(handler)});
+    routes_.push_back({"GET", std::move(path), Right::kRead, std::move(handler)});
   };
-  get("/healthz", [](auto&, auto& respond) { respond(text_response("ok\n", "text/plain")); });
+  routes_.push_back({"GET", "/healthz", Right::kNone,
+                     [](auto&, auto& respond) { respond(text_response("ok\n", "text/plain")); }});
   get("/metrics", [this](auto&, auto& respond) {
     respond(text_response(
         metrics_text(parts_.team, parts_.hub.counts(), counts_ ? counts_() : HttpServer::Counts{}),
@@ -48,11 +49,15 @@ void Api::add_routes() {
   });
   get("/api/map.png", [this](auto&, auto& respond) { map_file("png", respond); });
   get("/api/map.yaml", [this](auto&, auto& respond) { map_file("yaml", respond); });
-  routes_.push_back({"POST", "/api/check", operation(&Operations::check)});
-  routes_.push_back({"POST", "/api/push", operation(&Operations::push)});
-  routes_.push_back({"POST", "/api/pushes/",
-                     [this](auto& request, auto& respond) { cancel_push(request, respond); }});
-  routes_.push_back({"POST", "/api/command", operation(&Operations::command)});
+  post("/api/check", Right::kRead, operation(&Operations::check));
+  post("/api/push", Right::kOperate, operation(&Operations::push));
+  post("/api/pushes/", Right::kOperate,
+       [this](auto& request, auto& respond) { cancel_push(request, respond); });
+  post("/api/command", Right::kOperate, operation(&Operations::command));
+}
+
+void Api::post(std::string path, Right needs, Handler handler) {
+  routes_.push_back({"POST", std::move(path), needs, std::move(handler)});
 }
 
 void Api::answer(const HttpRequest& request, const Respond& respond) {
@@ -61,9 +66,12 @@ void Api::answer(const HttpRequest& request, const Respond& respond) {
                     {},
                     nullptr,
                     {{"Access-Control-Allow-Methods", "GET, POST"},
-                     {"Access-Control-Allow-Headers", "content-type"}}});
+                     {"Access-Control-Allow-Headers", "content-type, authorization"}}});
   bool path_known = false;
-  if (const Route* route = find(request, path_known)) return route->handler(request, respond);
+  if (const Route* route = find(request, path_known)) {
+    if (request.right >= route->needs) return route->handler(request, respond);
+    return respond(problem(request.right == Right::kNone ? 401 : 403, missing_right(route->needs)));
+  }
   const bool reads = request.method == "GET" || request.method == "HEAD";
   if (path_known || !reads)
     return respond(problem(405, request.path + " does not take " + request.method + "."));

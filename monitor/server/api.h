@@ -37,10 +37,12 @@ class Api {
   struct Route {
     std::string method;
     std::string path;  ///< ends with '/' where the rest is an argument
+    Right needs;
     Handler handler;
   };
 
   void add_routes();
+  void post(std::string path, Right needs, Handler handler);
   [[nodiscard]] Handler operation(void (Operations::*operate)(const nlohmann::json&, Finish));
   [[nodiscard]] const Route* find(const HttpRequest& request, bool& path_known) const;
   void programs(const Respond& respond) const;

@@ -31,6 +31,7 @@ class HttpServer {
   /// What the sessions share; outlives the server as long as one of them lives.
   struct Site {
     Guard guard;
+    Access access;
     HttpHandler handler;
     foxglove::Hub& hub;
     LanguageDesk& language;

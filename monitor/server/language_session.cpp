@@ -20,17 +20,6 @@ constexpr std::size_t kMostMessage = 32 << 20;
 constexpr std::size_t kMostWaiting = 64;  ///< messages that are read before one is answered
 constexpr std::size_t kMostUnsentBytes = 64 << 20;
 
-/// `robot=` of a request's query, decoded; empty if there is none.
-std::string robot_asked_for(std::string_view target) {
-  constexpr std::string_view kKey = "robot=";
-  const auto query = target.find('?');
-  if (query == std::string_view::npos) return {};
-  auto at = target.find(kKey, query);
-  if (at == std::string_view::npos) return {};
-  const auto value = target.substr(at + kKey.size());
-  return percent_decoded(value.substr(0, value.find('&')));
-}
-
 /// JSON; empty if no robot has published one.
 std::string catalog_of(const Team& team, const std::string& robot) {
   const Robot* named = team.find(robot);
@@ -53,7 +42,7 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
     stream_.text(true);
     const std::string_view target(upgrade.target().data(), upgrade.target().size());
     stream_.async_accept(upgrade, [self = shared_from_this(),
-                                   robot = robot_asked_for(target)](beast::error_code error) {
+                                   robot = query_value(target, "robot")](beast::error_code error) {
       if (!error) self->begin(robot);
     });
   }

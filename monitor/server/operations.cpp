@@ -22,14 +22,19 @@ std::vector<bhdl::SourceFile> files_field(const nlohmann::json& request) {
   return std::move(files).value();
 }
 
-/// `try` is true, or {"only": true} to push nothing.
+/// `try` is true, or {only, even_if_worse, seeds, duration_s, scenario}.
 void read_trial(const nlohmann::json& request, PushOrder& order) {
   if (!request.contains("try")) return;
   const auto& trial = request["try"];
   if (!trial.is_boolean() && !trial.is_object())
     throw BadRequest("'try' must be true, false or an object.");
-  order.tries = trial.is_object() || trial.get<bool>();
-  order.tries_only = trial.is_object() && flag_field(trial, "only");
+  order.trial.wanted = trial.is_object() || trial.get<bool>();
+  if (!trial.is_object()) return;
+  order.trial.only = flag_field(trial, "only");
+  order.trial.even_if_worse = flag_field(trial, "even_if_worse");
+  order.trial.seeds = static_cast<int>(number_field(trial, "seeds", order.trial.seeds, 1, 64));
+  order.trial.duration_s = number_field(trial, "duration_s", order.trial.duration_s, 1, 3600);
+  order.trial.scenario = text_field(trial, "scenario");
 }
 
 PushOrder order_of(const nlohmann::json& request) {

@@ -17,35 +17,18 @@ SwapPlan plan_of(const PushOrder& order, const OrderTargets& targets) {
   return {.id = new_id(),
           .awaited = targets.names(),
           .silent = targets.silent,
-          .tries = order.tries || order.tries_only,
-          .tries_only = order.tries_only,
+          .tries = order.trial.wanted,
+          .tries_only = order.trial.only,
           .canary = order.canary,
           .probation = order.probation};
 }
 
+std::string runs_words(const Trial& trial) {
+  return std::to_string(trial.finished_runs()) + " of " + std::to_string(trial.all_runs()) +
+         " runs are over";
+}
+
 }  // namespace
-
-struct PushDesk::Open {
-  PushRecord record;  ///< without the answers, which `swap` has
-  SwapTransaction swap;
-  PushOrder order = {};
-  std::vector<Target> targets = {};
-  bool is_ours = true;
-  msg::ProgramPush message = {};  ///< once it is checked
-  Finish finish = nullptr;        ///< who ordered it waits
-  unsigned told_version = 0;
-  std::optional<msg::Program> canary_ran = {};  ///< before
-
-  [[nodiscard]] PushRecord newest() const {
-    auto result = record;
-    result.progress = {swap.state(), swap.steps(), record.progress.trial_json};
-    result.answers = swap.answers();
-    return result;
-  }
-  void answer(Outcome outcome) {
-    if (const auto waiting = std::exchange(finish, nullptr)) waiting(std::move(outcome));
-  }
-};
 
 PushDesk::PushDesk(const Parts& parts, wire::Participant& participant)
     : parts_(parts),
@@ -66,8 +49,8 @@ PushDesk::OpenPtr PushDesk::under_way_to(const std::vector<std::string>& targets
   return nullptr;
 }
 
-PushDesk::OpenPtr PushDesk::keep(Open open) {
-  open_.push_back(std::make_shared<Open>(std::move(open)));
+PushDesk::OpenPtr PushDesk::keep(OpenPush open) {
+  open_.push_back(std::make_shared<OpenPush>(std::move(open)));
   const auto oldest_over =
       std::ranges::find_if(open_, [](auto& each) { return each->swap.over(); });
   if (open_.size() > kMostOpen && oldest_over != open_.end()) open_.erase(oldest_over);
@@ -92,7 +75,7 @@ void PushDesk::order(PushOrder order, Finish finish) {
   go_on(keep({.record = std::move(record),
               .swap = {std::move(plan), parts_.clock.now()},
               .order = std::move(order),
-              .targets = std::move(targets.awaited),
+              .targets = std::move(targets),
               .finish = std::move(finish)}));
 }
 
@@ -129,105 +112,6 @@ void PushDesk::go_on(const OpenPtr& open) {
   if (open->swap.over()) open->answer({200, to_json(open->newest())});
 }
 
-void PushDesk::act(const OpenPtr& open, SwapTransaction::Act act) {
-  using Act = SwapTransaction::Act;
-  switch (act) {
-    case Act::kCheck:
-      return check(open);
-    case Act::kTry:
-    case Act::kEndTrial:
-      return;
-    case Act::kPushCanary:
-      return push_canary(open);
-    case Act::kPushRest:
-      return push_rest(open);
-    case Act::kTakeBack:
-      return take_back(open);
-  }
-}
-
-void PushDesk::check(const OpenPtr& open) {
-  parts_.worker.run(
-      [open, &library = parts_.library] {
-        return check_for(open->order.files, open->targets, library);
-      },
-      [this, open](TargetCheck checked) { take_check(open, std::move(checked)); });
-}
-
-void PushDesk::take_check(const OpenPtr& open, TargetCheck check) {
-  if (!check.result.program) {
-    std::erase(open_, open);
-    return open->answer(broken(check));
-  }
-  open->message = make_push(*check.result.program, open->order.author, open->order.targets,
-                            open->order.replaces);
-  open->message.id = open->record.id;
-  open->message.stamp = wire::ros_time(open->record.pushed_ns);
-  open->record.hash = open->message.hash;
-  open->record.program = open->message.files.front().path;
-  if (!open->swap.over()) write_down(open);
-}
-
-/// Before anything of it is sent: what reached a robot is never missing from the history.
-void PushDesk::write_down(const OpenPtr& open) {
-  parts_.worker.run(
-      [this, message = open->message, progress = open->newest().progress]() -> std::string {
-        try {
-          parts_.history.add(message, progress);
-          return {};
-        } catch (const std::exception& error) {
-          return error.what();
-        }
-      },
-      [this, open](const std::string& failure) {
-        if (!failure.empty()) open->answer({503, {}, failure + "; nothing was pushed."});
-        open->swap.checked(failure, parts_.clock.now());
-        const bool takes_long =
-            open->order.tries || open->order.tries_only || !open->order.canary.empty();
-        if (takes_long) open->answer({202, to_json(open->newest())});
-        go_on(open);
-      });
-}
-
-void PushDesk::push_canary(const OpenPtr& open) {
-  if (const Robot* robot = parts_.team.find(open->order.canary)) open->canary_ran = robot->program;
-  send(open, {open->order.canary});
-}
-
-void PushDesk::push_rest(const OpenPtr& open) {
-  if (open->order.targets.empty()) parts_.team.note_push(open->message.hash);
-  // The canary runs it already. Without one the team is meant as it is, with robots that are not
-  // heard here.
-  send(open, open->order.canary.empty() ? open->order.targets : open->swap.rest());
-}
-
-void PushDesk::take_back(const OpenPtr& open) {
-  if (!open->canary_ran) return;
-  msg::ProgramPush back;
-  back.stamp = wire::ros_time(wire::wall_clock_ns());
-  back.id = new_id();
-  back.author = open->order.author;
-  back.targets = {open->order.canary};
-  back.replaces_hash = open->message.hash;
-  back.hash = open->canary_ran->hash;
-  back.files = open->canary_ran->files;
-  note(back);
-  find(back.id)->is_ours = true;  // until it is done, the canary is given nothing else
-  parts_.worker.run([this, back] { (void)pushes_.write(back); });
-}
-
-void PushDesk::send(const OpenPtr& open, const std::vector<std::string>& targets) {
-  auto message = open->message;
-  message.targets = targets;
-  parts_.worker.run([this, message = std::move(message)] { return pushes_.write(message); },
-                    [this, open](bool taken) {
-                      if (taken) return;
-                      open->swap.fail("DDS did not take the program; try again");
-                      open->answer({503, {}, "DDS did not take the program; try again."});
-                      go_on(open);
-                    });
-}
-
 void PushDesk::tell(const OpenPtr& open) {
   if (!open->is_ours || open->told_version == open->swap.version()) return;
   open->told_version = open->swap.version();
@@ -245,6 +129,7 @@ void PushDesk::watch() {
     if (const Robot* canary = parts_.team.find(open->order.canary); canary && canary->state)
       open->swap.see(canary->name, parts_.team.silent(*canary), canary->state->program_hash,
                      parts_.clock.now());
+    if (open->trial) open->swap.describe(runs_words(*open->trial));
     open->swap.update(parts_.clock.now());
     go_on(open);
   }

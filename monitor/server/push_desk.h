@@ -12,8 +12,10 @@
 #include "monitor/programs/history.h"
 #include "monitor/programs/swap_transaction.h"
 #include "monitor/programs/target_check.h"
+#include "monitor/server/open_push.h"
 #include "monitor/server/outcome.h"
 #include "monitor/server/push_order.h"
+#include "monitor/server/trial_room.h"
 #include "monitor/server/worker.h"
 #include "monitor/team/team.h"
 
@@ -33,6 +35,7 @@ class PushDesk {
     Team& team;
     const ProgramLibrary& library;
     History& history;  ///< the worker's alone
+    const TrialRoom& trials;
   };
 
   PushDesk(const Parts& parts, wire::Participant& participant);
@@ -50,18 +53,19 @@ class PushDesk {
   void note(const msg::ProgramReply& reply);
 
  private:
-  struct Open;
-  using OpenPtr = std::shared_ptr<Open>;
+  using OpenPtr = std::shared_ptr<OpenPush>;
 
   [[nodiscard]] OpenPtr find(const std::string& id) const;
   [[nodiscard]] OpenPtr under_way_to(const std::vector<std::string>& targets) const;
-  OpenPtr keep(Open open);
+  OpenPtr keep(OpenPush open);
   void refuse_stale(const PushOrder& order, const Stale& stale, Finish finish);
   void go_on(const OpenPtr& open);
   void act(const OpenPtr& open, SwapTransaction::Act act);
   void check(const OpenPtr& open);
   void take_check(const OpenPtr& open, TargetCheck check);
   void write_down(const OpenPtr& open);
+  void try_out(const OpenPtr& open);
+  void take_trial(const OpenPtr& open, const Result<TrialFigures>& result);
   void push_canary(const OpenPtr& open);
   void push_rest(const OpenPtr& open);
   void take_back(const OpenPtr& open);

@@ -69,6 +69,15 @@ std::optional<Stale> stale(const PushOrder& order, const OrderTargets& targets, 
   return std::nullopt;
 }
 
+std::string replaced_by_each(const PushOrder& order, const OrderTargets& targets,
+                             const Team& team) {
+  const bool all_run_it = std::ranges::all_of(targets.awaited, [&](const Target& target) {
+    const Robot* robot = team.find(target.robot);
+    return robot && robot->state && robot->state->program_hash == order.replaces;
+  });
+  return all_run_it ? order.replaces : std::string();
+}
+
 bool overlap(const std::vector<std::string>& targets, const std::vector<std::string>& others) {
   if (targets.empty() || others.empty()) return true;
   return std::ranges::any_of(targets, [&](const auto& name) { return contains(others, name); });

@@ -12,14 +12,23 @@
 
 namespace galilean::monitor {
 
+/// How a program is to be tried in simulation.
+struct TrialWish {
+  bool wanted = false;
+  bool only = false;           ///< and then pushed to nobody
+  bool even_if_worse = false;  ///< push it though it scores clearly less
+  int seeds = 8;
+  double duration_s = 120;  ///< simulated
+  std::string scenario;     ///< the arena; empty: that of the referee who is heard
+};
+
 /// What an operator asks for: this program, for those robots, on this way.
 struct PushOrder {
   std::vector<bhdl::SourceFile> files;  ///< the main file first
   std::vector<std::string> targets;     ///< empty: the team
   std::string author;
   std::string replaces;  ///< refuse where another program than this hash runs; empty: whatever runs
-  bool tries = false;    ///< first in simulation
-  bool tries_only = false;
+  TrialWish trial = {};
   std::string canary;  ///< the robot that runs it first; empty: all at once
   Duration probation = std::chrono::seconds(10);
 };
@@ -42,6 +51,10 @@ struct Stale {
 };
 [[nodiscard]] std::optional<Stale> stale(const PushOrder& order, const OrderTargets& targets,
                                          const Team& team);
+
+/// What each robot is told that it replaces: nothing where one of them drifts, which would refuse.
+[[nodiscard]] std::string replaced_by_each(const PushOrder& order, const OrderTargets& targets,
+                                           const Team& team);
 
 /// Whether two orders mean a robot in common.
 [[nodiscard]] bool overlap(const std::vector<std::string>& targets,

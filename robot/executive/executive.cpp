@@ -155,6 +155,12 @@ void Executive::install(const RunningProgram* replaced, Event::Cause cause) noex
   note_transition(change);
 }
 
+void Executive::restore(const Situation& situation) {
+  if (!running_) return;
+  restore_variables(situation, *running_, setup_.clock.now());
+  enter(successor_state(situation.state, *running_));
+}
+
 void Executive::enter(std::uint32_t state) noexcept {
   running_->state = state;
   running_->state_since = tick_.now;

@@ -16,6 +16,7 @@
 #include "robot/executive/odometry.h"
 #include "robot/executive/probation.h"
 #include "robot/executive/pushable_port.h"
+#include "robot/executive/restore.h"
 #include "robot/executive/running_program.h"
 #include "robot/executive/state_hash.h"
 #include "robot/executive/tick_observer.h"
@@ -83,6 +84,10 @@ class Executive {
   /// Any thread but control: what the numbers in events and snapshots mean. Null for a program
   /// that sixteen others came after.
   [[nodiscard]] std::shared_ptr<const Description> description(ProgramId id) const;
+
+  /// Control, between ticks: the program that runs goes on from where `situation` was left; nothing
+  /// where none runs. Allocates: for the simulator.
+  void restore(const Situation& situation);
 
   /// Control, as all that follows. Null before the first tick with a program.
   [[nodiscard]] const RunningProgram* program() const noexcept { return running_.get(); }

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "monitor/access/tokens.h"
 #include "tests/monitor/scripted_robot.h"
 #include "tests/temporary_folder.h"
 
@@ -106,7 +107,10 @@ class ServerTest : public testing::Test {
   }
   Answer get(const std::string& target) { return request(http::verb::get, target); }
   Answer post(const std::string& target, const json& body) {
-    return request(http::verb::post, target, body.dump());
+    return request(http::verb::post, target, body.dump(), bearer("operator.token"));
+  }
+  [[nodiscard]] std::map<std::string, std::string> bearer(const std::string& file) const {
+    return {{"Authorization", "Bearer " + read_token(folder / file).value()}};
   }
   json push_named(const std::string& id) { return get("/api/pushes/" + id).as_json(); }
   [[nodiscard]] static json files(const char* text) {
@@ -138,14 +142,15 @@ class ServerTest : public testing::Test {
 /// A browser: speaks the protocol byte by byte.
 class Socket {
  public:
-  explicit Socket(const std::string& host, std::uint16_t port, const std::string& origin = {})
+  explicit Socket(const std::string& host, std::uint16_t port, const std::string& origin = {},
+                  const std::string& target = "/ws")
       : stream_(io_) {
     beast::get_lowest_layer(stream_).connect({asio::ip::address_v4::loopback(), port});
     stream_.set_option(beast::websocket::stream_base::decorator([=](auto& message) {
       message.set(http::field::sec_websocket_protocol, "other, foxglove.websocket.v1");
       if (!origin.empty()) message.set(http::field::origin, origin);
     }));
-    stream_.handshake(response, host, "/ws");
+    stream_.handshake(response, host, target);
   }
   void send(const json& message) {
     stream_.text(true);
@@ -204,13 +209,42 @@ TEST_F(ServerTest, RefusesStrangersOnHttpAndWebSocket) {
                boost::system::system_error);
 }
 
+TEST_F(ServerTest, WhoHasNoOperatorsTokenMayReadHereAndSteerNothing) {
+  ScriptedRobot io("io", kDomain, catalog);
+  wait_for_robots(1);
+  const auto hold = R"({"kind":"hold"})";
+  const auto nobody = request(http::verb::post, "/api/command", hold);
+  EXPECT_EQ(nobody.status, 403U);
+  EXPECT_THAT(nobody.as_json()["detail"].get<std::string>(), HasSubstr("operator.token"));
+  EXPECT_EQ(request(http::verb::post, "/api/command", hold, bearer("viewer.token")).status, 403U);
+  EXPECT_EQ(request(http::verb::post, "/api/command", hold, {{"Authorization", "Bearer x"}}).status,
+            403U);
+  EXPECT_EQ(get("/api/status").status, 200U) << "on loopback reading is free";
+  const auto open_door =
+      run(std::string(GALILEAN_SWAP) + " --monitor http://" + host() + " --token-file " +
+          (folder / "viewer.token").string() + " --team " + (folder / "good.bhdl").string());
+  EXPECT_EQ(open_door.exit_code, 2);
+  EXPECT_THAT(open_door.output, HasSubstr("operator's token"));
+  EXPECT_EQ(io.running_hash(), "first");
+  EXPECT_FALSE(io.held());
+
+  Socket reader(host(), monitor->port());
+  std::size_t service = 0;
+  for (const auto& each : reader.read_op("advertiseServices")["services"])
+    if (each["name"] == "/galilean/hold") service = each["id"];
+  const std::string call{2, static_cast<char>(service), 0, 0, 0, 5, 0, 0, 0, 4, 0, 0, 0};
+  reader.send_binary(call + "json{}");
+  EXPECT_THAT(reader.read_op("serviceCallFailure")["message"].get<std::string>(),
+              HasSubstr("operator's token"));
+}
+
 TEST_F(ServerTest, TellsWhatIsWrongWithARequest) {
   EXPECT_EQ(get("/api/nothing").status, 404U);
   EXPECT_EQ(get("/api/programs/nothing.bhdl").status, 404U);
   EXPECT_EQ(get("/api/programs/..%2F..%2Fetc%2Fpasswd").status, 404U);
   EXPECT_EQ(get("/api/map.png").status, 404U);
   EXPECT_EQ(get("/api/push").status, 405U);
-  EXPECT_EQ(request(http::verb::post, "/api/push", "{").status, 400U);
+  EXPECT_EQ(request(http::verb::post, "/api/push", "{", bearer("operator.token")).status, 400U);
   EXPECT_EQ(post("/api/push", {{"files", 3}}).status, 400U);
   EXPECT_EQ(post("/api/check", json::object()).status, 400U);
   EXPECT_EQ(post("/api/command", {{"kind", "dance"}}).status, 400U);
@@ -342,7 +376,8 @@ TEST_F(ServerTest, AStalePageIsToldWhoPushedWhat) {
 TEST_F(ServerTest, SwapPrintsEachStepAndProgramsRemembersThem) {
   ScriptedRobot io("io", kDomain, catalog), ganymede("ganymede", kDomain, catalog);
   wait_for_robots(2);
-  const std::string monitor_option = " --monitor http://" + host() + " ";
+  const std::string monitor_option =
+      " --monitor http://" + host() + " --token-file " + (folder / "operator.token").string() + " ";
   const std::string swap = GALILEAN_SWAP + monitor_option;
   const auto swapped =
       run(swap + (folder / "good.bhdl").string() + " --team --canary io --probation 300ms");
@@ -392,7 +427,8 @@ TEST_F(ServerTest, HoldStopsTheRobotsThatAreNamed) {
 TEST_F(ServerTest, AFoxgloveClientReadsStatesEventsAndCallsServices) {
   ScriptedRobot io("io", kDomain, catalog);
   wait_for_robots(1);
-  Socket socket(host(), monitor->port());
+  Socket socket(host(), monitor->port(), {},
+                "/ws?token=" + read_token(folder / "operator.token").value());
   EXPECT_EQ(socket.response[http::field::sec_websocket_protocol], "foxglove.websocket.v1");
   const auto services = socket.read_op("advertiseServices")["services"];
   ASSERT_EQ(services.size(), 5U);

@@ -3,9 +3,10 @@
 import { type Connection, Feed } from "./feed/feed";
 import { History } from "./team/history";
 import { emptyTeam, type Reply, type Robot, type Team } from "./team/model";
-import { withPush, withReply } from "./team/pushes";
+import { withProgress, withPush, withReply } from "./team/pushes";
 import { apply } from "./team/reduce";
 import type { PushResult } from "./lib/api";
+import { withToken } from "./lib/token";
 import type { SourceFile } from "./feed/messages";
 
 /** How often what only ages (certainty, silence, clocks) is drawn anew. */
@@ -25,7 +26,7 @@ class Live {
   #listeners = new Map<string, Set<(message: unknown) => void>>();
   #calm = matchMedia("(prefers-reduced-motion: reduce)");
 
-  feed = new Feed(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`, {
+  feed = new Feed(withToken(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`), {
     message: (topic, message, received_ms) => this.#heard(topic, message, received_ms),
     connection: (connection) => (this.connection = connection),
     trouble: (sentence) => (this.trouble = sentence),
@@ -52,9 +53,10 @@ class Live {
   }
 
   /** What the push's own HTTP answer tells, ahead of or instead of the topics. */
-  pushed({ id, hash, replies }: PushResult, files: readonly SourceFile[], targets: readonly string[]): void {
+  pushed({ id, hash, state, steps, replies }: PushResult, files: readonly SourceFile[], targets: readonly string[]): void {
     const message = { stamp: { sec: 0, nsec: 0 }, id, hash, replaces_hash: "", author: "operator" };
     let pushes = withPush(this.#team.pushes, { ...message, targets: [...targets], files: [...files] }, Date.now());
+    pushes = withProgress(pushes, id, { state, steps });
     for (const reply of replies) pushes = withReply(pushes, id, withDefaults(reply));
     this.#team = { ...this.#team, pushes };
   }

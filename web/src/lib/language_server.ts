@@ -11,6 +11,7 @@ import type { Diagnostic, SourceFile } from "../feed/messages";
 import { type Bench, BenchWorkspace, pathOf, uriOf } from "./bench_workspace";
 import { harmless } from "./harmless_html";
 import { problemsFrom, type PublishedProblems } from "./problems";
+import { withToken } from "./token";
 
 export interface LanguageEvents extends Bench {
   /** What is wrong with a file, as of its newest text. */
@@ -81,7 +82,7 @@ export class LanguageServer {
   connect(origin: string, robot?: string): void {
     if (this.#transport) return;
     const query = robot === undefined ? "" : `?robot=${encodeURIComponent(robot)}`;
-    this.#transport = new SocketTransport(`${origin}/lsp${query}`, this.#lost);
+    this.#transport = new SocketTransport(withToken(`${origin}/lsp${query}`), this.#lost);
     // Where there is no server, the editor goes on without.
     this.#client.connect(this.#transport).initializing.catch(() => {});
   }

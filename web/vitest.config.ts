@@ -5,5 +5,5 @@ import { grammars } from "./grammar_plugin";
 export default defineConfig({
   plugins: [grammars()],
   server: { host: "127.0.0.1" },
-  test: { include: ["tests/**/*.test.ts"], environment: "node" },
+  test: { include: ["tests/**/*.test.ts"], environment: "node", testTimeout: 30_000 },
 });

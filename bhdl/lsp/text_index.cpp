@@ -48,10 +48,14 @@ std::optional<PositionEncoding> find_encoding(std::string_view name) noexcept {
 }
 
 TextIndex::TextIndex(std::string_view text) : text_(text), starts_{0} {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '\n' && text[i] != '\r') continue;
-    if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') ++i;
-    starts_.push_back(static_cast<std::uint32_t>(i + 1));
+  // Nearly no text has \r, and to look for one byte is many times faster than for either.
+  const bool plain = text.find('\r') == std::string_view::npos;
+  const auto next_end = [&](std::size_t from) {
+    return plain ? text.find('\n', from) : text.find_first_of("\r\n", from);
+  };
+  for (std::size_t at = next_end(0); at != std::string_view::npos; at = next_end(at)) {
+    at += text.substr(at).starts_with("\r\n") ? 2 : 1;
+    starts_.push_back(static_cast<std::uint32_t>(at));
   }
 }
 

@@ -197,8 +197,7 @@ void Executive::act() noexcept {
 
 bool Executive::may_drive() const noexcept {
   const bool sees = health_.frame_grabber || !(running_ && running_->devices.uses_camera);
-  return running_ && sees && health_.comm_port && health_.motor_drive &&
-         !held_.load(std::memory_order_relaxed);
+  return running_ && sees && health_.comm_port && health_.motor_drive && !held();
 }
 
 void Executive::publish() noexcept {
@@ -213,7 +212,7 @@ void Executive::publish() noexcept {
                       .devices = devices_,
                       .health = health_,
                       .pose = pose(),
-                      .held = held_.load(std::memory_order_relaxed),
+                      .held = held(),
                       .in_probation = probation_.active(),
                       .tick_time = tick_time_,
                       .overruns = overruns_,

@@ -82,6 +82,7 @@ class Executive {
   void collect();
   /// Any thread but control: what the numbers in events and snapshots mean. Null for a program
   /// that sixteen others came after.
+  [[nodiscard]] bool held() const noexcept { return held_.load(std::memory_order_relaxed); }
   [[nodiscard]] std::shared_ptr<const Description> description(ProgramId id) const;
 
   /// Control, as all that follows. Null before the first tick with a program.

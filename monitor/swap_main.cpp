@@ -79,7 +79,7 @@ int tell_answers(const monitor::Push& push, const Options& options) {
 
 int swap(const Options& options) {
   const auto installed = bhdl::load_catalog(bhdl::default_catalog_path());
-  auto joined = monitor::TeamListener::join("galilean-swap", options.domain);
+  auto joined = monitor::TeamListener::join("swap", options.domain);
   if (!joined) return fail(joined.error().message);
   monitor::TeamListener& listener = *joined.value();
   galilean::wire::Writer<msg::ProgramPush> writer(listener.participant(),

@@ -68,6 +68,10 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   }
   if (options.bhdl_file.empty() && !options.print_catalog) {
     std::cerr << "galilean-robot: --bhdl FILE is missing: name the program to run\n";
+  app.add_option("--accept-swaps-from", options.accept_swaps_from,
+                 "whose programs to take over DDS: 'any', or names that processes join it with, "
+                 "such as monitor,swap [monitor]")
+      ->delimiter(',');
     return {std::nullopt, 1};
   }
   if (!serial.empty()) options.serial = serial;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace galilean::robot {
 
@@ -18,6 +19,7 @@ struct Options {
   double probation_s = 10;
   int most_transitions_per_s = 10;
   std::string log_level = "info";
+  std::vector<std::string> accept_swaps_from;  ///< empty: the monitor's
   bool print_catalog = false;
 };
 

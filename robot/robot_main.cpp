@@ -46,6 +46,11 @@ std::optional<bhdl::Program> read_program(const std::string& file, const Catalog
 }
 
 int refuse(const std::string& reason) {
+AcceptedSenders accepted_senders(const Options& options) {
+  return options.accept_swaps_from.empty() ? AcceptedSenders()
+                                           : AcceptedSenders(options.accept_swaps_from);
+}
+
   std::cerr << "galilean-robot: " << reason << "\n";
   return 1;
 }
@@ -85,7 +90,8 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
                              .tap = tap,
                              .devices = devices.devices(),
                              .catalog = components.catalog(),
-                             .clock = clock},
+                             .clock = clock,
+                             .accepted_senders = accepted_senders(options)},
                             images);
   {
     const ControlLoop loop(from_seconds(1 / options.rate_hz), [&] { executive.tick(); });

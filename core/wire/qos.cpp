@@ -7,7 +7,7 @@
 namespace galilean::wire {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Delivery>, 20> kDeliveries{{
+constexpr auto kDeliveries = std::to_array<std::pair<std::string_view, Delivery>>({
     {"galilean_msgs/msg/RobotState", Delivery::kState},
     {"galilean_msgs/msg/Variables", Delivery::kState},
     {"galilean_msgs/msg/Program", Delivery::kState},
@@ -28,7 +28,7 @@ constexpr std::array<std::pair<std::string_view, Delivery>, 20> kDeliveries{{
     {"galilean_msgs/msg/Forces", Delivery::kStream},
     {"galilean_msgs/msg/Sightings", Delivery::kStream},
     {"sensor_msgs/msg/CompressedImage", Delivery::kStream},
-}};
+});
 
 constexpr dds_duration_t kMaxBlocking = DDS_MSECS(20);
 

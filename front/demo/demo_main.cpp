@@ -113,7 +113,7 @@ int run(const DemoOptions& options) try {
     complain(failure->message);
     return 1;
   }
-  const auto participant = wire::Participant::join("galilean-demo", options.domain);
+  const auto participant = wire::Participant::join("demo", options.domain);
   if (!participant) {
     complain(participant.error().message);
     return 1;

@@ -120,7 +120,7 @@ void Monitor::Parts::tell_time() {
 Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) try {
   auto history = History::open(options.data_folder / "history.sqlite");
   if (!history) return history.error();
-  auto participant = wire::Participant::join("galilean-monitor", options.domain);
+  auto participant = wire::Participant::join(wire::kMonitorName, options.domain);
   if (!participant) return participant.error();
   auto parts =
       std::make_unique<Parts>(options, std::move(participant).value(), std::move(history).value());

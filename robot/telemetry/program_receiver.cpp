@@ -88,10 +88,13 @@ void ProgramReceiver::take() {
 
 template <class M>
 void ProgramReceiver::take_from(wire::Reader& reader) {
-  reader.take([this](const wire::Received& received) {
+  reader.take([this, &reader](const wire::Received& received) {
     M message;
     if (!msg::decode_cdr(received.cdr, message)) return;
-    if (is_meant(source_.robot, message.targets)) handle(message);
+    if (!is_meant(source_.robot, message.targets)) return;
+    std::string why = source_.accepted_senders.objection(reader.sender(received));
+    if (why.empty()) return handle(message);
+    reject({message.id, message.hash, {}}, std::move(why));
   });
 }
 

@@ -10,10 +10,10 @@
 
 namespace galilean::robot {
 
-/// Takes programs that are pushed over the network, and orders to take one off again, in a thread
-/// of its own: checks each program against this robot's catalog, builds it beside the one that
-/// runs, and tells how it fares. What is refused changes nothing and is answered with the reason
-/// and every diagnostic.
+/// Takes programs that are pushed over the network, and orders to take one off again, from senders
+/// that the robot accepts, in a thread of its own: checks each program against this robot's
+/// catalog, builds it beside the one that runs, and tells how it fares. What is refused changes
+/// nothing and is answered with the reason and every diagnostic.
 class ProgramReceiver {
  public:
   /// Throws std::runtime_error if DDS refuses a topic.
@@ -41,10 +41,10 @@ class ProgramReceiver {
   TelemetrySource source_;
   PushLedger ledger_;
   wire::Writer<msg::ProgramReply> replies_;
-  wire::Reader pushes_;
-  wire::Reader rollbacks_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
+  wire::Reader pushes_;
+  wire::Reader rollbacks_;
   bool arrived_ = true;
   std::jthread thread_;
 };

@@ -137,9 +137,11 @@ class Builder {
 
   void make_state(const bhdl::State& state) {
     RunningState& made = made_->states.emplace_back();
+    const std::size_t first_motor = text().perceptual_schemas.size();
     for (const auto& name : state.perceptual_schemas)
-      made.perceptual_schemas.push_back(schema_index(name));
-    for (const auto& name : state.motor_schemas) made.motor_schemas.push_back(schema_index(name));
+      made.perceptual_schemas.push_back(schema_index(name, 0));
+    for (const auto& name : state.motor_schemas)
+      made.motor_schemas.push_back(schema_index(name, first_motor));
     for (const auto& condition : state.conditions)
       made.conditions.push_back(make_condition(condition));
   }
@@ -163,8 +165,10 @@ class Builder {
     if (const auto found = find_variable(made_->variables, name)) return *found;
     throw Refusal("no variable is named '" + name + "'");
   }
-  std::uint32_t schema_index(const std::string& name) const {
-    const auto found = std::ranges::find(description_.schemas, name);
+  /// A perceptual and a motor schema may share a name: it is looked for from the first of its kind.
+  std::uint32_t schema_index(const std::string& name, std::size_t first) const {
+    const auto found = std::find(description_.schemas.begin() + static_cast<std::ptrdiff_t>(first),
+                                 description_.schemas.end(), name);
     if (found == description_.schemas.end()) throw Refusal("no schema is named '" + name + "'");
     return static_cast<std::uint32_t>(found - description_.schemas.begin());
   }

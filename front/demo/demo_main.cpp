@@ -152,6 +152,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--bhdl", options.bhdl, "A program that ships, or a BHDL file")
       ->capture_default_str();
+  app.add_flag("--watch", options.watch, "Swap the robots' program whenever it is saved");
   app.add_option("--seed", options.seed, "All that is random descends from it")
       ->capture_default_str();
   app.add_option("--headless-for", options.headless_for_s,

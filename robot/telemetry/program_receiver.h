@@ -33,7 +33,6 @@ class ProgramReceiver {
   [[nodiscard]] std::string objection(const msg::ProgramPush& push,
                                       const std::vector<bhdl::SourceFile>& files) const;
   void run_program(bhdl::Program program, const ProbationRules& rules, PushLedger::Push push);
-  [[nodiscard]] bool wait_for_turn() const;
   void reject(const PushLedger::Push& push, std::string why,
               std::vector<msg::Diagnostic> diagnostics = {});
   void send(msg::ProgramReply reply);
@@ -43,9 +42,9 @@ class ProgramReceiver {
   wire::Writer<msg::ProgramReply> replies_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
+  bool arrived_ = true;
   wire::Reader pushes_;
   wire::Reader rollbacks_;
-  bool arrived_ = true;
   std::jthread thread_;
 };
 

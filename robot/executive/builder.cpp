@@ -104,7 +104,9 @@ class Builder {
     auto schema =
         material_.components.make(component.type, component.attributes, wiring_of(component));
     if (!schema || !spec) throw refusal(component, "is no schema of this robot");
-    made_->schemas.emplace_back(std::move(schema), outputs_of(component, *spec));
+    const Value* gain = component.attributes.find(kGainAttribute);
+    made_->schemas.emplace_back(std::move(schema), outputs_of(component, *spec),
+                                gain ? std::get<double>(*gain) : 1);
     description_.schemas.push_back(component.name);
   }
 

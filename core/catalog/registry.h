@@ -23,6 +23,7 @@ class Registry {
                                                             : ComponentKind::kPerceptualSchema;
     auto declaration = std::make_shared<Declaration<T>>(name, kind);
     T::describe(*declaration);
+    if constexpr (kind == ComponentKind::kMotorSchema) declaration->takes_gain();
     catalog_.components.push_back(declaration->spec());
     factories_[std::move(name)] = [declaration](const AttributeValues& values,
                                                 const Wiring& wiring) {

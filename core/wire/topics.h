@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -62,6 +63,7 @@ class Writer {
 struct Received {
   std::span<const std::uint8_t> cdr;  ///< with its four-byte header
   std::int64_t sent_ns;               ///< by its writer's clock, since the Unix epoch
+  std::uint64_t writer;               ///< for Reader::sender
 };
 
 /// Takes messages off one topic as bytes; msg::decode_cdr makes structs of them.
@@ -78,6 +80,10 @@ class Reader {
   void on_data(std::function<void()> callback);
   /// Writers matched now.
   [[nodiscard]] int writers() const;
+  /// The name that the process which wrote a message has joined the domain with. It is what that
+  /// process announced to everybody, not a field of the message; DDS without its security does not
+  /// prove it. Nothing if the writer has left.
+  [[nodiscard]] std::optional<std::string> sender(const Received& received) const;
 
  private:
   Entity entity_;

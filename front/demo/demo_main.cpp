@@ -113,7 +113,7 @@ int run(const DemoOptions& options) try {
     complain(failure->message);
     return 1;
   }
-  const auto participant = wire::Participant::join("galilean-demo", options.domain);
+  const auto participant = wire::Participant::join("demo", options.domain);
   if (!participant) {
     complain(participant.error().message);
     return 1;
@@ -152,6 +152,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--bhdl", options.bhdl, "A program that ships, or a BHDL file")
       ->capture_default_str();
+  app.add_flag("--watch", options.watch, "Swap the robots' program whenever it is saved");
   app.add_option("--seed", options.seed, "All that is random descends from it")
       ->capture_default_str();
   app.add_option("--headless-for", options.headless_for_s,

@@ -86,12 +86,19 @@ std::optional<Error> Ensemble::start_robots(const std::string& ready_line) try {
     starts_.push_back(name + ":" + place.at("x_m").dump() + "," + place.at("y_m").dump() + "," +
                       place.at("heading_deg").dump());
     rings_.push_back(camera.substr(camera.find(':') + 1));
-    auto failure = add(name,
-                       {"galilean-robot", "--name", name, "--bhdl", program, "--serial",
-                        robot.at("serial").get<std::string>(), "--camera", camera, "--seed",
-                        std::to_string(++seed)},
-                       false);
-    if (failure) return failure;
+    std::vector<std::string> command{"galilean-robot",
+                                     "--name",
+                                     name,
+                                     "--bhdl",
+                                     program,
+                                     "--serial",
+                                     robot.at("serial").get<std::string>(),
+                                     "--camera",
+                                     camera,
+                                     "--seed",
+                                     std::to_string(++seed)};
+    if (options_.watch) command.push_back("--watch");
+    if (auto failure = add(name, std::move(command), false)) return failure;
   }
   return {};
 } catch (const nlohmann::json::exception& error) {

@@ -137,7 +137,7 @@ Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) tr
   if (!history) return history.error();
   auto tokens = open_tokens(options.data_folder);
   if (!tokens) return tokens.error();
-  auto participant = wire::Participant::join("galilean-monitor", options.domain);
+  auto participant = wire::Participant::join(wire::kMonitorName, options.domain);
   if (!participant) return participant.error();
   auto parts = std::make_unique<Parts>(options, std::move(participant).value(),
                                        std::move(history).value(), tokens.value());

@@ -109,8 +109,10 @@ class Builder {
     auto schema =
         material_.components.make(component.type, component.attributes, wiring_of(component));
     if (!schema || !spec) throw refusal(component, "is no schema of this robot");
+    const Value* gain = component.attributes.find(kGainAttribute);
     indices.emplace(component.name, made_->schemas.size());
-    made_->schemas.emplace_back(std::move(schema), outputs_of(component, *spec));
+    made_->schemas.emplace_back(std::move(schema), outputs_of(component, *spec),
+                                gain ? std::get<double>(*gain) : 1);
     description_.schemas.push_back(component.name);
   }
 

@@ -47,12 +47,15 @@ Result<ProgramId> Executive::load(bhdl::Program program, const ProbationRules& r
   shelf_[++last_id_] = built.value()->description;
   tidy_shelf();
   exchange_.offer(std::move(built).value());
+  if (setup_.on_waiting) setup_.on_waiting();
   return last_id_;
 }
 
 bool Executive::roll_back(ProgramId program, std::string_view reason) {
   const std::lock_guard lock(shelf_mutex_);
-  return orders_.push({program, ShortText(reason)});
+  if (!orders_.push({program, ShortText(reason)})) return false;
+  if (setup_.on_waiting) setup_.on_waiting();
+  return true;
 }
 
 /// What a program that still lives holds stays, however old it is.
@@ -134,6 +137,7 @@ void Executive::roll_back(const Verdict& verdict) noexcept {
 }
 
 void Executive::install(const RunningProgram* replaced, Event::Cause cause) noexcept {
+  running_id_.store(id_of(running_.get()));
   drive_.set_timeout(from_seconds(running_->devices.motor_drive.timeout_s));
   if (setup_.tuner) setup_.tuner->tune(running_->devices);
   if (!replaced) return enter(running_->start_state);
@@ -203,8 +207,7 @@ void Executive::act() noexcept {
 
 bool Executive::may_drive() const noexcept {
   const bool sees = health_.frame_grabber || !(running_ && running_->devices.uses_camera);
-  return running_ && sees && health_.comm_port && health_.motor_drive &&
-         !held_.load(std::memory_order_relaxed);
+  return running_ && sees && health_.comm_port && health_.motor_drive && !held();
 }
 
 void Executive::publish() noexcept {
@@ -219,7 +222,7 @@ void Executive::publish() noexcept {
                       .devices = devices_,
                       .health = health_,
                       .pose = pose(),
-                      .held = held_.load(std::memory_order_relaxed),
+                      .held = held(),
                       .in_probation = probation_.active(),
                       .tick_time = tick_time_,
                       .overruns = overruns_,

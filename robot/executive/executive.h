@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -34,6 +35,9 @@ struct ExecutiveSetup {
   ProbationRules probation = {};
   DeviceTuner* tuner = nullptr;  ///< takes over what programs say of devices; may be null
   std::vector<TickObserver*> observers = {};  ///< see every tick
+  /// Called by `load` and `roll_back`, in their thread: there is something that a tick at once, not
+  /// at its time, would bring into effect sooner. May be null.
+  std::function<void()> on_waiting = nullptr;
 };
 
 /// Runs a program: the paper's executive. The live robot calls `tick` from one thread at a fixed
@@ -69,6 +73,8 @@ class Executive {
 
   /// Any thread: a program was loaded and its first tick is yet to come.
   [[nodiscard]] bool waiting() const noexcept { return exchange_.waiting(); }
+  /// Any thread; 0 before the first tick with a program.
+  [[nodiscard]] ProgramId running() const noexcept { return running_id_.load(); }
   [[nodiscard]] const ProbationRules& probation_rules() const noexcept { return setup_.probation; }
 
   /// Control.
@@ -77,6 +83,7 @@ class Executive {
   /// Any thread: from the next tick on the schemas run and the motors stand still.
   void hold() noexcept { held_.store(true, std::memory_order_relaxed); }
   void resume() noexcept { held_.store(false, std::memory_order_relaxed); }
+  [[nodiscard]] bool held() const noexcept { return held_.load(std::memory_order_relaxed); }
   /// Any thread: as if somebody pushed bumper `index` (0 to 7) for 0.3 s.
   void push_bumper(int index) noexcept { port_.push(index); }
   /// Any thread but control: destroys programs that were replaced. `load` does so too.
@@ -157,6 +164,7 @@ class Executive {
   std::uint64_t transitions_ = 0;
   bool state_changed_ = false;
   std::atomic<bool> held_{false};
+  std::atomic<ProgramId> running_id_{0};
 };
 
 }  // namespace galilean::robot

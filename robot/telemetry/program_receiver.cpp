@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bhdl/sha256.h"
+#include "robot/executive/turn.h"
 #include "robot/telemetry/targets.h"
 
 namespace galilean::robot {
@@ -88,10 +89,13 @@ void ProgramReceiver::take() {
 
 template <class M>
 void ProgramReceiver::take_from(wire::Reader& reader) {
-  reader.take([this](const wire::Received& received) {
+  reader.take([this, &reader](const wire::Received& received) {
     M message;
     if (!msg::decode_cdr(received.cdr, message)) return;
-    if (is_meant(source_.robot, message.targets)) handle(message);
+    if (!is_meant(source_.robot, message.targets)) return;
+    std::string why = source_.accepted_senders.objection(reader.sender(received));
+    if (why.empty()) return handle(message);
+    reject({message.id, message.hash, {}}, std::move(why));
   });
 }
 
@@ -133,24 +137,13 @@ std::string ProgramReceiver::objection(const msg::ProgramPush& push,
 
 void ProgramReceiver::run_program(bhdl::Program program, const ProbationRules& rules,
                                   PushLedger::Push push) {
-  if (!wait_for_turn()) return reject(push, "the control loop stands still");
+  if (!wait_for_turn(source_.executive)) return reject(push, "the control loop stands still");
   if (ledger_.running().hash() == push.hash) {
     for (auto& reply : ledger_.join_running(std::move(push))) send(std::move(reply));
     return;
   }
   const auto loaded = ledger_.load(std::move(program), rules, push);
   if (!loaded) reject(push, loaded.error().message);
-}
-
-/// The program before may have been pushed within the same tick.
-bool ProgramReceiver::wait_for_turn() const {
-  constexpr Duration kPatience = std::chrono::seconds(1);
-  constexpr Duration kPause = std::chrono::milliseconds(2);
-  for (Duration waited{}; source_.executive.waiting(); waited += kPause) {
-    if (waited > kPatience) return false;
-    std::this_thread::sleep_for(kPause);
-  }
-  return true;
 }
 
 void ProgramReceiver::on_event(const Event& event) {

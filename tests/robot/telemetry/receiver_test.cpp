@@ -165,6 +165,54 @@ TEST_F(ReceiverTest, ARobotThatLosesEverybodyRunsOn) {
   EXPECT_EQ(io.robot.events.count(Event::Kind::kRolledBack), 0);
 }
 
+TEST_F(ReceiverTest, RefusesProgramsOfStrangersAndObeysTheirCommands) {
+  const std::string before = running_hash();
+  auto logs = Mailbox<msg::Log>(*io.other, wire::kLogTopic);
+  const auto stranger = wire::Participant::join("swap", kDomain);
+  wire::Writer<msg::ProgramPush> pushes(*stranger.value(), wire::kProgramPushTopic);
+  wire::Writer<msg::ProgramRollback> orders(*stranger.value(), wire::kProgramRollbackTopic);
+  wire::Writer<msg::Command> commands(*stranger.value(), wire::kCommandTopic);
+  while (pushes.readers() + orders.readers() + commands.readers() < 3) std::this_thread::yield();
+
+  auto push = io.push(renamed(kWaits, "\"go\"", "\"move\""));
+  push.author = "the monitor, honestly";
+  ASSERT_TRUE(pushes.write(push));
+  const auto rejected = replies.wait_for(has_status(status::REJECTED));
+  ASSERT_TRUE(rejected);
+  EXPECT_EQ(rejected->id, push.id);
+  EXPECT_THAT(rejected->message, HasSubstr("'swap'"));
+  EXPECT_THAT(rejected->message, HasSubstr("--accept-swaps-from"));
+  EXPECT_TRUE(logs.wait_for([&](const msg::Log& line) {
+    return line.name == io.name && line.msg.find("'swap'") != std::string::npos;
+  }));
+
+  msg::ProgramRollback order;
+  order.id = "order";
+  order.hash = before;
+  ASSERT_TRUE(orders.write(order));
+  const auto refused =
+      replies.wait_for([](const msg::ProgramReply& reply) { return reply.id == "order"; });
+  ASSERT_TRUE(refused);
+  EXPECT_THAT(refused->message, HasSubstr("'swap'"));
+
+  msg::Command hold;
+  hold.targets = {io.name};
+  hold.kind = msg::Command_Constants::HOLD;
+  ASSERT_TRUE(commands.write(hold));
+  EXPECT_TRUE(io.tick_until([&] { return io.robot.executive->held(); }));
+  EXPECT_EQ(running_hash(), before);
+}
+
+TEST(AcceptedSenders, AreTheMonitorOrThoseThatAreNamedOrAny) {
+  EXPECT_EQ(AcceptedSenders().objection(wire::kMonitorName), "");
+  EXPECT_NE(AcceptedSenders().objection("swap"), "");
+  EXPECT_NE(AcceptedSenders().objection(std::nullopt), "");
+  const AcceptedSenders two({"swap", "page"});
+  EXPECT_EQ(two.objection("page"), "");
+  EXPECT_THAT(two.objection(wire::kMonitorName), HasSubstr("swap, page"));
+  EXPECT_EQ(AcceptedSenders({AcceptedSenders::kAny}).objection(std::nullopt), "");
+}
+
 TEST_F(ReceiverTest, RefusesWhatWasChangedOnTheWay) {
   auto push = io.push(kWaits);
   push.files[0].text += "; more";

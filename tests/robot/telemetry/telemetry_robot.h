@@ -16,7 +16,7 @@ class TelemetryRobot {
   explicit TelemetryRobot(std::string robot_name)
       : name(std::move(robot_name)),
         participant(join(name)),
-        other(join("tester")),
+        other(join(wire::kMonitorName)),
         robot(1, {&tap, &images}),
         telemetry(std::in_place,
                   TelemetrySource{.robot = name,
@@ -78,10 +78,14 @@ class TelemetryRobot {
   }
   template <class M>
   void send_on(const std::string& topic, const M& message) {
-    wire::Writer<M> writer(*other, topic);
-    while (writer.readers() == 0) std::this_thread::yield();
-    EXPECT_TRUE(writer.write(message));
+    // Stays, since a robot asks who has sent what it got.
+    const auto writer = std::make_shared<wire::Writer<M>>(*other, topic);
+    writers_.push_back(writer);
+    while (writer->readers() == 0) std::this_thread::yield();
+    EXPECT_TRUE(writer->write(message));
   }
+
+  std::vector<std::shared_ptr<void>> writers_;
 };
 
 inline constexpr const char* kWaits = R"(

@@ -13,7 +13,8 @@ namespace galilean::bhdl {
 /// The section that a component of this kind belongs in, as the reference spells it.
 [[nodiscard]] std::string_view section_word(ComponentKind kind) noexcept;
 
-/// Whether a section, a bare state, an include, `start_state` or `on_swap` begins here. The same
+/// Whether a section, a bare state, `define`, `expect`, an include, `start_state` or `on_swap`
+/// begins here. The same
 /// word with a value behind it is an attribute or a state's list: `motor_schemas: "noise"`.
 [[nodiscard]] bool at_section(const TokenStream& tokens);
 /// The same where no block is open, and the word can mean nothing else.

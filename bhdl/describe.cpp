@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "bhdl/expectation_specs.h"
 #include "bhdl/keywords.h"
 #include "bhdl/names.h"
 #include "bhdl/state_specs.h"
@@ -89,6 +90,8 @@ Catalog with_language(const Catalog& catalog) {
   Catalog all{Vocabulary(catalog).components()};
   all.components.push_back(state_spec());
   all.components.push_back(condition_spec());
+  all.components.push_back(expect_spec());
+  for (const auto& step : step_specs()) all.components.push_back(step);
   return all;
 }
 
@@ -113,12 +116,19 @@ std::string describe(const Catalog& catalog) {
   text += "states:\n";
   for (const auto* spec : {&state_spec(), &condition_spec()})
     text += "  " + padded(spec->name, width) + first_sentence(spec->help) + "\n";
+  text += "\nexpectations:\n  " + padded(expect_spec().name, width) +
+          first_sentence(expect_spec().help) + "\n";
+  for (const auto& step : step_specs())
+    text += "  " + padded(step.name, width) + first_sentence(step.help) + "\n";
   return text + "\n`galilean bhdl describe COMPONENT` tells what one of them takes.\n";
 }
 
 Result<std::string> describe(const Catalog& catalog, std::string_view component) {
   if (component == state_spec().name) return component_in_words(state_spec(), {});
   if (component == condition_spec().name) return component_in_words(condition_spec(), {});
+  if (component == expect_spec().name) return component_in_words(expect_spec(), {});
+  for (const auto& step : step_specs())
+    if (component == step.name) return component_in_words(step, {});
   const Catalog all = with_language(catalog);
   const ComponentSpec* spec = all.find(component);
   if (spec == nullptr) return unknown(all, component);

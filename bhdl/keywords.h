@@ -21,7 +21,8 @@ namespace galilean::bhdl {
 /// spellings here.
 [[nodiscard]] std::vector<std::string_view> section_words();
 
-/// Whether a section, a bare state, an include, `start_state` or `on_swap` begins here. The same
+/// Whether a section, a bare state, `define`, `expect`, an include, `start_state` or `on_swap`
+/// begins here. The same
 /// word with a value behind it is an attribute or a state's list: `motor_schemas: "noise"`.
 [[nodiscard]] bool at_section(const TokenStream& tokens);
 /// The same where no block is open, and the word can mean nothing else.

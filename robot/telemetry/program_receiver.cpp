@@ -58,6 +58,7 @@ ProbationRules rules_of(const msg::ProgramPush& push, ProbationRules rules) {
 
 ProgramReceiver::ProgramReceiver(const TelemetrySource& source)
     : source_(source),
+      vocabulary_(source.catalog),
       ledger_(source.executive),
       replies_(source.participant, wire::robot_topic(source.robot, "program_reply")),
       pushes_(source.participant, wire::kProgramPushTopic, msg::ProgramPush::kRosType),
@@ -116,7 +117,7 @@ void ProgramReceiver::handle(const msg::ProgramPush& message) {
         .hash = push.hash,
         .running_hash = ledger_.running().hash(),
         .status = status::RECEIVED});
-  auto checked = bhdl::check(std::move(files), source_.catalog);
+  auto checked = bhdl::check(std::move(files), vocabulary_);
   if (!checked.program)
     return reject(push, "the program has errors", to_messages(checked.diagnostics));
   push.warnings = to_messages(checked.diagnostics);

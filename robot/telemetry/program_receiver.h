@@ -38,6 +38,7 @@ class ProgramReceiver {
   void send(msg::ProgramReply reply);
 
   TelemetrySource source_;
+  const bhdl::Vocabulary vocabulary_;
   PushLedger ledger_;
   wire::Writer<msg::ProgramReply> replies_;
   std::mutex mutex_;

@@ -33,7 +33,7 @@ constexpr int kNotStarted = 127;
   close_range(STDERR_FILENO + 1, ~0U, 0);
   execv(command[0], command);
   const char* why = std::strerror(errno);
-  if (write(STDERR_FILENO, why, std::strlen(why)) < 0) _exit(kNotStarted);
+  if (::write(STDERR_FILENO, why, std::strlen(why)) < 0) _exit(kNotStarted);
   _exit(kNotStarted);
 }
 

@@ -15,7 +15,7 @@ std::string content(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-bool write(const fs::path& file, const std::string& text) {
+bool write_file(const fs::path& file, const std::string& text) {
   std::error_code failed;
   fs::create_directories(file.parent_path(), failed);
   return bool(std::ofstream(file, std::ios::binary) << text << std::flush);
@@ -59,11 +59,11 @@ Trial::~Trial() {
 }
 
 std::optional<Error> Trial::lay_out() const {
-  bool written = write(folder_ / "start.json", order_.situation.dump());
+  bool written = write_file(folder_ / "start.json", order_.situation.dump());
   for (const auto& file : order_.now)
-    written = written && write(below(folder_ / "now", file.path), file.text);
+    written = written && write_file(below(folder_ / "now", file.path), file.text);
   for (const auto& file : order_.next)
-    written = written && write(below(folder_ / "next", file.path), file.text);
+    written = written && write_file(below(folder_ / "next", file.path), file.text);
   if (!written) return Error{"nothing can be written to " + folder_.string()};
   return {};
 }

@@ -91,7 +91,9 @@ class TrialTest : public testing::Test {
                {"heading_rad", 0}, {"state", "gone"}, {"variables", json::array()}};
     return {.next = std::move(next),
             .now = now,
-            .situation = {{"robots", {robot}}, {"objects", json::array()}, {"unseen_pieces", 3}},
+            .situation = {{"robots", json::array({robot})},
+                          {"objects", json::array()},
+                          {"unseen_pieces", 3}},
             .scenario = "office",
             .seeds = 2,
             .duration_s = 2};

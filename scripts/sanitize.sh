@@ -7,8 +7,11 @@ cd "$(dirname "$0")/.."
 kind=$1
 dir=build/sanitize-${kind%%,*}
 
-# Clang compiles the checks faster than g++, and is a second opinion.
-cmake -S . -B "$dir" -G Ninja -DGALILEAN_SANITIZE="$kind" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang \
+# Clang compiles the checks faster than g++, and is a second opinion. Under its ThreadSanitizer a test
+# could not count allocations: operator new is its own there.
+compilers=(-DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang)
+[ "$kind" = thread ] && compilers=()
+cmake -S . -B "$dir" -G Ninja -DGALILEAN_SANITIZE="$kind" "${compilers[@]}" \
   -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" \
   -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 \
   >"$dir.log" 2>&1 || { cat "$dir.log"; exit 1; }

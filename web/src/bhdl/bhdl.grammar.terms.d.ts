@@ -2,6 +2,7 @@ export const End: number;
 export const SectionLabel: number;
 export const StatesLabel: number;
 export const DefineLabel: number;
+export const ExpectLabel: number;
 export const StateLabel: number;
 export const ConditionLabel: number;
 export const ListLabel: number;

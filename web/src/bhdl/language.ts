@@ -4,7 +4,7 @@ import type { SyntaxNode } from "@lezer/common";
 import { styleTags, tags } from "@lezer/highlight";
 import { parser } from "./bhdl.grammar";
 
-const BLOCKS = "Section Define Component State Condition SchemaList OnSwap";
+const BLOCKS = "Section Define Expect Component State Condition SchemaList OnSwap";
 
 /** What a block hides when it is folded: all behind its first line, but its `end`. */
 function insideOf(block: SyntaxNode, { doc }: EditorState): { from: number; to: number } | null {
@@ -19,7 +19,7 @@ export const bhdlLanguage = LRLanguage.define({
   parser: parser.configure({
     props: [
       styleTags({
-        "SectionLabel StatesLabel DefineLabel StateLabel ConditionLabel ListLabel": tags.controlKeyword,
+        "SectionLabel StatesLabel DefineLabel ExpectLabel StateLabel ConditionLabel ListLabel": tags.controlKeyword,
         "IncludeLabel StartLabel SwapLabel End": tags.controlKeyword,
         ComponentLabel: tags.typeName,
         AttributeLabel: tags.propertyName,

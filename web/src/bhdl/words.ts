@@ -44,6 +44,7 @@ function unitLength(input: InputStream, word: string): number {
 
 function blockLabel(word: string): number {
   if (word === "define") return terms.DefineLabel;
+  if (word === "expect") return terms.ExpectLabel;
   if (word === "states") return terms.StatesLabel;
   if (words.states.includes(word)) return terms.StateLabel;
   if (words.conditions.includes(word)) return terms.ConditionLabel;

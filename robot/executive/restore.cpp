@@ -6,10 +6,10 @@
 namespace galilean::robot {
 namespace {
 
-using Values = std::vector<double>;
+using Numbers = std::vector<double>;
 
 bool assign(Shaft& shaft, const VariableSituation& from) {
-  const Values& v = from.values;
+  const Numbers& v = from.values;
   if (v.size() < 5) return false;
   shaft = {{{v[0], v[1]}, v[2]}, v[3], v[4]};
   return true;
@@ -28,7 +28,7 @@ ObjectClass class_named(std::string_view name) {
 }
 
 bool assign(Locate& locate, const VariableSituation& from) {
-  const Values& v = from.values;
+  const Numbers& v = from.values;
   if (v.size() < 6) return false;
   locate.object = class_named(from.object_class);
   locate.position_m = {v[0], v[1]};

@@ -133,10 +133,10 @@ const Registry& rehearsal_components() {
   return registry;
 }
 
-Verdict rehearse(const bhdl::Program& program, const bhdl::Expectation& expectation) {
+ExpectationOutcome rehearse(const bhdl::Program& program, const bhdl::Expectation& expectation) {
   const auto given = with_givens(program, expectation, rehearsal_components().catalog());
   Timeline timeline(given);
-  Verdict verdict{.name = expectation.name, .location = expectation.location};
+  ExpectationOutcome verdict{.name = expectation.name, .location = expectation.location};
   const std::string problem = run(given, expectation.lasts_s, timeline);
   if (!problem.empty()) verdict.failures.push_back({expectation.location, problem});
   const ClaimCheck check(timeline, expectation.lasts_s);
@@ -147,7 +147,7 @@ Verdict rehearse(const bhdl::Program& program, const bhdl::Expectation& expectat
   return verdict;
 }
 
-std::string in_words(const Verdict& verdict) {
+std::string in_words(const ExpectationOutcome& verdict) {
   const auto place = [](const bhdl::Location& at) {
     return at.file + ':' + std::to_string(at.line) + ':' + std::to_string(at.column) + ": ";
   };
@@ -159,7 +159,7 @@ std::string in_words(const Verdict& verdict) {
   return text;
 }
 
-void to_json(nlohmann::json& json, const Verdict& verdict) {
+void to_json(nlohmann::json& json, const ExpectationOutcome& verdict) {
   json = {{"name", verdict.name},
           {"file", verdict.location.file},
           {"line", verdict.location.line},

@@ -16,7 +16,7 @@ struct Failure {
 };
 
 /// What became of an expectation.
-struct Verdict {
+struct ExpectationOutcome {
   std::string name;
   bhdl::Location location;
   std::vector<Failure> failures;         ///< none: it passed
@@ -30,11 +30,12 @@ struct Verdict {
 
 /// Runs a program as one of its expectations wants it: by the real executive at 20 ticks a second
 /// of a stepped clock, on devices that stand still, as fast as it goes. The same every time.
-[[nodiscard]] Verdict rehearse(const bhdl::Program& program, const bhdl::Expectation& expectation);
+[[nodiscard]] ExpectationOutcome rehearse(const bhdl::Program& program,
+                                          const bhdl::Expectation& expectation);
 
 /// `file:line:column: failed: "name": …` for each failure, with the last transitions; or one line
 /// that says that it passed. With a final newline.
-[[nodiscard]] std::string in_words(const Verdict& verdict);
-void to_json(nlohmann::json& json, const Verdict& verdict);
+[[nodiscard]] std::string in_words(const ExpectationOutcome& verdict);
+void to_json(nlohmann::json& json, const ExpectationOutcome& verdict);
 
 }  // namespace galilean::robot

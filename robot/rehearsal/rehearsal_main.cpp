@@ -12,10 +12,10 @@ namespace {
 struct Outcome {
   bool checked = true;
   std::vector<bhdl::Diagnostic> diagnostics;
-  std::vector<Verdict> verdicts;
+  std::vector<ExpectationOutcome> verdicts;
 
   [[nodiscard]] bool passed() const {
-    return checked && std::ranges::all_of(verdicts, &Verdict::passed);
+    return checked && std::ranges::all_of(verdicts, &ExpectationOutcome::passed);
   }
 };
 

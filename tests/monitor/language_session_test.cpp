@@ -57,8 +57,11 @@ class LanguageSessionTest : public testing::Test {
   asio::io_context io{1};
   Worker worker{io};
   LanguageDesk desk{worker, team, installed, folder.path()};
-  HttpServer server{io,
-                    {Guard("127.0.0.1", {}), [](const HttpRequest&, const Respond&) {}, hub, desk}};
+  HttpServer::Site site(LanguageDesk& of, bool reads_freely) {
+    return {Guard("127.0.0.1", {}), Access({"viewer", "operator"}, reads_freely),
+            [](const HttpRequest&, const Respond&) {}, hub, of};
+  }
+  HttpServer server{io, site(desk, true)};
   std::uint16_t port = 0;
   std::thread thread;
 };
@@ -121,14 +124,23 @@ TEST_F(LanguageSessionTest, NothingAboveTheLibraryIsRead) {
   std::ofstream(folder / "secret.bhdl") << "variables: built_in: name: \"s\" end\n";
   std::filesystem::create_directories(folder / "library");
   LanguageDesk inner{worker, team, installed, folder / "library"};
-  HttpServer other{io,
-                   {Guard("127.0.0.1", {}), [](const HttpRequest&, const Respond&) {}, hub, inner}};
+  HttpServer other{io, site(inner, true)};
   const auto listening = other.listen("127.0.0.1", 0);
   ASSERT_TRUE(listening);
   serve();
   Page page(listening.value());
   page.start("include \"../secret.bhdl\"\nstates: state: name: \"a\" end end\n");
   EXPECT_EQ(page.next()["params"]["diagnostics"][0]["code"], "include/not-found");
+}
+
+TEST_F(LanguageSessionTest, WhereReadingIsNotFreeItTakesAToken) {
+  HttpServer other{io, site(desk, false)};
+  const auto listening = other.listen("127.0.0.1", 0);
+  ASSERT_TRUE(listening);
+  serve();
+  EXPECT_THROW(Page(listening.value()), beast::system_error);
+  EXPECT_THROW(Page(listening.value(), "/lsp?token=wrong"), beast::system_error);
+  EXPECT_NO_THROW(Page(listening.value(), "/lsp?robot=io&token=viewer"));
 }
 
 TEST_F(LanguageSessionTest, TheCatalogIsARobotsWhereOneIsKnown) {

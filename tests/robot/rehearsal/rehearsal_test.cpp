@@ -44,12 +44,12 @@ state: name: "fetch" perceptual_schemas: "scan" end end
 state: name: "stuck" end
 )";
 
-std::vector<Verdict> verdicts_of(const std::string& expectations) {
+std::vector<ExpectationOutcome> verdicts_of(const std::string& expectations) {
   const auto checked =
       bhdl::check({{"p.bhdl", kProgram + expectations}}, rehearsal_components().catalog());
   for (const auto& each : checked.diagnostics)
     if (each.severity == bhdl::Severity::kError) ADD_FAILURE() << format(each);
-  std::vector<Verdict> verdicts;
+  std::vector<ExpectationOutcome> verdicts;
   if (!checked.program) return verdicts;
   for (const auto& each : checked.program->expectations)
     verdicts.push_back(rehearse(*checked.program, each));

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
+#include "bhdl/expectation_specs.h"
 #include "bhdl/state_specs.h"
 #include "bhdl/symbols.h"
 #include "bhdl/syntax.h"
@@ -9,7 +11,7 @@
 
 namespace galilean::bhdl::lsp {
 
-/// Whatever has attributes in a text: a component, a state, a condition.
+/// Whatever has attributes in a text: a component, a state, a condition, an expectation.
 struct Entity {
   const ComponentSpec* spec = nullptr;  ///< nullptr: the catalog has none of that type
   std::optional<NameSpace> space;       ///< its own name's; a condition and a device have none
@@ -32,6 +34,16 @@ void for_each_entity(const StateNode& state, const Vocabulary&, Visit visit) {
   visit(Entity{&state_spec(), NameSpace::kState, state.keyword, state.attributes});
   for (const auto& condition : state.conditions)
     visit(Entity{&condition_spec(), std::nullopt, condition.type, condition.attributes});
+}
+
+template <class Visit>
+void for_each_entity(const ExpectNode& expectation, const Vocabulary&, Visit visit) {
+  visit(Entity{&expect_spec(), std::nullopt, expectation.keyword, expectation.attributes});
+  const auto specs = step_specs();
+  for (const auto& step : expectation.steps) {
+    const auto spec = std::ranges::find(specs, step.type.text, &ComponentSpec::name);
+    visit(Entity{spec == specs.end() ? nullptr : &*spec, std::nullopt, step.type, step.attributes});
+  }
 }
 
 template <class Node, class Visit>

@@ -167,11 +167,11 @@ std::optional<PushRecord> History::last_push_of(const std::string& hash) const {
 }
 
 std::optional<std::vector<bhdl::SourceFile>> History::program(const std::string& hash) const {
-  // Hexadecimal digits end with f: all that begin so lie below what 'g' follows.
+  // A hash is ASCII: all that begin so lie below what DEL follows.
   sql::Statement rows(database_,
                       "SELECT path, text, hash FROM program_file WHERE hash >= ? AND hash < ? "
                       "ORDER BY hash, position");
-  rows.bind(hash).bind(hash + "g");
+  rows.bind(hash).bind(hash + "\x7f");
   std::vector<bhdl::SourceFile> files;
   std::string found;
   while (rows.step()) {

@@ -26,7 +26,8 @@ test('a robot swaps whenever the file that it watches is saved', { timeout: 60_0
   writeFileSync(`${file}~`, withState('third'));
   renameSync(`${file}~`, file);
   await robot.line(/second -> third \(program swapped\)/);
-  assert.equal((await robot.stop()).code, 0);
+  assert.equal((await robot.stop()).signal, 'SIGINT');
+  assert.match(robot.output, /stopped/);
 });
 
 test('a robot takes programs over DDS only from those that it was told to', { timeout: 60_000 }, async (t) => {

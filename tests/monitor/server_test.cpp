@@ -230,7 +230,8 @@ TEST_F(ServerTest, WhoHasNoOperatorsTokenMayReadHereAndSteerNothing) {
 
   Socket reader(host(), monitor->port());
   std::size_t service = 0;
-  for (const auto& each : reader.read_op("advertiseServices")["services"])
+  const auto services = reader.read_op("advertiseServices")["services"];
+  for (const auto& each : services)
     if (each["name"] == "/galilean/hold") service = each["id"];
   const std::string call{2, static_cast<char>(service), 0, 0, 0, 5, 0, 0, 0, 4, 0, 0, 0};
   reader.send_binary(call + "json{}");

@@ -13,15 +13,13 @@ std::vector<std::string> shown_names(const std::deque<LoadedFile>& files) {
   return names;
 }
 
-}  // namespace
-
-CheckResult check(const std::string& main_path, const SourceProvider& sources,
-                  const Vocabulary& vocabulary) {
+CheckResult check_sources(const std::string& main_path, const SourceProvider& sources,
+                          const Catalog& catalog) {
   Diagnostics diagnostics;
   LoadedProgram loaded = load(main_path, sources, diagnostics);
   CheckResult result;
   Program program =
-      check_tree(std::move(loaded.tree), sources.shown(main_path), vocabulary, diagnostics);
+      check_tree(std::move(loaded.tree), sources.shown(main_path), catalog, diagnostics);
   const bool usable = !diagnostics.has_errors();
   result.diagnostics = std::move(diagnostics).take(shown_names(loaded.files));
   for (auto& file : loaded.files)
@@ -34,31 +32,20 @@ CheckResult check(const std::string& main_path, const SourceProvider& sources,
   return result;
 }
 
-CheckResult check(const std::string& main_path, const SourceProvider& sources,
-                  const Catalog& catalog) {
-  return check(main_path, sources, Vocabulary(catalog));
-}
+}  // namespace
 
-CheckResult check(std::vector<SourceFile> files, const Vocabulary& vocabulary) {
+CheckResult check(std::vector<SourceFile> files, const Catalog& catalog) {
   if (files.empty()) {
     Diagnostic nothing;
     nothing.code = "file/none";
     nothing.message = "there is no file to check";
     return {std::nullopt, {nothing}, {}};
   }
-  return check(normal_path(files.front().path), MemorySources(files), vocabulary);
-}
-
-CheckResult check(std::vector<SourceFile> files, const Catalog& catalog) {
-  return check(std::move(files), Vocabulary(catalog));
-}
-
-CheckResult check_file(const std::filesystem::path& path, const Vocabulary& vocabulary) {
-  return check(path.filename().string(), DiskSources(path.parent_path()), vocabulary);
+  return check_sources(normal_path(files.front().path), MemorySources(files), catalog);
 }
 
 CheckResult check_file(const std::filesystem::path& path, const Catalog& catalog) {
-  return check_file(path, Vocabulary(catalog));
+  return check_sources(path.filename().string(), DiskSources(path.parent_path()), catalog);
 }
 
 }  // namespace galilean::bhdl

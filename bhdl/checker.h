@@ -4,7 +4,6 @@
 
 #include "bhdl/diagnostic.h"
 #include "bhdl/syntax.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 
@@ -15,6 +14,6 @@ namespace galilean::bhdl {
 /// `main_file` is where a fault of the whole is reported. `Program::name`, `hash` and `files` are
 /// the caller's to fill in; where there are errors the result is not to be used.
 [[nodiscard]] Program check_tree(SyntaxTree tree, const std::string& main_file,
-                                 const Vocabulary& vocabulary, Diagnostics& diagnostics);
+                                 const Catalog& catalog, Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

@@ -10,8 +10,7 @@ namespace galilean::bhdl {
 enum class Block {
   kComponent,  ///< nothing: a missing `end` is an error
   kVariable,   ///< the next component too, as the published listings print it
-  kCondition,  ///< nothing
-  kStep        ///< nothing; of an expectation
+  kCondition   ///< nothing
 };
 
 /// `type : { attribute } end`. The stream stands at the type.

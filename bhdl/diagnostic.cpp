@@ -30,25 +30,26 @@ bool any_error(const std::vector<Diagnostic>& diagnostics) noexcept {
       diagnostics, [](const Diagnostic& each) { return each.severity == Severity::kError; });
 }
 
-void Diagnostics::error(const Location& at, std::string_view code, std::string message, Hint hint,
-                        std::vector<RelatedPlace> related) {
+void Diagnostics::error(const Location& at, std::string_view code, std::string message,
+                        std::string hint) {
   ++errors_;
-  add({at.file, at.line, at.column, Severity::kError, std::string(code), std::move(message),
-       std::move(hint.text), std::move(hint.replacement), std::move(related)});
+  add(at, Severity::kError, code, std::move(message), std::move(hint));
 }
 
-void Diagnostics::warning(const Location& at, std::string_view code, std::string message, Hint hint,
-                          std::vector<RelatedPlace> related) {
-  add({at.file, at.line, at.column, Severity::kWarning, std::string(code), std::move(message),
-       std::move(hint.text), std::move(hint.replacement), std::move(related)});
+void Diagnostics::warning(const Location& at, std::string_view code, std::string message,
+                          std::string hint) {
+  add(at, Severity::kWarning, code, std::move(message), std::move(hint));
 }
 
-void Diagnostics::add(Diagnostic diagnostic) {
+void Diagnostics::add(const Location& at, Severity severity, std::string_view code,
+                      std::string message, std::string hint) {
   // Warnings stop early, so that no number of them hides the error that stops the program.
-  if (diagnostic.severity == Severity::kError ? full() : full_of_warnings())
+  const auto most = severity == Severity::kError ? kMost : kMost / 2;
+  if (kept_.size() >= most)
     ++left_off_;
   else
-    kept_.push_back(std::move(diagnostic));
+    kept_.push_back({at.file, at.line, at.column, severity, std::string(code), std::move(message),
+                     std::move(hint)});
 }
 
 std::vector<Diagnostic> Diagnostics::take(const std::vector<std::string>& files_in_order) && {
@@ -63,8 +64,6 @@ std::vector<Diagnostic> Diagnostics::take(const std::vector<std::string>& files_
     last.severity = errors_ > 0 ? Severity::kError : Severity::kWarning;
     last.code = "too-many";
     last.message = "and " + std::to_string(left_off_) + " more";
-    last.replacement.clear();
-    last.related.clear();
     last.hint = "correct these first: many of the rest may go with them";
     kept_.push_back(std::move(last));
   }

@@ -81,15 +81,8 @@ struct SwapNode {
   Word new_state;
 };
 
-/// `expect:`. Its steps are blocks as conditions are.
-struct ExpectNode {
-  Word keyword;
-  std::vector<AttributeNode> attributes;
-  std::vector<ComponentNode> steps;
-};
-
-using SyntaxNode = std::variant<SectionNode, StateNode, DefineNode, IncludeNode, StartStateNode,
-                                SwapNode, ExpectNode>;
+using SyntaxNode =
+    std::variant<SectionNode, StateNode, DefineNode, IncludeNode, StartStateNode, SwapNode>;
 
 /// A file in the order of its text; after the loader, a whole program with no includes left.
 using SyntaxTree = std::vector<SyntaxNode>;

@@ -9,8 +9,7 @@
 namespace galilean::bhdl {
 
 /// A catalog as BHDL uses it: variables and schemas have a name, and look-up takes the same time
-/// however many components there are. Making one takes longer than checking a small program: who
-/// checks often keeps it.
+/// however many components there are.
 class Vocabulary {
  public:
   explicit Vocabulary(const Catalog& catalog);

@@ -15,9 +15,7 @@ namespace galilean::monitor {
 /// latency_ms}
 [[nodiscard]] nlohmann::json to_json(const PushAnswer& answer);
 [[nodiscard]] nlohmann::json to_json(const std::vector<PushAnswer>& answers);
-/// {name, state, detail}
-[[nodiscard]] nlohmann::json to_json(const SwapStep& step);
-/// {id, pushed_ns, author, program, hash, targets, state, steps, trial, replies}
+/// {id, pushed_ns, author, program, hash, targets, replies}
 [[nodiscard]] nlohmann::json to_json(const PushRecord& record);
 /// {ok, hash, diagnostics, machine}
 [[nodiscard]] nlohmann::json to_json(const bhdl::CheckResult& check);

@@ -7,7 +7,6 @@
 #include <iostream>
 
 #include "bhdl/catalog_file.h"
-#include "core/installation.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/server/api.h"
 
@@ -21,10 +20,6 @@ Catalog catalog_or_none(const std::filesystem::path& file) {
   if (catalog) return std::move(catalog).value();
   std::clog << "galilean-monitor: " << catalog.error().message << std::endl;
   return {};
-}
-
-std::filesystem::path library_folder(const MonitorOptions& options) {
-  return options.library_folder.empty() ? default_library_folder() : options.library_folder;
 }
 
 template <class M, class Take>
@@ -50,23 +45,18 @@ struct Monitor::Parts {
   asio::signal_set signals{io, SIGINT, SIGTERM};
   asio::steady_timer time_timer{io};
   Worker worker{io};
-  Worker language_worker{io};
-  LanguageDesk language;
   MapService map;
-  TrialRoom trials;
   PushDesk desk;
   Operations operations;
   Api api;
   HttpServer server;
   Ingest ingest;
   std::uint16_t port = 0;
-  std::string new_operator_token;
 
   Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-        std::unique_ptr<History> opened, Tokens tokens);
+        std::unique_ptr<History> opened);
   ~Parts() {
     worker.finish();
-    language_worker.finish();
     hub.forget_demand();
   }
 
@@ -76,28 +66,24 @@ struct Monitor::Parts {
 };
 
 Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-                      std::unique_ptr<History> opened, Tokens tokens)
+                      std::unique_ptr<History> opened)
     : participant(std::move(joined)),
       history(std::move(opened)),
       team(clock, options.map.silent_after),
-      library(library_folder(options), catalog_or_none(options.catalog_file)),
+      library(options.library_folder.empty() ? default_library_folder() : options.library_folder,
+              catalog_or_none(options.catalog_file)),
       page(options.page_folder.empty() ? default_page_folder() : options.page_folder),
       hub("galilean-monitor",
           [this](std::uint32_t channel_id, bool wanted) { ingest.want(channel_id, wanted); }),
-      language{language_worker, team, library.catalog(), library_folder(options)},
       map(*participant, clock, options.map),
-      trials(io, team,
-             options.simulator.empty() ? program_folder() / "galilean-sim" : options.simulator,
-             options.data_folder / "trials"),
-      desk({io, worker, clock, team, library, *history, trials}, *participant),
+      desk({io, worker, clock, team, library, *history}, *participant),
       operations(worker, team, library, desk, *participant),
-      api({page, team, library, map, hub, operations, desk, worker, *history}),
+      api({page, team, library, map, hub, operations, worker, *history}),
       server(io, {Guard(options.address, options.allowed_origins),
-                  Access(std::move(tokens), is_loopback(options.address)),
                   [this](const HttpRequest& request, const Respond& respond) {
                     api.answer(request, respond);
                   },
-                  hub, language}),
+                  hub}),
       ingest(*participant, callbacks(), [this] { asio::post(io, [this] { ingest.poll(); }); }) {
   operations.offer(hub);
   api.set_counts([this] { return server.counts(); });
@@ -119,7 +105,6 @@ void Monitor::Parts::receive(const Message& message) {
   hub.send(message);  // first: who looks at the page waits for it
   team.receive(message);
   map.receive(message);
-  trials.receive(message);
   decode_for<msg::ProgramReply>(message, [this](const auto& reply) { desk.note(reply); });
   decode_for<msg::ProgramPush>(message, [this](const auto& push) { desk.note(push); });
 }
@@ -135,13 +120,10 @@ void Monitor::Parts::tell_time() {
 Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) try {
   auto history = History::open(options.data_folder / "history.sqlite");
   if (!history) return history.error();
-  auto tokens = open_tokens(options.data_folder);
-  if (!tokens) return tokens.error();
-  auto participant = wire::Participant::join(wire::kMonitorName, options.domain);
+  auto participant = wire::Participant::join("galilean-monitor", options.domain);
   if (!participant) return participant.error();
-  auto parts = std::make_unique<Parts>(options, std::move(participant).value(),
-                                       std::move(history).value(), tokens.value());
-  if (tokens.value().are_new) parts->new_operator_token = tokens.value().operator_;
+  auto parts =
+      std::make_unique<Parts>(options, std::move(participant).value(), std::move(history).value());
   const auto port = parts->server.listen(options.address, options.port);
   if (!port) return port.error();
   parts->port = port.value();
@@ -155,10 +137,6 @@ Monitor::~Monitor() = default;
 
 std::uint16_t Monitor::port() const noexcept {
   return parts_->port;
-}
-
-std::string Monitor::new_operator_token() const {
-  return parts_->new_operator_token;
 }
 
 void Monitor::run() {

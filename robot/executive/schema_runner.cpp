@@ -5,13 +5,8 @@
 
 namespace galilean::robot {
 
-SchemaRunner::SchemaRunner(std::unique_ptr<Schema> schema, std::vector<VariableRef> outputs,
-                           double gain)
-    : schema_(std::move(schema)), outputs_(std::move(outputs)), gain_(gain) {
-  if (gain_ == 1) return;
-  for (const VariableRef& output : outputs_)
-    if (auto* const* force = std::get_if<Variable<Force>*>(&output)) weighted_.push_back({*force});
-}
+SchemaRunner::SchemaRunner(std::unique_ptr<Schema> schema, std::vector<VariableRef> outputs)
+    : schema_(std::move(schema)), outputs_(std::move(outputs)) {}
 
 template <class Call>
 bool SchemaRunner::guarded(Call&& call, const Tick& tick) noexcept {
@@ -34,21 +29,10 @@ bool SchemaRunner::activate(const Tick& tick) noexcept {
 bool SchemaRunner::run(const Tick& tick) noexcept {
   return guarded(
       [&] {
-        weighted_.empty() ? schema_->run(tick) : run_weighted(tick);
+        schema_->run(tick);
         last_run_ = tick.number;
       },
       tick);
-}
-
-/// A force that somebody else wrote in this tick, and this schema did not, is left as it is.
-void SchemaRunner::run_weighted(const Tick& tick) {
-  for (Weighted& each : weighted_) each.written_before = std::exchange(each.force->written_tick, 0);
-  schema_->run(tick);
-  for (const Weighted& each : weighted_)
-    if (each.force->written_tick == tick.number)
-      each.force->value.value *= gain_;
-    else
-      each.force->written_tick = each.written_before;
 }
 
 void SchemaRunner::fail(std::string_view reason, Time now) noexcept {

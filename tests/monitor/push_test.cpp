@@ -22,7 +22,9 @@ msg::ProgramReply reply(const std::string& robot, std::uint8_t said) {
 }
 
 Push push_to(std::vector<std::string> robots) {
-  return {"1", std::move(robots), Time{}};
+  msg::ProgramPush message;
+  message.id = "1";
+  return {message, std::move(robots), Time{}};
 }
 
 TEST(Push, IsCompleteWhenEachRunsOrRefuses) {

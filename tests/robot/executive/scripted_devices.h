@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
 
 #include "core/device/devices.h"
 
@@ -13,7 +12,6 @@ class ScriptedPort final : public CommPort {
   void sense(Time now) noexcept override {
     sensed = next;
     sensed.received = now;
-    if (on_sense) on_sense();
   }
   [[nodiscard]] bool healthy() const noexcept override { return answers; }
   [[nodiscard]] std::string problem() const override { return answers ? "" : "unplugged"; }
@@ -24,7 +22,6 @@ class ScriptedPort final : public CommPort {
   ControllerStatus sensed;
   GripperCommand gripper = GripperCommand::kOpen;
   std::atomic<bool> answers = true;
-  std::function<void()> on_sense;  ///< sees the executive right after it exchanged programs
 };
 
 class ScriptedDrive final : public MotorDrive {

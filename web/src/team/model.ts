@@ -7,7 +7,6 @@ import type {
   OccupancyGrid,
   Program,
   ProgramReply,
-  PushStep,
   RobotState,
   Score,
   Sightings,
@@ -76,9 +75,6 @@ export interface Push {
   readonly targets: readonly string[];
   readonly at_ms: number;
   readonly replies: ReadonlyMap<string, Reply>;
-  /** running, done, failed or cancelled; empty: it did not go through the monitor. */
-  readonly state: string;
-  readonly steps: readonly PushStep[];
 }
 
 export type Reply = Pick<

@@ -1,3 +1,0 @@
-import type { LRParser } from "@lezer/lr";
-
-export const parser: LRParser;

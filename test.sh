@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs every test: unit, language, wire, page, end to end, in
-# the browser, under sanitizers, format and lint. Ends with one line: N passed, N failed.
+# the browser, under sanitizers, fuzzed, format and lint. Ends with one line: N passed, N failed.
 #   ./test.sh [SUITE…]   only these (their names stand before the colons below)
 set -uo pipefail
 cd "$(dirname "$0")"
@@ -36,6 +36,7 @@ run end-to-end scripts/node_tests.sh tests/end_to_end/*.test.mjs
 run browser scripts/browser_tests.sh
 run sanitizers scripts/sanitize.sh address,undefined
 run threads scripts/sanitize.sh thread
+run fuzz scripts/fuzz.sh 30
 run format scripts/check_format.sh
 run tidy scripts/tidy.sh
 

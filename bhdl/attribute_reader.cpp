@@ -24,7 +24,7 @@ std::optional<std::size_t> list_size(const Value* value) {
   return std::nullopt;
 }
 
-std::string attribute_hint(const ComponentSpec& spec, std::string_view misspelt) {
+Hint attribute_hint(const ComponentSpec& spec, std::string_view misspelt) {
   const std::string near = nearest(misspelt, names_of(spec.attributes));
   if (!near.empty()) return did_you_mean(near);
   if (spec.attributes.empty()) return spec.name + " takes no attributes";
@@ -112,9 +112,10 @@ void AttributeReader::check_matching_counts(const ComponentSpec& spec, const Wor
                                             const std::string& owner,
                                             const AttributeValues& values) const {
   for (const auto& each : spec.attributes) {
+    if (each.one_for_each.empty()) continue;
     const auto count = list_size(values.find(each.name));
     const auto expected = list_size(values.find(each.one_for_each));
-    if (each.one_for_each.empty() || !count || !expected) continue;
+    if (!count || !expected) continue;
     if (*count == 0 || *count == *expected) continue;
     diagnostics_.error(type.at, "value/count",
                        in_quotes(each.name) + " of " + owner + " has " + std::to_string(*count) +
@@ -139,16 +140,17 @@ void AttributeReader::check_names(const AttributeNode& attribute, const Attribut
 }
 
 void AttributeReader::refuse_unknown(const ComponentSpec& spec, const Word& name) const {
-  std::string hint = diagnostics_.full() ? std::string() : attribute_hint(spec, name.text);
+  Hint hint = diagnostics_.full() ? Hint() : attribute_hint(spec, name.text);
   diagnostics_.error(name.at, "name/unknown-attribute",
                      spec.name + " has no attribute " + in_quotes(name.text), std::move(hint));
 }
 
 void AttributeReader::refuse_second(const AttributeSpec& spec, const Word& second,
                                     const Word& first, const std::string& owner) const {
-  diagnostics_.error(second.at, "name/duplicate-attribute",
-                     in_quotes(spec.name) + " of " + owner + " is given twice: the other is at " +
-                         place(first.at));
+  diagnostics_.error(
+      second.at, "name/duplicate-attribute",
+      in_quotes(spec.name) + " of " + owner + " is given twice: the other is at " + place(first.at),
+      {}, {{first.at, "the other"}});
 }
 
 void AttributeReader::refuse_missing(const AttributeSpec& spec, const Word& type,
@@ -162,7 +164,7 @@ void AttributeReader::refuse_missing(const AttributeSpec& spec, const Word& type
 void AttributeReader::warn_of_alias(const AttributeSpec& spec, const Word& name) const {
   diagnostics_.warning(name.at, "name/misspelt-attribute",
                        in_quotes(name.text) + " is an old spelling of " + in_quotes(spec.name),
-                       "write " + in_quotes(spec.name));
+                       Hint("write " + in_quotes(spec.name), spec.name));
 }
 
 }  // namespace galilean::bhdl

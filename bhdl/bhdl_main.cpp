@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -8,6 +10,7 @@
 #include "bhdl/diff_command.h"
 #include "bhdl/format_command.h"
 #include "bhdl/graph_command.h"
+#include "bhdl/lsp/standard_streams.h"
 #include "bhdl/machine.h"
 
 namespace galilean::bhdl {
@@ -78,6 +81,7 @@ struct Commands {
   CLI::App* format;
   CLI::App* diff;
   CLI::App* graph;
+  CLI::App* language_server;
 };
 
 Commands add_commands(CLI::App& app, Options& options) {
@@ -86,7 +90,10 @@ Commands add_commands(CLI::App& app, Options& options) {
       app.add_subcommand("describe", "Print what programs can name"),
       app.add_subcommand("fmt", "Lay files out in the one way and name those that changed"),
       app.add_subcommand("diff", "Print what one program does otherwise than another"),
-      app.add_subcommand("graph", "Print a program's state machine")};
+      app.add_subcommand("graph", "Print a program's state machine"),
+      app.add_subcommand("lsp",
+                         "Serve an editor over the Language Server Protocol, on stdin and "
+                         "stdout")};
   commands.check->add_option("FILE", options.files, "programs")->required();
   commands.describe->add_option("COMPONENT", options.component,
                                 "one component, or state or condition");
@@ -101,15 +108,24 @@ Commands add_commands(CLI::App& app, Options& options) {
       ->capture_default_str();
   for (auto* command : {commands.check, commands.describe, commands.diff})
     command->add_flag("--json", options.json, "Print JSON");
-  for (auto* command : {commands.check, commands.describe, commands.diff, commands.graph})
+  for (auto* command :
+       {commands.check, commands.describe, commands.diff, commands.graph, commands.language_server})
     command->add_option("--catalog", options.catalog_path,
                         "What components there are (default: this build's robot)");
+  commands.language_server->add_flag("--stdio")->description(
+      "What it always does; some editors say so");
   return commands;
+}
+
+int run_language_server(const Catalog& catalog) {
+  lsp::Server server(catalog, std::make_unique<lsp::DiskFolder>());
+  return lsp::serve(server, STDIN_FILENO, STDOUT_FILENO);
 }
 
 int run(int argc, char** argv) {
   Options options;
-  CLI::App app("Checks, lays out, compares, draws and explains BHDL programs.", "galilean bhdl");
+  CLI::App app("Checks, lays out, compares, draws and explains BHDL programs; serves editors.",
+               "galilean bhdl");
   app.require_subcommand(1);
   const Commands commands = add_commands(app, options);
   const auto failure = [&] { return commands.diff->parsed() ? 2 : 1; };
@@ -128,6 +144,7 @@ int run(int argc, char** argv) {
     return run_diff(options.files[0], options.files[1], options.json, catalog.value());
   if (commands.graph->parsed())
     return run_graph(options.files[0], options.graph_format, catalog.value());
+  if (commands.language_server->parsed()) return run_language_server(catalog.value());
   return commands.check->parsed() ? run_check(options, catalog.value())
                                   : run_describe(options, catalog.value());
 }

@@ -46,11 +46,11 @@ void note_fading(const SchemaUse& use, WritersOfTested& writers) {
 
 }  // namespace
 
-WritersOfTested writers_of_tested(const Program& program, const SchemaUses& uses) {
+WritersOfTested writers_of_tested(const Program& program, const SchemaUses& uses,
+                                  std::span<const std::size_t> tested) {
   WritersOfTested writers;
-  for (const auto& state : program.states)
-    for (const auto& condition : state.conditions)
-      writers[uses.variable(condition.bits_variable)].in_state.resize(program.states.size());
+  for (const std::size_t variable : tested)
+    writers[variable].in_state.resize(program.states.size());
   for (std::size_t i = 0; i < program.states.size(); ++i) {
     for (const auto* use : uses.listed(i).perceptual) note_writes(*use, i, writers);
     for (const auto* use : uses.listed(i).motor) note_writes(*use, i, writers);

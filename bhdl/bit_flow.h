@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -37,9 +38,10 @@ struct VariableWriters {
   bool fades = false;
 };
 
-/// The same for every variable that a condition tests, counted as in Program::variables.
+/// The same for variables that conditions test, counted as in Program::variables.
 using WritersOfTested = std::unordered_map<std::size_t, VariableWriters>;
-[[nodiscard]] WritersOfTested writers_of_tested(const Program& program, const SchemaUses& uses);
+[[nodiscard]] WritersOfTested writers_of_tested(const Program& program, const SchemaUses& uses,
+                                                std::span<const std::size_t> tested);
 
 /// Follows one bit from state to state: a schema that writes it can make it 0 or 1, a
 /// condition that fires has seen the value that it asks for, `bit_update` and `reset_variables`

@@ -13,13 +13,15 @@ std::vector<std::string> shown_names(const std::deque<LoadedFile>& files) {
   return names;
 }
 
-CheckResult check_sources(const std::string& main_path, const SourceProvider& sources,
-                          const Catalog& catalog) {
+}  // namespace
+
+CheckResult check(const std::string& main_path, const SourceProvider& sources,
+                  const Vocabulary& vocabulary) {
   Diagnostics diagnostics;
   LoadedProgram loaded = load(main_path, sources, diagnostics);
   CheckResult result;
   Program program =
-      check_tree(std::move(loaded.tree), sources.shown(main_path), catalog, diagnostics);
+      check_tree(std::move(loaded.tree), sources.shown(main_path), vocabulary, diagnostics);
   const bool usable = !diagnostics.has_errors();
   result.diagnostics = std::move(diagnostics).take(shown_names(loaded.files));
   for (auto& file : loaded.files)
@@ -32,20 +34,31 @@ CheckResult check_sources(const std::string& main_path, const SourceProvider& so
   return result;
 }
 
-}  // namespace
+CheckResult check(const std::string& main_path, const SourceProvider& sources,
+                  const Catalog& catalog) {
+  return check(main_path, sources, Vocabulary(catalog));
+}
 
-CheckResult check(std::vector<SourceFile> files, const Catalog& catalog) {
+CheckResult check(std::vector<SourceFile> files, const Vocabulary& vocabulary) {
   if (files.empty()) {
     Diagnostic nothing;
     nothing.code = "file/none";
     nothing.message = "there is no file to check";
     return {std::nullopt, {nothing}, {}};
   }
-  return check_sources(normal_path(files.front().path), MemorySources(files), catalog);
+  return check(normal_path(files.front().path), MemorySources(files), vocabulary);
+}
+
+CheckResult check(std::vector<SourceFile> files, const Catalog& catalog) {
+  return check(std::move(files), Vocabulary(catalog));
+}
+
+CheckResult check_file(const std::filesystem::path& path, const Vocabulary& vocabulary) {
+  return check(path.filename().string(), DiskSources(path.parent_path()), vocabulary);
 }
 
 CheckResult check_file(const std::filesystem::path& path, const Catalog& catalog) {
-  return check_sources(path.filename().string(), DiskSources(path.parent_path()), catalog);
+  return check_file(path, Vocabulary(catalog));
 }
 
 }  // namespace galilean::bhdl

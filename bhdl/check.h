@@ -6,7 +6,8 @@
 
 #include "bhdl/diagnostic.h"
 #include "bhdl/program.h"
-#include "core/catalog/catalog.h"
+#include "bhdl/source_provider.h"
+#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 
@@ -20,11 +21,21 @@ struct CheckResult {
 /// Checks texts in memory, as a push over the network brings them. The first is the main file; the
 /// others are looked for among `files` by the path that `include` gives, relative to the file that
 /// includes. The disk is never read. Any input gives an answer in linear time.
+[[nodiscard]] CheckResult check(std::vector<SourceFile> files, const Vocabulary& vocabulary);
+/// Who checks once need not keep a vocabulary.
 [[nodiscard]] CheckResult check(std::vector<SourceFile> files, const Catalog& catalog);
+
+/// The same with the texts from wherever `sources` has them.
+[[nodiscard]] CheckResult check(const std::string& main_path, const SourceProvider& sources,
+                                const Vocabulary& vocabulary);
+[[nodiscard]] CheckResult check(const std::string& main_path, const SourceProvider& sources,
+                                const Catalog& catalog);
 
 /// Checks a file on disk and what it includes. The paths in `files` are relative to the main file's
 /// folder, so that a program has the same hash wherever it lies; those in the diagnostics begin as
 /// `path` does.
+[[nodiscard]] CheckResult check_file(const std::filesystem::path& path,
+                                     const Vocabulary& vocabulary);
 [[nodiscard]] CheckResult check_file(const std::filesystem::path& path, const Catalog& catalog);
 
 }  // namespace galilean::bhdl

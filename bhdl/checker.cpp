@@ -5,22 +5,16 @@
 #include "bhdl/attribute_reader.h"
 #include "bhdl/constants.h"
 #include "bhdl/declarations.h"
+#include "bhdl/expectation_reader.h"
 #include "bhdl/extension.h"
 #include "bhdl/program_check.h"
 #include "bhdl/state_specs.h"
 #include "bhdl/text.h"
+#include "bhdl/value_or_nothing.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 namespace {
-
-// A value that was refused reads as nothing: the program will not be used.
-template <class T>
-T value_or_nothing(const AttributeValues& values, std::string_view name) {
-  const Value* value = values.find(name);
-  const T* content = value == nullptr ? nullptr : std::get_if<T>(value);
-  return content == nullptr ? T{} : *content;
-}
 
 std::string text(const AttributeValues& values, std::string_view name) {
   return value_or_nothing<std::string>(values, name);
@@ -98,6 +92,10 @@ class ProgramReader {
     program_.on_swap.emplace(node.old_state.text, node.new_state.text);
   }
 
+  void read(const ExpectNode& node) {
+    program_.expectations.push_back(read_expectation(node, attributes_, diagnostics_));
+  }
+
   void read(const IncludeNode&) {}
   void read(const DefineNode&) {}
 
@@ -147,9 +145,8 @@ class ProgramReader {
 
 }  // namespace
 
-Program check_tree(SyntaxTree tree, const std::string& main_file, const Catalog& catalog,
+Program check_tree(SyntaxTree tree, const std::string& main_file, const Vocabulary& vocabulary,
                    Diagnostics& diagnostics) {
-  const Vocabulary vocabulary(catalog);
   return_lost_attributes(tree, vocabulary, diagnostics);
   const bool text_is_whole = !diagnostics.has_errors();
   put_in_constants(tree, diagnostics);

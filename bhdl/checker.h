@@ -4,6 +4,7 @@
 
 #include "bhdl/diagnostic.h"
 #include "bhdl/syntax.h"
+#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 
@@ -14,6 +15,6 @@ namespace galilean::bhdl {
 /// `main_file` is where a fault of the whole is reported. `Program::name`, `hash` and `files` are
 /// the caller's to fill in; where there are errors the result is not to be used.
 [[nodiscard]] Program check_tree(SyntaxTree tree, const std::string& main_file,
-                                 const Catalog& catalog, Diagnostics& diagnostics);
+                                 const Vocabulary& vocabulary, Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

@@ -11,6 +11,7 @@ bool is_over(const TokenStream& tokens, Block block) {
   if (tokens.at_end_of_file() || at_section(tokens) || tokens.at_unlabelled_block()) return true;
   switch (block) {
     case Block::kVariable:
+    case Block::kStep:
       return tokens.at_bare_label();
     case Block::kCondition:
       return at_next_part_of_state(tokens);

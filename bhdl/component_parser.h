@@ -10,7 +10,8 @@ namespace galilean::bhdl {
 enum class Block {
   kComponent,  ///< nothing: a missing `end` is an error
   kVariable,   ///< the next component too, as the published listings print it
-  kCondition   ///< nothing
+  kCondition,  ///< nothing
+  kStep        ///< nothing; of an expectation
 };
 
 /// `type : { attribute } end`. The stream stands at the type.

@@ -37,11 +37,12 @@ class ConditionChecker {
           warn_of_second(condition, *first->second);
       }
     }
-    const WritersOfTested writers = writers_of_tested(program_, uses_);
-    std::size_t followed = 0;
+    if (tests_.size() > kMostBits) tests_.erase(std::next(tests_.begin(), kMostBits), tests_.end());
+    std::vector<std::size_t> tested;
+    for (const auto& [bit, tests] : tests_) tested.push_back(uses_.variable(bit.variable));
+    const WritersOfTested writers = writers_of_tested(program_, uses_, tested);
     for (const auto& [bit, tests] : tests_)
-      if (++followed <= kMostBits)
-        check(tests, bit, BitFlow(program_, graph_, writers.at(uses_.variable(bit.variable)), bit));
+      check(tests, bit, BitFlow(program_, graph_, writers.at(uses_.variable(bit.variable)), bit));
   }
 
  private:
@@ -75,7 +76,7 @@ class ConditionChecker {
         "this condition never holds: " +
             (invalid ? in_quotes(bit.variable) + " is always invalid"
                      : bit_in_words(bit) + " is never " + (test.condition->bit_value ? "1" : "0")) +
-            " in the state " + in_quotes(state) + "; the way there: " + graph_.way_to(test.state),
+            " in the state " + in_quotes(state) + way_to(test.state),
         "list a schema that writes " + bit_in_words(bit) + " in " + in_quotes(state));
   }
 
@@ -85,8 +86,14 @@ class ConditionChecker {
         test.condition->location, "condition/always",
         "this condition always holds: " + bit_in_words(bit) + " is always " +
             (test.condition->bit_value ? "1" : "0") + " in the state " + in_quotes(state) +
-            ", which is left in its first tick; the way there: " + graph_.way_to(test.state),
+            ", which is left in its first tick" + way_to(test.state),
         "list a schema that writes " + bit_in_words(bit) + " in " + in_quotes(state));
+  }
+
+  // A way may be as long as the program: nobody looks for one that will not be shown.
+  [[nodiscard]] std::string way_to(std::size_t state) const {
+    return diagnostics_.full_of_warnings() ? std::string()
+                                           : "; the way there: " + graph_.way_to(state);
   }
 
   const Program& program_;

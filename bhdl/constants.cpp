@@ -64,6 +64,10 @@ class ConstantWriter {
     for (auto& attribute : state.attributes) fill_in(attribute);
     for (auto& condition : state.conditions) fill_in(condition);
   }
+  void fill_in(ExpectNode& expectation) {
+    for (auto& attribute : expectation.attributes) fill_in(attribute);
+    for (auto& step : expectation.steps) fill_in(step);
+  }
   template <class Other>
   void fill_in(Other&) {}
 

@@ -66,9 +66,9 @@ class Declarer {
   void refuse_unknown(const Word& type) {
     const auto near = diagnostics_.full() ? std::string()
                                           : nearest(type.text, names_of(vocabulary_.components()));
-    diagnostics_.error(type.at, "name/unknown-component",
-                       "there is no component " + in_quotes(type.text),
-                       near.empty() ? "`galilean bhdl describe` lists them" : did_you_mean(near));
+    diagnostics_.error(
+        type.at, "name/unknown-component", "there is no component " + in_quotes(type.text),
+        near.empty() ? Hint("`galilean bhdl describe` lists them") : did_you_mean(near));
   }
 
   // The published listing has its motor drive among the input devices: which list a device stands

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "bhdl/expectation_specs.h"
 #include "bhdl/keywords.h"
 #include "bhdl/names.h"
 #include "bhdl/state_specs.h"
@@ -54,12 +55,20 @@ std::string use_in_words(Access access) {
   }
 }
 
-std::string attribute_in_words(const AttributeSpec& spec, std::size_t width) {
-  std::string text = "  " + padded(spec.name + ":", width + 1) + expectation(spec) +
-                     use_in_words(spec.access) + "; " + default_in_words(spec);
+}  // namespace
+
+std::string facts_in_words(const AttributeSpec& spec) {
+  std::string text = expectation(spec) + use_in_words(spec.access) + "; " + default_in_words(spec);
   if (const auto range = range_in_words(spec); !range.empty()) text += "; " + range;
   for (const auto& alias : spec.aliases) text += "; also spelt " + alias;
-  return text + "\n" + std::string(width + 5, ' ') + spec.help + "\n";
+  return text;
+}
+
+namespace {
+
+std::string attribute_in_words(const AttributeSpec& spec, std::size_t width) {
+  return "  " + padded(spec.name + ":", width + 1) + facts_in_words(spec) + "\n" +
+         std::string(width + 5, ' ') + spec.help + "\n";
 }
 
 std::string component_in_words(const ComponentSpec& spec, std::string_view kind) {
@@ -81,12 +90,15 @@ Catalog with_language(const Catalog& catalog) {
   Catalog all{Vocabulary(catalog).components()};
   all.components.push_back(state_spec());
   all.components.push_back(condition_spec());
+  all.components.push_back(expect_spec());
+  for (const auto& step : step_specs()) all.components.push_back(step);
   return all;
 }
 
 Error unknown(const Catalog& all, std::string_view component) {
   const auto hint = did_you_mean(nearest(component, names_of(all.components)));
-  return {"there is no component " + in_quotes(component) + (hint.empty() ? "" : "; " + hint)};
+  return {"there is no component " + in_quotes(component) +
+          (hint.text.empty() ? "" : "; " + hint.text)};
 }
 
 }  // namespace
@@ -104,12 +116,19 @@ std::string describe(const Catalog& catalog) {
   text += "states:\n";
   for (const auto* spec : {&state_spec(), &condition_spec()})
     text += "  " + padded(spec->name, width) + first_sentence(spec->help) + "\n";
+  text += "\nexpectations:\n  " + padded(expect_spec().name, width) +
+          first_sentence(expect_spec().help) + "\n";
+  for (const auto& step : step_specs())
+    text += "  " + padded(step.name, width) + first_sentence(step.help) + "\n";
   return text + "\n`galilean bhdl describe COMPONENT` tells what one of them takes.\n";
 }
 
 Result<std::string> describe(const Catalog& catalog, std::string_view component) {
   if (component == state_spec().name) return component_in_words(state_spec(), {});
   if (component == condition_spec().name) return component_in_words(condition_spec(), {});
+  if (component == expect_spec().name) return component_in_words(expect_spec(), {});
+  for (const auto& step : step_specs())
+    if (component == step.name) return component_in_words(step, {});
   const Catalog all = with_language(catalog);
   const ComponentSpec* spec = all.find(component);
   if (spec == nullptr) return unknown(all, component);

@@ -15,6 +15,9 @@ namespace galilean::bhdl {
 /// "state" and "condition" are described too. An error says which name is nearest.
 [[nodiscard]] Result<std::string> describe(const Catalog& catalog, std::string_view component);
 
+/// One attribute in a line: what it takes, how it uses it, its default and its range.
+[[nodiscard]] std::string facts_in_words(const AttributeSpec& spec);
+
 /// The same as JSON, in the form of the catalog's own file. An empty name means all.
 [[nodiscard]] Result<std::string> describe_json(const Catalog& catalog, std::string_view component);
 

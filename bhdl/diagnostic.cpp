@@ -30,26 +30,25 @@ bool any_error(const std::vector<Diagnostic>& diagnostics) noexcept {
       diagnostics, [](const Diagnostic& each) { return each.severity == Severity::kError; });
 }
 
-void Diagnostics::error(const Location& at, std::string_view code, std::string message,
-                        std::string hint) {
+void Diagnostics::error(const Location& at, std::string_view code, std::string message, Hint hint,
+                        std::vector<RelatedPlace> related) {
   ++errors_;
-  add(at, Severity::kError, code, std::move(message), std::move(hint));
+  add({at.file, at.line, at.column, Severity::kError, std::string(code), std::move(message),
+       std::move(hint.text), std::move(hint.replacement), std::move(related)});
 }
 
-void Diagnostics::warning(const Location& at, std::string_view code, std::string message,
-                          std::string hint) {
-  add(at, Severity::kWarning, code, std::move(message), std::move(hint));
+void Diagnostics::warning(const Location& at, std::string_view code, std::string message, Hint hint,
+                          std::vector<RelatedPlace> related) {
+  add({at.file, at.line, at.column, Severity::kWarning, std::string(code), std::move(message),
+       std::move(hint.text), std::move(hint.replacement), std::move(related)});
 }
 
-void Diagnostics::add(const Location& at, Severity severity, std::string_view code,
-                      std::string message, std::string hint) {
+void Diagnostics::add(Diagnostic diagnostic) {
   // Warnings stop early, so that no number of them hides the error that stops the program.
-  const auto most = severity == Severity::kError ? kMost : kMost / 2;
-  if (kept_.size() >= most)
+  if (diagnostic.severity == Severity::kError ? full() : full_of_warnings())
     ++left_off_;
   else
-    kept_.push_back({at.file, at.line, at.column, severity, std::string(code), std::move(message),
-                     std::move(hint)});
+    kept_.push_back(std::move(diagnostic));
 }
 
 std::vector<Diagnostic> Diagnostics::take(const std::vector<std::string>& files_in_order) && {
@@ -64,6 +63,8 @@ std::vector<Diagnostic> Diagnostics::take(const std::vector<std::string>& files_
     last.severity = errors_ > 0 ? Severity::kError : Severity::kWarning;
     last.code = "too-many";
     last.message = "and " + std::to_string(left_off_) + " more";
+    last.replacement.clear();
+    last.related.clear();
     last.hint = "correct these first: many of the rest may go with them";
     kept_.push_back(std::move(last));
   }

@@ -12,6 +12,24 @@ namespace galilean::bhdl {
 enum class Severity { kWarning, kError };
 [[nodiscard]] std::string_view to_string(Severity severity) noexcept;
 
+/// What helps to put a fault right. A plain text is a hint of words alone.
+struct Hint {
+  std::string text;  ///< what was meant or what to do; empty if it cannot be guessed
+  std::string
+      replacement;  ///< what the word or text at the fault should be instead; empty: unknown
+
+  Hint() = default;
+  Hint(std::string words, std::string instead = {})
+      : text(std::move(words)), replacement(std::move(instead)) {}
+  Hint(const char* words) : text(words) {}
+};
+
+/// Another place that a fault has to do with: the first of two names.
+struct RelatedPlace {
+  Location at;
+  std::string message;
+};
+
 /// What is wrong with a program and where, for the person who wrote it. `line` and `column` count
 /// from 1, columns in characters; every position lies inside `file`.
 struct Diagnostic {
@@ -19,9 +37,11 @@ struct Diagnostic {
   int line = 1;
   int column = 1;
   Severity severity = Severity::kError;
-  std::string code;     ///< stable, such as "name/unknown-attribute"; GRAMMAR.md lists them
-  std::string message;  ///< what is wrong and what was expected
-  std::string hint;     ///< what was meant or what to do, where it can be guessed; else empty
+  std::string code;         ///< stable, such as "name/unknown-attribute"; GRAMMAR.md lists them
+  std::string message;      ///< what is wrong and what was expected
+  std::string hint;         ///< what was meant or what to do, where it can be guessed; else empty
+  std::string replacement;  ///< see Hint
+  std::vector<RelatedPlace> related;  ///< for whoever can show them; the message names them too
 };
 
 /// `file:line:column: error: message`, and the hint on a line of its own. No final newline.
@@ -35,19 +55,21 @@ class Diagnostics {
  public:
   static constexpr std::size_t kMost = 100;
 
-  void error(const Location& at, std::string_view code, std::string message, std::string hint = {});
-  void warning(const Location& at, std::string_view code, std::string message,
-               std::string hint = {});
+  void error(const Location& at, std::string_view code, std::string message, Hint hint = {},
+             std::vector<RelatedPlace> related = {});
+  void warning(const Location& at, std::string_view code, std::string message, Hint hint = {},
+               std::vector<RelatedPlace> related = {});
   /// Nothing more is kept: whoever would search long for a hint can spare it.
   [[nodiscard]] bool full() const noexcept { return kept_.size() >= kMost; }
+  /// The same of warnings, of which fewer are kept.
+  [[nodiscard]] bool full_of_warnings() const noexcept { return kept_.size() >= kMost / 2; }
   [[nodiscard]] bool has_errors() const noexcept { return errors_ > 0; }
 
   /// In the order of the files as read, then of lines; the last says how many more there were.
   [[nodiscard]] std::vector<Diagnostic> take(const std::vector<std::string>& files_in_order) &&;
 
  private:
-  void add(const Location& at, Severity severity, std::string_view code, std::string message,
-           std::string hint);
+  void add(Diagnostic diagnostic);
 
   std::vector<Diagnostic> kept_;
   std::size_t left_off_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "bhdl/attribute_reader.h"
 #include "bhdl/names.h"
@@ -115,9 +116,10 @@ class Inheritance {
     if (told_) return;
     if (heir.spec != base.spec) return refuse_type(heir, base);
     note(heir.space, base_name(heir)->text);
+    const auto own = own_attributes(heir);
     std::vector<AttributeNode> inherited;
     for (const auto& attribute : *base.attributes)
-      if (!gives(heir, attribute.name.text) && !is_extends(attribute) &&
+      if (!own.contains(own_name(heir, attribute)) && !is_extends(attribute) &&
           attribute.name.text != name_spec().name)
         inherited.push_back(attribute);
     std::vector<ComponentNode> conditions;
@@ -133,13 +135,15 @@ class Inheritance {
     }
   }
 
-  // Under whatever spelling.
-  static bool gives(const Heir& heir, std::string_view attribute) {
-    const AttributeSpec* wanted = heir.spec->find(attribute);
-    return std::ranges::any_of(*heir.attributes, [&](const AttributeNode& own) {
-      return own.name.text == attribute ||
-             (wanted != nullptr && heir.spec->find(own.name.text) == wanted);
-    });
+  // The same under whatever spelling.
+  static std::string_view own_name(const Heir& heir, const AttributeNode& attribute) {
+    const AttributeSpec* spec = heir.spec->find(attribute.name.text);
+    return spec == nullptr ? attribute.name.text : std::string_view(spec->name);
+  }
+  static std::unordered_set<std::string_view> own_attributes(const Heir& heir) {
+    std::unordered_set<std::string_view> own;
+    for (const auto& attribute : *heir.attributes) own.insert(own_name(heir, attribute));
+    return own;
   }
 
   bool fits(const std::vector<AttributeNode>& attributes,
@@ -176,17 +180,21 @@ class Inheritance {
                            place(base.type.at));
   }
 
-  void refuse_undefined(const Heir& heir, const ValueNode& name) {
+  [[nodiscard]] std::string nearest_base(const Heir& heir, std::string_view name) const {
+    if (diagnostics_.full()) return {};
     std::vector<std::string_view> names;
     for (const auto& each : heirs_)
       if (const ValueNode* other = given_name(*each.attributes);
           other != nullptr && each.space == heir.space)
         names.push_back(other->text);
-    const auto near = diagnostics_.full() ? std::string() : nearest(name.text, names);
+    return nearest(name, names);
+  }
+
+  void refuse_undefined(const Heir& heir, const ValueNode& name) {
     diagnostics_.error(name.at, "extends/undefined",
                        label(heir.type, *heir.attributes) + " extends " + in_quotes(name.text) +
                            ", but there is no such " + std::string(in_words(heir.space)),
-                       did_you_mean(near));
+                       did_you_mean(nearest_base(heir, name.text)));
   }
 
   const Vocabulary& vocabulary_;

@@ -64,6 +64,42 @@ void warn_of_zero_gains(const SchemaUse& use, Diagnostics& diagnostics) {
   }
 }
 
+std::vector<bool> read_variables(const Program& program, const SchemaUses& uses) {
+  std::vector<bool> read(program.variables.size());
+  for (const auto& use : uses.all())
+    for (const std::size_t variable : use.reads) read[variable] = true;
+  return read;
+}
+
+bool writes_a_force(const Program& program, const SchemaUse& use) {
+  return std::ranges::any_of(use.written, [&](const WrittenBits& written) {
+    return program.variables[written.variable].type == "force";
+  });
+}
+
+// A schema's own gain, which the catalog gives every motor schema.
+void warn_of_idle_gain(const Program& program, const SchemaUse& use, const std::vector<bool>& read,
+                       Diagnostics& diagnostics) {
+  const Value* value = use.component->attributes.find(kGainAttribute);
+  if (use.component->kind != ComponentKind::kMotorSchema || value == nullptr) return;
+  const double gain = std::get<double>(*value);
+  const auto warn = [&](const std::string& why, const char* hint) {
+    diagnostics.warning(use.component->location, "value/no-effect",
+                        "the gain of " + idle_schema_in_words(*use.component) + " " + why, hint);
+  };
+  const bool is_read = std::ranges::any_of(
+      use.written, [&](const WrittenBits& written) { return read[written.variable]; });
+  if (gain == 1) return;
+  if (!writes_a_force(program, use))
+    warn("has no effect: it writes no force", "take it away");
+  else if (!is_read)
+    warn("has no effect: no schema reads its force",
+         "add its force to the inputs of combine_forces, or take the gain away");
+  else if (gain == 0)
+    warn("is 0, and so its force has no effect",
+         "take the schema out of the states, or give it another gain");
+}
+
 }  // namespace
 
 void warn_of_unwritten_variables(const Program& program, const SchemaUses& uses,
@@ -97,8 +133,13 @@ void warn_of_unused_schemas(const Program& program, const SchemaUses& uses, cons
                           "list it in a state, or take it away");
 }
 
-void warn_of_gains_without_effect(const SchemaUses& uses, Diagnostics& diagnostics) {
-  for (const auto& use : uses.all()) warn_of_zero_gains(use, diagnostics);
+void warn_of_gains_without_effect(const Program& program, const SchemaUses& uses,
+                                  Diagnostics& diagnostics) {
+  const auto read = read_variables(program, uses);
+  for (const auto& use : uses.all()) {
+    warn_of_zero_gains(use, diagnostics);
+    warn_of_idle_gain(program, use, read, diagnostics);
+  }
 }
 
 }  // namespace galilean::bhdl

@@ -16,7 +16,8 @@ void warn_of_unwritten_variables(const Program& program, const SchemaUses& uses,
 void warn_of_unused_schemas(const Program& program, const SchemaUses& uses, const ProgramText& text,
                             Diagnostics& diagnostics);
 
-/// Warns of gains of 0.
-void warn_of_gains_without_effect(const SchemaUses& uses, Diagnostics& diagnostics);
+/// Warns of gains of 0, and of gains of schemas whose force nobody reads.
+void warn_of_gains_without_effect(const Program& program, const SchemaUses& uses,
+                                  Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

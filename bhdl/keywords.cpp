@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
+#include <span>
 
 #include "bhdl/names.h"
 
@@ -16,7 +16,7 @@ struct SectionWord {
 };
 
 // Of two words for a kind, the first is the one that the reference uses.
-constexpr std::array<SectionWord, 12> kSections{{
+constexpr std::array<SectionWord, 13> kSections{{
     {"input_devices", ComponentKind::kInputDevice, false},
     {"output_devices", ComponentKind::kOutputDevice, false},
     {"variables", ComponentKind::kVariable, false},
@@ -26,6 +26,7 @@ constexpr std::array<SectionWord, 12> kSections{{
     {"states", std::nullopt, false},
     {"state", std::nullopt, false},
     {"define", std::nullopt, false},
+    {"expect", std::nullopt, false},
     {"include", std::nullopt, true},
     {"start_state", std::nullopt, true},
     {"on_swap", std::nullopt, true},
@@ -42,11 +43,19 @@ bool names_schema_list(std::string_view word) {
   return kind == ComponentKind::kPerceptualSchema || kind == ComponentKind::kMotorSchema;
 }
 
+// Every word of a program is looked up here: most differ in length or in their first letter.
+const SectionWord* find_section(std::string_view word) noexcept {
+  for (const auto& each : kSections)
+    if (each.word.size() == word.size() && each.word.front() == word.front() && each.word == word)
+      return &each;
+  return nullptr;
+}
+
 }  // namespace
 
 std::optional<ComponentKind> section_kind(std::string_view word) noexcept {
-  const auto found = std::ranges::find(kSections, word, &SectionWord::word);
-  return found == kSections.end() ? std::nullopt : found->components;
+  const auto* found = find_section(word);
+  return found == nullptr ? std::nullopt : found->components;
 }
 
 std::string_view section_word(ComponentKind kind) noexcept {
@@ -54,29 +63,42 @@ std::string_view section_word(ComponentKind kind) noexcept {
   return found->word;
 }
 
+std::vector<std::string_view> opening_words() {
+  std::vector<std::string_view> words;
+  for (const auto& each : kSections) words.push_back(each.word);
+  return words;
+}
+
+std::vector<std::string_view> section_words() {
+  std::vector<std::string_view> words;
+  for (const auto& each : kSections)
+    if (each.word != "state" && each.word != "percp_schemas") words.push_back(each.word);
+  return words;
+}
+
 bool at_section(const TokenStream& tokens) {
   if (!tokens.at(TokenKind::kWord)) return false;
-  const auto found = std::ranges::find(kSections, tokens.peek().text, &SectionWord::word);
-  if (found == kSections.end()) return false;
+  const auto* found = find_section(tokens.peek().text);
+  if (found == nullptr) return false;
   if (found->takes_value) return tokens.at_label() || tokens.peek(1).kind == TokenKind::kText;
   return tokens.at_bare_label();
 }
 
 bool at_section_word(const TokenStream& tokens) {
-  const bool known =
-      std::ranges::find(kSections, tokens.peek().text, &SectionWord::word) != kSections.end();
+  const bool known = find_section(tokens.peek().text) != nullptr;
   return at_section(tokens) || (known && tokens.at_label());
 }
 
 std::string_view meant_section(const TokenStream& tokens) {
   if (!tokens.at_label()) return {};
   const bool has_value = tokens.value_at(2);
-  std::vector<std::string_view> words;
+  std::array<std::string_view, kSections.size()> words;
+  std::size_t count = 0;
   for (const auto& each : kSections)
-    if (each.takes_value == has_value) words.push_back(each.word);
-  const auto name = nearest(tokens.peek().text, words);
-  const auto found = std::ranges::find(kSections, name, &SectionWord::word);
-  return found == kSections.end() ? std::string_view() : found->word;
+    if (each.takes_value == has_value) words[count++] = each.word;
+  const auto name = nearest(tokens.peek().text, std::span(words).first(count));
+  const auto* found = find_section(name);
+  return found == nullptr ? std::string_view() : found->word;
 }
 
 bool at_schema_list(const TokenStream& tokens) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "bhdl/token_stream.h"
 #include "core/catalog/catalog.h"
@@ -13,7 +14,15 @@ namespace galilean::bhdl {
 /// The section that a component of this kind belongs in, as the reference spells it.
 [[nodiscard]] std::string_view section_word(ComponentKind kind) noexcept;
 
-/// Whether a section, a bare state, an include, `start_state` or `on_swap` begins here. The same
+/// Every word that opens a section or says something of the whole program. Editors know them too.
+[[nodiscard]] std::vector<std::string_view> opening_words();
+
+/// Every word that begins a section or stands for one, but for a bare `state`; none has two
+/// spellings here.
+[[nodiscard]] std::vector<std::string_view> section_words();
+
+/// Whether a section, a bare state, `define`, `expect`, an include, `start_state` or `on_swap`
+/// begins here. The same
 /// word with a value behind it is an attribute or a state's list: `motor_schemas: "noise"`.
 [[nodiscard]] bool at_section(const TokenStream& tokens);
 /// The same where no block is open, and the word can mean nothing else.

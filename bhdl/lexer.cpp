@@ -1,73 +1,22 @@
 #include "bhdl/lexer.h"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <utility>
 
+#include "bhdl/lexeme.h"
 #include "bhdl/text.h"
 
 namespace galilean::bhdl {
 namespace {
 
+using character::is;
+using character::kDigit;
+using character::kLetter;
+
 constexpr std::string_view kByteOrderMark = "\uFEFF";
-constexpr std::array<std::string_view, 5> kQuotes{"\"", "“", "”", "„", "‟"};
-// Hyphen, en dash, em dash and the minus sign: typesetting turned the listings' hyphens into
-// dashes.
-constexpr std::array<std::string_view, 4> kMinuses{"-", "–", "—", "−"};
-constexpr std::array<std::string_view, 2> kWideBlanks{"\u00A0", kByteOrderMark};
 
-bool is_digit(char c) noexcept {
-  return c >= '0' && c <= '9';
-}
-bool starts_word(char c) noexcept {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool continues_word(char c) noexcept {
-  return starts_word(c) || is_digit(c);
-}
-
-template <std::size_t N>
-std::size_t match(std::string_view text, const std::array<std::string_view, N>& spellings) {
-  for (const auto spelling : spellings)
-    if (text.starts_with(spelling)) return spelling.size();
-  return 0;
-}
-
-template <class Predicate>
-std::size_t count_while(std::string_view text, std::size_t from, Predicate holds) {
-  while (from < text.size() && holds(text[from])) ++from;
-  return from;
-}
-
-// digits [. digits] [e [sign] digits]
-std::size_t number_size(std::string_view text) {
-  std::size_t size = count_while(text, 0, is_digit);
-  if (size < text.size() && text[size] == '.') size = count_while(text, size + 1, is_digit);
-  std::size_t exponent = size;
-  if (exponent < text.size() && (text[exponent] == 'e' || text[exponent] == 'E')) {
-    ++exponent;
-    if (exponent < text.size() && (text[exponent] == '-' || text[exponent] == '+')) ++exponent;
-    if (exponent < text.size() && is_digit(text[exponent]))
-      size = count_while(text, exponent, is_digit);
-  }
-  return size;
-}
-
-// word [^ digit]
-std::size_t unit_factor_size(std::string_view text, std::size_t from) {
-  const std::size_t size = count_while(text, from, continues_word);
-  const bool raised = size + 1 < text.size() && text[size] == '^' && is_digit(text[size + 1]);
-  return raised ? size + 2 : size;
-}
-
-// factor [/ factor]
-std::size_t unit_size(std::string_view text) {
-  const std::size_t size = unit_factor_size(text, 0);
-  const bool divided = size + 1 < text.size() && text[size] == '/' && starts_word(text[size + 1]);
-  return divided ? unit_factor_size(text, size + 1) : size;
-}
-
+/// kEndOfFile for what is none.
 TokenKind punctuation_kind(char c) noexcept {
   switch (c) {
     case ':':
@@ -97,105 +46,87 @@ std::string describe(const Token& token) {
 
 Lexer::Lexer(std::string_view file, std::string_view text, Diagnostics& diagnostics)
     : rest_(text), at_{file, 1, 1}, diagnostics_(diagnostics) {
-  if (sees(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+  if (rest_.starts_with(kByteOrderMark)) step(kByteOrderMark.size());
+  counted_ = rest_.data();
 }
 
 Token Lexer::next() {
   const bool after_number = std::exchange(after_number_, false);
   for (;;) {
     skip_blanks();
-    if (done()) return {TokenKind::kEndOfFile, {}, 0, at_};
-    const auto kind = punctuation_kind(rest_.front());
-    if (kind != TokenKind::kEndOfFile) return punctuation(kind);
-    if (starts_word(rest_.front()))
-      return word(after_number ? unit_size(rest_) : count_while(rest_, 0, continues_word));
+    if (done()) return token(TokenKind::kEndOfFile, 0);
+    const char c = rest_.front();
+    if (is(c, kLetter))
+      return token(TokenKind::kWord, after_number ? unit_size(rest_) : word_size(rest_));
+    if (quote_size(rest_) > 0) return text();
+    if (const auto kind = punctuation_kind(c); kind != TokenKind::kEndOfFile) return token(kind, 1);
     if (starts_number()) return number();
-    if (quote_size() > 0) return text();
     refuse_characters();
   }
 }
 
-// Line ends are \n, \r\n and \r: a file from an old Mac must not become one long comment.
-void Lexer::step() noexcept {
-  const char c = rest_.front();
-  const std::size_t size = sees("\r\n") ? 2 : std::max<std::size_t>(1, character_size(rest_));
-  rest_.remove_prefix(size);
-  const bool line_ends = c == '\n' || c == '\r';
-  at_.line += line_ends ? 1 : 0;
-  at_.column = line_ends ? 1 : at_.column + 1;
-}
-
-void Lexer::step_over(std::size_t bytes) noexcept {
-  const std::size_t goal = rest_.size() - bytes;
-  while (rest_.size() > goal) step();
-}
-
-std::size_t Lexer::blank_size() const noexcept {
-  const char c = rest_.front();
-  if (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f') return 1;
-  return match(rest_, kWideBlanks);
-}
-
-std::size_t Lexer::quote_size() const noexcept {
-  return match(rest_, kQuotes);
-}
-
-std::size_t Lexer::minus_size() const noexcept {
-  return match(rest_, kMinuses);
-}
-
-void Lexer::skip_blanks() {
+void Lexer::skip_blanks() noexcept {
   while (!done()) {
-    if (blank_size() > 0)
-      step();
+    if (const auto blank = blank_size(rest_))
+      step(blank);
+    else if (const auto line_end = line_end_size(rest_))
+      end_line(line_end);
     else if (rest_.front() == ';')
-      while (!done() && rest_.front() != '\n' && rest_.front() != '\r') step();
+      step(comment_size(rest_));
     else
       return;
   }
 }
 
+void Lexer::end_line(std::size_t bytes) noexcept {
+  step(bytes);
+  ++at_.line;
+  at_.column = 1;
+  counted_ = rest_.data();
+}
+
+// Every character is counted once, and none behind a line's last token.
+Position Lexer::position() noexcept {
+  const auto bytes = static_cast<std::size_t>(rest_.data() - counted_);
+  at_.column += static_cast<int>(character_count({counted_, bytes}));
+  counted_ = rest_.data();
+  return at_;
+}
+
 bool Lexer::starts_number() const noexcept {
-  const auto digits = rest_.substr(minus_size());
+  const auto digits = rest_.substr(minus_size(rest_));
   if (digits.empty()) return false;
-  return is_digit(digits[0]) || (digits[0] == '.' && digits.size() > 1 && is_digit(digits[1]));
+  return is(digits[0], kDigit) || (digits[0] == '.' && digits.size() > 1 && is(digits[1], kDigit));
 }
 
-Token Lexer::punctuation(TokenKind kind) {
-  const Token token{kind, rest_.substr(0, 1), 0, at_};
-  step();
-  return token;
-}
-
-Token Lexer::word(std::size_t size) {
-  const Token token{TokenKind::kWord, rest_.substr(0, size), 0, at_};
-  step_over(size);
+Token Lexer::token(TokenKind kind, std::size_t bytes) {
+  const Token token{kind, rest_.substr(0, bytes), 0, position()};
+  step(bytes);
   return token;
 }
 
 Token Lexer::text() {
-  const Position at = at_;
-  step();
-  const std::string_view content = rest_;
-  while (!done() && quote_size() == 0 && rest_.front() != '\n' && rest_.front() != '\r') step();
-  const Token token{TokenKind::kText, content.substr(0, content.size() - rest_.size()), 0, at};
-  if (!done() && quote_size() > 0)
-    step();
-  else
+  const Position at = position();
+  step(quote_size(rest_));
+  const Token token{TokenKind::kText, rest_.substr(0, quoted_size(rest_)), 0, at};
+  step(token.text.size());
+  const auto closing = quote_size(rest_);
+  step(closing);
+  if (closing == 0)
     diagnostics_.error(at, "syntax/unclosed-text", "this text has no closing quote on its line",
                        "end it with \"");
   return token;
 }
 
 Token Lexer::number() {
-  const Position at = at_;
+  const Position at = position();
   const std::string_view whole = rest_;
-  const bool negative = minus_size() > 0;
-  step_over(minus_size());
+  const auto minus = minus_size(rest_);
+  step(minus);
   const auto digits = rest_.substr(0, number_size(rest_));
   double value = 0;
   const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  step_over(digits.size());
+  step(digits.size());
   if (parsed.ec == std::errc::result_out_of_range || !std::isfinite(value)) {
     diagnostics_.error(at, "syntax/number", "the number " + in_quotes(digits) + " cannot be held");
     value = 0;
@@ -203,28 +134,31 @@ Token Lexer::number() {
   refuse_second_point(digits, at);
   after_number_ = true;
   return {TokenKind::kNumber, whole.substr(0, whole.size() - rest_.size()),
-          negative ? -value : value, at};
+          minus > 0 ? -value : value, at};
 }
 
 void Lexer::refuse_second_point(std::string_view digits, const Position& at) {
-  if (!sees(".")) return;
-  const std::size_t size =
-      count_while(rest_, 0, [](char c) { return continues_word(c) || c == '.'; });
+  if (!rest_.starts_with('.')) return;
+  std::size_t size = 0;
+  while (size < rest_.size() && (rest_[size] == '.' || is(rest_[size], kLetter | kDigit))) ++size;
   diagnostics_.error(
       at, "syntax/number",
       in_quotes(std::string(digits) + std::string(rest_.substr(0, size))) + " is not a number",
       "a number has one decimal point");
-  step_over(size);
+  step(size);
+}
+
+bool Lexer::starts_token() const noexcept {
+  const char c = rest_.front();
+  return blank_size(rest_) > 0 || line_end_size(rest_) > 0 || c == ';' || is(c, kLetter) ||
+         quote_size(rest_) > 0 || punctuation_kind(c) != TokenKind::kEndOfFile || starts_number();
 }
 
 void Lexer::refuse_characters() {
-  const Position at = at_;
+  const Position at = position();
   const auto first = rest_.substr(0, character_size(rest_));
-  do {
-    step();
-  } while (!done() && blank_size() == 0 && rest_.front() != ';' && quote_size() == 0 &&
-           !starts_word(rest_.front()) && !starts_number() &&
-           punctuation_kind(rest_.front()) == TokenKind::kEndOfFile);
+  do step(1);
+  while (!done() && !starts_token());
   diagnostics_.error(at, "syntax/unexpected-character",
                      "the character " + in_quotes(first) + " has no meaning here",
                      "a comment begins with ; and a name stands in quotes");

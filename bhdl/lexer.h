@@ -42,25 +42,21 @@ class Lexer {
 
  private:
   [[nodiscard]] bool done() const noexcept { return rest_.empty(); }
-  [[nodiscard]] bool sees(std::string_view expected) const noexcept {
-    return rest_.starts_with(expected);
-  }
-  void step() noexcept;
-  void step_over(std::size_t bytes) noexcept;
-  void skip_blanks();
-  [[nodiscard]] std::size_t blank_size() const noexcept;
-  [[nodiscard]] std::size_t quote_size() const noexcept;
-  [[nodiscard]] std::size_t minus_size() const noexcept;
+  void step(std::size_t bytes) noexcept { rest_.remove_prefix(bytes); }
+  void skip_blanks() noexcept;
+  void end_line(std::size_t bytes) noexcept;
+  [[nodiscard]] Position position() noexcept;
   [[nodiscard]] bool starts_number() const noexcept;
-  Token punctuation(TokenKind kind);
-  Token word(std::size_t size);
+  [[nodiscard]] bool starts_token() const noexcept;
+  Token token(TokenKind kind, std::size_t bytes);
   Token text();
   Token number();
   void refuse_second_point(std::string_view digits, const Position& at);
   void refuse_characters();
 
   std::string_view rest_;
-  Position at_;
+  Position at_;                ///< of `counted_`
+  const char* counted_;        ///< up to here the line's characters are counted
   bool after_number_ = false;  ///< so that m/s and px^2 are words there and nowhere else
   Diagnostics& diagnostics_;
 };

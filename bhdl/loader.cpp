@@ -15,6 +15,10 @@ class Loader {
   Loader(const SourceProvider& sources, Diagnostics& diagnostics)
       : sources_(sources), diagnostics_(diagnostics) {}
 
+  std::string included_path(const std::string& from, std::string_view include) {
+    return normal_path(std::filesystem::path(from).parent_path() / std::string(include));
+  }
+
   LoadedProgram load(const std::string& main_path) {
     add_file(normal_path(main_path), std::nullopt);
     return std::move(program_);
@@ -40,8 +44,7 @@ class Loader {
   }
 
   void follow(const IncludeNode& include, const std::string& from) {
-    const auto path =
-        normal_path(std::filesystem::path(from).parent_path() / std::string(include.path.text));
+    const auto path = included_path(from, include.path.text);
     if (std::ranges::find(being_read_, path) != being_read_.end())
       return refuse_cycle(path, include.path.at);
     if (std::ranges::find(program_.files, path, &LoadedFile::path) != program_.files.end()) return;
@@ -90,6 +93,10 @@ class Loader {
 };
 
 }  // namespace
+
+std::string included_path(const std::string& from, std::string_view include) {
+  return normal_path(std::filesystem::path(from).parent_path() / std::string(include));
+}
 
 LoadedProgram load(const std::string& main_path, const SourceProvider& sources,
                    Diagnostics& diagnostics) {

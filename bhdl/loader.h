@@ -28,6 +28,9 @@ struct LoadedProgram {
   SyntaxTree tree;
 };
 
+/// The path that an `include` in the file at `from` names.
+[[nodiscard]] std::string included_path(const std::string& from, std::string_view include);
+
 /// Reads the main file and what it includes, each once: a second `include` of a file adds nothing,
 /// one of a file that is still being read is a cycle and an error.
 [[nodiscard]] LoadedProgram load(const std::string& main_path, const SourceProvider& sources,

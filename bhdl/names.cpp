@@ -22,24 +22,27 @@ char folded(char c) noexcept {
 int edit_distance(std::string_view a, std::string_view b, int limit) {
   const auto difference = static_cast<int>(a.size()) - static_cast<int>(b.size());
   if (std::max(a.size(), b.size()) > kLongestName || std::abs(difference) > limit) return limit + 1;
-  Row before{}, above{}, row{};
-  for (std::size_t j = 0; j <= b.size(); ++j) above[j] = static_cast<int>(j);
+  std::array<Row, 3> rows;  // filled as far as it is read
+  Row* before = &rows[0];
+  Row* above = &rows[1];
+  Row* row = &rows[2];
+  for (std::size_t j = 0; j <= b.size(); ++j) (*above)[j] = static_cast<int>(j);
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    row[0] = static_cast<int>(i);
-    int least = row[0];
+    int least = (*row)[0] = static_cast<int>(i);
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const bool same = folded(a[i - 1]) == folded(b[j - 1]);
-      row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0 : 1)});
+      int cost = std::min({(*above)[j] + 1, (*row)[j - 1] + 1, (*above)[j - 1] + (same ? 0 : 1)});
       const bool swapped = i > 1 && j > 1 && folded(a[i - 1]) == folded(b[j - 2]) &&
                            folded(a[i - 2]) == folded(b[j - 1]);
-      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
-      least = std::min(least, row[j]);
+      if (swapped) cost = std::min(cost, (*before)[j - 2] + 1);
+      (*row)[j] = cost;
+      least = std::min(least, cost);
     }
     if (least > limit) return limit + 1;
-    before = above;
-    above = row;
+    std::swap(before, above);
+    std::swap(above, row);
   }
-  return std::min(above[b.size()], limit + 1);
+  return std::min((*above)[b.size()], limit + 1);
 }
 
 int tolerance(std::string_view word) noexcept {
@@ -58,8 +61,8 @@ std::string nearest(std::string_view word, std::span<const std::string_view> nam
   return found;
 }
 
-std::string did_you_mean(std::string_view name) {
-  return name.empty() ? std::string() : "did you mean " + in_quotes(name) + "?";
+Hint did_you_mean(std::string_view name) {
+  return name.empty() ? Hint() : Hint("did you mean " + in_quotes(name) + "?", std::string(name));
 }
 
 }  // namespace galilean::bhdl

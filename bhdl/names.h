@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bhdl/diagnostic.h"
+
 namespace galilean::bhdl {
 
 /// How many letters must be added, left out, changed or swapped with their neighbour to turn one
@@ -27,7 +29,7 @@ template <class Specs>
   return names;
 }
 
-/// "did you mean 'x'?", or nothing.
-[[nodiscard]] std::string did_you_mean(std::string_view name);
+/// "did you mean 'x'?" with x as the replacement, or nothing.
+[[nodiscard]] Hint did_you_mean(std::string_view name);
 
 }  // namespace galilean::bhdl

@@ -1,6 +1,7 @@
 #include "bhdl/parser.h"
 
 #include "bhdl/component_parser.h"
+#include "bhdl/expectation_parser.h"
 #include "bhdl/keywords.h"
 #include "bhdl/names.h"
 #include "bhdl/state_parser.h"
@@ -31,6 +32,7 @@ class FileParser {
     if (word == "states") return states();
     if (word == "state") return state();
     if (word == "define") return define();
+    if (word == "expect") return expectation();
     if (word == "include") return include();
     if (word == "start_state") return start_state();
     on_swap();
@@ -62,6 +64,8 @@ class FileParser {
   }
 
   void state() { tree_.emplace_back(parse_state(tokens_, diagnostics_)); }
+
+  void expectation() { tree_.emplace_back(parse_expectation(tokens_, diagnostics_)); }
 
   void define() {
     take_label(tokens_);

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bhdl/expectation.h"
+#include "bhdl/location.h"
 #include "core/catalog/catalog.h"
 #include "core/catalog/wiring.h"
 
@@ -14,13 +16,6 @@ namespace galilean::bhdl {
 struct SourceFile {
   std::string path;  ///< as `include` names it; the main file's own name
   std::string text;
-};
-
-/// Where something stands in the program; line and column from 1.
-struct Location {
-  std::string file;
-  int line = 0;
-  int column = 0;
 };
 
 /// An instance of a component of the catalog.
@@ -68,6 +63,7 @@ struct Program {
   std::string start_state;  ///< as `start_state:` says, else the first state
   /// on_swap: where to go on when a program that was in state `first` is replaced by this one.
   std::map<std::string, std::string> on_swap;
+  std::vector<Expectation> expectations;  ///< what a robot does does not depend on them
 
   [[nodiscard]] const State* find_state(std::string_view state) const noexcept;
 };

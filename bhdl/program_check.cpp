@@ -17,7 +17,7 @@ void warn_of_suspects(const Program& program, const Vocabulary& vocabulary, cons
   warn_of_wiring(program, uses, text.tree, diagnostics);
   warn_of_unwritten_variables(program, uses, vocabulary, diagnostics);
   warn_of_unused_schemas(program, uses, text, diagnostics);
-  warn_of_gains_without_effect(uses, diagnostics);
+  warn_of_gains_without_effect(program, uses, diagnostics);
 }
 
 }  // namespace galilean::bhdl

@@ -12,16 +12,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ReadFailure too_large(const std::string& path, std::uintmax_t bytes, std::size_t most_bytes) {
-  return {"file/too-large", in_quotes(path) + " has " + std::to_string(bytes) +
-                                " bytes; a BHDL file has at most " + std::to_string(most_bytes)};
-}
-
 ReadFailure not_found(const std::string& path, const std::string& reason) {
   return {"file/not-found", "cannot read " + in_quotes(path) + ": " + reason};
 }
 
 }  // namespace
+
+ReadFailure too_large(const std::string& path, std::uintmax_t bytes, std::size_t most_bytes) {
+  return {"file/too-large", in_quotes(path) + " has " + std::to_string(bytes) +
+                                " bytes; a BHDL file has at most " + std::to_string(most_bytes)};
+}
 
 std::string normal_path(const fs::path& path) {
   return path.lexically_normal().generic_string();
@@ -52,13 +52,17 @@ Result<std::string, ReadFailure> DiskSources::read(const std::string& path,
   return text;
 }
 
+MemorySources::MemorySources(const std::vector<SourceFile>& files) {
+  for (const auto& file : files) files_.try_emplace(normal_path(file.path), &file);
+}
+
 Result<std::string, ReadFailure> MemorySources::read(const std::string& path,
                                                      std::size_t most_bytes) const {
-  const auto same = [&](const SourceFile& file) { return normal_path(file.path) == path; };
-  const auto found = std::ranges::find_if(files_, same);
+  const auto found = files_.find(path);
   if (found == files_.end()) return not_found(path, "it is not among the files that were sent");
-  if (found->text.size() > most_bytes) return too_large(path, found->text.size(), most_bytes);
-  return found->text;
+  const std::string& text = found->second->text;
+  if (text.size() > most_bytes) return too_large(path, text.size(), most_bytes);
+  return text;
 }
 
 }  // namespace galilean::bhdl

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "bhdl/program.h"
@@ -14,6 +15,10 @@ struct ReadFailure {
   std::string code;
   std::string message;
 };
+
+/// That a file has more bytes than may be read.
+[[nodiscard]] ReadFailure too_large(const std::string& path, std::uintmax_t bytes,
+                                    std::size_t most_bytes);
 
 /// Where a program's texts come from: the disk, or a push over the network.
 class SourceProvider {
@@ -41,13 +46,14 @@ class DiskSources : public SourceProvider {
 /// Texts that are already here; nothing else can be read.
 class MemorySources : public SourceProvider {
  public:
-  explicit MemorySources(const std::vector<SourceFile>& files) : files_(files) {}
+  /// `files` must outlive this. Of two with one path, the first counts.
+  explicit MemorySources(const std::vector<SourceFile>& files);
   [[nodiscard]] Result<std::string, ReadFailure> read(const std::string& path,
                                                       std::size_t most_bytes) const override;
   [[nodiscard]] std::string shown(const std::string& path) const override { return path; }
 
  private:
-  const std::vector<SourceFile>& files_;
+  std::unordered_map<std::string, const SourceFile*> files_;
 };
 
 /// `path` without `.` and with every `..` that can be worked out gone.

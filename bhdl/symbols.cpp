@@ -13,13 +13,6 @@ std::size_t index(NameSpace space) noexcept {
   return static_cast<std::size_t>(space);
 }
 
-NameSpace wanted_space(const std::string& refers_to) noexcept {
-  if (refers_to == "state") return NameSpace::kState;
-  if (refers_to == "perceptual_schema") return NameSpace::kPerceptualSchema;
-  if (refers_to == "motor_schema") return NameSpace::kMotorSchema;
-  return NameSpace::kVariable;
-}
-
 std::string_view undefined_code(NameSpace space) noexcept {
   if (space == NameSpace::kState) return "name/undefined-state";
   if (space == NameSpace::kVariable) return "name/undefined-variable";
@@ -45,6 +38,13 @@ NameSpace name_space(ComponentKind kind) noexcept {
   }
 }
 
+NameSpace referred_space(std::string_view refers_to) noexcept {
+  if (refers_to == "state") return NameSpace::kState;
+  if (refers_to == "perceptual_schema") return NameSpace::kPerceptualSchema;
+  if (refers_to == "motor_schema") return NameSpace::kMotorSchema;
+  return NameSpace::kVariable;
+}
+
 std::string_view in_words(NameSpace space) noexcept {
   constexpr std::array<std::string_view, 6> kWords{"device",       "variable", "perceptual schema",
                                                    "motor schema", "state",    "constant"};
@@ -60,7 +60,8 @@ void Symbols::declare(NameSpace space, const Word& name, std::string_view type,
   }
   diagnostics.error(name.at, "name/duplicate",
                     "there is a " + std::string(in_words(space)) + " " + in_quotes(name.text) +
-                        " already: the first is at " + place(entry->second.at));
+                        " already: the first is at " + place(entry->second.at),
+                    {}, {{entry->second.at, "the first"}});
 }
 
 const Symbols::Entry* Symbols::find(NameSpace space, std::string_view name) const noexcept {
@@ -68,7 +69,7 @@ const Symbols::Entry* Symbols::find(NameSpace space, std::string_view name) cons
   return found == entries_[index(space)].end() ? nullptr : &found->second;
 }
 
-std::string Symbols::hint(NameSpace wanted, std::string_view name) const {
+Hint Symbols::hint(NameSpace wanted, std::string_view name) const {
   for (const auto other :
        {NameSpace::kPerceptualSchema, NameSpace::kMotorSchema, NameSpace::kVariable}) {
     const bool named = other != wanted && find(other, name) != nullptr;
@@ -82,7 +83,7 @@ std::string Symbols::hint(NameSpace wanted, std::string_view name) const {
 
 void Symbols::refuse_undefined(NameSpace wanted, const Word& name, const std::string& subject,
                                const std::string& note, Diagnostics& diagnostics) const {
-  const std::string help = diagnostics.full() ? std::string() : hint(wanted, name.text);
+  const Hint help = diagnostics.full() ? Hint() : hint(wanted, name.text);
   diagnostics.error(name.at, undefined_code(wanted),
                     subject + " names " + in_quotes(name.text) + ", but there is no such " +
                         std::string(in_words(wanted)) + note,
@@ -93,7 +94,7 @@ void Symbols::check_reference(const AttributeSpec& spec, const ValueNode& name,
                               const std::string& owner, bool text_is_whole,
                               Diagnostics& diagnostics) const {
   if (spec.refers_to.empty()) return;
-  const NameSpace wanted = wanted_space(spec.refers_to);
+  const NameSpace wanted = referred_space(spec.refers_to);
   const std::string subject = in_quotes(spec.name) + " of " + owner;
   const Entry* entry = find(wanted, name.text);
   if (entry == nullptr) {
@@ -106,7 +107,8 @@ void Symbols::check_reference(const AttributeSpec& spec, const ValueNode& name,
   diagnostics.error(name.at, "type/wrong-variable",
                     subject + " takes a " + spec.refers_to + " variable, but " +
                         in_quotes(name.text) + " is a " + std::string(entry->type) +
-                        " variable: see " + place(entry->at) + definition_note(name));
+                        " variable: see " + place(entry->at) + definition_note(name),
+                    {}, {{entry->at, "declared here"}});
 }
 
 void Symbols::check_state(const Word& name, const std::string& subject, bool text_is_whole,
@@ -123,7 +125,7 @@ void Symbols::refuse_undefined_constant(const AttributeSpec& spec, const ValueNo
       word.at, "name/undefined-constant",
       in_quotes(spec.name) + " of " + owner + " takes " + expectation(spec) +
           "; there is no constant " + in_quotes(word.text),
-      near.empty() ? "write the number, or name it under 'define:'" : did_you_mean(near));
+      near.empty() ? Hint("write the number, or name it under 'define:'") : did_you_mean(near));
 }
 
 }  // namespace galilean::bhdl

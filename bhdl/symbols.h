@@ -15,6 +15,8 @@ namespace galilean::bhdl {
 /// it writes may share theirs, as in the published listings.
 enum class NameSpace { kDevice, kVariable, kPerceptualSchema, kMotorSchema, kState, kConstant };
 [[nodiscard]] NameSpace name_space(ComponentKind kind) noexcept;
+/// Where the names are that an attribute with this `refers_to` takes.
+[[nodiscard]] NameSpace referred_space(std::string_view refers_to) noexcept;
 [[nodiscard]] std::string_view in_words(NameSpace space) noexcept;
 
 class Symbols {
@@ -41,7 +43,7 @@ class Symbols {
                    Diagnostics& diagnostics) const;
 
  private:
-  [[nodiscard]] std::string hint(NameSpace wanted, std::string_view name) const;
+  [[nodiscard]] Hint hint(NameSpace wanted, std::string_view name) const;
   void refuse_undefined(NameSpace wanted, const Word& name, const std::string& subject,
                         const std::string& note, Diagnostics& diagnostics) const;
 

@@ -81,8 +81,15 @@ struct SwapNode {
   Word new_state;
 };
 
-using SyntaxNode =
-    std::variant<SectionNode, StateNode, DefineNode, IncludeNode, StartStateNode, SwapNode>;
+/// `expect:`. Its steps are blocks as conditions are.
+struct ExpectNode {
+  Word keyword;
+  std::vector<AttributeNode> attributes;
+  std::vector<ComponentNode> steps;
+};
+
+using SyntaxNode = std::variant<SectionNode, StateNode, DefineNode, IncludeNode, StartStateNode,
+                                SwapNode, ExpectNode>;
 
 /// A file in the order of its text; after the loader, a whole program with no includes left.
 using SyntaxTree = std::vector<SyntaxNode>;

@@ -42,6 +42,22 @@ bool is_control(unsigned char byte) noexcept {
          byte == 0x7F;
 }
 
+bool is_plain(unsigned char byte) noexcept {
+  return byte >= 0x20 && byte < 0x7F;
+}
+
+BadText bad_text(std::string_view text, std::size_t at, BadText::Kind kind) noexcept {
+  BadText bad{.kind = kind, .byte = static_cast<unsigned char>(text[at])};
+  std::size_t line = 0;
+  for (std::size_t i = 0; i < at; ++i) {
+    if (text[i] != '\n' && (text[i] != '\r' || text[i + 1] == '\n')) continue;
+    ++bad.line;
+    line = i + 1;
+  }
+  bad.column += static_cast<int>(character_count(text.substr(line, at - line)));
+  return bad;
+}
+
 }  // namespace
 
 std::size_t character_size(std::string_view text) noexcept {
@@ -55,19 +71,13 @@ std::size_t character_size(std::string_view text) noexcept {
 }
 
 std::optional<BadText> find_bad_text(std::string_view text) noexcept {
-  BadText at;
-  while (!text.empty()) {
-    const auto byte = static_cast<unsigned char>(text.front());
-    const std::size_t size = character_size(text);
-    if (size == 0 || is_control(byte)) {
-      at.kind = size == 0 ? BadText::Kind::kNotUtf8 : BadText::Kind::kBinary;
-      at.byte = byte;
-      return at;
-    }
-    const bool line_ends = byte == '\n' || (byte == '\r' && !text.substr(1).starts_with('\n'));
-    at.line += line_ends ? 1 : 0;
-    at.column = line_ends ? 1 : at.column + 1;
-    text.remove_prefix(size);
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const auto byte = static_cast<unsigned char>(text[at]);
+    const std::size_t size = is_plain(byte) ? 1 : character_size(text.substr(at));
+    if (size == 0) return bad_text(text, at, BadText::Kind::kNotUtf8);
+    if (is_control(byte)) return bad_text(text, at, BadText::Kind::kBinary);
+    at += size;
   }
   return std::nullopt;
 }

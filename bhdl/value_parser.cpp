@@ -61,7 +61,7 @@ void refuse_unknown_unit(const Token& word, Diagnostics& diagnostics) {
   }
   const auto near = nearest(word.text, symbols);
   diagnostics.error(word.at, "syntax/unknown-unit", "there is no unit " + in_quotes(word.text),
-                    near.empty() ? all : did_you_mean(near));
+                    near.empty() ? Hint(all) : did_you_mean(near));
 }
 
 Quantity parse_quantity(TokenStream& tokens, Diagnostics& diagnostics) {

@@ -186,15 +186,14 @@ class ValueReader {
   }
 
   template <class T>
-  std::optional<T> refuse_type(const ValueNode& value, std::string hint = {}) {
+  std::optional<T> refuse_type(const ValueNode& value, Hint hint = {}) {
     report(value, "type/wrong-value",
            subject() + " takes " + expectation(spec_) + ", not " + in_words(value),
            std::move(hint));
     return std::nullopt;
   }
 
-  void report(const ValueNode& value, std::string_view code, std::string message,
-              std::string hint = {}) {
+  void report(const ValueNode& value, std::string_view code, std::string message, Hint hint = {}) {
     diagnostics_.error(value.at, code, std::move(message) + definition_note(value),
                        std::move(hint));
   }

@@ -9,7 +9,8 @@
 namespace galilean::bhdl {
 
 /// A catalog as BHDL uses it: variables and schemas have a name, and look-up takes the same time
-/// however many components there are.
+/// however many components there are. Making one takes longer than checking a small program: who
+/// checks often keeps it.
 class Vocabulary {
  public:
   explicit Vocabulary(const Catalog& catalog);

@@ -34,6 +34,8 @@ int main(int argc, char** argv) {
     return std::cout << "galilean " GALILEAN_VERSION "\n", 0;
   if (name == "help" || name == "--help" || name == "-h") return std::cout << usage(), 0;
   if (name.empty()) return std::cerr << usage(), 2;
+  const std::string two_words = argc > 2 ? name + ' ' + argv[2] : "";
+  if (const Verb* verb = find_verb(two_words)) return become(*verb, argv + 3);
   if (const Verb* verb = find_verb(name)) return become(*verb, argv + 2);
   return std::cerr << unknown_verb(name) << '\n', 2;
 }

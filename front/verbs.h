@@ -7,7 +7,8 @@
 
 namespace galilean::front {
 
-/// One thing that `galilean` does: a program beside it, with what goes before the user's words.
+/// One thing that `galilean` does, in one word or two: a program beside it, with what goes before
+/// the user's words.
 struct Verb {
   std::string_view name;
   std::string_view program;

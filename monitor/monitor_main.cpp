@@ -1,23 +1,14 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
-#include <cstdlib>
 #include <iostream>
 
+#include "monitor/access/tokens.h"
 #include "monitor/server/monitor.h"
 
 namespace {
 namespace monitor = galilean::monitor;
-namespace fs = std::filesystem;
 
 constexpr int kCannotStart = 2;
-
-/// The user's state folder, as the XDG base directory specification has it.
-fs::path default_data_folder() {
-  if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state)
-    return fs::path(state) / "galilean";
-  const char* home = std::getenv("HOME");
-  return fs::path(home && *home ? home : ".") / ".local" / "state" / "galilean";
-}
 
 /// "127.0.0.1:8080", "[::1]:8080" or a port alone.
 void read_listen(const std::string& text, monitor::MonitorOptions& options) {
@@ -57,8 +48,13 @@ int run(const monitor::MonitorOptions& options) {
   }
   const auto& running = made.value();
   const bool is_ipv6 = options.address.find(':') != std::string::npos;
-  std::cout << "galilean-monitor: http://" << (is_ipv6 ? "[" : "") << options.address
-            << (is_ipv6 ? "]:" : ":") << running->port() << std::endl;
+  const std::string link = std::string("http://") + (is_ipv6 ? "[" : "") + options.address +
+                           (is_ipv6 ? "]:" : ":") + std::to_string(running->port());
+  std::cout << "galilean-monitor: " << link << std::endl;
+  if (const auto token = running->new_operator_token(); !token.empty())
+    std::cout << "  who opens " << link << "/#token=" << token
+              << " may steer the team; this is said once, the token is in "
+              << monitor::operator_token_file(options.data_folder).string() << std::endl;
   running->run();
   return EXIT_SUCCESS;
 }
@@ -68,7 +64,7 @@ int run(const monitor::MonitorOptions& options) {
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   monitor::MonitorOptions options;
-  options.data_folder = default_data_folder();
+  options.data_folder = monitor::default_data_folder();
   double silent_after_s = 2;
   CLI::App app("Watches and steers a team of robots, and serves the page that shows it.",
                "galilean-monitor");
@@ -79,7 +75,9 @@ int main(int argc, char** argv) {
   app.add_option("--web", options.page_folder, "folder of the built page");
   app.add_option("--programs", options.library_folder, "folder of the programs to choose from");
   app.add_option("--catalog", options.catalog_file, "components, for where no robot is asked");
-  app.add_option("--data", options.data_folder, "folder that keeps the history of pushes");
+  app.add_option("--data", options.data_folder,
+                 "folder that keeps the history of pushes and the tokens");
+  app.add_option("--simulator", options.simulator, "what tries programs, instead of galilean-sim");
   app.add_option("--silent-after", silent_after_s,
                  "seconds without a word before a robot is silent")
       ->check(CLI::PositiveNumber);

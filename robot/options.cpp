@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "robot/executive/probation.h"
+
 namespace galilean::robot {
 namespace {
 
@@ -24,6 +26,13 @@ std::string camera_device(const std::string& given) {
   return "ring:" + (name.starts_with('/') ? name : "/" + name);
 }
 
+/// The watched file and the program are the same where only one of them is named.
+void settle_files(Options& options, bool watching) {
+  if (!watching) return;
+  if (options.watched_file.empty()) options.watched_file = options.bhdl_file;
+  if (options.bhdl_file.empty()) options.bhdl_file = options.watched_file;
+}
+
 }  // namespace
 
 ParsedOptions parse_options(int argc, const char* const* argv) {
@@ -36,6 +45,11 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
       ->check(check_name)
       ->capture_default_str();
   app.add_option("--bhdl", options.bhdl_file, "the program");
+  const auto* watch =
+      app.add_option(
+             "--watch", options.watched_file,
+             "swap whenever this program, or one that it includes, is saved [the --bhdl one]")
+          ->expected(0, 1);
   app.add_option("--serial", serial, "serial device of the microcontroller [the program's]");
   app.add_option("--camera", camera,
                  "shm:NAME for the simulator's, /dev/videoN, or a video or picture file "
@@ -46,6 +60,18 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   app.add_option("--rate", options.rate_hz, "ticks a second")
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str();
+  app.add_option("--probation", options.probation_s,
+                 "seconds in which a new program that fails is taken off again")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
+  app.add_option("--max-transitions", options.most_transitions_per_s,
+                 "more changes of state within a second are such a failure")
+      ->check(CLI::Range(1, ProbationRules::kMostCounted))
+      ->capture_default_str();
+  app.add_option("--accept-swaps-from", options.accept_swaps_from,
+                 "whose programs to take over DDS: 'any', or names that processes join it with, "
+                 "such as monitor,swap [monitor]")
+      ->delimiter(',');
   app.add_option("--log-level", options.log_level, "what is worth a line")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
       ->capture_default_str();
@@ -56,6 +82,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     return {std::nullopt, app.exit(error) == 0 ? 0 : 1};
   }
+  settle_files(options, watch->count() > 0);
   if (options.bhdl_file.empty() && !options.print_catalog) {
     std::cerr << "galilean-robot: --bhdl FILE is missing: name the program to run\n";
     return {std::nullopt, 1};

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace galilean::robot {
 
@@ -10,11 +11,15 @@ namespace galilean::robot {
 struct Options {
   std::string name = "io";
   std::string bhdl_file;
+  std::string watched_file;           ///< the program whose saves swap; empty: none
   std::optional<std::string> serial;  ///< instead of the program's comm_port device
   std::optional<std::string> camera;  ///< instead of the program's frame_grabber device
   int domain = -1;                    ///< of DDS; -1: as ROS_DOMAIN_ID says, else 0
   std::uint64_t seed = 1;
   double rate_hz = 20;
+  double probation_s = 10;
+  int most_transitions_per_s = 10;
+  std::vector<std::string> accept_swaps_from;  ///< empty: the monitor's
   std::string log_level = "info";
   bool print_catalog = false;
 };

@@ -17,6 +17,7 @@
 #include "robot/options.h"
 #include "robot/robot_devices.h"
 #include "robot/telemetry/telemetry.h"
+#include "robot/watch/program_watch.h"
 
 namespace galilean::robot {
 namespace {
@@ -45,6 +46,11 @@ std::optional<bhdl::Program> read_program(const std::string& file, const Catalog
   return std::move(checked.program);
 }
 
+AcceptedSenders accepted_senders(const Options& options) {
+  return options.accept_swaps_from.empty() ? AcceptedSenders()
+                                           : AcceptedSenders(options.accept_swaps_from);
+}
+
 int refuse(const std::string& reason) {
   std::cerr << "galilean-robot: " << reason << "\n";
   return 1;
@@ -64,14 +70,18 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
   RobotDevices devices(line, *camera.value(), settings);
   SnapshotTap tap;
   ImageTap images;
+  Wake wake;
   Executive executive({.components = components,
                        .devices = devices.devices(),
                        .clock = clock,
                        .stopwatch = clock,
                        .seed = options.seed,
                        .tick_period = from_seconds(1 / options.rate_hz),
+                       .probation = {.length = from_seconds(options.probation_s),
+                                     .most_transitions_per_s = options.most_transitions_per_s},
                        .tuner = &devices,
-                       .observers = {&tap, &images}});
+                       .observers = {&tap, &images},
+                       .on_waiting = [&wake] { wake.ring(); }});
   if (const auto loaded = executive.load(std::move(program)); !loaded)
     return refuse(loaded.error().message);
 
@@ -83,10 +93,14 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
                              .tap = tap,
                              .devices = devices.devices(),
                              .catalog = components.catalog(),
-                             .clock = clock},
+                             .clock = clock,
+                             .accepted_senders = accepted_senders(options)},
                             images);
   {
-    const ControlLoop loop(from_seconds(1 / options.rate_hz), [&] { executive.tick(); });
+    const ControlLoop loop(from_seconds(1 / options.rate_hz), wake, [&] { executive.tick(); });
+    std::optional<ProgramWatch> watch;
+    if (!options.watched_file.empty())
+      watch.emplace(options.watched_file, components.catalog(), executive);
     wait_for(termination);
   }
   devices.devices().motor_drive.stop();

@@ -14,4 +14,5 @@ until grep -q "http://127.0.0.1:$port" "$folder/demo.log"; do
   kill -0 $demo 2>/dev/null || { cat "$folder/demo.log"; exit 1; }
   read -rt 0.2 <> <(:) || true
 done
-GALILEAN_URL=http://127.0.0.1:$port node --test tests/browser/team.test.mjs
+# The demo's own link: with the token that lets its reader steer.
+GALILEAN_URL=$(grep -o "http://127.0.0.1:$port[^ ]*" "$folder/demo.log" | head -n 1) node --test tests/browser/team.test.mjs

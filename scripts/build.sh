@@ -23,7 +23,7 @@ packages() {
   npm ci --no-audit --no-fund --silent || npm install --no-save --no-audit --no-fund --silent
 }
 
-sources=$(find web -path web/node_modules -prune -o -path web/dist -prune -o -type f -print0 | sort -z | xargs -0 sha256sum | sha256sum)
+sources=$(find web bhdl/editors -path web/node_modules -prune -o -path web/dist -prune -o -type f -print0 | sort -z | xargs -0 sha256sum | sha256sum)
 if [ "$(cat build/share/galilean/web.stamp 2>/dev/null)" != "$sources" ]; then
   echo "Building the page …"
   (cd web && { [ node_modules/.package-lock.json -nt package-lock.json ] || packages; } && npm run build --silent) \
@@ -31,5 +31,7 @@ if [ "$(cat build/share/galilean/web.stamp 2>/dev/null)" != "$sources" ]; then
   rm -rf build/share/galilean/web
   mkdir -p build/share/galilean
   cp -r web/dist build/share/galilean/web
+  rm -rf build/share/galilean/vscode
+  node bhdl/editors/textmate.mjs build/share/galilean/vscode
   echo "$sources" >build/share/galilean/web.stamp
 fi

@@ -33,9 +33,17 @@ int run_headless(const Options& options, const Scenario& scenario) {
     trace.open(options.trace);
     if (!trace) return complain({options.trace + ": cannot be written"}, kBadInput);
   }
-  HeadlessOptions how{options.robots, options.seed, scenario.rules.duration_s,
+  HeadlessOptions how{options.robots, options.seed, scenario.rules.duration_s, nullptr,
                       options.trace.empty() ? nullptr : &trace};
   if (options.duration_s > 0) how.duration_s = options.duration_s;
+  std::optional<TeamSituation> start;
+  if (!options.start.empty()) {
+    auto loaded = load_situation(options.start);
+    if (!loaded) return complain(loaded.error(), kBadInput);
+    start = std::move(loaded).value();
+    how.start = &*start;
+    how.robots = start->robots.size();
+  }
   auto contest = HeadlessContest::make(scenario, program.value(), how);
   if (!contest) return complain(contest.error(), kBadInput);
   const auto began = std::chrono::steady_clock::now();

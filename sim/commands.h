@@ -17,6 +17,7 @@ struct Options {
   std::size_t robots = 3;
   std::uint64_t seed = 1;
   double duration_s = 0;  ///< 0: the scenario's
+  std::string start;      ///< a file: the situation to go on from; empty: the scenario's start
   std::string trace;
   std::string snapshot;
   std::string snapshot_robot = "io";

@@ -19,7 +19,7 @@ constexpr std::uint8_t kPushedSwitches = 1;  // the front one
 Result<std::unique_ptr<HeadlessContest>> HeadlessContest::make(const Scenario& scenario,
                                                                const bhdl::Program& program,
                                                                const HeadlessOptions& options) {
-  Scenario timed = scenario;
+  Scenario timed = options.start ? scenario_of(scenario, *options.start) : scenario;
   timed.rules.duration_s = options.duration_s;
   auto world = World::make(timed, options.robots, options.seed);
   if (!world) return world.error();
@@ -80,7 +80,12 @@ Result<bool> HeadlessContest::wait_for_robots() {
 }
 
 void HeadlessContest::start() {
-  for (std::size_t i = 0; i < robots_.size(); ++i) world_->robot(i).push_bumpers(kPushedSwitches);
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (options_.start)
+      robots_[i]->restore(options_.start->robots.at(i).program);
+    else
+      world_->robot(i).push_bumpers(kPushedSwitches);
+  }
   started_ = step_;
   bumpers_released_ = step_ + kPush;
   world_->referee().start();

@@ -10,6 +10,7 @@
 #include "core/result.h"
 #include "robot/components.h"
 #include "sim/headless_robot.h"
+#include "sim/situation.h"
 
 namespace galilean::sim {
 
@@ -17,6 +18,7 @@ struct HeadlessOptions {
   std::size_t robots = 3;
   std::uint64_t seed = 1;
   double duration_s = 600;
+  const TeamSituation* start = nullptr;  ///< to go on from; null: the scenario's start
   std::ostream* trace = nullptr;  ///< one JSON object a robot and simulated second; may be null
   std::vector<robot::TickObserver*> observers;  ///< of the robots, in their order; may be fewer
   std::function<void(Time now)> after_step;     ///< while the contest runs; may be empty
@@ -27,7 +29,8 @@ struct HeadlessOptions {
 ///
 ///   each 10 ms: link and firmware · each 100 ms: a picture · each 50 ms: a tick · then the world
 ///
-/// The referee waits until every robot is connected, then pushes a bumper of each and starts.
+/// The referee waits until every robot is connected, then pushes a bumper of each, or puts it where
+/// a situation says that its program was, and starts.
 class HeadlessContest {
  public:
   [[nodiscard]] static Result<std::unique_ptr<HeadlessContest>> make(

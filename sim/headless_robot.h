@@ -52,6 +52,8 @@ class HeadlessRobot final : private robot::DeviceTuner {
   void take_picture(Time now);
   void tick();
   void note(double dt_s);
+  /// Between ticks: its program goes on from there.
+  void restore(const robot::Situation& situation) { executive_.restore(situation); }
 
   [[nodiscard]] bool connected() const noexcept { return link_.healthy(); }
   [[nodiscard]] std::vector<std::string> problems() const;

@@ -87,6 +87,24 @@ std::string JsonReader::text(std::string_view field) {
   return value.get<std::string>();
 }
 
+bool JsonReader::flag(std::string_view field) {
+  const json& value = need(field, "true or false");
+  if (!value.is_boolean())
+    throw JsonError(path_of(field) + ": expected true or false, found " + shown(value));
+  return value.get<bool>();
+}
+
+std::vector<double> JsonReader::numbers(std::string_view field) {
+  const json& value = need(field, "a list of numbers");
+  const bool fits =
+      value.is_array() && std::all_of(value.begin(), value.end(), [](const json& one) {
+        return one.is_number() && std::isfinite(one.get<double>());
+      });
+  if (!fits)
+    throw JsonError(path_of(field) + ": expected a list of numbers, found " + shown(value));
+  return value.get<std::vector<double>>();
+}
+
 Vec2 JsonReader::pair(std::string_view field) {
   const json& value = need(field, "a pair [x, y]");
   if (!value.is_array() || value.size() != 2 || !value[0].is_number() || !value[1].is_number())

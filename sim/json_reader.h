@@ -27,7 +27,10 @@ class JsonReader {
   [[nodiscard]] double number_or(std::string_view field, double preset, double minimum,
                                  double maximum);
   [[nodiscard]] int integer_or(std::string_view field, int preset, int minimum, int maximum);
+  [[nodiscard]] bool flag(std::string_view field);
   [[nodiscard]] std::string text(std::string_view field);
+  /// A list of any finite numbers.
+  [[nodiscard]] std::vector<double> numbers(std::string_view field);
   [[nodiscard]] Vec2 pair(std::string_view field);
   [[nodiscard]] Vec2 pair_or(std::string_view field, const Vec2& preset);
   /// A field that holds an object; an empty object if it is not there.

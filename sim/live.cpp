@@ -24,7 +24,7 @@ Result<std::unique_ptr<LiveContest>> LiveContest::make(const Scenario& scenario,
   if (!world) return world.error();
   auto folder = RunFolder::make(options.run);
   if (!folder) return folder.error();
-  auto participant = wire::Participant::join("galilean-sim", options.domain);
+  auto participant = wire::Participant::join("sim", options.domain);
   if (!participant) return participant.error();
   std::unique_ptr<LiveContest> contest(new LiveContest(scenario, std::move(world).value(),
                                                        std::move(folder).value(),

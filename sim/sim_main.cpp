@@ -35,6 +35,8 @@ void declare(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--duration", options.duration_s, "Seconds; the scenario's unless given")
       ->check(CLI::Range(0.1, 86400.0));
+  app.add_option("--start", options.start,
+                 "Go on from where a live team is: a JSON file as the monitor makes it (headless)");
   app.add_option("--trace", options.trace,
                  "Write poses and states, one JSON line a robot and second");
   app.add_option("--snapshot", options.snapshot, "Write what a robot sees at the start as PNG");

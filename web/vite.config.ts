@@ -1,15 +1,19 @@
 import { svelte } from "@sveltejs/vite-plugin-svelte";
 import { defineConfig } from "vite";
+import { grammars } from "./grammar_plugin";
 
 const monitor = process.env.GALILEAN_URL ?? "http://127.0.0.1:8080";
+// The monitor answers no other origin's page.
+const own = { target: monitor, changeOrigin: true, headers: { origin: monitor } };
 
 export default defineConfig({
-  plugins: [svelte()],
+  plugins: [svelte(), grammars()],
   build: { target: "es2022" },
   server: {
     proxy: {
-      "/api": { target: monitor, changeOrigin: true },
-      "/ws": { target: monitor, ws: true, changeOrigin: true },
+      "/api": own,
+      "/lsp": { ...own, ws: true },
+      "/ws": { ...own, ws: true },
     },
   },
 });

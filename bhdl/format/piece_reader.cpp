@@ -38,6 +38,7 @@ class PieceReader {
     if (word == "states") return states();
     if (word == "state") return state();
     if (word == "define") return define();
+    if (word == "expect") return expectation();
     if (word == "include") return line("include ");
     if (word == "start_state") return line("start_state: ");
     on_swap();
@@ -100,6 +101,17 @@ class PieceReader {
         component();
       else if (at_schema_list(tokens_))
         schema_list();
+      else
+        attribute();
+    }
+    pieces_.close(opened);
+  }
+
+  void expectation() {
+    const std::size_t opened = pieces_.open("expect");
+    while (!tokens_.at_word("end") && !tokens_.at_end_of_file()) {
+      if (tokens_.at_bare_label())
+        component();
       else
         attribute();
     }

@@ -59,6 +59,10 @@ bool same(const SwapNode& a, const SwapNode& b) {
   return a.old_state.text == b.old_state.text && a.new_state.text == b.new_state.text;
 }
 
+bool same(const ExpectNode& a, const ExpectNode& b) {
+  return all_same(a.attributes, b.attributes) && all_same(a.steps, b.steps);
+}
+
 bool same_node(const SyntaxNode& a, const SyntaxNode& b) {
   return a.index() == b.index() && std::visit(
                                        [&b](const auto& node) {

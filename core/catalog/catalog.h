@@ -63,6 +63,9 @@ struct AttributeSpec {
   [[nodiscard]] bool required() const noexcept { return !default_value.has_value(); }
 };
 
+/// What every motor schema takes besides its own attributes: its force is multiplied by it.
+inline constexpr const char* kGainAttribute = "gain";
+
 struct ComponentSpec {
   std::string name;
   ComponentKind kind = ComponentKind::kVariable;

@@ -185,6 +185,16 @@ class Declaration {
                });
   }
 
+  /// Every motor schema takes it; whoever runs the schema applies it.
+  void takes_gain() {
+    add({.name = kGainAttribute,
+         .type = AttributeType::kNumber,
+         .default_value = Value(1.0),
+         .help = "what its force is multiplied by"},
+        [](T&, const Value&, const Wiring&) {})
+        .range(0, 1e6);
+  }
+
   /// Not attributes: what every component may ask the robot for.
   void uses_devices(const Devices* T::*member) {
     connections_.push_back([member](T& t, const Wiring& wiring) { t.*member = &wiring.devices; });

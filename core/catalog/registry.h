@@ -23,6 +23,7 @@ class Registry {
                                                             : ComponentKind::kPerceptualSchema;
     auto declaration = std::make_shared<Declaration<T>>(name, kind);
     T::describe(*declaration);
+    if constexpr (kind == ComponentKind::kMotorSchema) declaration->takes_gain();
     catalog_.components.push_back(declaration->spec());
     factories_[std::move(name)] = [declaration](const AttributeValues& values,
                                                 const Wiring& wiring) {
@@ -58,8 +59,11 @@ class Registry {
 /// A device's or a variable's settings, read from what the program gives.
 template <class T>
 [[nodiscard]] T settings(const AttributeValues& values, const Wiring& wiring) {
-  Declaration<T> declaration({}, ComponentKind::kVariable);
-  T::describe(declaration);
+  static const Declaration<T> declaration = [] {
+    Declaration<T> described({}, ComponentKind::kVariable);
+    T::describe(described);
+    return described;
+  }();
   T result;
   declaration.apply(result, values, wiring);
   return result;

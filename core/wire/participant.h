@@ -27,6 +27,9 @@ class Entity {
   std::int32_t handle_ = 0;
 };
 
+/// What the monitor joins as, by which robots know it.
+inline constexpr const char* kMonitorName = "monitor";
+
 /// A process's membership in a DDS domain. Must go before `main` returns (Cyclone's threads outlive
 /// exit handlers otherwise). Several on one machine find one another with or without multicast;
 /// on other machines by multicast, or by the addresses in GALILEAN_PEERS (separated by commas).

@@ -7,7 +7,7 @@
 namespace galilean::wire {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Delivery>, 19> kDeliveries{{
+constexpr auto kDeliveries = std::to_array<std::pair<std::string_view, Delivery>>({
     {"galilean_msgs/msg/RobotState", Delivery::kState},
     {"galilean_msgs/msg/Variables", Delivery::kState},
     {"galilean_msgs/msg/Program", Delivery::kState},
@@ -18,8 +18,10 @@ constexpr std::array<std::pair<std::string_view, Delivery>, 19> kDeliveries{{
     {"visualization_msgs/msg/MarkerArray", Delivery::kState},
     {"galilean_msgs/msg/Transition", Delivery::kEvent},
     {"galilean_msgs/msg/ProgramReply", Delivery::kEvent},
+    {"galilean_msgs/msg/PushProgress", Delivery::kEvent},
     {"rcl_interfaces/msg/Log", Delivery::kEvent},
     {"galilean_msgs/msg/ProgramPush", Delivery::kCommand},
+    {"galilean_msgs/msg/ProgramRollback", Delivery::kCommand},
     {"galilean_msgs/msg/Command", Delivery::kCommand},
     {"nav_msgs/msg/Odometry", Delivery::kFlow},
     {"tf2_msgs/msg/TFMessage", Delivery::kFlow},
@@ -27,7 +29,7 @@ constexpr std::array<std::pair<std::string_view, Delivery>, 19> kDeliveries{{
     {"galilean_msgs/msg/Forces", Delivery::kStream},
     {"galilean_msgs/msg/Sightings", Delivery::kStream},
     {"sensor_msgs/msg/CompressedImage", Delivery::kStream},
-}};
+});
 
 constexpr dds_duration_t kMaxBlocking = DDS_MSECS(20);
 

@@ -7,6 +7,36 @@
 #include "core/wire/topics.h"
 
 namespace galilean::wire {
+namespace {
+
+struct FreeEndpoint {
+  void operator()(dds_builtintopic_endpoint_t* endpoint) const {
+    dds_builtintopic_free_endpoint(endpoint);
+  }
+};
+using Endpoint = std::unique_ptr<dds_builtintopic_endpoint_t, FreeEndpoint>;
+
+std::optional<std::string> announced_name(const dds_qos_t* qos) {
+  char* name = nullptr;
+  if (!dds_qget_entity_name(qos, &name) || !name) return std::nullopt;
+  std::string copy = name;
+  dds_free(name);
+  return copy;
+}
+
+/// As discovery has it, in the domain of `member`.
+std::optional<std::string> participant_name(dds_entity_t member, dds_instance_handle_t who) {
+  const Entity participants(
+      dds_create_reader(member, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, nullptr, nullptr));
+  void* sample = nullptr;
+  dds_sample_info_t info;
+  if (dds_read_instance(participants.handle(), &sample, &info, 1, 1, who) != 1) return std::nullopt;
+  auto name = announced_name(static_cast<dds_builtintopic_participant_t*>(sample)->qos);
+  dds_return_loan(participants.handle(), &sample, 1);
+  return name;
+}
+
+}  // namespace
 
 Reader::Reader(Participant& participant, const std::string& topic, const std::string& ros_type,
                int depth) {
@@ -33,7 +63,7 @@ void Reader::take(const std::function<void(const Received&)>& receive) {
       if (infos[i].valid_data) {
         bytes.resize(ddsi_serdata_size(samples[i]));
         ddsi_serdata_to_ser(samples[i], 0, bytes.size(), bytes.data());
-        receive({bytes, infos[i].source_timestamp});
+        receive({bytes, infos[i].source_timestamp, infos[i].publication_handle});
       }
       ddsi_serdata_unref(samples[i]);
     }
@@ -47,6 +77,13 @@ void Reader::on_data(std::function<void()> callback) {
       listener, [](dds_entity_t, void* call) { (*static_cast<std::function<void()>*>(call))(); });
   dds_set_listener(entity_.handle(), listener);
   dds_delete_listener(listener);
+}
+
+std::optional<std::string> Reader::sender(const Received& received) const {
+  const Endpoint writer(dds_get_matched_publication_data(entity_.handle(), received.writer));
+  if (!writer) return std::nullopt;
+  return participant_name(dds_get_participant(entity_.handle()),
+                          writer->participant_instance_handle);
 }
 
 int Reader::writers() const {

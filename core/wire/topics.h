@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,6 +28,8 @@ enum class Delivery {
 /// "rt/io/state" for ("io", "state"): ROS 2's name for topic /io/state.
 [[nodiscard]] std::string robot_topic(std::string_view robot, std::string_view leaf);
 inline constexpr const char* kProgramPushTopic = "rt/team/program_push";
+inline constexpr const char* kProgramRollbackTopic = "rt/team/program_rollback";
+inline constexpr const char* kPushProgressTopic = "rt/team/push_progress";
 inline constexpr const char* kCommandTopic = "rt/team/command";
 inline constexpr const char* kObjectsTopic = "rt/team/objects";
 inline constexpr const char* kMapTopic = "rt/team/map";
@@ -60,6 +63,7 @@ class Writer {
 struct Received {
   std::span<const std::uint8_t> cdr;  ///< with its four-byte header
   std::int64_t sent_ns;               ///< by its writer's clock, since the Unix epoch
+  std::uint64_t writer;               ///< for Reader::sender
 };
 
 /// Takes messages off one topic as bytes; msg::decode_cdr makes structs of them.
@@ -76,6 +80,10 @@ class Reader {
   void on_data(std::function<void()> callback);
   /// Writers matched now.
   [[nodiscard]] int writers() const;
+  /// The name that the process which wrote a message has joined the domain with. It is what that
+  /// process announced to everybody, not a field of the message; DDS without its security does not
+  /// prove it. Nothing if the writer has left.
+  [[nodiscard]] std::optional<std::string> sender(const Received& received) const;
 
  private:
   Entity entity_;

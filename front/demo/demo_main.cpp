@@ -113,14 +113,14 @@ int run(const DemoOptions& options) try {
     complain(failure->message);
     return 1;
   }
-  const auto participant = wire::Participant::join("galilean-demo", options.domain);
+  const auto participant = wire::Participant::join("demo", options.domain);
   if (!participant) {
     complain(participant.error().message);
     return 1;
   }
-  std::cout << ensemble.address() << "\n  " << list(ensemble.robots()) << " run " << options.bhdl
-            << " in scenario " << options.scenario << "; logs in " << ensemble.logs().string()
-            << "; Ctrl-C ends all" << std::endl;
+  std::cout << ensemble.operator_link() << "\n  " << list(ensemble.robots()) << " run "
+            << options.bhdl << " in scenario " << options.scenario << "; logs in "
+            << ensemble.logs().string() << "; Ctrl-C ends all" << std::endl;
   Evidence evidence(ensemble.robots());
   Outcome outcome;
   {
@@ -152,6 +152,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--bhdl", options.bhdl, "A program that ships, or a BHDL file")
       ->capture_default_str();
+  app.add_flag("--watch", options.watch, "Swap the robots' program whenever it is saved");
   app.add_option("--seed", options.seed, "All that is random descends from it")
       ->capture_default_str();
   app.add_option("--headless-for", options.headless_for_s,

@@ -10,6 +10,7 @@
 #include "core/installation.h"
 #include "front/demo/run_logs.h"
 #include "front/siblings.h"
+#include "monitor/access/tokens.h"
 
 namespace galilean::front {
 namespace {
@@ -33,8 +34,11 @@ Ensemble::~Ensemble() {
   (void)end();
 }
 
-std::string Ensemble::address() const {
-  return "http://127.0.0.1:" + std::to_string(options_.port);
+std::string Ensemble::operator_link() const {
+  const auto token =
+      monitor::read_token(monitor::operator_token_file(monitor::default_data_folder()));
+  return "http://127.0.0.1:" + std::to_string(options_.port) +
+         (token ? "/#token=" + token.value() : "");
 }
 
 std::optional<Error> Ensemble::start() {
@@ -82,12 +86,19 @@ std::optional<Error> Ensemble::start_robots(const std::string& ready_line) try {
     starts_.push_back(name + ":" + place.at("x_m").dump() + "," + place.at("y_m").dump() + "," +
                       place.at("heading_deg").dump());
     rings_.push_back(camera.substr(camera.find(':') + 1));
-    auto failure = add(name,
-                       {"galilean-robot", "--name", name, "--bhdl", program, "--serial",
-                        robot.at("serial").get<std::string>(), "--camera", camera, "--seed",
-                        std::to_string(++seed)},
-                       false);
-    if (failure) return failure;
+    std::vector<std::string> command{"galilean-robot",
+                                     "--name",
+                                     name,
+                                     "--bhdl",
+                                     program,
+                                     "--serial",
+                                     robot.at("serial").get<std::string>(),
+                                     "--camera",
+                                     camera,
+                                     "--seed",
+                                     std::to_string(++seed)};
+    if (options_.watch) command.push_back("--watch");
+    if (auto failure = add(name, std::move(command), false)) return failure;
   }
   return {};
 } catch (const nlohmann::json::exception& error) {

@@ -37,7 +37,8 @@ class Ensemble {
 
   [[nodiscard]] const std::vector<std::string>& robots() const noexcept { return robot_names_; }
   [[nodiscard]] const std::filesystem::path& logs() const noexcept { return logs_; }
-  [[nodiscard]] std::string address() const;
+  /// The page's address, with the token that lets its reader steer the team.
+  [[nodiscard]] std::string operator_link() const;
 
  private:
   struct Member {

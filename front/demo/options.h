@@ -12,6 +12,7 @@ struct DemoOptions {
   int port = 8080;
   std::string scenario = "office";
   std::string bhdl = "office_cleanup";  ///< a file, or the name of a program that ships
+  bool watch = false;                   ///< the robots swap when it is saved
   std::uint64_t seed = 1;
   std::optional<double> headless_for_s;
   std::string record;  ///< a file, or empty

@@ -76,7 +76,7 @@ Check check_multicast() {
 }
 
 Check check_dds(int domain) try {
-  const auto participant = wire::Participant::join("galilean-doctor", domain);
+  const auto participant = wire::Participant::join("doctor", domain);
   if (!participant)
     return {"DDS", false, participant.error().message, "see docs/WIRE.md, 'Finding one another'"};
   if (arrives(*participant.value())) return {"DDS", true, "joined, and a message came through"};

@@ -10,6 +10,7 @@
 #include "bhdl/program.h"
 #include "core/result.h"
 #include "monitor/programs/push.h"
+#include "monitor/programs/swap_transaction.h"
 
 struct sqlite3;
 
@@ -23,27 +24,35 @@ struct PushRecord {
   std::string program;  ///< the main file's name
   std::string hash;
   std::vector<std::string> targets;  ///< empty: the team
+  SwapProgress progress;
   std::vector<PushAnswer> answers;
 };
 
-/// Every push for ever: text, hash, who, when, to whom and the outcome robot by robot. What a call
+/// Every push for ever: text, hash, who, when, to whom, how far it came and the outcome robot by
+/// robot. What a call
 /// has returned from survives kill -9 and power loss (SQLite, write-ahead log, synchronous FULL).
 /// A program's text is kept once, under its hash. Not for several threads at once.
 class History {
  public:
-  /// Makes the folder and the file where they are missing.
+  /// Makes the folder and the file where they are missing. A push that was under way when its
+  /// monitor ended is from now on remembered as interrupted.
   [[nodiscard]] static Result<std::unique_ptr<History>> open(const std::filesystem::path& file);
   ~History();
   History(const History&) = delete;
   History& operator=(const History&) = delete;
 
   /// Throws std::runtime_error where the disk refuses, as all below.
-  void add(const msg::ProgramPush& push);
+  void add(const msg::ProgramPush& push, const SwapProgress& progress = {});
+  void set_progress(const std::string& push_id, const SwapProgress& progress);
   void add_answer(const std::string& push_id, const PushAnswer& answer);
 
   /// The newest first.
   [[nodiscard]] std::vector<PushRecord> pushes(int most) const;
-  /// The files of a program that was pushed, the main file first; nothing if it never was.
+  [[nodiscard]] std::optional<PushRecord> push(const std::string& id) const;
+  /// The last time that somebody pushed this program.
+  [[nodiscard]] std::optional<PushRecord> last_push_of(const std::string& hash) const;
+  /// The files of the program that was pushed under this hash, the main file first; the beginning
+  /// of a hash does where no other begins so. Nothing if there is none, or more than one.
   [[nodiscard]] std::optional<std::vector<bhdl::SourceFile>> program(const std::string& hash) const;
 
  private:

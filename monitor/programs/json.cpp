@@ -35,13 +35,24 @@ nlohmann::json to_json(const std::vector<PushAnswer>& answers) {
   return json;
 }
 
+nlohmann::json to_json(const SwapStep& step) {
+  return {{"name", step.name}, {"state", step.state}, {"detail", step.detail}};
+}
+
 nlohmann::json to_json(const PushRecord& record) {
+  auto steps = nlohmann::json::array();
+  for (const auto& step : record.progress.steps) steps.push_back(to_json(step));
   return {{"id", record.id},
           {"pushed_ns", record.pushed_ns},
           {"author", record.author},
           {"program", record.program},
           {"hash", record.hash},
           {"targets", record.targets},
+          {"state", record.progress.state},
+          {"steps", std::move(steps)},
+          {"trial", record.progress.trial_json.empty()
+                        ? nlohmann::json()
+                        : nlohmann::json::parse(record.progress.trial_json, nullptr, false)},
           {"replies", to_json(record.answers)}};
 }
 

@@ -15,7 +15,9 @@ namespace galilean::monitor {
 /// latency_ms}
 [[nodiscard]] nlohmann::json to_json(const PushAnswer& answer);
 [[nodiscard]] nlohmann::json to_json(const std::vector<PushAnswer>& answers);
-/// {id, pushed_ns, author, program, hash, targets, replies}
+/// {name, state, detail}
+[[nodiscard]] nlohmann::json to_json(const SwapStep& step);
+/// {id, pushed_ns, author, program, hash, targets, state, steps, trial, replies}
 [[nodiscard]] nlohmann::json to_json(const PushRecord& record);
 /// {ok, hash, diagnostics, machine}
 [[nodiscard]] nlohmann::json to_json(const bhdl::CheckResult& check);

@@ -12,8 +12,8 @@ std::string push_status_name(std::uint8_t status) {
   return status < kNames.size() ? kNames[status] : "unknown";
 }
 
-Push::Push(msg::ProgramPush message, std::vector<std::string> awaited, Time sent)
-    : message_(std::move(message)), awaited_(std::move(awaited)), sent_(sent) {
+Push::Push(std::string id, std::vector<std::string> awaited, Time sent)
+    : id_(std::move(id)), awaited_(std::move(awaited)), sent_(sent) {
   for (const auto& robot : awaited_) list(robot);
 }
 
@@ -22,7 +22,7 @@ void Push::list(const std::string& robot) {
 }
 
 bool Push::note(const msg::ProgramReply& reply, Time now) {
-  if (reply.id != message_.id) return false;
+  if (reply.id != id_) return false;
   list(reply.robot);
   PushAnswer& answer = answers_[reply.robot];
   // The numbers rise in the order in which a robot says them; a repeat tells nothing new.
@@ -48,6 +48,11 @@ bool Push::all_awaited(const std::function<bool(std::uint8_t)>& have) const {
 
 bool Push::complete() const {
   return all_awaited([](std::uint8_t said) { return said > status::RECEIVED; });
+}
+
+bool Push::taken_by_all() const {
+  return all_awaited(
+      [](std::uint8_t said) { return said == status::RUNNING || said == status::CONFIRMED; });
 }
 
 bool Push::settled() const {

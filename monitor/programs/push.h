@@ -26,16 +26,17 @@ struct PushAnswer {
 /// are listed too.
 class Push {
  public:
-  /// `awaited`: the robots whose answer makes the push complete.
-  Push(msg::ProgramPush message, std::vector<std::string> awaited, Time sent);
+  /// `id`: of the message. `awaited`: the robots whose answer makes the push complete.
+  Push(std::string id, std::vector<std::string> awaited, Time sent);
 
-  [[nodiscard]] const msg::ProgramPush& message() const noexcept { return message_; }
   /// A robot that was asked but is not waited for: it had fallen silent.
   void list(const std::string& robot);
   /// False if the reply belongs to another push or tells nothing new.
   bool note(const msg::ProgramReply& reply, Time now);
   /// Each awaited robot runs the program or refused it.
   [[nodiscard]] bool complete() const;
+  /// Each awaited robot runs the program.
+  [[nodiscard]] bool taken_by_all() const;
   /// Each awaited robot has said its last word: refused, confirmed or rolled back.
   [[nodiscard]] bool settled() const;
   /// In the order of the robots' names.
@@ -44,7 +45,7 @@ class Push {
  private:
   [[nodiscard]] bool all_awaited(const std::function<bool(std::uint8_t)>& have) const;
 
-  msg::ProgramPush message_;
+  std::string id_;
   std::vector<std::string> awaited_;
   Time sent_;
   std::map<std::string, PushAnswer> answers_;

@@ -21,9 +21,9 @@ inline void execute(sqlite3* database, const char* text) {
 /// A prepared statement. Parameters count from 1, columns from 0.
 class Statement {
  public:
-  Statement(sqlite3* database, const char* text) : database_(database) {
+  Statement(sqlite3* database, const std::string& text) : database_(database) {
     sqlite3_stmt* made = nullptr;
-    if (sqlite3_prepare_v2(database, text, -1, &made, nullptr) != SQLITE_OK) fail(database);
+    if (sqlite3_prepare_v2(database, text.c_str(), -1, &made, nullptr) != SQLITE_OK) fail(database);
     statement_.reset(made);
   }
 

@@ -73,7 +73,7 @@ Recorder::Selection selection(const Options& options) {
 int run(const Options& options) try {
   Termination termination;
   auto chosen = selection(options);
-  const auto participant = wire::Participant::join("galilean-record", options.domain);
+  const auto participant = wire::Participant::join("record", options.domain);
   if (!participant) return fail(participant.error().message);
   auto file = mcap::FileSink::create(options.out, options.replace);
   if (!file) return fail(file.error().message);

@@ -25,9 +25,10 @@ Api::Api(Parts parts) : parts_(parts) {
 
 void Api::add_routes() {
   const auto get = [this](std::string path, Handler handler) {
-    routes_.push_back({"GET", std::move(path), std::move(handler)});
+    routes_.push_back({"GET", std::move(path), Right::kRead, std::move(handler)});
   };
-  get("/healthz", [](auto&, auto& respond) { respond(text_response("ok\n", "text/plain")); });
+  routes_.push_back({"GET", "/healthz", Right::kNone,
+                     [](auto&, auto& respond) { respond(text_response("ok\n", "text/plain")); }});
   get("/metrics", [this](auto&, auto& respond) {
     respond(text_response(
         metrics_text(parts_.team, parts_.hub.counts(), counts_ ? counts_() : HttpServer::Counts{}),
@@ -39,14 +40,24 @@ void Api::add_routes() {
   get("/api/programs/",
       [this](auto& request, auto& respond) { program(rest(request, "/api/programs/"), respond); });
   get("/api/pushes", [this](auto&, auto& respond) { pushes(respond); });
+  get("/api/pushes/", [this](auto& request, auto& respond) {
+    parts_.desk.describe(rest(request, "/api/pushes/"),
+                         [respond](const Outcome& outcome) { respond(response_of(outcome)); });
+  });
   get("/api/pushed/", [this](auto& request, auto& respond) {
     pushed_program(rest(request, "/api/pushed/"), respond);
   });
   get("/api/map.png", [this](auto&, auto& respond) { map_file("png", respond); });
   get("/api/map.yaml", [this](auto&, auto& respond) { map_file("yaml", respond); });
-  routes_.push_back({"POST", "/api/check", operation(&Operations::check)});
-  routes_.push_back({"POST", "/api/push", operation(&Operations::push)});
-  routes_.push_back({"POST", "/api/command", operation(&Operations::command)});
+  post("/api/check", Right::kRead, operation(&Operations::check));
+  post("/api/push", Right::kOperate, operation(&Operations::push));
+  post("/api/pushes/", Right::kOperate,
+       [this](auto& request, auto& respond) { cancel_push(request, respond); });
+  post("/api/command", Right::kOperate, operation(&Operations::command));
+}
+
+void Api::post(std::string path, Right needs, Handler handler) {
+  routes_.push_back({"POST", std::move(path), needs, std::move(handler)});
 }
 
 void Api::answer(const HttpRequest& request, const Respond& respond) {
@@ -55,9 +66,12 @@ void Api::answer(const HttpRequest& request, const Respond& respond) {
                     {},
                     nullptr,
                     {{"Access-Control-Allow-Methods", "GET, POST"},
-                     {"Access-Control-Allow-Headers", "content-type"}}});
+                     {"Access-Control-Allow-Headers", "content-type, authorization"}}});
   bool path_known = false;
-  if (const Route* route = find(request, path_known)) return route->handler(request, respond);
+  if (const Route* route = find(request, path_known)) {
+    if (request.right >= route->needs) return route->handler(request, respond);
+    return respond(problem(request.right == Right::kNone ? 401 : 403, missing_right(route->needs)));
+  }
   const bool reads = request.method == "GET" || request.method == "HEAD";
   if (path_known || !reads)
     return respond(problem(405, request.path + " does not take " + request.method + "."));
@@ -109,6 +123,23 @@ void Api::pushes(const Respond& respond) {
                       for (const auto& record : records) list.push_back(to_json(record));
                       respond(json_response({{"pushes", std::move(list)}}));
                     });
+}
+
+/// POST /api/pushes/ID/cancel; the body may name an author.
+void Api::cancel_push(const HttpRequest& request, const Respond& respond) {
+  constexpr std::string_view kVerb = "/cancel";
+  auto id = rest(request, "/api/pushes/");
+  if (!id.ends_with(kVerb)) return respond(problem(404, "There is no " + request.path + "."));
+  id.resize(id.size() - kVerb.size());
+  auto body = nlohmann::json::parse(request.body.empty() ? "{}" : request.body, nullptr, false);
+  if (!body.is_object()) return respond(problem(400, "The body must be a JSON object."));
+  body["id"] = id;
+  try {
+    parts_.operations.cancel_push(
+        body, [respond](const Outcome& outcome) { respond(response_of(outcome)); });
+  } catch (const BadRequest& wrong) {
+    respond(problem(400, wrong.what()));
+  }
 }
 
 void Api::pushed_program(const std::string& hash, const Respond& respond) {

@@ -21,6 +21,7 @@ class Api {
     const MapService& map;
     const foxglove::Hub& hub;
     Operations& operations;
+    PushDesk& desk;
     Worker& worker;
     History& history;  ///< the worker's alone
   };
@@ -36,15 +37,18 @@ class Api {
   struct Route {
     std::string method;
     std::string path;  ///< ends with '/' where the rest is an argument
+    Right needs;
     Handler handler;
   };
 
   void add_routes();
+  void post(std::string path, Right needs, Handler handler);
   [[nodiscard]] Handler operation(void (Operations::*operate)(const nlohmann::json&, Finish));
   [[nodiscard]] const Route* find(const HttpRequest& request, bool& path_known) const;
   void programs(const Respond& respond) const;
   void program(const std::string& name, const Respond& respond) const;
   void pushes(const Respond& respond);
+  void cancel_push(const HttpRequest& request, const Respond& respond);
   void pushed_program(const std::string& hash, const Respond& respond);
   void status(const Respond& respond) const;
   void map_file(const std::string& kind, const Respond& respond) const;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "monitor/access/access.h"
 #include "monitor/server/foxglove_hub.h"
 #include "monitor/server/json_text.h"
 
@@ -38,7 +39,8 @@ std::size_t lane_depth(wire::Delivery delivery) {
 
 }  // namespace
 
-Hub::Client::Client(Hub& hub, Link& link) : hub_(hub), link_(link) {
+Hub::Client::Client(Hub& hub, Link& link, bool may_call)
+    : hub_(hub), link_(link), may_call_(may_call) {
   hub_.clients_.push_back(this);
   tell(server_info(hub_.server_name_, hub_.session_id_));
   if (!hub_.services_.empty()) tell(advertise_services(hub_.services_));
@@ -124,6 +126,7 @@ void Hub::Client::call(const ServiceCall& call) {
   if (service_id == 0 || service_id > hub_.handlers_.size())
     return answer(service_id, call_id,
                   Error{"There is no service " + std::to_string(service_id) + "."});
+  if (!may_call_) return answer(service_id, call_id, Error{missing_right(Right::kOperate)});
   const auto request = nlohmann::json::parse(call.request, nullptr, false);
   if (call.encoding != "json" || request.is_discarded())
     return answer(service_id, call_id, Error{"A service call must be encoded as json."});

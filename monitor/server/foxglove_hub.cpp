@@ -52,8 +52,8 @@ void Hub::send_time(std::int64_t since_epoch_ns) {
   }
 }
 
-std::unique_ptr<Hub::Client> Hub::connect(Link& link) {
-  return std::make_unique<Client>(*this, link);
+std::unique_ptr<Hub::Client> Hub::connect(Link& link, bool may_call) {
+  return std::make_unique<Client>(*this, link, may_call);
 }
 
 Hub::Topic* Hub::find(std::uint32_t channel_id) {

@@ -50,8 +50,8 @@ class Hub {
   /// Clients may go later than who listened to Demand.
   void forget_demand() { demand_ = nullptr; }
 
-  /// The client is served until the pointer goes.
-  [[nodiscard]] std::unique_ptr<Client> connect(Link& link);
+  /// The client is served until the pointer goes. `may_call`: the services, too.
+  [[nodiscard]] std::unique_ptr<Client> connect(Link& link, bool may_call);
 
   struct Counts {
     std::size_t clients = 0;
@@ -88,7 +88,7 @@ class Hub {
 /// One connected client and what it subscribed to.
 class Hub::Client {
  public:
-  Client(Hub& hub, Link& link);
+  Client(Hub& hub, Link& link, bool may_call);
   ~Client();
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
@@ -115,6 +115,7 @@ class Hub::Client {
 
   Hub& hub_;
   Link& link_;
+  bool may_call_;
   Outbox outbox_;
   bool dismissed_ = false;
   std::map<std::uint32_t, std::uint32_t> channel_of_;           ///< by subscription id

@@ -12,6 +12,8 @@ const char* title(int status) {
   switch (status) {
     case 400:
       return "Bad request";
+    case 401:
+      return "Not known";
     case 403:
       return "Forbidden";
     case 404:
@@ -42,7 +44,7 @@ HttpResponse json_response(const nlohmann::json& json, int status) {
 
 HttpResponse problem(int status, const std::string& detail, const nlohmann::json& more) {
   nlohmann::json json{{"title", title(status)}, {"status", status}, {"detail", detail}};
-  json.update(more);
+  if (more.is_object()) json.update(more);
   return text_response(json_text(json), "application/problem+json", status);
 }
 
@@ -66,6 +68,15 @@ std::string percent_decoded(std::string_view text) {
     decoded += text[i];
   }
   return decoded;
+}
+
+std::string query_value(std::string_view target, std::string_view name) {
+  for (auto at = target.find('?'); at != target.npos; at = target.find('&', at + 1)) {
+    const auto pair = target.substr(at + 1, target.find('&', at + 1) - at - 1);
+    if (pair.size() > name.size() && pair.starts_with(name) && pair[name.size()] == '=')
+      return percent_decoded(pair.substr(name.size() + 1));
+  }
+  return {};
 }
 
 }  // namespace galilean::monitor

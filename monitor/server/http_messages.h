@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "monitor/access/access.h"
+
 namespace galilean::monitor {
 
 /// What a request says, as far as anybody here asks.
@@ -16,6 +18,8 @@ struct HttpRequest {
   std::string body;
   std::string host;
   std::string origin;  ///< empty where none was sent
+  std::string token;   ///< the bearer's; empty where none was sent
+  Right right = Right::kNone;
   std::string if_none_match;
   bool accepts_gzip = false;
 };
@@ -41,5 +45,7 @@ using HttpHandler = std::function<void(const HttpRequest&, Respond)>;
 
 /// "a%20b" -> "a b"; what is no escape stays as it is.
 [[nodiscard]] std::string percent_decoded(std::string_view text);
+/// "io" of ("/lsp?robot=io&token=x", "robot"), decoded; empty where the query does not name it.
+[[nodiscard]] std::string query_value(std::string_view target, std::string_view name);
 
 }  // namespace galilean::monitor

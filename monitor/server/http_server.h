@@ -11,10 +11,12 @@
 #include "monitor/server/foxglove_hub.h"
 #include "monitor/server/guard.h"
 #include "monitor/server/http_messages.h"
+#include "monitor/server/language_session.h"
 
 namespace galilean::monitor {
 
-/// Accepts HTTP/1.1 on one address and port; GET /ws becomes a WebSocket of the hub's. Everything
+/// Accepts HTTP/1.1 on one address and port; GET /ws becomes a WebSocket of the hub's,
+/// GET /lsp one of the language server's. Everything
 /// runs on the io_context's one thread. Connections are limited in number, requests in size and in
 /// the time that they take.
 class HttpServer {
@@ -29,8 +31,10 @@ class HttpServer {
   /// What the sessions share; outlives the server as long as one of them lives.
   struct Site {
     Guard guard;
+    Access access;
     HttpHandler handler;
     foxglove::Hub& hub;
+    LanguageDesk& language;
     Counts counts = {};
   };
 

@@ -21,11 +21,20 @@ constexpr std::uint32_t kMostHeaderBytes = 16 << 10;
 constexpr std::uint64_t kMostBodyBytes = 16 << 20;
 constexpr auto kLongestRequest = std::chrono::seconds(30);
 
+/// The bearer's token; where a browser cannot send that (a WebSocket), in the query: ?token=…
+std::string token_of(std::string_view authorization, std::string_view target) {
+  constexpr std::string_view kBearer = "Bearer ";
+  if (authorization.starts_with(kBearer)) return std::string(authorization.substr(kBearer.size()));
+  return query_value(target, "token");
+}
+
 HttpRequest plain(http::request<http::string_body>& from) {
   HttpRequest request;
   request.method = from.method_string();
   const std::string_view target(from.target().data(), from.target().size());
   request.path = percent_decoded(target.substr(0, target.find('?')));
+  const auto authorization = from[http::field::authorization];
+  request.token = token_of({authorization.data(), authorization.size()}, target);
   request.host = from[http::field::host];
   request.origin = from[http::field::origin];
   request.if_none_match = from[http::field::if_none_match];
@@ -81,7 +90,12 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
       ++site_->counts.refused;
       return respond(problem(403, objection));
     }
-    if (upgrade && request.path == "/ws") return become_websocket(std::move(message));
+    request.right = site_->access.right_of(request.token);
+    if (upgrade && (request.path == "/ws" || request.path == "/lsp")) {
+      if (request.right == Right::kNone) return respond(problem(401, missing_right(Right::kRead)));
+      if (request.path == "/lsp") return become_language_server(message);
+      return become_websocket(std::move(message), request.right);
+    }
     stranger_ = site_->guard.is_allowed_stranger(request.origin) ? request.origin : std::string();
     stream_.expires_never();
     site_->handler(request, [self = shared_from_this()](HttpResponse response) {
@@ -89,9 +103,14 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     });
   }
 
-  void become_websocket(http::request<http::string_body> message) {
+  void become_websocket(http::request<http::string_body> message, Right right) {
     stream_.expires_never();
-    serve_websocket(stream_.release_socket(), std::move(message), site_->hub);
+    serve_websocket(stream_.release_socket(), std::move(message), site_->hub, right);
+  }
+
+  void become_language_server(const http::request<http::string_body>& message) {
+    stream_.expires_never();
+    serve_language(stream_.release_socket(), message, site_->language);
   }
 
   void respond(HttpResponse response) {

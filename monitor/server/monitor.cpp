@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "bhdl/catalog_file.h"
+#include "core/installation.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/server/api.h"
 
@@ -20,6 +21,10 @@ Catalog catalog_or_none(const std::filesystem::path& file) {
   if (catalog) return std::move(catalog).value();
   std::clog << "galilean-monitor: " << catalog.error().message << std::endl;
   return {};
+}
+
+std::filesystem::path library_folder(const MonitorOptions& options) {
+  return options.library_folder.empty() ? default_library_folder() : options.library_folder;
 }
 
 template <class M, class Take>
@@ -45,18 +50,23 @@ struct Monitor::Parts {
   asio::signal_set signals{io, SIGINT, SIGTERM};
   asio::steady_timer time_timer{io};
   Worker worker{io};
+  Worker language_worker{io};
+  LanguageDesk language;
   MapService map;
+  TrialRoom trials;
   PushDesk desk;
   Operations operations;
   Api api;
   HttpServer server;
   Ingest ingest;
   std::uint16_t port = 0;
+  std::string new_operator_token;
 
   Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-        std::unique_ptr<History> opened);
+        std::unique_ptr<History> opened, Tokens tokens);
   ~Parts() {
     worker.finish();
+    language_worker.finish();
     hub.forget_demand();
   }
 
@@ -66,24 +76,28 @@ struct Monitor::Parts {
 };
 
 Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-                      std::unique_ptr<History> opened)
+                      std::unique_ptr<History> opened, Tokens tokens)
     : participant(std::move(joined)),
       history(std::move(opened)),
       team(clock, options.map.silent_after),
-      library(options.library_folder.empty() ? default_library_folder() : options.library_folder,
-              catalog_or_none(options.catalog_file)),
+      library(library_folder(options), catalog_or_none(options.catalog_file)),
       page(options.page_folder.empty() ? default_page_folder() : options.page_folder),
       hub("galilean-monitor",
           [this](std::uint32_t channel_id, bool wanted) { ingest.want(channel_id, wanted); }),
+      language{language_worker, team, library.catalog(), library_folder(options)},
       map(*participant, clock, options.map),
-      desk({io, worker, clock, team, library, *history}, *participant),
+      trials(io, team,
+             options.simulator.empty() ? program_folder() / "galilean-sim" : options.simulator,
+             options.data_folder / "trials"),
+      desk({io, worker, clock, team, library, *history, trials}, *participant),
       operations(worker, team, library, desk, *participant),
-      api({page, team, library, map, hub, operations, worker, *history}),
+      api({page, team, library, map, hub, operations, desk, worker, *history}),
       server(io, {Guard(options.address, options.allowed_origins),
+                  Access(std::move(tokens), is_loopback(options.address)),
                   [this](const HttpRequest& request, const Respond& respond) {
                     api.answer(request, respond);
                   },
-                  hub}),
+                  hub, language}),
       ingest(*participant, callbacks(), [this] { asio::post(io, [this] { ingest.poll(); }); }) {
   operations.offer(hub);
   api.set_counts([this] { return server.counts(); });
@@ -105,6 +119,7 @@ void Monitor::Parts::receive(const Message& message) {
   hub.send(message);  // first: who looks at the page waits for it
   team.receive(message);
   map.receive(message);
+  trials.receive(message);
   decode_for<msg::ProgramReply>(message, [this](const auto& reply) { desk.note(reply); });
   decode_for<msg::ProgramPush>(message, [this](const auto& push) { desk.note(push); });
 }
@@ -120,10 +135,13 @@ void Monitor::Parts::tell_time() {
 Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) try {
   auto history = History::open(options.data_folder / "history.sqlite");
   if (!history) return history.error();
-  auto participant = wire::Participant::join("galilean-monitor", options.domain);
+  auto tokens = open_tokens(options.data_folder);
+  if (!tokens) return tokens.error();
+  auto participant = wire::Participant::join(wire::kMonitorName, options.domain);
   if (!participant) return participant.error();
-  auto parts =
-      std::make_unique<Parts>(options, std::move(participant).value(), std::move(history).value());
+  auto parts = std::make_unique<Parts>(options, std::move(participant).value(),
+                                       std::move(history).value(), tokens.value());
+  if (tokens.value().are_new) parts->new_operator_token = tokens.value().operator_;
   const auto port = parts->server.listen(options.address, options.port);
   if (!port) return port.error();
   parts->port = port.value();
@@ -137,6 +155,10 @@ Monitor::~Monitor() = default;
 
 std::uint16_t Monitor::port() const noexcept {
   return parts_->port;
+}
+
+std::string Monitor::new_operator_token() const {
+  return parts_->new_operator_token;
 }
 
 void Monitor::run() {

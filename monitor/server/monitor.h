@@ -21,6 +21,7 @@ struct MonitorOptions {
   std::filesystem::path library_folder;
   std::filesystem::path data_folder;
   std::filesystem::path catalog_file;
+  std::filesystem::path simulator;  ///< galilean-sim; empty: the one beside this program
   std::vector<std::string> allowed_origins;
   MapService::Options map;
 };
@@ -36,6 +37,8 @@ class Monitor {
   Monitor& operator=(const Monitor&) = delete;
 
   [[nodiscard]] std::uint16_t port() const noexcept;
+  /// The operator's token where it was made just now: to be told once. Else empty.
+  [[nodiscard]] std::string new_operator_token() const;
   /// Serves until `stop`, or SIGINT or SIGTERM.
   void run();
   /// From any thread.

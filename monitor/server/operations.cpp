@@ -22,25 +22,31 @@ std::vector<bhdl::SourceFile> files_field(const nlohmann::json& request) {
   return std::move(files).value();
 }
 
-Outcome told(const PushOutcome& outcome) {
-  using Kind = PushOutcome::Kind;
-  switch (outcome.kind) {
-    case Kind::kPushed:
-      return {200,
-              {{"id", outcome.id}, {"hash", outcome.hash}, {"replies", to_json(outcome.answers)}}};
-    case Kind::kUnknownTarget:
-      return {404, nlohmann::json::object(), outcome.detail};
-    case Kind::kNobody:
-      return {409, nlohmann::json::object(), outcome.detail};
-    case Kind::kBroken:
-      return {
-          422,
-          {{"robot", outcome.check.refused_by}, {"diagnostics", outcome.check.result.diagnostics}},
-          outcome.detail};
-    case Kind::kFailed:
-      break;
-  }
-  return {503, nlohmann::json::object(), outcome.detail};
+/// `try` is true, or {only, even_if_worse, seeds, duration_s, scenario}.
+void read_trial(const nlohmann::json& request, PushOrder& order) {
+  if (!request.contains("try")) return;
+  const auto& trial = request["try"];
+  if (!trial.is_boolean() && !trial.is_object())
+    throw BadRequest("'try' must be true, false or an object.");
+  order.trial.wanted = trial.is_object() || trial.get<bool>();
+  if (!trial.is_object()) return;
+  order.trial.only = flag_field(trial, "only");
+  order.trial.even_if_worse = flag_field(trial, "even_if_worse");
+  order.trial.seeds = static_cast<int>(number_field(trial, "seeds", order.trial.seeds, 1, 64));
+  order.trial.duration_s = number_field(trial, "duration_s", order.trial.duration_s, 1, 3600);
+  order.trial.scenario = text_field(trial, "scenario");
+}
+
+PushOrder order_of(const nlohmann::json& request) {
+  PushOrder order{.files = files_field(request),
+                  .targets = names_field(request, "targets"),
+                  .author = text_field(request, "author", "unnamed"),
+                  .replaces = text_field(request, "replaces")};
+  read_trial(request, order);
+  order.canary = text_field(request, "canary");
+  constexpr double kLongest_s = 3600;
+  order.probation = from_seconds(number_field(request, "probation_s", 10, 0, kLongest_s));
+  return order;
 }
 
 }  // namespace
@@ -71,12 +77,12 @@ void Operations::check(const nlohmann::json& request, Finish finish) {
 }
 
 void Operations::push(const nlohmann::json& request, Finish finish) {
-  PushOrder order{.files = files_field(request),
-                  .targets = names_field(request, "targets"),
-                  .author = text_field(request, "author", "unnamed"),
-                  .replaces_hash = text_field(request, "replaces_hash")};
-  desk_.order(std::move(order),
-              [finish = std::move(finish)](const PushOutcome& outcome) { finish(told(outcome)); });
+  desk_.order(order_of(request), std::move(finish));
+}
+
+void Operations::cancel_push(const nlohmann::json& request, Finish finish) {
+  desk_.cancel(text_field(request, "id"), text_field(request, "author", "an operator"),
+               std::move(finish));
 }
 
 void Operations::command(const nlohmann::json& request, Finish finish) {
@@ -125,12 +131,23 @@ void Operations::offer(foxglove::Hub& hub) {
       }
     };
   };
+  hub.add_service({"/galilean/push", "galilean/Push",
+                   object({{"files", files},
+                           {"targets", names},
+                           {"author", text},
+                           {"replaces", text},
+                           {"try", {{"type", "boolean"}}},
+                           {"canary", text},
+                           {"probation_s", {{"type", "number"}}}}),
+                   object({{"id", text}, {"hash", text}, {"state", text}, {"replies", replies}})},
+                  serve([this](const nlohmann::json& request, Finish finish) {
+                    push(request, std::move(finish));
+                  }));
   hub.add_service(
-      {"/galilean/push", "galilean/Push",
-       object({{"files", files}, {"targets", names}, {"author", text}, {"replaces_hash", text}}),
-       object({{"id", text}, {"hash", text}, {"replies", replies}})},
+      {"/galilean/cancel_push", "galilean/CancelPush", object({{"id", text}, {"author", text}}),
+       object({{"id", text}, {"state", text}})},
       serve([this](const nlohmann::json& request, Finish finish) {
-        push(request, std::move(finish));
+        cancel_push(request, std::move(finish));
       }));
   for (const auto& [kind, number_of_kind] : command_kinds())
     hub.add_service({"/galilean/" + kind, "galilean/Command",

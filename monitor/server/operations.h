@@ -1,24 +1,15 @@
 #pragma once
 
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "monitor/programs/library.h"
 #include "monitor/server/foxglove_hub.h"
+#include "monitor/server/outcome.h"
 #include "monitor/server/push_desk.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {
-
-/// What an operation comes to: an HTTP status and its JSON; of a failure, `detail` says why in one
-/// sentence and `json` has what goes with it.
-struct Outcome {
-  int status = 200;
-  nlohmann::json json = nlohmann::json::object();
-  std::string detail = {};
-};
-using Finish = std::function<void(Outcome)>;
 
 /// What an operator can ask for, the same over HTTP and as Foxglove services. Requests and answers
 /// are JSON, as docs/openapi.yaml describes them.
@@ -29,8 +20,10 @@ class Operations {
 
   void check(const nlohmann::json& request, Finish finish);
   void push(const nlohmann::json& request, Finish finish);
+  /// {id, author}
+  void cancel_push(const nlohmann::json& request, Finish finish);
   void command(const nlohmann::json& request, Finish finish);
-  /// push, hold, resume and push_bumper, as services of the hub.
+  /// push, cancel_push, hold, resume and push_bumper, as services of the hub.
   void offer(foxglove::Hub& hub);
 
  private:

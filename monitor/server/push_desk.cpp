@@ -1,135 +1,171 @@
 #include "monitor/server/push_desk.h"
 
 #include <algorithm>
-#include <boost/asio/steady_timer.hpp>
+#include <utility>
+
+#include "monitor/programs/json.h"
+#include "monitor/server/push_words.h"
 
 namespace galilean::monitor {
 namespace {
 
 /// Replies to older pushes (a late rollback) are no longer told apart.
 constexpr std::size_t kMostOpen = 64;
+constexpr auto kWatchEach = std::chrono::milliseconds(50);
 
-std::string names_of(const Team& team) {
-  std::string names;
-  for (const auto& [name, robot] : team.robots()) names += (names.empty() ? "" : ", ") + name;
-  return names.empty() ? "no robot was heard yet" : "known are " + names;
+SwapPlan plan_of(const PushOrder& order, const OrderTargets& targets) {
+  return {.id = new_id(),
+          .awaited = targets.names(),
+          .silent = targets.silent,
+          .tries = order.trial.wanted,
+          .tries_only = order.trial.only,
+          .canary = order.canary,
+          .probation = order.probation};
+}
+
+std::string runs_words(const Trial& trial) {
+  return std::to_string(trial.finished_runs()) + " of " + std::to_string(trial.all_runs()) +
+         " runs are over";
 }
 
 }  // namespace
 
-struct PushDesk::Open {
-  Push push;
-  boost::asio::steady_timer patience;
-  Done done = nullptr;
-};
-
 PushDesk::PushDesk(const Parts& parts, wire::Participant& participant)
-    : parts_(parts), writer_(participant, wire::kProgramPushTopic) {}
-
-PushOutcome PushDesk::find_targets(const PushOrder& order, std::vector<Target>& targets) const {
-  using Kind = PushOutcome::Kind;
-  for (const auto& name : order.targets) {
-    const Robot* robot = parts_.team.find(name);
-    if (!robot)
-      return {.kind = Kind::kUnknownTarget,
-              .detail = "There is no robot '" + name + "'; " + names_of(parts_.team) + "."};
-    targets.push_back(target_of(*robot));
-  }
-  if (order.targets.empty())
-    for (const auto& [name, robot] : parts_.team.robots())
-      if (!parts_.team.silent(robot)) targets.push_back(target_of(robot));
-  if (targets.empty())
-    return {.kind = Kind::kNobody, .detail = "No robot is heard; nothing was pushed."};
-  return {};
+    : parts_(parts),
+      pushes_(participant, wire::kProgramPushTopic),
+      progress_(participant, wire::kPushProgressTopic),
+      timer_(parts.io) {
+  watch();
 }
 
-void PushDesk::order(PushOrder order, Done done) {
-  std::vector<Target> targets;
-  auto outcome = find_targets(order, targets);
-  if (!outcome.detail.empty()) return done(std::move(outcome));
-  auto check = [files = order.files, targets = std::move(targets), &library = parts_.library] {
-    return check_for(files, targets, library);
-  };
-  parts_.worker.run(std::move(check),
-                    [this, order = std::move(order), done = std::move(done)](TargetCheck checked) {
-                      push_checked(order, std::move(checked), done);
+PushDesk::OpenPtr PushDesk::find(const std::string& id) const {
+  const auto found = std::ranges::find_if(open_, [&](auto& open) { return open->record.id == id; });
+  return found == open_.end() ? nullptr : *found;
+}
+
+PushDesk::OpenPtr PushDesk::under_way_to(const std::vector<std::string>& targets) const {
+  for (const auto& open : open_)
+    if (open->is_ours && !open->swap.over() && overlap(open->record.targets, targets)) return open;
+  return nullptr;
+}
+
+PushDesk::OpenPtr PushDesk::keep(OpenPush open) {
+  open_.push_back(std::make_shared<OpenPush>(std::move(open)));
+  const auto oldest_over =
+      std::ranges::find_if(open_, [](auto& each) { return each->swap.over(); });
+  if (open_.size() > kMostOpen && oldest_over != open_.end()) open_.erase(oldest_over);
+  return open_.back();
+}
+
+void PushDesk::order(PushOrder order, Finish finish) {
+  auto targets = targets_of(order, parts_.team);
+  if (!targets.objection.empty()) return finish({targets.status, {}, targets.objection});
+  if (const auto other = under_way_to(order.targets)) return finish(conflict(other->newest()));
+  if (const auto other = stale(order, targets, parts_.team))
+    return refuse_stale(order, *other, std::move(finish));
+  auto plan = plan_of(order, targets);
+  PushRecord record{.id = plan.id,
+                    .pushed_ns = wire::wall_clock_ns(),
+                    .author = order.author,
+                    .program = order.files.front().path,
+                    .hash = {},
+                    .targets = order.targets,
+                    .progress = {},
+                    .answers = {}};
+  go_on(keep({.record = std::move(record),
+              .swap = {std::move(plan), parts_.clock.now()},
+              .order = std::move(order),
+              .targets = std::move(targets),
+              .finish = std::move(finish)}));
+}
+
+void PushDesk::refuse_stale(const PushOrder& order, const Stale& stale, Finish finish) {
+  parts_.worker.run(
+      [this, hash = stale.hash] { return parts_.history.last_push_of(hash); },
+      [replaces = order.replaces, stale, finish = std::move(finish)](
+          const std::optional<PushRecord>& by) { finish(overtaken(replaces, stale, by)); });
+}
+
+void PushDesk::cancel(const std::string& id, const std::string& who, Finish finish) {
+  const auto open = find(id);
+  if (!open) return finish({404, {}, "No push '" + id + "' is under way."});
+  if (!open->is_ours || !open->swap.cancel(who))
+    return finish({409, to_json(open->newest()), too_late(open->newest())});
+  go_on(open);
+  finish({200, to_json(open->newest())});
+}
+
+void PushDesk::describe(const std::string& id, Finish finish) {
+  if (const auto open = find(id)) return finish({200, to_json(open->newest())});
+  parts_.worker.run([this, id] { return parts_.history.push(id); },
+                    [id, finish = std::move(finish)](const std::optional<PushRecord>& record) {
+                      if (!record) return finish({404, {}, "There was no push '" + id + "'."});
+                      finish({200, to_json(*record)});
                     });
 }
 
-void PushDesk::push_checked(const PushOrder& order, TargetCheck check, Done done) {
-  if (!check.result.program)
-    return done({.kind = PushOutcome::Kind::kBroken,
-                 .detail = "The program has errors; nothing was pushed.",
-                 .check = std::move(check)});
-  const auto open = register_push(
-      make_push(*check.result.program, order.author, order.targets, order.replaces_hash));
-  open->done = std::move(done);
-  send(open);
+/// After anything happened to it: does what it asks for, and tells what became of it.
+void PushDesk::go_on(const OpenPtr& open) {
+  for (auto acts = open->swap.take_acts(); !acts.empty(); acts = open->swap.take_acts())
+    for (const auto each : acts) act(open, each);
+  tell(open);
+  if (open->swap.over()) open->answer({200, to_json(open->newest())});
 }
 
-std::shared_ptr<PushDesk::Open> PushDesk::register_push(msg::ProgramPush message) {
-  std::vector<std::string> awaited, given_up;
-  for (const auto& [name, robot] : parts_.team.robots()) {
-    const bool named = std::ranges::find(message.targets, name) != message.targets.end();
-    if (message.targets.empty() || named)
-      (parts_.team.silent(robot) ? given_up : awaited).push_back(name);
+void PushDesk::tell(const OpenPtr& open) {
+  if (!open->is_ours || open->told_version == open->swap.version()) return;
+  open->told_version = open->swap.version();
+  const auto record = open->newest();
+  if (record.hash.empty()) return;  // nobody knows of it yet
+  parts_.worker.run([this, record, message = progress_message(record)] {
+    (void)progress_.write(message);
+    parts_.history.set_progress(record.id, record.progress);
+  });
+}
+
+void PushDesk::watch() {
+  for (const auto& open : std::deque(open_)) {
+    if (open->swap.over()) continue;
+    if (const Robot* canary = parts_.team.find(open->order.canary); canary && canary->state)
+      open->swap.see(canary->name, parts_.team.silent(*canary), canary->state->program_hash,
+                     parts_.clock.now());
+    if (open->trial) open->swap.describe(runs_words(*open->trial));
+    open->swap.update(parts_.clock.now());
+    go_on(open);
   }
-  if (message.targets.empty()) parts_.team.note_push(message.hash);
-  auto open = std::make_shared<Open>(Open{Push(std::move(message), awaited, parts_.clock.now()),
-                                          boost::asio::steady_timer(parts_.io)});
-  for (const auto& name : given_up) open->push.list(name);
-  open_.push_back(open);
-  if (open_.size() > kMostOpen) open_.pop_front();
-  return open;
-}
-
-void PushDesk::send(const std::shared_ptr<Open>& open) {
-  open->patience.expires_after(kPatience);
-  open->patience.async_wait([this, open](boost::system::error_code) { finish(open); });
-  // Written down before it is sent: what reached a robot is never missing from the history.
-  parts_.worker.run(
-      [this, message = open->push.message()]() -> std::string {
-        try {
-          parts_.history.add(message);
-        } catch (const std::exception& error) {
-          return error.what();
-        }
-        return writer_.write(message) ? "" : "DDS did not take the program; try again.";
-      },
-      [open](const std::string& failure) {
-        if (failure.empty()) return;
-        if (const auto done = std::exchange(open->done, nullptr))
-          done({.kind = PushOutcome::Kind::kFailed, .detail = failure});
-      });
-}
-
-void PushDesk::finish(const std::shared_ptr<Open>& open) {
-  auto done = std::exchange(open->done, nullptr);
-  open->patience.cancel();
-  if (!done) return;
-  PushOutcome outcome;
-  outcome.id = open->push.message().id;
-  outcome.hash = open->push.message().hash;
-  outcome.answers = open->push.answers();
-  done(std::move(outcome));
+  timer_.expires_after(kWatchEach);
+  timer_.async_wait([this](boost::system::error_code error) {
+    if (!error) watch();
+  });
 }
 
 void PushDesk::note(const msg::ProgramPush& push) {
-  for (const auto& open : open_)
-    if (open->push.message().id == push.id) return;
-  register_push(push);
-  parts_.worker.run([this, push] { parts_.history.add(push); });
+  if (find(push.id)) return;
+  PushOrder order{.files = {}, .targets = push.targets, .author = push.author};
+  const auto targets = targets_of(order, parts_.team);
+  if (push.targets.empty()) parts_.team.note_push(push.hash);
+  SwapPlan plan{.id = push.id, .awaited = targets.names(), .silent = targets.silent};
+  keep({.record = {.id = push.id,
+                   .pushed_ns = wire::since_epoch_ns(push.stamp),
+                   .author = push.author,
+                   .program = push.files.empty() ? std::string() : push.files.front().path,
+                   .hash = push.hash,
+                   .targets = push.targets,
+                   .progress = {},
+                   .answers = {}},
+        .swap = SwapTransaction::of_others(std::move(plan), parts_.clock.now()),
+        .order = std::move(order),
+        .is_ours = false});
+  parts_.worker.run([this, push] { parts_.history.add(push, {.state = {}}); });
 }
 
 void PushDesk::note(const msg::ProgramReply& reply) {
-  for (const auto& open : open_) {
-    if (!open->push.note(reply, parts_.clock.now())) continue;
-    for (const auto& answer : open->push.answers())
-      if (answer.robot == reply.robot)
-        parts_.worker.run([this, id = reply.id, answer] { parts_.history.add_answer(id, answer); });
-    if (open->push.complete()) finish(open);
-    return;
-  }
+  const auto open = find(reply.id);
+  if (!open || !open->swap.note(reply, parts_.clock.now())) return;
+  for (const auto& answer : open->swap.answers())
+    if (answer.robot == reply.robot)
+      parts_.worker.run([this, id = reply.id, answer] { parts_.history.add_answer(id, answer); });
+  go_on(open);
 }
 
 }  // namespace galilean::monitor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -9,46 +10,24 @@
 
 #include "core/wire/topics.h"
 #include "monitor/programs/history.h"
-#include "monitor/programs/push.h"
+#include "monitor/programs/swap_transaction.h"
 #include "monitor/programs/target_check.h"
+#include "monitor/server/open_push.h"
+#include "monitor/server/outcome.h"
+#include "monitor/server/push_order.h"
+#include "monitor/server/trial_room.h"
 #include "monitor/server/worker.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {
 
-struct PushOrder {
-  std::vector<bhdl::SourceFile> files;
-  std::vector<std::string> targets;  ///< empty: the team
-  std::string author;
-  std::string replaces_hash;
-};
-
-/// What came of an order.
-struct PushOutcome {
-  enum class Kind {
-    kPushed,         ///< see `answers`
-    kUnknownTarget,  ///< a robot that was never heard
-    kNobody,         ///< no robot is there to be asked
-    kBroken,         ///< see `check`; nothing was pushed
-    kFailed          ///< this machine could not push
-  };
-  Kind kind = Kind::kPushed;
-  std::string detail;  ///< of all but kPushed, one sentence
-  std::string id;
-  std::string hash;
-  std::vector<PushAnswer> answers;
-  TargetCheck check;
-};
-
-/// Carries pushes out: checked against each target's catalog, written down, sent, and answered for
-/// when each robot has answered or kPatience is over. Pushes that others make are written down too.
+/// Carries pushes out, each a SwapTransaction: does the acts that it asks for, writes its steps
+/// down and tells them on rt/team/push_progress. Robots that one push is under way to are not given
+/// another. Pushes that others make are written down too.
 ///
 /// Lives on the io_context's thread; checking, the disk and DDS writes happen on a worker's.
 class PushDesk {
  public:
-  static constexpr auto kPatience = std::chrono::seconds(2);
-  using Done = std::function<void(PushOutcome)>;
-
   struct Parts {
     boost::asio::io_context& io;
     Worker& worker;
@@ -56,27 +35,49 @@ class PushDesk {
     Team& team;
     const ProgramLibrary& library;
     History& history;  ///< the worker's alone
+    const TrialRoom& trials;
   };
 
   PushDesk(const Parts& parts, wire::Participant& participant);
 
-  void order(PushOrder order, Done done);
+  /// Finishes when each robot has answered or SwapTransaction::kPatience is over; with 202, once it
+  /// is checked, where it is tried or has a canary. Refused: 404, 409, 422 or 503.
+  void order(PushOrder order, Finish finish);
+  /// 404: no such push is under way; 409: too late.
+  void cancel(const std::string& id, const std::string& who, Finish finish);
+  /// A push of this run of the monitor, or one that the history remembers; else 404.
+  void describe(const std::string& id, Finish finish);
+
   /// What DDS brought.
   void note(const msg::ProgramPush& push);
   void note(const msg::ProgramReply& reply);
 
  private:
-  struct Open;
+  using OpenPtr = std::shared_ptr<OpenPush>;
 
-  [[nodiscard]] PushOutcome find_targets(const PushOrder& order,
-                                         std::vector<Target>& targets) const;
-  void push_checked(const PushOrder& order, TargetCheck check, Done done);
-  void send(const std::shared_ptr<Open>& open);
-  std::shared_ptr<Open> register_push(msg::ProgramPush message);
-  void finish(const std::shared_ptr<Open>& open);
+  [[nodiscard]] OpenPtr find(const std::string& id) const;
+  [[nodiscard]] OpenPtr under_way_to(const std::vector<std::string>& targets) const;
+  OpenPtr keep(OpenPush open);
+  void refuse_stale(const PushOrder& order, const Stale& stale, Finish finish);
+  void go_on(const OpenPtr& open);
+  void act(const OpenPtr& open, SwapTransaction::Act act);
+  void check(const OpenPtr& open);
+  void take_check(const OpenPtr& open, TargetCheck check);
+  void write_down(const OpenPtr& open);
+  void try_out(const OpenPtr& open);
+  void take_trial(const OpenPtr& open, const Result<TrialFigures>& result);
+  void push_canary(const OpenPtr& open);
+  void push_rest(const OpenPtr& open);
+  void take_back(const OpenPtr& open);
+  void send(const OpenPtr& open, const std::vector<std::string>& targets);
+  void tell(const OpenPtr& open);
+  void watch();
+
   Parts parts_;
-  wire::Writer<msg::ProgramPush> writer_;
-  std::deque<std::shared_ptr<Open>> open_;  ///< the newest last; old ones are let go
+  wire::Writer<msg::ProgramPush> pushes_;
+  wire::Writer<msg::PushProgress> progress_;
+  std::deque<OpenPtr> open_;  ///< the newest last; old ones are let go
+  boost::asio::steady_timer timer_;
 };
 
 }  // namespace galilean::monitor

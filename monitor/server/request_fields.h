@@ -30,6 +30,24 @@ struct BadRequest : std::runtime_error {
   return request[name];
 }
 
+[[nodiscard]] inline double number_field(const nlohmann::json& request, const char* name,
+                                         double absent, double least, double most) {
+  if (!request.contains(name)) return absent;
+  const bool fits = request[name].is_number() && request[name].get<double>() >= least &&
+                    request[name].get<double>() <= most;
+  if (!fits)
+    throw BadRequest("'" + std::string(name) + "' must be a number from " +
+                     nlohmann::json(least).dump() + " to " + nlohmann::json(most).dump() + ".");
+  return request[name];
+}
+
+[[nodiscard]] inline bool flag_field(const nlohmann::json& request, const char* name) {
+  if (!request.contains(name)) return false;
+  if (!request[name].is_boolean())
+    throw BadRequest("'" + std::string(name) + "' must be true or false.");
+  return request[name];
+}
+
 [[nodiscard]] inline std::vector<std::string> names_field(const nlohmann::json& request,
                                                           const char* name) {
   std::vector<std::string> names;

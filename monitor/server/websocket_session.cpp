@@ -30,8 +30,8 @@ std::string_view subprotocol_for(const Upgrade& upgrade) {
 class WebSocketSession final : public foxglove::Link,
                                public std::enable_shared_from_this<WebSocketSession> {
  public:
-  WebSocketSession(boost::asio::ip::tcp::socket socket, foxglove::Hub& hub)
-      : stream_(std::move(socket)), hub_(hub) {}
+  WebSocketSession(boost::asio::ip::tcp::socket socket, foxglove::Hub& hub, Right right)
+      : stream_(std::move(socket)), hub_(hub), right_(right) {}
 
   void start(const Upgrade& upgrade) {
     const auto subprotocol = subprotocol_for(upgrade);
@@ -63,7 +63,7 @@ class WebSocketSession final : public foxglove::Link,
 
  private:
   void begin() {
-    client_ = hub_.connect(*this);
+    client_ = hub_.connect(*this, right_ == Right::kOperate);
     stream_.next_layer().send_from(&client_->outbox());
     flush();
     read();
@@ -94,6 +94,7 @@ class WebSocketSession final : public foxglove::Link,
 
   websocket::stream<BatchingSocket> stream_;
   foxglove::Hub& hub_;
+  Right right_;
   std::unique_ptr<foxglove::Hub::Client> client_;
   beast::flat_buffer incoming_;
   bool closing_ = false;
@@ -101,8 +102,9 @@ class WebSocketSession final : public foxglove::Link,
 
 }  // namespace
 
-void serve_websocket(boost::asio::ip::tcp::socket socket, Upgrade upgrade, foxglove::Hub& hub) {
-  std::make_shared<WebSocketSession>(std::move(socket), hub)->start(upgrade);
+void serve_websocket(boost::asio::ip::tcp::socket socket, Upgrade upgrade, foxglove::Hub& hub,
+                     Right right) {
+  std::make_shared<WebSocketSession>(std::move(socket), hub, right)->start(upgrade);
 }
 
 }  // namespace galilean::monitor

@@ -5,13 +5,15 @@
 #include <boost/beast/http/string_body.hpp>
 #include <memory>
 
+#include "monitor/access/access.h"
 #include "monitor/server/foxglove_hub.h"
 
 namespace galilean::monitor {
 
-/// Serves one WebSocket until it closes. The session keeps itself.
+/// Serves one WebSocket until it closes, with the services if its client may operate. The session
+/// keeps itself.
 void serve_websocket(boost::asio::ip::tcp::socket socket,
                      boost::beast::http::request<boost::beast::http::string_body> upgrade,
-                     foxglove::Hub& hub);
+                     foxglove::Hub& hub, Right right);
 
 }  // namespace galilean::monitor

@@ -119,7 +119,7 @@ int command(Operator::Word word, Conversation& conversation, Operator& speaker,
 }
 
 int run(Operator::Word word, const Options& options) try {
-  const auto participant = wire::Participant::join("galilean-command", options.domain);
+  const auto participant = wire::Participant::join("command", options.domain);
   if (!participant)
     return std::cerr << "galilean-command: " << participant.error().message << '\n', 1;
   Conversation conversation(*participant.value());

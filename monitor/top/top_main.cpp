@@ -100,7 +100,7 @@ int run_dashboard(Listening& listening, Termination& termination, const Clock& c
 int run(const Options& options) try {
   Termination termination;
   const SteadyClock clock;
-  const auto participant = wire::Participant::join("galilean-top", options.domain);
+  const auto participant = wire::Participant::join("top", options.domain);
   if (!participant) return std::cerr << "galilean-top: " << participant.error().message << '\n', 1;
   Listening listening(*participant.value(), clock);
   if (options.once) return print_once(listening, termination, clock, options.robot);

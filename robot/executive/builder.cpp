@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "robot/executive/snapshot.h"
 #include "robot/variables/settings.h"
@@ -52,20 +54,24 @@ std::vector<std::string> names_in(const AttributeSpec& spec, const AttributeValu
 }
 
 class Builder {
+  using Indices = std::unordered_map<std::string_view, std::uint32_t>;
+
  public:
   Builder(bhdl::Program text, ProgramId id, const BuildMaterial& material)
       : material_(material), made_(std::make_unique<RunningProgram>()) {
     description_.id = id;
+    description_.probation = material.probation;
     description_.program = std::move(text);
   }
 
   std::unique_ptr<RunningProgram> build() {
     made_->devices = DeviceSettings::of(text());
     for (const auto& component : text().variables) make_variable(component);
-    for (const auto& component : text().perceptual_schemas) make_schema(component);
-    for (const auto& component : text().motor_schemas) make_schema(component);
+    for (const auto& component : text().perceptual_schemas) make_schema(component, perceptual_);
+    for (const auto& component : text().motor_schemas) make_schema(component, motor_);
+    for (const auto& state : text().states) states_.emplace(state.name, states_.size());
     for (const auto& state : text().states) make_state(state);
-    made_->start_state = made_->state = state_index(text().start_state);
+    made_->start_state = made_->state = index(states_, text().start_state, "state");
     describe_variables();
     describe_gains();
     check_size();
@@ -93,17 +99,20 @@ class Builder {
     std::visit(
         [this](auto* each) {
           each->constant = false;
-          written_.push_back(each->name);
+          written_.insert(each->name);
         },
         variable);
   }
 
-  void make_schema(const bhdl::Component& component) {
+  void make_schema(const bhdl::Component& component, Indices& indices) {
     const ComponentSpec* spec = material_.components.catalog().find(component.type);
     auto schema =
         material_.components.make(component.type, component.attributes, wiring_of(component));
     if (!schema || !spec) throw refusal(component, "is no schema of this robot");
-    made_->schemas.emplace_back(std::move(schema), outputs_of(component, *spec));
+    const Value* gain = component.attributes.find(kGainAttribute);
+    indices.emplace(component.name, made_->schemas.size());
+    made_->schemas.emplace_back(std::move(schema), outputs_of(component, *spec),
+                                gain ? std::get<double>(*gain) : 1);
     description_.schemas.push_back(component.name);
   }
 
@@ -137,8 +146,9 @@ class Builder {
   void make_state(const bhdl::State& state) {
     RunningState& made = made_->states.emplace_back();
     for (const auto& name : state.perceptual_schemas)
-      made.perceptual_schemas.push_back(schema_index(name));
-    for (const auto& name : state.motor_schemas) made.motor_schemas.push_back(schema_index(name));
+      made.perceptual_schemas.push_back(index(perceptual_, name, "perceptual schema"));
+    for (const auto& name : state.motor_schemas)
+      made.motor_schemas.push_back(index(motor_, name, "motor schema"));
     for (const auto& condition : state.conditions)
       made.conditions.push_back(make_condition(condition));
   }
@@ -148,12 +158,12 @@ class Builder {
                           .bit_index = condition.bit_index,
                           .bit_value = condition.bit_value,
                           .bit_update = condition.bit_update,
-                          .new_state = state_index(condition.new_state)};
+                          .new_state = index(states_, condition.new_state, "state")};
     if (!made.bits) throw Refusal("no bits variable is named '" + condition.bits_variable + "'");
-    if (condition.bit_update != bhdl::BitUpdate::kSame) written_.push_back(condition.bits_variable);
+    if (condition.bit_update != bhdl::BitUpdate::kSame) written_.insert(condition.bits_variable);
     for (const auto& name : condition.reset_variables) {
       made.reset_variables.push_back(variable(name));
-      written_.push_back(name);
+      written_.insert(name);
     }
     return made;
   }
@@ -162,20 +172,16 @@ class Builder {
     if (const auto found = find_variable(made_->variables, name)) return *found;
     throw Refusal("no variable is named '" + name + "'");
   }
-  std::uint32_t schema_index(const std::string& name) const {
-    const auto found = std::ranges::find(description_.schemas, name);
-    if (found == description_.schemas.end()) throw Refusal("no schema is named '" + name + "'");
-    return static_cast<std::uint32_t>(found - description_.schemas.begin());
-  }
-  std::uint32_t state_index(const std::string& name) const {
-    const auto found = std::ranges::find(text().states, name, &bhdl::State::name);
-    if (found == text().states.end()) throw Refusal("no state is named '" + name + "'");
-    return static_cast<std::uint32_t>(found - text().states.begin());
+  static std::uint32_t index(const Indices& indices, const std::string& name, const char* what) {
+    const auto found = indices.find(name);
+    if (found == indices.end())
+      throw Refusal(std::string("no ") + what + " is named '" + name + "'");
+    return found->second;
   }
 
   void describe_variables() {
     made_->variables.for_each([&]<class T>(const Variable<T>& each) {
-      const bool parameter = std::ranges::find(written_, each.name) == written_.end();
+      const bool parameter = !written_.contains(each.name);
       description_.variables.push_back({each.name, variable_type_name<T>(), parameter});
     });
   }
@@ -206,7 +212,10 @@ class Builder {
   const BuildMaterial& material_;
   std::unique_ptr<RunningProgram> made_;
   Description description_;
-  std::vector<std::string> written_;
+  Indices perceptual_;  ///< among all schemas; a motor schema may have the same name
+  Indices motor_;
+  Indices states_;
+  std::unordered_set<std::string_view> written_;
 };
 
 }  // namespace

@@ -13,6 +13,7 @@ struct BuildMaterial {
   const Registry& components;
   const Devices& devices;  ///< must outlive the program
   Random random;           ///< each schema gets the child that is named as it is
+  ProbationRules probation = {};
 };
 
 /// Makes the variables and schemas of a checked program and looks all its names up, so that the

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bhdl/program.h"
-#include "robot/executive/event.h"
+#include "robot/executive/probation.h"
 
 namespace galilean::robot {
 
@@ -30,6 +30,7 @@ struct Description {
 
   ProgramId id = 0;
   bhdl::Program program;
+  ProbationRules probation;              ///< which it is under while it is new
   std::vector<VariableLabel> variables;  ///< in the order of the store
   std::vector<std::string> schemas;      ///< perceptual, then motor, in the order of the text
   std::vector<ForceLabel> forces;

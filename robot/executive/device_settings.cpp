@@ -31,9 +31,9 @@ class Unconnected final : public CommPort, public MotorDrive, public FrameGrabbe
 }  // namespace
 
 DeviceSettings DeviceSettings::of(const bhdl::Program& program) {
-  const auto unconnected = std::make_unique<Unconnected>();
+  static Unconnected unconnected;  // once: a frame is large, and nothing writes this one
   VariableStore no_variables;
-  const Devices no_devices{*unconnected, *unconnected, *unconnected};
+  const Devices no_devices{unconnected, unconnected, unconnected};
   const Wiring wiring{no_variables, no_devices, Random(0)};
   DeviceSettings result;
   for (const auto& device : program.devices) {

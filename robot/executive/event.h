@@ -13,7 +13,7 @@ namespace galilean::robot {
 using ProgramId = std::uint32_t;
 
 /// Why a program in probation was taken off again.
-enum class Fault : std::uint8_t { kNone, kSchemaThrew, kOverran, kDeviceLost, kThrashed };
+enum class Fault : std::uint8_t { kNone, kSchemaThrew, kOverran, kDeviceLost, kThrashed, kOrdered };
 
 /// Which devices answer.
 struct DeviceHealth {
@@ -63,7 +63,7 @@ struct Event {
   std::uint32_t condition = kNone;  ///< of from_state, where that is the cause
   std::uint32_t schema = kNone;     ///< of kSchemaFailed and of a rollback, among all schemas
   Duration tick_time{};             ///< of kStarted, kSwapped and kRolledBack: what that tick took
-  ShortText text;                   ///< what the schema threw, or which device was lost
+  ShortText text;  ///< what the schema threw, which device was lost, or the order's reason
 };
 
 }  // namespace galilean::robot

@@ -37,17 +37,25 @@ Executive::Executive(const ExecutiveSetup& setup)
 
 Executive::~Executive() = default;
 
-Result<ProgramId> Executive::load(bhdl::Program program) {
+Result<ProgramId> Executive::load(bhdl::Program program, const ProbationRules& rules) {
   const std::lock_guard lock(shelf_mutex_);
   exchange_.collect();
   if (exchange_.waiting()) return Error{"another program still waits for its first tick"};
-  auto built =
-      build(std::move(program), last_id_ + 1, {setup_.components, devices_, Random(setup_.seed)});
+  auto built = build(std::move(program), last_id_ + 1,
+                     {setup_.components, devices_, Random(setup_.seed), rules});
   if (!built) return built.error();
   shelf_[++last_id_] = built.value()->description;
   tidy_shelf();
   exchange_.offer(std::move(built).value());
+  if (setup_.on_waiting) setup_.on_waiting();
   return last_id_;
+}
+
+bool Executive::roll_back(ProgramId program, std::string_view reason) {
+  const std::lock_guard lock(shelf_mutex_);
+  if (!orders_.push({program, ShortText(reason)})) return false;
+  if (setup_.on_waiting) setup_.on_waiting();
+  return true;
 }
 
 /// What a program that still lives holds stays, however old it is.
@@ -88,10 +96,19 @@ void Executive::begin_tick() noexcept {
 }
 
 void Executive::exchange_programs() noexcept {
-  if (probation_.fault() != Fault::kNone)
-    roll_back();
+  if (const Verdict verdict = judgement(); verdict.fault != Fault::kNone)
+    roll_back(verdict);
   else if (auto next = exchange_.take())
     take_over(std::move(next));
+}
+
+/// What is held against the running program, where another one can take its place.
+Verdict Executive::judgement() noexcept {
+  Verdict verdict = probation_.failed() ? probation_.verdict() : Verdict{};
+  while (const auto order = orders_.pop())
+    if (verdict.fault == Fault::kNone && order->program == id_of(running_.get()))
+      verdict = {.fault = Fault::kOrdered, .reason = order->reason};
+  return last_good_ ? verdict : Verdict{};
 }
 
 void Executive::take_over(std::unique_ptr<RunningProgram> next) noexcept {
@@ -100,28 +117,27 @@ void Executive::take_over(std::unique_ptr<RunningProgram> next) noexcept {
   exchanged_ = event(replaced ? Event::Kind::kSwapped : Event::Kind::kStarted);
   exchanged_.from_program = id_of(replaced.get());
   const bool replaced_is_proven = !probation_.active();
-  if (replaced) probation_.begin(tick_.now, setup_.probation, health_);
+  if (replaced) probation_.begin(tick_.now, running_->description->probation, health_);
   install(replaced.get(), Event::Cause::kSwap);
   if (!replaced) return;
-  if (replaced_is_proven)
-    last_good_ = std::move(replaced);
-  else
-    exchange_.retire(std::move(replaced));
+  if (replaced_is_proven) std::swap(last_good_, replaced);
+  if (replaced) exchange_.retire(std::move(replaced));
 }
 
-void Executive::roll_back() noexcept {
+void Executive::roll_back(const Verdict& verdict) noexcept {
   auto replaced = std::exchange(running_, std::move(last_good_));
   exchanged_ = event(Event::Kind::kRolledBack);
   exchanged_.from_program = id_of(replaced.get());
-  exchanged_.fault = probation_.fault();
-  exchanged_.schema = probation_.schema();
-  exchanged_.text = probation_.reason();
+  exchanged_.fault = verdict.fault;
+  exchanged_.schema = verdict.schema;
+  exchanged_.text = verdict.reason;
   probation_.end();
   install(replaced.get(), Event::Cause::kRollback);
   exchange_.retire(std::move(replaced));
 }
 
 void Executive::install(const RunningProgram* replaced, Event::Cause cause) noexcept {
+  running_id_.store(id_of(running_.get()));
   drive_.set_timeout(from_seconds(running_->devices.motor_drive.timeout_s));
   if (setup_.tuner) setup_.tuner->tune(running_->devices);
   if (!replaced) return enter(running_->start_state);
@@ -141,6 +157,12 @@ void Executive::install(const RunningProgram* replaced, Event::Cause cause) noex
   change.schema = exchanged_.schema;
   change.text = exchanged_.text;
   note_transition(change);
+}
+
+void Executive::restore(const Situation& situation) {
+  if (!running_) return;
+  restore_variables(situation, *running_, setup_.clock.now());
+  enter(successor_state(situation.state, *running_));
 }
 
 void Executive::enter(std::uint32_t state) noexcept {
@@ -185,8 +207,7 @@ void Executive::act() noexcept {
 
 bool Executive::may_drive() const noexcept {
   const bool sees = health_.frame_grabber || !(running_ && running_->devices.uses_camera);
-  return running_ && sees && health_.comm_port && health_.motor_drive &&
-         !held_.load(std::memory_order_relaxed);
+  return running_ && sees && health_.comm_port && health_.motor_drive && !held();
 }
 
 void Executive::publish() noexcept {
@@ -201,7 +222,7 @@ void Executive::publish() noexcept {
                       .devices = devices_,
                       .health = health_,
                       .pose = pose(),
-                      .held = held_.load(std::memory_order_relaxed),
+                      .held = held(),
                       .in_probation = probation_.active(),
                       .tick_time = tick_time_,
                       .overruns = overruns_,
@@ -214,7 +235,6 @@ void Executive::judge_probation() noexcept {
   probation_.note_tick(health_, tick_time_ > tick_.period);
   if (!probation_.passed(tick_.now)) return;
   probation_.end();
-  exchange_.retire(std::move(last_good_));
   emit(event(Event::Kind::kConfirmed));
 }
 

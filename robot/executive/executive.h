@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -16,6 +17,7 @@
 #include "robot/executive/odometry.h"
 #include "robot/executive/probation.h"
 #include "robot/executive/pushable_port.h"
+#include "robot/executive/restore.h"
 #include "robot/executive/running_program.h"
 #include "robot/executive/state_hash.h"
 #include "robot/executive/tick_observer.h"
@@ -30,9 +32,12 @@ struct ExecutiveSetup {
   const Clock& stopwatch;  ///< what ticks are measured with; a stepped one finds them all to take 0
   std::uint64_t seed = 1;
   Duration tick_period = std::chrono::milliseconds(50);
-  Duration probation = std::chrono::seconds(10);
+  ProbationRules probation = {};
   DeviceTuner* tuner = nullptr;  ///< takes over what programs say of devices; may be null
   std::vector<TickObserver*> observers = {};  ///< see every tick
+  /// Called by `load` and `roll_back`, in their thread: there is something that a tick at once, not
+  /// at its time, would bring into effect sooner. May be null.
+  std::function<void()> on_waiting = nullptr;
 };
 
 /// Runs a program: the paper's executive. The live robot calls `tick` from one thread at a fixed
@@ -54,11 +59,23 @@ class Executive {
 
   /// Any thread but control, or between ticks. Builds `program` beside the one that runs; it takes
   /// over at the start of the next tick. The first one loaded starts in its start state; a later
-  /// one is in probation. Fails if another one still waits for its tick.
-  Result<ProgramId> load(bhdl::Program program);
+  /// one is in probation, by the rules of the setup or by its own. Fails if another one still waits
+  /// for its tick.
+  Result<ProgramId> load(bhdl::Program program) {
+    return load(std::move(program), setup_.probation);
+  }
+  Result<ProgramId> load(bhdl::Program program, const ProbationRules& rules);
+
+  /// Any thread but control: in the next tick `program`, if it still runs, gives way to the last
+  /// good one before it, in probation or not; an event tells so, with the reason. Nothing happens
+  /// where there is none to go back to. False if too many such orders wait.
+  bool roll_back(ProgramId program, std::string_view reason);
 
   /// Any thread: a program was loaded and its first tick is yet to come.
   [[nodiscard]] bool waiting() const noexcept { return exchange_.waiting(); }
+  /// Any thread; 0 before the first tick with a program.
+  [[nodiscard]] ProgramId running() const noexcept { return running_id_.load(); }
+  [[nodiscard]] const ProbationRules& probation_rules() const noexcept { return setup_.probation; }
 
   /// Control.
   void tick();
@@ -66,6 +83,7 @@ class Executive {
   /// Any thread: from the next tick on the schemas run and the motors stand still.
   void hold() noexcept { held_.store(true, std::memory_order_relaxed); }
   void resume() noexcept { held_.store(false, std::memory_order_relaxed); }
+  [[nodiscard]] bool held() const noexcept { return held_.load(std::memory_order_relaxed); }
   /// Any thread: as if somebody pushed bumper `index` (0 to 7) for 0.3 s.
   void push_bumper(int index) noexcept { port_.push(index); }
   /// Any thread but control: destroys programs that were replaced. `load` does so too.
@@ -73,6 +91,10 @@ class Executive {
   /// Any thread but control: what the numbers in events and snapshots mean. Null for a program
   /// that sixteen others came after.
   [[nodiscard]] std::shared_ptr<const Description> description(ProgramId id) const;
+
+  /// Control, between ticks: the program that runs goes on from where `situation` was left; nothing
+  /// where none runs. Allocates: for the simulator.
+  void restore(const Situation& situation);
 
   /// Control, as all that follows. Null before the first tick with a program.
   [[nodiscard]] const RunningProgram* program() const noexcept { return running_.get(); }
@@ -95,8 +117,9 @@ class Executive {
   void act() noexcept;
   void publish() noexcept;
 
+  [[nodiscard]] Verdict judgement() noexcept;
   void take_over(std::unique_ptr<RunningProgram> next) noexcept;
-  void roll_back() noexcept;
+  void roll_back(const Verdict& verdict) noexcept;
   void install(const RunningProgram* replaced, Event::Cause cause) noexcept;
   void enter(std::uint32_t state) noexcept;
   void activate(std::uint32_t schema) noexcept;
@@ -110,6 +133,12 @@ class Executive {
   [[nodiscard]] const RunningState& current() const noexcept;
   void tidy_shelf();
 
+  /// An operator's word against a program.
+  struct RollbackOrder {
+    ProgramId program = 0;
+    ShortText reason;
+  };
+
   const ExecutiveSetup setup_;
   PushablePort port_;
   GuardedDrive drive_;
@@ -119,9 +148,10 @@ class Executive {
   std::map<ProgramId, std::shared_ptr<const Description>> shelf_;
   ProgramId last_id_ = 0;
   Exchange exchange_;
+  SpscRing<RollbackOrder, 4> orders_;  ///< written under shelf_mutex_
 
   std::unique_ptr<RunningProgram> running_;
-  std::unique_ptr<RunningProgram> last_good_;  ///< only while `running_` is in probation
+  std::unique_ptr<RunningProgram> last_good_;  ///< what `running_` may give way to
   Probation probation_;
   Event exchanged_;  ///< the programs that this tick exchanged, told when its time is known
   Odometry odometry_;
@@ -134,6 +164,7 @@ class Executive {
   std::uint64_t transitions_ = 0;
   bool state_changed_ = false;
   std::atomic<bool> held_{false};
+  std::atomic<ProgramId> running_id_{0};
 };
 
 }  // namespace galilean::robot

@@ -2,42 +2,45 @@
 
 namespace galilean::robot {
 
-void Probation::begin(Time now, Duration length, const DeviceHealth& health) noexcept {
+void Probation::begin(Time now, const ProbationRules& rules, const DeviceHealth& health) noexcept {
   *this = Probation();
   active_ = true;
-  end_ = now + length;
+  end_ = now + rules.length;
+  most_transitions_per_s_ = static_cast<std::size_t>(rules.most_transitions_per_s);
   healthy_before_ = health;
 }
 
-void Probation::fail(Fault fault, std::string_view detail) noexcept {
-  if (fault_ != Fault::kNone) return;
-  fault_ = fault;
-  reason_ = ShortText(detail);
+void Probation::fail(const Verdict& verdict) noexcept {
+  if (verdict_.fault == Fault::kNone) verdict_ = verdict;
 }
 
 void Probation::note_schema_failure(std::uint32_t schema, const ShortText& reason) noexcept {
-  if (fault_ == Fault::kNone) schema_ = schema;
-  fail(Fault::kSchemaThrew, reason.view());
+  fail({Fault::kSchemaThrew, schema, reason});
 }
 
 void Probation::note_transition(Time now) noexcept {
-  transition_times_[transitions_++ % transition_times_.size()] = now;
-  if (transitions_ < transition_times_.size()) return;
-  const Time oldest = transition_times_[transitions_ % transition_times_.size()];
-  if (now - oldest <= std::chrono::seconds(1)) fail(Fault::kThrashed);
+  const std::size_t number = transitions_++;
+  if (number >= most_transitions_per_s_) {
+    const std::size_t first = number - most_transitions_per_s_;
+    const Time began = transition_times_[first % transition_times_.size()];
+    if (now - began <= std::chrono::seconds(1)) fail({.fault = Fault::kThrashed});
+  }
+  transition_times_[number % transition_times_.size()] = now;
 }
 
 void Probation::note_health(const DeviceHealth& health) noexcept {
-  const DeviceHealth& before = healthy_before_;
-  if (before.comm_port && !health.comm_port) fail(Fault::kDeviceLost, "comm_port");
-  if (before.motor_drive && !health.motor_drive) fail(Fault::kDeviceLost, "motor_drive");
-  if (before.frame_grabber && !health.frame_grabber) fail(Fault::kDeviceLost, "frame_grabber");
+  const auto lost = [this](bool before, bool now, std::string_view device) {
+    if (before && !now) fail({.fault = Fault::kDeviceLost, .reason = ShortText(device)});
+  };
+  lost(healthy_before_.comm_port, health.comm_port, "comm_port");
+  lost(healthy_before_.motor_drive, health.motor_drive, "motor_drive");
+  lost(healthy_before_.frame_grabber, health.frame_grabber, "frame_grabber");
 }
 
 void Probation::note_tick(const DeviceHealth& health, bool overran) noexcept {
   note_health(health);
   overruns_in_a_row_ = overran ? overruns_in_a_row_ + 1 : 0;
-  if (overruns_in_a_row_ >= kOverrunsInARow) fail(Fault::kOverran);
+  if (overruns_in_a_row_ >= kOverrunsInARow) fail({.fault = Fault::kOverran});
 }
 
 }  // namespace galilean::robot

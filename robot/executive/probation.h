@@ -7,15 +7,30 @@
 
 namespace galilean::robot {
 
+/// How long a new program is watched, and how restless it may be.
+struct ProbationRules {
+  /// There is room to count so many.
+  static constexpr int kMostCounted = 200;
+
+  Duration length = std::chrono::seconds(10);
+  int most_transitions_per_s = 10;  ///< 1 to kMostCounted
+};
+
+/// Why a program is taken off.
+struct Verdict {
+  Fault fault = Fault::kNone;
+  std::uint32_t schema = Event::kNone;  ///< of kSchemaThrew
+  ShortText reason;                     ///< as Event::text
+};
+
 /// Watches a new program until it has proven itself. It fails if one of its schemas throws, if
 /// three ticks in a row take longer than the period, if a device is lost that answered when the
-/// program took over, or if it changes its state more than ten times within a second.
+/// program took over, or if it changes its state more often within a second than the rules allow.
 class Probation {
  public:
   static constexpr int kOverrunsInARow = 3;
-  static constexpr int kMostTransitionsPerSecond = 10;
 
-  void begin(Time now, Duration length, const DeviceHealth& health) noexcept;
+  void begin(Time now, const ProbationRules& rules, const DeviceHealth& health) noexcept;
   void end() noexcept { active_ = false; }
 
   void note_schema_failure(std::uint32_t schema, const ShortText& reason) noexcept;
@@ -24,27 +39,22 @@ class Probation {
 
   [[nodiscard]] bool active() const noexcept { return active_; }
   /// The first thing that went wrong.
-  [[nodiscard]] Fault fault() const noexcept { return active_ ? fault_ : Fault::kNone; }
-  [[nodiscard]] bool passed(Time now) const noexcept {
-    return active_ && fault_ == Fault::kNone && now >= end_;
-  }
-  /// Of kSchemaThrew: which one, and what it threw. Of kDeviceLost: which device.
-  [[nodiscard]] std::uint32_t schema() const noexcept { return schema_; }
-  [[nodiscard]] const ShortText& reason() const noexcept { return reason_; }
+  [[nodiscard]] const Verdict& verdict() const noexcept { return verdict_; }
+  [[nodiscard]] bool failed() const noexcept { return active_ && verdict_.fault != Fault::kNone; }
+  [[nodiscard]] bool passed(Time now) const noexcept { return active_ && !failed() && now >= end_; }
 
  private:
-  void fail(Fault fault, std::string_view detail = {}) noexcept;
+  void fail(const Verdict& verdict) noexcept;
   void note_health(const DeviceHealth& health) noexcept;
 
   bool active_ = false;
-  Fault fault_ = Fault::kNone;
+  Verdict verdict_;
   Time end_{};
   DeviceHealth healthy_before_;
   int overruns_in_a_row_ = 0;
-  std::array<Time, kMostTransitionsPerSecond + 1> transition_times_{};
+  std::size_t most_transitions_per_s_ = 0;
+  std::array<Time, ProbationRules::kMostCounted> transition_times_{};
   std::size_t transitions_ = 0;
-  std::uint32_t schema_ = Event::kNone;
-  ShortText reason_;
 };
 
 }  // namespace galilean::robot

@@ -5,8 +5,13 @@
 
 namespace galilean::robot {
 
-SchemaRunner::SchemaRunner(std::unique_ptr<Schema> schema, std::vector<VariableRef> outputs)
-    : schema_(std::move(schema)), outputs_(std::move(outputs)) {}
+SchemaRunner::SchemaRunner(std::unique_ptr<Schema> schema, std::vector<VariableRef> outputs,
+                           double gain)
+    : schema_(std::move(schema)), outputs_(std::move(outputs)), gain_(gain) {
+  if (gain_ == 1) return;
+  for (const VariableRef& output : outputs_)
+    if (auto* const* force = std::get_if<Variable<Force>*>(&output)) weighted_.push_back({*force});
+}
 
 template <class Call>
 bool SchemaRunner::guarded(Call&& call, const Tick& tick) noexcept {
@@ -29,10 +34,21 @@ bool SchemaRunner::activate(const Tick& tick) noexcept {
 bool SchemaRunner::run(const Tick& tick) noexcept {
   return guarded(
       [&] {
-        schema_->run(tick);
+        weighted_.empty() ? schema_->run(tick) : run_weighted(tick);
         last_run_ = tick.number;
       },
       tick);
+}
+
+/// A force that somebody else wrote in this tick, and this schema did not, is left as it is.
+void SchemaRunner::run_weighted(const Tick& tick) {
+  for (Weighted& each : weighted_) each.written_before = std::exchange(each.force->written_tick, 0);
+  schema_->run(tick);
+  for (const Weighted& each : weighted_)
+    if (each.force->written_tick == tick.number)
+      each.force->value.value *= gain_;
+    else
+      each.force->written_tick = each.written_before;
 }
 
 void SchemaRunner::fail(std::string_view reason, Time now) noexcept {

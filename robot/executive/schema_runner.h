@@ -12,10 +12,11 @@
 namespace galilean::robot {
 
 /// Runs one schema of a program. If it throws, it is switched off for as long as the program lives
-/// and what it writes becomes invalid, so that nobody acts on a half-written value.
+/// and what it writes becomes invalid, so that nobody acts on a half-written value. Each force that
+/// it writes is multiplied by its gain.
 class SchemaRunner {
  public:
-  SchemaRunner(std::unique_ptr<Schema> schema, std::vector<VariableRef> outputs);
+  SchemaRunner(std::unique_ptr<Schema> schema, std::vector<VariableRef> outputs, double gain = 1);
 
   /// Both are false in the tick in which the schema throws, and only then.
   bool activate(const Tick& tick) noexcept;
@@ -28,12 +29,20 @@ class SchemaRunner {
   [[nodiscard]] std::uint64_t last_run() const noexcept { return last_run_; }
 
  private:
+  struct Weighted {
+    Variable<Force>* force = nullptr;
+    std::uint64_t written_before = 0;
+  };
+
   template <class Call>
   bool guarded(Call&& call, const Tick& tick) noexcept;
   void fail(std::string_view reason, Time now) noexcept;
+  void run_weighted(const Tick& tick);
 
   std::unique_ptr<Schema> schema_;
   std::vector<VariableRef> outputs_;
+  double gain_;
+  std::vector<Weighted> weighted_;  ///< its forces; none where the gain is 1
   ShortText failure_;
   std::uint64_t last_run_ = 0;
   bool failed_ = false;

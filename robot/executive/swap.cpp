@@ -62,7 +62,10 @@ void carry_over(const RunningProgram& from, RunningProgram& to, Time now) noexce
 }
 
 std::uint32_t successor_state(const RunningProgram& from, const RunningProgram& to) noexcept {
-  const std::string& left = from.state_name();
+  return successor_state(from.state_name(), to);
+}
+
+std::uint32_t successor_state(const std::string& left, const RunningProgram& to) noexcept {
   if (const auto same = find_state(to, left)) return *same;
   if (const auto mapped = to.text().on_swap.find(left); mapped != to.text().on_swap.end())
     if (const auto target = find_state(to, mapped->second)) return *target;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "robot/executive/running_program.h"
 
@@ -15,6 +16,9 @@ void carry_over(const RunningProgram& from, RunningProgram& to, Time now) noexce
 /// on_swap sends that state; else in its own current state, which is the start state of a new
 /// program and the one it was left in of an old one.
 [[nodiscard]] std::uint32_t successor_state(const RunningProgram& from,
+                                            const RunningProgram& to) noexcept;
+/// The same after a state that is known by its name alone.
+[[nodiscard]] std::uint32_t successor_state(const std::string& left,
                                             const RunningProgram& to) noexcept;
 
 }  // namespace galilean::robot

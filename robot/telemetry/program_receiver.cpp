@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bhdl/sha256.h"
+#include "robot/executive/turn.h"
 #include "robot/telemetry/targets.h"
 
 namespace galilean::robot {
@@ -33,18 +34,42 @@ std::vector<msg::Diagnostic> to_messages(const std::vector<bhdl::Diagnostic>& di
   return messages;
 }
 
+constexpr float kLongestProbation_s = 3600;
+
+/// Why a push's rules of probation are none; empty if they are some.
+std::string objection_to_rules(const msg::ProgramPush& push) {
+  if (!(push.probation_s >= 0 && push.probation_s <= kLongestProbation_s))
+    return "its probation must last from 0 to 3600 s, not " + std::to_string(push.probation_s);
+  if (push.most_transitions_per_s > ProbationRules::kMostCounted)
+    return "its limit must be at most " + std::to_string(ProbationRules::kMostCounted) +
+           " transitions a second, not " + std::to_string(push.most_transitions_per_s);
+  return {};
+}
+
+/// The robot's own, where the push says nothing else.
+ProbationRules rules_of(const msg::ProgramPush& push, ProbationRules rules) {
+  if (push.probation_s > 0) rules.length = from_seconds(push.probation_s);
+  if (push.most_transitions_per_s > 0)
+    rules.most_transitions_per_s = static_cast<int>(push.most_transitions_per_s);
+  return rules;
+}
+
 }  // namespace
 
 ProgramReceiver::ProgramReceiver(const TelemetrySource& source)
     : source_(source),
+      vocabulary_(source.catalog),
       ledger_(source.executive),
       replies_(source.participant, wire::robot_topic(source.robot, "program_reply")),
-      pushes_(source.participant, wire::kProgramPushTopic, msg::ProgramPush::kRosType) {
-  pushes_.on_data([this] {
+      pushes_(source.participant, wire::kProgramPushTopic, msg::ProgramPush::kRosType),
+      rollbacks_(source.participant, wire::kProgramRollbackTopic, msg::ProgramRollback::kRosType) {
+  const auto note_arrival = [this] {
     const std::lock_guard lock(mutex_);
     arrived_ = true;
     wake_.notify_one();
-  });
+  };
+  pushes_.on_data(note_arrival);
+  rollbacks_.on_data(note_arrival);
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -59,11 +84,27 @@ void ProgramReceiver::run(const std::stop_token& stop) {
 }
 
 void ProgramReceiver::take() {
-  pushes_.take([this](const wire::Received& received) {
-    msg::ProgramPush push;
-    if (!msg::decode_cdr(received.cdr, push)) return;
-    if (is_meant(source_.robot, push.targets)) handle(push);
+  take_from<msg::ProgramRollback>(rollbacks_);
+  take_from<msg::ProgramPush>(pushes_);
+}
+
+template <class M>
+void ProgramReceiver::take_from(wire::Reader& reader) {
+  reader.take([this, &reader](const wire::Received& received) {
+    M message;
+    if (!msg::decode_cdr(received.cdr, message)) return;
+    if (!is_meant(source_.robot, message.targets)) return;
+    std::string why = source_.accepted_senders.objection(reader.sender(received));
+    if (why.empty()) return handle(message);
+    reject({message.id, message.hash, {}}, std::move(why));
   });
+}
+
+void ProgramReceiver::handle(const msg::ProgramRollback& message) {
+  const PushLedger::Push order{message.id, message.hash, {}};
+  spdlog::info("program {:.8} ordered off by {}", message.hash, message.author);
+  if (auto why = ledger_.roll_back(order, "by " + message.author + ": " + message.reason))
+    reject(order, std::move(*why));
 }
 
 void ProgramReceiver::handle(const msg::ProgramPush& message) {
@@ -76,11 +117,12 @@ void ProgramReceiver::handle(const msg::ProgramPush& message) {
         .hash = push.hash,
         .running_hash = ledger_.running().hash(),
         .status = status::RECEIVED});
-  auto checked = bhdl::check(std::move(files), source_.catalog);
+  auto checked = bhdl::check(std::move(files), vocabulary_);
   if (!checked.program)
     return reject(push, "the program has errors", to_messages(checked.diagnostics));
   push.warnings = to_messages(checked.diagnostics);
-  run_program(std::move(*checked.program), std::move(push));
+  run_program(std::move(*checked.program), rules_of(message, source_.executive.probation_rules()),
+              std::move(push));
 }
 
 std::string ProgramReceiver::objection(const msg::ProgramPush& push,
@@ -91,28 +133,18 @@ std::string ProgramReceiver::objection(const msg::ProgramPush& push,
   const std::string running = ledger_.running().hash();
   if (!push.replaces_hash.empty() && push.replaces_hash != running)
     return "it is to replace " + push.replaces_hash + ", but " + running + " runs";
-  return {};
+  return objection_to_rules(push);
 }
 
-void ProgramReceiver::run_program(bhdl::Program program, PushLedger::Push push) {
-  if (!wait_for_turn()) return reject(push, "the control loop stands still");
+void ProgramReceiver::run_program(bhdl::Program program, const ProbationRules& rules,
+                                  PushLedger::Push push) {
+  if (!wait_for_turn(source_.executive)) return reject(push, "the control loop stands still");
   if (ledger_.running().hash() == push.hash) {
     for (auto& reply : ledger_.join_running(std::move(push))) send(std::move(reply));
     return;
   }
-  const auto loaded = ledger_.load(std::move(program), push);
+  const auto loaded = ledger_.load(std::move(program), rules, push);
   if (!loaded) reject(push, loaded.error().message);
-}
-
-/// The program before may have been pushed within the same tick.
-bool ProgramReceiver::wait_for_turn() const {
-  constexpr Duration kPatience = std::chrono::seconds(1);
-  constexpr Duration kPause = std::chrono::milliseconds(2);
-  for (Duration waited{}; source_.executive.waiting(); waited += kPause) {
-    if (waited > kPatience) return false;
-    std::this_thread::sleep_for(kPause);
-  }
-  return true;
 }
 
 void ProgramReceiver::on_event(const Event& event) {

@@ -10,9 +10,10 @@
 
 namespace galilean::robot {
 
-/// Takes programs that are pushed over the network, in a thread of its own: checks each against
-/// this robot's catalog, builds it beside the one that runs, and tells how it fares. A push that is
-/// refused changes nothing and is answered with every diagnostic.
+/// Takes programs that are pushed over the network, and orders to take one off again, from senders
+/// that the robot accepts, in a thread of its own: checks each program against this robot's
+/// catalog, builds it beside the one that runs, and tells how it fares. What is refused changes
+/// nothing and is answered with the reason and every diagnostic.
 class ProgramReceiver {
  public:
   /// Throws std::runtime_error if DDS refuses a topic.
@@ -24,23 +25,27 @@ class ProgramReceiver {
  private:
   void run(const std::stop_token& stop);
   void take();
+  template <class M>
+  void take_from(wire::Reader& reader);
   void handle(const msg::ProgramPush& push);
+  void handle(const msg::ProgramRollback& order);
   /// Why the push is refused before it is read; empty if it is not.
   [[nodiscard]] std::string objection(const msg::ProgramPush& push,
                                       const std::vector<bhdl::SourceFile>& files) const;
-  void run_program(bhdl::Program program, PushLedger::Push push);
-  [[nodiscard]] bool wait_for_turn() const;
+  void run_program(bhdl::Program program, const ProbationRules& rules, PushLedger::Push push);
   void reject(const PushLedger::Push& push, std::string why,
               std::vector<msg::Diagnostic> diagnostics = {});
   void send(msg::ProgramReply reply);
 
   TelemetrySource source_;
+  const bhdl::Vocabulary vocabulary_;
   PushLedger ledger_;
   wire::Writer<msg::ProgramReply> replies_;
-  wire::Reader pushes_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
   bool arrived_ = true;
+  wire::Reader pushes_;
+  wire::Reader rollbacks_;
   std::jthread thread_;
 };
 

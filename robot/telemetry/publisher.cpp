@@ -108,7 +108,17 @@ void Publisher::tell(const Event& event) {
     tell_transition(event);
   else if (event.kind != Event::Kind::kConfirmed && event.kind != Event::Kind::kSchemaFailed)
     tell_program(event.program);
+  if (event.kind == Event::Kind::kRolledBack) log_rollback(event);
   listener_(event);
+}
+
+void Publisher::log_rollback(const Event& event) {
+  const auto failed = source_.executive.description(event.from_program);
+  const auto runs = source_.executive.description(event.program);
+  if (failed && runs)
+    spdlog::warn("program {} ({:.8}) rolled back to {} ({:.8}): {}", failed->program.name,
+                 failed->program.hash, runs->program.name, runs->program.hash,
+                 fault_of(event, *failed));
 }
 
 void Publisher::tell_transition(const Event& event) {

@@ -7,6 +7,7 @@
 
 #include "robot/executive/executive.h"
 #include "robot/executive/snapshot.h"
+#include "robot/telemetry/accepted_senders.h"
 #include "robot/telemetry/compose.h"
 #include "robot/telemetry/log_queue.h"
 
@@ -21,6 +22,7 @@ struct TelemetrySource {
   Devices devices;
   const Catalog& catalog;
   const Clock& clock;
+  AcceptedSenders accepted_senders{};
 };
 
 /// Tells the domain what the robot does, from a thread of its own, so that a network that stalls
@@ -43,6 +45,7 @@ class Publisher {
   void tell(const Event& event);
   void tell_transition(const Event& event);
   void tell_program(ProgramId id);
+  void log_rollback(const Event& event);
   void tell_sightings();
   void tell_regularly();
   void tell_state();

@@ -14,10 +14,10 @@ PushLedger::Running PushLedger::running() const {
   return running_;
 }
 
-Result<ProgramId> PushLedger::load(bhdl::Program program, Push push) {
+Result<ProgramId> PushLedger::load(bhdl::Program program, const ProbationRules& rules, Push push) {
   // Locked over both, so that the push is known before its program can have begun to run.
   const std::lock_guard lock(mutex_);
-  auto loaded = executive_.load(std::move(program));
+  auto loaded = executive_.load(std::move(program), rules);
   if (loaded) pushes_.emplace(loaded.value(), std::move(push));
   return loaded;
 }
@@ -32,6 +32,17 @@ Replies PushLedger::join_running(Push push) {
   else
     pushes_.emplace(running_.program->id, std::move(push));
   return replies;
+}
+
+std::optional<std::string> PushLedger::roll_back(Push order, std::string_view reason) {
+  const std::lock_guard lock(mutex_);
+  if (order.hash != running_.hash())
+    return "it is to be taken off, but " + running_.hash() + " runs";
+  if (!running_.has_predecessor) return "no program ran before it that it could give way to";
+  if (!executive_.roll_back(running_.program->id, reason))
+    return "too many such orders wait for the control loop";
+  orders_.emplace(running_.program->id, std::move(order));
+  return std::nullopt;
 }
 
 Replies PushLedger::answers(const Event& event) {
@@ -56,7 +67,13 @@ Replies PushLedger::started(const Event& event) {
   const auto before = std::exchange(running_.program, executive_.description(event.program));
   running_.since_tick = event.tick;
   running_.proven = event.kind == Event::Kind::kStarted;
+  running_.has_predecessor = !running_.proven;
   Replies replies;
+  for (auto [order, end] = orders_.equal_range(event.from_program); order != end; ++order) {
+    msg::ProgramReply& made = replies.emplace_back(reply(order->second, status::REJECTED));
+    made.message = "another program had taken its place before";
+  }
+  orders_.erase(event.from_program);
   for (auto [push, end] = pushes_.equal_range(event.program); push != end; ++push) {
     msg::ProgramReply& made = replies.emplace_back(reply(push->second, status::RUNNING));
     made.tick = event.tick;
@@ -81,15 +98,23 @@ Replies PushLedger::rolled_back(const Event& event) {
   const auto failed = std::exchange(running_.program, executive_.description(event.program));
   running_.since_tick = event.tick;
   running_.proven = true;
+  running_.has_predecessor = false;
   Replies replies;
-  for (auto [push, end] = pushes_.equal_range(event.from_program); push != end; ++push) {
-    msg::ProgramReply& made = replies.emplace_back(reply(push->second, status::ROLLED_BACK));
-    if (failed) made.message = fault_of(event, *failed);
-    made.tick = event.tick;
-    made.swap_tick_us = static_cast<float>(to_seconds(event.tick_time) * 1e6);
+  for (auto* concerned : {&pushes_, &orders_}) {
+    for (auto [push, end] = concerned->equal_range(event.from_program); push != end; ++push)
+      replies.push_back(rollback_reply(push->second, event, failed.get()));
+    concerned->erase(event.from_program);
   }
-  pushes_.erase(event.from_program);
   return replies;
+}
+
+msg::ProgramReply PushLedger::rollback_reply(const Push& push, const Event& event,
+                                             const Description* failed) const {
+  msg::ProgramReply made = reply(push, status::ROLLED_BACK);
+  if (failed) made.message = fault_of(event, *failed);
+  made.tick = event.tick;
+  made.swap_tick_us = static_cast<float>(to_seconds(event.tick_time) * 1e6);
+  return made;
 }
 
 msg::ProgramReply PushLedger::reply(const Push& push, std::uint8_t status) const {

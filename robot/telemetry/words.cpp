@@ -1,7 +1,5 @@
 #include "robot/telemetry/words.h"
 
-#include "robot/executive/probation.h"
-
 namespace galilean::robot {
 namespace {
 
@@ -38,7 +36,9 @@ std::string fault_of(const Event& rollback, const Description& of) {
       return std::string(rollback.text.view()) + " was lost, which answered before the swap";
     case Fault::kThrashed:
       return "it changed its state more than " +
-             std::to_string(Probation::kMostTransitionsPerSecond) + " times within a second";
+             std::to_string(of.probation.most_transitions_per_s) + " times within a second";
+    case Fault::kOrdered:
+      return "ordered " + std::string(rollback.text.view());
     case Fault::kNone:
       break;
   }

@@ -1,7 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "bhdl/loader.h"
+#include "bhdl/parser.h"
 #include "tests/bhdl/small_catalog.h"
 
 namespace galilean::bhdl {
@@ -88,6 +91,93 @@ TEST(BadInput, LargeListsAndManyNamesAreAnswered) {
         "state: name: \"a_state_with_a_long_name_" + std::to_string(i) +
         "\" condition: bits_variable: \"b\" new_state: \"a_state_with_a_logn_name\" end end\n";
   EXPECT_EQ(check_text(states).diagnostics.size(), 101u);
+}
+
+std::string many(int count, const std::function<std::string(int)>& text) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text(i);
+  return all;
+}
+
+std::string chain_of_states(int states) {
+  return many(states, [](int i) {
+    return "state: name: \"s" + std::to_string(i) +
+           "\" condition: bits_variable: \"b\" new_state: \"s" + std::to_string(i + 1) +
+           "\" end end\n";
+  });
+}
+
+// What takes more than linear time takes minutes here.
+TEST(BadInput, AMillionStatesAreParsedAndRefusedByTheirSize) {
+  const std::string text = "variables: bits: name: \"b\" end\n" + chain_of_states(1'000'000);
+  Diagnostics diagnostics;
+  EXPECT_EQ(parse("program.bhdl", text, diagnostics).size(), 1'000'001u);
+  EXPECT_FALSE(diagnostics.has_errors());
+  EXPECT_EQ(summary(check_text(text)), "1:1 error file/too-large\n");
+}
+
+TEST(BadInput, AsManyStatesAsFitAreChecked) {
+  const int states = 5000;
+  const auto result = check_text("variables: bits: name: \"b\" end\n" + chain_of_states(states) +
+                                 "state: name: \"s" + std::to_string(states) + "\" end");
+  ASSERT_TRUE(result.program) << printed(result);
+  EXPECT_EQ(result.program->states.size(), 5001u);
+}
+
+TEST(BadInput, AHundredThousandErrorsAreCounted) {
+  const auto result = check_text(repeated("a ", 200'000));
+  EXPECT_LE(result.diagnostics.size(), 101u);
+  const auto each =
+      check_text("state: name: \"s\" motor_schemas: " + many(60'000, [](int) { return "\"x\" "; }) +
+                 "end end");
+  EXPECT_EQ(each.diagnostics.size(), 101u);
+  EXPECT_EQ(each.diagnostics.back().code, "too-many");
+}
+
+TEST(BadInput, DoubledAttributesAreInheritedInLinearTime) {
+  const std::string doubled = repeated("persistence: 1 ", kMostFileBytes / 2 - 1000);
+  const auto result = check_text("motor_schemas: noise: name: \"a\" " + doubled +
+                                 "end noise: name: \"b\" extends: \"a\" " + doubled + "end end");
+  EXPECT_EQ(result.diagnostics.size(), 101u);
+}
+
+TEST(BadInput, BasesThatDoNotExistAreAnswered) {
+  const auto result = check_text(many(10'000, [](int i) {
+    return "state: name: \"s" + std::to_string(i) + "\" extends: \"t\" end\n";
+  }));
+  EXPECT_EQ(result.diagnostics.size(), 101u);
+}
+
+TEST(BadInput, ManyFilesAndIncludesAreAnswered) {
+  std::vector<SourceFile> files{{"main.bhdl", repeated("include \"none\" ", 300'000)}};
+  for (int i = 0; i < 10'000; ++i) files.push_back({std::to_string(i), ""});
+  EXPECT_EQ(check(files, small_catalog()).diagnostics.size(), 101u);
+}
+
+TEST(BadInput, OneEndlessLineHasColumns) {
+  const auto result = check_text("state: name: \"s\" end " + repeated("; x\u00e9", 1000) +
+                                 std::string(400'000, ' ') + "\nx");
+  ASSERT_EQ(result.diagnostics.size(), 1u);
+  EXPECT_EQ(result.diagnostics[0].line, 2);
+  const auto behind = check_text("state: name: \"s\" end " + std::string(400'000, ' ') + "x");
+  ASSERT_EQ(behind.diagnostics.size(), 1u);
+  EXPECT_EQ(behind.diagnostics[0].column, 400'022);
+}
+
+TEST(BadInput, LineEndsAndAByteOrderMarkChangeNothing) {
+  const std::string text =
+      "variables: bits: name: \"b\" end\nstate: name: \"s\" motor_schemas: \"x\" end end";
+  const auto with_line_ends = [&](const std::string& end) {
+    std::string changed = text;
+    changed.replace(text.find('\n'), 1, end);
+    return changed;
+  };
+  const std::string expected = summary(check_text(text));
+  EXPECT_EQ(expected, "2:33 error name/undefined-schema\n");
+  EXPECT_EQ(summary(check_text(text + "\n")), expected);
+  EXPECT_EQ(summary(check_text(with_line_ends("\r\n"))), expected);
+  EXPECT_EQ(summary(check_text(with_line_ends("\r"))), expected);
+  EXPECT_EQ(summary(check_text("\uFEFF" + text)), expected);
 }
 
 TEST(BadInput, LongNamesAreCutInMessages) {

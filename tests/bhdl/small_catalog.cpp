@@ -87,7 +87,8 @@ ComponentSpec noise() {
           ComponentKind::kMotorSchema,
           "A random heading.",
           {number("persistence", unit::kSecond, 5, 0, 600), std::move(steps), std::move(fresh),
-           reference("result", "force", Access::kWrite)}};
+           reference("result", "force", Access::kWrite),
+           number(kGainAttribute, unit::kNone, 1, 0, 1e6)}};
 }
 
 ComponentSpec forget() {
@@ -183,7 +184,8 @@ Catalog small_catalog() {
             "Drives along a force.",
             {reference("input_force", "force", Access::kRead),
              number("max_distance_magnitude", unit::kCentimetre, 15, 0, 100),
-             number("safety_range", unit::kDegree, 30, 0, 180)},
+             number("safety_range", unit::kDegree, 30, 0, 180),
+             number(kGainAttribute, unit::kNone, 1, 0, 1e6)},
             "motor_drive"},
            combine_forces()}};
 }

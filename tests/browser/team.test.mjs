@@ -1,4 +1,5 @@
-// The page in a real browser on a live team: GALILEAN_URL=http://127.0.0.1:8080 node --test tests/browser/
+// The page in a real browser on a live team, by the link that `galilean demo` prints:
+// GALILEAN_URL=http://127.0.0.1:8080/#token=… node --test tests/browser/
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
@@ -28,7 +29,7 @@ async function api(path, body) {
 }
 
 before(async () => {
-  assert.ok(url, "set GALILEAN_URL to the address of a running team's monitor");
+  assert.ok(url, "set GALILEAN_URL to the operator's link of a running team's monitor");
   browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu"] });
   page = await browser.newPage({ viewport: { width: 1366, height: 768 } });
   page.setDefaultTimeout(PATIENCE_MS);
@@ -138,12 +139,47 @@ test("a broken program shows its errors with their lines and changes nothing", a
   if (refusal >= 0) complaints.splice(refusal, 1);
 });
 
+test("a canary runs a program first, each step is shown, and cancelling takes it back", async () => {
+  const running = await row("callisto").getAttribute("data-hash");
+  await at("program-select").selectOption("office_cleanup.bhdl");
+  await at("push-button").click();
+  await at("push-canary").selectOption("callisto");
+  await at("push-probation").fill("60");
+  await at("push-confirm").click();
+  await until((id) => document.querySelector(`[data-testid=${id}]`)?.dataset.state === "running", "step-canary");
+  await untilReply("callisto", ["running", "confirmed"]);
+  await at("push-cancel").first().click();
+  await until((id) => document.querySelector(`[data-testid=${id}]`)?.dataset.state === "cancelled", "step-canary");
+  await untilRow("callisto", "data-hash", running);
+  assert.equal(await row("io").getAttribute("data-hash"), running);
+});
+
 test("STOP ALL holds every robot, and resuming asks", async () => {
   await at("stop-all").click();
   for (const robot of ROBOTS) await untilRow(robot, "data-held", "true");
   await at("resume-all").click();
   await page.getByRole("button", { name: /^Let .* move$/ }).click();
   for (const robot of ROBOTS) await untilRow(robot, "data-held", "false");
+});
+
+test("a threshold that was tuned on a live picture goes to the robot as a program", async () => {
+  await row("io").getByRole("button").first().click();
+  const [running, others] = [await row("io").getAttribute("data-hash"), await row("callisto").getAttribute("data-hash")];
+  await at("tune-button").click();
+  const slider = at("tune-threshold");
+  await slider.fill("255");
+  await until(() => document.querySelector("[data-testid=vision-tuning] canvas")?.width === 352);
+  await at("tune-write").click();
+  await at("push-confirm").click();
+  await until(([hash]) => {
+    const now = document.querySelector("[data-testid=team-row-io]")?.dataset.hash;
+    return now !== undefined && now !== hash;
+  }, [running]);
+  const hash = await row("io").getAttribute("data-hash");
+  assert.equal(await row("callisto").getAttribute("data-hash"), others);
+  const pushed = await api(`/api/pushed/${hash}`);
+  assert.match(pushed.files.map(({ text }) => text).join(""), /threshold: 255/);
+  await at("tune-button").click();
 });
 
 test("the browser has nothing to complain of", () => {

@@ -139,3 +139,22 @@ test('graph draws the states as dot, SVG and JSON', () => {
   for (const { name } of states) assert.ok(svg.includes(`>${name}</text>`), name);
   assert.notEqual(graph('png').status, 0);
 });
+
+test('programs that ship do what they expect of themselves', () => {
+  const files = ['office_cleanup', 'sit_and_spin'].map((name) => `${programs}/${name}.bhdl`);
+  const { status, stdout, stderr } = galilean(['bhdl', 'test', ...files]);
+  assert.equal(status, 0, stdout + stderr);
+  assert.match(stdout, /office_cleanup\.bhdl:\d+:1: passed: a push on any bumper begins the contest/);
+  assert.match(stdout, /sit_and_spin\.bhdl:\d+:1: passed: /);
+});
+
+test('what a program does not do as expected is told with its line, and as JSON', (t) => {
+  const file = `${scratchFolder(t)}/program.bhdl`;
+  writeFileSync(file, `${minimal}expect:\n  name: "stops"\n  never: state: "go" end\nend\n`);
+  const { status, stdout } = galilean(['bhdl', 'test', file]);
+  assert.equal(status, 1);
+  assert.match(stdout, /program\.bhdl:12:3: failed: stops: the state 'go' is current at 0 s/);
+  const json = JSON.parse(galilean(['bhdl', 'test', file, '--json']).stdout);
+  assert.equal(json.ok, false);
+  assert.equal(json.programs[0].expectations[0].failures[0].line, 12);
+});

@@ -32,7 +32,7 @@ test('another strategy while the team runs', async (t) => {
   await t.test('a broken program shows its errors and changes nothing', async (inner) => {
     const broken = `${scratchFolder(inner)}/broken.bhdl`;
     writeFileSync(broken, 'include "no_such_file.bhdl"\nstates:\n  state: name: "go"\n    motor_schemas: "nothing" end\n  end\nend\n');
-    const refused = galilean(['swap', broken, '--team'], { domain });
+    const refused = galilean(['swap', broken, '--team', '--monitor', url]);
     assert.equal(refused.status, 1);
     assert.match(refused.stdout + refused.stderr, /broken\.bhdl:1:\d+: error: /);
     const after = await status(url);
@@ -40,7 +40,7 @@ test('another strategy while the team runs', async (t) => {
   });
 
   await t.test('sit and spin runs on all three, variables kept, no tick missed', async (inner) => {
-    const pushed = galilean(['swap', `${programs}/sit_and_spin.bhdl`, '--team', '--json'], { domain });
+    const pushed = galilean(['swap', `${programs}/sit_and_spin.bhdl`, '--team', '--json', '--monitor', url]);
     assert.equal(pushed.status, 0, pushed.stdout + pushed.stderr);
     const { replies } = JSON.parse(pushed.stdout);
     assert.equal(replies.length, 3);
@@ -57,7 +57,7 @@ test('another strategy while the team runs', async (t) => {
   });
 
   await t.test('one robot is swapped back, and is shown as drifting', async () => {
-    const pushed = galilean(['swap', `${programs}/office_cleanup.bhdl`, '--robot', 'io'], { domain });
+    const pushed = galilean(['swap', `${programs}/office_cleanup.bhdl`, '--robot', 'io', '--monitor', url]);
     assert.equal(pushed.status, 0, pushed.stdout + pushed.stderr);
     const answer = await eventually(async () => {
       const now = await status(url);

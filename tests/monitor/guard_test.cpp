@@ -69,5 +69,13 @@ TEST(PercentDecoding, TakesEscapesAndLeavesTheRest) {
   EXPECT_EQ(percent_decoded("%g1%4"), "%g1%4");
 }
 
+TEST(Query, GivesTheValueOfAName) {
+  EXPECT_EQ(query_value("/lsp?robot=io&token=a%20b", "token"), "a b");
+  EXPECT_EQ(query_value("/lsp?robot=io&token=a%20b", "robot"), "io");
+  EXPECT_EQ(query_value("/lsp?xrobot=io", "robot"), "");
+  EXPECT_EQ(query_value("/lsp?robot", "robot"), "");
+  EXPECT_EQ(query_value("/robot=io", "robot"), "");
+}
+
 }  // namespace
 }  // namespace galilean::monitor

@@ -1,13 +1,16 @@
 #include "monitor/programs/history.h"
 
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <fstream>
 
+#include "core/random.h"
 #include "core/wire/topics.h"
+#include "monitor/programs/sql.h"
 #include "tests/temporary_folder.h"
 
 namespace galilean::monitor {
@@ -58,28 +61,99 @@ TEST_F(HistoryTest, RemembersWhoPushedWhatToWhomAndWhatBecameOfIt) {
   EXPECT_FALSE(history.value()->program("hash9"));
 }
 
-TEST_F(HistoryTest, WhatItReturnedFromSurvivesKill9) {
-  int channel[2];
-  ASSERT_EQ(pipe(channel), 0);
-  const pid_t writer = fork();
-  if (writer == 0) {
-    auto history = History::open(file);
-    for (int number = 1; history; ++number) {
-      history.value()->add(push(number));
-      if (::write(channel[1], &number, sizeof number) < 0) _exit(1);
-    }
-    _exit(1);
+/// Adds pushes, their outcome and their end, and tells each number once all has returned.
+[[noreturn]] void push_for_ever(const fs::path& file, int first, int channel) {
+  auto history = History::open(file);
+  for (int number = first; history; ++number) {
+    const auto id = std::to_string(number);
+    history.value()->add(push(number));
+    history.value()->add_answer(id, {.robot = "io", .status = "running"});
+    history.value()->set_progress(id, {.state = "done", .trial_json = "{}"});
+    if (::write(channel, &number, sizeof number) < 0) _exit(1);
   }
+  _exit(1);
+}
+
+/// Kills a writer some time after its first word; the last number that it told.
+int last_told_before_kill(const fs::path& file, int first, std::chrono::microseconds after) {
+  int channel[2];
+  if (pipe(channel) != 0) return -1;
+  const pid_t writer = fork();
+  if (writer == 0) push_for_ever(file, first, channel[1]);
   close(channel[1]);
-  int written = 0;
-  while (written < 25) ASSERT_EQ(::read(channel[0], &written, sizeof written), int{sizeof written});
+  int told = -1;
+  if (::read(channel[0], &told, sizeof told) == sizeof told)
+    usleep(static_cast<unsigned>(after.count()));
   kill(writer, SIGKILL);
   waitpid(writer, nullptr, 0);
-  for (int later = 0; ::read(channel[0], &later, sizeof later) == sizeof later;) written = later;
+  for (int later = 0; ::read(channel[0], &later, sizeof later) == sizeof later;) told = later;
   close(channel[0]);
+  return told;
+}
+
+std::string integrity(const fs::path& file) {
+  sqlite3* database = nullptr;
+  sqlite3_open(file.c_str(), &database);
+  std::string found;
+  {
+    sql::Statement check(database, "PRAGMA integrity_check");
+    if (check.step()) found = check.text(0);
+  }
+  sqlite3_close(database);
+  return found;
+}
+
+TEST_F(HistoryTest, WhatItReturnedFromSurvivesKill9AtAnyInstant) {
+  constexpr int kKills = 25;
+  Random random(1);
+  int told = 0;
+  for (int kill = 0; kill < kKills; ++kill) {
+    const auto after = std::chrono::microseconds(static_cast<int>(random.uniform(0, 20'000)));
+    // What was under way when it was killed may be there or not; its number is not used again.
+    const int first = told + 2;
+    told = last_told_before_kill(file, first, after);
+    ASSERT_GE(told, first);
+    ASSERT_EQ(integrity(file), "ok");
+    auto history = History::open(file);
+    ASSERT_TRUE(history);
+    for (int number = first; number <= told; ++number) {
+      const auto record = history.value()->push(std::to_string(number));
+      ASSERT_TRUE(record) << number;
+      EXPECT_EQ(record->progress.state, "done");
+      EXPECT_EQ(record->answers.size(), 1U);
+      EXPECT_TRUE(history.value()->program(record->hash));
+    }
+  }
+}
+
+TEST_F(HistoryTest, RemembersHowFarAPushCameAndThatItWasInterrupted) {
+  {
+    auto history = History::open(file);
+    SwapProgress progress{.state = "running", .steps = {{"check", "done", ""}}, .trial_json = ""};
+    history.value()->add(push(1), progress);
+    history.value()->add(push(2), progress);
+    progress = {.state = "cancelled",
+                .steps = {{"check", "done", ""}, {"canary", "cancelled", "cancelled by balch"}},
+                .trial_json = R"({"runs":8})"};
+    history.value()->set_progress("2", progress);
+  }
   auto history = History::open(file);
-  ASSERT_TRUE(history);
-  EXPECT_GE(history.value()->pushes(10'000).size(), static_cast<std::size_t>(written));
+  EXPECT_EQ(history.value()->push("1")->progress.state, "interrupted") << "its monitor ended";
+  const auto cancelled = history.value()->push("2");
+  EXPECT_EQ(cancelled->progress.state, "cancelled");
+  EXPECT_EQ(cancelled->progress.steps[1].detail, "cancelled by balch");
+  EXPECT_EQ(cancelled->progress.trial_json, R"({"runs":8})");
+  EXPECT_EQ(history.value()->last_push_of("hash2")->id, "2");
+  EXPECT_FALSE(history.value()->push("3"));
+}
+
+TEST_F(HistoryTest, TheBeginningOfAHashWillDoWhereItIsTheOnlyOne) {
+  auto history = History::open(file);
+  history.value()->add(push(1));
+  EXPECT_TRUE(history.value()->program("ha"));
+  history.value()->add(push(2));
+  EXPECT_FALSE(history.value()->program("ha")) << "hash1 or hash2?";
+  EXPECT_TRUE(history.value()->program("hash2"));
 }
 
 TEST_F(HistoryTest, AFolderThatCannotBeWrittenIsAnErrorThatSaysWhatToDo) {

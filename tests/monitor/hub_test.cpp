@@ -28,7 +28,7 @@ class HubTest : public testing::Test {
     hub.add_channel(state);
     hub.add_channel(transition);
     hub.add_channel(camera);
-    client = hub.connect(link);
+    client = hub.connect(link, true);
   }
   [[nodiscard]] std::vector<Frame> sent() { return client->outbox().take(100'000); }
   [[nodiscard]] static std::string text(const Frame& frame) {
@@ -119,7 +119,7 @@ TEST_F(HubTest, AClientThatNeverReadsItsEventsIsClosedWithTheReason) {
 
 TEST_F(HubTest, PicturesAreWantedOnlyWhileSomebodyLooks) {
   FakeLink other_link;
-  auto other = hub.connect(other_link);
+  auto other = hub.connect(other_link, false);
   subscribe(1, 3);
   other->receive_text(R"({"op":"subscribe","subscriptions":[{"id":9,"channelId":3}]})");
   client->receive_text(R"({"op":"unsubscribe","subscriptionIds":[1]})");

@@ -22,9 +22,7 @@ msg::ProgramReply reply(const std::string& robot, std::uint8_t said) {
 }
 
 Push push_to(std::vector<std::string> robots) {
-  msg::ProgramPush message;
-  message.id = "1";
-  return {message, std::move(robots), Time{}};
+  return {"1", std::move(robots), Time{}};
 }
 
 TEST(Push, IsCompleteWhenEachRunsOrRefuses) {

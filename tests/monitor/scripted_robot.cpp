@@ -10,14 +10,14 @@ ScriptedRobot::ScriptedRobot(std::string name, int domain, const std::string& ca
       states_(*participant_, wire::robot_topic(name_, "state")),
       catalogs_(*participant_, wire::robot_topic(name_, "catalog")),
       transitions_(*participant_, wire::robot_topic(name_, "transition")),
+      programs_(*participant_, wire::robot_topic(name_, "program")),
       replies_(*participant_, wire::robot_topic(name_, "program_reply")),
       pushes_(*participant_, wire::kProgramPushTopic, msg::ProgramPush::kRosType),
       commands_(*participant_, wire::kCommandTopic, msg::Command::kRosType) {
   state_.robot = name_;
   state_.state = "start";
-  state_.program_name = "first.bhdl";
-  state_.program_hash = "first";
   state_.tick_period_s = 0.05F;
+  run_program("first", {{"first.bhdl", "states:\n"}});
   (void)catalogs_.write(
       {name_, std::to_string(std::hash<std::string>()(catalog_json)), catalog_json});
   const auto wake = [this] {
@@ -72,11 +72,23 @@ void ScriptedRobot::take_push(const msg::ProgramPush& push) {
   reply(push, msg::ProgramReply_Constants::RECEIVED, {});
   const std::lock_guard lock(mutex_);
   if (refusal_.empty()) {
-    state_.program_hash = push.hash;
+    run_program(push.hash, push.files);
     reply(push, msg::ProgramReply_Constants::RUNNING, {});
   } else {
     reply(push, msg::ProgramReply_Constants::REJECTED, refusal_);
   }
+}
+
+void ScriptedRobot::run_program(const std::string& hash,
+                                const std::vector<msg::SourceFile>& files) {
+  state_.program_hash = hash;
+  state_.program_name = files.front().path;
+  msg::Program program;
+  program.robot = name_;
+  program.name = state_.program_name;
+  program.hash = hash;
+  program.files = files;
+  (void)programs_.write(program);
 }
 
 void ScriptedRobot::reply(const msg::ProgramPush& push, std::uint8_t status,

@@ -28,6 +28,7 @@ class ScriptedRobot {
   void run();
   void take_push(const msg::ProgramPush& push);
   void take_command(const msg::Command& command);
+  void run_program(const std::string& hash, const std::vector<msg::SourceFile>& files);
   [[nodiscard]] bool is_meant(const std::vector<std::string>& targets) const;
   void reply(const msg::ProgramPush& push, std::uint8_t status, const std::string& message);
 
@@ -36,6 +37,7 @@ class ScriptedRobot {
   wire::Writer<msg::RobotState> states_;
   wire::Writer<msg::Catalog> catalogs_;
   wire::Writer<msg::Transition> transitions_;
+  wire::Writer<msg::Program> programs_;
   wire::Writer<msg::ProgramReply> replies_;
   wire::Reader pushes_;
   wire::Reader commands_;

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "monitor/access/tokens.h"
 #include "tests/monitor/scripted_robot.h"
 #include "tests/temporary_folder.h"
 
@@ -106,8 +107,12 @@ class ServerTest : public testing::Test {
   }
   Answer get(const std::string& target) { return request(http::verb::get, target); }
   Answer post(const std::string& target, const json& body) {
-    return request(http::verb::post, target, body.dump());
+    return request(http::verb::post, target, body.dump(), bearer("operator.token"));
   }
+  [[nodiscard]] std::map<std::string, std::string> bearer(const std::string& file) const {
+    return {{"Authorization", "Bearer " + read_token(folder / file).value()}};
+  }
+  json push_named(const std::string& id) { return get("/api/pushes/" + id).as_json(); }
   [[nodiscard]] static json files(const char* text) {
     return json::array({{{"path", "pushed.bhdl"}, {"text", text}}});
   }
@@ -137,14 +142,15 @@ class ServerTest : public testing::Test {
 /// A browser: speaks the protocol byte by byte.
 class Socket {
  public:
-  explicit Socket(const std::string& host, std::uint16_t port, const std::string& origin = {})
+  explicit Socket(const std::string& host, std::uint16_t port, const std::string& origin = {},
+                  const std::string& target = "/ws")
       : stream_(io_) {
     beast::get_lowest_layer(stream_).connect({asio::ip::address_v4::loopback(), port});
     stream_.set_option(beast::websocket::stream_base::decorator([=](auto& message) {
       message.set(http::field::sec_websocket_protocol, "other, foxglove.websocket.v1");
       if (!origin.empty()) message.set(http::field::origin, origin);
     }));
-    stream_.handshake(response, host, "/ws");
+    stream_.handshake(response, host, target);
   }
   void send(const json& message) {
     stream_.text(true);
@@ -203,13 +209,43 @@ TEST_F(ServerTest, RefusesStrangersOnHttpAndWebSocket) {
                boost::system::system_error);
 }
 
+TEST_F(ServerTest, WhoHasNoOperatorsTokenMayReadHereAndSteerNothing) {
+  ScriptedRobot io("io", kDomain, catalog);
+  wait_for_robots(1);
+  const auto hold = R"({"kind":"hold"})";
+  const auto nobody = request(http::verb::post, "/api/command", hold);
+  EXPECT_EQ(nobody.status, 403U);
+  EXPECT_THAT(nobody.as_json()["detail"].get<std::string>(), HasSubstr("operator.token"));
+  EXPECT_EQ(request(http::verb::post, "/api/command", hold, bearer("viewer.token")).status, 403U);
+  EXPECT_EQ(request(http::verb::post, "/api/command", hold, {{"Authorization", "Bearer x"}}).status,
+            403U);
+  EXPECT_EQ(get("/api/status").status, 200U) << "on loopback reading is free";
+  const auto open_door =
+      run(std::string(GALILEAN_SWAP) + " --monitor http://" + host() + " --token-file " +
+          (folder / "viewer.token").string() + " --team " + (folder / "good.bhdl").string());
+  EXPECT_EQ(open_door.exit_code, 2);
+  EXPECT_THAT(open_door.output, HasSubstr("operator's token"));
+  EXPECT_EQ(io.running_hash(), "first");
+  EXPECT_FALSE(io.held());
+
+  Socket reader(host(), monitor->port());
+  std::size_t service = 0;
+  const auto services = reader.read_op("advertiseServices")["services"];
+  for (const auto& each : services)
+    if (each["name"] == "/galilean/hold") service = each["id"];
+  const std::string call{2, static_cast<char>(service), 0, 0, 0, 5, 0, 0, 0, 4, 0, 0, 0};
+  reader.send_binary(call + "json{}");
+  EXPECT_THAT(reader.read_op("serviceCallFailure")["message"].get<std::string>(),
+              HasSubstr("operator's token"));
+}
+
 TEST_F(ServerTest, TellsWhatIsWrongWithARequest) {
   EXPECT_EQ(get("/api/nothing").status, 404U);
   EXPECT_EQ(get("/api/programs/nothing.bhdl").status, 404U);
   EXPECT_EQ(get("/api/programs/..%2F..%2Fetc%2Fpasswd").status, 404U);
   EXPECT_EQ(get("/api/map.png").status, 404U);
   EXPECT_EQ(get("/api/push").status, 405U);
-  EXPECT_EQ(request(http::verb::post, "/api/push", "{").status, 400U);
+  EXPECT_EQ(request(http::verb::post, "/api/push", "{", bearer("operator.token")).status, 400U);
   EXPECT_EQ(post("/api/push", {{"files", 3}}).status, 400U);
   EXPECT_EQ(post("/api/check", json::object()).status, 400U);
   EXPECT_EQ(post("/api/command", {{"kind", "dance"}}).status, 400U);
@@ -275,6 +311,110 @@ TEST_F(ServerTest, ABrokenProgramIsPushedToNobody) {
   EXPECT_TRUE(get("/api/pushes").as_json()["pushes"].empty());
 }
 
+TEST_F(ServerTest, TheOthersGetAProgramOnceTheCanaryHasProvedIt) {
+  ScriptedRobot io("io", kDomain, catalog), ganymede("ganymede", kDomain, catalog);
+  wait_for_robots(2);
+  const auto answer =
+      post("/api/push", {{"files", files(kProgram)}, {"canary", "io"}, {"probation_s", 0.5}});
+  ASSERT_EQ(answer.status, 202U) << answer.body;
+  const auto push = answer.as_json();
+  EXPECT_TRUE(becomes_true([&] { return io.running_hash() == push["hash"]; }));
+  EXPECT_EQ(ganymede.running_hash(), "first");
+  ASSERT_TRUE(becomes_true([&] { return push_named(push["id"])["state"] == "done"; }));
+  EXPECT_EQ(ganymede.running_hash(), push["hash"]);
+  const auto done = push_named(push["id"]);
+  EXPECT_EQ(done["steps"][2]["state"], "done");
+  EXPECT_EQ(done["replies"].size(), 2U);
+  EXPECT_EQ(get("/api/pushes/nothing").status, 404U);
+}
+
+TEST_F(ServerTest, WhileOnePushesTheOtherIsToldWhoAndWhat) {
+  ScriptedRobot io("io", kDomain, catalog), ganymede("ganymede", kDomain, catalog);
+  wait_for_robots(2);
+  const auto answer = post(
+      "/api/push",
+      {{"files", files(kProgram)}, {"author", "balch"}, {"canary", "io"}, {"probation_s", 60}});
+  const auto push = answer.as_json();
+  EXPECT_TRUE(becomes_true([&] { return io.running_hash() == push["hash"]; }));
+
+  const auto second = post("/api/push", {{"files", files(kProgram)}, {"targets", {"ganymede"}}});
+  EXPECT_EQ(second.status, 409U);
+  EXPECT_THAT(second.as_json()["detail"].get<std::string>(),
+              HasSubstr("balch is pushing pushed.bhdl ("));
+  EXPECT_EQ(second.as_json()["pushed"]["id"], push["id"]);
+
+  const std::string cancel = "/api/pushes/" + push["id"].get<std::string>() + "/cancel";
+  const auto cancelled = post(cancel, {{"author", "collins"}});
+  EXPECT_EQ(cancelled.status, 200U) << cancelled.body;
+  EXPECT_EQ(cancelled.as_json()["steps"][2]["detail"], "cancelled by collins");
+  EXPECT_TRUE(becomes_true([&] { return io.running_hash() == "first"; })) << "it is taken back";
+  EXPECT_EQ(ganymede.running_hash(), "first");
+  EXPECT_EQ(post(cancel, json::object()).status, 409U);
+  EXPECT_EQ(post("/api/pushes/nothing/cancel", json::object()).status, 404U);
+  ASSERT_TRUE(becomes_true([&] {
+    return std::ranges::any_of(get("/api/pushes").as_json()["pushes"], [&](const auto& each) {
+      return each["id"] == push["id"] && each["state"] == "cancelled";
+    });
+  }));
+}
+
+TEST_F(ServerTest, AStalePageIsToldWhoPushedWhat) {
+  ScriptedRobot io("io", kDomain, catalog);
+  wait_for_robots(1);
+  EXPECT_EQ(
+      post("/api/push", {{"files", files(kProgram)}, {"author", "balch"}, {"replaces", "first"}})
+          .status,
+      200U);
+  ASSERT_TRUE(becomes_true([&] {
+    return get("/api/status").as_json()["robots"][0]["program_hash"] == io.running_hash();
+  }));
+  const auto stale = post("/api/push", {{"files", files(kProgram)}, {"replaces", "first"}});
+  EXPECT_EQ(stale.status, 409U);
+  EXPECT_THAT(stale.as_json()["detail"].get<std::string>(), HasSubstr("which balch pushed at "));
+  EXPECT_EQ(stale.as_json()["running_hash"], io.running_hash());
+}
+
+TEST_F(ServerTest, SwapPrintsEachStepAndProgramsRemembersThem) {
+  ScriptedRobot io("io", kDomain, catalog), ganymede("ganymede", kDomain, catalog);
+  wait_for_robots(2);
+  const std::string monitor_option =
+      " --monitor http://" + host() + " --token-file " + (folder / "operator.token").string() + " ";
+  const std::string swap = GALILEAN_SWAP + monitor_option;
+  const auto swapped =
+      run(swap + (folder / "good.bhdl").string() + " --team --canary io --probation 300ms");
+  EXPECT_EQ(swapped.exit_code, 0) << swapped.output;
+  EXPECT_THAT(swapped.output, HasSubstr("check   done\n"));
+  EXPECT_THAT(swapped.output, HasSubstr("canary  done  io ran it for 0.3 s\n"));
+  EXPECT_THAT(swapped.output, HasSubstr("rest    done\n"));
+  EXPECT_EQ(ganymede.running_hash(), io.running_hash());
+  const auto first_hash = io.running_hash();
+
+  write("other.bhdl", "states:\n  state:\n    name: \"wait\"\n  end\nend\n");
+  const auto other = run(swap + (folder / "other.bhdl").string() + " --robot io");
+  EXPECT_EQ(other.exit_code, 0) << other.output;
+  EXPECT_EQ(run(swap + (folder / "broken.bhdl").string() + " --team").exit_code, 1);
+
+  const std::string programs = GALILEAN_PROGRAMS + monitor_option;
+  const auto list = run(programs + "list").output;
+  EXPECT_EQ(std::ranges::count(list, '\n'), 2) << list;
+  EXPECT_EQ(run(programs + "show " + first_hash.substr(0, 10)).output, kProgram);
+  const auto diff =
+      run(programs + "diff " + first_hash.substr(0, 10) + " " + io.running_hash().substr(0, 10));
+  EXPECT_EQ(diff.exit_code, 1) << diff.output;
+  EXPECT_THAT(diff.output, HasSubstr("wait"));
+  EXPECT_EQ(run(programs + "restore " + first_hash + " --robot io").exit_code, 0);
+  EXPECT_EQ(io.running_hash(), first_hash);
+  EXPECT_EQ(run(programs + "show 0123").exit_code, 2);
+}
+
+TEST_F(ServerTest, SwapWithoutAMonitorThereSaysSoInOneLine) {
+  const auto alone = run(std::string(GALILEAN_SWAP) + " --monitor http://127.0.0.1:1 --team " +
+                         (folder / "good.bhdl").string());
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_THAT(alone.output, HasSubstr("no monitor answers at http://127.0.0.1:1"));
+  EXPECT_EQ(std::ranges::count(alone.output, '\n'), 1);
+}
+
 TEST_F(ServerTest, HoldStopsTheRobotsThatAreNamed) {
   ScriptedRobot io("io", kDomain, catalog), ganymede("ganymede", kDomain, catalog);
   wait_for_robots(2);
@@ -288,10 +428,11 @@ TEST_F(ServerTest, HoldStopsTheRobotsThatAreNamed) {
 TEST_F(ServerTest, AFoxgloveClientReadsStatesEventsAndCallsServices) {
   ScriptedRobot io("io", kDomain, catalog);
   wait_for_robots(1);
-  Socket socket(host(), monitor->port());
+  Socket socket(host(), monitor->port(), {},
+                "/ws?token=" + read_token(folder / "operator.token").value());
   EXPECT_EQ(socket.response[http::field::sec_websocket_protocol], "foxglove.websocket.v1");
   const auto services = socket.read_op("advertiseServices")["services"];
-  ASSERT_EQ(services.size(), 4U);
+  ASSERT_EQ(services.size(), 5U);
   const auto states = socket.channel("/io/state");
   socket.send({{"op", "subscribe"}, {"subscriptions", {{{"id", 40}, {"channelId", states}}}}});
   const auto message = socket.read();
@@ -325,11 +466,11 @@ TEST_F(ServerTest, ARobotThatEndsStaysAndIsSilent) {
   EXPECT_EQ(get("/api/team").as_json()["robots"][0]["state"], "start");
 }
 
-TEST_F(ServerTest, SwapPrintsEachRobotsAnswer) {
+TEST_F(ServerTest, SwapWithoutAMonitorPrintsEachRobotsAnswer) {
   ScriptedRobot io("io", kDomain, catalog), ganymede("ganymede", kDomain, catalog);
   wait_for_robots(2);
   const std::string swap =
-      std::string(GALILEAN_SWAP) + " --domain " + std::to_string(kDomain) + " ";
+      std::string(GALILEAN_SWAP) + " --direct --domain " + std::to_string(kDomain) + " ";
   const auto swapped = run(swap + (folder / "good.bhdl").string() + " --team --json");
   EXPECT_EQ(swapped.exit_code, 0) << swapped.output;
   const auto answers = json::parse(swapped.output)["replies"];
@@ -351,8 +492,8 @@ TEST_F(ServerTest, SwapPrintsEachRobotsAnswer) {
 }
 
 TEST_F(ServerTest, SwapWithoutARobotSaysSoInOneLine) {
-  const auto alone =
-      run(std::string(GALILEAN_SWAP) + " --domain 230 --team " + (folder / "good.bhdl").string());
+  const auto alone = run(std::string(GALILEAN_SWAP) + " --direct --domain 230 --team " +
+                         (folder / "good.bhdl").string());
   EXPECT_EQ(alone.exit_code, 2);
   EXPECT_EQ(std::ranges::count(alone.output, '\n'), 1);
 }

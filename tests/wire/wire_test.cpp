@@ -86,6 +86,43 @@ TEST(Wire, SaysWhenAMessageWasSent) {
   EXPECT_LE(sent_ns, wall_clock_ns());
 }
 
+TEST(Wire, TellsWhichProcessSentAMessageByWhatThatAnnounced) {
+  const auto robot = join("io");
+  Reader reader(*robot, "rt/signed/state", kStateType);
+  for (const std::string name : {"monitor", "swap"}) {
+    const auto other = join(name);
+    Writer<msg::RobotState> writer(*other, "rt/signed/state");
+    ASSERT_TRUE(wait_until([&] { return writer.readers() == 1; }));
+    ASSERT_TRUE(writer.write(state_of("someone else", 1)));
+    std::optional<std::string> sender;
+    ASSERT_TRUE(wait_until([&] {
+      reader.take([&](const Received& received) { sender = reader.sender(received); });
+      return sender.has_value();
+    }));
+    EXPECT_EQ(sender, name);
+  }
+}
+
+TEST(Wire, ASenderThatHasLeftIsNobody) {
+  const auto robot = join("io");
+  Reader reader(*robot, "rt/left/state", kStateType);
+  {
+    const auto other = join("monitor");
+    Writer<msg::RobotState> writer(*other, "rt/left/state");
+    ASSERT_TRUE(wait_until([&] { return writer.readers() == 1; }));
+    ASSERT_TRUE(writer.write(state_of("io", 1)));
+  }
+  ASSERT_TRUE(wait_until([&] { return reader.writers() == 0; }));
+  bool taken = false;
+  ASSERT_TRUE(wait_until([&] {
+    reader.take([&](const Received& received) {
+      taken = true;
+      EXPECT_EQ(reader.sender(received), std::nullopt);
+    });
+    return taken;
+  }));
+}
+
 TEST(Wire, ReadersAreCountedSoThatImagesAreMadeForSomebodyOnly) {
   const auto robot = join();
   Writer<msg::CompressedImage> writer(*robot, "rt/io/camera/compressed");

@@ -3,10 +3,11 @@
 import { type Connection, Feed } from "./feed/feed";
 import { History } from "./team/history";
 import { emptyTeam, type Reply, type Robot, type Team } from "./team/model";
-import { withPush, withReply } from "./team/pushes";
+import { withProgress, withPush, withReply } from "./team/pushes";
 import { apply } from "./team/reduce";
 import type { PushResult } from "./lib/api";
-import type { CompressedImage, SourceFile } from "./feed/messages";
+import { withToken } from "./lib/token";
+import type { SourceFile } from "./feed/messages";
 
 /** How often what only ages (certainty, silence, clocks) is drawn anew. */
 const AGEING_MS = 100;
@@ -22,10 +23,10 @@ class Live {
   #shown = $state.raw<Team>(emptyTeam);
   #team: Team = emptyTeam;
   #history = new History();
-  #pictures = new Map<string, (image: CompressedImage) => void>();
+  #listeners = new Map<string, Set<(message: unknown) => void>>();
   #calm = matchMedia("(prefers-reduced-motion: reduce)");
 
-  feed = new Feed(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`, {
+  feed = new Feed(withToken(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`), {
     message: (topic, message, received_ms) => this.#heard(topic, message, received_ms),
     connection: (connection) => (this.connection = connection),
     trouble: (sentence) => (this.trouble = sentence),
@@ -52,9 +53,10 @@ class Live {
   }
 
   /** What the push's own HTTP answer tells, ahead of or instead of the topics. */
-  pushed({ id, hash, replies }: PushResult, files: readonly SourceFile[], targets: readonly string[]): void {
+  pushed({ id, hash, state, steps, replies }: PushResult, files: readonly SourceFile[], targets: readonly string[]): void {
     const message = { stamp: { sec: 0, nsec: 0 }, id, hash, replaces_hash: "", author: "operator" };
     let pushes = withPush(this.#team.pushes, { ...message, targets: [...targets], files: [...files] }, Date.now());
+    pushes = withProgress(pushes, id, { state, steps });
     for (const reply of replies) pushes = withReply(pushes, id, withDefaults(reply));
     this.#team = { ...this.#team, pushes };
   }
@@ -67,16 +69,15 @@ class Live {
     return this.#history.earliest_ms ?? this.#now_ms;
   }
 
-  /** Tells `listener` of the topic's pictures until the returned function is called. They are no part of the team. */
-  onPicture(topic: string, listener: (image: CompressedImage) => void): () => void {
-    this.#pictures.set(topic, listener);
-    return () => {
-      if (this.#pictures.get(topic) === listener) this.#pictures.delete(topic);
-    };
+  /** Tells `listener` of what is no part of the team (a picture, a catalog) until the returned function is called. */
+  onMessage(topic: string, listener: (message: unknown) => void): () => void {
+    const listeners = this.#listeners.get(topic) ?? new Set();
+    this.#listeners.set(topic, listeners.add(listener));
+    return () => void listeners.delete(listener);
   }
 
   #heard(topic: string, message: unknown, received_ms: number): void {
-    this.#pictures.get(topic)?.(message as CompressedImage);
+    this.#listeners.get(topic)?.forEach((listener) => listener(message));
     this.#team = apply(this.#team, topic, message, received_ms);
   }
 

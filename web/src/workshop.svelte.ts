@@ -27,14 +27,25 @@ class Workshop {
   #checked = $state("");
   /** Whom a push would go to; undefined: none is being asked about. */
   asking = $state<string[]>();
+  /** The way that the next push takes. */
+  tries = $state(false);
+  canary = $state("");
+  probation_s = $state(10);
   busy = $state(false);
   failure = $state<string>();
   /** Where the editor is to show its cursor. */
   place = $state.raw<Place>();
 
+  /** What ran before a push of this page, for going back. */
+  #before = new Map<string, { files: readonly SourceFile[]; targets: readonly string[] }>();
+
   readonly #text: string = $derived(JSON.stringify(this.files));
   readonly isChecked: boolean = $derived(this.#checked === this.#text && this.result !== undefined);
-  readonly diagnostics: Diagnostic[] = $derived(this.isChecked ? (this.result?.diagnostics ?? []) : []);
+  /** What the language server says of each file as one types. */
+  #typed = $state.raw<ReadonlyMap<string, readonly Diagnostic[]>>(new Map());
+  readonly diagnostics: Diagnostic[] = $derived(
+    this.isChecked ? (this.result?.diagnostics ?? []) : this.files.flatMap(({ path }) => this.#typed.get(path) ?? []),
+  );
   readonly errors: Diagnostic[] = $derived(this.diagnostics.filter(({ severity }) => severity === "error"));
 
   async list(): Promise<void> {
@@ -59,11 +70,35 @@ class Workshop {
     this.#take(program.files);
   }
 
+  /** Puts files on the bench that somebody changed elsewhere on the page, and shows the one that is changed. */
+  takeChanged(files: readonly SourceFile[], changed: number): void {
+    this.chosen = "";
+    this.#take(files);
+    this.open = changed;
+    this.edited = true;
+  }
+
   edit(text: string): void {
     const file = this.files[this.open];
     if (!file || file.text === text) return;
     this.edited = true;
     this.files[this.open] = { ...file, text };
+  }
+
+  /** A change that was made elsewhere than in the editor: by renaming. */
+  editFile(path: string, text: string): void {
+    const index = this.files.findIndex((file) => file.path === path);
+    if (index < 0 || this.files[index]?.text === text) return;
+    this.edited = true;
+    this.files[index] = { path, text };
+  }
+
+  noteProblems(path: string, problems: readonly Diagnostic[]): void {
+    this.#typed = new Map(this.#typed).set(path, problems);
+  }
+
+  forgetProblems(): void {
+    this.#typed = new Map();
   }
 
   /** Shows a place of the program that runs; what somebody edits stays on the bench. */
@@ -99,8 +134,31 @@ class Workshop {
     const targets = this.asking;
     if (!targets) return;
     this.asking = undefined;
-    await this.#during(async () => live.pushed(await api.push(this.files, targets), this.files, targets));
+    const canary = this.canary !== "" && targets.length !== 1 ? this.canary : "";
+    const way = { tries: this.tries, canary, probation_s: this.probation_s, replaces: runningHash(targets) };
+    await this.#during(() => this.#send(this.files, targets, way));
     await api.listPushed().then((all) => (this.pushed = eachOnce(all)), () => {});
+  }
+
+  canGoBack(id: string): boolean {
+    return this.#before.has(id);
+  }
+
+  /** Pushes what ran before; refused where somebody else has pushed since. */
+  async goBack(id: string, pushedHash: string): Promise<void> {
+    const before = this.#before.get(id);
+    if (before) await this.#during(() => this.#send(before.files, before.targets, { replaces: pushedHash }));
+  }
+
+  async cancel(id: string): Promise<void> {
+    await this.#during(async () => void (await api.cancelPush(id)));
+  }
+
+  async #send(files: readonly SourceFile[], targets: readonly string[], way: api.PushWay): Promise<void> {
+    const running = live.present.robots.get(robotsOf(targets)[0] ?? "")?.program?.value;
+    const result = await api.push(files, targets, way);
+    if (running && running.hash !== result.hash) this.#before.set(result.id, { files: running.files, targets });
+    live.pushed(result, files, targets);
   }
 
   #take(files: readonly SourceFile[]): void {
@@ -129,6 +187,16 @@ class Workshop {
       this.busy = false;
     }
   }
+}
+
+function robotsOf(targets: readonly string[]): readonly string[] {
+  return targets.length ? targets : live.robots.map(({ name }) => name);
+}
+
+/** What all of them run; empty where they differ: then no one program is replaced. */
+function runningHash(targets: readonly string[]): string {
+  const hashes = new Set(robotsOf(targets).map((name) => live.present.robots.get(name)?.state?.value.program_hash));
+  return hashes.size === 1 ? ([...hashes][0] ?? "") : "";
 }
 
 function eachOnce(pushes: readonly api.PushedProgram[]): api.PushedProgram[] {

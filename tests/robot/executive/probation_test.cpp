@@ -149,6 +149,70 @@ TEST_F(ProbationTest, ARollbackReturnsToTheStateThatWasLeft) {
   EXPECT_EQ(robot.events.last(Event::Kind::kTransition)->cause, Event::Cause::kRollback);
 }
 
+TEST_F(ProbationTest, APushMayBringRulesOfItsOwn) {
+  ASSERT_TRUE(
+      robot.executive->load(program_of(counting_program(kHarmless)),
+                            {.length = std::chrono::seconds(1), .most_transitions_per_s = 3}));
+  robot.tick(20);
+  EXPECT_TRUE(robot.events.in_probation);
+  robot.tick();
+  EXPECT_FALSE(robot.events.in_probation);
+  ASSERT_TRUE(
+      robot.executive->load(program_of(counting_program(kHarmless)),
+                            {.length = std::chrono::seconds(1), .most_transitions_per_s = 3}));
+  robot.press(7);
+  robot.tick(4);
+  EXPECT_EQ(running(), 3U);
+  robot.tick();
+  expect_rolled_back(Fault::kThrashed, 2);
+}
+
+TEST(Probation, TheRobotsOwnRulesHoldWhereAPushBringsNone) {
+  TestRobot robot(1, {}, {.length = std::chrono::seconds(2)});
+  on_call = [](const Tick&) {};
+  ASSERT_TRUE(robot.load(counting_program(kHarmless)));
+  robot.tick();
+  ASSERT_TRUE(robot.load(counting_program(kHarmless)));
+  robot.tick(40);
+  EXPECT_TRUE(robot.events.in_probation);
+  robot.tick();
+  EXPECT_FALSE(robot.events.in_probation);
+  on_call = nullptr;
+}
+
+TEST_F(ProbationTest, AnOrderTakesAProgramOffInTheNextTick) {
+  swap(counting_program(kHarmless));
+  robot.tick(3);
+  EXPECT_TRUE(robot.executive->roll_back(2, "by anna: it circles"));
+  robot.tick();
+  expect_rolled_back(Fault::kOrdered);
+  const Event* event = robot.events.last(Event::Kind::kRolledBack);
+  EXPECT_EQ(event->tick, robot.executive->last_tick().number);
+  EXPECT_EQ(event->text.view(), "by anna: it circles");
+}
+
+TEST_F(ProbationTest, AnOrderTakesAProgramOffThatHasProvenItselfToo) {
+  swap(counting_program(kHarmless));
+  robot.tick(250);
+  EXPECT_FALSE(robot.events.in_probation);
+  EXPECT_TRUE(robot.executive->roll_back(2, ""));
+  robot.tick();
+  expect_rolled_back(Fault::kOrdered);
+}
+
+TEST_F(ProbationTest, AnOrderAgainstAProgramThatRunsNoMoreDoesNothing) {
+  swap(counting_program(kHarmless));
+  swap(counting_program(kHarmless));
+  EXPECT_TRUE(robot.executive->roll_back(2, ""));
+  robot.tick();
+  EXPECT_EQ(running(), 3U);
+  EXPECT_TRUE(robot.executive->roll_back(3, ""));
+  robot.tick();
+  EXPECT_TRUE(robot.executive->roll_back(1, "")) << "which nothing ran before";
+  robot.tick();
+  EXPECT_EQ(running(), 1U);
+}
+
 TEST_F(ProbationTest, ManySwapsAndRollbacksInARowLeaveTheRobotAtWork) {
   for (int i = 0; i < 60; ++i) {
     swap(counting_program(i % 3 == 0 ? kThrows : kHarmless));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 
 #include "core/device/devices.h"
 
@@ -12,6 +13,7 @@ class ScriptedPort final : public CommPort {
   void sense(Time now) noexcept override {
     sensed = next;
     sensed.received = now;
+    if (on_sense) on_sense();
   }
   [[nodiscard]] bool healthy() const noexcept override { return answers; }
   [[nodiscard]] std::string problem() const override { return answers ? "" : "unplugged"; }
@@ -22,6 +24,7 @@ class ScriptedPort final : public CommPort {
   ControllerStatus sensed;
   GripperCommand gripper = GripperCommand::kOpen;
   std::atomic<bool> answers = true;
+  std::function<void()> on_sense;  ///< sees the executive right after it exchanged programs
 };
 
 class ScriptedDrive final : public MotorDrive {

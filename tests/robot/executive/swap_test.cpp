@@ -1,7 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <map>
-
 #include "tests/robot/executive/test_robot.h"
 
 namespace galilean::robot {
@@ -143,83 +141,6 @@ TEST(Swap, OnlyOneProgramWaitsAtATime) {
   EXPECT_THAT(second.error().message, testing::HasSubstr("waits"));
   robot.tick();
   EXPECT_TRUE(robot.load(Sketch{}.text()));
-}
-
-/// Programs drawn at random, of three states and four variables that each may or may not have.
-class RandomPrograms {
- public:
-  explicit RandomPrograms(std::uint64_t seed) : random_(seed) {}
-
-  std::string draw() {
-    Sketch sketch{.states = {}};
-    for (const char* state : {"a", "b", "c"})
-      if (random_.below(2)) sketch.states.emplace_back(state);
-    if (sketch.states.empty()) sketch.states.emplace_back("d");
-    for (const char* name : {"v0", "v1", "v2", "v3"}) {
-      const bool is_locate = random_.below(2);
-      if (random_.below(4) == 0) continue;
-      sketch.variables += std::string(is_locate ? "locate" : "force") + ": name: \"" + name +
-                          "\" memory: " + std::to_string(10 + random_.below(3) * 25) + "\n";
-      const std::string writer = std::string("write_") + name;
-      sketch.perceptual_schemas += "write_all: name: \"" + writer + "\" " +
-                                   (is_locate ? "locate" : "force") + "_variable: \"" + name +
-                                   "\" certainty: 0." + std::to_string(1 + random_.below(9)) +
-                                   " end\n";
-      if (random_.below(2)) sketch.listed += "\"" + writer + "\" ";
-    }
-    return sketch.text();
-  }
-  std::uint32_t below(std::uint32_t count) { return random_.below(count); }
-
- private:
-  Random random_;
-};
-
-struct Kept {
-  Vec2 value = Vec2::Zero();
-  bool valid = false;
-  double certainty = 0;
-  bool operator==(const Kept&) const = default;
-};
-
-/// By name and type, as of `now`.
-std::map<std::string, Kept> contents(const RunningProgram& program, Time now) {
-  std::map<std::string, Kept> found;
-  for (const auto& each : program.variables.all<Locate>())
-    found["locate " + each.name] = {each.value.position_m, each.valid_at(now),
-                                    each.certainty_at(now)};
-  for (const auto& each : program.variables.all<Force>())
-    found["force " + each.name] = {each.value.value, each.valid_at(now), each.certainty_at(now)};
-  return found;
-}
-
-TEST(Swap, AnyPairOfProgramsAtAnyTickKeepsWhatBothKnow) {
-  RandomPrograms programs(7);
-  for (int round = 0; round < 300; ++round) {
-    TestRobot robot;
-    ASSERT_TRUE(robot.load(programs.draw()));
-    robot.tick(1 + static_cast<int>(programs.below(40)));
-    const auto old_contents =
-        contents(*robot.executive->program(), robot.now() + std::chrono::milliseconds(50));
-    const std::string old_state = robot.state();
-    ASSERT_TRUE(robot.load(programs.draw()));
-    robot.tick();
-    const RunningProgram& running = *robot.executive->program();
-    const auto& schemas = running.text().states[running.state].perceptual_schemas;
-    for (const auto& [name, now_holds] : contents(running, robot.now())) {
-      const bool written = std::ranges::count(schemas, "write_" + name.substr(name.find(' ') + 1));
-      const auto held = old_contents.find(name);
-      if (written) {
-        EXPECT_EQ(now_holds.value.x(), robot.executive->last_tick().number);
-      } else if (held != old_contents.end()) {
-        EXPECT_EQ(now_holds, held->second) << name << " in round " << round;
-      } else {
-        EXPECT_EQ(now_holds, Kept{}) << name << " in round " << round;
-      }
-    }
-    const bool had_state = running.text().find_state(old_state) != nullptr;
-    EXPECT_EQ(robot.state(), had_state ? old_state : running.text().start_state);
-  }
 }
 
 TEST(Swap, NoTickRunsHalfOfEachProgram) {

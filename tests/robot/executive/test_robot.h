@@ -52,13 +52,15 @@ inline bhdl::Program program_of(const std::string& text) {
 /// An executive on scripted devices and a stepped clock: 20 ticks a second, as long as it takes.
 class TestRobot {
  public:
-  explicit TestRobot(std::uint64_t seed = 1, std::vector<TickObserver*> more = {}) {
+  explicit TestRobot(std::uint64_t seed = 1, std::vector<TickObserver*> more = {},
+                     const ProbationRules& probation = {}) {
     more.push_back(&events);
     executive = std::make_unique<Executive>(ExecutiveSetup{.components = test_components(),
                                                            .devices = {port, drive, camera},
                                                            .clock = clock,
                                                            .stopwatch = stopwatch,
                                                            .seed = seed,
+                                                           .probation = probation,
                                                            .observers = std::move(more)});
     journal.clear();
   }

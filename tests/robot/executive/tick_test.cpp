@@ -169,5 +169,19 @@ TEST(Tick, APushedBumperIsPressedForThreeTenthsOfASecond) {
   EXPECT_EQ(robot.variable<Bits>("bumpers").value.value, 1U << 5);
 }
 
+TEST(Tick, APerceptualAndAMotorSchemaMayShareAName) {
+  TestRobot robot;
+  ASSERT_TRUE(robot.load(R"(
+variables: bits: name: "bumpers" end
+perceptual_schemas: bumper_scanner: name: "grip" bits_variable: "bumpers" end end
+motor_schemas: move_gripper: name: "grip" command: "close" end end
+state: name: "s" perceptual_schemas: "grip" end motor_schemas: "grip" end end
+)"));
+  robot.press(2);
+  robot.tick();
+  EXPECT_EQ(robot.variable<Bits>("bumpers").value.value, 1U << 2);
+  EXPECT_EQ(robot.port.gripper, GripperCommand::kClose);
+}
+
 }  // namespace
 }  // namespace galilean::robot

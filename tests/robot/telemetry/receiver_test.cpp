@@ -89,6 +89,130 @@ TEST_F(ReceiverTest, AProgramThatFailsIsRolledBackAndSaysWhy) {
   EXPECT_EQ(back->message, "schema 'see' threw: the lens broke");
 }
 
+TEST_F(ReceiverTest, AProgramIsTakenOffOnOrder) {
+  const std::string before = running_hash();
+  const auto push = io.push(renamed(kWaits, "\"go\"", "\"move\""));
+  io.send(push);
+  let_it_swap();
+  ASSERT_TRUE(replies.wait_for(has_status(status::RUNNING)));
+  msg::ProgramRollback order;
+  order.id = "order";
+  order.author = "anna";
+  order.hash = push.hash;
+  order.reason = "it circles";
+  io.send(order);
+  ASSERT_TRUE(io.tick_until([&] { return running_hash() == before; }));
+  for (const std::string& id : {push.id, order.id}) {
+    const auto back = replies.wait_for([&](const msg::ProgramReply& reply) {
+      return reply.status == status::ROLLED_BACK && reply.id == id;
+    });
+    ASSERT_TRUE(back) << id;
+    EXPECT_EQ(back->running_hash, before);
+    EXPECT_EQ(back->message, "ordered by anna: it circles");
+  }
+}
+
+TEST_F(ReceiverTest, RefusesToTakeOffWhatDoesNotRunOrHasNoPredecessor) {
+  msg::ProgramRollback order;
+  order.id = "stale";
+  order.hash = "0123";
+  io.send(order);
+  const auto stale = replies.wait_for(has_status(status::REJECTED));
+  ASSERT_TRUE(stale);
+  EXPECT_THAT(stale->message, HasSubstr(running_hash()));
+  order.id = "first";
+  order.hash = running_hash();
+  io.send(order);
+  const auto first =
+      replies.wait_for([](const msg::ProgramReply& reply) { return reply.id == "first"; });
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->status, status::REJECTED);
+  EXPECT_THAT(first->message, HasSubstr("no program ran before"));
+}
+
+TEST_F(ReceiverTest, APushBringsItsOwnProbation) {
+  auto push = io.push(renamed(kWaits, "\"go\"", "\"move\""));
+  push.probation_s = 0.5;
+  io.send(push);
+  let_it_swap();
+  EXPECT_TRUE(replies.wait_for(has_status(status::RUNNING)));
+  io.robot.tick(11);
+  EXPECT_TRUE(replies.wait_for(has_status(status::CONFIRMED)));
+  push.id = "endless";
+  push.files[0].text += ";";
+  push.hash = bhdl::program_hash({{push.files[0].path, push.files[0].text}});
+  push.probation_s = std::numeric_limits<float>::quiet_NaN();
+  io.send(push);
+  const auto rejected = replies.wait_for(has_status(status::REJECTED));
+  ASSERT_TRUE(rejected);
+  EXPECT_THAT(rejected->message, HasSubstr("probation"));
+}
+
+TEST_F(ReceiverTest, ARobotThatLosesEverybodyRunsOn) {
+  io.robot.press(2);
+  io.robot.tick();
+  ASSERT_EQ(io.robot.state(), "go");
+  const std::string before = running_hash();
+  io.send(io.push(renamed(kWaits, "\"wait\"", "\"rest\"")));
+  let_it_swap();
+  io.telemetry.reset();
+  io.participant.reset();
+  io.robot.tick(1000);
+  EXPECT_EQ(io.robot.state(), "go");
+  EXPECT_TRUE(io.robot.drive.moving);
+  EXPECT_NE(running_hash(), before);
+  EXPECT_EQ(io.robot.events.count(Event::Kind::kConfirmed), 1) << "probation goes on alone";
+  EXPECT_EQ(io.robot.events.count(Event::Kind::kRolledBack), 0);
+}
+
+TEST_F(ReceiverTest, RefusesProgramsOfStrangersAndObeysTheirCommands) {
+  const std::string before = running_hash();
+  auto logs = Mailbox<msg::Log>(*io.other, wire::kLogTopic);
+  const auto stranger = wire::Participant::join("swap", kDomain);
+  wire::Writer<msg::ProgramPush> pushes(*stranger.value(), wire::kProgramPushTopic);
+  wire::Writer<msg::ProgramRollback> orders(*stranger.value(), wire::kProgramRollbackTopic);
+  wire::Writer<msg::Command> commands(*stranger.value(), wire::kCommandTopic);
+  while (pushes.readers() + orders.readers() + commands.readers() < 3) std::this_thread::yield();
+
+  auto push = io.push(renamed(kWaits, "\"go\"", "\"move\""));
+  push.author = "the monitor, honestly";
+  ASSERT_TRUE(pushes.write(push));
+  const auto rejected = replies.wait_for(has_status(status::REJECTED));
+  ASSERT_TRUE(rejected);
+  EXPECT_EQ(rejected->id, push.id);
+  EXPECT_THAT(rejected->message, HasSubstr("'swap'"));
+  EXPECT_THAT(rejected->message, HasSubstr("--accept-swaps-from"));
+  EXPECT_TRUE(logs.wait_for([&](const msg::Log& line) {
+    return line.name == io.name && line.msg.find("'swap'") != std::string::npos;
+  }));
+
+  msg::ProgramRollback order;
+  order.id = "order";
+  order.hash = before;
+  ASSERT_TRUE(orders.write(order));
+  const auto refused =
+      replies.wait_for([](const msg::ProgramReply& reply) { return reply.id == "order"; });
+  ASSERT_TRUE(refused);
+  EXPECT_THAT(refused->message, HasSubstr("'swap'"));
+
+  msg::Command hold;
+  hold.targets = {io.name};
+  hold.kind = msg::Command_Constants::HOLD;
+  ASSERT_TRUE(commands.write(hold));
+  EXPECT_TRUE(io.tick_until([&] { return io.robot.executive->held(); }));
+  EXPECT_EQ(running_hash(), before);
+}
+
+TEST(AcceptedSenders, AreTheMonitorOrThoseThatAreNamedOrAny) {
+  EXPECT_EQ(AcceptedSenders().objection(wire::kMonitorName), "");
+  EXPECT_NE(AcceptedSenders().objection("swap"), "");
+  EXPECT_NE(AcceptedSenders().objection(std::nullopt), "");
+  const AcceptedSenders two({"swap", "page"});
+  EXPECT_EQ(two.objection("page"), "");
+  EXPECT_THAT(two.objection(wire::kMonitorName), HasSubstr("swap, page"));
+  EXPECT_EQ(AcceptedSenders({AcceptedSenders::kAny}).objection(std::nullopt), "");
+}
+
 TEST_F(ReceiverTest, RefusesWhatWasChangedOnTheWay) {
   auto push = io.push(kWaits);
   push.files[0].text += "; more";

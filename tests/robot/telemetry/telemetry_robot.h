@@ -16,15 +16,16 @@ class TelemetryRobot {
   explicit TelemetryRobot(std::string robot_name)
       : name(std::move(robot_name)),
         participant(join(name)),
-        other(join("tester")),
+        other(join(wire::kMonitorName)),
         robot(1, {&tap, &images}),
-        telemetry({.robot = name,
-                   .participant = *participant,
-                   .executive = *robot.executive,
-                   .tap = tap,
-                   .devices = {robot.port, robot.drive, robot.camera},
-                   .catalog = test_components().catalog(),
-                   .clock = robot.clock},
+        telemetry(std::in_place,
+                  TelemetrySource{.robot = name,
+                                  .participant = *participant,
+                                  .executive = *robot.executive,
+                                  .tap = tap,
+                                  .devices = {robot.port, robot.drive, robot.camera},
+                                  .catalog = test_components().catalog(),
+                                  .clock = robot.clock},
                   images) {}
 
   template <class M>
@@ -42,6 +43,7 @@ class TelemetryRobot {
     return push;
   }
   void send(const msg::ProgramPush& push) { send_on(wire::kProgramPushTopic, push); }
+  void send(const msg::ProgramRollback& order) { send_on(wire::kProgramRollbackTopic, order); }
   void send(std::uint8_t kind, std::int32_t argument, const std::string& target) {
     msg::Command command;
     command.author = "tester";
@@ -66,7 +68,7 @@ class TelemetryRobot {
   SnapshotTap tap;
   ImageTap images;
   TestRobot robot;
-  Telemetry telemetry;
+  std::optional<Telemetry> telemetry;
 
  private:
   static std::unique_ptr<wire::Participant> join(const std::string& who) {
@@ -76,10 +78,14 @@ class TelemetryRobot {
   }
   template <class M>
   void send_on(const std::string& topic, const M& message) {
-    wire::Writer<M> writer(*other, topic);
-    while (writer.readers() == 0) std::this_thread::yield();
-    EXPECT_TRUE(writer.write(message));
+    // Stays, since a robot asks who has sent what it got.
+    const auto writer = std::make_shared<wire::Writer<M>>(*other, topic);
+    writers_.push_back(writer);
+    while (writer->readers() == 0) std::this_thread::yield();
+    EXPECT_TRUE(writer->write(message));
   }
+
+  std::vector<std::shared_ptr<void>> writers_;
 };
 
 inline constexpr const char* kWaits = R"(

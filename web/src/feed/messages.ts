@@ -206,6 +206,23 @@ export interface MapRobot extends Covariance {
   silent: boolean;
 }
 
+export interface PushStep {
+  name: string;
+  state: string;
+  detail: string;
+}
+
+export interface PushProgress {
+  stamp: Time;
+  id: string;
+  author: string;
+  program: string;
+  hash: string;
+  targets: string[];
+  state: string;
+  steps: PushStep[];
+}
+
 export interface ObjectMap {
   stamp: Time;
   objects: MapObject[];

@@ -1,7 +1,7 @@
 // Which topics the page knows, and what a topic's name says.
 
 export const robotTopics = ["state", "transition", "variables", "sightings", "program", "program_reply"] as const;
-export const teamTopics = ["/team/objects", "/team/map", "/team/program_push", "/referee/score"] as const;
+export const teamTopics = ["/team/objects", "/team/map", "/team/program_push", "/team/push_progress", "/referee/score"] as const;
 export const pictures = ["camera", "superred", "supergreen", "superblue", "dark"] as const;
 
 export type RobotTopic = (typeof robotTopics)[number];

@@ -1,7 +1,8 @@
 // The monitor's HTTP operations. Every failure is an Error whose message can be shown as it stands.
 
-import type { Diagnostic, Machine, SourceFile } from "../feed/messages";
+import type { Diagnostic, Machine, PushStep, SourceFile } from "../feed/messages";
 import type { Reply } from "../team/model";
+import { credentials } from "./token";
 
 export interface ProgramEntry {
   name: string;
@@ -16,10 +17,44 @@ export interface CheckResult {
   machine?: Machine;
 }
 
+/** The mean of several simulated runs, and its standard deviation. */
+export interface Figure {
+  mean: number;
+  spread: number;
+}
+
+export interface TrialSide {
+  score: Figure;
+  deposited: Figure;
+  collisions: Figure;
+  seconds_in_state: Record<string, Figure>;
+}
+
+/** The new program beside the one that runs, if one does. */
+export interface Trial {
+  runs: number;
+  duration_s: number;
+  now: TrialSide | null;
+  next: TrialSide;
+}
+
 export interface PushResult {
   id: string;
   hash: string;
+  state: string;
+  steps: PushStep[];
+  trial: Trial | null;
   replies: Reply[];
+}
+
+/** The way that a program takes to its robots. */
+export interface PushWay {
+  tries?: boolean;
+  /** The robot that runs it first; empty: all at once. */
+  canary?: string;
+  probation_s?: number;
+  /** Refuse where another program than this runs. */
+  replaces?: string;
 }
 
 /** A program that somebody pushed before, by the hash that tells it from others of its name. */
@@ -49,8 +84,8 @@ interface Problem {
 export type CommandKind = "hold" | "resume" | "push_bumper";
 
 async function call<T>(path: string, body?: unknown): Promise<T> {
-  const headers = { "content-type": "application/json" };
-  const request: RequestInit = body === undefined ? {} : { method: "POST", headers, body: JSON.stringify(body) };
+  const headers = { ...credentials(), "content-type": "application/json" };
+  const request: RequestInit = body === undefined ? { headers } : { method: "POST", headers, body: JSON.stringify(body) };
   let response: Response;
   try {
     response = await fetch(path, request);
@@ -85,8 +120,17 @@ export function check(files: readonly SourceFile[], robot?: string): Promise<Che
 }
 
 /** Empty `targets` mean the whole team. */
-export function push(files: readonly SourceFile[], targets: readonly string[]): Promise<PushResult> {
-  return call("/api/push", { files, targets, author: "operator" });
+export function push(files: readonly SourceFile[], targets: readonly string[], way: PushWay = {}): Promise<PushResult> {
+  const { tries, ...rest } = way;
+  return call("/api/push", { files, targets, author: "operator", try: tries ?? false, ...rest });
+}
+
+export function readPush(id: string): Promise<PushResult> {
+  return call(`/api/pushes/${id}`);
+}
+
+export function cancelPush(id: string): Promise<PushResult> {
+  return call(`/api/pushes/${id}/cancel`, { author: "operator" });
 }
 
 export function command(kind: CommandKind, targets: readonly string[], argument = 0): Promise<{ id: string }> {

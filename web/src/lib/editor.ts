@@ -1,12 +1,12 @@
 // CodeMirror, as the page uses it. Loaded only when somebody edits.
 
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
-import { bracketMatching } from "@codemirror/language";
+import { bracketMatching, foldGutter, foldKeymap } from "@codemirror/language";
 import { type Diagnostic as Mark, lintGutter, setDiagnostics } from "@codemirror/lint";
 import { type Extension, StateEffect, StateField } from "@codemirror/state";
 import { Decoration, type DecorationSet, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
 import type { Diagnostic } from "../feed/messages";
-import { bhdl } from "./bhdl_language";
+import { bhdl } from "../bhdl/language";
 
 const setRunningLine = StateEffect.define<number | undefined>();
 const runningLine = StateField.define<DecorationSet>({
@@ -30,6 +30,10 @@ const look = EditorView.theme({
   ".cm-gutters": { backgroundColor: "var(--panel)", color: "var(--quiet)", borderRight: "1px solid var(--line)" },
   ".cm-activeLine": { backgroundColor: "color-mix(in srgb, var(--raised) 55%, transparent)" },
   ".cm-running": { boxShadow: "inset 3px 0 var(--accent)", backgroundColor: "var(--chosen)" },
+  ".cm-tooltip-autocomplete ul li[aria-selected]": { backgroundColor: "var(--chosen)", color: "var(--ink)" },
+  ".cm-tooltip .cm-completionDetail": { color: "var(--quiet)" },
+  ".cm-tooltip.cm-lsp-hover-tooltip": { maxWidth: "60ch", maxHeight: "40vh", overflowY: "auto" },
+  ".cm-panels": { backgroundColor: "var(--panel)", color: "var(--ink)" },
   ".cm-tooltip": { backgroundColor: "var(--panel)", border: "1px solid var(--line)", color: "var(--ink)" },
   "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground": {
     backgroundColor: "color-mix(in srgb, var(--accent) 30%, transparent)",
@@ -39,14 +43,20 @@ const look = EditorView.theme({
 export class Editor {
   #view: EditorView;
 
-  constructor(parent: HTMLElement, text: string, edited: (text: string) => void) {
+  /** `language`: what the language server adds. */
+  constructor(parent: HTMLElement, text: string, edited: (text: string) => void, language: Extension = []) {
     const told = EditorView.updateListener.of((update) => update.docChanged && edited(update.state.doc.toString()));
     const extensions: Extension[] = [
-      lineNumbers(), history(), drawSelection(), bracketMatching(), highlightActiveLine(), lintGutter(), runningLine, bhdl, look, told,
-      keymap.of([...defaultKeymap, ...historyKeymap, indentWithTab]),
+      lineNumbers(), foldGutter(), history(), drawSelection(), bracketMatching(), highlightActiveLine(), lintGutter(), runningLine, bhdl, look, told,
+      language,
+      keymap.of([...defaultKeymap, ...historyKeymap, ...foldKeymap, indentWithTab]),
       EditorView.contentAttributes.of({ "aria-label": "Program text" }),
     ];
     this.#view = new EditorView({ parent, doc: text, extensions });
+  }
+
+  get view(): EditorView {
+    return this.#view;
   }
 
   /** Marks problems of the file that is shown; lines and columns count from 1. */

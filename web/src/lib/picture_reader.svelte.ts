@@ -15,10 +15,11 @@ export class PictureReader {
   #times: number[] = [];
   #busy = false;
 
-  read(feed: Feed, robot: string, picture: Picture, canvas: HTMLCanvasElement): () => void {
+  /** Until the returned function is called; `drawn` is told of each picture on the canvas. */
+  read(feed: Feed, robot: string, picture: Picture, canvas: HTMLCanvasElement, drawn?: () => void): () => void {
     const topic = pictureTopic(robot, picture);
     const release = feed.want(topic);
-    const silence = live.onPicture(topic, (image) => void this.#draw(image, canvas));
+    const silence = live.onMessage(topic, (image) => void this.#draw(image as CompressedImage, canvas).then(drawn));
     return () => {
       release();
       silence();

@@ -7,6 +7,7 @@ import type {
   OccupancyGrid,
   Program,
   ProgramReply,
+  PushStep,
   RobotState,
   Score,
   Sightings,
@@ -75,6 +76,9 @@ export interface Push {
   readonly targets: readonly string[];
   readonly at_ms: number;
   readonly replies: ReadonlyMap<string, Reply>;
+  /** running, done, failed or cancelled; empty: it did not go through the monitor. */
+  readonly state: string;
+  readonly steps: readonly PushStep[];
 }
 
 export type Reply = Pick<

@@ -1,4 +1,4 @@
-import { type ProgramPush, type ProgramReply, replyStatuses } from "../feed/messages";
+import { type ProgramPush, type ProgramReply, type PushProgress, replyStatuses } from "../feed/messages";
 import type { Push, Reply } from "./model";
 
 const KEPT = 8;
@@ -18,8 +18,23 @@ export function withPush(pushes: readonly Push[], { id, author, files, hash, tar
     targets,
     at_ms: known?.at_ms ?? at_ms,
     replies: known?.replies ?? new Map(),
+    state: known?.state ?? "",
+    steps: known?.steps ?? [],
   };
   return [...pushes.filter((other) => other.id !== id), push].slice(-KEPT);
+}
+
+/** The pushes with how far one of them has come; what is over stays so. */
+export function withProgress(pushes: readonly Push[], id: string, { state, steps }: Pick<Push, "state" | "steps">): readonly Push[] {
+  return pushes.map((push) => (push.id === id && (push.state === "" || push.state === "running") ? { ...push, state, steps } : push));
+}
+
+/** A push that the monitor tells of before its robots are sent anything. */
+export function withStep(pushes: readonly Push[], told: PushProgress, at_ms: number): readonly Push[] {
+  const { stamp, id, author, program: path, hash, targets } = told;
+  const known = pushes.some((push) => push.id === id);
+  const all = known ? pushes : withPush(pushes, { stamp, id, author, hash, targets, replaces_hash: "", files: [{ path, text: "" }] }, at_ms);
+  return withProgress(all, id, told);
 }
 
 /** The pushes with a robot's answer; an answer that says less than the one before it came late and is dropped. */

@@ -2,7 +2,7 @@ import type * as wire from "../feed/messages";
 import { type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
 import { identityOf } from "./identity";
 import type { Robot, Team } from "./model";
-import { replyOf, withPush, withReply } from "./pushes";
+import { replyOf, withPush, withReply, withStep } from "./pushes";
 import { clockOffset_ms, onPageClock_ms } from "./robot_clock";
 import { withBar, withProgram } from "./timeline";
 import { unwound, withPoint } from "./trail";
@@ -77,6 +77,10 @@ const ofTeam: { [K in TeamTopic]: Reduce<Team, never> } = {
   "/team/program_push": (team, push: wire.ProgramPush, received_ms) => ({
     ...team,
     pushes: withPush(team.pushes, push, received_ms),
+  }),
+  "/team/push_progress": (team, told: wire.PushProgress, received_ms) => ({
+    ...team,
+    pushes: withStep(team.pushes, told, received_ms),
   }),
   "/referee/score": (team, value: wire.Score, received_ms) => ({ ...team, score: { value, received_ms } }),
 };

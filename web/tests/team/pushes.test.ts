@@ -31,4 +31,19 @@ describe("a push", () => {
     ]);
     expect(team.pushes[0]?.replies.get("io")?.status).toBe("confirmed");
   });
+  it("shows its steps before any robot was sent it, and stays over once it is", () => {
+    const progress = (state: string, canary: string) => ({
+      stamp: { sec: 0, nsec: 0 }, id: "p1", author: "balch", program: "sit_and_spin.bhdl", hash: "bbbb", targets: [], state,
+      steps: [{ name: "check", state: "done", detail: "" }, { name: "canary", state: canary, detail: "io runs it" }],
+    });
+    const team = told([
+      ["/team/push_progress", progress("running", "running"), T0_MS],
+      ["/team/program_push", push, T0_MS + 10],
+      ["/team/push_progress", progress("failed", "failed"), T0_MS + 20],
+      ["/team/push_progress", progress("running", "running"), T0_MS + 30],
+    ]);
+    expect(team.pushes).toHaveLength(1);
+    expect(team.pushes[0]).toMatchObject({ state: "failed", name: "sit_and_spin.bhdl" });
+    expect(team.pushes[0]?.steps[1]?.state).toBe("failed");
+  });
 });

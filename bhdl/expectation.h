@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bhdl/location.h"
+#include "core/geometry.h"
+
+namespace galilean::bhdl {
+
+/// What a variable is made to be, whatever schemas write into it, from one time to another. Times
+/// count from the program's first tick.
+struct Given {
+  std::string bits_variable;  ///< or empty
+  unsigned bit_index = 0;
+  bool bit_value = true;
+  std::string locate_variable;  ///< or empty
+  Vec2 position_m = Vec2::Zero();
+  bool valid = true;
+  double from_s = 0;
+  double until_s = 0;
+  Location location;
+};
+
+/// What must be so of the current state.
+struct Claim {
+  enum class Kind {
+    kReaches,  ///< it is current at some time from `from_s` to `until_s`
+    kStays,    ///< … all the time
+    kNever     ///< … at no time
+  };
+  Kind kind = Kind::kReaches;
+  std::string state;
+  double from_s = 0;
+  double until_s = 0;
+  Location location;
+};
+
+/// `expect:`: a test of a program's behaviour that the program itself carries. A robot ignores it.
+struct Expectation {
+  std::string name;
+  std::string from_state;  ///< where it begins; empty: in the start state
+  double lasts_s = 0;
+  std::vector<Given> givens;
+  std::vector<Claim> claims;
+  Location location;
+};
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "bhdl/token_stream.h"
+
+namespace galilean::bhdl {
+
+/// `expect: … end`. The stream stands at the word. Within, whatever label has no value begins a
+/// step.
+[[nodiscard]] ExpectNode parse_expectation(TokenStream& tokens, Diagnostics& diagnostics);
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "bhdl/attribute_reader.h"
+#include "bhdl/expectation.h"
+
+namespace galilean::bhdl {
+
+/// Holds an expectation against what its declaration says and against the program's names.
+[[nodiscard]] Expectation read_expectation(const ExpectNode& node,
+                                           const AttributeReader& attributes,
+                                           Diagnostics& diagnostics);
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,102 @@
+#include "bhdl/expectation_specs.h"
+
+#include <array>
+
+#include "bhdl/state_specs.h"
+
+namespace galilean::bhdl {
+namespace {
+
+AttributeSpec seconds(std::string name, std::optional<Value> preset, std::string help) {
+  return {.name = std::move(name),
+          .type = AttributeType::kNumber,
+          .unit = unit::kSecond,
+          .default_value = std::move(preset),
+          .minimum = 0,
+          .maximum = kLongestExpectation_s,
+          .help = std::move(help)};
+}
+
+AttributeSpec optional_name(std::string name, std::string refers_to, std::string help) {
+  return {.name = std::move(name),
+          .type = AttributeType::kName,
+          .default_value = Value(std::string()),
+          .refers_to = std::move(refers_to),
+          .help = std::move(help)};
+}
+
+AttributeSpec expected_state() {
+  return {.name = "state",
+          .type = AttributeType::kName,
+          .refers_to = "state",
+          .help = "the state that it is about"};
+}
+
+ComponentSpec make_expect() {
+  return {
+      .name = "expect",
+      .help =
+          "A test of the program's behaviour, without a robot: what is given, and which "
+          "states must come of it. Robots ignore it.",
+      .attributes = {
+          name_spec(),
+          optional_name("from_state", "state", "where it begins; else in the start state"),
+          seconds("lasts", Value(0.0), "how long it runs; 0: to the last time that a step names")}};
+}
+
+AttributeSpec of_condition(std::string_view attribute, std::string help) {
+  AttributeSpec spec = *condition_spec().find(attribute);
+  spec.help = std::move(help);
+  return spec;
+}
+
+ComponentSpec make_given() {
+  return {
+      .name = "given",
+      .help = "Makes a variable what it says for as long as it says, whatever schemas write.",
+      .attributes = {optional_name("bits_variable", "bits", "the variable, if it holds bits"),
+                     of_condition("bit_index", "which of its bits"),
+                     of_condition("bit_value", "what the bit is"),
+                     optional_name("locate_variable", "locate", "the variable, if it is a place"),
+                     {.name = "position",
+                      .type = AttributeType::kPair,
+                      .unit = unit::kCentimetre,
+                      .default_value = Value(Vec2(0, 0)),
+                      .help = "of the place, in the robot's global frame; the robot stands still"},
+                     {.name = "status",
+                      .type = AttributeType::kChoice,
+                      .default_value = Value(std::string("valid")),
+                      .choices = {"valid", "invalid"},
+                      .help = "whether the variable is known"},
+                     seconds("from", Value(0.0), "from when on"),
+                     seconds("until", Value(kLongestExpectation_s), "and until when")}};
+}
+
+ComponentSpec make_claim(std::string name, std::string help, std::optional<Value> from,
+                         AttributeSpec until) {
+  return {.name = std::move(name),
+          .help = std::move(help),
+          .attributes = {expected_state(), seconds("from", std::move(from), "from when on"),
+                         std::move(until)}};
+}
+
+}  // namespace
+
+const ComponentSpec& expect_spec() {
+  static const ComponentSpec spec = make_expect();
+  return spec;
+}
+
+std::span<const ComponentSpec> step_specs() {
+  static const std::array<ComponentSpec, 4> specs{
+      make_given(),
+      make_claim("reaches", "The state is entered in time.", Value(0.0),
+                 seconds("by", std::nullopt, "until when it must have been current")),
+      make_claim("stays", "The state is current all the time.", std::nullopt,
+                 seconds("until", std::nullopt, "until when")),
+      make_claim("never", "The state is current at no time.", Value(0.0),
+                 seconds("until", Value(kLongestExpectation_s), "until when"))};
+  return specs;
+}
+
+}  // namespace galilean::bhdl

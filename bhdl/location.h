@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace galilean::bhdl {
+
+/// Where something stands in the program; line and column from 1.
+struct Location {
+  std::string file;
+  int line = 0;
+  int column = 0;
+};
+
+}  // namespace galilean::bhdl

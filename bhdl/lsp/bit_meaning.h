@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "bhdl/lsp/session.h"
+#include "bhdl/lsp/spot.h"
+
+namespace galilean::bhdl::lsp {
+
+/// A bit that the cursor is at: `bit_index: 3`, beside `bits_variable: "bumpers"`.
+struct BitAt {
+  std::string variable;
+  int index = 0;
+};
+[[nodiscard]] std::optional<BitAt> bit_at(const Spot& spot);
+
+/// Which schemas of the program write the bit, and what they say they do; Markdown, a line each.
+[[nodiscard]] std::string writers_in_words(const Session& session, const std::string& path,
+                                           const BitAt& bit);
+
+}  // namespace galilean::bhdl::lsp

@@ -1,0 +1,40 @@
+#include "bhdl/lsp/constant_roles.h"
+
+namespace galilean::bhdl::lsp {
+namespace {
+
+void note_uses(const ParsedFile& file, ConstantRoles& roles) {
+  for (const auto& mention : file.mentions.names)
+    if (mention.space == NameSpace::kConstant && mention.stands_for)
+      roles[mention.name].set(static_cast<std::size_t>(*mention.stands_for));
+}
+
+// A constant that stands in another's definition names what the other names.
+bool hand_down(const ParsedFile& file, ConstantRoles& roles) {
+  bool changed = false;
+  for (const auto& defined : file.mentions.defined) {
+    const auto user = roles.find(defined.constant);
+    if (defined.is_text || user == roles.end()) continue;
+    const Roles handed_down = user->second;
+    Roles& known = roles[defined.value];
+    changed = changed || (known | handed_down) != known;
+    known |= handed_down;
+  }
+  return changed;
+}
+
+}  // namespace
+
+ConstantRoles constant_roles(const ProgramFiles& program) {
+  constexpr int kDeepestChain = 64;
+  ConstantRoles roles;
+  for (const auto& file : program) note_uses(*file, roles);
+  bool changed = true;
+  for (int depth = 0; changed && depth < kDeepestChain; ++depth) {
+    changed = false;
+    for (const auto& file : program) changed = hand_down(*file, roles) || changed;
+  }
+  return roles;
+}
+
+}  // namespace galilean::bhdl::lsp

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <bitset>
+#include <string_view>
+#include <unordered_map>
+
+#include "bhdl/lsp/workspace.h"
+
+namespace galilean::bhdl::lsp {
+
+/// What the texts of a constant's definition name, by where the constant is used: a constant among
+/// motor schemas names motor schemas. One bit for each NameSpace.
+using Roles = std::bitset<8>;
+using ConstantRoles = std::unordered_map<std::string_view, Roles>;
+
+/// Of every constant in a program; the keys point into its files.
+[[nodiscard]] ConstantRoles constant_roles(const ProgramFiles& program);
+
+[[nodiscard]] inline bool has_role(const ConstantRoles& roles, std::string_view constant,
+                                   NameSpace space) {
+  const auto found = roles.find(constant);
+  return found != roles.end() && found->second.test(static_cast<std::size_t>(space));
+}
+
+}  // namespace galilean::bhdl::lsp

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "bhdl/lsp/session.h"
+
+namespace galilean::bhdl::lsp {
+
+/// textDocument/documentSymbol: sections, and in them components, states and constants.
+[[nodiscard]] Json document_symbols(const Session& session, const Json& params);
+
+/// textDocument/foldingRange: every block of more than a line, and comments of several lines.
+[[nodiscard]] Json folding_ranges(const Session& session, const Json& params);
+
+}  // namespace galilean::bhdl::lsp

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace galilean::bhdl::lsp {
+
+using Json = nlohmann::json;
+
+/// JSON-RPC's and the protocol's own numbers.
+enum class RpcError {
+  kParse = -32700,
+  kInvalidRequest = -32600,
+  kUnknownMethod = -32601,
+  kInvalidParams = -32602,
+  kInternal = -32603,
+  kNotInitialized = -32002,
+  kRequestFailed = -32803
+};
+
+/// What a request is refused for, in one sentence for the person at the editor.
+class Refusal : public std::runtime_error {
+ public:
+  Refusal(RpcError code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  [[nodiscard]] RpcError code() const noexcept { return code_; }
+
+ private:
+  RpcError code_;
+};
+
+[[nodiscard]] Json rpc_result(const Json& id, Json result);
+[[nodiscard]] Json rpc_error(const Json& id, RpcError code, std::string_view message);
+[[nodiscard]] Json rpc_notification(std::string_view method, Json params);
+
+/// One line of JSON; what is no UTF-8 becomes U+FFFD.
+[[nodiscard]] std::string dumped(const Json& json);
+
+/// A value deep in `json`, or nullptr where any step of the path (`/a/b`) is missing.
+[[nodiscard]] const Json* find_in(const Json& json, const Json::json_pointer& path);
+/// Whether a client says yes to something deep in its capabilities.
+[[nodiscard]] bool is_true(const Json& json, const Json::json_pointer& path);
+
+}  // namespace galilean::bhdl::lsp

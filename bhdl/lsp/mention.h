@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "bhdl/symbols.h"
+#include "bhdl/syntax.h"
+#include "bhdl/vocabulary.h"
+
+namespace galilean::bhdl::lsp {
+
+/// A place where a text gives a name or uses one.
+struct Mention {
+  NameSpace space = NameSpace::kVariable;
+  std::string_view name;  ///< without quotes; part of the text
+  bool declares = false;
+  std::string_view type;  ///< of what is declared: "locate"; empty for states and constants
+  /// Of a constant that stands in an attribute: where the names are that the attribute takes.
+  std::optional<NameSpace> stands_for = std::nullopt;
+};
+
+/// A text or a constant in a constant's definition. What a text names is known only where the
+/// constant is used.
+struct DefinedValue {
+  std::string_view constant;
+  std::string_view value;
+  bool is_text = false;
+};
+
+/// Every name in one file.
+struct Mentions {
+  std::vector<Mention> names;
+  std::vector<DefinedValue> defined;
+};
+
+[[nodiscard]] Mentions find_mentions(const SyntaxTree& tree, const Vocabulary& vocabulary);
+
+}  // namespace galilean::bhdl::lsp

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bhdl/lsp/mention.h"
+#include "bhdl/lsp/text_index.h"
+#include "bhdl/syntax.h"
+
+namespace galilean::bhdl::lsp {
+
+/// One version of a file with what was read from it. A text that is no BHDL at all (binary, too
+/// large) has an empty tree. Never changed, so that whoever holds it can read on while the editor
+/// goes on; never copied, since the tree points into the text.
+struct ParsedFile {
+  ParsedFile(std::string its_path, std::string its_text, const Vocabulary& vocabulary);
+  ParsedFile(const ParsedFile&) = delete;
+  ParsedFile& operator=(const ParsedFile&) = delete;
+
+  const std::string path;
+  const std::string text;
+  const TextIndex index;
+  const bool is_readable;  ///< else it is no text that a lexer may see
+  SyntaxTree tree;
+  std::vector<std::string> includes;  ///< paths, as the loader resolves them
+  Mentions mentions;
+};
+
+using FilePointer = std::shared_ptr<const ParsedFile>;
+
+}  // namespace galilean::bhdl::lsp

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "bhdl/lsp/diagnostic_desk.h"
+
+namespace galilean::bhdl::lsp {
+
+/// textDocument/codeAction: of every diagnostic in the range that knows what was meant, the edit
+/// that puts it right. `desk` must be up to date.
+[[nodiscard]] Json quick_fixes(const Session& session, const DiagnosticDesk& desk,
+                               const Json& params);
+
+}  // namespace galilean::bhdl::lsp

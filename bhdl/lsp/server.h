@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bhdl/lsp/diagnostic_desk.h"
+
+namespace galilean::bhdl::lsp {
+
+/// A language server for BHDL that speaks the Language Server Protocol 3.17, without the way that
+/// messages take: each comes in as the text of one JSON-RPC message, and so do the answers go out.
+/// Any text gets an answer; none makes it throw. One client, one thread.
+///
+/// Requests are answered at once. What changed texts cost is put off: whoever owns the server calls
+/// `work` when no message waits, and gets the diagnostics to send.
+class Server {
+ public:
+  Server(Catalog catalog, std::unique_ptr<ProgramFolder> folder);
+
+  /// What is to be sent for one message, in order; mostly one answer, or nothing.
+  [[nodiscard]] std::vector<std::string> receive(std::string_view message);
+
+  [[nodiscard]] bool has_work() const noexcept { return desk_.due(); }
+  [[nodiscard]] std::vector<std::string> work();
+
+  /// Set when the client has said `exit`: 0 if it said `shutdown` before, else 1.
+  [[nodiscard]] std::optional<int> exit_status() const noexcept { return exit_status_; }
+
+ private:
+  enum class Phase { kNew, kReady, kShutDown };
+
+  [[nodiscard]] std::optional<Json> answer(const Json& message, std::vector<std::string>& before);
+  [[nodiscard]] Json request(std::string_view method, const Json& params,
+                             std::vector<std::string>& before);
+  void notice(std::string_view method, const Json& params);
+  [[nodiscard]] Json initialize(const Json& params);
+  [[nodiscard]] Session session() { return {workspace_, catalog_, vocabulary_, client_}; }
+
+  Catalog catalog_;
+  Vocabulary vocabulary_;
+  std::unique_ptr<ProgramFolder> folder_;
+  Workspace workspace_;
+  Client client_;
+  DiagnosticDesk desk_;
+  Phase phase_ = Phase::kNew;
+  std::optional<int> exit_status_;
+};
+
+}  // namespace galilean::bhdl::lsp

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bhdl/lsp/entity.h"
+#include "bhdl/lsp/parsed_file.h"
+
+namespace galilean::bhdl::lsp {
+
+/// What of the catalog's the cursor touches: a component's label, an attribute's, or a value.
+struct Spot {
+  const ComponentSpec* component = nullptr;
+  const AttributeSpec* attribute = nullptr;           ///< nullptr: the component's own label
+  const ValueNode* value = nullptr;                   ///< nullptr: a label
+  const std::vector<AttributeNode>* given = nullptr;  ///< all attributes of that component
+  ByteRange range;
+};
+[[nodiscard]] std::optional<Spot> spot_at(const ParsedFile& file, const Vocabulary& vocabulary,
+                                          std::size_t offset);
+
+}  // namespace galilean::bhdl::lsp

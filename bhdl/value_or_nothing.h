@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/catalog/wiring.h"
+
+namespace galilean::bhdl {
+
+/// An attribute's content. A value that was refused reads as nothing: the program will not be used.
+template <class T>
+[[nodiscard]] T value_or_nothing(const AttributeValues& values, std::string_view name) {
+  const Value* value = values.find(name);
+  const T* content = value == nullptr ? nullptr : std::get_if<T>(value);
+  return content == nullptr ? T{} : *content;
+}
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,97 @@
+#include "monitor/access/tokens.h"
+
+#include <fcntl.h>
+#include <sys/random.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+
+namespace galilean::monitor {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::size_t kTokenBytes = 20;
+
+Result<std::string> new_token() {
+  static constexpr char kDigits[] = "0123456789abcdef";
+  std::array<unsigned char, kTokenBytes> bytes;
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+    return Error{std::string("the system gives no random numbers: ") + std::strerror(errno)};
+  std::string token;
+  for (const auto byte : bytes) (token += kDigits[byte >> 4]) += kDigits[byte & 15];
+  return token;
+}
+
+/// Whole or not at all: nobody finds half a token after a crash.
+bool write_secret(const fs::path& file, const std::string& token) {
+  const fs::path draft = file.string() + "." + std::to_string(getpid());
+  const int descriptor = open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (descriptor < 0) return false;
+  const std::string text = token + "\n";
+  const bool written =
+      write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
+      fsync(descriptor) == 0;
+  const int problem = errno;
+  close(descriptor);
+  // A link fails where another monitor was quicker; its token stands then.
+  const bool placed = written && (link(draft.c_str(), file.c_str()) == 0 || errno == EEXIST);
+  if (!written) errno = problem;
+  unlink(draft.c_str());
+  return placed;
+}
+
+Result<std::string> read_or_make(const fs::path& file, bool& is_new) {
+  std::error_code unknown;
+  if (!fs::exists(file, unknown)) {
+    const auto token = new_token();
+    if (!token) return token.error();
+    if (!write_secret(file, token.value()))
+      return Error{file.string() + " cannot be written: " + std::strerror(errno) +
+                   "; name a folder that can be written with --data DIR"};
+    is_new = true;
+  }
+  return read_token(file);
+}
+
+}  // namespace
+
+fs::path default_data_folder() {
+  if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state)
+    return fs::path(state) / "galilean";
+  const char* home = std::getenv("HOME");
+  return fs::path(home && *home ? home : ".") / ".local" / "state" / "galilean";
+}
+
+fs::path operator_token_file(const fs::path& data_folder) {
+  return data_folder / "operator.token";
+}
+
+Result<Tokens> open_tokens(const fs::path& data_folder) {
+  std::error_code failed;
+  fs::create_directories(data_folder, failed);
+  Tokens tokens;
+  auto viewer = read_or_make(data_folder / "viewer.token", tokens.are_new);
+  if (!viewer) return viewer.error();
+  auto operator_ = read_or_make(operator_token_file(data_folder), tokens.are_new);
+  if (!operator_) return operator_.error();
+  tokens.viewer = std::move(viewer).value();
+  tokens.operator_ = std::move(operator_).value();
+  return tokens;
+}
+
+Result<std::string> read_token(const fs::path& file) {
+  std::ifstream in(file);
+  std::string token;
+  if (!in) return Error{file.string() + " cannot be read: " + std::strerror(errno)};
+  in >> token;
+  constexpr std::size_t kShortest = 16;
+  if (token.size() < kShortest)
+    return Error{file.string() + " has no token; remove it, and the monitor makes a new one"};
+  return token;
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,95 @@
+#include "monitor/commands/direct_swap.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+
+#include "bhdl/catalog_file.h"
+#include "monitor/commands/push_dialogue.h"
+#include "monitor/programs/json.h"
+#include "monitor/programs/target_check.h"
+#include "monitor/programs/team_listener.h"
+
+namespace galilean::monitor {
+namespace {
+
+constexpr auto kDiscovery = std::chrono::seconds(3);
+
+int fail(const std::string& why) {
+  std::cerr << "galilean swap: " << why << std::endl;
+  return kCannotReach;
+}
+
+int tell_broken(const TargetCheck& check, const DirectSwapOptions& options) {
+  if (options.push.json)
+    std::cout << nlohmann::json{{"ok", false},
+                                {"robot", check.refused_by},
+                                {"diagnostics", check.result.diagnostics}}
+              << std::endl;
+  else
+    for (const auto& diagnostic : check.result.diagnostics)
+      std::cerr << bhdl::format(diagnostic) << '\n';
+  if (!options.push.json) std::cerr << "galilean swap: nothing was pushed" << std::endl;
+  return kPushRefused;
+}
+
+int tell_answers(const Push& push, const msg::ProgramPush& message,
+                 const DirectSwapOptions& options) {
+  const auto replies = to_json(push.answers());
+  if (options.push.json)
+    std::cout << nlohmann::json{{"ok", push.complete()},
+                                {"id", message.id},
+                                {"hash", message.hash},
+                                {"replies", replies}}
+              << std::endl;
+  else
+    for (const auto& reply : replies) print_reply(reply);
+  return push.taken_by_all() ? EXIT_SUCCESS : kPushRefused;
+}
+
+/// Sends the message and waits for the answers.
+int converse(TeamListener& listener, wire::Writer<msg::ProgramPush>& writer,
+             const msg::ProgramPush& message, const std::vector<std::string>& robots,
+             const DirectSwapOptions& options) {
+  Push push(message.id, robots, listener.now());
+  listener.on_message([&](const Message& received) {
+    msg::ProgramReply reply;
+    if (received.channel.schema->ros_type == msg::ProgramReply::kRosType &&
+        msg::decode_cdr(*received.cdr, reply))
+      push.note(reply, listener.now());
+  });
+  if (!writer.write(message)) return fail("DDS did not take the program; try again");
+  listener.wait(from_seconds(options.timeout_s), [&] { return push.complete(); });
+  return tell_answers(push, message, options);
+}
+
+}  // namespace
+
+int swap_directly(const DirectSwapOptions& options) {
+  const auto installed = bhdl::load_catalog(bhdl::default_catalog_path());
+  auto joined = TeamListener::join("swap", options.domain);
+  if (!joined) return fail(joined.error().message);
+  TeamListener& listener = *joined.value();
+  wire::Writer<msg::ProgramPush> writer(listener.participant(), wire::kProgramPushTopic);
+  const auto robots = listener.find(options.push.robots, kDiscovery);
+  if (!robots) return fail(robots.error().message);
+
+  std::vector<Target> targets;
+  std::vector<std::string> names;
+  for (const auto* robot : robots.value()) {
+    targets.push_back(target_of(*robot));
+    names.push_back(robot->name);
+  }
+  const auto check =
+      check_for(targets, installed ? installed.value() : Catalog{},
+                [&](const Catalog& catalog) { return bhdl::check_file(options.file, catalog); });
+  if (!check.result.program) return tell_broken(check, options);
+  if (!listener.wait(kDiscovery,
+                     [&] { return writer.readers() >= static_cast<int>(names.size()); }))
+    return fail("the robots do not listen for programs; they run an older version or are ending");
+  const auto message = make_push(*check.result.program, options.push.author, options.push.robots,
+                                 options.push.replaces);
+  return converse(listener, writer, message, names, options);
+}
+
+}  // namespace galilean::monitor

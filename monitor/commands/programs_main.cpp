@@ -1,0 +1,158 @@
+#include <CLI/CLI.hpp>
+#include <ctime>
+#include <iomanip>
+#include <iostream>
+
+#include "bhdl/catalog_file.h"
+#include "bhdl/check.h"
+#include "bhdl/diff/diff.h"
+#include "monitor/commands/push_dialogue.h"
+#include "monitor/programs/json.h"
+
+namespace {
+using namespace galilean::monitor;
+namespace bhdl = galilean::bhdl;
+using nlohmann::json;
+using Files = std::vector<bhdl::SourceFile>;
+
+constexpr const char* kCommand = "galilean programs";
+constexpr int kDiffer = 1;
+
+int fail(const std::string& why) {
+  std::cerr << kCommand << ": " << why << std::endl;
+  return kCannotReach;
+}
+
+std::string clock_text(std::int64_t since_epoch_ns) {
+  const std::time_t seconds = since_epoch_ns / 1'000'000'000;
+  std::tm local{};
+  localtime_r(&seconds, &local);
+  char text[32];
+  return std::string(text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &local));
+}
+
+std::string joined(const json& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ",") + name.get<std::string>();
+  return text.empty() ? "team" : text;
+}
+
+std::string outcomes(const json& replies) {
+  std::string text;
+  for (const auto& reply : replies)
+    text += (text.empty() ? "" : ", ") + reply.value("robot", "") + " " + reply.value("status", "");
+  return text;
+}
+
+int list(const MonitorClient& monitor, bool as_json) {
+  const auto answer = monitor.get("/api/pushes");
+  if (!answer) return fail(answer.error().message);
+  if (!answer.value().ok()) return fail(answer.value().detail());
+  if (as_json) return std::cout << answer.value().json.dump(1) << std::endl, EXIT_SUCCESS;
+  for (const auto& push : answer.value().json["pushes"])
+    std::cout << clock_text(push.value("pushed_ns", std::int64_t{})) << "  "
+              << push.value("hash", "").substr(0, 12) << "  " << std::left << std::setw(24)
+              << push.value("program", "") << ' ' << std::setw(10) << push.value("author", "")
+              << ' ' << std::setw(12) << push.value("state", "") << "to " << joined(push["targets"])
+              << ": " << outcomes(push["replies"]) << '\n';
+  return EXIT_SUCCESS;
+}
+
+galilean::Result<Files> pushed(const MonitorClient& monitor, const std::string& hash) {
+  auto answer = monitor.get("/api/pushed/" + hash);
+  if (!answer) return answer.error();
+  if (!answer.value().ok()) return galilean::Error{answer.value().detail()};
+  return files_from_json(answer.value().json["files"]);
+}
+
+int show(const MonitorClient& monitor, const std::string& hash) {
+  const auto files = pushed(monitor, hash);
+  if (!files) return fail(files.error().message);
+  const bool several = files.value().size() > 1;
+  for (const auto& file : files.value()) {
+    if (several) std::cout << "// " << file.path << '\n';
+    std::cout << file.text;
+    if (!file.text.ends_with('\n')) std::cout << '\n';
+  }
+  return EXIT_SUCCESS;
+}
+
+/// `name`: a file on this machine, or the hash of a program that was pushed.
+galilean::Result<bhdl::Program> program_named(const MonitorClient& monitor, const std::string& name,
+                                              const galilean::Catalog& catalog) {
+  bhdl::CheckResult checked;
+  if (std::error_code none; std::filesystem::is_regular_file(name, none)) {
+    checked = bhdl::check_file(name, catalog);
+  } else {
+    auto files = pushed(monitor, name);
+    if (!files) return files.error();
+    checked = bhdl::check(std::move(files).value(), catalog);
+  }
+  if (checked.program) return std::move(*checked.program);
+  std::string why = name + " does not check here:";
+  for (const auto& diagnostic : checked.diagnostics) why += "\n  " + bhdl::format(diagnostic);
+  return galilean::Error{why};
+}
+
+int diff(const MonitorClient& monitor, const std::string& from, const std::string& to,
+         bool as_json) {
+  const auto catalog = bhdl::load_catalog(bhdl::default_catalog_path());
+  if (!catalog) return fail(catalog.error().message);
+  const auto before = program_named(monitor, from, catalog.value());
+  if (!before) return fail(before.error().message);
+  const auto after = program_named(monitor, to, catalog.value());
+  if (!after) return fail(after.error().message);
+  const auto changes = bhdl::differences(before.value(), after.value(), catalog.value());
+  if (as_json)
+    std::cout << json{{"same", changes.empty()},
+                      {"from", before.value().hash},
+                      {"to", after.value().hash},
+                      {"changes", changes}}
+                     .dump(1)
+              << std::endl;
+  else
+    for (const auto& change : changes) std::cout << bhdl::in_words(change) << '\n';
+  return changes.empty() ? EXIT_SUCCESS : kDiffer;
+}
+
+int restore(const MonitorClient& monitor, const std::string& hash, const PushOptions& options) {
+  const auto files = pushed(monitor, hash);
+  if (!files) return fail(files.error().message);
+  return push_through(monitor, kCommand, files.value(), options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  PushOptions options;
+  std::string hash, from, to;
+  bool as_json = false;
+  CLI::App app("Programs that were pushed, as the monitor remembers them.", kCommand);
+  app.require_subcommand(1);
+  app.fallthrough();
+  add_monitor_option(app, options);
+  auto* listing =
+      app.add_subcommand("list", "the last pushes: when, what, by whom, what became of it");
+  listing->add_flag("--json", as_json, "as JSON");
+  auto* showing = app.add_subcommand("show", "a program's text");
+  showing->add_option("hash", hash, "its hash, or how it begins")->required();
+  auto* comparing = app.add_subcommand("diff", "what B tells robots otherwise than A");
+  comparing->add_option("A", from, "a hash, or a file")->required();
+  comparing->add_option("B", to, "a hash, or a file")->required();
+  comparing->add_flag("--json", as_json, "as JSON");
+  auto* restoring = app.add_subcommand("restore", "push a program once more");
+  restoring->add_option("hash", hash, "its hash, or how it begins")->required();
+  add_push_options(*restoring, options);
+  try {
+    app.parse(argc, argv);
+    if (restoring->parsed()) require_targets(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? EXIT_SUCCESS : kCannotReach;
+  }
+  const auto monitor = MonitorClient::at(options.monitor, options.token_file);
+  if (!monitor) return fail(monitor.error().message);
+  if (listing->parsed()) return list(monitor.value(), as_json);
+  if (showing->parsed()) return show(monitor.value(), hash);
+  if (comparing->parsed()) return diff(monitor.value(), from, to, as_json);
+  return restore(monitor.value(), hash, options);
+}

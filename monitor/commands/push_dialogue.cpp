@@ -1,0 +1,159 @@
+#include "monitor/commands/push_dialogue.h"
+
+#include <poll.h>
+
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <map>
+
+#include "core/termination.h"
+#include "monitor/programs/json.h"
+
+namespace galilean::monitor {
+namespace {
+
+using nlohmann::json;
+
+json request_of(const std::vector<bhdl::SourceFile>& files, const PushOptions& options) {
+  json request{{"files", to_json(files)},
+               {"targets", options.robots},
+               {"author", options.author},
+               {"replaces", options.replaces},
+               {"canary", options.canary}};
+  if (options.tries || options.tries_only)
+    request["try"] = {{"only", options.tries_only}, {"even_if_worse", options.even_if_worse}};
+  if (options.probation_s) request["probation_s"] = *options.probation_s;
+  return request;
+}
+
+void print_diagnostic(const json& diagnostic, std::ostream& out) {
+  out << diagnostic.value("file", "") << ':' << diagnostic.value("line", 0) << ':'
+      << diagnostic.value("column", 0) << ": " << diagnostic.value("severity", "") << ": "
+      << diagnostic.value("message", "") << '\n';
+}
+
+/// Says what is new.
+class StepPrinter {
+ public:
+  void print(const json& push) {
+    for (const auto& step : push.value("steps", json::array())) {
+      const auto name = step.value("name", ""), state = step.value("state", "");
+      const auto line =
+          state + (step.value("detail", "").empty() ? "" : "  ") + step.value("detail", "");
+      if (state == "waiting" || state == "left_out" || said_[name] == line) continue;
+      said_[name] = line;
+      std::cout << std::left << std::setw(8) << name << line << std::endl;
+    }
+  }
+
+ private:
+  std::map<std::string, std::string> said_;
+};
+
+class Dialogue {
+ public:
+  Dialogue(const MonitorClient& monitor, std::string command, const PushOptions& options)
+      : monitor_(monitor), command_(std::move(command)), options_(options) {}
+
+  int push(const std::vector<bhdl::SourceFile>& files) {
+    const auto answer = monitor_.post("/api/push", request_of(files, options_));
+    if (!answer) return fail(answer.error().message);
+    if (!answer.value().ok()) return tell_refusal(answer.value());
+    json push = answer.value().json;
+    for (show(push); push.value("state", "") == "running"; show(push)) {
+      if (is_interrupted()) cancel(push.value("id", ""));
+      const auto now = monitor_.get("/api/pushes/" + push.value("id", ""));
+      if (!now) return fail(now.error().message);
+      if (!now.value().ok()) return fail(now.value().detail());
+      push = now.value().json;
+    }
+    return tell_end(push);
+  }
+
+ private:
+  int fail(const std::string& why) const {
+    std::cerr << command_ << ": " << why << std::endl;
+    return kCannotReach;
+  }
+
+  void show(const json& push) {
+    if (!options_.json) steps_.print(push);
+  }
+
+  /// Waits a little, and tells whether somebody pressed Ctrl-C.
+  bool is_interrupted() {
+    constexpr int kLookEach_ms = 100;
+    if (cancelled_) return ::poll(nullptr, 0, kLookEach_ms) != 0;
+    pollfd event{termination_.descriptor(), POLLIN, 0};
+    ::poll(&event, 1, kLookEach_ms);
+    return cancelled_ = termination_.asked();
+  }
+
+  void cancel(const std::string& id) {
+    const auto answer =
+        monitor_.post("/api/pushes/" + id + "/cancel", {{"author", options_.author}});
+    if (!answer)
+      fail(answer.error().message);
+    else if (!answer.value().ok())
+      fail(answer.value().detail());
+  }
+
+  int tell_refusal(const MonitorAnswer& answer) const {
+    const auto diagnostics = answer.json.value("diagnostics", json::array());
+    if (options_.json) {
+      auto told = answer.json;
+      told["ok"] = false;
+      std::cout << told.dump() << std::endl;
+    } else {
+      for (const auto& diagnostic : diagnostics) print_diagnostic(diagnostic, std::cerr);
+      std::cerr << command_ << ": " << answer.detail() << std::endl;
+    }
+    const bool judged = answer.status == 409 || answer.status == 422;
+    return judged ? kPushRefused : kCannotReach;
+  }
+
+  int tell_end(json push) const {
+    const bool is_done = push.value("state", "") == "done";
+    if (options_.json) {
+      push["ok"] = is_done;
+      std::cout << push.dump() << std::endl;
+    } else {
+      for (const auto& reply : push.value("replies", json::array())) print_reply(reply);
+    }
+    return is_done ? EXIT_SUCCESS : kPushRefused;
+  }
+
+  Termination termination_;
+  const MonitorClient& monitor_;
+  std::string command_;
+  PushOptions options_;
+  StepPrinter steps_;
+  bool cancelled_ = false;
+};
+
+}  // namespace
+
+void print_reply(const json& reply) {
+  const auto status = reply.value("status", "");
+  std::cout << std::left << std::setw(14) << reply.value("robot", "") << std::setw(12) << status;
+  if (status != "no_answer")
+    std::cout << std::fixed << std::setprecision(1) << reply.value("latency_ms", 0.0) << " ms";
+  if (status == "running")
+    std::cout << "  kept " << reply.value("kept_variables", json::array()).size()
+              << " variables, swapped in a tick of " << reply.value("swap_tick_us", 0.0) << " us";
+  if (const auto message = reply.value("message", ""); !message.empty())
+    std::cout << "  " << message;
+  std::cout << '\n';
+  for (const auto& diagnostic : reply.value("diagnostics", json::array())) {
+    std::cout << "  ";
+    print_diagnostic(diagnostic, std::cout);
+  }
+}
+
+int push_through(const MonitorClient& monitor, const std::string& command,
+                 const std::vector<bhdl::SourceFile>& files, const PushOptions& options) {
+  return Dialogue(monitor, command, options).push(files);
+}
+
+}  // namespace galilean::monitor

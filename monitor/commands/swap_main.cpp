@@ -1,0 +1,52 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "bhdl/check.h"
+#include "monitor/commands/direct_swap.h"
+#include "monitor/commands/push_dialogue.h"
+
+namespace {
+using namespace galilean::monitor;
+namespace bhdl = galilean::bhdl;
+
+int swap_through_monitor(const DirectSwapOptions& options) {
+  // The monitor checks against the robots' catalogs; here only the includes are looked for.
+  const auto files = bhdl::check_file(options.file, {}).files;
+  if (files.empty()) {
+    std::cerr << "galilean swap: " << options.file << " cannot be read" << std::endl;
+    return kCannotReach;
+  }
+  const auto monitor = MonitorClient::at(options.push.monitor, options.push.token_file);
+  if (!monitor) {
+    std::cerr << "galilean swap: " << monitor.error().message << std::endl;
+    return kCannotReach;
+  }
+  return push_through(monitor.value(), "galilean swap", files, options.push);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  DirectSwapOptions options;
+  bool direct = false;
+  CLI::App app("Swaps the program of running robots, without a stop.", "galilean swap");
+  app.add_option("file", options.file, "the program, a BHDL file")->required();
+  add_push_options(app, options.push);
+  add_monitor_option(app, options.push);
+  auto* directly = app.add_flag("--direct", direct,
+                                "over DDS, without a monitor: to robots that were started with "
+                                "--accept-swaps-from naming this program");
+  for (const auto* other :
+       {"--try", "--try-only", "--canary", "--probation", "--monitor", "--token-file"})
+    app.get_option(other)->excludes(directly);
+  app.add_option("--timeout", options.timeout_s, "seconds to wait for answers (with --direct)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--domain", options.domain, "DDS domain (ROS_DOMAIN_ID, else 0; with --direct)");
+  try {
+    app.parse(argc, argv);
+    require_targets(options.push);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? EXIT_SUCCESS : kCannotReach;
+  }
+  return direct ? swap_directly(options) : swap_through_monitor(options);
+}

@@ -1,0 +1,164 @@
+#include "monitor/server/language_session.h"
+
+#include <boost/beast/core/buffers_to_string.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/http/field.hpp>
+#include <boost/beast/websocket/stream.hpp>
+#include <deque>
+
+#include "bhdl/lsp/server.h"
+#include "monitor/server/http_messages.h"
+
+namespace galilean::monitor {
+namespace {
+
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+using LanguageUpgrade = beast::http::request<beast::http::string_body>;
+
+constexpr std::size_t kMostMessage = 32 << 20;
+constexpr std::size_t kMostWaiting = 64;  ///< messages that are read before one is answered
+constexpr std::size_t kMostUnsentBytes = 64 << 20;
+
+/// JSON; empty if no robot has published one.
+std::string catalog_of(const Team& team, const std::string& robot) {
+  const Robot* named = team.find(robot);
+  if (named != nullptr && named->catalog) return named->catalog->json;
+  for (const auto& [name, each] : team.robots())
+    if (each.catalog && !team.silent(each)) return each.catalog->json;
+  return {};
+}
+
+class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
+ public:
+  LanguageSession(boost::asio::ip::tcp::socket socket, LanguageDesk& desk)
+      : stream_(std::move(socket)), desk_(desk) {}
+
+  void start(const LanguageUpgrade& upgrade) {
+    stream_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
+    stream_.set_option(websocket::stream_base::decorator(
+        [](auto& response) { response.set(beast::http::field::server, "galilean"); }));
+    stream_.read_message_max(kMostMessage);
+    stream_.text(true);
+    const std::string_view target(upgrade.target().data(), upgrade.target().size());
+    stream_.async_accept(upgrade, [self = shared_from_this(),
+                                   robot = query_value(target, "robot")](beast::error_code error) {
+      if (!error) self->begin(robot);
+    });
+  }
+
+ private:
+  /// What one turn on the worker came to.
+  struct Turn {
+    std::vector<std::string> messages;
+    bool has_work = false;
+    bool over = false;
+  };
+
+  void begin(const std::string& robot) {
+    run([self = shared_from_this(), json = catalog_of(desk_.team, robot)] {
+      const auto own = json.empty() ? Result<Catalog>(Error{}) : catalog_from_json(json);
+      self->server_ = std::make_unique<bhdl::lsp::Server>(
+          own ? own.value() : self->desk_.installed,
+          std::make_unique<bhdl::lsp::DiskFolder>(self->desk_.library_folder));
+      return std::vector<std::string>();
+    });
+    read();
+  }
+
+  // Reading stops while too much waits: then TCP holds the client up.
+  void read() {
+    reading_ = true;
+    stream_.async_read(incoming_, [self = shared_from_this()](beast::error_code error, auto) {
+      self->reading_ = false;
+      if (error) return self->end();
+      self->waiting_.push_back(beast::buffers_to_string(self->incoming_.data()));
+      self->incoming_.consume(self->incoming_.size());
+      if (self->waiting_.size() < kMostWaiting) self->read();
+      self->take_turn();
+    });
+  }
+
+  void take_turn() {
+    if (busy_ || closed_) return;
+    if (!waiting_.empty()) {
+      run([self = shared_from_this(), message = std::move(waiting_.front())] {
+        return self->server_->receive(message);
+      });
+      waiting_.pop_front();
+      if (!reading_) read();
+    } else if (has_work_) {
+      run([self = shared_from_this()] { return self->server_->work(); });
+    }
+  }
+
+  template <class Job>
+  void run(Job job) {
+    busy_ = true;
+    desk_.worker.run(
+        [self = shared_from_this(), job = std::move(job)] {
+          Turn turn{job()};
+          turn.has_work = self->server_->has_work();
+          turn.over = self->server_->exit_status().has_value();
+          return turn;
+        },
+        [self = shared_from_this()](Turn turn) { self->finish_turn(std::move(turn)); });
+  }
+
+  void finish_turn(Turn turn) {
+    busy_ = false;
+    has_work_ = turn.has_work;
+    for (auto& message : turn.messages) send(std::move(message));
+    if (turn.over || unsent_bytes_ > kMostUnsentBytes) return close();
+    take_turn();
+  }
+
+  void send(std::string message) {
+    if (closed_) return;
+    unsent_bytes_ += message.size();
+    unsent_.push_back(std::move(message));
+    if (unsent_.size() == 1) write();
+  }
+
+  void write() {
+    stream_.async_write(boost::asio::buffer(unsent_.front()),
+                        [self = shared_from_this()](beast::error_code error, std::size_t) {
+                          if (error) return self->end();
+                          self->unsent_bytes_ -= self->unsent_.front().size();
+                          self->unsent_.pop_front();
+                          if (!self->unsent_.empty()) self->write();
+                        });
+  }
+
+  void close() {
+    if (std::exchange(closed_, true)) return;
+    stream_.async_close(websocket::close_code::normal,
+                        [self = shared_from_this()](beast::error_code) {});
+  }
+
+  void end() {
+    closed_ = true;
+    waiting_.clear();
+  }
+
+  websocket::stream<boost::asio::ip::tcp::socket> stream_;
+  LanguageDesk& desk_;
+  std::unique_ptr<bhdl::lsp::Server> server_;  ///< the worker's alone
+  beast::flat_buffer incoming_;
+  std::deque<std::string> waiting_;
+  std::deque<std::string> unsent_;
+  std::size_t unsent_bytes_ = 0;
+  bool reading_ = false;
+  bool busy_ = false;
+  bool has_work_ = false;
+  bool closed_ = false;
+};
+
+}  // namespace
+
+void serve_language(boost::asio::ip::tcp::socket socket, const LanguageUpgrade& upgrade,
+                    LanguageDesk& desk) {
+  std::make_shared<LanguageSession>(std::move(socket), desk)->start(upgrade);
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,86 @@
+#include "monitor/server/push_order.h"
+
+#include <algorithm>
+
+namespace galilean::monitor {
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+std::string known_robots(const Team& team) {
+  std::string names;
+  for (const auto& [name, robot] : team.robots()) names += (names.empty() ? "" : ", ") + name;
+  return names.empty() ? "no robot was heard yet" : "known are " + names;
+}
+
+/// One that is named is waited for even while it is silent.
+void add(const Robot& robot, bool is_named, const Team& team, OrderTargets& targets) {
+  if (is_named || !team.silent(robot))
+    targets.awaited.push_back(target_of(robot));
+  else
+    targets.silent.push_back(robot.name);
+}
+
+void object(OrderTargets& targets, int status, std::string why) {
+  targets.status = status;
+  targets.objection = std::move(why);
+}
+
+}  // namespace
+
+std::vector<std::string> OrderTargets::names() const {
+  std::vector<std::string> result;
+  for (const auto& target : awaited) result.push_back(target.robot);
+  return result;
+}
+
+OrderTargets targets_of(const PushOrder& order, const Team& team) {
+  OrderTargets targets;
+  for (const auto& name : order.targets)
+    if (!team.find(name))
+      object(targets, 404, "There is no robot '" + name + "'; " + known_robots(team) + ".");
+  for (const auto& [name, robot] : team.robots())
+    if (order.targets.empty() || contains(order.targets, name))
+      add(robot, !order.targets.empty(), team, targets);
+  if (!targets.objection.empty()) return targets;
+  if (targets.awaited.empty()) object(targets, 409, "No robot is heard; nothing was pushed.");
+  if (!order.canary.empty() && !contains(targets.names(), order.canary))
+    object(targets, 409,
+           "The canary '" + order.canary + "' is none of the robots that are to run the program, " +
+               "or it is silent; " + known_robots(team) + ".");
+  return targets;
+}
+
+std::optional<Stale> stale(const PushOrder& order, const OrderTargets& targets, const Team& team) {
+  if (order.replaces.empty()) return std::nullopt;
+  if (order.targets.empty()) {
+    // A robot that drifts is no reason against a program for the team: it is brought back by it.
+    const auto runs = team.program_hash();
+    if (runs.empty() || runs == order.replaces) return std::nullopt;
+    return Stale{{}, runs};
+  }
+  for (const auto& target : targets.awaited) {
+    const Robot* robot = team.find(target.robot);
+    if (robot && robot->state && robot->state->program_hash != order.replaces)
+      return Stale{target.robot, robot->state->program_hash};
+  }
+  return std::nullopt;
+}
+
+std::string replaced_by_each(const PushOrder& order, const OrderTargets& targets,
+                             const Team& team) {
+  const bool all_run_it = std::ranges::all_of(targets.awaited, [&](const Target& target) {
+    const Robot* robot = team.find(target.robot);
+    return robot && robot->state && robot->state->program_hash == order.replaces;
+  });
+  return all_run_it ? order.replaces : std::string();
+}
+
+bool overlap(const std::vector<std::string>& targets, const std::vector<std::string>& others) {
+  if (targets.empty() || others.empty()) return true;
+  return std::ranges::any_of(targets, [&](const auto& name) { return contains(others, name); });
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/wire/messages.h"
+#include "monitor/programs/history.h"
+#include "monitor/programs/target_check.h"
+#include "monitor/server/outcome.h"
+#include "monitor/server/push_order.h"
+
+namespace galilean::monitor {
+
+/// Why an order is refused, as problems that name who and what; `pushed` has the other's push.
+/// 409: `other` is under way to the same robots.
+[[nodiscard]] Outcome conflict(const PushRecord& other);
+/// 409: another program runs than the one that was to be replaced. `by`: who pushed it.
+[[nodiscard]] Outcome overtaken(const std::string& replaces, const Stale& stale,
+                                const std::optional<PushRecord>& by);
+/// 422, with the diagnostics.
+[[nodiscard]] Outcome broken(const TargetCheck& check);
+/// Why it can no longer be cancelled.
+[[nodiscard]] std::string too_late(const PushRecord& push);
+
+/// "office_cleanup.bhdl (1a2b3c4d)"
+[[nodiscard]] std::string program_words(const PushRecord& push);
+[[nodiscard]] msg::PushProgress progress_message(const PushRecord& push);
+
+}  // namespace galilean::monitor

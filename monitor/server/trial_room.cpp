@@ -1,0 +1,53 @@
+#include "monitor/server/trial_room.h"
+
+#include <unistd.h>
+
+#include "monitor/trial/situation.h"
+
+namespace galilean::monitor {
+
+void TrialRoom::receive(const Message& message) {
+  if (message.channel.schema->ros_type == msg::ObjectMap::kRosType) newest_map_ = message.cdr;
+}
+
+std::optional<msg::ObjectMap> TrialRoom::map() const {
+  msg::ObjectMap map;
+  if (!newest_map_ || !msg::decode_cdr(*newest_map_, map)) return std::nullopt;
+  return map;
+}
+
+std::vector<bhdl::SourceFile> TrialRoom::running(const OrderTargets& targets) const {
+  for (const auto& target : targets.awaited) {
+    const Robot* robot = team_.find(target.robot);
+    if (!robot || !robot->program) continue;
+    std::vector<bhdl::SourceFile> files;
+    for (const auto& file : robot->program->files) files.push_back({file.path, file.text});
+    return files;
+  }
+  return {};
+}
+
+Result<std::unique_ptr<Trial>> TrialRoom::begin(const std::string& id, const PushOrder& order,
+                                                const std::vector<bhdl::SourceFile>& files,
+                                                const OrderTargets& targets,
+                                                Trial::Done done) const {
+  if (access(simulator_.c_str(), X_OK) != 0)
+    return Error{"the simulator " + simulator_.string() +
+                 " is not there; install it, or push without a trial"};
+  auto situation = situation_of(team_, map());
+  if (!situation) return situation.error();
+  std::string scenario = order.trial.scenario;
+  if (scenario.empty() && team_.score()) scenario = team_.score()->scenario;
+  if (scenario.empty())
+    return Error{"no referee tells in which arena the team is; name its scenario"};
+  return std::make_unique<Trial>(io_, simulator_, folder_ / id,
+                                 TrialOrder{.next = files,
+                                            .now = running(targets),
+                                            .situation = std::move(situation).value(),
+                                            .scenario = std::move(scenario),
+                                            .seeds = order.trial.seeds,
+                                            .duration_s = order.trial.duration_s},
+                                 std::move(done));
+}
+
+}  // namespace galilean::monitor

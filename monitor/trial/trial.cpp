@@ -1,0 +1,148 @@
+#include "monitor/trial/trial.h"
+
+#include <boost/asio/post.hpp>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+namespace galilean::monitor {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool write_file(const fs::path& file, const std::string& text) {
+  std::error_code failed;
+  fs::create_directories(file.parent_path(), failed);
+  return bool(std::ofstream(file, std::ios::binary) << text << std::flush);
+}
+
+/// A program's paths are relative to its main file's folder and may lead out of it; here they stay
+/// below `folder`.
+fs::path below(const fs::path& folder, const std::string& path) {
+  fs::path result = folder / "in" / "a" / "deep" / "folder";
+  for (const auto& part : fs::path(path).relative_path())
+    result = part == ".." ? (result == folder ? result : result.parent_path()) : result / part;
+  return result;
+}
+
+}  // namespace
+
+Trial::Trial(boost::asio::io_context& io, fs::path simulator, fs::path folder, TrialOrder order,
+             Done done)
+    : io_(io),
+      simulator_(std::move(simulator)),
+      folder_(std::move(folder)),
+      order_(std::move(order)),
+      done_(std::move(done)) {
+  for (int seed = 1; seed <= order_.seeds; ++seed) {
+    if (!order_.now.empty()) waiting_.push_back({.is_next = false, .seed = seed});
+    waiting_.push_back({.is_next = true, .seed = seed});
+  }
+  all_ = waiting_.size();
+  boost::asio::post(io_, [this, alive = alive_] {
+    if (!*alive) return;
+    if (auto failure = lay_out()) return fail(std::move(failure->message));
+    start_some();
+  });
+}
+
+Trial::~Trial() {
+  *alive_ = false;
+  running_.clear();
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+std::optional<Error> Trial::lay_out() const {
+  bool written = write_file(folder_ / "start.json", order_.situation.dump());
+  for (const auto& file : order_.now)
+    written = written && write_file(below(folder_ / "now", file.path), file.text);
+  for (const auto& file : order_.next)
+    written = written && write_file(below(folder_ / "next", file.path), file.text);
+  if (!written) return Error{"nothing can be written to " + folder_.string()};
+  return {};
+}
+
+fs::path Trial::program_file(bool is_next) const {
+  const auto& files = is_next ? order_.next : order_.now;
+  return below(folder_ / (is_next ? "next" : "now"), files.front().path);
+}
+
+fs::path Trial::output(const Run& run, const char* extension) const {
+  return folder_ / ((run.is_next ? "next-" : "now-") + std::to_string(run.seed) + extension);
+}
+
+std::vector<std::string> Trial::command(const Run& run) const {
+  return {simulator_.string(),
+          "--headless",
+          "--json",
+          "--scenario",
+          order_.scenario,
+          "--start",
+          (folder_ / "start.json").string(),
+          "--seed",
+          std::to_string(run.seed),
+          "--duration",
+          nlohmann::json(order_.duration_s).dump(),
+          "--bhdl",
+          program_file(run.is_next).string()};
+}
+
+void Trial::start_some() {
+  while (running_.size() < kAtOnce && !waiting_.empty()) {
+    running_.push_back(std::move(waiting_.front()));
+    waiting_.pop_front();
+    const auto run = std::prev(running_.end());
+    auto process = ChildProcess::start(io_, command(*run), output(*run, ".json"),
+                                       output(*run, ".err"), [this, run](int exit_code) {
+                                         const Run over = std::move(*run);
+                                         running_.erase(run);
+                                         take(over, exit_code);
+                                       });
+    if (!process) return fail(process.error().message);
+    run->process = std::move(process).value();
+  }
+  if (running_.empty()) finish(figures());
+}
+
+void Trial::take(const Run& run, int exit_code) {
+  auto report = nlohmann::json::parse(content(output(run, ".json")), nullptr, false);
+  if (exit_code != 0 || !report.is_object()) {
+    auto said = content(output(run, ".err"));
+    while (said.ends_with('\n')) said.pop_back();
+    if (said.empty()) said = "exit code " + std::to_string(exit_code);
+    return fail((run.is_next ? "the program cannot be tried: " : "what runs cannot be tried: ") +
+                said);
+  }
+  (run.is_next ? next_ : now_).push_back(std::move(report));
+  ++finished_;
+  start_some();
+}
+
+void Trial::fail(std::string why) {
+  finish(Error{std::move(why)});
+}
+
+void Trial::finish(Result<TrialFigures> result) {
+  waiting_.clear();
+  running_.clear();
+  if (const auto done = std::exchange(done_, nullptr)) done(std::move(result));
+}
+
+Result<TrialFigures> Trial::figures() const {
+  TrialFigures figures{.now = {}, .next = {}, .duration_s = order_.duration_s};
+  auto next = side_of(next_);
+  if (!next) return next.error();
+  figures.next = std::move(next).value();
+  auto now = side_of(now_);
+  if (!now) return now.error();
+  figures.now = std::move(now).value();
+  return figures;
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bhdl/program.h"
+#include "robot/executive/tick_observer.h"
+
+namespace galilean::robot {
+
+/// Which state was current when, as one run of a program had it.
+class Timeline final : public TickObserver {
+ public:
+  struct Stay {
+    std::uint32_t state = 0;
+    double from_s = 0;                       ///< since the first tick
+    std::uint32_t condition = Event::kNone;  ///< of the state before, that led here
+  };
+
+  /// Of a program that is about to start; it must outlive this.
+  explicit Timeline(const bhdl::Program& program);
+
+  void on_event(const Event& event) noexcept override;
+  void on_tick(const TickView&) noexcept override {}
+
+  [[nodiscard]] const std::vector<Stay>& stays() const noexcept { return stays_; }
+  [[nodiscard]] const std::string& state_name(const Stay& stay) const {
+    return program_.states[stay.state].name;
+  }
+  /// The one that began last, at that time or before.
+  [[nodiscard]] const Stay& at(double time_s) const;
+  /// "2.35 s: wander → back_up, since bumpers[0] is 1"; of the first: "0 s: starts in wander".
+  [[nodiscard]] std::string in_words(std::size_t stay) const;
+  /// Of the first schema that threw: its name and what it threw; empty if none did.
+  [[nodiscard]] const std::string& failure() const noexcept { return failure_; }
+
+ private:
+  const bhdl::Program& program_;
+  std::vector<Stay> stays_;
+  std::string failure_;
+};
+
+}  // namespace galilean::robot

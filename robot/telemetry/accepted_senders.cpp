@@ -1,0 +1,20 @@
+#include "robot/telemetry/accepted_senders.h"
+
+#include <algorithm>
+
+namespace galilean::robot {
+
+std::string AcceptedSenders::objection(const std::optional<std::string>& sender) const {
+  const auto accepts = [this](const std::string& name) {
+    return std::ranges::find(names_, name) != names_.end();
+  };
+  if (accepts(kAny) || (sender && accepts(*sender))) return {};
+  std::string list;
+  for (const std::string& name : names_) list += (list.empty() ? "" : ", ") + name;
+  const std::string from = sender ? "from '" + *sender + "'" : "from somebody who has left already";
+  return "it came " + from + ", and this robot takes programs from " + list +
+         " only: push through the monitor, or start the robot with --accept-swaps-from " +
+         (sender ? *sender : kAny);
+}
+
+}  // namespace galilean::robot

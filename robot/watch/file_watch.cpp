@@ -1,0 +1,109 @@
+#include "robot/watch/file_watch.h"
+
+#include <sys/inotify.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+namespace galilean::robot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t kGone = IN_DELETE_SELF | IN_MOVE_SELF | IN_IGNORED;
+constexpr std::uint32_t kLookedFor =
+    IN_CLOSE_WRITE | IN_MOVED_TO | IN_CREATE | IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
+
+/// What is made as a link is whole at once; any other file is empty yet, and closed later.
+bool is_link(const fs::path& file) {
+  struct stat status {};
+  if (lstat(file.c_str(), &status) != 0) return false;
+  return S_ISLNK(status.st_mode) || status.st_nlink > 1;
+}
+
+}  // namespace
+
+FileWatch::FileWatch() : inotify_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
+  if (inotify_ < 0)
+    throw std::system_error(errno, std::generic_category(),
+                            "files cannot be watched (see fs.inotify.max_user_instances)");
+}
+
+FileWatch::~FileWatch() {
+  close(inotify_);
+}
+
+void FileWatch::add(const fs::path& file) {
+  std::error_code unknown;
+  const fs::path whole = fs::absolute(file, unknown).lexically_normal();
+  add_one(whole);
+  const fs::path target = fs::canonical(whole, unknown);
+  if (!unknown && target != whole) add_one(target);
+}
+
+void FileWatch::add_one(const fs::path& file) {
+  const fs::path path = file.parent_path();
+  auto folder = std::ranges::find(folders_, path, &Folder::path);
+  if (folder == folders_.end()) {
+    folders_.push_back({.path = path, .files = {}});
+    folder = std::prev(folders_.end());
+    static_cast<void>(watch(*folder));
+  }
+  folder->files.insert(file.filename().string());
+}
+
+bool FileWatch::watch(Folder& folder) const {
+  folder.watch = inotify_add_watch(inotify_, folder.path.c_str(), kLookedFor);
+  return folder.watch >= 0;
+}
+
+bool FileWatch::folder_missing() const noexcept {
+  return std::ranges::any_of(folders_, [](const Folder& folder) { return folder.watch < 0; });
+}
+
+bool FileWatch::take() {
+  const bool saved = read_events();
+  return find_again() || saved;
+}
+
+/// Folders that are back, with a file that may be another by now.
+bool FileWatch::find_again() {
+  bool found = false;
+  for (Folder& folder : folders_)
+    if (folder.watch < 0 && watch(folder))
+      found |= std::ranges::any_of(
+          folder.files, [&](const std::string& file) { return fs::exists(folder.path / file); });
+  return found;
+}
+
+bool FileWatch::read_events() {
+  alignas(inotify_event) std::array<char, 16384> buffer;
+  bool saved = false;
+  for (ssize_t size; (size = read(inotify_, buffer.data(), buffer.size())) > 0;)
+    for (const char* at = buffer.data(); at < buffer.data() + size;) {
+      const auto& event = *reinterpret_cast<const inotify_event*>(at);
+      saved |= is_save(event.wd, event.mask, event.len > 0 ? event.name : "");
+      at += sizeof(inotify_event) + event.len;
+    }
+  return saved;
+}
+
+bool FileWatch::is_save(int watch, unsigned mask, const char* name) {
+  if (mask & IN_Q_OVERFLOW) return true;
+  const auto folder = std::ranges::find(folders_, watch, &Folder::watch);
+  if (folder == folders_.end()) return false;
+  if (mask & kGone) {
+    // One that was moved away would be followed to its new place.
+    inotify_rm_watch(inotify_, watch);
+    folder->watch = -1;
+    return false;
+  }
+  if (!folder->files.contains(name)) return false;
+  return (mask & (IN_CLOSE_WRITE | IN_MOVED_TO)) || is_link(folder->path / name);
+}
+
+}  // namespace galilean::robot

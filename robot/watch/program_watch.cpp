@@ -1,0 +1,62 @@
+#include "robot/watch/program_watch.h"
+
+#include <poll.h>
+#include <spdlog/spdlog.h>
+
+#include "bhdl/check.h"
+#include "robot/executive/turn.h"
+
+namespace galilean::robot {
+namespace {
+
+constexpr int kForEver = -1;
+constexpr int kLookAgain_ms = 50;
+
+}  // namespace
+
+ProgramWatch::ProgramWatch(std::filesystem::path file, const Catalog& catalog, Executive& executive)
+    : file_(std::move(file)), catalog_(catalog), executive_(executive) {
+  files_.add(file_);
+  for (const auto& source : bhdl::check_file(file_, catalog_).files)
+    files_.add(file_.parent_path() / source.path);
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+void ProgramWatch::run(const std::stop_token& stop) {
+  const std::stop_callback ring(stop, [this] { wake_.ring(); });
+  while (!stop.stop_requested()) {
+    wait();
+    if (files_.take()) reload();
+  }
+}
+
+void ProgramWatch::wait() const {
+  pollfd events[] = {{files_.descriptor(), POLLIN, 0}, {wake_.descriptor(), POLLIN, 0}};
+  poll(events, 2, files_.folder_missing() ? kLookAgain_ms : kForEver);
+}
+
+void ProgramWatch::reload() {
+  auto checked = bhdl::check_file(file_, catalog_);
+  for (const auto& source : checked.files) files_.add(file_.parent_path() / source.path);
+  for (const auto& diagnostic : checked.diagnostics) spdlog::warn("{}", format(diagnostic));
+  if (!checked.program)
+    return spdlog::error("{} was saved with errors: the program before runs on", file_.string());
+  if (!runs(checked.program->hash)) swap(std::move(*checked.program));
+}
+
+void ProgramWatch::swap(bhdl::Program program) {
+  const std::string hash = program.hash;
+  if (!wait_for_turn(executive_))
+    return spdlog::error("{} was saved, but the control loop stands still", file_.string());
+  if (const auto loaded = executive_.load(std::move(program)); !loaded)
+    spdlog::error("{} was saved, but cannot run: {}", file_.string(), loaded.error().message);
+  else
+    spdlog::info("{} ({:.8}) was saved and takes over", file_.string(), hash);
+}
+
+bool ProgramWatch::runs(const std::string& hash) const {
+  const auto running = executive_.description(executive_.running());
+  return running && running->program.hash == hash;
+}
+
+}  // namespace galilean::robot

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# fuzz.sh [SECONDS]: builds the fuzzers with clang and runs them for SECONDS (600) in all, each from
+# the corpus in tests/fuzz, the cases and the programs that ship. What breaks one is left in
+# build/fuzz/findings; run the fuzzer with that file to see it again. Reports as TAP does.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+seconds=${1:-600}
+fuzzers=(check format diff)
+dir=build/fuzz
+
+mkdir -p "$dir"/{findings,found}
+cmake -S . -B "$dir" -G Ninja -DGALILEAN_FUZZ=ON -DGALILEAN_TESTS=OFF -DGALILEAN_PARTS="core;bhdl" \
+  -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang \
+  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" \
+  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 \
+  >"$dir/configure.log" 2>&1 || { cat "$dir/configure.log"; exit 1; }
+ninja -C "$dir" fuzzers >"$dir/build.log" 2>&1 || { grep -A20 -E 'FAILED|error' "$dir/build.log" | head -100; exit 1; }
+
+passed=0 failed=0
+for name in "${fuzzers[@]}"; do
+  found=$dir/found/$name log=$dir/$name.log
+  mkdir -p "$found"
+  if "$dir/tests/fuzz/${name}_fuzz" -max_total_time=$((seconds / ${#fuzzers[@]} + 1)) -max_len=20000 \
+    -timeout=10 -rss_limit_mb=1024 -dict=tests/fuzz/bhdl.dict -print_final_stats=1 \
+    -artifact_prefix="$dir/findings/$name-" "$found" tests/fuzz/corpus tests/cases bhdl/programs >"$log" 2>&1; then
+    passed=$((passed + 1))
+    echo "ok $((passed + failed)) - $name: $(awk '/number_of_executed_units/ {print $2}' "$log") inputs"
+  else
+    failed=$((failed + 1))
+    echo "not ok $((passed + failed)) - $name"
+    tail -40 "$log"
+  fi
+done
+echo "# pass $passed"
+echo "# fail $failed"
+[ "$failed" -eq 0 ]

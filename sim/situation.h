@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "robot/executive/restore.h"
+#include "sim/scenario.h"
+
+namespace galilean::sim {
+
+/// One robot of a team that was cloned.
+struct RobotSituation {
+  std::string name;
+  Pose2 pose;  ///< map frame
+  bool holds_piece = false;
+  robot::Situation program;
+};
+
+/// Where a live team is, as far as it knows: what a contest can go on from. Map frame.
+struct TeamSituation {
+  std::vector<RobotSituation> robots;  ///< become the simulator's robots in this order
+  std::vector<Vec2> pieces_m;          ///< trash that the map has
+  std::vector<Vec2> baskets_m;
+  int unseen_pieces = 0;  ///< that lie somewhere: strewn by the seed
+};
+
+/// Errors are one line: file, JSON path, what is expected.
+[[nodiscard]] Result<TeamSituation> load_situation(const std::string& path);
+[[nodiscard]] Result<TeamSituation> situation_from_json(const std::string& text,
+                                                        const std::string& file_name);
+
+/// The scenario's arena, furniture and rules with the situation's robots, pieces and baskets. A
+/// basket of the scenario that the map has not found stays where the scenario says.
+[[nodiscard]] Scenario scenario_of(const Scenario& arena, const TeamSituation& situation);
+
+}  // namespace galilean::sim

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bhdl/lsp/server.h"
+
+namespace galilean::bhdl::lsp {
+
+/// Texts by their paths.
+using Files = std::map<std::string, std::string>;
+
+/// Files in memory, as a library of programs has them.
+class MemoryFolder : public ProgramFolder {
+ public:
+  explicit MemoryFolder(Files files) : files_(std::move(files)) {}
+  [[nodiscard]] Result<std::string, ReadFailure> read(const std::string& path,
+                                                      std::size_t most_bytes) const override;
+  [[nodiscard]] std::vector<std::string> beside(const std::string& path) const override;
+
+ private:
+  Files files_;
+};
+
+/// A text with one `|`, which is the cursor and not part of it.
+struct Marked {
+  std::string text;
+  TextPosition cursor;
+};
+[[nodiscard]] Marked marked(std::string text);
+
+/// What sits before the server: opens texts, asks, and keeps what is published.
+class Editor {
+ public:
+  explicit Editor(Files files = {}, Json capabilities = {});
+
+  /// Opens `/name` and moves the cursor to its `|`, if it has one.
+  void open(const std::string& name, const std::string& text);
+  void change(const std::string& name, const Json& changes);
+  void close(const std::string& name);
+
+  /// At the cursor of the file opened last, with `more` params.
+  [[nodiscard]] Json ask(const std::string& method, const Json& more = Json::object());
+  /// The same, where an error is expected: its message.
+  [[nodiscard]] std::string refusal(const std::string& method, const Json& more = Json::object());
+  /// The whole answer to a message.
+  [[nodiscard]] Json send(const Json& message);
+  void notify(const std::string& method, const Json& params);
+
+  /// `line:character-line:character code` of what is published for `/name`, each on a line.
+  [[nodiscard]] std::string problems(const std::string& name);
+  [[nodiscard]] Json published(const std::string& name);
+  [[nodiscard]] std::vector<std::string> completions();
+
+  [[nodiscard]] Server& server() noexcept { return server_; }
+  [[nodiscard]] const Json& initialized() const noexcept { return initialized_; }
+
+ private:
+  void take(const std::vector<std::string>& messages);
+
+  Server server_;
+  Json initialized_;
+  std::map<std::string, Json> published_;
+  std::string uri_;
+  TextPosition cursor_;
+  int next_id_ = 1;
+};
+
+/// The text after a response's TextEdits.
+[[nodiscard]] std::string edited(const std::string& text, const Json& edits);
+
+}  // namespace galilean::bhdl::lsp

@@ -1,0 +1,56 @@
+// How a running robot comes by another program: from a file that is saved, and from whom it accepts one.
+import assert from 'node:assert/strict';
+import { renameSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { Running, freshDomain, galilean, scratchFolder } from './tools.mjs';
+
+const withState = (name) => `state: name: "${name}" end\n`;
+
+/** A robot without a board and a camera, which changes nothing about how it takes a program. */
+async function startRobot(t, options) {
+  const domain = freshDomain();
+  const robot = new Running(t, ['robot', '--serial', '/dev/null/none', '--camera', 'shm:none', ...options], { domain });
+  await robot.line(/comm_port/);
+  return { robot, domain };
+}
+
+test('a robot swaps whenever the file that it watches is saved', { timeout: 60_000 }, async (t) => {
+  const file = join(scratchFolder(t), 'my.bhdl');
+  writeFileSync(file, withState('first'));
+  const { robot } = await startRobot(t, ['--bhdl', file, '--watch']);
+  writeFileSync(file, withState('second'));
+  await robot.line(/first -> second \(program swapped\)/);
+  writeFileSync(file, 'state: nmae: "third" end\n');
+  await robot.line(/my\.bhdl:1:8: error: /);
+  writeFileSync(`${file}~`, withState('third'));
+  renameSync(`${file}~`, file);
+  await robot.line(/second -> third \(program swapped\)/);
+  assert.equal((await robot.stop()).signal, 'SIGINT');
+  assert.match(robot.output, /stopped/);
+});
+
+test('a robot takes programs over DDS only from those that it was told to', { timeout: 60_000 }, async (t) => {
+  const folder = scratchFolder(t);
+  const file = join(folder, 'first.bhdl');
+  const pushed = join(folder, 'second.bhdl');
+  writeFileSync(file, withState('first'));
+  writeFileSync(pushed, withState('second'));
+  const direct = galilean(['swap', '--help']).stdout.includes('--direct') ? ['--direct'] : [];
+  const swap = (domain) => galilean(['swap', pushed, '--robot', 'io', ...direct], { domain });
+
+  await t.test('by default, from the monitor', async (inner) => {
+    const { robot, domain } = await startRobot(inner, ['--bhdl', file]);
+    const refused = swap(domain);
+    assert.equal(refused.status, 1, refused.stderr);
+    assert.match(refused.stdout, /rejected.*'swap'.*--accept-swaps-from/);
+    await robot.line(/rejected: it came from 'swap'/);
+  });
+
+  await t.test('or from those that are named', async (inner) => {
+    const { robot, domain } = await startRobot(inner, ['--bhdl', file, '--accept-swaps-from', 'monitor,swap']);
+    const taken = swap(domain);
+    assert.equal(taken.status, 0, taken.stderr);
+    await robot.line(/first -> second \(program swapped\)/);
+  });
+});

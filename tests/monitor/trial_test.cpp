@@ -1,0 +1,150 @@
+// Trials with the real simulator.
+#include "monitor/trial/trial.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "core/wire/topics.h"
+#include "monitor/trial/situation.h"
+#include "tests/temporary_folder.h"
+
+namespace galilean::monitor {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+json report(double score, double seconds) {
+  return {
+      {"score", score},
+      {"deposited", 1},
+      {"collisions", 0},
+      {"robots",
+       {{{"seconds_in_state", {{"wander", seconds}}}}, {{"seconds_in_state", json::object()}}}}};
+}
+
+TEST(TrialFigures, AreTheMeanAndTheStandardDeviationOverTheRuns) {
+  const auto side = side_of({report(10, 4), report(20, 8)});
+  ASSERT_TRUE(side);
+  EXPECT_DOUBLE_EQ(side.value().score.mean, 15);
+  EXPECT_NEAR(side.value().score.spread, 7.071, 0.001);
+  EXPECT_DOUBLE_EQ(side.value().seconds_in_state.at("wander").mean, 3) << "of two robots";
+  EXPECT_FALSE(side_of({json::object()}));
+}
+
+TEST(TrialFigures, WorseIsWhatChanceDoesNotExplain) {
+  const auto side = [](double mean, double spread) {
+    return TrialSide{.runs = 8,
+                     .score = {mean, spread},
+                     .deposited = {},
+                     .collisions = {},
+                     .seconds_in_state = {}};
+  };
+  EXPECT_TRUE(clearly_worse({.now = side(30, 5), .next = side(20, 5)}));
+  EXPECT_FALSE(clearly_worse({.now = side(30, 5), .next = side(27, 5)}));
+  EXPECT_FALSE(clearly_worse({.now = side(30, 0), .next = side(40, 0)}));
+  EXPECT_FALSE(clearly_worse({.now = {}, .next = side(-5, 0)})) << "nothing to compare with";
+  EXPECT_EQ(in_words({.now = side(30, 5), .next = side(20, 5), .duration_s = 120}),
+            "scores 20 ± 5, the one that runs 30 ± 5 (8 runs of 120 s)");
+}
+
+TEST(Situation, IsWhatTheTeamAndItsMapKnow) {
+  const SteppedClock clock;
+  Team team(clock);
+  msg::RobotState state;
+  state.robot = "io";
+  state.state = "wander";
+  team.note(state);
+  state.robot = "ganymede";
+  team.note(state);
+  msg::Score score;
+  score.pieces = 10;
+  score.deposited = 2;
+  team.note(score);
+  EXPECT_FALSE(situation_of(team, std::nullopt));
+
+  msg::ObjectMap map;
+  map.robots.push_back({.name = "io", .x_m = 1, .y_m = 2, .heading_rad = 3});
+  map.objects.push_back({.object_class = "trash", .x_m = 4});
+  map.objects.push_back({.object_class = "trash", .held_by = "io"});
+  const auto situation = situation_of(team, map);
+  ASSERT_TRUE(situation);
+  ASSERT_EQ(situation.value()["robots"].size(), 1U) << "nobody knows where ganymede is";
+  EXPECT_EQ(situation.value()["robots"][0]["holds"], "trash");
+  EXPECT_EQ(situation.value()["robots"][0]["x_m"], 1);
+  EXPECT_EQ(situation.value()["objects"].size(), 1U);
+  EXPECT_EQ(situation.value()["unseen_pieces"], 6);
+}
+
+std::string text_of(const char* program) {
+  std::ifstream in(std::filesystem::path(GALILEAN_BHDL_PROGRAMS) / program);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class TrialTest : public testing::Test {
+ protected:
+  [[nodiscard]] TrialOrder order(std::vector<bhdl::SourceFile> next) const {
+    const std::vector<bhdl::SourceFile> now{{"wander.bhdl", text_of("wander.bhdl")}};
+    json robot{{"name", "io"},     {"x_m", 2},        {"y_m", 2},
+               {"heading_rad", 0}, {"state", "gone"}, {"variables", json::array()}};
+    return {.next = std::move(next),
+            .now = now,
+            .situation = {{"robots", json::array({robot})},
+                          {"objects", json::array()},
+                          {"unseen_pieces", 3}},
+            .scenario = "office",
+            .seeds = 2,
+            .duration_s = 2};
+  }
+  Result<TrialFigures> outcome(TrialOrder order, const std::filesystem::path& simulator) {
+    std::optional<Result<TrialFigures>> result;
+    Trial trial(io, simulator, folder / "trial", std::move(order),
+                [&](const Result<TrialFigures>& figures) { result = figures; });
+    io.restart();
+    io.run();
+    return *result;
+  }
+
+  const TemporaryFolder folder;
+  boost::asio::io_context io;
+};
+
+TEST_F(TrialTest, TheSameProgramComesToTheSameTwice) {
+  const auto figures = outcome(order({{"wander.bhdl", text_of("wander.bhdl")}}), GALILEAN_SIM);
+  ASSERT_TRUE(figures) << figures.error().message;
+  EXPECT_EQ(figures.value().next.runs, 2U);
+  EXPECT_EQ(figures.value().next.score.mean, figures.value().now.score.mean);
+  EXPECT_FALSE(figures.value().next.seconds_in_state.empty());
+  EXPECT_FALSE(std::filesystem::exists(folder / "trial")) << "it cleans up";
+}
+
+TEST_F(TrialTest, WhatCannotBeTriedIsSaidInWords) {
+  const auto broken = outcome(order({{"broken.bhdl", "nonsense\n"}}), GALILEAN_SIM);
+  ASSERT_FALSE(broken);
+  EXPECT_THAT(broken.error().message, HasSubstr("the program cannot be tried: "));
+  EXPECT_THAT(broken.error().message, HasSubstr("broken.bhdl:1:"));
+  const auto none = outcome(order({{"a.bhdl", ""}}), folder / "no-simulator");
+  ASSERT_FALSE(none);
+  EXPECT_THAT(none.error().message, HasSubstr("No such file"));
+}
+
+TEST_F(TrialTest, LettingGoOfItEndsItsSimulators) {
+  auto long_order = order({{"wander.bhdl", text_of("wander.bhdl")}});
+  long_order.duration_s = 3600;
+  bool heard = false;
+  const auto began = std::chrono::steady_clock::now();
+  {
+    Trial trial(io, GALILEAN_SIM, folder / "trial", std::move(long_order),
+                [&](const Result<TrialFigures>&) { heard = true; });
+    io.poll();
+  }
+  io.restart();
+  io.run();
+  EXPECT_FALSE(heard);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(3));
+}
+
+}  // namespace
+}  // namespace galilean::monitor

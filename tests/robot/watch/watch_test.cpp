@@ -1,0 +1,189 @@
+#include <gmock/gmock.h>
+#include <spdlog/sinks/base_sink.h>
+#include <spdlog/spdlog.h>
+
+#include <fstream>
+#include <thread>
+
+#include "robot/watch/program_watch.h"
+#include "tests/robot/executive/test_robot.h"
+#include "tests/temporary_folder.h"
+
+namespace galilean::robot {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A program of one state.
+std::string with_state(const std::string& name) {
+  return "state: name: \"" + name + "\" end\n";
+}
+
+/// All that was logged, readable while more is.
+class Lines final : public spdlog::sinks::base_sink<std::mutex> {
+ public:
+  std::string text() {
+    const std::lock_guard lock(mutex_);
+    return text_;
+  }
+
+ private:
+  void sink_it_(const spdlog::details::log_msg& line) override {
+    text_.append(line.payload.data(), line.payload.size()).append("\n");
+  }
+  void flush_() override {}
+
+  std::string text_;
+};
+
+class WatchTest : public testing::Test {
+ protected:
+  WatchTest() : file(folder / "my.bhdl") {
+    spdlog::set_default_logger(std::make_shared<spdlog::logger>("watch", log));
+    write(file, with_state("first"));
+  }
+  ~WatchTest() override {
+    watch.reset();
+    spdlog::set_default_logger(std::make_shared<spdlog::logger>("none"));
+  }
+
+  void start() {
+    auto checked = bhdl::check_file(file, test_components().catalog());
+    ASSERT_TRUE(checked.program);
+    ASSERT_TRUE(robot.executive->load(std::move(*checked.program)));
+    robot.tick();
+    watch.emplace(file, test_components().catalog(), *robot.executive);
+  }
+  static void write(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
+  static void write_aside_and_rename(const fs::path& path, const std::string& text) {
+    const fs::path aside = path.string() + "~new";
+    write(aside, text);
+    fs::rename(aside, path);
+  }
+  /// Ticks until that state is current; the file system tells when it likes.
+  [[nodiscard]] bool comes_to(const std::string& state) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (robot.state() != state && std::chrono::steady_clock::now() < end) {
+      robot.tick();
+      std::this_thread::yield();
+    }
+    return robot.state() == state;
+  }
+  [[nodiscard]] int swaps() const { return robot.events.count(Event::Kind::kSwapped); }
+
+  TemporaryFolder folder;
+  fs::path file;
+  std::shared_ptr<Lines> log = std::make_shared<Lines>();
+  TestRobot robot;
+  std::optional<ProgramWatch> watch;
+};
+
+TEST_F(WatchTest, SwapsOnEachSaveInPlaceAndIsInProbation) {
+  start();
+  for (const std::string state : {"second", "third", "fourth"}) {
+    write(file, with_state(state));
+    EXPECT_TRUE(comes_to(state));
+  }
+  EXPECT_EQ(swaps(), 3);
+  EXPECT_TRUE(robot.events.in_probation);
+}
+
+TEST_F(WatchTest, SwapsWhenAnEditorWritesANewFileAndRenamesIt) {
+  start();
+  for (const std::string state : {"second", "third"}) {
+    write_aside_and_rename(file, with_state(state));
+    EXPECT_TRUE(comes_to(state));
+  }
+}
+
+TEST_F(WatchTest, SwapsWhenAnEditorTakesTheOldFileAwayFirst) {
+  start();
+  fs::rename(file, file.string() + "~");
+  robot.tick(5);
+  write(file, with_state("second"));
+  EXPECT_TRUE(comes_to("second"));
+  fs::remove(file);
+  robot.tick(5);
+  fs::create_hard_link(file.string() + "~", file);
+  EXPECT_TRUE(comes_to("first"));
+}
+
+TEST_F(WatchTest, SwapsWhenAnIncludeIsSavedEvenOneThatCameLater) {
+  fs::create_directory(folder / "parts");
+  write(folder / "parts/a.bhdl", with_state("first"));
+  write(file, "include \"parts/a.bhdl\"");
+  start();
+  write_aside_and_rename(folder / "parts/a.bhdl", with_state("second"));
+  EXPECT_TRUE(comes_to("second"));
+  write(folder / "b.bhdl", with_state("third"));
+  write(file, "include \"b.bhdl\"");
+  EXPECT_TRUE(comes_to("third"));
+  write(folder / "b.bhdl", with_state("fourth"));
+  EXPECT_TRUE(comes_to("fourth"));
+}
+
+TEST_F(WatchTest, FollowsALink) {
+  fs::create_directory(folder / "elsewhere");
+  const fs::path target = folder / "elsewhere/target.bhdl";
+  fs::rename(file, target);
+  fs::create_symlink(target, file);
+  start();
+  write_aside_and_rename(target, with_state("second"));
+  EXPECT_TRUE(comes_to("second"));
+}
+
+TEST_F(WatchTest, FindsAFolderAgainThatWasReplaced) {
+  const fs::path place = folder / "place";
+  fs::create_directory(place);
+  file = place / "my.bhdl";
+  write(file, with_state("first"));
+  start();
+  fs::rename(place, folder / "old place");
+  fs::create_directory(place);
+  write(file, with_state("second"));
+  EXPECT_TRUE(comes_to("second"));
+  fs::remove_all(place);
+  fs::create_directory(place);
+  write(file, with_state("third"));
+  EXPECT_TRUE(comes_to("third"));
+}
+
+TEST_F(WatchTest, ABrokenSaveChangesNothingAndSaysWhy) {
+  start();
+  write(file, "state: nmae: \"second\" end\n");
+  write(folder / "other.bhdl", with_state("other"));
+  write(file, with_state("third"));
+  EXPECT_TRUE(comes_to("third"));
+  EXPECT_EQ(swaps(), 1);
+  write(file, "state: nmae: \"fourth\" end\n");
+  // The next good one comes after it, in the same thread.
+  write(file, with_state("fifth"));
+  EXPECT_TRUE(comes_to("fifth"));
+  EXPECT_EQ(swaps(), 2);
+}
+
+TEST_F(WatchTest, SaysWhereASaveIsBroken) {
+  start();
+  write(file, "state: nmae: \"second\" end\n");
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  const auto told = [this] { return log->text().find("runs on") != std::string::npos; };
+  while (!told() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  watch.reset();
+  EXPECT_THAT(log->text(), HasSubstr("my.bhdl:1:8: error: "));
+  EXPECT_THAT(log->text(), HasSubstr("runs on"));
+  robot.tick(3);
+  EXPECT_EQ(robot.state(), "first");
+}
+
+TEST_F(WatchTest, ASaveThatChangesNothingSwapsNothing) {
+  start();
+  write(file, with_state("first"));
+  write_aside_and_rename(file, with_state("first"));
+  write(file, with_state("second"));
+  EXPECT_TRUE(comes_to("second"));
+  EXPECT_EQ(swaps(), 1);
+}
+
+}  // namespace
+}  // namespace galilean::robot

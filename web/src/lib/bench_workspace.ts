@@ -1,0 +1,124 @@
+import { LSPClient, LSPPlugin, Workspace, type WorkspaceFile } from "@codemirror/lsp-client";
+import { ChangeSet, Text, type TransactionSpec } from "@codemirror/state";
+import type { EditorView } from "@codemirror/view";
+import type { SourceFile } from "../feed/messages";
+
+/** Where the files lie that the language server speaks of. */
+export interface Bench {
+  /** Brings a file into the editor; its view, or null if there is no such file. */
+  display(path: string): Promise<EditorView | null>;
+  /** The language server changed a file that is not in the editor. */
+  edited(path: string, text: string): void;
+}
+
+export const uriOf = (path: string): string => `file:///${path.split("/").map(encodeURIComponent).join("/")}`;
+export const pathOf = (uri: string): string => decodeURIComponent(uri.replace(/^file:\/\/\//, ""));
+
+class BenchFile implements WorkspaceFile {
+  readonly languageId = "bhdl";
+  version = 0;
+  view: EditorView | null = null;
+  /** Changes that were made without a view and that the server does not know yet. */
+  unsent: ChangeSet | undefined;
+
+  constructor(
+    readonly uri: string,
+    public doc: Text,
+  ) {}
+  getView(): EditorView | null {
+    return this.view;
+  }
+  get text(): Text {
+    return this.unsent ? this.unsent.apply(this.doc) : this.doc;
+  }
+}
+
+const textOf = (text: string): Text => Text.of(text.split(/\r\n?|\n/));
+
+/** Every file on the bench is open at the server; at most one of them has an editor. */
+export class BenchWorkspace extends Workspace {
+  files: BenchFile[] = [];
+
+  constructor(
+    client: LSPClient,
+    private readonly bench: Bench,
+  ) {
+    super(client);
+  }
+
+  put(files: readonly SourceFile[]): void {
+    const wanted = new Map(files.map(({ path, text }) => [uriOf(path), text]));
+    for (const file of this.files.filter(({ uri }) => !wanted.has(uri))) this.#drop(file);
+    for (const [uri, text] of wanted) this.#take(uri, textOf(text));
+    this.client.sync();
+  }
+
+  isNewest(uri: string, version: number | undefined): boolean {
+    const file = this.getFile(uri);
+    return file !== null && (version === undefined || version === file.version);
+  }
+
+  override getFile(uri: string): BenchFile | null {
+    return this.files.find((file) => file.uri === uri) ?? null;
+  }
+
+  syncFiles() {
+    return this.files.flatMap((file) => {
+      const plugin = file.view && LSPPlugin.get(file.view);
+      const changes = plugin ? plugin.unsyncedChanges : file.unsent;
+      if (!changes || changes.empty) return [];
+      const prevDoc = file.doc;
+      file.doc = plugin ? plugin.view.state.doc : changes.apply(prevDoc);
+      file.version += 1;
+      file.unsent = undefined;
+      plugin?.clear();
+      return [{ file, prevDoc, changes }];
+    });
+  }
+
+  openFile(uri: string, _language: string, view: EditorView): void {
+    this.#take(uri, view.state.doc);
+    this.client.sync();
+    const file = this.getFile(uri);
+    if (file) file.view = view;
+  }
+
+  closeFile(uri: string, view: EditorView): void {
+    const file = this.getFile(uri);
+    if (!file || file.view !== view) return;
+    file.view = null;
+    this.#take(uri, view.state.doc);
+    this.client.sync();
+  }
+
+  override updateFile(uri: string, update: TransactionSpec): void {
+    const file = this.getFile(uri);
+    if (!file) return;
+    if (file.view) return file.view.dispatch(update);
+    const more = ChangeSet.of(update.changes ?? [], file.text.length);
+    file.unsent = file.unsent ? file.unsent.compose(more) : more;
+    this.bench.edited(pathOf(uri), file.text.toString());
+    this.client.sync();
+  }
+
+  override displayFile(uri: string): Promise<EditorView | null> {
+    return this.bench.display(pathOf(uri));
+  }
+
+  #take(uri: string, text: Text): void {
+    const file = this.getFile(uri);
+    if (!file) {
+      const opened = new BenchFile(uri, text);
+      this.files.push(opened);
+      this.client.didOpen(opened);
+    } else if (!file.view && !file.text.eq(text)) {
+      const whole = ChangeSet.of({ from: 0, to: file.text.length, insert: text }, file.text.length);
+      file.unsent = file.unsent ? file.unsent.compose(whole) : whole;
+    }
+  }
+
+  #drop(file: BenchFile): void {
+    this.files = this.files.filter((each) => each !== file);
+    this.client.didClose(file.uri);
+  }
+}

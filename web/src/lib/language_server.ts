@@ -1,0 +1,105 @@
+// The monitor's language server, as the editor uses it: completion, hover, definition, rename,
+// layout and problems as one types. Without it the editor still edits.
+
+import {
+  findReferencesKeymap, formatKeymap, hoverTooltips, jumpToDefinitionKeymap, LSPClient, renameKeymap, serverCompletion,
+  serverDiagnostics, type Transport,
+} from "@codemirror/lsp-client";
+import type { Extension } from "@codemirror/state";
+import { keymap } from "@codemirror/view";
+import type { Diagnostic, SourceFile } from "../feed/messages";
+import { type Bench, BenchWorkspace, pathOf, uriOf } from "./bench_workspace";
+import { harmless } from "./harmless_html";
+import { problemsFrom, type PublishedProblems } from "./problems";
+import { withToken } from "./token";
+
+export interface LanguageEvents extends Bench {
+  /** What is wrong with a file, as of its newest text. */
+  problems(path: string, problems: Diagnostic[]): void;
+  /** There is no server any more; what it said of problems is out of date. */
+  lost(): void;
+}
+
+/** One socket; what is sent before it is open waits. */
+class SocketTransport implements Transport {
+  #socket: WebSocket;
+  #waiting: string[] = [];
+  #handlers = new Set<(message: string) => void>();
+
+  constructor(url: string, ended: () => void) {
+    this.#socket = new WebSocket(url);
+    this.#socket.onopen = () => this.#waiting.splice(0).forEach((message) => this.#socket.send(message));
+    this.#socket.onmessage = ({ data }) => this.#handlers.forEach((handle) => handle(String(data)));
+    this.#socket.onclose = ended;
+  }
+  send(message: string): void {
+    if (this.#socket.readyState === WebSocket.CONNECTING) this.#waiting.push(message);
+    else this.#socket.send(message);
+  }
+  subscribe(handler: (message: string) => void): void {
+    this.#handlers.add(handler);
+  }
+  unsubscribe(handler: (message: string) => void): void {
+    this.#handlers.delete(handler);
+  }
+  close(): void {
+    this.#socket.onclose = null;
+    this.#socket.close();
+  }
+}
+
+export class LanguageServer {
+  #client: LSPClient;
+  #workspace!: BenchWorkspace;
+  #transport: SocketTransport | undefined;
+
+  constructor(events: LanguageEvents) {
+    this.#client = new LSPClient({
+      rootUri: uriOf(""),
+      sanitizeHTML: harmless,
+      workspace: (client) => (this.#workspace = new BenchWorkspace(client, events)),
+      notificationHandlers: {
+        "textDocument/publishDiagnostics": (_, params: PublishedProblems) => {
+          const path = pathOf(params.uri);
+          if (this.#workspace.isNewest(params.uri, params.version)) events.problems(path, problemsFrom(path, params));
+          return true;
+        },
+      },
+      extensions: [
+        serverCompletion(), hoverTooltips(), serverDiagnostics(),
+        keymap.of([...formatKeymap, ...renameKeymap, ...jumpToDefinitionKeymap, ...findReferencesKeymap]),
+      ],
+    });
+    this.#lost = () => {
+      this.#client.disconnect();
+      this.#transport = undefined;
+      events.lost();
+    };
+  }
+  #lost: () => void;
+
+  /** Does nothing while connected. `robot`: whose catalog programs are checked against. */
+  connect(origin: string, robot?: string): void {
+    if (this.#transport) return;
+    const query = robot === undefined ? "" : `?robot=${encodeURIComponent(robot)}`;
+    this.#transport = new SocketTransport(withToken(`${origin}/lsp${query}`), this.#lost);
+    // Where there is no server, the editor goes on without.
+    this.#client.connect(this.#transport).initializing.catch(() => {});
+  }
+
+  /** Shows the server which files there are, and what they hold. */
+  put(files: readonly SourceFile[]): void {
+    this.#workspace.put(files);
+  }
+
+  /** What an editor of this file takes to be served. */
+  extension(path: string): Extension {
+    return this.#client.plugin(uriOf(path), "bhdl");
+  }
+
+  close(): void {
+    this.#transport?.close();
+    if (this.#transport) this.#client.disconnect();
+    this.#transport = undefined;
+  }
+}

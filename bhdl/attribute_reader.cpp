@@ -17,6 +17,12 @@ bool takes_numbers(AttributeType type) noexcept {
          type == AttributeType::kNumbers || type == AttributeType::kPair;
 }
 
+bool names_something(const AttributeValues& values, std::string_view attribute) {
+  const Value* value = values.find(attribute);
+  const auto* name = value == nullptr ? nullptr : std::get_if<std::string>(value);
+  return name != nullptr && !name->empty();
+}
+
 std::optional<std::size_t> list_size(const Value* value) {
   if (value == nullptr) return std::nullopt;
   if (const auto* numbers = std::get_if<std::vector<double>>(value)) return numbers->size();
@@ -73,6 +79,7 @@ AttributeValues AttributeReader::read(const ComponentSpec& spec, const Word& typ
   for (std::size_t i = 0; i < given.size(); ++i)
     if (given[i] == nullptr) fill_in(spec.attributes[i], type, owner, values);
   check_matching_counts(spec, type, owner, values);
+  warn_of_unread(spec, attributes, owner, values);
   return values;
 }
 
@@ -121,6 +128,29 @@ void AttributeReader::check_matching_counts(const ComponentSpec& spec, const Wor
                        in_quotes(each.name) + " of " + owner + " has " + std::to_string(*count) +
                            " entries and " + in_quotes(each.one_for_each) + " has " +
                            std::to_string(*expected) + ": give one for each");
+  }
+}
+
+// What could not be read may be the very attribute that this one belongs to.
+void AttributeReader::warn_of_unread(const ComponentSpec& spec,
+                                     const std::vector<AttributeNode>& attributes,
+                                     const std::string& owner,
+                                     const AttributeValues& values) const {
+  if (!text_is_whole_) return;
+  for (const auto& attribute : attributes) {
+    const AttributeSpec* known = attribute.inherited ? nullptr : spec.find(attribute.name.text);
+    if (known == nullptr) continue;
+    const auto warn = [&](const std::string& other, const char* why, std::string hint) {
+      diagnostics_.warning(attribute.name.at, "value/unread",
+                           "nobody reads " + in_quotes(known->name) + " of " + owner + why +
+                               in_quotes(other),
+                           std::move(hint));
+    };
+    if (!known->only_with.empty() && !names_something(values, known->only_with))
+      warn(known->only_with, ", which is without ",
+           "give it " + in_quotes(known->only_with) + ", or take this away");
+    if (!known->only_without.empty() && names_something(values, known->only_without))
+      warn(known->only_without, ", which goes by its ", "take one of the two away");
   }
 }
 

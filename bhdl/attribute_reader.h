@@ -30,6 +30,8 @@ class AttributeReader {
                AttributeValues& values) const;
   void check_matching_counts(const ComponentSpec& spec, const Word& type, const std::string& owner,
                              const AttributeValues& values) const;
+  void warn_of_unread(const ComponentSpec& spec, const std::vector<AttributeNode>& attributes,
+                      const std::string& owner, const AttributeValues& values) const;
   void warn_of_alias(const AttributeSpec& spec, const Word& name) const;
   [[nodiscard]] bool constants_exist(const AttributeNode& attribute, const AttributeSpec& spec,
                                      const std::string& owner) const;

@@ -149,7 +149,7 @@ Program check_tree(SyntaxTree tree, const std::string& main_file, const Vocabula
                    Diagnostics& diagnostics) {
   return_lost_attributes(tree, vocabulary, diagnostics);
   const bool text_is_whole = !diagnostics.has_errors();
-  put_in_constants(tree, diagnostics);
+  put_in_constants(tree, main_file, diagnostics);
   const Bases bases = inherit(tree, vocabulary, text_is_whole, diagnostics);
   const Symbols symbols = declare_names(tree, vocabulary, diagnostics);
   ProgramReader reader(vocabulary, symbols, text_is_whole, diagnostics);

@@ -77,7 +77,8 @@ class ConditionChecker {
             (invalid ? in_quotes(bit.variable) + " is always invalid"
                      : bit_in_words(bit) + " is never " + (test.condition->bit_value ? "1" : "0")) +
             " in the state " + in_quotes(state) + way_to(test.state),
-        "list a schema that writes " + bit_in_words(bit) + " in " + in_quotes(state));
+        "list a schema that writes " + bit_in_words(bit) + " in " + in_quotes(state),
+        places_on_way_to(test.state));
   }
 
   void warn_of_always(const Test& test, const TestedBit& bit) {
@@ -87,13 +88,19 @@ class ConditionChecker {
         "this condition always holds: " + bit_in_words(bit) + " is always " +
             (test.condition->bit_value ? "1" : "0") + " in the state " + in_quotes(state) +
             ", which is left in its first tick" + way_to(test.state),
-        "list a schema that writes " + bit_in_words(bit) + " in " + in_quotes(state));
+        "list a schema that writes " + bit_in_words(bit) + " in " + in_quotes(state),
+        places_on_way_to(test.state));
   }
 
   // A way may be as long as the program: nobody looks for one that will not be shown.
   [[nodiscard]] std::string way_to(std::size_t state) const {
     return diagnostics_.full_of_warnings() ? std::string()
                                            : "; the way there: " + graph_.way_to(state);
+  }
+
+  [[nodiscard]] std::vector<RelatedPlace> places_on_way_to(std::size_t state) const {
+    return diagnostics_.full_of_warnings() ? std::vector<RelatedPlace>()
+                                           : graph_.places_on_way_to(state);
   }
 
   const Program& program_;

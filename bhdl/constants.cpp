@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "bhdl/symbols.h"
 #include "bhdl/text.h"
@@ -26,6 +27,14 @@ class ConstantWriter {
     for (auto& node : tree_)
       if (auto* definitions = std::get_if<DefineNode>(&node)) define(*definitions);
     for (auto& node : tree_) std::visit([this](auto& each) { fill_in(each); }, node);
+  }
+
+  void warn_of_unused(std::string_view main_file) const {
+    for (const auto& [name, constant] : defined_)
+      if (constant->name.at.file == main_file && !used_.contains(name))
+        diagnostics_.warning(constant->name.at, "define/unused",
+                             "nothing uses the constant " + in_quotes(name),
+                             "write its name where its value is meant, or take it away");
   }
 
  private:
@@ -98,6 +107,7 @@ class ConstantWriter {
   }
 
   void append(const AttributeNode& constant, const Position& use, std::vector<ValueNode>& values) {
+    used_.insert(constant.name.text);
     written_ += constant.values.size();
     if (written_ > kMostConstantValues) return refuse_more(constant, use, values);
     for (ValueNode value : constant.values) {
@@ -121,14 +131,18 @@ class ConstantWriter {
   Diagnostics& diagnostics_;
   std::unordered_map<std::string_view, Position> places_;
   std::unordered_map<std::string_view, const AttributeNode*> defined_;
+  std::unordered_set<std::string_view> used_;
   std::size_t written_ = 0;
   bool told_ = false;
 };
 
 }  // namespace
 
-void put_in_constants(SyntaxTree& tree, Diagnostics& diagnostics) {
-  ConstantWriter(tree, diagnostics).write();
+void put_in_constants(SyntaxTree& tree, std::string_view main_file, Diagnostics& diagnostics) {
+  const bool text_is_whole = !diagnostics.has_errors();
+  ConstantWriter constants(tree, diagnostics);
+  constants.write();
+  if (text_is_whole) constants.warn_of_unused(main_file);
 }
 
 std::string definition_note(const ValueNode& value) {

@@ -3,6 +3,7 @@
 #include "bhdl/condition_check.h"
 #include "bhdl/idle_check.h"
 #include "bhdl/reachability.h"
+#include "bhdl/stop_check.h"
 #include "bhdl/wiring_check.h"
 
 namespace galilean::bhdl {
@@ -13,6 +14,7 @@ void warn_of_suspects(const Program& program, const Vocabulary& vocabulary, cons
   const SchemaUses uses(program, vocabulary);
   warn_of_unreachable_states(program, graph, text.bases, diagnostics);
   warn_of_traps(program, graph, diagnostics);
+  warn_of_endless_driving(program, uses, graph, diagnostics);
   warn_of_certain_conditions(program, uses, graph, diagnostics);
   warn_of_wiring(program, uses, text.tree, diagnostics);
   warn_of_unwritten_variables(program, uses, vocabulary, diagnostics);

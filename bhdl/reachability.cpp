@@ -24,12 +24,12 @@ void warn_of_traps(const Program& program, const StateGraph& graph, Diagnostics&
     const bool rests = state.conditions.empty() && state.motor_schemas.empty();
     const auto stays = [&](const Condition& each) { return each.new_state == state.name; };
     if (!graph.reached(i) || rests || !std::ranges::all_of(state.conditions, stays)) continue;
-    diagnostics.warning(
-        state.location, "state/trap",
-        "the state " + in_quotes(state.name) + " is never left for another" +
-            (diagnostics.full_of_warnings() ? std::string()
-                                            : "; the way there: " + graph.way_to(i)),
-        "give it a condition with another 'new_state:'");
+    const bool shown = !diagnostics.full_of_warnings();
+    diagnostics.warning(state.location, "state/trap",
+                        "the state " + in_quotes(state.name) + " is never left for another" +
+                            (shown ? "; the way there: " + graph.way_to(i) : std::string()),
+                        "give it a condition with another 'new_state:'",
+                        shown ? graph.places_on_way_to(i) : std::vector<RelatedPlace>());
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "bhdl/text.h"
+
 namespace galilean::bhdl {
 namespace {
 
@@ -37,17 +39,36 @@ void StateGraph::enter(std::size_t state, std::size_t from) {
   order_.push_back(state);
 }
 
-std::string StateGraph::way_to(std::size_t state) const {
+std::vector<std::size_t> StateGraph::short_way_to(std::size_t state) const {
   std::vector<std::size_t> way{state};
   while (before_[way.back()] != way.back()) way.push_back(before_[way.back()]);
   std::ranges::reverse(way);
+  if (way.size() > kLongestWay) {
+    const auto first = way.begin() + kLongestWay / 2;
+    *first = kLeftOut;
+    way.erase(first + 1, way.end() - kLongestWay / 2);
+  }
+  return way;
+}
+
+std::string StateGraph::way_to(std::size_t state) const {
   std::string text;
-  for (std::size_t i = 0; i < way.size(); ++i) {
-    const bool cut = way.size() > kLongestWay && i == kLongestWay / 2;
-    if (cut) i = way.size() - kLongestWay / 2;
-    text += (i == 0 ? "" : cut ? " → … → " : " → ") + program_.states[way[i]].name;
+  for (const std::size_t each : short_way_to(state)) {
+    if (!text.empty()) text += " → ";
+    text += each == kLeftOut ? "…" : program_.states[each].name;
   }
   return text;
+}
+
+std::vector<RelatedPlace> StateGraph::places_on_way_to(std::size_t state) const {
+  std::vector<RelatedPlace> places;
+  for (const std::size_t each : short_way_to(state)) {
+    if (each == kLeftOut) continue;
+    const State& passed = program_.states[each];
+    places.push_back({passed.location, (places.empty() ? "the way there begins in " : "then ") +
+                                           in_quotes(passed.name)});
+  }
+  return places;
 }
 
 }  // namespace galilean::bhdl

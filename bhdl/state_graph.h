@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "bhdl/diagnostic.h"
 #include "bhdl/program.h"
 
 namespace galilean::bhdl {
@@ -12,6 +13,8 @@ namespace galilean::bhdl {
 /// Which states a program gets to, and by which way: from its start state, else from where a swap
 /// leads to. Views point into the program.
 class StateGraph {
+  static constexpr std::size_t kNever = static_cast<std::size_t>(-1);
+
  public:
   explicit StateGraph(const Program& program);
 
@@ -25,9 +28,13 @@ class StateGraph {
   /// A shortest way to a state that is reached: "start → wander → grab". Long ones lose their
   /// middle.
   [[nodiscard]] std::string way_to(std::size_t state) const;
+  /// The same states, for who can show places.
+  [[nodiscard]] std::vector<RelatedPlace> places_on_way_to(std::size_t state) const;
 
  private:
-  static constexpr std::size_t kNever = static_cast<std::size_t>(-1);
+  /// Stands in a shortened way for the states that were left out.
+  static constexpr std::size_t kLeftOut = kNever;
+  [[nodiscard]] std::vector<std::size_t> short_way_to(std::size_t state) const;
 
   void explore_from(std::size_t beginning);
   void enter(std::size_t state, std::size_t from);

@@ -68,6 +68,8 @@ nlohmann::json attribute_to_json(const AttributeSpec& spec) {
   if (!spec.refers_to.empty()) json["refers_to"] = spec.refers_to;
   if (!spec.one_for_each.empty()) json["one_for_each"] = spec.one_for_each;
   if (!spec.bit_of.empty()) json["bit_of"] = spec.bit_of;
+  if (!spec.only_with.empty()) json["only_with"] = spec.only_with;
+  if (!spec.only_without.empty()) json["only_without"] = spec.only_without;
   if (spec.access != Access::kNone) json["access"] = to_string(spec.access);
   return json;
 }
@@ -88,6 +90,8 @@ AttributeSpec attribute_from_json(const nlohmann::json& json) {
   spec.refers_to = json.value("refers_to", "");
   spec.one_for_each = json.value("one_for_each", "");
   spec.bit_of = json.value("bit_of", "");
+  spec.only_with = json.value("only_with", "");
+  spec.only_without = json.value("only_without", "");
   spec.access = parse_word<Access>(kAccess, json.value("access", "none"));
   spec.help = json.value("help", "");
   return spec;

@@ -57,6 +57,8 @@ struct AttributeSpec {
                              ///< number
   std::string bit_of;  ///< of a whole number that says which bit of a bits variable is written:
                        ///< the attribute that names the variable; less than 0: all bits
+  std::string only_with;     ///< name of an optional attribute without which nobody reads this one
+  std::string only_without;  ///< the same of one with which nobody reads it
   Access access = Access::kNone;
   std::string help;
 

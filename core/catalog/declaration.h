@@ -63,6 +63,16 @@ class Declaration {
       spec_.one_for_each = std::move(attribute);
       return *this;
     }
+    /// Nobody reads it unless the program names something for `attribute`, which is optional.
+    Refinement& only_with(std::string attribute) {
+      spec_.only_with = std::move(attribute);
+      return *this;
+    }
+    /// Nobody reads it if the program names something for `attribute`, which is optional.
+    Refinement& only_without(std::string attribute) {
+      spec_.only_without = std::move(attribute);
+      return *this;
+    }
     /// Of a bit's index: the schema writes that bit of the variable that `attribute` names. A
     /// schema writes no bits but those that are so declared, or any if none is.
     Refinement& bit_of(std::string attribute) {

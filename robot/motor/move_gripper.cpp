@@ -7,9 +7,11 @@ void MoveGripper::describe(Declaration<MoveGripper>& is) {
   is.reads(&MoveGripper::bits_, "bits_variable", "decides, where given: 1 closes, 0 opens")
       .optional();
   is.number(&MoveGripper::bit_index_, "bit_index", unit::kNone, 0, "which bit of bits_variable")
-      .range(0, 31);
+      .range(0, 31)
+      .only_with("bits_variable");
   is.choice(&MoveGripper::command_, "command", {"open", "close"}, "close",
-            "what to do where there is no bits_variable");
+            "what to do where there is no bits_variable")
+      .only_without("bits_variable");
   is.drives("gripper");
   is.uses_devices(&MoveGripper::devices_);
 }

@@ -112,13 +112,16 @@ void BlobDetector::describe_rejections(Declaration<BlobDetector>& is) {
   length(&BlobGates::max_range_m, "max_range", 1000, "how far from the camera it may stand");
   is.number(&BlobDetector::companion_threshold_, "companion_threshold", unit::kNone, 40,
             "brightness of a pixel of companion_image that counts")
-      .range(0, 255);
+      .range(0, 255)
+      .only_with("companion_image");
   is.number(&BlobDetector::companion_area_px_, "companion_area", unit::kSquarePixel, 10,
             "so many of them around a blob reject it")
-      .range(1, Image::kWidth * Image::kHeight);
+      .range(1, Image::kWidth * Image::kHeight)
+      .only_with("companion_image");
   is.number(&BlobDetector::reject_radius_m_, "reject_radius", unit::kCentimetre, 40,
             "how far from reject_near_variable everything is rejected")
-      .range(0, 1000);
+      .range(0, 1000)
+      .only_with("reject_near_variable");
 }
 
 void BlobDetector::run(const Tick& tick) {

@@ -98,10 +98,15 @@ ComponentSpec forget() {
                           .help = "what fades"};
   AttributeSpec shaft = reference("shaft_variable", "shaft", Access::kRead);
   shaft.default_value = Value(std::string());
+  AttributeSpec radius = number("radius", unit::kCentimetre, 50, 0, 1000);
+  radius.only_with = "shaft_variable";
+  AttributeSpec always = number("delay", unit::kSecond, 0, 0, 100);
+  always.only_without = "shaft_variable";
   return {"forget",
           ComponentKind::kPerceptualSchema,
           "Fades variables.",
-          {std::move(variables), number("time", unit::kSecond, 60, 0, 1e4), std::move(shaft)}};
+          {std::move(variables), number("time", unit::kSecond, 60, 0, 1e4), std::move(shaft),
+           std::move(radius), std::move(always)}};
 }
 
 ComponentSpec time_detector() {

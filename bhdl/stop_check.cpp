@@ -1,0 +1,61 @@
+#include "bhdl/stop_check.h"
+
+#include <algorithm>
+
+#include "bhdl/text.h"
+
+namespace galilean::bhdl {
+namespace {
+
+constexpr std::string_view kMotors = "motor_drive";
+
+bool drives(const SchemaUses::Listed& listed) {
+  return std::ranges::any_of(listed.motor,
+                             [](const SchemaUse* use) { return use->spec->drives == kMotors; });
+}
+
+/// Of each state, whether it or one that it can get to lets the motors stand.
+std::vector<bool> can_stop(const Program& program, const SchemaUses& uses,
+                           const StateGraph& graph) {
+  const std::size_t count = program.states.size();
+  std::vector<std::vector<std::size_t>> sources(count);
+  std::vector<bool> stops(count);
+  std::vector<std::size_t> to_visit;
+  for (std::size_t state = 0; state < count; ++state) {
+    for (const std::size_t target : graph.targets(state)) sources[target].push_back(state);
+    if (drives(uses.listed(state))) continue;
+    stops[state] = true;
+    to_visit.push_back(state);
+  }
+  while (!to_visit.empty()) {
+    const std::size_t state = to_visit.back();
+    to_visit.pop_back();
+    for (const std::size_t source : sources[state]) {
+      if (stops[source]) continue;
+      stops[source] = true;
+      to_visit.push_back(source);
+    }
+  }
+  return stops;
+}
+
+}  // namespace
+
+void warn_of_endless_driving(const Program& program, const SchemaUses& uses,
+                             const StateGraph& graph, Diagnostics& diagnostics) {
+  const std::vector<bool> stops = can_stop(program, uses, graph);
+  for (std::size_t i = 0; i < program.states.size(); ++i) {
+    if (stops[i] || !graph.reached(i)) continue;
+    const State& state = program.states[i];
+    return diagnostics.warning(
+        state.location, "state/never-stops",
+        "from the state " + in_quotes(state.name) +
+            " on, nothing stops the motors: it drives them, and so does every state that it leads "
+            "to; the way there: " +
+            graph.way_to(i),
+        "give it a condition to a state that lists no schema which drives",
+        graph.places_on_way_to(i));
+  }
+}
+
+}  // namespace galilean::bhdl

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "bhdl/diagnostic.h"
+#include "bhdl/schema_use.h"
+#include "bhdl/state_graph.h"
+
+namespace galilean::bhdl {
+
+/// Warns once of a program that comes to where nothing stops the motors any more: to a state that
+/// lists a schema which drives them, and from which every way leads through such states only.
+void warn_of_endless_driving(const Program& program, const SchemaUses& uses,
+                             const StateGraph& graph, Diagnostics& diagnostics);
+
+}  // namespace galilean::bhdl

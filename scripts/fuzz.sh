@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=${1:-600}
-fuzzers=(check format diff)
+fuzzers=(check format diff language_server)
 dir=build/fuzz
 
 mkdir -p "$dir"/{findings,found}

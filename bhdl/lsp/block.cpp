@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "bhdl/expectation_specs.h"
 #include "bhdl/keywords.h"
-#include "bhdl/state_specs.h"
 
 namespace galilean::bhdl::lsp {
 namespace {
@@ -12,7 +12,14 @@ BlockKind kind_of_section(std::string_view word) {
   if (section_kind(word)) return BlockKind::kSection;
   if (word == "states") return BlockKind::kStates;
   if (word == "state") return BlockKind::kState;
+  if (word == "expect") return BlockKind::kExpect;
   return word == "define" ? BlockKind::kDefine : BlockKind::kOnSwap;
+}
+
+const ComponentSpec* find_step(std::string_view word) {
+  const auto steps = step_specs();
+  const auto found = std::ranges::find(steps, word, &ComponentSpec::name);
+  return found == steps.end() ? nullptr : &*found;
 }
 
 bool opens_no_block(std::string_view word) {
@@ -20,6 +27,12 @@ bool opens_no_block(std::string_view word) {
 }
 
 }  // namespace
+
+const ComponentSpec* spec_of(const Block& block, const Vocabulary& vocabulary) {
+  if (block.kind == BlockKind::kComponent) return vocabulary.find(block.word);
+  if (block.kind == BlockKind::kExpectStep) return find_step(block.word);
+  return block.kind == BlockKind::kExpect ? &expect_spec() : nullptr;
+}
 
 void BlockScanner::run() {
   while (!tokens_.at_end_of_file()) step();
@@ -45,6 +58,10 @@ void BlockScanner::step() {
     return open_block(BlockKind::kCondition);
   }
   if (begins_section()) return open_section();
+  if (inside(BlockKind::kExpect) && tokens_.at_label() && find_step(tokens_.peek().text)) {
+    close_down_to(depth_behind(BlockKind::kExpect));
+    return open_block(BlockKind::kExpectStep);
+  }
   if (tokens_.at_label()) return label();
   value();
 }
@@ -98,8 +115,7 @@ void BlockScanner::component_label() {
 
 bool BlockScanner::is_attribute_of_innermost() const noexcept {
   const Block* block = innermost();
-  if (block == nullptr || block->kind != BlockKind::kComponent) return false;
-  const ComponentSpec* spec = vocabulary_.find(block->word);
+  const ComponentSpec* spec = block == nullptr ? nullptr : spec_of(*block, vocabulary_);
   return spec != nullptr && spec->find(tokens_.peek().text) != nullptr;
 }
 

@@ -18,7 +18,9 @@ enum class BlockKind {
   kSchemaList,
   kCondition,
   kDefine,
-  kOnSwap
+  kOnSwap,
+  kExpect,
+  kExpectStep
 };
 
 /// What an editor shows as one piece: from its label to its `end`, or to where something else must
@@ -31,6 +33,10 @@ struct Block {
   ByteRange range;
   std::optional<std::size_t> parent;  ///< among all blocks, which stand in the order of the text
 };
+
+/// What the catalog, or the language, says of a component, an expectation or one of its steps;
+/// nullptr of any other block and where nothing has such a name.
+[[nodiscard]] const ComponentSpec* spec_of(const Block& block, const Vocabulary& vocabulary);
 
 /// Finds the blocks of a text that need not parse: where the parser would have to know what was
 /// meant, this takes the likely. Goes token by token, so that its state at a cursor tells where the

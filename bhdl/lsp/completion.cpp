@@ -5,6 +5,7 @@
 #include <set>
 
 #include "bhdl/describe.h"
+#include "bhdl/expectation_specs.h"
 #include "bhdl/keywords.h"
 #include "bhdl/lsp/completion_list.h"
 #include "bhdl/lsp/cursor.h"
@@ -69,10 +70,9 @@ class Completer {
   [[nodiscard]] const ComponentSpec* component_at_hand() const {
     const Block* block = cursor_.innermost();
     if (block == nullptr) return nullptr;
-    if (block->kind == BlockKind::kComponent) return session_.vocabulary.find(block->word);
     if (block->kind == BlockKind::kCondition) return &condition_spec();
     const bool state = block->kind == BlockKind::kState || block->kind == BlockKind::kSchemaList;
-    return state ? &state_spec() : nullptr;
+    return state ? &state_spec() : spec_of(*block, session_.vocabulary);
   }
   [[nodiscard]] const AttributeSpec* attribute_at_hand() const {
     const ComponentSpec* component = component_at_hand();
@@ -178,6 +178,8 @@ class Completer {
       case BlockKind::kComponent:
       case BlockKind::kState:
       case BlockKind::kCondition:
+      case BlockKind::kExpect:
+      case BlockKind::kExpectStep:
         attributes(*block);
         break;
       default:
@@ -223,6 +225,8 @@ class Completer {
                  .refers_to = spec->name,
                  .help = "takes over what another has, but for its name"});
     if (block.kind == BlockKind::kState) component(condition_spec(), false);
+    if (block.kind == BlockKind::kExpect)
+      for (const auto& step : step_specs()) component(step, false);
     if (block.kind == BlockKind::kComponent && block.components == ComponentKind::kVariable &&
         cursor_.given.contains("name"))
       components(ComponentKind::kVariable);

@@ -93,7 +93,7 @@ void DiagnosticDesk::check_programs(const Session& session) {
         continue;
       }
       now.files = std::move(files);
-      for (auto& each : check(main_path, session.workspace, session.catalog).diagnostics)
+      for (auto& each : check(main_path, session.workspace, session.vocabulary).diagnostics)
         now.diagnostics[each.file].push_back(std::move(each));
     }
   checked_ = std::move(checked);

@@ -25,7 +25,8 @@ SymbolKind symbol_kind(const Block& block) {
 }
 
 bool is_shown(const Block& block) {
-  return block.kind != BlockKind::kSchemaList && block.kind != BlockKind::kCondition;
+  return block.kind != BlockKind::kSchemaList && block.kind != BlockKind::kCondition &&
+         block.kind != BlockKind::kExpectStep;
 }
 
 class SymbolTree {

@@ -80,8 +80,8 @@ void refuse_breaking(const Session& session, const Renamed& renamed) {
   for (const auto& touched : renamed.texts)
     for (const auto& program : session.workspace.programs_with(touched.first)) {
       const std::string& main_path = program.front()->path;
-      if (any_error(check(main_path, session.workspace, session.catalog).diagnostics)) continue;
-      for (const auto& each : check(main_path, renamed, session.catalog).diagnostics)
+      if (any_error(check(main_path, session.workspace, session.vocabulary).diagnostics)) continue;
+      for (const auto& each : check(main_path, renamed, session.vocabulary).diagnostics)
         if (each.severity == Severity::kError)
           throw Refusal(RpcError::kRequestFailed,
                         "the program would be wrong with that name: " + format(each));

@@ -96,9 +96,8 @@ std::optional<Json> guarded(const Json& message, Work work) {
 
 }  // namespace
 
-Server::Server(Catalog catalog, std::unique_ptr<ProgramFolder> folder)
-    : catalog_(std::move(catalog)),
-      vocabulary_(catalog_),
+Server::Server(const Catalog& catalog, std::unique_ptr<ProgramFolder> folder)
+    : vocabulary_(catalog),
       folder_(std::move(folder)),
       workspace_(*folder_, vocabulary_) {}
 

@@ -18,7 +18,7 @@ namespace galilean::bhdl::lsp {
 /// `work` when no message waits, and gets the diagnostics to send.
 class Server {
  public:
-  Server(Catalog catalog, std::unique_ptr<ProgramFolder> folder);
+  Server(const Catalog& catalog, std::unique_ptr<ProgramFolder> folder);
 
   /// What is to be sent for one message, in order; mostly one answer, or nothing.
   [[nodiscard]] std::vector<std::string> receive(std::string_view message);
@@ -37,9 +37,8 @@ class Server {
                              std::vector<std::string>& before);
   void notice(std::string_view method, const Json& params);
   [[nodiscard]] Json initialize(const Json& params);
-  [[nodiscard]] Session session() { return {workspace_, catalog_, vocabulary_, client_}; }
+  [[nodiscard]] Session session() { return {workspace_, vocabulary_, client_}; }
 
-  Catalog catalog_;
   Vocabulary vocabulary_;
   std::unique_ptr<ProgramFolder> folder_;
   Workspace workspace_;

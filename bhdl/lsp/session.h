@@ -23,7 +23,6 @@ struct Client {
 /// not so, nlohmann::json's exceptions are thrown on.
 struct Session {
   Workspace& workspace;
-  const Catalog& catalog;
   const Vocabulary& vocabulary;
   const Client& client;
 

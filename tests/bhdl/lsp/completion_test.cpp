@@ -56,6 +56,21 @@ TEST(Completion, InAComponentAreTheAttributesThatItHasNot) {
   EXPECT_THAT(labels, Not(Contains("input_force")));
 }
 
+TEST(Completion, InAnExpectationAreItsStepsAndInAStepNamesOfTheRightKind) {
+  const auto labels = completions_in("expect:\n  name: \"e\"\n  |\nend");
+  EXPECT_THAT(labels, IsSupersetOf({"from_state", "lasts", "given", "reaches", "never", "end"}));
+  EXPECT_THAT(labels, Not(Contains("name")));
+  EXPECT_THAT(completions_in("expect: name: \"e\"\n given: bits_variable: \"bumpers\" | end end"),
+              IsSupersetOf({"bit_index", "from", "until"}));
+  const std::string states = "state: name: \"go\" end state: name: \"stop\" end\n";
+  for (const auto* step : {"reaches: state: |", "reaches: by: 1 s state: \"|\"", "from_state: |"})
+    EXPECT_THAT(completions_in(states + "expect: name: \"e\" " + step + " end end"),
+                IsSupersetOf({"go", "stop"}))
+        << step;
+  EXPECT_THAT(completions_in(kNames + "expect: name: \"e\" given: bits_variable: |"),
+              IsSupersetOf({"bumpers", "gripper"}));
+}
+
 TEST(Completion, AVariableIsFollowedByAttributesOrTheNext) {
   EXPECT_THAT(completions_in("variables:\n  bits: name: \"x\"\n  |"),
               IsSupersetOf({"value", "status", "locate", "end"}));

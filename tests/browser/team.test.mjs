@@ -139,6 +139,18 @@ test("a broken program shows its errors with their lines and changes nothing", a
   if (refusal >= 0) complaints.splice(refusal, 1);
 });
 
+test("what was meant is put in with one click", async () => {
+  await at("edit-button").click();
+  const text = at("program-editor").locator(".cm-content");
+  await text.click();
+  await page.keyboard.press("Control+Home");
+  await page.keyboard.type("motr_schemas:\nend\n");
+  await text.locator(".cm-lintRange-error").first().hover();
+  await page.getByRole("button", { name: "Change to 'motor_schemas'" }).click();
+  await text.getByText(/^motor_schemas:$/).first().waitFor();
+  await at("editor-close").click();
+});
+
 test("a canary runs a program first, each step is shown, and cancelling takes it back", async () => {
   const running = await row("callisto").getAttribute("data-hash");
   await at("program-select").selectOption("office_cleanup.bhdl");

@@ -2,6 +2,7 @@
 
 import type { Diagnostic, SourceFile } from "./feed/messages";
 import * as api from "./lib/api";
+import { withKnownFixes } from "./lib/quick_fixes";
 import { live } from "./live.svelte";
 import { ui } from "./ui.svelte";
 
@@ -43,8 +44,9 @@ class Workshop {
   readonly isChecked: boolean = $derived(this.#checked === this.#text && this.result !== undefined);
   /** What the language server says of each file as one types. */
   #typed = $state.raw<ReadonlyMap<string, readonly Diagnostic[]>>(new Map());
+  readonly #problemsTyped: Diagnostic[] = $derived(this.files.flatMap(({ path }) => this.#typed.get(path) ?? []));
   readonly diagnostics: Diagnostic[] = $derived(
-    this.isChecked ? (this.result?.diagnostics ?? []) : this.files.flatMap(({ path }) => this.#typed.get(path) ?? []),
+    this.isChecked ? withKnownFixes(this.result?.diagnostics ?? [], this.#problemsTyped) : this.#problemsTyped,
   );
   readonly errors: Diagnostic[] = $derived(this.diagnostics.filter(({ severity }) => severity === "error"));
 

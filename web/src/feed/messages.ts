@@ -166,6 +166,16 @@ export interface Diagnostic {
   code: string;
   message: string;
   hint: string;
+  /** Known only of what one types. */
+  fix?: Fix;
+}
+
+/** What would put a problem right: another text between two places of its file, counted from 1. */
+export interface Fix {
+  title: string;
+  from: { line: number; column: number };
+  to: { line: number; column: number };
+  text: string;
 }
 
 export const replyStatuses = ["no_answer", "received", "rejected", "running", "confirmed", "rolled_back"] as const;

@@ -2,10 +2,10 @@
 
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { bracketMatching, foldGutter, foldKeymap } from "@codemirror/language";
-import { type Diagnostic as Mark, lintGutter, setDiagnostics } from "@codemirror/lint";
-import { type Extension, StateEffect, StateField } from "@codemirror/state";
+import { type Action, type Diagnostic as Mark, lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
+import { type Extension, StateEffect, StateField, type Text } from "@codemirror/state";
 import { Decoration, type DecorationSet, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
-import type { Diagnostic } from "../feed/messages";
+import type { Diagnostic, Fix } from "../feed/messages";
 import { bhdl } from "../bhdl/language";
 
 const setRunningLine = StateEffect.define<number | undefined>();
@@ -40,6 +40,19 @@ const look = EditorView.theme({
   },
 });
 
+function offsetOf(doc: Text, { line, column }: { line: number; column: number }): number {
+  const at = doc.line(Math.min(Math.max(line, 1), doc.lines));
+  return Math.min(at.from + Math.max(column - 1, 0), at.to);
+}
+
+const actionOf = (fix: Fix): Action => ({
+  name: fix.title,
+  apply: (view) => {
+    const { doc } = view.state;
+    view.dispatch({ changes: { from: offsetOf(doc, fix.from), to: offsetOf(doc, fix.to), insert: fix.text }, userEvent: "input.fix" });
+  },
+});
+
 export class Editor {
   #view: EditorView;
 
@@ -49,7 +62,7 @@ export class Editor {
     const extensions: Extension[] = [
       lineNumbers(), foldGutter(), history(), drawSelection(), bracketMatching(), highlightActiveLine(), lintGutter(), runningLine, bhdl, look, told,
       language,
-      keymap.of([...defaultKeymap, ...historyKeymap, ...foldKeymap, indentWithTab]),
+      keymap.of([...defaultKeymap, ...historyKeymap, ...foldKeymap, ...lintKeymap, indentWithTab]),
       EditorView.contentAttributes.of({ "aria-label": "Program text" }),
     ];
     this.#view = new EditorView({ parent, doc: text, extensions });
@@ -62,12 +75,12 @@ export class Editor {
   /** Marks problems of the file that is shown; lines and columns count from 1. */
   mark(diagnostics: readonly Diagnostic[]): void {
     const { doc } = this.#view.state;
-    const marks = diagnostics.map(({ line, column, severity, message, hint }): Mark => {
-      const at = doc.line(Math.min(Math.max(line, 1), doc.lines));
-      const from = Math.min(at.from + Math.max(column - 1, 0), at.to);
+    const marks = diagnostics.map(({ line, column, severity, message, hint, fix }): Mark => {
+      const from = offsetOf(doc, { line, column });
+      const at = doc.lineAt(from);
       const word = /^[\w.]+/.exec(doc.sliceString(from, at.to))?.[0].length ?? 0;
       const text = hint ? `${message} (${hint})` : message;
-      return { from, to: Math.min(from + Math.max(word, 1), at.to), severity: severity === "error" ? "error" : "warning", message: text };
+      return { from, to: Math.min(from + Math.max(word, 1), at.to), severity: severity === "error" ? "error" : "warning", message: text, actions: fix && [actionOf(fix)] };
     });
     this.#view.dispatch(setDiagnostics(this.#view.state, marks));
   }
@@ -79,8 +92,7 @@ export class Editor {
 
   show(line: number, column: number): void {
     const { doc } = this.#view.state;
-    const at = doc.line(Math.min(Math.max(line, 1), doc.lines));
-    const anchor = Math.min(at.from + Math.max(column - 1, 0), at.to);
+    const anchor = offsetOf(doc, { line, column });
     this.#view.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: "center" }) });
     this.#view.focus();
   }

@@ -11,6 +11,7 @@ import type { Diagnostic, SourceFile } from "../feed/messages";
 import { type Bench, BenchWorkspace, pathOf, uriOf } from "./bench_workspace";
 import { harmless } from "./harmless_html";
 import { problemsFrom, type PublishedProblems } from "./problems";
+import { type CodeAction, withFixes } from "./quick_fixes";
 import { withToken } from "./token";
 
 export interface LanguageEvents extends Bench {
@@ -60,8 +61,7 @@ export class LanguageServer {
       workspace: (client) => (this.#workspace = new BenchWorkspace(client, events)),
       notificationHandlers: {
         "textDocument/publishDiagnostics": (_, params: PublishedProblems) => {
-          const path = pathOf(params.uri);
-          if (this.#workspace.isNewest(params.uri, params.version)) events.problems(path, problemsFrom(path, params));
+          if (this.#workspace.isNewest(params.uri, params.version)) void this.#tell(params, events);
           return true;
         },
       },
@@ -77,6 +77,20 @@ export class LanguageServer {
     };
   }
   #lost: () => void;
+
+  /** The problems at once, and again with what would put them right. */
+  async #tell(params: PublishedProblems, events: LanguageEvents): Promise<void> {
+    const { uri, version, diagnostics } = params;
+    const path = pathOf(uri);
+    const problems = problemsFrom(path, params);
+    events.problems(path, problems);
+    if (diagnostics.length === 0) return;
+    const range = { start: { line: 0, character: 0 }, end: { line: 2 ** 31 - 1, character: 0 } };
+    const context = { diagnostics: [], only: ["quickfix"] };
+    const ask = this.#client.request<object, CodeAction[] | null>("textDocument/codeAction", { textDocument: { uri }, range, context });
+    const actions = await ask.catch(() => null); // without them the problems still stand
+    if (actions?.length && this.#workspace.isNewest(uri, version)) events.problems(path, withFixes(problems, actions));
+  }
 
   /** Does nothing while connected. `robot`: whose catalog programs are checked against. */
   connect(origin: string, robot?: string): void {

@@ -41,14 +41,14 @@ Result<std::string, ReadFailure> DiskSources::read(const std::string& path,
     return not_found(shown(path), failed ? failed.message() : "no such file");
   if (!fs::is_regular_file(status)) return not_found(shown(path), "it is not a regular file");
   const auto size = fs::file_size(place, failed);
-  if (!failed && size > most_bytes) return too_large(shown(path), size, most_bytes);
+  if (failed) return not_found(shown(path), failed.message());
+  if (size > most_bytes) return too_large(shown(path), size, most_bytes);
   std::ifstream file(place, std::ios::binary);
-  std::string text(most_bytes + 1, '\0');
+  // A file that grows meanwhile is cut here, and read again by whoever watches it.
+  std::string text(static_cast<std::size_t>(size), '\0');
   if (!file || !(file.read(text.data(), static_cast<std::streamsize>(text.size())) || file.eof()))
     return not_found(shown(path), std::strerror(errno));
   text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > most_bytes) return too_large(shown(path), text.size(), most_bytes);
-  text.shrink_to_fit();
   return text;
 }
 

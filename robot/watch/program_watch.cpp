@@ -15,10 +15,9 @@ constexpr int kLookAgain_ms = 50;
 }  // namespace
 
 ProgramWatch::ProgramWatch(std::filesystem::path file, const Catalog& catalog, Executive& executive)
-    : file_(std::move(file)), catalog_(catalog), executive_(executive) {
+    : file_(std::move(file)), vocabulary_(catalog), executive_(executive) {
   files_.add(file_);
-  for (const auto& source : bhdl::check_file(file_, catalog_).files)
-    files_.add(file_.parent_path() / source.path);
+  watch(bhdl::check_file(file_, vocabulary_).files);
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -36,12 +35,17 @@ void ProgramWatch::wait() const {
 }
 
 void ProgramWatch::reload() {
-  auto checked = bhdl::check_file(file_, catalog_);
-  for (const auto& source : checked.files) files_.add(file_.parent_path() / source.path);
+  auto checked = bhdl::check_file(file_, vocabulary_);
+  watch(checked.files);
   for (const auto& diagnostic : checked.diagnostics) spdlog::warn("{}", format(diagnostic));
   if (!checked.program)
     return spdlog::error("{} was saved with errors: the program before runs on", file_.string());
   if (!runs(checked.program->hash)) swap(std::move(*checked.program));
+}
+
+void ProgramWatch::watch(const std::vector<bhdl::SourceFile>& sources) {
+  for (const auto& source : sources)
+    if (watched_.insert(source.path).second) files_.add(file_.parent_path() / source.path);
 }
 
 void ProgramWatch::swap(bhdl::Program program) {

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
+#include <string>
 #include <thread>
 
+#include "bhdl/vocabulary.h"
 #include "core/catalog/catalog.h"
 #include "core/wake.h"
 #include "robot/executive/executive.h"
@@ -15,21 +18,23 @@ namespace galilean::robot {
 /// in a thread of its own.
 class ProgramWatch {
  public:
-  /// Throws std::system_error if the system grants no watch. `executive` and `catalog` must outlive
-  /// this.
+  /// Throws std::system_error if the system grants no watch. `executive` must outlive this.
   ProgramWatch(std::filesystem::path file, const Catalog& catalog, Executive& executive);
 
  private:
   void run(const std::stop_token& stop);
   void wait() const;
   void reload();
+  /// Before anything else is done with them, so that no save is missed.
+  void watch(const std::vector<bhdl::SourceFile>& sources);
   void swap(bhdl::Program program);
   [[nodiscard]] bool runs(const std::string& hash) const;
 
   std::filesystem::path file_;
-  const Catalog& catalog_;
+  bhdl::Vocabulary vocabulary_;
   Executive& executive_;
   FileWatch files_;
+  std::set<std::string> watched_;  ///< as the program names them
   Wake wake_;
   std::jthread thread_;
 };

@@ -42,24 +42,12 @@ Hint attribute_hint(const ComponentSpec& spec, std::string_view misspelt) {
 
 }  // namespace
 
-const ValueNode* given_name(const std::vector<AttributeNode>& attributes) noexcept {
-  for (const auto& attribute : attributes)
-    if (attribute.name.text == "name" && attribute.values.size() == 1 &&
-        attribute.values.front().kind == ValueNode::Kind::kText)
-      return &attribute.values.front();
-  return nullptr;
-}
-
-std::string label(const Word& type, const std::vector<AttributeNode>& attributes) {
-  const ValueNode* name = given_name(attributes);
-  return std::string(type.text) + (name == nullptr ? std::string() : " " + in_quotes(name->text));
-}
-
 AttributeValues AttributeReader::read(const ComponentSpec& spec, const Word& type,
                                       const std::vector<AttributeNode>& attributes) const {
-  const std::string owner = label(type, attributes);
-  std::vector<const Word*> given(spec.attributes.size(), nullptr);
+  const Owner owner{type, attributes};
+  std::vector<const AttributeNode*> given(spec.attributes.size(), nullptr);
   AttributeValues values;
+  values.reserve(spec.attributes.size());
   Diagnostics reported_at_base;
   const AttributeReader at_base(symbols_, text_is_whole_, reported_at_base);
   for (const auto& attribute : attributes) {
@@ -69,33 +57,33 @@ AttributeValues AttributeReader::read(const ComponentSpec& spec, const Word& typ
       reader.refuse_unknown(spec, attribute.name);
       continue;
     }
-    const Word*& first = given[static_cast<std::size_t>(known - spec.attributes.data())];
+    const AttributeNode*& first = given[static_cast<std::size_t>(known - spec.attributes.data())];
     if (first != nullptr)
-      refuse_second(*known, attribute.name, *first, owner);
+      refuse_second(*known, attribute.name, first->name, owner);
     else
       reader.read_one(attribute, *known, owner, values);
-    first = &attribute.name;
+    first = &attribute;
   }
   for (std::size_t i = 0; i < given.size(); ++i)
     if (given[i] == nullptr) fill_in(spec.attributes[i], type, owner, values);
   check_matching_counts(spec, type, owner, values);
-  warn_of_unread(spec, attributes, owner, values);
+  warn_of_unread(spec, given, owner, values);
   return values;
 }
 
 void AttributeReader::read_one(const AttributeNode& attribute, const AttributeSpec& spec,
-                               const std::string& owner, AttributeValues& values) const {
+                               const Owner& owner, AttributeValues& values) const {
   if (attribute.name.text != spec.name) warn_of_alias(spec, attribute.name);
   if (!constants_exist(attribute, spec, owner)) return;
   auto value = read_value(attribute, spec, owner, diagnostics_);
   if (!value) return;
   check_names(attribute, spec, owner);
-  values.set(spec.name, std::move(*value));
+  values.add(spec.name, std::move(*value));
 }
 
 // What could not be read may hold a constant, as it may hold any other name.
 bool AttributeReader::constants_exist(const AttributeNode& attribute, const AttributeSpec& spec,
-                                      const std::string& owner) const {
+                                      const Owner& owner) const {
   if (!takes_numbers(spec.type)) return true;
   const auto word =
       std::ranges::find(attribute.values, ValueNode::Kind::kBareWord, &ValueNode::kind);
@@ -105,18 +93,18 @@ bool AttributeReader::constants_exist(const AttributeNode& attribute, const Attr
 }
 
 // The name that a default gives must exist like any other, unless it is empty: then there is none.
-void AttributeReader::fill_in(const AttributeSpec& spec, const Word& type, const std::string& owner,
+void AttributeReader::fill_in(const AttributeSpec& spec, const Word& type, const Owner& owner,
                               AttributeValues& values) const {
   if (!spec.default_value) return refuse_missing(spec, type, owner);
   const auto* name = std::get_if<std::string>(&*spec.default_value);
   if (spec.type == AttributeType::kName && name != nullptr && !name->empty())
     symbols_.check_reference(spec, {ValueNode::Kind::kText, 0, 0, *name, type.at}, owner,
                              text_is_whole_, diagnostics_);
-  values.set(spec.name, to_si(*spec.default_value, spec.unit));
+  values.add(spec.name, to_si(*spec.default_value, spec.unit));
 }
 
 void AttributeReader::check_matching_counts(const ComponentSpec& spec, const Word& type,
-                                            const std::string& owner,
+                                            const Owner& owner,
                                             const AttributeValues& values) const {
   for (const auto& each : spec.attributes) {
     if (each.one_for_each.empty()) continue;
@@ -125,37 +113,36 @@ void AttributeReader::check_matching_counts(const ComponentSpec& spec, const Wor
     if (!count || !expected) continue;
     if (*count == 0 || *count == *expected) continue;
     diagnostics_.error(type.at, "value/count",
-                       in_quotes(each.name) + " of " + owner + " has " + std::to_string(*count) +
-                           " entries and " + in_quotes(each.one_for_each) + " has " +
-                           std::to_string(*expected) + ": give one for each");
+                       in_quotes(each.name) + " of " + label(owner) + " has " +
+                           std::to_string(*count) + " entries and " + in_quotes(each.one_for_each) +
+                           " has " + std::to_string(*expected) + ": give one for each");
   }
 }
 
 // What could not be read may be the very attribute that this one belongs to.
 void AttributeReader::warn_of_unread(const ComponentSpec& spec,
-                                     const std::vector<AttributeNode>& attributes,
-                                     const std::string& owner,
-                                     const AttributeValues& values) const {
+                                     const std::vector<const AttributeNode*>& given,
+                                     const Owner& owner, const AttributeValues& values) const {
   if (!text_is_whole_) return;
-  for (const auto& attribute : attributes) {
-    const AttributeSpec* known = attribute.inherited ? nullptr : spec.find(attribute.name.text);
-    if (known == nullptr) continue;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const AttributeSpec& each = spec.attributes[i];
+    if (given[i] == nullptr || given[i]->inherited) continue;
     const auto warn = [&](const std::string& other, const char* why, std::string hint) {
-      diagnostics_.warning(attribute.name.at, "value/unread",
-                           "nobody reads " + in_quotes(known->name) + " of " + owner + why +
-                               in_quotes(other),
-                           std::move(hint));
+      diagnostics_.warning(
+          given[i]->name.at, "value/unread",
+          "nobody reads " + in_quotes(each.name) + " of " + label(owner) + why + in_quotes(other),
+          std::move(hint));
     };
-    if (!known->only_with.empty() && !names_something(values, known->only_with))
-      warn(known->only_with, ", which is without ",
-           "give it " + in_quotes(known->only_with) + ", or take this away");
-    if (!known->only_without.empty() && names_something(values, known->only_without))
-      warn(known->only_without, ", which goes by its ", "take one of the two away");
+    if (!each.only_with.empty() && !names_something(values, each.only_with))
+      warn(each.only_with, ", which is without ",
+           "give it " + in_quotes(each.only_with) + ", or take this away");
+    if (!each.only_without.empty() && names_something(values, each.only_without))
+      warn(each.only_without, ", which goes by its ", "take one of the two away");
   }
 }
 
 void AttributeReader::check_names(const AttributeNode& attribute, const AttributeSpec& spec,
-                                  const std::string& owner) const {
+                                  const Owner& owner) const {
   if (spec.type != AttributeType::kName && spec.type != AttributeType::kNames) return;
   // A schema runs once a tick: to list it again can only be a slip.
   const bool once = spec.refers_to == "perceptual_schema" || spec.refers_to == "motor_schema";
@@ -163,9 +150,9 @@ void AttributeReader::check_names(const AttributeNode& attribute, const Attribut
   for (const auto& name : attribute.values) {
     symbols_.check_reference(spec, name, owner, text_is_whole_, diagnostics_);
     if (once && !seen.insert(name.text).second)
-      diagnostics_.error(
-          name.at, "name/listed-twice",
-          in_quotes(name.text) + " stands twice in " + in_quotes(spec.name) + " of " + owner);
+      diagnostics_.error(name.at, "name/listed-twice",
+                         in_quotes(name.text) + " stands twice in " + in_quotes(spec.name) +
+                             " of " + label(owner));
   }
 }
 
@@ -176,19 +163,19 @@ void AttributeReader::refuse_unknown(const ComponentSpec& spec, const Word& name
 }
 
 void AttributeReader::refuse_second(const AttributeSpec& spec, const Word& second,
-                                    const Word& first, const std::string& owner) const {
-  diagnostics_.error(
-      second.at, "name/duplicate-attribute",
-      in_quotes(spec.name) + " of " + owner + " is given twice: the other is at " + place(first.at),
-      {}, {{first.at, "the other"}});
+                                    const Word& first, const Owner& owner) const {
+  diagnostics_.error(second.at, "name/duplicate-attribute",
+                     in_quotes(spec.name) + " of " + label(owner) +
+                         " is given twice: the other is at " + place(first.at),
+                     {}, {{first.at, "the other"}});
 }
 
 void AttributeReader::refuse_missing(const AttributeSpec& spec, const Word& type,
-                                     const std::string& owner) const {
+                                     const Owner& owner) const {
   if (!text_is_whole_) return;
   diagnostics_.error(
       type.at, "name/missing-attribute",
-      owner + " lacks the attribute " + in_quotes(spec.name) + ": " + expectation(spec));
+      label(owner) + " lacks the attribute " + in_quotes(spec.name) + ": " + expectation(spec));
 }
 
 void AttributeReader::warn_of_alias(const AttributeSpec& spec, const Word& name) const {

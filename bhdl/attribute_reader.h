@@ -20,32 +20,28 @@ class AttributeReader {
                                      const std::vector<AttributeNode>& attributes) const;
 
  private:
-  void read_one(const AttributeNode& attribute, const AttributeSpec& spec, const std::string& owner,
+  void read_one(const AttributeNode& attribute, const AttributeSpec& spec, const Owner& owner,
                 AttributeValues& values) const;
   void refuse_second(const AttributeSpec& spec, const Word& second, const Word& first,
-                     const std::string& owner) const;
+                     const Owner& owner) const;
   void refuse_unknown(const ComponentSpec& spec, const Word& name) const;
-  void refuse_missing(const AttributeSpec& spec, const Word& type, const std::string& owner) const;
-  void fill_in(const AttributeSpec& spec, const Word& type, const std::string& owner,
+  void refuse_missing(const AttributeSpec& spec, const Word& type, const Owner& owner) const;
+  void fill_in(const AttributeSpec& spec, const Word& type, const Owner& owner,
                AttributeValues& values) const;
-  void check_matching_counts(const ComponentSpec& spec, const Word& type, const std::string& owner,
+  void check_matching_counts(const ComponentSpec& spec, const Word& type, const Owner& owner,
                              const AttributeValues& values) const;
-  void warn_of_unread(const ComponentSpec& spec, const std::vector<AttributeNode>& attributes,
-                      const std::string& owner, const AttributeValues& values) const;
+  /// `given`: in the order of the spec's attributes; nullptr: not given.
+  void warn_of_unread(const ComponentSpec& spec, const std::vector<const AttributeNode*>& given,
+                      const Owner& owner, const AttributeValues& values) const;
   void warn_of_alias(const AttributeSpec& spec, const Word& name) const;
   [[nodiscard]] bool constants_exist(const AttributeNode& attribute, const AttributeSpec& spec,
-                                     const std::string& owner) const;
+                                     const Owner& owner) const;
   void check_names(const AttributeNode& attribute, const AttributeSpec& spec,
-                   const std::string& owner) const;
+                   const Owner& owner) const;
 
   const Symbols& symbols_;
   bool text_is_whole_;
   Diagnostics& diagnostics_;
 };
-
-/// The name that the attributes give, or nullptr.
-[[nodiscard]] const ValueNode* given_name(const std::vector<AttributeNode>& attributes) noexcept;
-/// "avoid_obstacle 'aso0'", as messages call a component.
-[[nodiscard]] std::string label(const Word& type, const std::vector<AttributeNode>& attributes);
 
 }  // namespace galilean::bhdl

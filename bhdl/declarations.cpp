@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "bhdl/attribute_reader.h"
 #include "bhdl/keywords.h"
 #include "bhdl/names.h"
+#include "bhdl/owner.h"
 #include "bhdl/text.h"
 
 namespace galilean::bhdl {

@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "bhdl/attribute_reader.h"
 #include "bhdl/names.h"
+#include "bhdl/owner.h"
 #include "bhdl/state_specs.h"
 #include "bhdl/symbols.h"
 #include "bhdl/text.h"
@@ -82,7 +82,7 @@ class Inheritance {
     if (!one || name->kind != ValueNode::Kind::kText)
       diagnostics_.error(
           extends_of(heir)->name.at, "type/wrong-value",
-          "'extends' of " + label(heir.type, *heir.attributes) + " takes one name in quotes");
+          "'extends' of " + label({heir.type, *heir.attributes}) + " takes one name in quotes");
     else if (base_of(heir) == nullptr && text_is_whole_)
       refuse_undefined(heir, *name);
   }
@@ -168,16 +168,16 @@ class Inheritance {
 
   void refuse_cycle(const Heir& heir) {
     diagnostics_.error(base_name(heir)->at, "extends/cycle",
-                       label(heir.type, *heir.attributes) + " extends " +
+                       label({heir.type, *heir.attributes}) + " extends " +
                            in_quotes(base_name(heir)->text) + ", which extends it",
                        "take one 'extends:' of the circle away");
   }
 
   void refuse_type(const Heir& heir, const Heir& base) {
     diagnostics_.error(base_name(heir)->at, "extends/wrong-type",
-                       label(heir.type, *heir.attributes) + " cannot extend " +
-                           label(base.type, *base.attributes) + ", which is of another type: see " +
-                           place(base.type.at));
+                       label({heir.type, *heir.attributes}) + " cannot extend " +
+                           label({base.type, *base.attributes}) +
+                           ", which is of another type: see " + place(base.type.at));
   }
 
   [[nodiscard]] std::string nearest_base(const Heir& heir, std::string_view name) const {
@@ -192,7 +192,7 @@ class Inheritance {
 
   void refuse_undefined(const Heir& heir, const ValueNode& name) {
     diagnostics_.error(name.at, "extends/undefined",
-                       label(heir.type, *heir.attributes) + " extends " + in_quotes(name.text) +
+                       label({heir.type, *heir.attributes}) + " extends " + in_quotes(name.text) +
                            ", but there is no such " + std::string(in_words(heir.space)),
                        did_you_mean(nearest_base(heir, name.text)));
   }

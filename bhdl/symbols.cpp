@@ -90,22 +90,21 @@ void Symbols::refuse_undefined(NameSpace wanted, const Word& name, const std::st
                     help);
 }
 
-void Symbols::check_reference(const AttributeSpec& spec, const ValueNode& name,
-                              const std::string& owner, bool text_is_whole,
-                              Diagnostics& diagnostics) const {
+void Symbols::check_reference(const AttributeSpec& spec, const ValueNode& name, const Owner& owner,
+                              bool text_is_whole, Diagnostics& diagnostics) const {
   if (spec.refers_to.empty()) return;
   const NameSpace wanted = referred_space(spec.refers_to);
-  const std::string subject = in_quotes(spec.name) + " of " + owner;
+  const auto subject = [&] { return in_quotes(spec.name) + " of " + label(owner); };
   const Entry* entry = find(wanted, name.text);
   if (entry == nullptr) {
     if (text_is_whole)
-      refuse_undefined(wanted, {name.text, name.at}, subject, definition_note(name), diagnostics);
+      refuse_undefined(wanted, {name.text, name.at}, subject(), definition_note(name), diagnostics);
     return;
   }
   const bool any = wanted != NameSpace::kVariable || spec.refers_to == "variable";
   if (any || entry->type.empty() || entry->type == spec.refers_to) return;
   diagnostics.error(name.at, "type/wrong-variable",
-                    subject + " takes a " + spec.refers_to + " variable, but " +
+                    subject() + " takes a " + spec.refers_to + " variable, but " +
                         in_quotes(name.text) + " is a " + std::string(entry->type) +
                         " variable: see " + place(entry->at) + definition_note(name),
                     {}, {{entry->at, "declared here"}});
@@ -118,12 +117,12 @@ void Symbols::check_state(const Word& name, const std::string& subject, bool tex
 }
 
 void Symbols::refuse_undefined_constant(const AttributeSpec& spec, const ValueNode& word,
-                                        const std::string& owner, Diagnostics& diagnostics) const {
+                                        const Owner& owner, Diagnostics& diagnostics) const {
   const auto& constants = in_order_[index(NameSpace::kConstant)];
   const auto near = diagnostics.full() ? std::string() : nearest(word.text, constants);
   diagnostics.error(
       word.at, "name/undefined-constant",
-      in_quotes(spec.name) + " of " + owner + " takes " + expectation(spec) +
+      in_quotes(spec.name) + " of " + label(owner) + " takes " + expectation(spec) +
           "; there is no constant " + in_quotes(word.text),
       near.empty() ? Hint("write the number, or name it under 'define:'") : did_you_mean(near));
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bhdl/diagnostic.h"
+#include "bhdl/owner.h"
 #include "bhdl/syntax.h"
 
 namespace galilean::bhdl {
@@ -33,11 +34,11 @@ class Symbols {
   /// Reports a name that stands for nothing of the kind that `spec.refers_to` asks for. A name that
   /// is not there at all is let pass if `text_is_whole` is false: what could not be read may hold
   /// it.
-  void check_reference(const AttributeSpec& spec, const ValueNode& name, const std::string& owner,
+  void check_reference(const AttributeSpec& spec, const ValueNode& name, const Owner& owner,
                        bool text_is_whole, Diagnostics& diagnostics) const;
   /// Reports a bare word that stands where `spec` wants numbers and is no constant's name.
   void refuse_undefined_constant(const AttributeSpec& spec, const ValueNode& word,
-                                 const std::string& owner, Diagnostics& diagnostics) const;
+                                 const Owner& owner, Diagnostics& diagnostics) const;
   /// The same for a name outside every component; `subject` begins the sentence.
   void check_state(const Word& name, const std::string& subject, bool text_is_whole,
                    Diagnostics& diagnostics) const;

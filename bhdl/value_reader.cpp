@@ -52,7 +52,7 @@ double converted(double number, const Unit& from, const AttributeSpec& spec) {
 
 class ValueReader {
  public:
-  ValueReader(const AttributeNode& attribute, const AttributeSpec& spec, const std::string& owner,
+  ValueReader(const AttributeNode& attribute, const AttributeSpec& spec, const Owner& owner,
               Diagnostics& diagnostics)
       : attribute_(attribute), spec_(spec), owner_(owner), diagnostics_(diagnostics) {}
 
@@ -198,11 +198,13 @@ class ValueReader {
                        std::move(hint));
   }
 
-  [[nodiscard]] std::string subject() const { return in_quotes(spec_.name) + " of " + owner_; }
+  [[nodiscard]] std::string subject() const {
+    return in_quotes(spec_.name) + " of " + label(owner_);
+  }
 
   const AttributeNode& attribute_;
   const AttributeSpec& spec_;
-  const std::string& owner_;
+  const Owner& owner_;
   Diagnostics& diagnostics_;
 };
 
@@ -217,7 +219,7 @@ Value to_si(Value value, const Unit& unit) {
 }
 
 std::optional<Value> read_value(const AttributeNode& attribute, const AttributeSpec& spec,
-                                const std::string& owner, Diagnostics& diagnostics) {
+                                const Owner& owner, Diagnostics& diagnostics) {
   auto value = ValueReader(attribute, spec, owner, diagnostics).read();
   if (!value) return std::nullopt;
   return to_si(std::move(*value), spec.unit);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bhdl/diagnostic.h"
+#include "bhdl/owner.h"
 #include "bhdl/syntax.h"
 #include "core/catalog/value.h"
 
@@ -17,7 +18,7 @@ namespace galilean::bhdl {
 /// reported with what was expected; `owner` names the component in the message. Names are not
 /// looked up.
 [[nodiscard]] std::optional<Value> read_value(const AttributeNode& attribute,
-                                              const AttributeSpec& spec, const std::string& owner,
+                                              const AttributeSpec& spec, const Owner& owner,
                                               Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

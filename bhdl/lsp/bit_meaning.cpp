@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "bhdl/attribute_reader.h"
+#include "bhdl/owner.h"
 #include "bhdl/text.h"
 
 namespace galilean::bhdl::lsp {
@@ -50,7 +50,7 @@ void add_writer(const Entity& entity, const BitAt& bit, std::set<std::string>& l
   for (const auto& attribute : entity.spec->attributes)
     if (attribute.refers_to == "bits" && writes(attribute.access) &&
         writes_bit(entity, attribute, bit))
-      lines.insert("- written by " + label(entity.type, entity.attributes) + ": " +
+      lines.insert("- written by " + label({entity.type, entity.attributes}) + ": " +
                    entity.spec->help + "\n");
 }
 

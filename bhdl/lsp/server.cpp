@@ -97,9 +97,7 @@ std::optional<Json> guarded(const Json& message, Work work) {
 }  // namespace
 
 Server::Server(const Catalog& catalog, std::unique_ptr<ProgramFolder> folder)
-    : vocabulary_(catalog),
-      folder_(std::move(folder)),
-      workspace_(*folder_, vocabulary_) {}
+    : vocabulary_(catalog), folder_(std::move(folder)), workspace_(*folder_, vocabulary_) {}
 
 std::vector<std::string> Server::receive(std::string_view text) {
   std::vector<std::string> out;

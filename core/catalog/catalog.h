@@ -55,9 +55,9 @@ struct AttributeSpec {
                              ///< "state", "perceptual_schema", "motor_schema"
   std::string one_for_each;  ///< of a list that may be left out: the list that it has to match in
                              ///< number
-  std::string bit_of;  ///< of a whole number that says which bit of a bits variable is written:
-                       ///< the attribute that names the variable; less than 0: all bits
-  std::string only_with;     ///< name of an optional attribute without which nobody reads this one
+  std::string bit_of;     ///< of a whole number that says which bit of a bits variable is written:
+                          ///< the attribute that names the variable; less than 0: all bits
+  std::string only_with;  ///< name of an optional attribute without which nobody reads this one
   std::string only_without;  ///< the same of one with which nobody reads it
   Access access = Access::kNone;
   std::string help;

@@ -31,6 +31,11 @@ class AttributeValues {
       }
     values_.emplace_back(std::move(name), std::move(value));
   }
+  /// Of one that is not there yet.
+  void add(std::string name, Value value) {
+    values_.emplace_back(std::move(name), std::move(value));
+  }
+  void reserve(std::size_t count) { values_.reserve(count); }
   /// nullptr if it was neither given nor has a default.
   [[nodiscard]] const Value* find(std::string_view name) const noexcept {
     for (const auto& [known, value] : values_)

@@ -4,8 +4,8 @@
 #include "tests/bhdl/small_catalog.h"
 #include "tests/fuzz/input.h"
 
-// What begins with a brace is a message, whatever is in it; all else is a text that an editor opens,
-// asks everything about at a place that the text itself decides, cuts there, and asks again.
+// What begins with a brace is a message, whatever is in it; all else is a text that an editor
+// opens, asks everything about at a place that the text itself decides, cuts there, and asks again.
 
 using namespace galilean::bhdl;
 using namespace galilean::bhdl::lsp;
@@ -71,9 +71,9 @@ void ask_everything(Client& client, const Json& place) {
                     {"newName", "other"},
                     {"options", {{"tabSize", 2}, {"insertSpaces", true}}},
                     {"context", {{"includeDeclaration", true}, {"diagnostics", Json::array()}}}};
-  constexpr std::array kMethods{"completion",    "hover",          "definition",   "references",
-                                "prepareRename", "rename",         "formatting",   "foldingRange",
-                                "codeAction",    "documentSymbol", "documentHighlight"};
+  constexpr std::array kMethods{
+      "completion", "hover",        "definition", "references",     "prepareRename",    "rename",
+      "formatting", "foldingRange", "codeAction", "documentSymbol", "documentHighlight"};
   for (const auto* method : kMethods)
     client.ask((std::string("textDocument/") + method).c_str(), params);
   client.check();

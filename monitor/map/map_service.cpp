@@ -13,13 +13,12 @@ constexpr auto kPeriod = std::chrono::milliseconds(200);
 constexpr int kPeriodsAFloor = 5;
 
 template <class M>
-void note_as(TeamMap& map, const Message& message, Time at) {
+void note_as(TeamMap& map, const std::vector<std::uint8_t>& cdr, Time at) {
   M decoded;
-  if (msg::decode_cdr(*message.cdr, decoded)) map.note(decoded, at);
+  if (msg::decode_cdr(cdr, decoded)) map.note(decoded, at);
 }
 
-using Note = void (*)(TeamMap&, const Message&, Time);
-constexpr std::array<std::pair<std::string_view, Note>, 5> kNotes{{
+constexpr std::array<std::pair<std::string_view, MapService::Note>, 5> kNotes{{
     {msg::RobotState::kRosType, note_as<msg::RobotState>},
     {msg::Sightings::kRosType, note_as<msg::Sightings>},
     {msg::Variables::kRosType, note_as<msg::Variables>},
@@ -27,7 +26,7 @@ constexpr std::array<std::pair<std::string_view, Note>, 5> kNotes{{
     {msg::Program::kRosType, note_as<msg::Program>},
 }};
 
-Note note_for(const Message& message) {
+MapService::Note note_for(const Message& message) {
   for (const auto& [type, note] : kNotes)
     if (type == message.channel.schema->ros_type) return note;
   return nullptr;
@@ -56,9 +55,10 @@ MapService::~MapService() {
 }
 
 void MapService::receive(const Message& message) {
-  if (!note_for(message)) return;
+  const Note note = note_for(message);
+  if (!note) return;
   const std::lock_guard lock(mutex_);
-  if (waiting_.size() < kMostWaiting) waiting_.push_back({message, clock_.now()});
+  if (waiting_.size() < kMostWaiting) waiting_.push_back({note, message.cdr, clock_.now()});
 }
 
 void MapService::run() {
@@ -81,7 +81,7 @@ void MapService::run() {
 }
 
 void MapService::take_in(const std::vector<Arrived>& arrived) {
-  for (const auto& [message, at] : arrived) note_for(message)(map_, message, at);
+  for (const auto& [note, cdr, at] : arrived) note(map_, *cdr, at);
 }
 
 void MapService::publish(Time now, bool with_floor) {

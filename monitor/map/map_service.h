@@ -24,6 +24,9 @@ class MapService {
     Duration silent_after = std::chrono::seconds(2);
   };
 
+  /// Tells the map what one type of message says.
+  using Note = void (*)(TeamMap&, const std::vector<std::uint8_t>& cdr, Time at);
+
   MapService(wire::Participant& participant, const Clock& clock, const Options& options);
   ~MapService();
   MapService(const MapService&) = delete;
@@ -35,8 +38,10 @@ class MapService {
   [[nodiscard]] std::optional<MapFiles> files() const;
 
  private:
+  /// Without the channel, which lives no longer than who reads it.
   struct Arrived {
-    Message message;
+    Note note;
+    Payload cdr;
     Time at;
   };
   static constexpr std::size_t kMostWaiting = 4096;

@@ -26,7 +26,7 @@ std::string why_not(const PushAnswer& answer) {
 SwapTransaction::SwapTransaction(SwapPlan plan, Time now) : plan_(std::move(plan)) {
   steps_ = {{.name = "check"}, {.name = "try"}, {.name = "canary"}, {.name = "rest"}};
   if (!plan_.tries) steps_[1].state = "left_out";
-  if (plan_.canary.empty() || plan_.tries_only) steps_[2].state = "left_out";
+  if (plan_.canary.empty() || plan_.tries_only) steps_[kCanaryStep].state = "left_out";
   if (plan_.tries_only || (!plan_.canary.empty() && rest().empty())) steps_[3].state = "left_out";
   begin_next(now);
 }

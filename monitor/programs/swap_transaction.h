@@ -42,6 +42,9 @@ class SwapTransaction {
   /// How long robots may take to build a program and answer.
   static constexpr Duration kPatience = std::chrono::seconds(2);
 
+  /// Where among `steps` the canary's is.
+  static constexpr std::size_t kCanaryStep = 2;
+
   enum class Act {
     kCheck,       ///< against each target's catalog; then `checked`
     kTry,         ///< in simulation; then `tried`

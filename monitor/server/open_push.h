@@ -23,8 +23,8 @@ struct OpenPush {
   msg::ProgramPush message = {};  ///< once it is checked
   Finish finish = nullptr;        ///< who ordered it waits
   unsigned told_version = 0;
-  std::optional<msg::Program> canary_ran = {};  ///< before
-  std::unique_ptr<Trial> trial = nullptr;       ///< while it is under way
+  std::string take_back_id = {};           ///< of the order to the canary, once there is one
+  std::unique_ptr<Trial> trial = nullptr;  ///< while it is under way
 
   [[nodiscard]] PushRecord newest() const {
     auto result = record;

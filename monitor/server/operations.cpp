@@ -45,7 +45,8 @@ PushOrder order_of(const nlohmann::json& request) {
   read_trial(request, order);
   order.canary = text_field(request, "canary");
   constexpr double kLongest_s = 3600;
-  order.probation = from_seconds(number_field(request, "probation_s", 10, 0, kLongest_s));
+  if (request.contains("probation_s"))
+    order.probation = from_seconds(number_field(request, "probation_s", 0, 0, kLongest_s));
   return order;
 }
 

@@ -1,5 +1,6 @@
 // What a transaction asks its desk to do.
 #include <boost/asio/post.hpp>
+#include <iostream>
 #include <utility>
 
 #include "monitor/programs/json.h"
@@ -42,6 +43,11 @@ void PushDesk::take_check(const OpenPtr& open, TargetCheck check) {
   open->message = make_push(*check.result.program, open->order.author, open->order.targets,
                             replaced_by_each(open->order, open->targets, parts_.team));
   open->message.id = open->record.id;
+  if (open->order.probation) {
+    // A canary stays on probation for as long as it may be taken back.
+    const Duration more = open->order.canary.empty() ? Duration() : SwapTransaction::kPatience;
+    open->message.probation_s = static_cast<float>(to_seconds(*open->order.probation + more));
+  }
   open->message.stamp = wire::ros_time(open->record.pushed_ns);
   open->record.hash = open->message.hash;
   open->record.program = open->message.files.front().path;
@@ -98,7 +104,6 @@ void PushDesk::take_trial(const OpenPtr& open, const Result<TrialFigures>& resul
 }
 
 void PushDesk::push_canary(const OpenPtr& open) {
-  if (const Robot* robot = parts_.team.find(open->order.canary)) open->canary_ran = robot->program;
   send(open, {open->order.canary});
 }
 
@@ -109,19 +114,21 @@ void PushDesk::push_rest(const OpenPtr& open) {
   send(open, open->order.canary.empty() ? open->order.targets : open->swap.rest());
 }
 
+/// The robot has kept the program that it ran before, and says what became of the order.
 void PushDesk::take_back(const OpenPtr& open) {
-  if (!open->canary_ran) return;
-  msg::ProgramPush back;
-  back.stamp = wire::ros_time(wire::wall_clock_ns());
-  back.id = new_id();
-  back.author = open->order.author;
-  back.targets = {open->order.canary};
-  back.replaces_hash = open->message.hash;
-  back.hash = open->canary_ran->hash;
-  back.files = open->canary_ran->files;
-  note(back);
-  find(back.id)->is_ours = true;  // until it is done, the canary is given nothing else
-  parts_.worker.run([this, back] { (void)pushes_.write(back); });
+  msg::ProgramRollback order;
+  order.stamp = wire::ros_time(wire::wall_clock_ns());
+  order.id = open->take_back_id = new_id();
+  order.author = open->order.author;
+  order.targets = {open->order.canary};
+  order.hash = open->message.hash;
+  order.reason = open->swap.steps()[SwapTransaction::kCanaryStep].detail;
+  parts_.worker.run([this, order] { return rollbacks_.write(order); },
+                    [robot = open->order.canary](bool taken) {
+                      if (!taken)
+                        std::clog << "galilean-monitor: DDS did not take the order to " << robot
+                                  << " to go back; push what it is to run\n";
+                    });
 }
 
 void PushDesk::send(const OpenPtr& open, const std::vector<std::string>& targets) {

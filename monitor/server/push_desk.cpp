@@ -20,7 +20,7 @@ SwapPlan plan_of(const PushOrder& order, const OrderTargets& targets) {
           .tries = order.trial.wanted,
           .tries_only = order.trial.only,
           .canary = order.canary,
-          .probation = order.probation};
+          .probation = order.probation.value_or(SwapPlan().probation)};
 }
 
 std::string runs_words(const Trial& trial) {
@@ -33,6 +33,7 @@ std::string runs_words(const Trial& trial) {
 PushDesk::PushDesk(const Parts& parts, wire::Participant& participant)
     : parts_(parts),
       pushes_(participant, wire::kProgramPushTopic),
+      rollbacks_(participant, wire::kProgramRollbackTopic),
       progress_(participant, wire::kPushProgressTopic),
       timer_(parts.io) {
   watch();
@@ -41,6 +42,12 @@ PushDesk::PushDesk(const Parts& parts, wire::Participant& participant)
 PushDesk::OpenPtr PushDesk::find(const std::string& id) const {
   const auto found = std::ranges::find_if(open_, [&](auto& open) { return open->record.id == id; });
   return found == open_.end() ? nullptr : *found;
+}
+
+PushDesk::OpenPtr PushDesk::taken_back_by(const std::string& order_id) const {
+  const auto found =
+      std::ranges::find_if(open_, [&](auto& open) { return open->take_back_id == order_id; });
+  return order_id.empty() || found == open_.end() ? nullptr : *found;
 }
 
 PushDesk::OpenPtr PushDesk::under_way_to(const std::vector<std::string>& targets) const {
@@ -159,8 +166,14 @@ void PushDesk::note(const msg::ProgramPush& push) {
   parts_.worker.run([this, push] { parts_.history.add(push, {.state = {}}); });
 }
 
-void PushDesk::note(const msg::ProgramReply& reply) {
-  const auto open = find(reply.id);
+/// A robot that was ordered back answers for the push that it goes back from.
+void PushDesk::note(const msg::ProgramReply& said) {
+  auto open = find(said.id);
+  msg::ProgramReply reply = said;
+  if (!open && said.status == msg::ProgramReply_Constants::ROLLED_BACK) {
+    open = taken_back_by(said.id);
+    if (open) reply.id = open->record.id;
+  }
   if (!open || !open->swap.note(reply, parts_.clock.now())) return;
   for (const auto& answer : open->swap.answers())
     if (answer.robot == reply.robot)

@@ -56,6 +56,7 @@ class PushDesk {
   using OpenPtr = std::shared_ptr<OpenPush>;
 
   [[nodiscard]] OpenPtr find(const std::string& id) const;
+  [[nodiscard]] OpenPtr taken_back_by(const std::string& order_id) const;
   [[nodiscard]] OpenPtr under_way_to(const std::vector<std::string>& targets) const;
   OpenPtr keep(OpenPush open);
   void refuse_stale(const PushOrder& order, const Stale& stale, Finish finish);
@@ -75,6 +76,7 @@ class PushDesk {
 
   Parts parts_;
   wire::Writer<msg::ProgramPush> pushes_;
+  wire::Writer<msg::ProgramRollback> rollbacks_;
   wire::Writer<msg::PushProgress> progress_;
   std::deque<OpenPtr> open_;  ///< the newest last; old ones are let go
   boost::asio::steady_timer timer_;

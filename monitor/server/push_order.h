@@ -29,8 +29,8 @@ struct PushOrder {
   std::string author;
   std::string replaces;  ///< refuse where another program than this hash runs; empty: whatever runs
   TrialWish trial = {};
-  std::string canary;  ///< the robot that runs it first; empty: all at once
-  Duration probation = std::chrono::seconds(10);
+  std::string canary;                      ///< the robot that runs it first; empty: all at once
+  std::optional<Duration> probation = {};  ///< of each robot, and of the canary before the others
 };
 
 /// The robots that an order means, and what may stand against it.

@@ -3,6 +3,17 @@
 #include <algorithm>
 
 namespace galilean::monitor {
+namespace {
+
+msg::Program program_of(const std::string& hash, const std::vector<msg::SourceFile>& files) {
+  msg::Program program;
+  program.name = files.front().path;
+  program.hash = hash;
+  program.files = files;
+  return program;
+}
+
+}  // namespace
 
 ScriptedRobot::ScriptedRobot(std::string name, int domain, const std::string& catalog_json)
     : name_(std::move(name)),
@@ -13,11 +24,12 @@ ScriptedRobot::ScriptedRobot(std::string name, int domain, const std::string& ca
       programs_(*participant_, wire::robot_topic(name_, "program")),
       replies_(*participant_, wire::robot_topic(name_, "program_reply")),
       pushes_(*participant_, wire::kProgramPushTopic, msg::ProgramPush::kRosType),
+      rollbacks_(*participant_, wire::kProgramRollbackTopic, msg::ProgramRollback::kRosType),
       commands_(*participant_, wire::kCommandTopic, msg::Command::kRosType) {
   state_.robot = name_;
   state_.state = "start";
   state_.tick_period_s = 0.05F;
-  run_program("first", {{"first.bhdl", "states:\n"}});
+  run_program(program_of("first", {{"first.bhdl", "states:\n"}}));
   (void)catalogs_.write(
       {name_, std::to_string(std::hash<std::string>()(catalog_json)), catalog_json});
   const auto wake = [this] {
@@ -28,6 +40,7 @@ ScriptedRobot::ScriptedRobot(std::string name, int domain, const std::string& ca
     wake_.notify_one();
   };
   pushes_.on_data(wake);
+  rollbacks_.on_data(wake);
   commands_.on_data(wake);
   thread_ = std::thread([this] { run(); });
 }
@@ -56,6 +69,10 @@ void ScriptedRobot::run() {
       msg::ProgramPush push;
       if (msg::decode_cdr(received.cdr, push)) take_push(push);
     });
+    rollbacks_.take([this](const wire::Received& received) {
+      msg::ProgramRollback order;
+      if (msg::decode_cdr(received.cdr, order)) take_rollback(order);
+    });
     commands_.take([this](const wire::Received& received) {
       msg::Command command;
       if (msg::decode_cdr(received.cdr, command)) take_command(command);
@@ -69,34 +86,38 @@ bool ScriptedRobot::is_meant(const std::vector<std::string>& targets) const {
 
 void ScriptedRobot::take_push(const msg::ProgramPush& push) {
   if (!is_meant(push.targets)) return;
-  reply(push, msg::ProgramReply_Constants::RECEIVED, {});
+  using namespace msg::ProgramReply_Constants;
+  reply(push.id, push.hash, RECEIVED);
   const std::lock_guard lock(mutex_);
-  if (refusal_.empty()) {
-    run_program(push.hash, push.files);
-    reply(push, msg::ProgramReply_Constants::RUNNING, {});
-  } else {
-    reply(push, msg::ProgramReply_Constants::REJECTED, refusal_);
-  }
+  if (!refusal_.empty()) return reply(push.id, push.hash, REJECTED, refusal_);
+  before_ = running_;
+  run_program(program_of(push.hash, push.files));
+  reply(push.id, push.hash, RUNNING);
 }
 
-void ScriptedRobot::run_program(const std::string& hash,
-                                const std::vector<msg::SourceFile>& files) {
-  state_.program_hash = hash;
-  state_.program_name = files.front().path;
-  msg::Program program;
+void ScriptedRobot::take_rollback(const msg::ProgramRollback& order) {
+  if (!is_meant(order.targets)) return;
+  const std::lock_guard lock(mutex_);
+  if (order.hash != running_.hash)
+    return reply(order.id, order.hash, msg::ProgramReply_Constants::REJECTED, "another runs");
+  run_program(before_);
+  reply(order.id, order.hash, msg::ProgramReply_Constants::ROLLED_BACK, order.reason);
+}
+
+void ScriptedRobot::run_program(msg::Program program) {
   program.robot = name_;
-  program.name = state_.program_name;
-  program.hash = hash;
-  program.files = files;
+  state_.program_hash = program.hash;
+  state_.program_name = program.name;
   (void)programs_.write(program);
+  running_ = std::move(program);
 }
 
-void ScriptedRobot::reply(const msg::ProgramPush& push, std::uint8_t status,
+void ScriptedRobot::reply(const std::string& id, const std::string& hash, std::uint8_t status,
                           const std::string& message) {
   msg::ProgramReply reply;
-  reply.id = push.id;
+  reply.id = id;
   reply.robot = name_;
-  reply.hash = push.hash;
+  reply.hash = hash;
   reply.running_hash = state_.program_hash;
   reply.status = status;
   reply.message = message;

@@ -27,10 +27,12 @@ class ScriptedRobot {
  private:
   void run();
   void take_push(const msg::ProgramPush& push);
+  void take_rollback(const msg::ProgramRollback& order);
   void take_command(const msg::Command& command);
-  void run_program(const std::string& hash, const std::vector<msg::SourceFile>& files);
+  void run_program(msg::Program program);
   [[nodiscard]] bool is_meant(const std::vector<std::string>& targets) const;
-  void reply(const msg::ProgramPush& push, std::uint8_t status, const std::string& message);
+  void reply(const std::string& id, const std::string& hash, std::uint8_t status,
+             const std::string& message = {});
 
   std::string name_;
   std::unique_ptr<wire::Participant> participant_;
@@ -40,6 +42,7 @@ class ScriptedRobot {
   wire::Writer<msg::Program> programs_;
   wire::Writer<msg::ProgramReply> replies_;
   wire::Reader pushes_;
+  wire::Reader rollbacks_;
   wire::Reader commands_;
 
   std::mutex mutex_;
@@ -47,6 +50,8 @@ class ScriptedRobot {
   bool ending_ = false;
   bool has_data_ = false;
   msg::RobotState state_;
+  msg::Program running_;
+  msg::Program before_;
   std::string refusal_;
   std::uint64_t transitions_written_ = 0;
   std::thread thread_;

@@ -348,6 +348,10 @@ TEST_F(ServerTest, WhileOnePushesTheOtherIsToldWhoAndWhat) {
   EXPECT_EQ(cancelled.status, 200U) << cancelled.body;
   EXPECT_EQ(cancelled.as_json()["steps"][2]["detail"], "cancelled by collins");
   EXPECT_TRUE(becomes_true([&] { return io.running_hash() == "first"; })) << "it is taken back";
+  EXPECT_TRUE(becomes_true([&] {
+    const auto reply = push_named(push["id"])["replies"][0];
+    return reply["status"] == "rolled_back" && reply["message"] == "cancelled by collins";
+  }));
   EXPECT_EQ(ganymede.running_hash(), "first");
   EXPECT_EQ(post(cancel, json::object()).status, 409U);
   EXPECT_EQ(post("/api/pushes/nothing/cancel", json::object()).status, 404U);
@@ -399,7 +403,8 @@ TEST_F(ServerTest, SwapPrintsEachStepAndProgramsRemembersThem) {
   EXPECT_EQ(std::ranges::count(list, '\n'), 2) << list;
   EXPECT_EQ(run(programs + "show " + first_hash.substr(0, 10)).output, kProgram);
   const auto diff =
-      run(programs + "diff " + first_hash.substr(0, 10) + " " + io.running_hash().substr(0, 10));
+      run(programs + "diff " + first_hash.substr(0, 10) + " " + io.running_hash().substr(0, 10) +
+          " --catalog " + (folder / "catalog.json").string());
   EXPECT_EQ(diff.exit_code, 1) << diff.output;
   EXPECT_THAT(diff.output, HasSubstr("wait"));
   EXPECT_EQ(run(programs + "restore " + first_hash + " --robot io").exit_code, 0);

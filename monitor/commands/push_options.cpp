@@ -41,7 +41,7 @@ void add_push_options(CLI::App& app, PushOptions& options) {
   app.add_option("--canary", options.canary, "the robot that runs it first");
   app.add_option_function<std::string>(
       "--probation", [&](const std::string& text) { options.probation_s = seconds_of(text); },
-      "how long the canary must run it, as 10s");
+      "for so long each robot may go back by itself, and a canary runs it alone; as 10s");
   app.add_flag("--json", options.json, "what came of it as JSON");
 }
 

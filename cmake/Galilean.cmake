@@ -5,14 +5,15 @@ add_custom_target(programs ALL)
 add_custom_target(unit_tests)
 add_custom_target(thread_tests)
 
-# galilean_library(NAME [COMMAND_LINE] SOURCES a.cpp … LINK lib …): a static library, includable from
-# the root. COMMAND_LINE is for one that parses options and does no more.
+# galilean_library(NAME [COMMAND_LINE|WEB] SOURCES a.cpp … LINK lib …): a static library, includable
+# from the root. COMMAND_LINE is for one that parses options and does no more; WEB for one made of
+# Boost.Beast's templates, which take minutes to optimise with sanitizers in them.
 function(galilean_library name)
-  cmake_parse_arguments(arg "COMMAND_LINE" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(arg "COMMAND_LINE;WEB" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
   target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE_LINK} galilean_warnings)
-  if(arg_COMMAND_LINE)
+  if(arg_COMMAND_LINE OR (arg_WEB AND GALILEAN_SANITIZE))
     target_link_libraries(${name} PRIVATE CLI11::CLI11 galilean_runs_once)
     galilean_precompile(${name} galilean_command_line_headers)
   else()

@@ -136,7 +136,7 @@ void Executive::roll_back(const Verdict& verdict) noexcept {
   exchange_.retire(std::move(replaced));
 }
 
-void Executive::install(const RunningProgram* replaced, Event::Cause cause) noexcept {
+void Executive::install(RunningProgram* replaced, Event::Cause cause) noexcept {
   running_id_.store(id_of(running_.get()));
   drive_.set_timeout(from_seconds(running_->devices.motor_drive.timeout_s));
   if (setup_.tuner) setup_.tuner->tune(running_->devices);

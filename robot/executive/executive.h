@@ -120,7 +120,7 @@ class Executive {
   [[nodiscard]] Verdict judgement() noexcept;
   void take_over(std::unique_ptr<RunningProgram> next) noexcept;
   void roll_back(const Verdict& verdict) noexcept;
-  void install(const RunningProgram* replaced, Event::Cause cause) noexcept;
+  void install(RunningProgram* replaced, Event::Cause cause) noexcept;
   void enter(std::uint32_t state) noexcept;
   void activate(std::uint32_t schema) noexcept;
   void run(std::uint32_t schema) noexcept;

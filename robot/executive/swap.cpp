@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace galilean::robot {
 namespace {
@@ -17,20 +18,32 @@ std::size_t first_index(const RunningProgram& program) noexcept {
 }
 
 template <class T>
-void keep(const Variable<T>& from, Variable<T>& to, Time now) noexcept {
-  const double decay_per_s = to.reliability.decay_per_s;
-  const bool fades_alike =
-      from.constant == to.constant && from.reliability.decay_per_s == decay_per_s;
+void hand_over(Variable<T>& from, Variable<T>& to) noexcept {
   to.value = from.value;
-  to.written_tick = from.written_tick;
-  to.reliability = from.reliability;
-  if (fades_alike) return;
-  to.reliability = {from.valid_at(now), from.certainty_at(now), decay_per_s, now};
+}
+
+// The pixels change hands: to copy them costs more than a tick. Whoever comes back to `from` has no
+// use for a picture from before.
+void hand_over(Variable<Image>& from, Variable<Image>& to) noexcept {
+  std::swap(from.value, to.value);
+  from.reliability.valid = false;
 }
 
 template <class T>
-void carry_type(const RunningProgram& from, RunningProgram& to, Time now) noexcept {
-  const auto& old_variables = from.variables.all<T>();
+void keep(Variable<T>& from, Variable<T>& to, Time now) noexcept {
+  const double decay_per_s = to.reliability.decay_per_s;
+  const bool fades_alike =
+      from.constant == to.constant && from.reliability.decay_per_s == decay_per_s;
+  to.written_tick = from.written_tick;
+  to.reliability = from.reliability;
+  if (!fades_alike)
+    to.reliability = {from.valid_at(now), from.certainty_at(now), decay_per_s, now};
+  hand_over(from, to);
+}
+
+template <class T>
+void carry_type(RunningProgram& from, RunningProgram& to, Time now) noexcept {
+  auto& old_variables = from.variables.template all<T>();
   auto& new_variables = to.variables.template all<T>();
   const std::size_t old_first = first_index<T>(from);
   const std::size_t new_first = first_index<T>(to);
@@ -53,7 +66,7 @@ std::optional<std::uint32_t> find_state(const RunningProgram& program,
 
 }  // namespace
 
-void carry_over(const RunningProgram& from, RunningProgram& to, Time now) noexcept {
+void carry_over(RunningProgram& from, RunningProgram& to, Time now) noexcept {
   carry_type<Shaft>(from, to, now);
   carry_type<Image>(from, to, now);
   carry_type<Locate>(from, to, now);

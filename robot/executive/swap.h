@@ -9,8 +9,9 @@ namespace galilean::robot {
 
 /// Variables of the same name and type keep value, status and certainty as of `now`; how fast they
 /// fade is as `to` says. A parameter of both programs (nothing writes it in either) takes the value
-/// of the text of `to`, so that an edited constant takes effect. Belongs to the control loop.
-void carry_over(const RunningProgram& from, RunningProgram& to, Time now) noexcept;
+/// of the text of `to`, so that an edited constant takes effect. Pictures are taken from `from`,
+/// which has none then. Belongs to the control loop.
+void carry_over(RunningProgram& from, RunningProgram& to, Time now) noexcept;
 
 /// Where `to` goes on: in the state that `from` is in, if it has one of that name; else where its
 /// on_swap sends that state; else in its own current state, which is the start state of a new

@@ -21,6 +21,11 @@ function(galilean_library name)
   endif()
 endfunction()
 
+# galilean_vectorise(NAME): a library of loops over pixels, which -O2 leaves as they are.
+function(galilean_vectorise name)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O3>)
+endfunction()
+
 # galilean_executable(NAME SOURCES main.cpp … LINK lib …): a program in build/bin.
 function(galilean_executable name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})

@@ -149,7 +149,7 @@ Program check_tree(SyntaxTree tree, const std::string& main_file, const Vocabula
                    Diagnostics& diagnostics) {
   return_lost_attributes(tree, vocabulary, diagnostics);
   const bool text_is_whole = !diagnostics.has_errors();
-  put_in_constants(tree, main_file, diagnostics);
+  const std::vector<Word> unused_constants = put_in_constants(tree, diagnostics);
   const Bases bases = inherit(tree, vocabulary, text_is_whole, diagnostics);
   const Symbols symbols = declare_names(tree, vocabulary, diagnostics);
   ProgramReader reader(vocabulary, symbols, text_is_whole, diagnostics);
@@ -160,7 +160,7 @@ Program check_tree(SyntaxTree tree, const std::string& main_file, const Vocabula
                       "the program has no state: a robot would not know what to do",
                       "add one with 'states:'");
   if (!diagnostics.has_errors())
-    warn_of_suspects(program, vocabulary, {tree, bases, main_file}, diagnostics);
+    warn_of_suspects(program, vocabulary, {tree, bases, unused_constants, main_file}, diagnostics);
   return program;
 }
 

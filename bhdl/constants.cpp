@@ -29,12 +29,11 @@ class ConstantWriter {
     for (auto& node : tree_) std::visit([this](auto& each) { fill_in(each); }, node);
   }
 
-  void warn_of_unused(std::string_view main_file) const {
+  [[nodiscard]] std::vector<Word> unused() const {
+    std::vector<Word> names;
     for (const auto& [name, constant] : defined_)
-      if (constant->name.at.file == main_file && !used_.contains(name))
-        diagnostics_.warning(constant->name.at, "define/unused",
-                             "nothing uses the constant " + in_quotes(name),
-                             "write its name where its value is meant, or take it away");
+      if (!used_.contains(name)) names.push_back(constant->name);
+    return names;
   }
 
  private:
@@ -138,11 +137,19 @@ class ConstantWriter {
 
 }  // namespace
 
-void put_in_constants(SyntaxTree& tree, std::string_view main_file, Diagnostics& diagnostics) {
-  const bool text_is_whole = !diagnostics.has_errors();
+std::vector<Word> put_in_constants(SyntaxTree& tree, Diagnostics& diagnostics) {
   ConstantWriter constants(tree, diagnostics);
   constants.write();
-  if (text_is_whole) constants.warn_of_unused(main_file);
+  return constants.unused();
+}
+
+void warn_of_unused_constants(const std::vector<Word>& unused, std::string_view main_file,
+                              Diagnostics& diagnostics) {
+  for (const Word& name : unused)
+    if (name.at.file == main_file)
+      diagnostics.warning(name.at, "define/unused",
+                          "nothing uses the constant " + in_quotes(name.text),
+                          "write its name where its value is meant, or take it away");
 }
 
 std::string definition_note(const ValueNode& value) {

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bhdl/diagnostic.h"
 #include "bhdl/syntax.h"
@@ -13,9 +14,13 @@ inline constexpr std::size_t kMostConstantValues = 100'000;
 
 /// Puts the values of `define:` wherever their names stand bare, as if they had been written there.
 /// A constant may use those before it and no others, so that there are no cycles. Words that are no
-/// constant's name stay. The values point into the tree's definitions. Warns of a constant of
-/// `main_file` that nothing uses; what is included may be for other programs, too.
-void put_in_constants(SyntaxTree& tree, std::string_view main_file, Diagnostics& diagnostics);
+/// constant's name stay. The values point into the tree's definitions. Returns the names that stand
+/// nowhere.
+std::vector<Word> put_in_constants(SyntaxTree& tree, Diagnostics& diagnostics);
+
+/// Of the main file: what is included may be for other programs, too.
+void warn_of_unused_constants(const std::vector<Word>& unused, std::string_view main_file,
+                              Diagnostics& diagnostics);
 
 /// "; 'name' is defined at file:line:column" of a value that a constant stood for, else nothing.
 [[nodiscard]] std::string definition_note(const ValueNode& value);

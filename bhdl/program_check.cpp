@@ -1,6 +1,7 @@
 #include "bhdl/program_check.h"
 
 #include "bhdl/condition_check.h"
+#include "bhdl/constants.h"
 #include "bhdl/idle_check.h"
 #include "bhdl/reachability.h"
 #include "bhdl/stop_check.h"
@@ -18,6 +19,7 @@ void warn_of_suspects(const Program& program, const Vocabulary& vocabulary, cons
   warn_of_certain_conditions(program, uses, graph, diagnostics);
   warn_of_wiring(program, uses, text.tree, diagnostics);
   warn_of_unwritten_variables(program, uses, vocabulary, diagnostics);
+  warn_of_unused_constants(text.unused_constants, text.main_file, diagnostics);
   warn_of_unused_schemas(program, uses, text, diagnostics);
   warn_of_gains_without_effect(program, uses, diagnostics);
 }

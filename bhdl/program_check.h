@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "bhdl/diagnostic.h"
 #include "bhdl/extension.h"
@@ -13,6 +14,7 @@ namespace galilean::bhdl {
 struct ProgramText {
   const SyntaxTree& tree;  ///< that the program was read from
   const Bases& bases;
+  const std::vector<Word>& unused_constants;
   std::string_view main_file;
 };
 

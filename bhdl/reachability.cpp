@@ -16,9 +16,7 @@ void warn_of_unreachable_states(const Program& program, const StateGraph& graph,
 }
 
 void warn_of_traps(const Program& program, const StateGraph& graph, Diagnostics& diagnostics) {
-  std::size_t reached = 0;
-  for (std::size_t i = 0; i < program.states.size(); ++i) reached += graph.reached(i) ? 1 : 0;
-  if (reached < 2) return;
+  if (graph.reached_states() < 2) return;
   for (std::size_t i = 0; i < program.states.size(); ++i) {
     const State& state = program.states[i];
     const bool rests = state.conditions.empty() && state.motor_schemas.empty();

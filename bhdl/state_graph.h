@@ -25,6 +25,7 @@ class StateGraph {
     return targets_[state];
   }
   [[nodiscard]] bool reached(std::size_t state) const noexcept { return before_[state] != kNever; }
+  [[nodiscard]] std::size_t reached_states() const noexcept { return order_.size(); }
   /// A shortest way to a state that is reached: "start → wander → grab". Long ones lose their
   /// middle.
   [[nodiscard]] std::string way_to(std::size_t state) const;

@@ -43,6 +43,7 @@ std::vector<bool> can_stop(const Program& program, const SchemaUses& uses,
 
 void warn_of_endless_driving(const Program& program, const SchemaUses& uses,
                              const StateGraph& graph, Diagnostics& diagnostics) {
+  if (graph.reached_states() < 2) return;
   const std::vector<bool> stops = can_stop(program, uses, graph);
   for (std::size_t i = 0; i < program.states.size(); ++i) {
     if (stops[i] || !graph.reached(i)) continue;

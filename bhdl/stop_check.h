@@ -7,7 +7,8 @@
 namespace galilean::bhdl {
 
 /// Warns once of a program that comes to where nothing stops the motors any more: to a state that
-/// lists a schema which drives them, and from which every way leads through such states only.
+/// lists a schema which drives them, and from which every way leads through such states only. A
+/// program of one state means what it says.
 void warn_of_endless_driving(const Program& program, const SchemaUses& uses,
                              const StateGraph& graph, Diagnostics& diagnostics);
 

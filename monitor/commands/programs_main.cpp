@@ -70,7 +70,7 @@ int show(const MonitorClient& monitor, const std::string& hash) {
   if (!files) return fail(files.error().message);
   const bool several = files.value().size() > 1;
   for (const auto& file : files.value()) {
-    if (several) std::cout << "// " << file.path << '\n';
+    if (several) std::cout << "; " << file.path << '\n';
     std::cout << file.text;
     if (!file.text.ends_with('\n')) std::cout << '\n';
   }
@@ -94,16 +94,21 @@ galilean::Result<bhdl::Program> program_named(const MonitorClient& monitor, cons
   return galilean::Error{why};
 }
 
-int diff(const MonitorClient& monitor, const std::string& from, const std::string& to,
-         bool as_json) {
-  const auto catalog = bhdl::load_catalog(bhdl::default_catalog_path());
+struct Comparison {
+  std::string from, to;
+  std::filesystem::path catalog_file = bhdl::default_catalog_path();
+  bool as_json = false;
+};
+
+int diff(const MonitorClient& monitor, const Comparison& what) {
+  const auto catalog = bhdl::load_catalog(what.catalog_file);
   if (!catalog) return fail(catalog.error().message);
-  const auto before = program_named(monitor, from, catalog.value());
+  const auto before = program_named(monitor, what.from, catalog.value());
   if (!before) return fail(before.error().message);
-  const auto after = program_named(monitor, to, catalog.value());
+  const auto after = program_named(monitor, what.to, catalog.value());
   if (!after) return fail(after.error().message);
   const auto changes = bhdl::differences(before.value(), after.value(), catalog.value());
-  if (as_json)
+  if (what.as_json)
     std::cout << json{{"same", changes.empty()},
                       {"from", before.value().hash},
                       {"to", after.value().hash},
@@ -125,21 +130,24 @@ int restore(const MonitorClient& monitor, const std::string& hash, const PushOpt
 
 int main(int argc, char** argv) {
   PushOptions options;
-  std::string hash, from, to;
-  bool as_json = false;
+  Comparison comparison;
+  std::string hash;
+  bool list_as_json = false;
   CLI::App app("Programs that were pushed, as the monitor remembers them.", kCommand);
   app.require_subcommand(1);
   app.fallthrough();
   add_monitor_option(app, options);
   auto* listing =
       app.add_subcommand("list", "the last pushes: when, what, by whom, what became of it");
-  listing->add_flag("--json", as_json, "as JSON");
+  listing->add_flag("--json", list_as_json, "as JSON");
   auto* showing = app.add_subcommand("show", "a program's text");
   showing->add_option("hash", hash, "its hash, or how it begins")->required();
   auto* comparing = app.add_subcommand("diff", "what B tells robots otherwise than A");
-  comparing->add_option("A", from, "a hash, or a file")->required();
-  comparing->add_option("B", to, "a hash, or a file")->required();
-  comparing->add_flag("--json", as_json, "as JSON");
+  comparing->add_option("A", comparison.from, "a hash, or a file")->required();
+  comparing->add_option("B", comparison.to, "a hash, or a file")->required();
+  comparing->add_option("--catalog", comparison.catalog_file,
+                        "what components there are, else the build's");
+  comparing->add_flag("--json", comparison.as_json, "as JSON");
   auto* restoring = app.add_subcommand("restore", "push a program once more");
   restoring->add_option("hash", hash, "its hash, or how it begins")->required();
   add_push_options(*restoring, options);
@@ -151,8 +159,8 @@ int main(int argc, char** argv) {
   }
   const auto monitor = MonitorClient::at(options.monitor, options.token_file);
   if (!monitor) return fail(monitor.error().message);
-  if (listing->parsed()) return list(monitor.value(), as_json);
+  if (listing->parsed()) return list(monitor.value(), list_as_json);
   if (showing->parsed()) return show(monitor.value(), hash);
-  if (comparing->parsed()) return diff(monitor.value(), from, to, as_json);
+  if (comparing->parsed()) return diff(monitor.value(), comparison);
   return restore(monitor.value(), hash, options);
 }

@@ -7,6 +7,8 @@
 namespace galilean::bhdl {
 namespace {
 
+constexpr std::size_t kUsualAttributes = 4;
+
 bool is_over(const TokenStream& tokens, Block block) {
   if (tokens.at_end_of_file() || at_section(tokens) || tokens.at_unlabelled_block()) return true;
   switch (block) {
@@ -71,6 +73,7 @@ void parse_attribute(TokenStream& tokens, std::vector<AttributeNode>& into,
 ComponentNode parse_component(TokenStream& tokens, Block block, Diagnostics& diagnostics) {
   if (!tokens.at_label()) report_missing_colon(tokens, diagnostics);
   ComponentNode component{take_label(tokens), {}};
+  component.attributes.reserve(kUsualAttributes);
   while (!tokens.at_word("end")) {
     if (is_over(tokens, block)) {
       if (block != Block::kVariable) report_unclosed(tokens, component.type, diagnostics);

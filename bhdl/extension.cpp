@@ -62,6 +62,8 @@ class Inheritance {
   void add(Other&) {}
 
   Bases resolve() && {
+    if (std::ranges::none_of(heirs_, [](const Heir& heir) { return extends_of(heir) != nullptr; }))
+      return {};
     for (auto& heir : heirs_)
       if (const ValueNode* name = given_name(*heir.attributes))
         by_name_[index(heir.space)].try_emplace(name->text, &heir);

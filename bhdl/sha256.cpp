@@ -13,7 +13,7 @@ namespace {
 class Sha256 {
  public:
   Sha256() : context_(EVP_MD_CTX_new()) {
-    require(context_ != nullptr && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1);
+    require(context_ != nullptr && EVP_DigestInit_ex(context_.get(), algorithm(), nullptr) == 1);
   }
 
   void add(std::string_view bytes) {
@@ -41,6 +41,11 @@ class Sha256 {
   }
 
  private:
+  // OpenSSL would look it up for each hash.
+  static const EVP_MD* algorithm() {
+    static EVP_MD* const sha256 = EVP_MD_fetch(nullptr, "SHA256", nullptr);
+    return sha256;
+  }
   static void require(bool succeeded) {
     if (!succeeded) throw std::runtime_error("OpenSSL cannot compute SHA-256 on this machine");
   }

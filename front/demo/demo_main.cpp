@@ -121,6 +121,9 @@ int run(const DemoOptions& options) try {
   std::cout << ensemble.operator_link() << "\n  " << list(ensemble.robots()) << " run "
             << options.bhdl << " in scenario " << options.scenario << "; logs in "
             << ensemble.logs().string() << "; Ctrl-C ends all" << std::endl;
+  if (options.watch)
+    std::cout << "  Save " << options.bhdl << " and they swap; what is wrong with it stands in "
+              << (ensemble.logs() / (ensemble.robots().front() + ".log")).string() << std::endl;
   Evidence evidence(ensemble.robots());
   Outcome outcome;
   {

@@ -50,7 +50,7 @@ void note_meetings(const msg::Sightings& frame, const RobotPoses& robots, JointG
     if (!bearing || !bearing->whole) continue;
     const Gaussian2 seen = nearer(bearing->from_robot);
     if (const auto expected = met(frame.robot, seen, robots, joint, now))
-      joint.correct(expected->terms, seen.mean_m - expected->from_robot_m, seen.covariance_m2);
+      correct_by(joint, *expected, seen);
   }
 }
 

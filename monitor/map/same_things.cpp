@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "monitor/map/turned_robot.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -79,6 +81,7 @@ void SameThings::align(Time now) {
   if (next == robots.end()) next = robots.begin();
   last_aligned_ = next->first;
   unite_agreeing(next->first);
+  if (recognises_nothing(next->first)) turn_back(next->first);
   if (next != robots.begin() && !shares_things(next->first)) search(next->first);
 }
 
@@ -128,16 +131,43 @@ void SameThings::search(const std::string& robot) {
     return;
   }
   if (before != candidates_.end() && are_near(before->second, fit)) {
-    transport(robot, fit);
+    transport(robot, fit, false);
     candidates_.erase(robot);
     return;
   }
   candidates_[robot] = fit;
 }
 
-void SameThings::transport(const std::string& robot, const RigidFit& fit) {
+/// Of what it saw lately, nearly all is new, and nobody else saw it.
+bool SameThings::recognises_nothing(const std::string& robot) const {
+  std::size_t fresh = 0, known = 0;
+  for (const auto& thing : things_.all())
+    if (thing.established() && thing.object_class != "obstacle" &&
+        thing.was_seen_by(robot, now_ - kLately))
+      ++(thing.is_new_of(robot, now_) ? fresh : known);
+  return fresh >= TurnedRobot::kLeastAgreeing && fresh > 2 * known;
+}
+
+void SameThings::turn_back(const std::string& robot) {
+  std::vector<Mark> seen, known;
+  for (const auto& thing : things_.all()) {
+    if (!thing.established() || thing.object_class == "obstacle") continue;
+    const Mark mark{joint_.mean(thing.part), std::hash<std::string>()(thing.object_class),
+                    thing.id};
+    if (thing.is_new_of(robot, now_))
+      seen.push_back(mark);
+    else if (!thing.was_seen_by(robot, now_ - kLately))
+      known.push_back(mark);
+  }
+  const auto fit = TurnedRobot::fit(seen, known, robots_.pose(robot).position_m);
+  if (!fit) return;
+  transport(robot, *fit, true);
+  for (const auto& pair : fit->agreeing) things_.unite(pair.map_index, pair.other_index);
+}
+
+void SameThings::transport(const std::string& robot, const RigidFit& fit, bool new_only) {
   const Vec2 from_m = robots_.pose(robot).position_m;
-  if ((fit.to_map(from_m) - from_m).norm() < kAlreadyThere_m &&
+  if (!new_only && (fit.to_map(from_m) - from_m).norm() < kAlreadyThere_m &&
       std::abs(fit.transform.heading_rad) < kAlreadyThere_rad)
     return;
   JointGaussian::Terms moved;
@@ -158,7 +188,9 @@ void SameThings::transport(const std::string& robot, const RigidFit& fit) {
   };
   move(robots_.part(robot));
   for (const auto& thing : things_.all())
-    if (thing.seen_by.size() == 1 && thing.was_seen_by(robot)) move(thing.part);
+    if (new_only ? thing.is_new_of(robot, now_)
+                 : thing.seen_by.size() == 1 && thing.was_seen_by(robot))
+      move(thing.part);
   const Eigen::Vector3d deviations(kTransported_m, kTransported_m, kTransported_rad);
   joint_.blur(moved, deviations.cwiseAbs2().asDiagonal());
 }

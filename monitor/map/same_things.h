@@ -18,7 +18,8 @@ namespace galilean::monitor {
 ///           Where a robot shares nothing with the others, because it
 ///           is not where it was said to be, all
 ///           pairs of a class are tried; a transformation that at least kLeastForUnknown agree on,
-///           twice running, moves the robot and what it alone saw.
+///           twice running, moves the robot and what it alone saw. A robot that recognises nothing
+///           of what was known is turned back as TurnedRobot says.
 ///   source  mrpt::tfest
 class SameThings {
  public:
@@ -42,7 +43,10 @@ class SameThings {
   void unite_agreeing(const std::string& robot);
   [[nodiscard]] bool shares_things(const std::string& robot) const;
   void search(const std::string& robot);
-  void transport(const std::string& robot, const RigidFit& fit);
+  [[nodiscard]] bool recognises_nothing(const std::string& robot) const;
+  void turn_back(const std::string& robot);
+  /// With what it alone saw; `new_only`: of that, only what it has just begun to see.
+  void transport(const std::string& robot, const RigidFit& fit, bool new_only);
   [[nodiscard]] std::vector<PointPair> pairs(const std::string& robot, bool inside_gate) const;
 
   JointGaussian& joint_;

@@ -20,10 +20,7 @@ void Senses::note(const msg::Program& program, const Catalog& catalog) {
     if (schema.type == "bumper_scanner") bumpers_ = name;
     if (schema.type != "gripper_scanner") continue;
     const auto* beam = schema.attributes.find("beam_index");
-    const auto* closed = schema.attributes.find("closed_index");
-    if (beam && closed)
-      gripper_ = GripperBits{name, static_cast<unsigned>(std::get<double>(*beam)),
-                             static_cast<unsigned>(std::get<double>(*closed))};
+    if (beam) gripper_ = GripperBits{name, static_cast<unsigned>(std::get<double>(*beam))};
   }
 }
 
@@ -41,10 +38,9 @@ void Senses::note(const msg::Variables& variables, Time now) {
 }
 
 void Senses::note_gripper(std::uint32_t bits, Time now) {
-  const bool closed_on_something =
-      gripper_ && (bits >> gripper_->beam & 1) && (bits >> gripper_->closed & 1);
-  if (closed_on_something && !closed_on_something_) since_ = now;
-  closed_on_something_ = closed_on_something;
+  const bool beam_broken = gripper_ && (bits >> gripper_->beam & 1);
+  if (beam_broken && !beam_broken_) since_ = now;
+  beam_broken_ = beam_broken;
 }
 
 }  // namespace galilean::monitor

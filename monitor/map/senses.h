@@ -15,30 +15,28 @@ namespace galilean::monitor {
 /// puts the switches, and its gripper_scanner the beam and the servo.
 class Senses {
  public:
-  /// What stands in the closed gripper for so long is held; before, it may still slip out.
-  static constexpr Duration kSettled = std::chrono::milliseconds(1500);
+  /// What breaks the gripper's beam for so long moves with the robot, whether the jaws are closed
+  /// or push it; what is shorter there passes by.
+  static constexpr Duration kSettled = std::chrono::milliseconds(300);
   /// A bumper that was let go may be touched still.
   static constexpr Duration kLetGo = std::chrono::milliseconds(300);
 
   /// What a program says of gripper and bumpers; one without the schemas says nothing.
   void note(const msg::Program& program, const Catalog& catalog);
   void note(const msg::Variables& variables, Time now);
-  [[nodiscard]] bool holds(Time now) const {
-    return closed_on_something_ && now - since_ >= kSettled;
-  }
+  [[nodiscard]] bool holds(Time now) const { return beam_broken_ && now - since_ >= kSettled; }
   [[nodiscard]] bool touches(Time now) const { return touched_ && now - *touched_ <= kLetGo; }
 
  private:
   struct GripperBits {
     std::string variable;
     unsigned beam = 0;
-    unsigned closed = 0;
   };
   void note_gripper(std::uint32_t bits, Time now);
 
   std::optional<GripperBits> gripper_;
   std::string bumpers_;
-  bool closed_on_something_ = false;
+  bool beam_broken_ = false;
   Time since_{};
   std::optional<Time> touched_;
 };

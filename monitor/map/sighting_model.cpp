@@ -12,6 +12,8 @@ namespace {
 constexpr double kPlaceError_m = 0.02;
 /// A robot's foremost pixel may be of its nose or of its flank.
 constexpr double kRobotShape_m = 0.2;
+/// No direction can be told of what is nearer.
+constexpr double kNearest_m = 0.05;
 
 bool is_sound(const msg::Sighting& sighting) {
   const bool finite = std::isfinite(sighting.x_m) && std::isfinite(sighting.y_m) &&
@@ -26,6 +28,23 @@ bool is_sound(const msg::Sighting& sighting) {
 bool is_whole(const msg::Sighting& sighting) {
   return sighting.left_px > 0 && sighting.right_px < Image::kWidth - 1 && sighting.top_px > 0 &&
          sighting.bottom_px < Image::kHeight - 1;
+}
+
+double bearing_rad(const Vec2& from_robot_m) {
+  return std::atan2(from_robot_m.y(), from_robot_m.x());
+}
+
+Gaussian2 in_range_and_bearing(const Gaussian2& from_robot) {
+  const Vec2& at_m = from_robot.mean_m;
+  const double range_m = std::max(at_m.norm(), kNearest_m);
+  Mat2 jacobian;
+  jacobian.row(0) = at_m.transpose() / range_m;
+  jacobian.row(1) << -at_m.y() / (range_m * range_m), at_m.x() / (range_m * range_m);
+  return {{range_m, bearing_rad(at_m)}, jacobian * from_robot.covariance_m2 * jacobian.transpose()};
+}
+
+Vec2 difference(const Vec2& a, const Vec2& b) {
+  return {a.x() - b.x(), wrap_angle(a.y() - b.y())};
 }
 
 }  // namespace
@@ -49,26 +68,37 @@ Expected expected_sighting(const JointGaussian& joint, JointGaussian::Part robot
                            JointGaussian::Part seen) {
   const auto from = joint.mean(robot);
   const auto to = joint.mean(seen);
-  const Mat2 turn = rotation_by(-from[2]);
+  const Vec2 apart = to.head<2>() - from.head<2>();
+  const double range_m = std::max(apart.norm(), kNearest_m);
   Expected expected;
-  expected.from_robot_m = turn * (to.head<2>() - from.head<2>());
+  expected.from_robot_m = rotated(apart, -from[2]);
+  expected.range_bearing << range_m, bearing_rad(expected.from_robot_m);
+  Mat2 of_place;
+  of_place.row(0) = apart.transpose() / range_m;
+  of_place.row(1) << -apart.y() / (range_m * range_m), apart.x() / (range_m * range_m);
   Eigen::MatrixXd of_robot = Eigen::MatrixXd::Zero(2, from.size());
-  of_robot.leftCols<2>() = -turn;
-  of_robot.col(2) << expected.from_robot_m.y(), -expected.from_robot_m.x();
+  of_robot.leftCols<2>() = -of_place;
+  of_robot(1, 2) = -1;
   Eigen::MatrixXd of_seen = Eigen::MatrixXd::Zero(2, to.size());
-  of_seen.leftCols<2>() = turn;
+  of_seen.leftCols<2>() = of_place;
   expected.terms = {{robot, of_robot}, {seen, of_seen}};
   return expected;
 }
 
 Fit fit_of(const JointGaussian& joint, const Expected& expected, const Gaussian2& from_robot) {
   const Mat2 own = joint.covariance(expected.terms);
-  const Vec2 apart = from_robot.mean_m - expected.from_robot_m;
-  const Mat2 sum = own + from_robot.covariance_m2;
-  const double half_trace = own.trace() / 2;
-  const double largest =
-      half_trace + std::sqrt(std::max(0.0, half_trace * half_trace - own.determinant()));
-  return {apart.dot(sum.inverse() * apart), std::sqrt(largest)};
+  const Gaussian2 seen = in_range_and_bearing(from_robot);
+  const Vec2 apart = difference(seen.mean_m, expected.range_bearing);
+  const Mat2 sum = own + seen.covariance_m2;
+  const double range_m = expected.range_bearing.x();
+  return {apart.dot(sum.inverse() * apart),
+          std::sqrt(std::max(own(0, 0), range_m * range_m * own(1, 1)))};
+}
+
+void correct_by(JointGaussian& joint, const Expected& expected, const Gaussian2& from_robot) {
+  const Gaussian2 seen = in_range_and_bearing(from_robot);
+  joint.correct(expected.terms, difference(seen.mean_m, expected.range_bearing),
+                seen.covariance_m2);
 }
 
 Placed place_of(const JointGaussian& joint, JointGaussian::Part robot,

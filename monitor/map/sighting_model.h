@@ -18,11 +18,13 @@ struct Bearing {
 [[nodiscard]] std::optional<Bearing> bearing_of(const msg::Sighting& sighting,
                                                 const msg::Sightings& frame);
 
-/// What is expected of a sighting, and how it depends on what is estimated.
-///   law  expected = R(-heading) (thing - robot)
+/// What is expected of a sighting, and how it depends on what is estimated. In range and bearing,
+/// for a bearing is the heading's error and no more, however large that is; x and y bend with it.
+///   law     range = |thing - robot|, bearing = direction of (thing - robot) - heading
 struct Expected {
-  Vec2 from_robot_m;
-  JointGaussian::Terms terms;
+  Vec2 from_robot_m;           ///< x forward, y left
+  Vec2 range_bearing;          ///< [m, rad]
+  JointGaussian::Terms terms;  ///< of range_bearing
 };
 /// `seen`'s first two numbers are its place in the map frame: a thing or another robot.
 [[nodiscard]] Expected expected_sighting(const JointGaussian& joint, JointGaussian::Part robot,
@@ -36,6 +38,8 @@ struct Fit {
 };
 [[nodiscard]] Fit fit_of(const JointGaussian& joint, const Expected& expected,
                          const Gaussian2& from_robot);
+/// Corrects all that hangs on what was expected by what was seen.
+void correct_by(JointGaussian& joint, const Expected& expected, const Gaussian2& from_robot);
 
 /// The place of something seen, as a function of the robot's pose.
 struct Placed {

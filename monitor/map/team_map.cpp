@@ -126,8 +126,10 @@ void TeamMap::update(Time now) {
     aligned_ = now;
   }
   same_things_.unite_neighbours();
-  for (const auto& [name, robot] : poses_.all())
+  for (const auto& [name, robot] : poses_.all()) {
+    things_.clear_under(name);
     carried_.note(name, heard_[name].senses.holds(now), poses_, things_, now);
+  }
 }
 
 msg::MapRobot TeamMap::robot_message(const std::string& name, Time now) const {

@@ -39,6 +39,7 @@ bool Thing::forgotten(Time now) const noexcept {
 void Thing::absorb(const Thing& other) {
   certainty = std::max(certainty, other.certainty);
   sightings += other.sightings;
+  first_seen = std::min(first_seen, other.first_seen);
   last_seen = std::max(last_seen, other.last_seen);
   absent_s = std::min(absent_s, other.absent_s);
   for (const auto& [robot, at] : other.seen_by) seen_by[robot] = std::max(seen_by[robot], at);

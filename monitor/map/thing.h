@@ -24,10 +24,12 @@ struct Thing {
   static constexpr double kLandmark_s = 900;
   static constexpr double kDoubtKept = 0.6;
   static constexpr unsigned kLeastSightings = 3;
+  static constexpr Duration kNew = std::chrono::seconds(12);
 
   std::uint64_t id = 0;  ///< the same as long as it is remembered
   std::string object_class;
   JointGaussian::Part part = 0;
+  Time first_seen{};
   Time last_seen{};
   Time faded{};  ///< until when the decay is reckoned in
   double certainty = 0;
@@ -47,6 +49,11 @@ struct Thing {
     return sightings >= kLeastSightings || object_class == "obstacle";
   }
   [[nodiscard]] bool told() const noexcept { return established() && certainty > 0; }
+  /// Only this robot saw it, and not for long: it may be something older, seen by one that is not
+  /// where it is believed to be.
+  [[nodiscard]] bool is_new_of(const std::string& robot, Time now) const {
+    return now - first_seen < kNew && seen_by.size() == 1 && was_seen_by(robot);
+  }
   [[nodiscard]] bool was_seen_by(const std::string& robot) const { return seen_by.contains(robot); }
   [[nodiscard]] bool was_seen_by(const std::string& robot, Time since) const;
   /// The latest first.

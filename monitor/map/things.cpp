@@ -9,6 +9,10 @@ namespace {
 constexpr double kSamePlace_m = 0.02;     ///< what is known of two notes of one thing
 constexpr double kTouchedAgain_m = 0.20;  ///< obstacles nearer to one another are one
 
+constexpr double kFacingUnknown_rad = 0.12;
+constexpr double kFootprint_m = 0.15;  ///< of its centre, wherever its nose points
+constexpr double kFootprintDeviation_m = 0.12;
+
 constexpr double kPushedWithin_m = 0.42;
 constexpr double kPushed_m2ps = 4e-3;
 
@@ -38,9 +42,10 @@ void Things::see(const msg::Sightings& frame, Time now) {
     seen[next->seen].thing = next->thing;
     Thing& thing = things_[next->thing];
     thing.confirm(frame.robot, now);
-    if (next->is_sure && seen[next->seen].bearing.whole)
+    if (next->is_sure && seen[next->seen].bearing.whole && tells_anything(thing, frame.robot, now))
       correct(thing, seen[next->seen].bearing, robot);
   }
+  note_orientation(frame, seen, now);
   doubt_unseen(frame, seen, now);
   for (const auto& each : seen)
     if (!each.thing && each.bearing.whole)
@@ -48,10 +53,16 @@ void Things::see(const msg::Sightings& frame, Time now) {
            now);
 }
 
+/// What a robot found while it hardly knew where it faces tells it nothing of that: to go by it all
+/// the same would make the filter sure of what it only repeats.
+bool Things::tells_anything(const Thing& thing, const std::string& robot, Time now) const {
+  const double heading_variance = joint_.covariance(robots_.part(robot))(2, 2);
+  return heading_variance < kFacingUnknown_rad * kFacingUnknown_rad || !thing.is_new_of(robot, now);
+}
+
 void Things::correct(const Thing& thing, const Bearing& bearing, JointGaussian::Part robot) {
   const auto expected = expected_sighting(joint_, robot, thing.part);
-  joint_.correct(expected.terms, bearing.from_robot.mean_m - expected.from_robot_m,
-                 bearing.from_robot.covariance_m2);
+  correct_by(joint_, expected, bearing.from_robot);
 }
 
 void Things::note(const std::string& object_class, const std::string& robot,
@@ -71,7 +82,7 @@ void Things::note(const std::string& object_class, const std::string& robot,
   thing.part = joint_.add(placed.in_map_m, placed.of, placed.noise_m2);
   thing.certainty = certainty;
   thing.sightings = id ? Thing::kLeastSightings : 1;
-  thing.faded = thing.last_seen = thing.seen_by[robot] = now;
+  thing.first_seen = thing.faded = thing.last_seen = thing.seen_by[robot] = now;
 }
 
 void Things::fade(Time now) {
@@ -109,6 +120,19 @@ void Things::blur_around(const std::string& robot, double for_s) {
     if (thing.object_class != "obstacle" &&
         (joint_.mean(thing.part) - at_m).norm() < kPushedWithin_m)
       joint_.blur(thing.part, kPushed_m2ps * for_s * Mat2::Identity());
+}
+
+void Things::clear_under(const std::string& robot) {
+  const auto part = robots_.part(robot);
+  std::vector<std::uint64_t> under;
+  for (const auto& thing : things_) {
+    if (thing.object_class != "trash") continue;
+    const auto expected = expected_sighting(joint_, part, thing.part);
+    if (expected.from_robot_m.norm() > kFootprint_m) continue;
+    const Fit fit = fit_of(joint_, expected, {expected.from_robot_m, Mat2::Identity()});
+    if (fit.deviation_m < kFootprintDeviation_m) under.push_back(thing.id);
+  }
+  for (const auto id : under) forget(id);
 }
 
 }  // namespace galilean::monitor

@@ -35,6 +35,8 @@ class Things {
   void unite(std::uint64_t kept, std::uint64_t same);
   /// What stands so near to a moving robot may be pushed by it.
   void blur_around(const std::string& robot, double for_s);
+  /// No piece of trash lies where a robot stands: it was pushed away, or picked up.
+  void clear_under(const std::string& robot);
 
   [[nodiscard]] const std::vector<Thing>& all() const noexcept { return things_; }
   [[nodiscard]] Gaussian2 place(const Thing& thing) const;
@@ -56,7 +58,9 @@ class Things {
   /// The surest among what is not matched yet.
   [[nodiscard]] std::optional<Match> match(const std::vector<Seen>& seen,
                                            JointGaussian::Part robot) const;
+  [[nodiscard]] bool tells_anything(const Thing& thing, const std::string& robot, Time now) const;
   void correct(const Thing& thing, const Bearing& bearing, JointGaussian::Part robot);
+  void note_orientation(const msg::Sightings& frame, const std::vector<Seen>& seen, Time now);
   void doubt_unseen(const msg::Sightings& frame, const std::vector<Seen>& seen, Time now);
   void make_room();
   Thing* find(std::uint64_t id);
@@ -65,6 +69,7 @@ class Things {
   const RobotPoses& robots_;
   std::vector<Thing> things_;
   std::map<std::string, Time> last_frame_;
+  std::map<std::string, Time> oriented_;  ///< when a robot saw last what was known before
   std::uint64_t last_id_ = 0;
 };
 

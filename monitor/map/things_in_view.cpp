@@ -7,8 +7,10 @@
 namespace galilean::monitor {
 namespace {
 
-/// Where to look must be known so well that the nearest thing can be the one meant.
+/// Where to look must be known so well that the nearest thing can be the one meant: baskets stand
+/// metres apart.
 constexpr double kMostDeviation_m = 0.25;
+constexpr double kMostBasketDeviation_m = 0.9;
 /// Another thing that fits nearly as well, by squared Mahalanobis distance.
 constexpr double kRivalMargin = 6;
 
@@ -19,6 +21,7 @@ constexpr double kPlainViewTo_m = 2.0;
 constexpr double kPictureEdge_rad = 0.10;
 constexpr double kHides_rad = 0.15;
 constexpr double kLongestPeriod_s = 0.5;
+constexpr Duration kOrientedFor = std::chrono::seconds(3);
 constexpr double kPlainViewDeviation_m = 0.2;
 
 bool is_matched(std::size_t thing, const auto& seen) {
@@ -61,7 +64,9 @@ std::optional<Things::Match> Things::match(const std::vector<Seen>& seen,
         continue;
       const auto expected = expected_sighting(joint_, robot, things_[j].part);
       const Fit fit = fit_of(joint_, expected, seen[i].bearing.from_robot);
-      if (fit.squared_distance < same_thing_gate() && fit.deviation_m < kMostDeviation_m)
+      const double most_m =
+          things_[j].object_class == "basket" ? kMostBasketDeviation_m : kMostDeviation_m;
+      if (fit.squared_distance < same_thing_gate() && fit.deviation_m < most_m)
         matches.push_back({fit.squared_distance, i, j});
     }
   }
@@ -72,8 +77,17 @@ std::optional<Things::Match> Things::match(const std::vector<Seen>& seen,
   });
 }
 
+void Things::note_orientation(const msg::Sightings& frame, const std::vector<Seen>& seen,
+                              Time now) {
+  for (const auto& each : seen)
+    if (each.thing && !things_[*each.thing].is_new_of(frame.robot, now))
+      oriented_[frame.robot] = now;
+}
+
+// One that recognises nothing may be elsewhere than it is believed to be, and misses what is there.
 void Things::doubt_unseen(const msg::Sightings& frame, const std::vector<Seen>& seen, Time now) {
   const auto before = std::exchange(last_frame_.try_emplace(frame.robot, now).first->second, now);
+  if (now - oriented_.try_emplace(frame.robot, now).first->second > kOrientedFor) return;
   const double period_s = std::min(to_seconds(now - before), kLongestPeriod_s);
   const auto robot = robots_.part(frame.robot);
   for (std::size_t j = 0; j < things_.size(); ++j) {

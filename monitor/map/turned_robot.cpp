@@ -1,0 +1,126 @@
+#include "monitor/map/turned_robot.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace galilean::monitor {
+namespace {
+
+constexpr double kSameLength_m = 0.12;
+constexpr double kAgree_m = 0.15;
+constexpr double kLeastApart_m = 0.4;  ///< of two marks that tell a turn
+constexpr double kLeastSpread_m = 0.8;
+/// Of all that was seen, so much must be known: the rest may be new indeed.
+constexpr double kLeastShare = 0.6;
+/// So many fewer agree on any other turn.
+constexpr std::size_t kLead = 2;
+constexpr double kOtherTurn_rad = 0.2, kOtherShift_m = 0.35;
+
+using Marks = std::vector<Mark>;
+
+/// Lays the first of each two on the other, and turns the second as near as it comes.
+Pose2 laid_on(const Mark& a, const Mark& b, const Mark& on_a, const Mark& on_b) {
+  const Vec2 from = b.in_map_m - a.in_map_m, to = on_b.in_map_m - on_a.in_map_m;
+  const double turn_rad = wrap_angle(std::atan2(to.y(), to.x()) - std::atan2(from.y(), from.x()));
+  const Vec2 middle = (a.in_map_m + b.in_map_m) / 2,
+             on_middle = (on_a.in_map_m + on_b.in_map_m) / 2;
+  return {on_middle - rotated(middle, turn_rad), turn_rad};
+}
+
+Vec2 moved(const Pose2& by, const Vec2& point_m) {
+  return by.position_m + rotated(point_m, by.heading_rad);
+}
+
+bool is_near(const Pose2& a, const Pose2& b, const Vec2& robot_m) {
+  return std::abs(wrap_angle(a.heading_rad - b.heading_rad)) < kOtherTurn_rad &&
+         (moved(a, robot_m) - moved(b, robot_m)).norm() < kOtherShift_m;
+}
+
+std::vector<PointPair> agreeing(const Marks& seen, const Marks& known, const Pose2& by) {
+  std::vector<PointPair> pairs;
+  for (const Mark& mark : seen) {
+    const Vec2 there_m = moved(by, mark.in_map_m);
+    const Mark* nearest = nullptr;
+    for (const Mark& other : known) {
+      const bool taken = std::ranges::find(pairs, other.id, &PointPair::map_index) != pairs.end();
+      if (taken || other.kind != mark.kind) continue;
+      const double apart_m = (other.in_map_m - there_m).norm();
+      if (apart_m < kAgree_m && (!nearest || apart_m < (nearest->in_map_m - there_m).norm()))
+        nearest = &other;
+    }
+    if (nearest) pairs.push_back({nearest->in_map_m, mark.in_map_m, nearest->id, mark.id});
+  }
+  return pairs;
+}
+
+/// The best in the sense of least squares.
+Pose2 refined(const std::vector<PointPair>& pairs) {
+  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+  for (const auto& pair : pairs) {
+    from += pair.in_other_m / static_cast<double>(pairs.size());
+    to += pair.in_map_m / static_cast<double>(pairs.size());
+  }
+  double along = 0, across = 0;
+  for (const auto& pair : pairs) {
+    const Vec2 a = pair.in_other_m - from, b = pair.in_map_m - to;
+    along += a.dot(b);
+    across += a.x() * b.y() - a.y() * b.x();
+  }
+  const double turn_rad = std::atan2(across, along);
+  return {to - rotated(from, turn_rad), turn_rad};
+}
+
+double spread_of(const std::vector<PointPair>& pairs) {
+  double spread_m = 0;
+  for (const auto& a : pairs)
+    for (const auto& b : pairs) spread_m = std::max(spread_m, (a.in_other_m - b.in_other_m).norm());
+  return spread_m;
+}
+
+struct Hypothesis {
+  Pose2 by;
+  std::vector<PointPair> pairs;
+};
+
+std::vector<Hypothesis> hypotheses(const Marks& seen, const Marks& known, const Vec2& robot_m) {
+  std::vector<Hypothesis> result;
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    for (std::size_t j = i + 1; j < seen.size(); ++j) {
+      const double length_m = (seen[i].in_map_m - seen[j].in_map_m).norm();
+      if (length_m < kLeastApart_m) continue;
+      for (const Mark& a : known)
+        for (const Mark& b : known) {
+          if (a.id == b.id || a.kind != seen[i].kind || b.kind != seen[j].kind) continue;
+          if (std::abs((a.in_map_m - b.in_map_m).norm() - length_m) > kSameLength_m) continue;
+          const Pose2 by = laid_on(seen[i], seen[j], a, b);
+          if (std::abs(by.heading_rad) > TurnedRobot::kMostTurn_rad ||
+              (moved(by, robot_m) - robot_m).norm() > TurnedRobot::kMostShift_m)
+            continue;
+          result.push_back({by, agreeing(seen, known, by)});
+        }
+    }
+  return result;
+}
+
+}  // namespace
+
+std::optional<RigidFit> TurnedRobot::fit(const Marks& seen, const Marks& known,
+                                         const Vec2& robot_m) {
+  const auto all = hypotheses(seen, known, robot_m);
+  if (all.empty()) return std::nullopt;
+  const auto& best =
+      *std::ranges::max_element(all, {}, [](const Hypothesis& each) { return each.pairs.size(); });
+  const std::size_t count = best.pairs.size();
+  if (count < kLeastAgreeing ||
+      static_cast<double>(count) < kLeastShare * static_cast<double>(seen.size()))
+    return std::nullopt;
+  const Pose2 by = refined(best.pairs);
+  for (const auto& other : all)
+    if (other.pairs.size() + kLead > count && !is_near(other.by, by, robot_m)) return std::nullopt;
+  RigidFit fit{.transform = by, .agreeing = agreeing(seen, known, by)};
+  fit.spread_m = spread_of(fit.agreeing);
+  if (fit.agreeing.size() < kLeastAgreeing || fit.spread_m < kLeastSpread_m) return std::nullopt;
+  return fit;
+}
+
+}  // namespace galilean::monitor

@@ -27,7 +27,7 @@ template <class T, class Settings>
 void add_variable(RunningProgram& program, const bhdl::Component& component, const Wiring& wiring) {
   const auto given = settings<Settings>(component.attributes, wiring);
   Variable<T>& variable = program.variables.add<T>(component.name);
-  variable.value = given.content();
+  if constexpr (requires { given.content(); }) variable.value = given.content();
   variable.reliability = given.reliability();
   if constexpr (std::is_same_v<T, Shaft>) program.start_poses.push_back(variable.value.pose);
 }

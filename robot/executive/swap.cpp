@@ -36,8 +36,7 @@ void keep(Variable<T>& from, Variable<T>& to, Time now) noexcept {
       from.constant == to.constant && from.reliability.decay_per_s == decay_per_s;
   to.written_tick = from.written_tick;
   to.reliability = from.reliability;
-  if (!fades_alike)
-    to.reliability = {from.valid_at(now), from.certainty_at(now), decay_per_s, now};
+  if (!fades_alike) to.reliability = {from.valid_at(now), from.certainty_at(now), decay_per_s, now};
   hand_over(from, to);
 }
 

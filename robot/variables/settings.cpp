@@ -45,10 +45,6 @@ void ImageSettings::describe(Declaration<ImageSettings>& is) {
   describe_reliability(is);
 }
 
-Image ImageSettings::content() const {
-  return {};
-}
-
 void LocateSettings::describe(Declaration<LocateSettings>& is) {
   is.help("Where an object of the environment is, in the robot's global frame.");
   is.choice(&LocateSettings::object, "class", {"unknown", "trash", "basket", "obstacle", "robot"},

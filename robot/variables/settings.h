@@ -25,7 +25,6 @@ struct ShaftSettings : ReliabilitySettings {
 
 struct ImageSettings : ReliabilitySettings {
   static void describe(Declaration<ImageSettings>& is);
-  [[nodiscard]] Image content() const;
 };
 
 struct LocateSettings : ReliabilitySettings {

@@ -23,9 +23,9 @@ class NoFolder : public ProgramFolder {
   [[nodiscard]] std::vector<std::string> beside(const std::string&) const override { return {}; }
 };
 
-class Client {
+class FuzzingClient {
  public:
-  Client() : server_(small_catalog(), std::make_unique<NoFolder>()) {
+  FuzzingClient() : server_(small_catalog(), std::make_unique<NoFolder>()) {
     ask("initialize", {{"capabilities", Json::object()}});
   }
 
@@ -62,7 +62,7 @@ Json place_in(std::string_view text) {
           {"character", line_begin == std::string_view::npos ? at : at - line_begin - 1}};
 }
 
-void ask_everything(Client& client, const Json& place) {
+void ask_everything(FuzzingClient& client, const Json& place) {
   const Json document{{"uri", kUri}};
   const Json range{{"start", {{"line", 0}, {"character", 0}}}, {"end", place}};
   const Json params{{"textDocument", document},
@@ -79,7 +79,7 @@ void ask_everything(Client& client, const Json& place) {
   client.check();
 }
 
-void edit(Client& client, const std::string& text) {
+void edit(FuzzingClient& client, const std::string& text) {
   const Json place = place_in(text);
   client.notify(
       "textDocument/didOpen",
@@ -96,7 +96,7 @@ void edit(Client& client, const std::string& text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string input(reinterpret_cast<const char*>(data), size);
-  Client client;
+  FuzzingClient client;
   if (input.starts_with('{')) {
     client.send(input);
     return 0;

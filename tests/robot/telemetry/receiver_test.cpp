@@ -91,7 +91,8 @@ TEST_F(ReceiverTest, AProgramThatFailsIsRolledBackAndSaysWhy) {
 
 TEST_F(ReceiverTest, AProgramIsTakenOffOnOrder) {
   const std::string before = running_hash();
-  const auto push = io.push(renamed(kWaits, "\"go\"", "\"move\""));
+  auto push = io.push(renamed(kWaits, "\"go\"", "\"move\""));
+  push.probation_s = 3600;  // longer than the robot can tick until the order arrives
   io.send(push);
   let_it_swap();
   ASSERT_TRUE(replies.wait_for(has_status(status::RUNNING)));

@@ -20,13 +20,6 @@ mrpt::tfest::TMatchingPairList to_mrpt(const std::vector<PointPair>& pairs) {
   return list;
 }
 
-double spread_of(const std::vector<PointPair>& pairs) {
-  double spread_m = 0;
-  for (const auto& a : pairs)
-    for (const auto& b : pairs) spread_m = std::max(spread_m, (a.in_other_m - b.in_other_m).norm());
-  return spread_m;
-}
-
 std::vector<PointPair> chosen(const std::vector<PointPair>& pairs,
                               const mrpt::tfest::TMatchingPairList& subset) {
   std::vector<PointPair> result;
@@ -39,6 +32,13 @@ std::vector<PointPair> chosen(const std::vector<PointPair>& pairs,
 }
 
 }  // namespace
+
+double spread_of(const std::vector<PointPair>& pairs) {
+  double spread_m = 0;
+  for (const auto& a : pairs)
+    for (const auto& b : pairs) spread_m = std::max(spread_m, (a.in_other_m - b.in_other_m).norm());
+  return spread_m;
+}
 
 RigidFit fit_rigidly(const std::vector<PointPair>& pairs, double deviation_m, std::size_t least) {
   RigidFit fit;

@@ -29,6 +29,9 @@ struct RigidFit {
   }
 };
 
+/// The largest distance between two of them, in the other frame.
+[[nodiscard]] double spread_of(const std::vector<PointPair>& pairs);
+
 /// The transformation that most pairs agree on, false pairs and all (mrpt::tfest::se2_l2_robust).
 /// `deviation_m`: of a point. `agreeing` is empty where fewer than `least` do.
 [[nodiscard]] RigidFit fit_rigidly(const std::vector<PointPair>& pairs, double deviation_m,

@@ -25,6 +25,10 @@ class RobotPoses {
   /// The robot believes to be at `in_odom`; something is at its bumpers or not.
   void move(const std::string& robot, const Pose2& in_odom, bool touching, Time now);
 
+  /// Somebody said where it starts, or its frame is the map's.
+  [[nodiscard]] bool was_placed(const std::string& robot) const {
+    return starts_.contains(robot) || robots_.size() == 1;
+  }
   [[nodiscard]] bool knows(const std::string& robot) const { return robots_.contains(robot); }
   [[nodiscard]] JointGaussian::Part part(const std::string& robot) const {
     return robots_.at(robot).part;

@@ -38,7 +38,7 @@ void Things::see(const msg::Sightings& frame, Time now) {
     if (const auto bearing = bearing_of(sighting, frame); bearing && is_thing(sighting))
       seen.push_back({&sighting, *bearing, std::nullopt});
   // One by one: each that is sure tells better where to look for the next.
-  while (const auto next = match(seen, robot)) {
+  while (const auto next = match(seen, frame.robot)) {
     seen[next->seen].thing = next->thing;
     Thing& thing = things_[next->thing];
     thing.confirm(frame.robot, now);

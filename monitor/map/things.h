@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -57,7 +58,9 @@ class Things {
 
   /// The surest among what is not matched yet.
   [[nodiscard]] std::optional<Match> match(const std::vector<Seen>& seen,
-                                           JointGaussian::Part robot) const;
+                                           const std::string& observer) const;
+  /// How unsure the place may be where to look for it.
+  [[nodiscard]] double most_deviation_m(const Thing& thing, const std::string& robot) const;
   [[nodiscard]] bool tells_anything(const Thing& thing, const std::string& robot, Time now) const;
   void correct(const Thing& thing, const Bearing& bearing, JointGaussian::Part robot);
   void note_orientation(const msg::Sightings& frame, const std::vector<Seen>& seen, Time now);
@@ -69,7 +72,8 @@ class Things {
   const RobotPoses& robots_;
   std::vector<Thing> things_;
   std::map<std::string, Time> last_frame_;
-  std::map<std::string, Time> oriented_;  ///< when a robot saw last what was known before
+  std::map<std::string, Time> oriented_;  ///< when a robot saw last what it can go by
+  std::set<std::string> among_others_;    ///< robots that saw what another one saw
   std::uint64_t last_id_ = 0;
 };
 

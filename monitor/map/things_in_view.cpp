@@ -54,8 +54,16 @@ bool in_plain_view(const msg::Sightings& frame, const Vec2& from_robot_m) {
 
 }  // namespace
 
+/// One that has nothing in common with the others may stand anywhere: to take its baskets for
+/// theirs would be a guess.
+double Things::most_deviation_m(const Thing& thing, const std::string& robot) const {
+  const bool placed = robots_.was_placed(robot) || among_others_.contains(robot);
+  return thing.object_class == "basket" && placed ? kMostBasketDeviation_m : kMostDeviation_m;
+}
+
 std::optional<Things::Match> Things::match(const std::vector<Seen>& seen,
-                                           JointGaussian::Part robot) const {
+                                           const std::string& observer) const {
+  const auto robot = robots_.part(observer);
   std::vector<Match> matches;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i].thing) continue;
@@ -64,9 +72,8 @@ std::optional<Things::Match> Things::match(const std::vector<Seen>& seen,
         continue;
       const auto expected = expected_sighting(joint_, robot, things_[j].part);
       const Fit fit = fit_of(joint_, expected, seen[i].bearing.from_robot);
-      const double most_m =
-          things_[j].object_class == "basket" ? kMostBasketDeviation_m : kMostDeviation_m;
-      if (fit.squared_distance < same_thing_gate() && fit.deviation_m < most_m)
+      if (fit.squared_distance < same_thing_gate() &&
+          fit.deviation_m < most_deviation_m(things_[j], observer))
         matches.push_back({fit.squared_distance, i, j});
     }
   }
@@ -79,9 +86,13 @@ std::optional<Things::Match> Things::match(const std::vector<Seen>& seen,
 
 void Things::note_orientation(const msg::Sightings& frame, const std::vector<Seen>& seen,
                               Time now) {
-  for (const auto& each : seen)
-    if (each.thing && !things_[*each.thing].is_new_of(frame.robot, now))
+  for (const auto& each : seen) {
+    if (!each.thing) continue;
+    const Thing& thing = things_[*each.thing];
+    if (thing.seen_by.size() > 1) among_others_.insert(frame.robot);
+    if (!thing.is_new_of(frame.robot, now) || robots_.all().size() == 1)
       oriented_[frame.robot] = now;
+  }
 }
 
 // One that recognises nothing may be elsewhere than it is believed to be, and misses what is there.

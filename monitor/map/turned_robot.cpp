@@ -9,7 +9,7 @@ namespace {
 constexpr double kSameLength_m = 0.12;
 constexpr double kAgree_m = 0.15;
 constexpr double kLeastApart_m = 0.4;  ///< of two marks that tell a turn
-constexpr double kLeastSpread_m = 0.8;
+constexpr double kLeastTurnSpread_m = 0.8;
 /// Of all that was seen, so much must be known: the rest may be new indeed.
 constexpr double kLeastShare = 0.6;
 /// So many fewer agree on any other turn.
@@ -27,19 +27,19 @@ Pose2 laid_on(const Mark& a, const Mark& b, const Mark& on_a, const Mark& on_b) 
   return {on_middle - rotated(middle, turn_rad), turn_rad};
 }
 
-Vec2 moved(const Pose2& by, const Vec2& point_m) {
+Vec2 laid_by(const Pose2& by, const Vec2& point_m) {
   return by.position_m + rotated(point_m, by.heading_rad);
 }
 
-bool is_near(const Pose2& a, const Pose2& b, const Vec2& robot_m) {
+bool is_same_turn(const Pose2& a, const Pose2& b, const Vec2& robot_m) {
   return std::abs(wrap_angle(a.heading_rad - b.heading_rad)) < kOtherTurn_rad &&
-         (moved(a, robot_m) - moved(b, robot_m)).norm() < kOtherShift_m;
+         (laid_by(a, robot_m) - laid_by(b, robot_m)).norm() < kOtherShift_m;
 }
 
 std::vector<PointPair> agreeing(const Marks& seen, const Marks& known, const Pose2& by) {
   std::vector<PointPair> pairs;
   for (const Mark& mark : seen) {
-    const Vec2 there_m = moved(by, mark.in_map_m);
+    const Vec2 there_m = laid_by(by, mark.in_map_m);
     const Mark* nearest = nullptr;
     for (const Mark& other : known) {
       const bool taken = std::ranges::find(pairs, other.id, &PointPair::map_index) != pairs.end();
@@ -70,13 +70,6 @@ Pose2 refined(const std::vector<PointPair>& pairs) {
   return {to - rotated(from, turn_rad), turn_rad};
 }
 
-double spread_of(const std::vector<PointPair>& pairs) {
-  double spread_m = 0;
-  for (const auto& a : pairs)
-    for (const auto& b : pairs) spread_m = std::max(spread_m, (a.in_other_m - b.in_other_m).norm());
-  return spread_m;
-}
-
 struct Hypothesis {
   Pose2 by;
   std::vector<PointPair> pairs;
@@ -94,7 +87,7 @@ std::vector<Hypothesis> hypotheses(const Marks& seen, const Marks& known, const 
           if (std::abs((a.in_map_m - b.in_map_m).norm() - length_m) > kSameLength_m) continue;
           const Pose2 by = laid_on(seen[i], seen[j], a, b);
           if (std::abs(by.heading_rad) > TurnedRobot::kMostTurn_rad ||
-              (moved(by, robot_m) - robot_m).norm() > TurnedRobot::kMostShift_m)
+              (laid_by(by, robot_m) - robot_m).norm() > TurnedRobot::kMostShift_m)
             continue;
           result.push_back({by, agreeing(seen, known, by)});
         }
@@ -116,10 +109,12 @@ std::optional<RigidFit> TurnedRobot::fit(const Marks& seen, const Marks& known,
     return std::nullopt;
   const Pose2 by = refined(best.pairs);
   for (const auto& other : all)
-    if (other.pairs.size() + kLead > count && !is_near(other.by, by, robot_m)) return std::nullopt;
+    if (other.pairs.size() + kLead > count && !is_same_turn(other.by, by, robot_m))
+      return std::nullopt;
   RigidFit fit{.transform = by, .agreeing = agreeing(seen, known, by)};
   fit.spread_m = spread_of(fit.agreeing);
-  if (fit.agreeing.size() < kLeastAgreeing || fit.spread_m < kLeastSpread_m) return std::nullopt;
+  if (fit.agreeing.size() < kLeastAgreeing || fit.spread_m < kLeastTurnSpread_m)
+    return std::nullopt;
   return fit;
 }
 

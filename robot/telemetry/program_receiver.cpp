@@ -84,8 +84,9 @@ void ProgramReceiver::run(const std::stop_token& stop) {
 }
 
 void ProgramReceiver::take() {
-  take_from<msg::ProgramRollback>(rollbacks_);
+  // In this order: who cancels a push at once has sent its order behind it.
   take_from<msg::ProgramPush>(pushes_);
+  take_from<msg::ProgramRollback>(rollbacks_);
 }
 
 template <class M>
@@ -103,8 +104,18 @@ void ProgramReceiver::take_from(wire::Reader& reader) {
 void ProgramReceiver::handle(const msg::ProgramRollback& message) {
   const PushLedger::Push order{message.id, message.hash, {}};
   spdlog::info("program {:.8} ordered off by {}", message.hash, message.author);
+  wait_until_runs(message.hash);
   if (auto why = ledger_.roll_back(order, "by " + message.author + ": " + message.reason))
     reject(order, std::move(*why));
+}
+
+/// What was pushed just now may wait for its first tick, or for the news of it.
+void ProgramReceiver::wait_until_runs(const std::string& hash) const {
+  constexpr auto kPatience = std::chrono::milliseconds(200);
+  constexpr auto kPause = std::chrono::milliseconds(1);
+  for (auto waited = kPause; ledger_.running().hash() != hash && waited < kPatience;
+       waited += kPause)
+    std::this_thread::sleep_for(kPause);
 }
 
 void ProgramReceiver::handle(const msg::ProgramPush& message) {

@@ -29,6 +29,7 @@ class ProgramReceiver {
   void take_from(wire::Reader& reader);
   void handle(const msg::ProgramPush& push);
   void handle(const msg::ProgramRollback& order);
+  void wait_until_runs(const std::string& hash) const;
   /// Why the push is refused before it is read; empty if it is not.
   [[nodiscard]] std::string objection(const msg::ProgramPush& push,
                                       const std::vector<bhdl::SourceFile>& files) const;

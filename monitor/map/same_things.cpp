@@ -44,6 +44,11 @@ JointGaussian::Terms difference(const Thing& a, const Thing& b) {
   return {{a.part, Mat2::Identity()}, {b.part, -Mat2::Identity()}};
 }
 
+bool is_there_already(const Vec2& robot_m, const RigidFit& fit) {
+  return (fit.to_map(robot_m) - robot_m).norm() < kAlreadyThere_m &&
+         std::abs(fit.transform.heading_rad) < kAlreadyThere_rad;
+}
+
 bool are_near(const RigidFit& a, const RigidFit& b) {
   return (a.transform.position_m - b.transform.position_m).norm() < 0.3 &&
          std::abs(wrap_angle(a.transform.heading_rad - b.transform.heading_rad)) < 0.1;
@@ -131,8 +136,9 @@ void SameThings::search(const std::string& robot) {
     return;
   }
   if (before != candidates_.end() && are_near(before->second, fit)) {
-    transport(robot, fit, false);
     candidates_.erase(robot);
+    if (!is_there_already(robots_.pose(robot).position_m, fit))
+      transport(robot, seen_alone(robot), fit);
     return;
   }
   candidates_[robot] = fit;
@@ -150,26 +156,33 @@ bool SameThings::recognises_nothing(const std::string& robot) const {
 
 void SameThings::turn_back(const std::string& robot) {
   std::vector<Mark> seen, known;
+  std::vector<JointGaussian::Part> seen_parts;
   for (const auto& thing : things_.all()) {
     if (!thing.established() || thing.object_class == "obstacle") continue;
     const Mark mark{joint_.mean(thing.part), std::hash<std::string>()(thing.object_class),
                     thing.id};
-    if (thing.is_new_of(robot, now_))
+    if (thing.is_new_of(robot, now_)) {
       seen.push_back(mark);
-    else if (!thing.was_seen_by(robot, now_ - kLately))
+      seen_parts.push_back(thing.part);
+    } else if (!thing.was_seen_by(robot, now_ - kLately)) {
       known.push_back(mark);
+    }
   }
   const auto fit = TurnedRobot::fit(seen, known, robots_.pose(robot).position_m);
   if (!fit) return;
-  transport(robot, *fit, true);
+  transport(robot, seen_parts, *fit);
   for (const auto& pair : fit->agreeing) things_.unite(pair.map_index, pair.other_index);
 }
 
-void SameThings::transport(const std::string& robot, const RigidFit& fit, bool new_only) {
-  const Vec2 from_m = robots_.pose(robot).position_m;
-  if (!new_only && (fit.to_map(from_m) - from_m).norm() < kAlreadyThere_m &&
-      std::abs(fit.transform.heading_rad) < kAlreadyThere_rad)
-    return;
+std::vector<JointGaussian::Part> SameThings::seen_alone(const std::string& robot) const {
+  std::vector<JointGaussian::Part> parts;
+  for (const auto& thing : things_.all())
+    if (thing.seen_by.size() == 1 && thing.was_seen_by(robot)) parts.push_back(thing.part);
+  return parts;
+}
+
+void SameThings::transport(const std::string& robot, const std::vector<JointGaussian::Part>& things,
+                           const RigidFit& fit) {
   JointGaussian::Terms moved;
   const Mat2 turn = rotation_by(fit.transform.heading_rad);
   const auto move = [&](JointGaussian::Part part) {
@@ -187,10 +200,7 @@ void SameThings::transport(const std::string& robot, const RigidFit& fit, bool n
     moved.push_back({part, shared});
   };
   move(robots_.part(robot));
-  for (const auto& thing : things_.all())
-    if (new_only ? thing.is_new_of(robot, now_)
-                 : thing.seen_by.size() == 1 && thing.was_seen_by(robot))
-      move(thing.part);
+  for (const JointGaussian::Part thing : things) move(thing);
   const Eigen::Vector3d deviations(kTransported_m, kTransported_m, kTransported_rad);
   joint_.blur(moved, deviations.cwiseAbs2().asDiagonal());
 }

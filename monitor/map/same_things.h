@@ -43,10 +43,12 @@ class SameThings {
   void unite_agreeing(const std::string& robot);
   [[nodiscard]] bool shares_things(const std::string& robot) const;
   void search(const std::string& robot);
+  [[nodiscard]] std::vector<JointGaussian::Part> seen_alone(const std::string& robot) const;
   [[nodiscard]] bool recognises_nothing(const std::string& robot) const;
   void turn_back(const std::string& robot);
-  /// With what it alone saw; `new_only`: of that, only what it has just begun to see.
-  void transport(const std::string& robot, const RigidFit& fit, bool new_only);
+  /// The robot, and these things with it.
+  void transport(const std::string& robot, const std::vector<JointGaussian::Part>& things,
+                 const RigidFit& fit);
   [[nodiscard]] std::vector<PointPair> pairs(const std::string& robot, bool inside_gate) const;
 
   JointGaussian& joint_;

@@ -44,8 +44,7 @@ void ProgramWatch::reload() {
 }
 
 void ProgramWatch::watch(const std::vector<bhdl::SourceFile>& sources) {
-  for (const auto& source : sources)
-    if (watched_.insert(source.path).second) files_.add(file_.parent_path() / source.path);
+  for (const auto& source : sources) files_.add(file_.parent_path() / source.path);
 }
 
 void ProgramWatch::swap(bhdl::Program program) {

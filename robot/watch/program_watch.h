@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <thread>
 
@@ -25,7 +24,8 @@ class ProgramWatch {
   void run(const std::stop_token& stop);
   void wait() const;
   void reload();
-  /// Before anything else is done with them, so that no save is missed.
+  /// Before anything else is done with them, so that no save is missed; and each time, for what was
+  /// a file may have become a link.
   void watch(const std::vector<bhdl::SourceFile>& sources);
   void swap(bhdl::Program program);
   [[nodiscard]] bool runs(const std::string& hash) const;
@@ -34,7 +34,6 @@ class ProgramWatch {
   bhdl::Vocabulary vocabulary_;
   Executive& executive_;
   FileWatch files_;
-  std::set<std::string> watched_;  ///< as the program names them
   Wake wake_;
   std::jthread thread_;
 };

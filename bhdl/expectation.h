@@ -11,11 +11,13 @@ namespace galilean::bhdl {
 /// What a variable is made to be, whatever schemas write into it, from one time to another. Times
 /// count from the program's first tick.
 struct Given {
-  std::string bits_variable;  ///< or empty
+  std::string variable;
+  std::string type;  ///< of the variable, as the catalog names it
   unsigned bit_index = 0;
   bool bit_value = true;
-  std::string locate_variable;  ///< or empty
-  Vec2 position_m = Vec2::Zero();
+  Vec2 position_m = Vec2::Zero();  ///< of a locate or a shaft, in the robot's global frame
+  double heading_rad = 0;          ///< of a shaft
+  Vec2 force = Vec2::Zero();       ///< in the robot's frame
   bool valid = true;
   double from_s = 0;
   double until_s = 0;

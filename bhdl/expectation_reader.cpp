@@ -55,19 +55,28 @@ class ExpectationReader {
   }
 
   Given given(const Word& type, const AttributeValues& values, double from_s, double until_s) {
-    Given result{.bits_variable = value_or_nothing<std::string>(values, "bits_variable"),
-                 .bit_index = static_cast<unsigned>(value_or_nothing<double>(values, "bit_index")),
+    Given result{.bit_index = static_cast<unsigned>(value_or_nothing<double>(values, "bit_index")),
                  .bit_value = value_or_nothing<bool>(values, "bit_value"),
-                 .locate_variable = value_or_nothing<std::string>(values, "locate_variable"),
+                 .position_m = value_or_nothing<Vec2>(values, "position"),
+                 .heading_rad = value_or_nothing<double>(values, "heading"),
+                 .force = value_or_nothing<Vec2>(values, "value"),
                  .valid = value_or_nothing<std::string>(values, "status") != "invalid",
                  .from_s = from_s,
                  .until_s = until_s,
                  .location = type.at};
-    if (const auto* position = values.find("position"))
-      if (const auto* pair = std::get_if<Vec2>(position)) result.position_m = *pair;
-    if (result.bits_variable.empty() == result.locate_variable.empty())
+    int variables = 0;
+    for (const auto& each : given_spec().attributes) {
+      if (each.refers_to.empty()) continue;
+      auto name = value_or_nothing<std::string>(values, each.name);
+      if (name.empty()) continue;
+      result.variable = std::move(name);
+      result.type = each.refers_to;
+      ++variables;
+    }
+    if (variables != 1)
       diagnostics_.error(type.at, "value/count",
-                         "'given' takes either 'bits_variable' or 'locate_variable'");
+                         "'given' takes one of 'bits_variable', 'locate_variable', "
+                         "'shaft_variable' and 'force_variable'");
     return result;
   }
 

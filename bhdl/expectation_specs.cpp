@@ -50,26 +50,57 @@ AttributeSpec of_condition(std::string_view attribute, std::string help) {
   return spec;
 }
 
+AttributeSpec of_variable(AttributeSpec spec, std::string variable) {
+  spec.only_with = std::move(variable);
+  return spec;
+}
+
+AttributeSpec pair(std::string name, Unit unit, std::string help) {
+  return {.name = std::move(name),
+          .type = AttributeType::kPair,
+          .unit = unit,
+          .default_value = Value(Vec2(0, 0)),
+          .help = std::move(help)};
+}
+
+AttributeSpec heading() {
+  return {.name = "heading",
+          .type = AttributeType::kNumber,
+          .unit = unit::kDegree,
+          .default_value = Value(0.0),
+          .minimum = -360,
+          .maximum = 360,
+          .help = "which way the robot faces, counter-clockwise from the frame's x axis"};
+}
+
+AttributeSpec position() {
+  AttributeSpec spec =
+      pair("position", unit::kCentimetre, "of the place or of the robot, in its global frame");
+  spec.only_without = "force_variable";
+  return spec;
+}
+
 ComponentSpec make_given() {
   return {
       .name = "given",
       .help = "Makes a variable what it says for as long as it says, whatever schemas write.",
-      .attributes = {optional_name("bits_variable", "bits", "the variable, if it holds bits"),
-                     of_condition("bit_index", "which of its bits"),
-                     of_condition("bit_value", "what the bit is"),
-                     optional_name("locate_variable", "locate", "the variable, if it is a place"),
-                     {.name = "position",
-                      .type = AttributeType::kPair,
-                      .unit = unit::kCentimetre,
-                      .default_value = Value(Vec2(0, 0)),
-                      .help = "of the place, in the robot's global frame; the robot stands still"},
-                     {.name = "status",
-                      .type = AttributeType::kChoice,
-                      .default_value = Value(std::string("valid")),
-                      .choices = {"valid", "invalid"},
-                      .help = "whether the variable is known"},
-                     seconds("from", Value(0.0), "from when on"),
-                     seconds("until", Value(kLongestExpectation_s), "and until when")}};
+      .attributes = {
+          optional_name("bits_variable", "bits", "the variable, if it holds bits"),
+          of_variable(of_condition("bit_index", "which of its bits"), "bits_variable"),
+          of_variable(of_condition("bit_value", "what the bit is"), "bits_variable"),
+          optional_name("locate_variable", "locate", "the variable, if it is a place"),
+          optional_name("shaft_variable", "shaft", "the variable, if it is where the robot is"),
+          position(),
+          of_variable(heading(), "shaft_variable"),
+          optional_name("force_variable", "force", "the variable, if it is a force"),
+          of_variable(pair("value", unit::kNone, "of the force: right, forward"), "force_variable"),
+          {.name = "status",
+           .type = AttributeType::kChoice,
+           .default_value = Value(std::string("valid")),
+           .choices = {"valid", "invalid"},
+           .help = "whether the variable is known"},
+          seconds("from", Value(0.0), "from when on"),
+          seconds("until", Value(kLongestExpectation_s), "and until when")}};
 }
 
 ComponentSpec make_claim(std::string name, std::string help, std::optional<Value> from,
@@ -85,6 +116,10 @@ ComponentSpec make_claim(std::string name, std::string help, std::optional<Value
 const ComponentSpec& expect_spec() {
   static const ComponentSpec spec = make_expect();
   return spec;
+}
+
+const ComponentSpec& given_spec() {
+  return step_specs().front();
 }
 
 std::span<const ComponentSpec> step_specs() {

@@ -13,5 +13,6 @@ inline constexpr double kLongestExpectation_s = 3600;
 [[nodiscard]] const ComponentSpec& expect_spec();
 /// Its steps: given, reaches, stays, never.
 [[nodiscard]] std::span<const ComponentSpec> step_specs();
+[[nodiscard]] const ComponentSpec& given_spec();
 
 }  // namespace galilean::bhdl

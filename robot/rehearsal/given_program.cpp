@@ -8,30 +8,33 @@
 namespace galilean::robot {
 namespace {
 
-const std::string& variable_of(const bhdl::Given& given) noexcept {
-  return given.bits_variable.empty() ? given.locate_variable : given.bits_variable;
-}
-
 // No text of a program holds a line end, so no schema of it has such a name.
 std::string name_of(std::size_t given) {
   return "given\n" + std::to_string(given);
 }
 
+ComponentKind kind_of(const bhdl::Given& given) noexcept {
+  return given.type == variable_type_name<Force>() ? ComponentKind::kMotorSchema
+                                                   : ComponentKind::kPerceptualSchema;
+}
+
 bhdl::Component component_of(const bhdl::Given& given, std::size_t number) {
-  const bool bits = !given.bits_variable.empty();
   AttributeValues values;
-  values.set(bits ? "bits_variable" : "locate_variable", variable_of(given));
-  if (bits) {
+  values.set(given.type + "_variable", given.variable);
+  if (given.type == variable_type_name<Bits>()) {
     values.set("bit_index", static_cast<double>(given.bit_index));
     values.set("bit_value", given.bit_value);
+  } else if (given.type == variable_type_name<Force>()) {
+    values.set("value", given.force);
   } else {
     values.set("position", given.position_m);
+    if (given.type == variable_type_name<Shaft>()) values.set("heading", given.heading_rad);
   }
   values.set("valid", given.valid);
   values.set("from", given.from_s);
   values.set("until", given.until_s);
-  return {bits ? kGivenBits : kGivenLocate, name_of(number), ComponentKind::kPerceptualSchema,
-          std::move(values), given.location};
+  return {given_schema(given.type), name_of(number), kind_of(given), std::move(values),
+          given.location};
 }
 
 bool names(const Value& value, const std::string& variable) {
@@ -51,41 +54,52 @@ bool writes(const bhdl::Component& schema, const std::string& variable, const Ca
          });
 }
 
-using NamesBehind = std::unordered_map<std::string, std::vector<std::string>>;
+using Givens = std::vector<bhdl::Given>;
 
-/// Which givens must be said again behind each schema.
-NamesBehind givens_behind(const bhdl::Program& program, const std::vector<bhdl::Given>& givens,
-                          const Catalog& catalog) {
-  NamesBehind behind;
-  for (const auto& schema : program.perceptual_schemas)
-    for (std::size_t i = 0; i < givens.size(); ++i)
-      if (writes(schema, variable_of(givens[i]), catalog))
-        behind[schema.name].push_back(name_of(i));
-  return behind;
-}
-
-std::vector<std::string> with_names(const std::vector<std::string>& list, std::size_t givens,
-                                    const NamesBehind& behind) {
-  std::vector<std::string> result;
-  for (std::size_t i = 0; i < givens; ++i) result.push_back(name_of(i));
-  for (const auto& name : list) {
-    result.push_back(name);
-    if (const auto found = behind.find(name); found != behind.end())
-      result.insert(result.end(), found->second.begin(), found->second.end());
+/// Says what is given anew, before all schemas of one kind and behind each that writes it.
+class Interleaver {
+ public:
+  Interleaver(const Givens& givens, ComponentKind kind, const std::vector<bhdl::Component>& schemas,
+              const Catalog& catalog) {
+    for (std::size_t i = 0; i < givens.size(); ++i) {
+      if (kind_of(givens[i]) != kind) continue;
+      first_.push_back(name_of(i));
+      for (const auto& schema : schemas)
+        if (writes(schema, givens[i].variable, catalog)) behind_[schema.name].push_back(name_of(i));
+    }
   }
-  return result;
-}
+
+  void add_to(std::vector<std::string>& list) const {
+    std::vector<std::string> result = first_;
+    for (const auto& name : list) {
+      result.push_back(name);
+      if (const auto found = behind_.find(name); found != behind_.end())
+        result.insert(result.end(), found->second.begin(), found->second.end());
+    }
+    list = std::move(result);
+  }
+
+ private:
+  std::vector<std::string> first_;
+  std::unordered_map<std::string, std::vector<std::string>> behind_;
+};
 
 }  // namespace
 
 bhdl::Program with_givens(bhdl::Program program, const bhdl::Expectation& expectation,
                           const Catalog& catalog) {
-  const auto behind = givens_behind(program, expectation.givens, catalog);
-  for (auto& state : program.states)
-    state.perceptual_schemas =
-        with_names(state.perceptual_schemas, expectation.givens.size(), behind);
-  for (std::size_t i = 0; i < expectation.givens.size(); ++i)
-    program.perceptual_schemas.push_back(component_of(expectation.givens[i], i));
+  const auto& givens = expectation.givens;
+  const Interleaver perceptual(givens, ComponentKind::kPerceptualSchema, program.perceptual_schemas,
+                               catalog);
+  const Interleaver motor(givens, ComponentKind::kMotorSchema, program.motor_schemas, catalog);
+  for (auto& state : program.states) {
+    perceptual.add_to(state.perceptual_schemas);
+    motor.add_to(state.motor_schemas);
+  }
+  for (std::size_t i = 0; i < givens.size(); ++i)
+    (kind_of(givens[i]) == ComponentKind::kMotorSchema ? program.motor_schemas
+                                                       : program.perceptual_schemas)
+        .push_back(component_of(givens[i], i));
   if (!expectation.from_state.empty()) program.start_state = expectation.from_state;
   return program;
 }

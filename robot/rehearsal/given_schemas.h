@@ -5,41 +5,74 @@
 
 namespace galilean::robot {
 
-/// A step `given:` as a perceptual schema: what it says is so between two times.
+/// A step `given:` as a schema: what it says of a variable is so between two times.
 ///
-///   writes  bits_variable: bit `bit_index` is `bit_value`, or the whole is invalid
-class GivenBits final : public PerceptualSchema {
+///   Base    perceptual; of a force a motor schema, since motor schemas write forces
+template <class T, class Base>
+class GivenSchema : public Base {
+ public:
+  void run(const Tick& tick) final;
+
+ protected:
+  template <class Derived>
+  static void describe(Declaration<Derived>& is, const char* variable);
+  virtual void set(T& value) const = 0;
+
+ private:
+  Variable<T>* variable_ = nullptr;
+  bool valid_ = true;
+  double from_s_ = 0;
+  double until_s_ = 0;
+};
+
+///   writes  bits_variable: bit `bit_index` is `bit_value`
+class GivenBits final : public GivenSchema<Bits, PerceptualSchema> {
  public:
   static void describe(Declaration<GivenBits>& is);
-  void run(const Tick& tick) override;
 
  private:
-  Variable<Bits>* bits_ = nullptr;
+  void set(Bits& bits) const override { bits.assign(bit_index_, bit_value_); }
+
   unsigned bit_index_ = 0;
   bool bit_value_ = true;
-  bool valid_ = true;
-  double from_s_ = 0;
-  double until_s_ = 0;
 };
 
-/// The same of a place.
-///
-///   writes  locate_variable: its centre is at `position`, odom frame, or it is invalid
-class GivenLocate final : public PerceptualSchema {
+///   writes  locate_variable: its centre is at `position`, odom frame
+class GivenLocate final : public GivenSchema<Locate, PerceptualSchema> {
  public:
   static void describe(Declaration<GivenLocate>& is);
-  void run(const Tick& tick) override;
 
  private:
-  Variable<Locate>* locate_ = nullptr;
+  void set(Locate& locate) const override { locate.position_m = position_m_; }
+
   Vec2 position_m_ = Vec2::Zero();
-  bool valid_ = true;
-  double from_s_ = 0;
-  double until_s_ = 0;
 };
 
-inline constexpr const char* kGivenBits = "given_bits";
-inline constexpr const char* kGivenLocate = "given_locate";
+///   writes  shaft_variable: the robot is at `position` and faces `heading`, odom frame
+class GivenShaft final : public GivenSchema<Shaft, PerceptualSchema> {
+ public:
+  static void describe(Declaration<GivenShaft>& is);
+
+ private:
+  void set(Shaft& shaft) const override { shaft.pose = {position_m_, heading_rad_}; }
+
+  Vec2 position_m_ = Vec2::Zero();
+  double heading_rad_ = 0;
+};
+
+///   writes  force_variable: it is `value`, robot's frame
+class GivenForce final : public GivenSchema<Force, MotorSchema> {
+ public:
+  static void describe(Declaration<GivenForce>& is);
+
+ private:
+  void set(Force& force) const override { force.value = value_; }
+
+  Vec2 value_ = Vec2::Zero();
+};
+
+/// The schema that gives a variable of this type: "given_" and the type.
+[[nodiscard]] std::string given_schema(const std::string& variable_type);
 
 /// Besides the robot's own components; no program can name them.
 void add_given_schemas(Registry& registry);

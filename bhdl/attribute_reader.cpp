@@ -149,7 +149,7 @@ void AttributeReader::check_names(const AttributeNode& attribute, const Attribut
   std::unordered_set<std::string_view> seen;
   for (const auto& name : attribute.values) {
     symbols_.check_reference(spec, name, owner, text_is_whole_, diagnostics_);
-    if (once && !seen.insert(name.text).second)
+    if (once && attribute.values.size() > 1 && !seen.insert(name.text).second)
       diagnostics_.error(name.at, "name/listed-twice",
                          in_quotes(name.text) + " stands twice in " + in_quotes(spec.name) +
                              " of " + label(owner));

@@ -16,12 +16,12 @@ std::vector<std::string> shown_names(const std::deque<LoadedFile>& files) {
 }  // namespace
 
 CheckResult check(const std::string& main_path, const SourceProvider& sources,
-                  const Vocabulary& vocabulary) {
+                  const Vocabulary& vocabulary, Depth depth) {
   Diagnostics diagnostics;
   LoadedProgram loaded = load(main_path, sources, diagnostics);
   CheckResult result;
   Program program =
-      check_tree(std::move(loaded.tree), sources.shown(main_path), vocabulary, diagnostics);
+      check_tree(std::move(loaded.tree), sources.shown(main_path), vocabulary, diagnostics, depth);
   const bool usable = !diagnostics.has_errors();
   result.diagnostics = std::move(diagnostics).take(shown_names(loaded.files));
   for (auto& file : loaded.files)
@@ -53,8 +53,9 @@ CheckResult check(std::vector<SourceFile> files, const Catalog& catalog) {
   return check(std::move(files), Vocabulary(catalog));
 }
 
-CheckResult check_file(const std::filesystem::path& path, const Vocabulary& vocabulary) {
-  return check(path.filename().string(), DiskSources(path.parent_path()), vocabulary);
+CheckResult check_file(const std::filesystem::path& path, const Vocabulary& vocabulary,
+                       Depth depth) {
+  return check(path.filename().string(), DiskSources(path.parent_path()), vocabulary, depth);
 }
 
 CheckResult check_file(const std::filesystem::path& path, const Catalog& catalog) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "bhdl/checker.h"
 #include "bhdl/diagnostic.h"
 #include "bhdl/program.h"
 #include "bhdl/source_provider.h"
@@ -27,7 +28,8 @@ struct CheckResult {
 
 /// The same with the texts from wherever `sources` has them.
 [[nodiscard]] CheckResult check(const std::string& main_path, const SourceProvider& sources,
-                                const Vocabulary& vocabulary);
+                                const Vocabulary& vocabulary,
+                                Depth depth = Depth::kErrorsAndWarnings);
 [[nodiscard]] CheckResult check(const std::string& main_path, const SourceProvider& sources,
                                 const Catalog& catalog);
 
@@ -35,7 +37,8 @@ struct CheckResult {
 /// folder, so that a program has the same hash wherever it lies; those in the diagnostics begin as
 /// `path` does.
 [[nodiscard]] CheckResult check_file(const std::filesystem::path& path,
-                                     const Vocabulary& vocabulary);
+                                     const Vocabulary& vocabulary,
+                                     Depth depth = Depth::kErrorsAndWarnings);
 [[nodiscard]] CheckResult check_file(const std::filesystem::path& path, const Catalog& catalog);
 
 }  // namespace galilean::bhdl

@@ -146,7 +146,7 @@ class ProgramReader {
 }  // namespace
 
 Program check_tree(SyntaxTree tree, const std::string& main_file, const Vocabulary& vocabulary,
-                   Diagnostics& diagnostics) {
+                   Diagnostics& diagnostics, Depth depth) {
   return_lost_attributes(tree, vocabulary, diagnostics);
   const bool text_is_whole = !diagnostics.has_errors();
   const std::vector<Word> unused_constants = put_in_constants(tree, diagnostics);
@@ -159,7 +159,7 @@ Program check_tree(SyntaxTree tree, const std::string& main_file, const Vocabula
     diagnostics.error({main_file, 1, 1}, "state/none",
                       "the program has no state: a robot would not know what to do",
                       "add one with 'states:'");
-  if (!diagnostics.has_errors())
+  if (depth == Depth::kErrorsAndWarnings && !diagnostics.has_errors())
     warn_of_suspects(program, vocabulary, {tree, bases, unused_constants, main_file}, diagnostics);
   return program;
 }

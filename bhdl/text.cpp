@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdint>
+#include <cstring>
 
 namespace galilean::bhdl {
 namespace {
@@ -46,6 +48,16 @@ bool is_plain(unsigned char byte) noexcept {
   return byte >= 0x20 && byte < 0x7F;
 }
 
+/// Whether the next eight bytes are all plain.
+bool eight_are_plain(const char* bytes) noexcept {
+  constexpr std::uint64_t kEach = 0x0101010101010101;
+  std::uint64_t word = 0;
+  std::memcpy(&word, bytes, sizeof word);
+  const std::uint64_t below_blank = (word - kEach * 0x20) & ~word;
+  const std::uint64_t beyond_tilde = word | (word + kEach);
+  return ((below_blank | beyond_tilde) & (kEach * 0x80)) == 0;
+}
+
 BadText bad_text(std::string_view text, std::size_t at, BadText::Kind kind) noexcept {
   BadText bad{.kind = kind, .byte = static_cast<unsigned char>(text[at])};
   std::size_t line = 0;
@@ -73,6 +85,8 @@ std::size_t character_size(std::string_view text) noexcept {
 std::optional<BadText> find_bad_text(std::string_view text) noexcept {
   std::size_t at = 0;
   while (at < text.size()) {
+    while (at + 8 <= text.size() && eight_are_plain(text.data() + at)) at += 8;
+    if (at == text.size()) break;
     const auto byte = static_cast<unsigned char>(text[at]);
     const std::size_t size = is_plain(byte) ? 1 : character_size(text.substr(at));
     if (size == 0) return bad_text(text, at, BadText::Kind::kNotUtf8);

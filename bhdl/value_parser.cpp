@@ -8,6 +8,8 @@
 namespace galilean::bhdl {
 namespace {
 
+constexpr std::size_t kUsualList = 8;
+
 /// A number as it is written. `readable` is false where its unit is none.
 struct Quantity {
   Token number;
@@ -147,6 +149,7 @@ bool goes_on(const TokenStream& tokens, const std::vector<ValueNode>& values, bo
 
 std::vector<ValueNode> parse_values(TokenStream& tokens, Diagnostics& diagnostics) {
   std::vector<ValueNode> values;
+  if (tokens.peek(1).kind == TokenKind::kText) values.reserve(kUsualList);
   bool after_comma = false;
   while (goes_on(tokens, values, after_comma)) {
     values.push_back(parse_value(tokens, diagnostics));

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "core/static_vector.h"
@@ -69,7 +70,8 @@ class BlobFinder {
 
   std::array<std::uint8_t, mask_bytes(Image::kWidth* Image::kHeight)> mask_{};
   std::array<Row, 2> rows_{};
-  std::array<Region, kMaxRegions> regions_{};
+  // Not set to zero: a swap waits for it, and only those that are counted are read.
+  std::unique_ptr<Region[]> regions_ = std::make_unique_for_overwrite<Region[]>(kMaxRegions);
   std::size_t region_count_ = 0;
   Blobs blobs_;
   bool overflowed_ = false;

@@ -35,12 +35,16 @@ void ProgramWatch::wait() const {
 }
 
 void ProgramWatch::reload() {
-  auto checked = bhdl::check_file(file_, vocabulary_);
-  watch(checked.files);
-  for (const auto& diagnostic : checked.diagnostics) spdlog::warn("{}", format(diagnostic));
-  if (!checked.program)
+  auto first = bhdl::check_file(file_, vocabulary_, bhdl::Depth::kErrors);
+  const std::string taken_over = first.program ? first.program->hash : std::string();
+  if (first.program && !runs(taken_over)) swap(std::move(*first.program));
+  watch(first.files);
+  auto whole = bhdl::check_file(file_, vocabulary_);
+  watch(whole.files);
+  for (const auto& diagnostic : whole.diagnostics) spdlog::warn("{}", format(diagnostic));
+  if (!whole.program)
     return spdlog::error("{} was saved with errors: the program before runs on", file_.string());
-  if (!runs(checked.program->hash)) swap(std::move(*checked.program));
+  if (whole.program->hash != taken_over) swap(std::move(*whole.program));
 }
 
 void ProgramWatch::watch(const std::vector<bhdl::SourceFile>& sources) {

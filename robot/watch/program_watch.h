@@ -23,9 +23,10 @@ class ProgramWatch {
  private:
   void run(const std::stop_token& stop);
   void wait() const;
+  /// The swap waits neither for warnings nor for watches. Then the text is read again: what was
+  /// saved before it was watched takes over as well.
   void reload();
-  /// Before anything else is done with them, so that no save is missed; and each time, for what was
-  /// a file may have become a link.
+  /// Each time, for what was a file may have become a link.
   void watch(const std::vector<bhdl::SourceFile>& sources);
   void swap(bhdl::Program program);
   [[nodiscard]] bool runs(const std::string& hash) const;

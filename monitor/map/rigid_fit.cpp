@@ -1,34 +1,47 @@
 #include "monitor/map/rigid_fit.h"
 
-#include <mrpt/poses/CPosePDFSOG.h>
-#include <mrpt/random/RandomGenerators.h>
+#include <mrpt/math/TPose2D.h>
 #include <mrpt/tfest/TMatchingPair.h>
 #include <mrpt/tfest/se2.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace galilean::monitor {
 namespace {
 
-mrpt::tfest::TMatchingPairList to_mrpt(const std::vector<PointPair>& pairs) {
-  mrpt::tfest::TMatchingPairList list;
-  for (const auto& pair : pairs)
-    list.emplace_back(
-        static_cast<std::uint32_t>(pair.map_index), static_cast<std::uint32_t>(pair.other_index),
-        static_cast<float>(pair.in_map_m.x()), static_cast<float>(pair.in_map_m.y()), 0.0F,
-        static_cast<float>(pair.in_other_m.x()), static_cast<float>(pair.in_other_m.y()), 0.0F);
-  return list;
+constexpr double kMostDeviations = 3;
+
+bool exclude_one_another(const PointPair& a, const PointPair& b) {
+  return a.map_index == b.map_index || a.other_index == b.other_index;
 }
 
-std::vector<PointPair> chosen(const std::vector<PointPair>& pairs,
-                              const mrpt::tfest::TMatchingPairList& subset) {
-  std::vector<PointPair> result;
+double error_m(const Pose2& by, const PointPair& pair) {
+  const Vec2 there_m = by.position_m + rotated(pair.in_other_m, by.heading_rad);
+  return (there_m - pair.in_map_m).norm();
+}
+
+/// Those that agree within so much, the nearest first; each point once.
+std::vector<PointPair> agreeing_with(const Pose2& by, const std::vector<PointPair>& pairs,
+                                     double within_m) {
+  std::vector<PointPair> near;
   for (const auto& pair : pairs)
-    if (std::ranges::any_of(subset, [&](const auto& each) {
-          return each.globalIdx == pair.map_index && each.localIdx == pair.other_index;
-        }))
-      result.push_back(pair);
-  return result;
+    if (error_m(by, pair) < within_m) near.push_back(pair);
+  std::ranges::stable_sort(near, {}, [&](const PointPair& pair) { return error_m(by, pair); });
+  std::vector<PointPair> once;
+  for (const auto& pair : near)
+    if (std::ranges::none_of(
+            once, [&](const PointPair& other) { return exclude_one_another(pair, other); }))
+      once.push_back(pair);
+  return once;
+}
+
+bool are_as_far_apart(const PointPair& a, const PointPair& b, double deviation_m) {
+  if (exclude_one_another(a, b)) return false;
+  const double here_m = (a.in_map_m - b.in_map_m).norm();
+  const double there_m = (a.in_other_m - b.in_other_m).norm();
+  return here_m > kMostDeviations * deviation_m &&
+         std::abs(here_m - there_m) < kMostDeviations * deviation_m;
 }
 
 }  // namespace
@@ -40,25 +53,40 @@ double spread_of(const std::vector<PointPair>& pairs) {
   return spread_m;
 }
 
-RigidFit fit_rigidly(const std::vector<PointPair>& pairs, double deviation_m, std::size_t least) {
-  RigidFit fit;
-  if (pairs.size() < std::max<std::size_t>(least, 2)) return fit;
-  mrpt::tfest::TSE2RobustParams parameters;
-  parameters.ransac_minSetSize = static_cast<unsigned>(least);
-  parameters.ransac_maxSetSize = static_cast<unsigned>(pairs.size());
-  parameters.ransac_min_nSimulations = 300;
-  mrpt::random::getRandomGenerator().randomize(1);  // the same pairs, the same fit
-  mrpt::tfest::TSE2RobustResult result;
-  if (!mrpt::tfest::se2_l2_robust(to_mrpt(pairs), deviation_m, parameters, result)) return fit;
-  if (result.largestSubSet.size() < least || result.transformation.empty()) return fit;
+Pose2 laid_on(const Vec2& a, const Vec2& b, const Vec2& on_a, const Vec2& on_b) {
+  const Vec2 from = b - a, to = on_b - on_a;
+  const double turn_rad = wrap_angle(std::atan2(to.y(), to.x()) - std::atan2(from.y(), from.x()));
+  return {(on_a + on_b) / 2 - rotated((a + b) / 2, turn_rad), turn_rad};
+}
 
-  const auto& modes = result.transformation.getSOGModes();
-  const auto best =
-      std::ranges::max_element(modes, {}, [](const auto& mode) { return mode.log_w; });
-  fit.transform = {{best->mean.x(), best->mean.y()}, wrap_angle(best->mean.phi())};
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column) fit.covariance(row, column) = best->cov(row, column);
-  fit.agreeing = chosen(pairs, result.largestSubSet);
+Pose2 least_squares(const std::vector<PointPair>& pairs) {
+  mrpt::tfest::TMatchingPairList list;
+  for (const auto& pair : pairs)
+    list.emplace_back(
+        static_cast<std::uint32_t>(pair.map_index), static_cast<std::uint32_t>(pair.other_index),
+        static_cast<float>(pair.in_map_m.x()), static_cast<float>(pair.in_map_m.y()), 0.0F,
+        static_cast<float>(pair.in_other_m.x()), static_cast<float>(pair.in_other_m.y()), 0.0F);
+  mrpt::math::TPose2D best;
+  mrpt::tfest::se2_l2(list, best);
+  return {{best.x, best.y}, wrap_angle(best.phi)};
+}
+
+RigidFit fit_rigidly(const std::vector<PointPair>& pairs, double deviation_m, std::size_t least) {
+  const double within_m = kMostDeviations * deviation_m;
+  std::vector<PointPair> best;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    for (std::size_t j = i + 1; j < pairs.size(); ++j) {
+      const PointPair &a = pairs[i], &b = pairs[j];
+      if (!are_as_far_apart(a, b, deviation_m)) continue;
+      const Pose2 by = laid_on(a.in_other_m, b.in_other_m, a.in_map_m, b.in_map_m);
+      if (auto all = agreeing_with(by, pairs, within_m); all.size() > best.size())
+        best = std::move(all);
+    }
+  RigidFit fit;
+  if (best.size() < std::max<std::size_t>(least, 2)) return fit;
+  fit.transform = least_squares(best);
+  fit.agreeing = agreeing_with(fit.transform, pairs, within_m);
+  if (fit.agreeing.size() < least) fit.agreeing.clear();
   fit.spread_m = spread_of(fit.agreeing);
   return fit;
 }

@@ -1,13 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
 #include "core/geometry.h"
 
 namespace galilean::monitor {
-
-using Mat3 = Eigen::Matrix3d;
 
 /// The same point in two frames.
 struct PointPair {
@@ -20,7 +17,6 @@ struct PointPair {
 /// The rigid transformation that a set of pairs agrees on: p_map = position + R(heading) p_other.
 struct RigidFit {
   Pose2 transform;
-  Mat3 covariance = Mat3::Zero();  ///< of (x, y, heading), m² and rad²
   std::vector<PointPair> agreeing;
   double spread_m = 0;  ///< of the agreeing pairs: the largest distance between two
 
@@ -32,8 +28,17 @@ struct RigidFit {
 /// The largest distance between two of them, in the other frame.
 [[nodiscard]] double spread_of(const std::vector<PointPair>& pairs);
 
-/// The transformation that most pairs agree on, false pairs and all (mrpt::tfest::se2_l2_robust).
-/// `deviation_m`: of a point. `agreeing` is empty where fewer than `least` do.
+/// Lays point a on one and turns b about it as near to the other as it comes.
+[[nodiscard]] Pose2 laid_on(const Vec2& a, const Vec2& b, const Vec2& on_a, const Vec2& on_b);
+
+/// The best in the sense of least squares (mrpt::tfest::se2_l2). At least two pairs.
+[[nodiscard]] Pose2 least_squares(const std::vector<PointPair>& pairs);
+
+/// The transformation that most pairs agree on, false pairs and all.
+///   law     every two pairs that are as far apart in both frames are laid on one another; that on
+///           which most agree within kMostDeviations is refined by least squares. No draws by lot,
+///           as mrpt::tfest::se2_l2_robust makes them: the same pairs give the same fit
+///   units   `deviation_m`: of a point. `agreeing` is empty where fewer than `least` do
 [[nodiscard]] RigidFit fit_rigidly(const std::vector<PointPair>& pairs, double deviation_m,
                                    std::size_t least);
 

@@ -64,6 +64,7 @@ void TeamMap::note(const msg::Sightings& frame, Time now) {
     return sighting.object_class == "trash" &&
            carried_.is_carried(in_map(to_map, {sighting.x_m, sighting.y_m}), poses_);
   });
+  orientation_.look(things, now);
   things_.see(things, now);
   note_meetings(frame, poses_, joint_, now);
   look(frame);

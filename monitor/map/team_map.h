@@ -8,6 +8,7 @@
 #include "core/wire/messages.h"
 #include "monitor/map/carried.h"
 #include "monitor/map/floor.h"
+#include "monitor/map/orientation.h"
 #include "monitor/map/same_things.h"
 #include "monitor/map/senses.h"
 
@@ -63,6 +64,7 @@ class TeamMap {
   JointGaussian joint_;
   RobotPoses poses_{joint_};
   Things things_{joint_, poses_};
+  Orientation orientation_{joint_, poses_, things_};
   SameThings same_things_{joint_, poses_, things_};
   Carried carried_;
   Floor floor_;

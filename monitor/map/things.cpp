@@ -97,6 +97,15 @@ void Things::forget(std::uint64_t id) {
   std::erase_if(things_, [&](const Thing& thing) { return thing.id == id; });
 }
 
+void Things::forget_new_of(const std::string& robot, Time now) {
+  const auto is_new = [&](const Thing& thing) {
+    return thing.object_class != "obstacle" && thing.is_new_of(robot, now);
+  };
+  for (const auto& thing : things_)
+    if (is_new(thing)) joint_.remove(thing.part);
+  std::erase_if(things_, is_new);
+}
+
 void Things::make_room() {
   if (things_.size() < kMostThings) return;
   forget(std::ranges::min_element(things_, {}, &Thing::certainty)->id);

@@ -32,6 +32,8 @@ class Things {
   /// Lets certainties fade and forgets what reached 0.
   void fade(Time now);
   void forget(std::uint64_t id);
+  /// What a robot noted lately, and nobody else: it was not where it believed to be.
+  void forget_new_of(const std::string& robot, Time now);
   /// `same` is `kept`, noted twice: corrects all that hangs on either.
   void unite(std::uint64_t kept, std::uint64_t same);
   /// What stands so near to a moving robot may be pushed by it.

@@ -18,15 +18,6 @@ constexpr double kOtherTurn_rad = 0.2, kOtherShift_m = 0.35;
 
 using Marks = std::vector<Mark>;
 
-/// Lays the first of each two on the other, and turns the second as near as it comes.
-Pose2 laid_on(const Mark& a, const Mark& b, const Mark& on_a, const Mark& on_b) {
-  const Vec2 from = b.in_map_m - a.in_map_m, to = on_b.in_map_m - on_a.in_map_m;
-  const double turn_rad = wrap_angle(std::atan2(to.y(), to.x()) - std::atan2(from.y(), from.x()));
-  const Vec2 middle = (a.in_map_m + b.in_map_m) / 2,
-             on_middle = (on_a.in_map_m + on_b.in_map_m) / 2;
-  return {on_middle - rotated(middle, turn_rad), turn_rad};
-}
-
 Vec2 laid_by(const Pose2& by, const Vec2& point_m) {
   return by.position_m + rotated(point_m, by.heading_rad);
 }
@@ -53,23 +44,6 @@ std::vector<PointPair> agreeing(const Marks& seen, const Marks& known, const Pos
   return pairs;
 }
 
-/// The best in the sense of least squares.
-Pose2 refined(const std::vector<PointPair>& pairs) {
-  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
-  for (const auto& pair : pairs) {
-    from += pair.in_other_m / static_cast<double>(pairs.size());
-    to += pair.in_map_m / static_cast<double>(pairs.size());
-  }
-  double along = 0, across = 0;
-  for (const auto& pair : pairs) {
-    const Vec2 a = pair.in_other_m - from, b = pair.in_map_m - to;
-    along += a.dot(b);
-    across += a.x() * b.y() - a.y() * b.x();
-  }
-  const double turn_rad = std::atan2(across, along);
-  return {to - rotated(from, turn_rad), turn_rad};
-}
-
 struct Hypothesis {
   Pose2 by;
   std::vector<PointPair> pairs;
@@ -85,7 +59,7 @@ std::vector<Hypothesis> hypotheses(const Marks& seen, const Marks& known, const 
         for (const Mark& b : known) {
           if (a.id == b.id || a.kind != seen[i].kind || b.kind != seen[j].kind) continue;
           if (std::abs((a.in_map_m - b.in_map_m).norm() - length_m) > kSameLength_m) continue;
-          const Pose2 by = laid_on(seen[i], seen[j], a, b);
+          const Pose2 by = laid_on(seen[i].in_map_m, seen[j].in_map_m, a.in_map_m, b.in_map_m);
           if (std::abs(by.heading_rad) > TurnedRobot::kMostTurn_rad ||
               (laid_by(by, robot_m) - robot_m).norm() > TurnedRobot::kMostShift_m)
             continue;
@@ -107,7 +81,7 @@ std::optional<RigidFit> TurnedRobot::fit(const Marks& seen, const Marks& known,
   if (count < kLeastAgreeing ||
       static_cast<double>(count) < kLeastShare * static_cast<double>(seen.size()))
     return std::nullopt;
-  const Pose2 by = refined(best.pairs);
+  const Pose2 by = least_squares(best.pairs);
   for (const auto& other : all)
     if (other.pairs.size() + kLead > count && !is_same_turn(other.by, by, robot_m))
       return std::nullopt;

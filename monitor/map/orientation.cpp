@@ -1,0 +1,75 @@
+#include "monitor/map/orientation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "monitor/map/bearings_fit.h"
+#include "monitor/map/robot_motion.h"
+
+namespace galilean::monitor {
+namespace {
+
+constexpr double kMostRange_m = 3.5;
+constexpr double kNearest_m = 0.35;  ///< what is nearer may be pushed
+constexpr double kMostTurn_rad = 1.4;
+constexpr double kDeviations = 3;
+constexpr double kSameTurn_rad = 0.1;
+constexpr int kExpectedFrames = 2, kUnexpectedFrames = 5;
+
+std::size_t kind_of(const std::string& object_class) {
+  return std::hash<std::string>()(object_class);
+}
+
+std::vector<Mark> marks_in(const msg::Sightings& frame) {
+  std::vector<Mark> marks;
+  for (const auto& sighting : frame.items) {
+    if (sighting.object_class != "trash" && sighting.object_class != "basket") continue;
+    const auto bearing = bearing_of(sighting, frame);
+    if (!bearing || !bearing->whole) continue;
+    const Vec2& at_m = bearing->from_robot.mean_m;
+    if (at_m.norm() > kNearest_m && at_m.norm() < kMostRange_m)
+      marks.push_back({at_m, kind_of(sighting.object_class), 0});
+  }
+  return marks;
+}
+
+}  // namespace
+
+void Orientation::look(const msg::Sightings& frame, Time now) {
+  const auto seen = marks_in(frame);
+  std::vector<Mark> known;
+  for (const auto& thing : things_.all())
+    if (thing.established() && !thing.is_new_of(frame.robot, now))
+      known.push_back({joint_.mean(thing.part), kind_of(thing.object_class), thing.id});
+  const double deviation_rad = std::sqrt(joint_.covariance(robots_.part(frame.robot))(2, 2));
+  const Pose2 pose = robots_.pose(frame.robot);
+  const double expected_rad = std::min(kDeviations * deviation_rad, kMostTurn_rad);
+  auto turn_rad = BearingsFit::turn(seen, known, pose, deviation_rad, expected_rad);
+  if (!turn_rad) turn_rad = BearingsFit::turn(seen, known, pose, deviation_rad, kMostTurn_rad);
+  if (!turn_rad || std::abs(*turn_rad) < BearingsFit::kDeviation_rad) {
+    suspicions_.erase(frame.robot);
+    return;
+  }
+  Suspicion& suspicion = suspicions_[frame.robot];
+  const bool same = std::abs(suspicion.turn_rad - *turn_rad) < kSameTurn_rad;
+  suspicion = {*turn_rad, same ? suspicion.frames + 1 : 1};
+  const bool expected = std::abs(*turn_rad) <= expected_rad;
+  if (suspicion.frames < (expected ? kExpectedFrames : kUnexpectedFrames)) return;
+  suspicions_.erase(frame.robot);
+  turn(frame.robot, *turn_rad, deviation_rad, now);
+}
+
+void Orientation::turn(const std::string& robot, double by_rad, double deviation_rad, Time now) {
+  const auto part = robots_.part(robot);
+  RobotMatrix unsure = RobotMatrix::Zero();
+  unsure(2, 2) = std::max(0.0, by_rad * by_rad - deviation_rad * deviation_rad);
+  joint_.blur(part, unsure);
+  things_.forget_new_of(robot, now);
+  Eigen::MatrixXd heading = Eigen::MatrixXd::Zero(1, joint_.mean(part).size());
+  heading(0, 2) = 1;
+  constexpr double kVariance = BearingsFit::kDeviation_rad * BearingsFit::kDeviation_rad;
+  joint_.correct({{part, heading}}, Eigen::VectorXd::Constant(1, by_rad),
+                 Eigen::MatrixXd::Constant(1, 1, kVariance));
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "monitor/map/things.h"
+
+namespace galilean::monitor {
+
+/// Turns a robot on the map that faces otherwise than it is believed to: its treads slipped, or it
+/// was pushed. A frame that shows several known things at once tells (BearingsFit), where each by
+/// itself could be mistaken for its neighbour.
+///
+///   law     a turn that so many frames running agree on corrects the heading: few where the robot
+///           is known to be unsure of it, more where it is not
+class Orientation {
+ public:
+  Orientation(JointGaussian& joint, const RobotPoses& robots, Things& things)
+      : joint_(joint), robots_(robots), things_(things) {}
+
+  /// Before the frame's sightings are matched; the robot was moved to its pose.
+  void look(const msg::Sightings& frame, Time now);
+
+ private:
+  struct Suspicion {
+    double turn_rad = 0;
+    int frames = 0;
+  };
+
+  void turn(const std::string& robot, double by_rad, double deviation_rad, Time now);
+
+  JointGaussian& joint_;
+  const RobotPoses& robots_;
+  Things& things_;
+  std::map<std::string, Suspicion> suspicions_;
+};
+
+}  // namespace galilean::monitor

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "bhdl/program.h"
@@ -12,7 +13,8 @@
 namespace galilean::monitor {
 
 /// Tells from a robot's variables what it feels: its program says in which bits its bumper_scanner
-/// puts the switches, and its gripper_scanner the beam and the servo.
+/// puts the switches, and its gripper_scanner the beam and the servo. In a state that opens the
+/// gripper and does not look at the beam, what the robot had is put down.
 class Senses {
  public:
   /// What breaks the gripper's beam for so long moves with the robot, whether the jaws are closed
@@ -24,7 +26,10 @@ class Senses {
   /// What a program says of gripper and bumpers; one without the schemas says nothing.
   void note(const msg::Program& program, const Catalog& catalog);
   void note(const msg::Variables& variables, Time now);
-  [[nodiscard]] bool holds(Time now) const { return beam_broken_ && now - since_ >= kSettled; }
+  void note(const msg::RobotState& state) { lets_go_now_ = lets_go_.contains(state.state); }
+  [[nodiscard]] bool holds(Time now) const {
+    return beam_broken_ && !lets_go_now_ && now - since_ >= kSettled;
+  }
   [[nodiscard]] bool touches(Time now) const { return touched_ && now - *touched_ <= kLetGo; }
 
  private:
@@ -33,9 +38,12 @@ class Senses {
     unsigned beam = 0;
   };
   void note_gripper(std::uint32_t bits, Time now);
+  void note_states(const bhdl::Program& program);
 
   std::optional<GripperBits> gripper_;
   std::string bumpers_;
+  std::set<std::string> lets_go_;  ///< states
+  bool lets_go_now_ = false;
   bool beam_broken_ = false;
   Time since_{};
   std::optional<Time> touched_;

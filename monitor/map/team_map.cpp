@@ -51,6 +51,7 @@ void TeamMap::note(const msg::RobotState& state, Time now) {
   if (!move(state.robot, {{state.x_m, state.y_m}, state.heading_rad}, now)) return;
   const Vec2 at_m = poses_.pose(state.robot).position_m;
   Heard& robot = heard_[state.robot];
+  robot.senses.note(state);
   if ((at_m - robot.last_stood_m).norm() < kFloorStep_m) return;
   robot.last_stood_m = at_m;
   floor_.stood(at_m);

@@ -133,6 +133,21 @@ TEST_F(MapTest, AGivenStartPlacesTheRobotAndItsFrame) {
   EXPECT_NEAR(frames[0].transform.rotation.z, std::sin(kPi / 4), 1e-9);
 }
 
+// Its treads slip: the odometer counts a turn that the camera does not see.
+TEST_F(MapTest, ARobotThatTurnedLessThanItsOdometerSaysIsTurnedBack) {
+  map.start_at("io", io);
+  const std::vector<std::pair<std::string, Vec2>> around{
+      {"basket", {1.6, 0.5}}, {"trash", {1, -0.4}}, {"trash", {2.2, -0.3}}};
+  for (int i = 0; i < 150; ++i, step()) map.note(frame("io", io, around), now);
+  constexpr double kSlip_rad = 0.6;
+  auto counted = around;
+  for (auto& [object_class, at_m] : counted) at_m = rotated(at_m, kSlip_rad);
+  for (int i = 0; i < 20; ++i, step()) map.note(frame("io", {{0, 0}, kSlip_rad}, counted), now);
+  const auto told = objects();
+  EXPECT_NEAR(told.robots.at(0).heading_rad, 0, 0.06);
+  EXPECT_EQ(told.objects.size(), around.size());
+}
+
 TEST_F(MapTest, TheFloorIsFreeWhereItWasCrossedAndOccupiedWhereItWasBumpedInto) {
   for (double x = 0; x < 1; x += 0.05, step()) map.note(at("io", {{x, 0}, 0}), now);
   msg::Variables variables;

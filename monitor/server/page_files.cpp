@@ -1,7 +1,6 @@
 #include "monitor/server/page_files.h"
 
 #include <fstream>
-#include <iterator>
 
 #include "bhdl/sha256.h"
 #include "core/installation.h"
@@ -38,9 +37,15 @@ std::string type_of(const fs::path& file) {
   return found == kTypes.end() ? "application/octet-stream" : found->second;
 }
 
+/// Empty where there is none.
 std::string content_of(const fs::path& file) {
+  std::error_code failed;
+  const auto size = fs::file_size(file, failed);
+  std::string content(failed ? 0 : size, '\0');
   std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  in.read(content.data(), static_cast<std::streamsize>(content.size()));
+  content.resize(static_cast<std::size_t>(in.gcount()));
+  return content;
 }
 
 }  // namespace

@@ -28,6 +28,9 @@ class FoxgloveSocket {
     stream_.text(true);
     stream_.write(boost::asio::buffer(message.dump()));
   }
+  void subscribe(std::uint32_t channel_id) {
+    send({{"op", "subscribe"}, {"subscriptions", {{{"id", 1}, {"channelId", channel_id}}}}});
+  }
   void send_binary(const std::string& bytes) {
     stream_.binary(true);
     stream_.write(boost::asio::buffer(bytes));
@@ -39,6 +42,14 @@ class FoxgloveSocket {
       stream_.read(buffer);
       auto text = boost::beast::buffers_to_string(buffer.data());
       if (stream_.got_text() || text[0] != 2) return text;
+    }
+  }
+  /// Reads what is left until the server closes; its reason.
+  std::string read_to_the_end() {
+    for (boost::system::error_code error;;) {
+      boost::beast::flat_buffer buffer;
+      stream_.read(buffer, error);
+      if (error) return stream_.reason().reason.c_str();
     }
   }
   nlohmann::json read_op(const std::string& op) {

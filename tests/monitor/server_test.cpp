@@ -1,5 +1,6 @@
 // The monitor as its users meet it: over HTTP and Foxglove's protocol, with robots that are
 // scripted but speak real DDS.
+#include "core/wire/topics.h"
 #include "monitor/access/tokens.h"
 #include "tests/monitor/foxglove_socket.h"
 #include "tests/monitor/scripted_robot.h"
@@ -134,6 +135,21 @@ TEST_F(ServerTest, AFoxgloveClientReadsStatesEventsAndCallsServices) {
   while (answer.empty() || answer[0] != 3) answer = socket.read();
   EXPECT_EQ(answer[5], 5);
   EXPECT_THAT(answer, HasSubstr("json{\"id\":"));
+}
+
+TEST_F(ServerTest, AClientThatDoesNotReadItsEventsIsToldSoAndNobodyWaitsForIt) {
+  const auto noisy = wire::Participant::join("noisy", test_domain()).value();
+  wire::Writer<msg::Log> log(*noisy, wire::kLogTopic);
+  FoxgloveSocket slow(host(), monitor->port()), quick(host(), monitor->port());
+  for (auto* each : {&slow, &quick}) each->subscribe(each->channel("/rosout"));
+  msg::Log entry;
+  entry.msg = std::string(256 << 10, 'x');
+  for (int i = 0; i < 200; ++i) {  // more than the outbox and the sockets take
+    ASSERT_TRUE(log.write(entry));
+    EXPECT_GT(quick.read().size(), entry.msg.size());
+  }
+  EXPECT_THAT(slow.read_to_the_end(), HasSubstr("too slow"));
+  EXPECT_THAT(get("/metrics").body, HasSubstr("\ngalilean_websocket_dismissed_total 1\n"));
 }
 
 TEST_F(ServerTest, ARobotThatEndsStaysAndIsSilent) {

@@ -11,6 +11,7 @@ find_package(Boost 1.81 REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(mrpt-maps REQUIRED)
+find_package(mrpt-opengl REQUIRED)
 find_package(mrpt-tfest REQUIRED)
 find_package(mrpt-poses REQUIRED)
 

@@ -31,6 +31,7 @@ if [ "$(cat build/share/galilean/web.stamp 2>/dev/null)" != "$sources" ]; then
   rm -rf build/share/galilean/web
   mkdir -p build/share/galilean
   cp -r web/dist build/share/galilean/web
+  find build/share/galilean/web -type f -size +1k ! -name '*.png' ! -name '*.woff2' -exec gzip -9 -k -n {} +
   rm -rf build/share/galilean/vscode
   node bhdl/editors/textmate.mjs build/share/galilean/vscode
   echo "$sources" >build/share/galilean/web.stamp

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <sstream>
 
+#include "core/wire/announced.h"
 #include "core/wire/lending.h"
 #include "core/wire/qos.h"
 #include "core/wire/schemas.h"
@@ -48,16 +49,6 @@ Result<dds_domainid_t> domain_id(int domain) {
   if (domain < 0 || domain > 232)
     return Error{"the DDS domain must be from 0 to 232, not " + std::to_string(domain)};
   return static_cast<dds_domainid_t>(domain);
-}
-
-std::string hexadecimal(const dds_guid_t& guid) {
-  static constexpr char kDigits[] = "0123456789abcdef";
-  std::string text;
-  for (const unsigned char byte : guid.v) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
 }
 
 }  // namespace

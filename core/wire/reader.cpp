@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/wire/announced.h"
 #include "core/wire/qos.h"
 #include "core/wire/topics.h"
 
@@ -16,14 +17,6 @@ struct FreeEndpoint {
 };
 using Endpoint = std::unique_ptr<dds_builtintopic_endpoint_t, FreeEndpoint>;
 
-std::optional<std::string> announced_name(const dds_qos_t* qos) {
-  char* name = nullptr;
-  if (!dds_qget_entity_name(qos, &name) || !name) return std::nullopt;
-  std::string copy = name;
-  dds_free(name);
-  return copy;
-}
-
 /// As discovery has it, in the domain of `member`.
 std::optional<std::string> participant_name(dds_entity_t member, dds_instance_handle_t who) {
   const Entity participants(
@@ -33,6 +26,7 @@ std::optional<std::string> participant_name(dds_entity_t member, dds_instance_ha
   if (dds_read_instance(participants.handle(), &sample, &info, 1, 1, who) != 1) return std::nullopt;
   auto name = announced_name(static_cast<dds_builtintopic_participant_t*>(sample)->qos);
   dds_return_loan(participants.handle(), &sample, 1);
+  if (name.empty()) return std::nullopt;
   return name;
 }
 

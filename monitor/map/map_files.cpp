@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::uint8_t kFree = 254, kOccupied = 0, kUnknown = 205;
 constexpr int kOccupiedFrom_percent = 65, kFreeTo_percent = 25;
+/// What map_server reckons of a grey g is (255 - g) / 255: of kUnknown a little more than this.
+constexpr double kFreeBelow = 0.196;
 
 std::uint8_t grey(std::int8_t occupied_percent) {
   if (occupied_percent >= kOccupiedFrom_percent) return kOccupied;
@@ -38,8 +40,10 @@ std::string deflated(const std::vector<std::uint8_t>& bytes) {
   return result;
 }
 
+}  // namespace
+
 /// PNG (ISO 15948) with one grey channel of 8 bits; every row begins with its filter, 0.
-std::string png_of(const msg::OccupancyGrid& grid) {
+std::string map_png(const msg::OccupancyGrid& grid) {
   std::vector<std::uint8_t> rows;
   rows.reserve((grid.info.width + 1) * std::size_t{grid.info.height});
   for (std::uint32_t row = grid.info.height; row-- > 0;) {
@@ -58,15 +62,13 @@ std::string png_of(const msg::OccupancyGrid& grid) {
   return png;
 }
 
-}  // namespace
-
-MapFiles map_files(const msg::OccupancyGrid& grid) {
+std::string map_yaml(const msg::OccupancyGrid& grid) {
   std::ostringstream yaml;
   yaml << "image: map.png\nmode: trinary\nresolution: " << grid.info.resolution << "\norigin: ["
        << grid.info.origin.position.x << ", " << grid.info.origin.position.y
        << ", 0]\nnegate: 0\noccupied_thresh: " << kOccupiedFrom_percent / 100.0
-       << "\nfree_thresh: " << kFreeTo_percent / 100.0 << '\n';
-  return {png_of(grid), yaml.str()};
+       << "\nfree_thresh: " << kFreeBelow << '\n';
+  return yaml.str();
 }
 
 }  // namespace galilean::monitor

@@ -72,8 +72,10 @@ void MapService::run() {
       arrived = std::exchange(waiting_, {});
     }
     try {
+      const Time began = clock_.now();
       take_in(arrived);
       publish(clock_.now(), period % kPeriodsAFloor == 0);
+      update_s_ = to_seconds(clock_.now() - began);
     } catch (const std::exception& error) {
       std::clog << "galilean-monitor: the map lost an update: " << error.what() << '\n';
     }
@@ -87,29 +89,34 @@ void MapService::take_in(const std::vector<Arrived>& arrived) {
 void MapService::publish(Time now, bool with_floor) {
   map_.update(now);
   const auto stamp_ns = wire::wall_clock_ns();
-  const auto objects = map_.objects(now, stamp_ns);
+  auto objects = map_.objects(now, stamp_ns);
   // What is not taken is superseded by the next.
   (void)objects_.write(objects);
   if (const auto frames = map_.transforms(stamp_ns); !frames.transforms.empty())
     (void)tf_.write(frames);
   if (markers_.readers() > 0) (void)markers_.write(markers(objects));
-  if (!with_floor || map_.floor().empty()) return;
+  keep(std::move(objects));
+  if (with_floor && !map_.floor().empty()) publish_floor(stamp_ns);
+}
+
+void MapService::keep(msg::ObjectMap objects) {
+  const std::lock_guard lock(mutex_);
+  newest_.objects = std::move(objects);
+}
+
+void MapService::publish_floor(std::int64_t stamp_ns) {
   auto grid = map_.floor().grid();
   grid.header = {wire::ros_time(stamp_ns), "map"};
   grid.info.map_load_time = grid.header.stamp;
   (void)grid_.write(grid);
   const std::lock_guard lock(mutex_);
-  newest_grid_ = std::move(grid);
+  newest_.grid = std::move(grid);
 }
 
-std::optional<MapFiles> MapService::files() const {
-  msg::OccupancyGrid grid;
-  {
-    const std::lock_guard lock(mutex_);
-    grid = newest_grid_;
-  }
-  if (grid.data.empty()) return std::nullopt;
-  return map_files(grid);
+std::optional<MapService::Newest> MapService::newest() const {
+  const std::lock_guard lock(mutex_);
+  if (newest_.grid.data.empty()) return std::nullopt;
+  return newest_;
 }
 
 }  // namespace galilean::monitor

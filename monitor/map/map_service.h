@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <map>
 #include <mutex>
@@ -10,7 +11,6 @@
 
 #include "core/wire/topics.h"
 #include "monitor/ingest/channel.h"
-#include "monitor/map/map_files.h"
 #include "monitor/map/team_map.h"
 
 namespace galilean::monitor {
@@ -34,8 +34,15 @@ class MapService {
 
   /// Takes any message; those that tell nothing of the map are let pass. Never waits for the map.
   void receive(const Message& message);
-  /// The floor as it was last published; nothing while no robot has told where it is.
-  [[nodiscard]] std::optional<MapFiles> files() const;
+  /// What was published last.
+  struct Newest {
+    msg::OccupancyGrid grid;
+    msg::ObjectMap objects;
+  };
+  /// Nothing while no robot has told where it is.
+  [[nodiscard]] std::optional<Newest> newest() const;
+  /// What the last update took, with the messages before it.
+  [[nodiscard]] double update_s() const noexcept { return update_s_; }
 
  private:
   /// Without the channel, which lives no longer than who reads it.
@@ -49,6 +56,8 @@ class MapService {
   void run();
   void take_in(const std::vector<Arrived>& arrived);
   void publish(Time now, bool with_floor);
+  void publish_floor(std::int64_t stamp_ns);
+  void keep(msg::ObjectMap objects);
 
   const Clock& clock_;
   TeamMap map_;
@@ -60,9 +69,10 @@ class MapService {
   mutable std::mutex mutex_;  ///< of all below
   std::condition_variable ended_;
   std::vector<Arrived> waiting_;
-  msg::OccupancyGrid newest_grid_;
+  Newest newest_;
   bool ending_ = false;
 
+  std::atomic<double> update_s_ = 0;
   std::thread thread_;
 };
 

@@ -1,6 +1,9 @@
 #include "monitor/server/api.h"
 
+#include <algorithm>
+
 #include "monitor/programs/json.h"
+#include "monitor/server/http_caching.h"
 #include "monitor/server/metrics.h"
 #include "monitor/server/request_fields.h"
 #include "monitor/server/team_json.h"
@@ -17,6 +20,10 @@ std::string rest(const HttpRequest& request, std::string_view prefix) {
   return request.path.substr(prefix.size());
 }
 
+bool is_reading(const HttpRequest& request) {
+  return request.method == "GET" || request.method == "HEAD";
+}
+
 }  // namespace
 
 Api::Api(Parts parts) : parts_(parts) {
@@ -31,8 +38,9 @@ void Api::add_routes() {
                      [](auto&, auto& respond) { respond(text_response("ok\n", "text/plain")); }});
   get("/metrics", [this](auto&, auto& respond) {
     respond(text_response(
-        metrics_text(parts_.team, parts_.hub.counts(), counts_ ? counts_() : HttpServer::Counts{}),
-        "text/plain; version=0.0.4"));
+        metrics_text(parts_.team, parts_.hub.counts(), counts_ ? counts_() : HttpServer::Counts{},
+                     parts_.map.update_s()),
+        "text/plain; version=0.0.4; charset=utf-8"));
   });
   get("/api/status", [this](auto&, auto& respond) { status(respond); });
   get("/api/team", [this](auto&, auto& respond) { respond(json_response(to_json(parts_.team))); });
@@ -47,8 +55,7 @@ void Api::add_routes() {
   get("/api/pushed/", [this](auto& request, auto& respond) {
     pushed_program(rest(request, "/api/pushed/"), respond);
   });
-  get("/api/map.png", [this](auto&, auto& respond) { map_file("png", respond); });
-  get("/api/map.yaml", [this](auto&, auto& respond) { map_file("yaml", respond); });
+  add_map_routes();
   post("/api/check", Right::kRead, operation(&Operations::check));
   post("/api/push", Right::kOperate, operation(&Operations::push));
   post("/api/pushes/", Right::kOperate,
@@ -67,26 +74,39 @@ void Api::answer(const HttpRequest& request, const Respond& respond) {
                     nullptr,
                     {{"Access-Control-Allow-Methods", "GET, POST"},
                      {"Access-Control-Allow-Headers", "content-type, authorization"}}});
-  bool path_known = false;
-  if (const Route* route = find(request, path_known)) {
-    if (request.right >= route->needs) return route->handler(request, respond);
-    return respond(problem(request.right == Right::kNone ? 401 : 403, missing_right(route->needs)));
-  }
-  const bool reads = request.method == "GET" || request.method == "HEAD";
-  if (path_known || !reads)
-    return respond(problem(405, request.path + " does not take " + request.method + "."));
-  respond(parts_.page.get(request));
+  const auto here = routes_to(request.path);
+  if (here.empty() && is_reading(request)) return respond(parts_.page.get(request));
+  const auto route =
+      std::ranges::find_if(here, [&](const Route* each) { return takes(*each, request.method); });
+  if (route == here.end()) return respond(not_allowed(request, here));
+  if (request.right < (*route)->needs) return respond(refusal(request.right, (*route)->needs));
+  HttpRequest conditions{.method = request.method,
+                         .if_none_match = request.if_none_match,
+                         .accepts_gzip = request.accepts_gzip};
+  (*route)->handler(request, [respond, conditions = std::move(conditions)](HttpResponse response) {
+    respond(spared(std::move(response), conditions));
+  });
 }
 
-const Api::Route* Api::find(const HttpRequest& request, bool& path_known) const {
+std::vector<const Api::Route*> Api::routes_to(const std::string& path) const {
+  std::vector<const Route*> found;
   for (const auto& route : routes_) {
     const bool takes_rest = route.path.back() == '/';
-    if (takes_rest ? !request.path.starts_with(route.path) : request.path != route.path) continue;
-    path_known = true;
-    if (route.method == request.method || (route.method == "GET" && request.method == "HEAD"))
-      return &route;
+    if (takes_rest ? path.starts_with(route.path) : path == route.path) found.push_back(&route);
   }
-  return nullptr;
+  return found;
+}
+
+bool Api::takes(const Route& route, const std::string& method) {
+  return route.method == method || (route.method == "GET" && method == "HEAD");
+}
+
+HttpResponse Api::not_allowed(const HttpRequest& request, const std::vector<const Route*>& here) {
+  auto response = problem(405, request.path + " does not take " + request.method + ".");
+  std::string allowed = here.empty() ? "GET" : "";
+  for (const Route* route : here) allowed += (allowed.empty() ? "" : ", ") + route->method;
+  response.headers.emplace_back("Allow", allowed);
+  return response;
 }
 
 Api::Handler Api::operation(void (Operations::*operate)(const nlohmann::json&, Finish)) {
@@ -161,18 +181,6 @@ void Api::status(const Respond& respond) const {
                          {"program_hash", parts_.team.program_hash()},
                          {"robots", std::move(robots)},
                          {"score", score_json(parts_.team)}}));
-}
-
-void Api::map_file(const std::string& kind, const Respond& respond) const {
-  parts_.worker.run([this] { return parts_.map.files(); },
-                    [respond, kind](const std::optional<MapFiles>& files) {
-                      if (!files)
-                        return respond(problem(404,
-                                               "There is no map yet: no robot has told where "
-                                               "it is."));
-                      respond(kind == "png" ? text_response(files->png, "image/png")
-                                            : text_response(files->yaml, "application/yaml"));
-                    });
 }
 
 }  // namespace galilean::monitor

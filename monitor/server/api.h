@@ -42,16 +42,19 @@ class Api {
   };
 
   void add_routes();
+  void add_map_routes();
   void post(std::string path, Right needs, Handler handler);
   [[nodiscard]] Handler operation(void (Operations::*operate)(const nlohmann::json&, Finish));
-  [[nodiscard]] const Route* find(const HttpRequest& request, bool& path_known) const;
+  [[nodiscard]] std::vector<const Route*> routes_to(const std::string& path) const;
+  [[nodiscard]] static bool takes(const Route& route, const std::string& method);
+  [[nodiscard]] static HttpResponse not_allowed(const HttpRequest& request,
+                                                const std::vector<const Route*>& here);
   void programs(const Respond& respond) const;
   void program(const std::string& name, const Respond& respond) const;
   void pushes(const Respond& respond);
   void cancel_push(const HttpRequest& request, const Respond& respond);
   void pushed_program(const std::string& hash, const Respond& respond);
   void status(const Respond& respond) const;
-  void map_file(const std::string& kind, const Respond& respond) const;
 
   Parts parts_;
   std::vector<Route> routes_;

@@ -2,6 +2,7 @@
 
 #include "monitor/access/access.h"
 #include "monitor/server/foxglove_hub.h"
+#include "monitor/server/foxglove_request.h"
 #include "monitor/server/json_text.h"
 
 namespace galilean::monitor::foxglove {
@@ -15,11 +16,6 @@ std::optional<std::uint32_t> id_of(const nlohmann::json& json) {
 std::optional<std::uint32_t> id_of(const nlohmann::json& object, const char* key) {
   if (!object.is_object() || !object.contains(key)) return std::nullopt;
   return id_of(object[key]);
-}
-
-const nlohmann::json& list_of(const nlohmann::json& object, const char* key) {
-  static const nlohmann::json kNone = nlohmann::json::array();
-  return object.contains(key) && object[key].is_array() ? object[key] : kNone;
 }
 
 /// Frames of one subscription that wait for a slow client; 0: all of them must arrive.
@@ -38,6 +34,20 @@ std::size_t lane_depth(wire::Delivery delivery) {
 }
 
 }  // namespace
+
+using Request = const nlohmann::json&;
+const std::map<std::string, void (*)(Hub::Client&, Request)> Hub::Client::kOperations{
+    {"subscribe", [](Client& client, Request request) { client.subscribe(request); }},
+    {"unsubscribe", [](Client& client, Request request) { client.unsubscribe(request); }},
+    {"getParameters", [](Client& client, Request request) { client.get_parameters(request); }},
+    {"setParameters", [](Client& client, Request request) { client.set_parameters(request); }},
+    {"subscribeParameterUpdates",
+     [](Client& client, Request request) { client.watch_parameters(request, true); }},
+    {"unsubscribeParameterUpdates",
+     [](Client& client, Request request) { client.watch_parameters(request, false); }},
+    {"subscribeConnectionGraph", [](Client& client, Request) { client.watch_graph(true); }},
+    {"unsubscribeConnectionGraph", [](Client& client, Request) { client.watch_graph(false); }},
+};
 
 Hub::Client::Client(Hub& hub, Link& link, bool may_call)
     : hub_(hub), link_(link), may_call_(may_call) {
@@ -61,13 +71,10 @@ void Hub::Client::receive_text(std::string_view text) {
   const bool has_op = request.is_object() && request.contains("op") && request["op"].is_string();
   if (!has_op) return refuse("A message must be a JSON object with a string \"op\".");
   const auto op = request["op"].get<std::string>();
-  if (op == "subscribe")
-    subscribe(request);
-  else if (op == "unsubscribe")
-    unsubscribe(request);
-  else
-    refuse("This server does not know \"" + op.substr(0, 40) +
-           "\"; it knows subscribe and unsubscribe.");
+  const auto known = kOperations.find(op);
+  if (known == kOperations.end())
+    return refuse("This server does not know the operation \"" + op.substr(0, 40) + "\".");
+  known->second(*this, request);
 }
 
 void Hub::Client::receive_binary(std::span<const std::uint8_t> bytes) {

@@ -52,6 +52,30 @@ void Hub::send_time(std::int64_t since_epoch_ns) {
   }
 }
 
+void Hub::send_parameters(ParameterValues now) {
+  ParameterValues changed;
+  for (const auto& [name, value] : now)
+    if (const auto found = parameters_.find(name);
+        found == parameters_.end() || found->second != value)
+      changed[name] = value;
+  parameters_ = std::move(now);
+  if (changed.empty()) return;
+  for (Client* client : std::vector(clients_)) client->tell_parameters(changed);
+}
+
+void Hub::send_graph(ConnectionGraph now) {
+  for (const auto& service : services_) now.services[service.name].insert(server_name_);
+  if (now == graph_) return;
+  const auto text = graph_update(graph_, now);
+  graph_ = std::move(now);
+  for (Client* client : std::vector(clients_))
+    if (client->watches_graph_) client->tell(text);
+}
+
+bool Hub::graph_is_watched() const {
+  return std::ranges::any_of(clients_, [](const Client* client) { return client->watches_graph_; });
+}
+
 std::unique_ptr<Hub::Client> Hub::connect(Link& link, bool may_call) {
   return std::make_unique<Client>(*this, link, may_call);
 }

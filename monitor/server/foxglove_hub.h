@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -39,6 +40,9 @@ class Hub {
   /// Called when the first client wants a channel's messages and when the last one ceases to.
   using Demand = std::function<void(std::uint32_t channel_id, bool wanted)>;
 
+  /// Takes a parameter's new value, and answers when that was ordered, or why it is refused.
+  using SetParameter = std::function<void(const Parameter& wanted, Answer answer)>;
+
   Hub(std::string server_name, Demand demand);
   ~Hub();
 
@@ -47,6 +51,12 @@ class Hub {
   void add_channel(const Channel& channel);
   void send(const Message& message);
   void send_time(std::int64_t since_epoch_ns);
+  void on_set_parameter(SetParameter set) { set_parameter_ = std::move(set); }
+  /// What the parameters are now: who watches one that changed is told.
+  void send_parameters(ParameterValues now);
+  /// Who is connected to what now; the services are filled in.
+  void send_graph(ConnectionGraph now);
+  [[nodiscard]] bool graph_is_watched() const;
   /// Clients may go later than who listened to Demand.
   void forget_demand() { demand_ = nullptr; }
 
@@ -81,6 +91,9 @@ class Hub {
   std::vector<Service> services_;
   std::vector<Handler> handlers_;
   std::map<std::uint32_t, Topic> topics_;
+  ParameterValues parameters_;
+  SetParameter set_parameter_;
+  ConnectionGraph graph_;
   std::vector<Client*> clients_;
   Counts past_;
 };
@@ -100,11 +113,19 @@ class Hub::Client {
 
  private:
   friend class Hub;
+  /// By "op" of a client's message.
+  static const std::map<std::string, void (*)(Client&, const nlohmann::json& request)> kOperations;
 
   void subscribe(const nlohmann::json& request);
   void subscribe_one(std::uint32_t subscription_id, std::uint32_t channel_id);
   void unsubscribe(const nlohmann::json& request);
   void unsubscribe_one(std::uint32_t subscription_id);
+  void get_parameters(const nlohmann::json& request);
+  void set_parameters(const nlohmann::json& request);
+  void set_parameter(const Parameter& wanted);
+  void watch_parameters(const nlohmann::json& request, bool wanted);
+  void tell_parameters(const ParameterValues& changed);
+  void watch_graph(bool wanted);
   void call(const ServiceCall& call);
   void answer(std::uint32_t service_id, std::uint32_t call_id,
               const Result<nlohmann::json>& result);
@@ -118,7 +139,9 @@ class Hub::Client {
   bool may_call_;
   Outbox outbox_;
   bool dismissed_ = false;
-  std::map<std::uint32_t, std::uint32_t> channel_of_;           ///< by subscription id
+  std::map<std::uint32_t, std::uint32_t> channel_of_;  ///< by subscription id
+  std::set<std::string> watched_parameters_;
+  bool watches_graph_ = false;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< for answers that come late
 };
 

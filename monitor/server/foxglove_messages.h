@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +22,20 @@ struct Service {
   nlohmann::json response_schema;
 };
 
+/// What clients may read and set by name: "/io.held".
+struct Parameter {
+  std::string name;
+  nlohmann::json value;
+};
+using ParameterValues = std::map<std::string, nlohmann::json>;
+
+/// Who publishes, subscribes and serves what; topics as clients know them: "/io/state".
+struct ConnectionGraph {
+  using Ids = std::set<std::string>;
+  std::map<std::string, Ids> published, subscribed, services;
+  bool operator==(const ConnectionGraph&) const = default;
+};
+
 enum class StatusLevel { kInfo = 0, kWarning = 1, kError = 2 };
 
 /// The server's JSON messages (ws-protocol, "JSON messages"), each as its text.
@@ -30,5 +46,10 @@ enum class StatusLevel { kInfo = 0, kWarning = 1, kError = 2 };
 [[nodiscard]] std::string status(StatusLevel level, const std::string& message);
 [[nodiscard]] std::string service_failure(std::uint32_t service_id, std::uint32_t call_id,
                                           const std::string& message);
+
+/// `id` is that of the request which it answers; empty: nobody asked.
+[[nodiscard]] std::string parameter_values(const ParameterValues& values, const std::string& id);
+/// What changed from `before` to `now`.
+[[nodiscard]] std::string graph_update(const ConnectionGraph& before, const ConnectionGraph& now);
 
 }  // namespace galilean::monitor::foxglove

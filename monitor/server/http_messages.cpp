@@ -1,38 +1,13 @@
 #include "monitor/server/http_messages.h"
 
+#include <boost/beast/http/status.hpp>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "monitor/server/json_text.h"
 
 namespace galilean::monitor {
-namespace {
-
-const char* title(int status) {
-  switch (status) {
-    case 400:
-      return "Bad request";
-    case 401:
-      return "Not known";
-    case 403:
-      return "Forbidden";
-    case 404:
-      return "Not found";
-    case 405:
-      return "Method not allowed";
-    case 409:
-      return "Conflict";
-    case 413:
-      return "Too large";
-    case 422:
-      return "The program has errors";
-    default:
-      return "Failed";
-  }
-}
-
-}  // namespace
-
+namespace http = boost::beast::http;
 HttpResponse text_response(std::string text, std::string content_type, int status) {
   return {
       status, std::move(content_type), std::make_shared<const std::string>(std::move(text)), {}};
@@ -43,13 +18,20 @@ HttpResponse json_response(const nlohmann::json& json, int status) {
 }
 
 HttpResponse problem(int status, const std::string& detail, const nlohmann::json& more) {
-  nlohmann::json json{{"title", title(status)}, {"status", status}, {"detail", detail}};
+  const auto title = http::obsolete_reason(static_cast<http::status>(status));
+  nlohmann::json json{{"title", std::string(title)}, {"status", status}, {"detail", detail}};
   if (more.is_object()) json.update(more);
   return text_response(json_text(json), "application/problem+json", status);
 }
 
 HttpResponse problem(int status, const std::string& detail) {
   return problem(status, detail, nlohmann::json::object());
+}
+
+HttpResponse refusal(Right has, Right needs) {
+  auto response = problem(has == Right::kNone ? 401 : 403, missing_right(needs));
+  if (has == Right::kNone) response.headers.emplace_back("WWW-Authenticate", "Bearer");
+  return response;
 }
 
 std::string percent_decoded(std::string_view text) {

@@ -92,7 +92,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     }
     request.right = site_->access.right_of(request.token);
     if (upgrade && (request.path == "/ws" || request.path == "/lsp")) {
-      if (request.right == Right::kNone) return respond(problem(401, missing_right(Right::kRead)));
+      if (request.right == Right::kNone) return respond(refusal(Right::kNone, Right::kRead));
       if (request.path == "/lsp") return become_language_server(message);
       return become_websocket(std::move(message), request.right);
     }

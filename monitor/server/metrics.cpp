@@ -1,13 +1,22 @@
 #include "monitor/server/metrics.h"
 
+#include <unistd.h>
+
+#include <ctime>
+#include <fstream>
 #include <sstream>
 
 namespace galilean::monitor {
 namespace {
 
-void metric(std::ostream& out, const char* name, const char* type, const char* help, auto value) {
-  out << "# HELP galilean_" << name << ' ' << help << "\n# TYPE galilean_" << name << ' ' << type
-      << "\ngalilean_" << name << ' ' << value << '\n';
+void family(std::ostream& out, const std::string& name, const char* type, const char* help) {
+  out << "# HELP " << name << ' ' << help << "\n# TYPE " << name << ' ' << type << '\n';
+}
+
+void metric(std::ostream& out, const std::string& name, const char* type, const char* help,
+            auto value) {
+  family(out, name, type, help);
+  out << name << ' ' << value << '\n';
 }
 
 /// A robot's name as a label's value.
@@ -25,46 +34,61 @@ std::string escaped(const std::string& name) {
 
 void robot_metric(std::ostream& out, const std::vector<RobotStatus>& robots, const char* name,
                   const char* type, const char* help, auto value_of) {
-  out << "# HELP galilean_robot_" << name << ' ' << help << "\n# TYPE galilean_robot_" << name
-      << ' ' << type << '\n';
+  family(out, std::string("galilean_robot_") + name, type, help);
   for (const auto& robot : robots)
     out << "galilean_robot_" << name << "{robot=\"" << escaped(robot.name) << "\"} "
         << value_of(robot) << '\n';
 }
 
+/// Under the names that every Prometheus client library gives them.
+void process_metrics(std::ostream& out) {
+  metric(out, "process_cpu_seconds_total", "counter", "Processor time used, of all threads.",
+         static_cast<double>(std::clock()) / CLOCKS_PER_SEC);
+  std::size_t all_pages = 0, resident_pages = 0;
+  std::ifstream("/proc/self/statm") >> all_pages >> resident_pages;
+  metric(out, "process_resident_memory_bytes", "gauge", "Memory in use.",
+         resident_pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
+}
+
 }  // namespace
 
 std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocket,
-                         const HttpServer::Counts& http) {
+                         const HttpServer::Counts& http, double map_update_s) {
   std::ostringstream out;
+  process_metrics(out);
+  metric(out, "galilean_map_update_seconds", "gauge", "What the map's last update took.",
+         map_update_s);
   const auto robots = team.statuses();
-  metric(out, "robots", "gauge", "Robots ever heard.", robots.size());
+  metric(out, "galilean_robots", "gauge", "Robots ever heard.", robots.size());
   using R = RobotStatus;
   robot_metric(out, robots, "silent", "gauge", "1 while nothing is heard of it.",
                [](const R& robot) { return robot.health == Health::kSilent ? 1 : 0; });
   robot_metric(out, robots, "age_seconds", "gauge", "Time since it was last heard.",
                [](const R& robot) { return robot.age_s; });
-  robot_metric(out, robots, "tick_microseconds", "gauge", "What its last tick took.",
-               [](const R& robot) { return robot.tick_time_us; });
+  robot_metric(out, robots, "tick_seconds", "gauge", "What its last tick took.",
+               [](const R& robot) { return robot.tick_time_us * 1e-6; });
   robot_metric(out, robots, "overruns_total", "counter", "Ticks that began a period late.",
                [](const R& robot) { return robot.overruns; });
   robot_metric(out, robots, "drifting", "gauge", "1 while it runs another program than the team.",
                [](const R& robot) { return robot.drifting ? 1 : 0; });
   if (const auto& score = team.score()) {
-    metric(out, "deposited", "gauge", "Pieces thrown away.", score->deposited);
-    metric(out, "collisions", "gauge", "Collisions that the referee saw.", score->collisions);
-    metric(out, "points", "gauge", "The referee's points.", score->points);
+    metric(out, "galilean_deposited", "gauge", "Pieces thrown away.", score->deposited);
+    metric(out, "galilean_collisions", "gauge", "Collisions that the referee saw.",
+           score->collisions);
+    metric(out, "galilean_points", "gauge", "The referee's points.", score->points);
   }
-  metric(out, "websocket_clients", "gauge", "Clients connected.", websocket.clients);
-  metric(out, "websocket_subscriptions", "gauge", "Subscriptions of all.", websocket.subscriptions);
-  metric(out, "websocket_frames_total", "counter", "Frames given to clients.", websocket.frames);
-  metric(out, "websocket_superseded_total", "counter",
+  metric(out, "galilean_websocket_clients", "gauge", "Clients connected.", websocket.clients);
+  metric(out, "galilean_websocket_subscriptions", "gauge", "Subscriptions of all.",
+         websocket.subscriptions);
+  metric(out, "galilean_websocket_frames_total", "counter", "Frames given to clients.",
+         websocket.frames);
+  metric(out, "galilean_websocket_superseded_total", "counter",
          "Frames that a newer one replaced before a slow client took them.", websocket.superseded);
-  metric(out, "websocket_dismissed_total", "counter", "Clients closed for being too slow.",
+  metric(out, "galilean_websocket_dismissed_total", "counter", "Clients closed for being too slow.",
          websocket.dismissed);
-  metric(out, "http_connections", "gauge", "Connections open.", http.connections);
-  metric(out, "http_requests_total", "counter", "Requests.", http.requests);
-  metric(out, "http_refused_total", "counter", "Requests with a wrong Host or Origin.",
+  metric(out, "galilean_http_connections", "gauge", "Connections open.", http.connections);
+  metric(out, "galilean_http_requests_total", "counter", "Requests.", http.requests);
+  metric(out, "galilean_http_refused_total", "counter", "Requests with a wrong Host or Origin.",
          http.refused);
   return out.str();
 }

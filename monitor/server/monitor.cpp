@@ -10,10 +10,14 @@
 #include "core/installation.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/server/api.h"
+#include "monitor/server/domain_graph.h"
+#include "monitor/server/team_parameters.h"
 
 namespace galilean::monitor {
 namespace {
 namespace asio = boost::asio;
+
+constexpr auto kTellPeriod = std::chrono::milliseconds(100);
 
 /// The installed catalog may be missing where each robot publishes its own.
 Catalog catalog_or_none(const std::filesystem::path& file) {
@@ -48,7 +52,7 @@ struct Monitor::Parts {
   foxglove::Hub hub;
   asio::io_context io{1};
   asio::signal_set signals{io, SIGINT, SIGTERM};
-  asio::steady_timer time_timer{io};
+  asio::steady_timer tell_timer{io};
   Worker worker{io};
   Worker language_worker{io};
   LanguageDesk language;
@@ -59,6 +63,7 @@ struct Monitor::Parts {
   Api api;
   HttpServer server;
   Ingest ingest;
+  wire::Graph graph;
   std::uint16_t port = 0;
   std::string new_operator_token;
 
@@ -72,7 +77,7 @@ struct Monitor::Parts {
 
   [[nodiscard]] Ingest::Callbacks callbacks();
   void receive(const Message& message);
-  void tell_time();
+  void tell_regularly();
 };
 
 Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
@@ -98,13 +103,17 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
                     api.answer(request, respond);
                   },
                   hub, language}),
-      ingest(*participant, callbacks(), [this] { asio::post(io, [this] { ingest.poll(); }); }) {
+      ingest(*participant, callbacks(), [this] { asio::post(io, [this] { ingest.poll(); }); }),
+      graph(*participant) {
   operations.offer(hub);
   api.set_counts([this] { return server.counts(); });
   signals.async_wait([this](boost::system::error_code error, int) {
     if (!error) io.stop();
   });
-  tell_time();
+  hub.on_set_parameter([this](const auto& wanted, auto answer) {
+    set_team_parameter(operations, wanted, std::move(answer));
+  });
+  tell_regularly();
 }
 
 Ingest::Callbacks Monitor::Parts::callbacks() {
@@ -124,11 +133,13 @@ void Monitor::Parts::receive(const Message& message) {
   decode_for<msg::ProgramPush>(message, [this](const auto& push) { desk.note(push); });
 }
 
-void Monitor::Parts::tell_time() {
+void Monitor::Parts::tell_regularly() {
   hub.send_time(wire::wall_clock_ns());
-  time_timer.expires_after(std::chrono::milliseconds(100));
-  time_timer.async_wait([this](boost::system::error_code error) {
-    if (!error) tell_time();
+  hub.send_parameters(team_parameters(team));
+  if (hub.graph_is_watched()) hub.send_graph(connection_graph(graph.topics()));
+  tell_timer.expires_after(kTellPeriod);
+  tell_timer.async_wait([this](boost::system::error_code error) {
+    if (!error) tell_regularly();
   });
 }
 

@@ -1,17 +1,19 @@
 #include "monitor/server/page_files.h"
 
-#include <zlib.h>
-
 #include <fstream>
-#include <iterator>
 
 #include "bhdl/sha256.h"
 #include "core/installation.h"
+#include "monitor/compression/gzip.h"
+#include "monitor/server/http_caching.h"
 
 namespace galilean::monitor {
 namespace {
 namespace fs = std::filesystem;
 
+constexpr const char* kCompressed =
+    ".gz";                    ///< beside a file: the same, compressed when it was built
+constexpr int kSmallest = 9;  ///< gzip's level where that is missing
 constexpr const char* kNotBuilt =
     "<!doctype html><title>Galilean</title><h1>The page is not built</h1>"
     "<p>The monitor runs. Build the page with <code>npm ci &amp;&amp; npm run build</code> in "
@@ -35,20 +37,15 @@ std::string type_of(const fs::path& file) {
   return found == kTypes.end() ? "application/octet-stream" : found->second;
 }
 
-std::string gzipped(const std::string& content) {
-  constexpr int kGzip = 15 + 16;
-  z_stream stream{};
-  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzip, 9, Z_DEFAULT_STRATEGY) != Z_OK)
-    return content;
-  std::string result(deflateBound(&stream, content.size()), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
-  stream.avail_in = static_cast<uInt>(content.size());
-  stream.next_out = reinterpret_cast<Bytef*>(result.data());
-  stream.avail_out = static_cast<uInt>(result.size());
-  deflate(&stream, Z_FINISH);
-  result.resize(stream.total_out);
-  deflateEnd(&stream);
-  return result;
+/// Empty where there is none.
+std::string content_of(const fs::path& file) {
+  std::error_code failed;
+  const auto size = fs::file_size(file, failed);
+  std::string content(failed ? 0 : size, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(content.data(), static_cast<std::streamsize>(content.size()));
+  content.resize(static_cast<std::size_t>(in.gcount()));
+  return content;
 }
 
 }  // namespace
@@ -57,19 +54,19 @@ PageFiles::PageFiles(const fs::path& folder) {
   std::error_code failed;
   for (fs::recursive_directory_iterator at(folder, failed), end; !failed && at != end;
        at.increment(failed)) {
-    if (!at->is_regular_file(failed)) continue;
-    std::ifstream file(at->path(), std::ios::binary);
-    add("/" + at->path().lexically_relative(folder).generic_string(),
-        {std::istreambuf_iterator<char>(file), {}});
+    if (!at->is_regular_file(failed) || at->path().extension() == kCompressed) continue;
+    add("/" + at->path().lexically_relative(folder).generic_string(), content_of(at->path()),
+        content_of(at->path().string() + kCompressed));
   }
-  if (!has("/index.html")) add("/index.html", kNotBuilt);
+  if (!has("/index.html")) add("/index.html", kNotBuilt, {});
 }
 
-void PageFiles::add(const std::string& path, std::string content) {
+void PageFiles::add(const std::string& path, std::string content, std::string small) {
   File& file = files_[path];
   file.content_type = type_of(path);
-  file.etag = '"' + bhdl::sha256(content).substr(0, 32) + '"';
-  if (auto small = gzipped(content); small.size() < content.size() * 9 / 10)
+  file.etag = "W/\"" + bhdl::sha256(content).substr(0, 32) + '"';
+  if (small.empty()) small = gzipped(content, kSmallest);
+  if (small.size() < content.size() * 9 / 10)
     file.gzip = std::make_shared<const std::string>(std::move(small));
   file.plain = std::make_shared<const std::string>(std::move(content));
 }
@@ -87,7 +84,7 @@ HttpResponse PageFiles::get(const HttpRequest& request) const {
       {"Content-Security-Policy",
        "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
        "connect-src 'self' ws: wss:; worker-src 'self' blob:; frame-ancestors 'none'"}};
-  if (request.if_none_match.find(file.etag) != std::string::npos) {
+  if (is_known(request.if_none_match, file.etag)) {
     response.status = 304;
     response.body.reset();
   } else if (file.gzip && request.accepts_gzip) {

@@ -8,9 +8,9 @@
 
 namespace galilean::monitor {
 
-/// The page: every file below a folder, read once, compressed once, and served from memory. Names
-/// below assets/ carry a hash of their content and may be kept for ever; the others are asked for
-/// again by their ETag.
+/// The page: every file below a folder, read once and served from memory, with the X.gz beside a
+/// file X as what is sent to those who take gzip. Names below assets/ carry a hash of their content
+/// and may be kept for ever; the others are asked for again by their ETag.
 class PageFiles {
  public:
   /// A folder that is not there gives a page that says how to build it.
@@ -28,7 +28,7 @@ class PageFiles {
     std::string etag;
   };
 
-  void add(const std::string& path, std::string content);
+  void add(const std::string& path, std::string content, std::string small);
 
   std::map<std::string, File> files_;  ///< by "/assets/index-1a2b.js"
 };

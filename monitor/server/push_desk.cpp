@@ -97,7 +97,7 @@ void PushDesk::cancel(const std::string& id, const std::string& who, Finish fini
   const auto open = find(id);
   if (!open) return finish({404, {}, "No push '" + id + "' is under way."});
   if (!open->is_ours || !open->swap.cancel(who))
-    return finish({409, to_json(open->newest()), too_late(open->newest())});
+    return finish({409, {{"pushed", to_json(open->newest())}}, too_late(open->newest())});
   go_on(open);
   finish({200, to_json(open->newest())});
 }

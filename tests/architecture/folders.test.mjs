@@ -38,9 +38,9 @@ test('only core/wire includes Cyclone', () => {
   assert.deepEqual(offences((file, name) => /^dds\//.test(name) && !file.startsWith('core/wire/')), []);
 });
 
-test('MRPT stays in .cpp files of monitor/map', () => {
+test('MRPT stays in .cpp files of monitor/map and of its tests', () => {
   assert.deepEqual(offences((file, name) =>
-    /^mrpt\//.test(name) && !(file.startsWith('monitor/map/') && file.endsWith('.cpp'))), []);
+    /^mrpt\//.test(name) && !/^(monitor\/map\/|tests\/monitor\/map_).*\.cpp$/.test(file)), []);
 });
 
 test('perceptual and motor schemas know neither one another, nor the executive, nor the wire', () => {

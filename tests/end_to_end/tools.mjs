@@ -75,6 +75,22 @@ export async function startTeam(t, options = []) {
   return { team, domain, cwd, url: `http://127.0.0.1:${port}` };
 }
 
+/** A monitor and one robot that has neither board nor camera: all of the wire, quickly there. */
+export async function startMonitor(t, options = []) {
+  const domain = freshDomain();
+  const cwd = scratchFolder(t);
+  const monitor = new Running(t, ['monitor', '--listen', '127.0.0.1:0', '--data', cwd, ...options], { domain, cwd });
+  const [url] = await monitor.line(/http:\/\/127\.0\.0\.1:\d+/);
+  const robot = new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', '/dev/null/none',
+    '--camera', 'shm:none', '--log-level', 'off'], { domain, cwd });
+  const token = (name) => readFileSync(join(cwd, `${name}.token`), 'utf8').trim();
+  await eventually(async () => {
+    const { robots } = await getJson(`${url}/api/status`);
+    return robots.length === 1 && robots[0].program_hash;
+  });
+  return { monitor, robot, domain, cwd, url, token };
+}
+
 /** Asks again until `question()` gives something truthy; the test's own limit ends it otherwise. */
 export async function eventually(question) {
   for (;;) {

@@ -58,7 +58,9 @@ TEST_F(HubTest, GreetsWithServerInfoAndChannels) {
   const auto info = json::parse(text(frames[0]));
   EXPECT_EQ(info["op"], "serverInfo");
   EXPECT_EQ(info["supportedEncodings"], json::array({"json"}));
-  EXPECT_EQ(info["capabilities"], (json::array({"services", "time"})));
+  EXPECT_EQ(
+      info["capabilities"],
+      (json::array({"services", "time", "parameters", "parametersSubscribe", "connectionGraph"})));
   const auto channels = json::parse(text(frames[1]))["channels"];
   ASSERT_EQ(channels.size(), 3U);
   EXPECT_EQ(channels[0]["topic"], "/io/state");
@@ -177,6 +179,74 @@ TEST_F(HubTest, AServiceIsCalledByItsIdAndAnswersItsCall) {
   EXPECT_EQ(failure["op"], "serviceCallFailure");
   EXPECT_EQ(failure["callId"], 77);
   EXPECT_EQ(failure["message"], "no");
+}
+
+TEST_F(HubTest, ParametersAreReadSetByOperatorsAndToldWhenTheyChange) {
+  std::vector<std::pair<std::string, json>> set;
+  hub.on_set_parameter([&](const Parameter& wanted, const Hub::Answer& answer) {
+    set.emplace_back(wanted.name, wanted.value);
+    if (!wanted.value.is_boolean()) answer(Error{"true or false"});
+  });
+  hub.send_parameters({{"/io.held", false}, {"/io.program_name", "a.bhdl"}});
+  (void)sent();
+  const auto ask = [&](const char* request) {
+    client->receive_text(request);
+    std::vector<json> answers;
+    for (const auto& frame : sent()) answers.push_back(json::parse(text(frame)));
+    return answers;
+  };
+  const auto all = ask(R"({"op":"getParameters","parameterNames":[],"id":"a"})").at(0);
+  EXPECT_EQ(all["id"], "a");
+  ASSERT_EQ(all["parameters"].size(), 2U);
+  EXPECT_EQ(all["parameters"][0], (json{{"name", "/io.held"}, {"value", false}}));
+  EXPECT_TRUE(ask(R"({"op":"subscribeParameterUpdates","parameterNames":["/io.held"]})").empty());
+
+  EXPECT_TRUE(
+      ask(R"({"op":"setParameters","parameters":[{"name":"/io.held","value":true}]})").empty());
+  EXPECT_EQ(set.at(0), (std::pair<std::string, json>{"/io.held", true}));
+  EXPECT_EQ(ask(R"({"op":"setParameters","parameters":[{"name":"/io.held","value":3}]})")
+                .at(0)["message"],
+            "true or false");
+  EXPECT_EQ(ask(R"({"op":"setParameters","parameters":[{"name":"/x","value":3}]})").at(0)["op"],
+            "status");
+  EXPECT_EQ(set.size(), 2U);
+
+  hub.send_parameters({{"/io.held", true}, {"/io.program_name", "b.bhdl"}});
+  const auto updates = sent();
+  ASSERT_EQ(updates.size(), 1U);
+  EXPECT_EQ(json::parse(text(updates[0]))["parameters"],
+            json::array({{{"name", "/io.held"}, {"value", true}}}));
+
+  FakeLink other_link;
+  const auto viewer = hub.connect(other_link, false);
+  viewer->receive_text(
+      R"({"op":"setParameters","parameters":[{"name":"/io.held","value":false}]})");
+  EXPECT_EQ(set.size(), 2U) << "a viewer sets nothing";
+}
+
+TEST_F(HubTest, TheConnectionGraphIsToldWholeThenByItsChanges) {
+  hub.send_graph({{{"/io/state", {"io"}}, {"/tf", {"io", "monitor"}}}, {{"/io/state", {"top"}}}});
+  EXPECT_FALSE(hub.graph_is_watched());
+  (void)sent();
+  client->receive_text(R"({"op":"subscribeConnectionGraph"})");
+  EXPECT_TRUE(hub.graph_is_watched());
+  const auto whole = json::parse(text(sent().at(0)));
+  EXPECT_EQ(whole["op"], "connectionGraphUpdate");
+  EXPECT_EQ(whole["publishedTopics"][1],
+            (json{{"name", "/tf"}, {"publisherIds", {"io", "monitor"}}}));
+  EXPECT_EQ(whole["subscribedTopics"].size(), 1U);
+
+  hub.send_graph({{{"/tf", {"monitor"}}}, {{"/io/state", {"top"}}}});
+  const auto change = json::parse(text(sent().at(0)));
+  EXPECT_EQ(change["publishedTopics"],
+            json::array({{{"name", "/tf"}, {"publisherIds", {"monitor"}}},
+                         {{"name", "/io/state"}, {"publisherIds", json::array()}}}));
+  EXPECT_EQ(change["removedTopics"], json::array()) << "somebody still waits for it";
+  hub.send_graph({{{"/tf", {"monitor"}}}, {}});
+  EXPECT_EQ(json::parse(text(sent().at(0)))["removedTopics"], json::array({"/io/state"}));
+  client->receive_text(R"({"op":"unsubscribeConnectionGraph"})");
+  hub.send_graph({});
+  EXPECT_TRUE(sent().empty());
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "monitor/map/map_files.h"
-#include "monitor/map/markers.h"
 #include "monitor/map/team_map.h"
 
 namespace galilean::monitor {
@@ -168,16 +166,6 @@ TEST_F(MapTest, TheFloorIsFreeWhereItWasCrossedAndOccupiedWhereItWasBumpedInto) 
   EXPECT_LT(cell(0.5, 0), 10);
   EXPECT_GT(cell(1.5, 0), 80);
   EXPECT_EQ(cell(-3, 3), -1);
-  const auto files = map_files(grid);
-  EXPECT_EQ(files.png.substr(1, 3), "PNG");
-  EXPECT_NE(files.yaml.find("resolution: 0.05"), std::string::npos);
-}
-
-TEST_F(MapTest, MarkersShowEveryObjectAndRobot) {
-  for (int i = 0; i < 3; ++i, step())
-    map.note(frame("io", io, {{"trash", {1, 0}}, {"basket", {2, 1}}}), now);
-  map.note(at("io", io), now);
-  EXPECT_EQ(markers(objects()).markers.size(), 4U);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "core/wire/graph.h"
 #include "core/wire/schemas.h"
 #include "core/wire/topics.h"
 #include "tests/wire/wait_until.h"
@@ -177,6 +178,21 @@ TEST(Schemas, AreFoundByBothNames) {
     EXPECT_EQ(find_schema_by_dds_type(schema.dds_type), &schema);
   }
   EXPECT_EQ(find_schema_by_dds_type("std_msgs::msg::dds_::String_"), nullptr);
+}
+
+TEST(Wire, TheGraphTellsWhoWritesAndWhoReadsUntilTheyLeave) {
+  const auto robot = join("io"), watcher = join("watcher");
+  const auto topic = robot_topic("io", "state");
+  Writer<msg::RobotState> writer(*robot, topic);
+  Graph graph(*watcher);
+  {
+    const auto monitor = join("monitor");
+    const Reader reader(*monitor, topic, kStateType);
+    EXPECT_TRUE(wait_until([&] {
+      return graph.topics()[topic] == Graph::Ends{{"io"}, {"monitor"}};
+    }));
+  }
+  EXPECT_TRUE(wait_until([&] { return graph.topics()[topic].readers.empty(); }));
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <dds/dds.h>
+
+#include <string>
+
+namespace galilean::wire {
+
+[[nodiscard]] inline std::string hexadecimal(const dds_guid_t& guid) {
+  static constexpr char kDigits[] = "0123456789abcdef";
+  std::string text;
+  for (const unsigned char byte : guid.v) {
+    text += kDigits[byte >> 4];
+    text += kDigits[byte & 15];
+  }
+  return text;
+}
+
+/// The name that an entity announced; empty where it announced none.
+[[nodiscard]] inline std::string announced_name(const dds_qos_t* qos) {
+  char* name = nullptr;
+  if (!dds_qget_entity_name(qos, &name) || !name) return {};
+  std::string copy = name;
+  dds_free(name);
+  return copy;
+}
+
+}  // namespace galilean::wire

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/wire/graph.h"
+#include "monitor/server/foxglove_messages.h"
+
+namespace galilean::monitor {
+
+/// Who writes and reads ROS' topics in the domain, as Foxglove's connection graph.
+[[nodiscard]] inline foxglove::ConnectionGraph connection_graph(const wire::Graph::Topics& topics) {
+  constexpr std::string_view kRosTopic = "rt/";
+  foxglove::ConnectionGraph graph;
+  for (const auto& [topic, ends] : topics) {
+    if (!topic.starts_with(kRosTopic)) continue;
+    const auto name = topic.substr(kRosTopic.size() - 1);
+    if (!ends.writers.empty()) graph.published[name] = ends.writers;
+    if (!ends.readers.empty()) graph.subscribed[name] = ends.readers;
+  }
+  return graph;
+}
+
+}  // namespace galilean::monitor

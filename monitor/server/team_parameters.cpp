@@ -1,0 +1,33 @@
+#include "monitor/server/team_parameters.h"
+
+namespace galilean::monitor {
+namespace {
+constexpr std::string_view kHeld = ".held";
+}
+
+foxglove::ParameterValues team_parameters(const Team& team) {
+  foxglove::ParameterValues values{{"/team.program_hash", team.program_hash()}};
+  for (const auto& robot : team.statuses()) {
+    const auto prefix = "/" + robot.name + ".";
+    values[prefix + "held"] = robot.held;
+    values[prefix + "program_hash"] = robot.program_hash;
+    values[prefix + "program_name"] = robot.program_name;
+  }
+  return values;
+}
+
+void set_team_parameter(Operations& operations, const foxglove::Parameter& wanted,
+                        foxglove::Hub::Answer answer) {
+  if (!wanted.name.ends_with(kHeld) || !wanted.value.is_boolean())
+    return answer(Error{wanted.name + " cannot be set: /NAME.held can, to true or false."});
+  const auto robot = wanted.name.substr(1, wanted.name.size() - 1 - kHeld.size());
+  operations.command({{"kind", wanted.value.get<bool>() ? "hold" : "resume"},
+                      {"targets", {robot}},
+                      {"author", "a Foxglove client"}},
+                     [answer = std::move(answer)](const Outcome& outcome) {
+                       if (outcome.status < 400) return answer(outcome.json);
+                       answer(Error{outcome.detail});
+                     });
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,173 @@
+// Foxglove's protocol, spoken with the peers that its authors wrote: @foxglove/ws-protocol's client,
+// and the programs in @foxglove/ws-protocol-examples.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { test } from 'node:test';
+import { eventually, getJson, root, startMonitor } from './tools.mjs';
+
+const require = createRequire(`${root}tests/node/`);
+const { FoxgloveClient } = require('@foxglove/ws-protocol');
+const { WebSocket } = require('ws');
+const { parseRos2idl } = require('@foxglove/ros2idl-parser');
+const { MessageReader } = require('@foxglove/rosmsg2-serialization');
+const examples = require.resolve('@foxglove/ws-protocol-examples/package.json').replace('package.json', 'dist/cjs/ws-protocol-examples/src/index.js');
+
+/** A client, with `next(event, suits)`: the first that came, or will come, and suits. */
+function connect(t, url, { token = '', protocol = 'foxglove.websocket.v1' } = {}) {
+  const socket = new WebSocket(`${url.replace('http', 'ws')}/ws${token && `?token=${token}`}`, [protocol]);
+  const client = new FoxgloveClient({ ws: socket });
+  t.after(() => socket.terminate());
+  const heard = {}, waiting = new Set();
+  for (const event of ['serverInfo', 'status', 'advertise', 'advertiseServices', 'message', 'time', 'parameterValues',
+    'connectionGraphUpdate', 'serviceCallResponse', 'serviceCallFailure', 'error'])
+    client.on(event, (what) => {
+      (heard[event] ??= []).push(what);
+      for (const look of waiting) look();
+    });
+  const next = (event, suits = () => true) => new Promise((resolve) => {
+    const look = () => {
+      const found = (heard[event] ?? []).find(suits);
+      if (found === undefined) return;
+      waiting.delete(look);
+      resolve(found);
+    };
+    waiting.add(look);
+    look();
+  });
+  const channel = async (topic) => (await next('advertise', (list) => list.some((each) => each.topic === topic))).find((each) => each.topic === topic);
+  const service = async (name) => (await next('advertiseServices')).find((each) => each.name === name);
+  return { client, socket, heard, next, channel, service };
+}
+
+function readerOf(channel) {
+  const all = parseRos2idl(channel.schema);
+  const own = all.find((definition) => definition.name === channel.schemaName);
+  return new MessageReader([{ ...own, name: undefined }, ...all.filter((definition) => definition !== own)]);
+}
+
+const asJson = (value) => new TextEncoder().encode(JSON.stringify(value));
+
+test("the protocol's own client", async (t) => {
+  const { url, token } = await startMonitor(t);
+
+  for (const protocol of ['foxglove.websocket.v1', 'foxglove.sdk.v1'])
+    await t.test(`${protocol}: channels, messages that their own schemas decode, and time`, async (inner) => {
+      const { client, socket, next, channel } = connect(inner, url, { protocol });
+      assert.deepEqual((await next('serverInfo')).capabilities.sort(), ['connectionGraph', 'parameters', 'parametersSubscribe', 'services', 'time']);
+      assert.equal(socket.protocol, protocol);
+      for (const topic of ['/io/state', '/team/map', '/tf', '/team/objects']) {
+        const each = await channel(topic);
+        assert.deepEqual([each.encoding, each.schemaEncoding], ['cdr', 'ros2idl']);
+        const id = client.subscribe(each.id);
+        const message = await next('message', ({ subscriptionId }) => subscriptionId === id);
+        const decoded = readerOf(each).readMessage(message.data);
+        if (topic === '/io/state') assert.equal(decoded.robot, 'io');
+        if (topic === '/team/map') assert.equal(decoded.data.length, decoded.info.width * decoded.info.height);
+        assert.ok(Math.abs(Number(message.timestamp) / 1e6 - Date.now()) < 60_000);
+      }
+      assert.ok(Math.abs(Number((await next('time')).timestamp) / 1e6 - Date.now()) < 60_000);
+    });
+
+  await t.test('who watches markers gets them', async (inner) => {
+    const { client, next, channel } = connect(inner, url);
+    const each = await channel('/team/markers');
+    const id = client.subscribe(each.id);
+    const { data } = await next('message', ({ subscriptionId }) => subscriptionId === id);
+    const { markers } = readerOf(each).readMessage(data);
+    assert.deepEqual([...new Set(markers.map((marker) => marker.ns))].sort(), ['names', 'robot_ellipses', 'robots']);
+  });
+
+  await t.test('services', async (inner) => {
+    const viewer = connect(inner, url);
+    const hold = await viewer.service('/galilean/hold');
+    viewer.client.sendServiceCallRequest({ serviceId: hold.id, callId: 7, encoding: 'json', data: asJson({}) });
+    assert.match((await viewer.next('serviceCallFailure')).message, /operator's token/);
+    const operator = connect(inner, url, { token: token('operator') });
+    const call = async (name, callId, request) => {
+      const service = await operator.service(name);
+      operator.client.sendServiceCallRequest({ serviceId: service.id, callId, encoding: 'json', data: asJson(request) });
+    };
+    await call('/galilean/hold', 8, { targets: ['io'] });
+    const answer = await operator.next('serviceCallResponse', ({ callId }) => callId === 8);
+    assert.ok(JSON.parse(new TextDecoder().decode(answer.data)).id);
+    await eventually(async () => (await getJson(`${url}/api/status`)).robots[0].held);
+    await call('/galilean/resume', 9, {});
+    await eventually(async () => !(await getJson(`${url}/api/status`)).robots[0].held);
+    await call('/galilean/hold', 10, { targets: ['europa'] });
+    assert.match((await operator.next('serviceCallFailure')).message, /europa/);
+  });
+
+  await t.test('parameters are read, set and watched', async (inner) => {
+    const { client, next } = connect(inner, url, { token: token('operator') });
+    await next('serverInfo');
+    client.getParameters([], 'all');
+    const { parameters } = await next('parameterValues', ({ id }) => id === 'all');
+    assert.deepEqual(parameters.map(({ name }) => name), ['/io.held', '/io.program_hash', '/io.program_name', '/team.program_hash']);
+    client.subscribeParameterUpdates(['/io.held']);
+    client.setParameters([{ name: '/io.held', value: true }]);
+    const update = await next('parameterValues', ({ id, parameters: [first] }) => id === undefined && first.value === true);
+    assert.deepEqual(update.parameters, [{ name: '/io.held', value: true }]);
+    client.setParameters([{ name: '/io.program_name', value: 'x' }]);
+    assert.match((await next('status')).message, /cannot be set/);
+    client.setParameters([{ name: '/io.held', value: false }]);
+    await eventually(async () => !(await getJson(`${url}/api/status`)).robots[0].held);
+  });
+
+  await t.test('the connection graph names writers, readers and services', async (inner) => {
+    const { client, next } = connect(inner, url);
+    await next('serverInfo');
+    client.subscribeConnectionGraph();
+    const graph = await next('connectionGraphUpdate', ({ publishedTopics }) => publishedTopics.length > 0);
+    const ids = (list, name, key) => list.find((each) => each.name === name)?.[key];
+    assert.deepEqual(ids(graph.publishedTopics, '/io/state', 'publisherIds'), ['io']);
+    assert.deepEqual(ids(graph.subscribedTopics, '/io/state', 'subscriberIds'), ['monitor']);
+    assert.ok(ids(graph.advertisedServices, '/galilean/push', 'providerIds').length === 1);
+  });
+});
+
+test("the examples' programs as peers", async (t) => {
+  const { url, token } = await startMonitor(t);
+  const address = `${url.replace('http', 'ws')}/ws?token=${token('operator')}`;
+  const run = (inner, args) => {
+    const child = spawn(process.execPath, [examples, ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
+    child.text = '';
+    for (const stream of [child.stdout, child.stderr]) stream.on('data', (text) => { child.text += text; });
+    child.ended = new Promise((resolve) => child.on('exit', resolve));
+    inner.after(() => child.kill('SIGKILL'));
+    return child;
+  };
+
+  await t.test('perf-test-client: every topic reaches it', async (inner) => {
+    const peer = run(inner, ['perf-test-client', address]);
+    const tick = async () => (await getJson(`${url}/api/status`)).robots[0].tick;
+    const began = await tick();
+    await eventually(async () => await tick() > began + 60);
+    peer.kill('SIGINT');
+    await peer.ended;
+    for (const topic of ['/io/state', '/io/program', '/io/catalog', '/tf', '/team/map', '/team/objects', '/team/markers'])
+      assert.match(peer.text, new RegExp(`\\| ${topic} +\\| [1-9]`), peer.text);
+  });
+
+  await t.test('param-client: it toggles what is true or false, and the robot is held', async (inner) => {
+    run(inner, ['param-client', address]);
+    const held = async () => (await getJson(`${url}/api/status`)).robots[0].held;
+    await eventually(held);
+    await eventually(async () => !(await held()));
+  });
+});
+
+test('the layout that ships names panels that it places, and topics of the demo', () => {
+  const layout = JSON.parse(readFileSync(`${root}monitor/foxglove/three_robots.json`, 'utf8'));
+  const placed = (node) => typeof node === 'string' ? [node, ...(layout.configById[node]?.tabs ?? []).flatMap((tab) => placed(tab.layout))]
+    : [...placed(node.first), ...placed(node.second)];
+  assert.deepEqual(placed(layout.layout).sort(), Object.keys(layout.configById).sort());
+  const wire = readFileSync(`${root}docs/WIRE.md`, 'utf8');
+  const topics = JSON.stringify(layout).match(/"\/[a-z]+[a-z/_]*/g).map((text) => text.slice(1))
+    .filter((topic) => !topic.startsWith('/galilean/'));
+  for (const topic of topics) {
+    const described = topic.replace(/^\/(io|ganymede|callisto)/, '/NAME');
+    assert.ok(wire.includes(described), `${topic} is not in WIRE.md`);
+  }
+});

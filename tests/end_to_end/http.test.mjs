@@ -1,0 +1,126 @@
+// The HTTP interface, held against its description and against readers that others wrote.
+import assert from 'node:assert/strict';
+import { request } from 'node:http';
+import { createRequire } from 'node:module';
+import { test } from 'node:test';
+import { gunzipSync } from 'node:zlib';
+import { description, lint, objections } from './openapi.mjs';
+import { eventually, getJson, root, startMonitor } from './tools.mjs';
+
+const require = createRequire(`${root}tests/node/`);
+const parsePrometheus = require('parse-prometheus-text-format');
+
+test('the description is one, and a linter has nothing to say against it', async () => {
+  assert.match(description.openapi, /^3\.1/);
+  assert.deepEqual(await lint(), []);
+});
+
+test('the server answers as it is described', async (t) => {
+  const { url, token } = await startMonitor(t);
+  await eventually(async () => (await fetch(`${url}/api/map.png`)).status === 200);
+  const program = { files: [{ path: 'a.bhdl', text: 'states:\n  state:\n    name: "start"\n  end\nend\n' }] };
+  const broken = { files: [{ path: 'a.bhdl', text: 'states:\n  nonsense\n' }] };
+  const asked = new Set();
+
+  const ask = async (method, path, { status, body, bearer = token('operator'), headers = {}, ...values }) => {
+    const target = path.replace(/\{(\w+)\}/, (_, name) => encodeURIComponent(values[name]));
+    const response = await fetch(url + target, {
+      method, body: body === undefined ? undefined : JSON.stringify(body),
+      headers: { ...(bearer ? { authorization: `Bearer ${bearer}` } : {}), ...headers },
+    });
+    asked.add(`${method} ${path}`);
+    const copy = response.clone();
+    assert.equal(response.status, status, `${method} ${path}: ${await copy.text()}`);
+    assert.deepEqual(await objections(method, path, response.clone()), []);
+    return /json/.test(response.headers.get('content-type')) ? response.json() : response.text();
+  };
+
+  await t.test('what can be read', async () => {
+    for (const path of ['/healthz', '/metrics', '/api/status', '/api/team', '/api/programs', '/api/pushes', '/api/map.png', '/api/map.yaml', '/api/map.3Dscene'])
+      await ask('GET', path, { status: 200 });
+    await ask('GET', '/api/programs/{name}', { status: 200, name: 'office_cleanup.bhdl' });
+    await ask('GET', '/api/programs/{name}', { status: 404, name: 'nothing.bhdl' });
+    await ask('GET', '/api/pushes/{id}', { status: 404, id: 'nothing' });
+    await ask('GET', '/api/pushed/{hash}', { status: 404, hash: '0123' });
+  });
+
+  await t.test('what can be ordered, and what is refused', async () => {
+    assert.equal((await ask('POST', '/api/check', { status: 200, body: program })).ok, true);
+    assert.equal((await ask('POST', '/api/check', { status: 200, body: broken })).ok, false);
+    await ask('POST', '/api/check', { status: 400, body: {} });
+    await ask('POST', '/api/push', { status: 403, body: program, bearer: token('viewer') });
+    await ask('POST', '/api/push', { status: 422, body: broken });
+    await ask('POST', '/api/push', { status: 404, body: { ...program, targets: ['europa'] } });
+    await ask('POST', '/api/push', { status: 409, body: { ...program, replaces: 'ffff' } });
+    const pushed = await ask('POST', '/api/push', { status: 200, body: program });
+    await ask('GET', '/api/pushes/{id}', { status: 200, id: pushed.id });
+    await eventually(async () => (await getJson(`${url}/api/pushes`)).pushes.length === 1);
+    await ask('GET', '/api/pushes', { status: 200 });
+    await ask('GET', '/api/pushed/{hash}', { status: 200, hash: pushed.hash.slice(0, 10) });
+    await ask('POST', '/api/pushes/{id}/cancel', { status: 409, id: pushed.id, body: {} });
+    await ask('POST', '/api/command', { status: 200, body: { kind: 'hold', targets: ['io'] } });
+    await ask('POST', '/api/command', { status: 400, body: { kind: 'dance' } });
+    await ask('POST', '/api/command', { status: 404, body: { kind: 'hold', targets: ['europa'] } });
+    await ask('GET', '/api/status', { status: 403, headers: { origin: 'https://evil.example' } });
+  });
+
+  assert.deepEqual(Object.entries(description.paths)
+    .flatMap(([path, item]) => Object.keys(item).map((method) => `${method.toUpperCase()} ${path}`))
+    .filter((operation) => !asked.has(operation)), [], 'all that is described was asked');
+
+  await t.test('errors are problems, and say what would be allowed', async () => {
+    const wrong = await fetch(`${url}/api/push`);
+    assert.equal(wrong.status, 405);
+    assert.equal(wrong.headers.get('allow'), 'POST');
+    assert.equal(wrong.headers.get('content-type'), 'application/problem+json');
+    assert.equal((await wrong.json()).title, 'Method Not Allowed');
+  });
+
+  await t.test('what a client has is not sent again, and what is large goes as gzip', async () => {
+    for (const path of ['/', '/api/programs', '/api/map.yaml', '/api/map.png']) {
+      const first = await fetch(url + path);
+      const again = await fetch(url + path, { headers: { 'if-none-match': first.headers.get('etag') } });
+      assert.equal(again.status, 304, path);
+      assert.equal((await fetch(url + path, { headers: { 'if-none-match': '"other"' } })).status, 200, path);
+    }
+    const large = await raw(`${url}/api/programs/office_cleanup.bhdl`, { 'accept-encoding': 'gzip' });
+    assert.equal(large.headers['content-encoding'], 'gzip');
+    assert.equal(large.headers.vary, 'Accept-Encoding');
+    const text = gunzipSync(large.body);
+    assert.ok(text.length > 2 * large.body.length);
+    const plain = await raw(`${url}/api/programs/office_cleanup.bhdl`);
+    assert.equal(plain.headers['content-encoding'], undefined);
+    assert.deepEqual(plain.body, text);
+  });
+
+  await t.test('a file with a hash in its name may be kept for ever, the page that names it is asked for again', async () => {
+    const page = await fetch(url);
+    assert.equal(page.headers.get('cache-control'), 'no-cache');
+    const [asset] = (await page.text()).match(/assets\/index-[\w-]{8}\.js/);
+    const script = await fetch(`${url}/${asset}`);
+    assert.equal(script.headers.get('cache-control'), 'public, max-age=31536000, immutable');
+    assert.equal(script.headers.get('content-encoding'), 'gzip');
+  });
+
+  await t.test("Prometheus' format is read by another's parser", async () => {
+    const families = parsePrometheus(await (await fetch(`${url}/metrics`)).text());
+    const value = (name) => families.find((family) => family.name === name)?.metrics[0];
+    assert.equal(value('galilean_robots').value, '1');
+    assert.deepEqual(value('galilean_robot_silent'), { value: '0', labels: { robot: 'io' } });
+    assert.ok(Number(value('process_cpu_seconds_total').value) > 0);
+    assert.ok(Number(value('process_resident_memory_bytes').value) > 1e6);
+    for (const family of families) {
+      assert.match(family.name, /^[a-z_]+$/);
+      assert.ok(family.help.endsWith('.'), family.name);
+      assert.equal(family.type === 'COUNTER', family.name.endsWith('_total'), family.name);
+    }
+  });
+});
+
+/** Without fetch, which unpacks by itself. */
+function raw(url, headers = {}) {
+  return new Promise((resolve, reject) => request(url, { headers }, (response) => {
+    const parts = [];
+    response.on('data', (part) => parts.push(part)).on('end', () => resolve({ headers: response.headers, body: Buffer.concat(parts) }));
+  }).on('error', reject).end());
+}

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace galilean::monitor {
+
+/// A browser: speaks the protocol byte by byte.
+class FoxgloveSocket {
+ public:
+  explicit FoxgloveSocket(const std::string& host, std::uint16_t port,
+                          const std::string& origin = {}, const std::string& target = "/ws")
+      : stream_(io_) {
+    boost::beast::get_lowest_layer(stream_).connect(
+        {boost::asio::ip::address_v4::loopback(), port});
+    stream_.set_option(boost::beast::websocket::stream_base::decorator([=](auto& message) {
+      message.set(boost::beast::http::field::sec_websocket_protocol,
+                  "other, foxglove.websocket.v1");
+      if (!origin.empty()) message.set(boost::beast::http::field::origin, origin);
+    }));
+    stream_.handshake(response, host, target);
+  }
+  void send(const nlohmann::json& message) {
+    stream_.text(true);
+    stream_.write(boost::asio::buffer(message.dump()));
+  }
+  void subscribe(std::uint32_t channel_id) {
+    send({{"op", "subscribe"}, {"subscriptions", {{{"id", 1}, {"channelId", channel_id}}}}});
+  }
+  void send_binary(const std::string& bytes) {
+    stream_.binary(true);
+    stream_.write(boost::asio::buffer(bytes));
+  }
+  /// The next message that is not the server's clock.
+  std::string read() {
+    for (;;) {
+      boost::beast::flat_buffer buffer;
+      stream_.read(buffer);
+      auto text = boost::beast::buffers_to_string(buffer.data());
+      if (stream_.got_text() || text[0] != 2) return text;
+    }
+  }
+  /// Reads what is left until the server closes; its reason.
+  std::string read_to_the_end() {
+    for (boost::system::error_code error;;) {
+      boost::beast::flat_buffer buffer;
+      stream_.read(buffer, error);
+      if (error) return stream_.reason().reason.c_str();
+    }
+  }
+  nlohmann::json read_op(const std::string& op) {
+    for (;;)
+      if (auto message = nlohmann::json::parse(read(), nullptr, false);
+          message.is_object() && message["op"] == op)
+        return message;
+  }
+  std::uint32_t channel(const std::string& topic) {
+    for (;;) {
+      const auto channels = read_op("advertise")["channels"];
+      for (const auto& channel : channels)
+        if (channel["topic"] == topic) return channel["id"];
+    }
+  }
+  boost::beast::websocket::response_type response;
+
+ private:
+  boost::asio::io_context io_;
+  boost::beast::websocket::stream<boost::beast::tcp_stream> stream_;
+};
+
+}  // namespace galilean::monitor

@@ -1,0 +1,88 @@
+// `galilean swap` and `galilean programs`, against a monitor and without one.
+#include "tests/monitor/scripted_robot.h"
+#include "tests/monitor/server_fixture.h"
+
+namespace galilean::monitor {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using SwapCommandTest = ServerFixture;
+
+TEST_F(SwapCommandTest, SwapPrintsEachStepAndProgramsRemembersThem) {
+  ScriptedRobot io("io", test_domain(), catalog), ganymede("ganymede", test_domain(), catalog);
+  wait_for_robots(2);
+  const std::string monitor_option =
+      " --monitor http://" + host() + " --token-file " + (folder / "operator.token").string() + " ";
+  const std::string swap = GALILEAN_SWAP + monitor_option;
+  const auto swapped =
+      run_command(swap + (folder / "good.bhdl").string() + " --team --canary io --probation 300ms");
+  EXPECT_EQ(swapped.exit_code, 0) << swapped.output;
+  EXPECT_THAT(swapped.output, HasSubstr("check   done\n"));
+  EXPECT_THAT(swapped.output, HasSubstr("canary  done  io ran it for 0.3 s\n"));
+  EXPECT_THAT(swapped.output, HasSubstr("rest    done\n"));
+  EXPECT_EQ(ganymede.running_hash(), io.running_hash());
+  const auto first_hash = io.running_hash();
+
+  write("other.bhdl", "states:\n  state:\n    name: \"wait\"\n  end\nend\n");
+  const auto other = run_command(swap + (folder / "other.bhdl").string() + " --robot io");
+  EXPECT_EQ(other.exit_code, 0) << other.output;
+  EXPECT_EQ(run_command(swap + (folder / "broken.bhdl").string() + " --team").exit_code, 1);
+
+  const std::string programs = GALILEAN_PROGRAMS + monitor_option;
+  const auto list = run_command(programs + "list").output;
+  EXPECT_EQ(std::ranges::count(list, '\n'), 2) << list;
+  EXPECT_EQ(run_command(programs + "show " + first_hash.substr(0, 10)).output, kProgram);
+  const auto diff = run_command(programs + "diff " + first_hash.substr(0, 10) + " " +
+                                io.running_hash().substr(0, 10) + " --catalog " +
+                                (folder / "catalog.json").string());
+  EXPECT_EQ(diff.exit_code, 1) << diff.output;
+  EXPECT_THAT(diff.output, HasSubstr("wait"));
+  EXPECT_EQ(run_command(programs + "restore " + first_hash + " --robot io").exit_code, 0);
+  EXPECT_EQ(io.running_hash(), first_hash);
+  EXPECT_EQ(run_command(programs + "show 0123").exit_code, 2);
+}
+
+TEST_F(SwapCommandTest, SwapWithoutAMonitorThereSaysSoInOneLine) {
+  const auto alone =
+      run_command(std::string(GALILEAN_SWAP) + " --monitor http://127.0.0.1:1 --team " +
+                  (folder / "good.bhdl").string());
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_THAT(alone.output, HasSubstr("no monitor answers at http://127.0.0.1:1"));
+  EXPECT_EQ(std::ranges::count(alone.output, '\n'), 1);
+}
+
+TEST_F(SwapCommandTest, SwapWithoutAMonitorPrintsEachRobotsAnswer) {
+  ScriptedRobot io("io", test_domain(), catalog), ganymede("ganymede", test_domain(), catalog);
+  wait_for_robots(2);
+  const std::string swap =
+      std::string(GALILEAN_SWAP) + " --direct --domain " + std::to_string(test_domain()) + " ";
+  const auto swapped = run_command(swap + (folder / "good.bhdl").string() + " --team --json");
+  EXPECT_EQ(swapped.exit_code, 0) << swapped.output;
+  const auto answers = json::parse(swapped.output)["replies"];
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[0]["status"], "running");
+  EXPECT_EQ(io.running_hash(), json::parse(swapped.output)["hash"]);
+  std::cout << "swap answered after " << answers[0]["latency_ms"] << " and "
+            << answers[1]["latency_ms"] << " ms\n";
+  EXPECT_TRUE(becomes_true([&] { return get("/api/pushes").as_json()["pushes"].size() == 1; }))
+      << "the monitor remembers what others push";
+
+  const auto broken = run_command(swap + (folder / "broken.bhdl").string() + " --team");
+  EXPECT_EQ(broken.exit_code, 1);
+  EXPECT_THAT(broken.output, HasSubstr("broken.bhdl:3:5: error: "));
+  EXPECT_THAT(broken.output, HasSubstr("nothing was pushed"));
+  const auto unknown = run_command(swap + (folder / "good.bhdl").string() + " --robot europa");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.output, HasSubstr("heard are ganymede, io"));
+}
+
+TEST_F(SwapCommandTest, SwapWithoutARobotSaysSoInOneLine) {
+  const auto alone = run_command(std::string(GALILEAN_SWAP) + " --direct --domain 230 --team " +
+                                 (folder / "good.bhdl").string());
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_EQ(std::ranges::count(alone.output, '\n'), 1);
+}
+
+}  // namespace
+}  // namespace galilean::monitor

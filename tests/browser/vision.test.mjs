@@ -1,0 +1,34 @@
+// What the robots of a live team see, and trying other thresholds on it.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { liveTab } from "./tab.mjs";
+
+const tab = liveTab();
+const { api, at, row, until } = tab;
+
+test("camera and supercomponents of the chosen robot are shown", async () => {
+  for (const picture of ["camera", "superred", "supergreen", "superblue"])
+    await until((id) => Number(document.querySelector(`[data-testid=${id}]`)?.dataset.shown) > 0, `picture-${picture}`);
+});
+
+test("a threshold that was tuned on a live picture goes to the robot as a program", async () => {
+  await row("io").getByRole("button").first().click();
+  const [running, others] = [await row("io").getAttribute("data-hash"), await row("callisto").getAttribute("data-hash")];
+  await at("tune-button").click();
+  const slider = at("tune-threshold");
+  await slider.fill("255");
+  await until(() => document.querySelector("[data-testid=vision-tuning] canvas")?.width === 352);
+  await at("tune-write").click();
+  await at("push-confirm").click();
+  await until(([hash]) => {
+    const now = document.querySelector("[data-testid=team-row-io]")?.dataset.hash;
+    return now !== undefined && now !== hash;
+  }, [running]);
+  const hash = await row("io").getAttribute("data-hash");
+  assert.equal(await row("callisto").getAttribute("data-hash"), others);
+  const pushed = await api(`/api/pushed/${hash}`);
+  assert.match(pushed.files.map(({ text }) => text).join(""), /threshold: 255/);
+  await at("tune-button").click();
+});
+
+tab.testComplaints();

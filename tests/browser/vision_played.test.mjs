@@ -27,7 +27,7 @@ test("a picture is asked for only while it is in sight", async () => {
   await tab.page.keyboard.press("Delete");
   await until(() => !document.querySelector("[data-testid=vision]"));
   const watched = async () => (await tab.api("/watched")).topics.filter((topic) => topic.includes("/camera/"));
-  assert.deepEqual(await watched(), [], "the camera is still read");
+  for (let tries = 0; (await watched()).length > 0; tries += 1) assert.ok(tries < 2000, "the camera is still read");
 });
 
 test("many robots' cameras stand side by side, and only those in sight are read", async () => {

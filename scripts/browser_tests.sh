@@ -1,7 +1,10 @@
 #!/usr/bin/env bash
-# browser_tests.sh: starts the demo, runs the browser tests on its page, and ends it.
+# browser_tests.sh [FILE…]: runs the browser tests (all, or these of tests/browser) one file after
+# another on the page of one demo, which it starts and ends.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+files=("$@")
+[ $# -gt 0 ] || files=(tests/browser/*.test.mjs)
 port=$((20000 + RANDOM % 20000))
 folder=$(mktemp -d)
 export ROS_DOMAIN_ID=$((150 + RANDOM % 50))
@@ -15,4 +18,8 @@ until grep -q "http://127.0.0.1:$port" "$folder/demo.log"; do
   read -rt 0.2 <> <(:) || true
 done
 # The demo's own link: with the token that lets its reader steer.
-GALILEAN_URL=$(grep -o "http://127.0.0.1:$port[^ ]*" "$folder/demo.log" | head -n 1) node --test tests/browser/team.test.mjs
+GALILEAN_URL=$(grep -o "http://127.0.0.1:$port[^ ]*" "$folder/demo.log" | head -n 1)
+export GALILEAN_URL
+status=0
+for file in "${files[@]}"; do node --test "$file" || status=1; done
+exit $status

@@ -1,0 +1,89 @@
+// A browser's tab with the page in it, for one file of tests: `liveTab()` shows the running team whose
+// link stands in GALILEAN_URL, `playedTab()` a team that web/tests/fixture plays.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { createRequire } from "node:module";
+import { createInterface } from "node:readline";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const { chromium } = createRequire(new URL("../../web/package.json", import.meta.url))("playwright-core");
+const FIXTURE = fileURLToPath(new URL("../../web/tests/fixture/monitor.mjs", import.meta.url));
+
+export const ROBOTS = ["io", "ganymede", "callisto"];
+export const LAPTOP = { width: 1366, height: 768 };
+export const PHONE = { width: 390, height: 844 };
+const PATIENCE_MS = 120_000;
+
+class Tab {
+  complaints = [];
+
+  async open(url, { viewport = LAPTOP, ...context } = {}) {
+    this.url = url;
+    this.browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu"] });
+    this.page = await this.browser.newPage({ viewport, ...context });
+    this.page.setDefaultTimeout(PATIENCE_MS);
+    this.page.on("console", (message) => message.type() === "error" && this.complaints.push(message.text()));
+    this.page.on("pageerror", (error) => this.complaints.push(error.message));
+    await this.page.goto(url);
+  }
+
+  close = () => this.browser?.close();
+
+  at = (testid) => this.page.getByTestId(testid);
+  row = (robot) => this.at(`team-row-${robot}`);
+
+  /** Waits until `condition`, which runs in the page, gives true. */
+  until = (condition, argument) => this.page.waitForFunction(condition, argument, { timeout: PATIENCE_MS });
+
+  /** Waits until an element's attribute has the value wanted. */
+  untilIs = (testid, attribute, value) =>
+    this.until(([id, name, wanted]) => document.querySelector(`[data-testid="${id}"]`)?.getAttribute(name) === wanted, [testid, attribute, value]);
+
+  untilRow = (robot, attribute, value) => this.untilIs(`team-row-${robot}`, attribute, value);
+
+  untilReply = (robot, statuses) =>
+    this.until(([id, wanted]) => wanted.includes(document.querySelector(`[data-testid=${id}]`)?.dataset.status), [`reply-${robot}`, statuses]);
+
+  api = async (path, body) => {
+    const request = body && { method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify(body) };
+    return (await fetch(new URL(path, this.url), request)).json();
+  };
+
+  /** The last test of a file: what the browser logged as an error is one. */
+  testComplaints = () => test("the browser has nothing to complain of", () => assert.deepEqual(this.complaints, []));
+}
+
+/** The page of a live team, for the tests of this file. */
+export function liveTab(options) {
+  const tab = new Tab();
+  before(() => {
+    assert.ok(process.env.GALILEAN_URL, "set GALILEAN_URL to the operator's link of a running team's monitor");
+    return tab.open(process.env.GALILEAN_URL, options);
+  });
+  after(tab.close);
+  return tab;
+}
+
+/** A team that is played: `play` are the fixture's options, such as { robots: 30, silent: "callisto" }. */
+export async function startFixture(play = {}, port = 0) {
+  const options = Object.entries({ port, ...play }).flatMap(([name, value]) => (value === true ? [`--${name}`] : [`--${name}`, String(value)]));
+  const fixture = spawn(process.execPath, [FIXTURE, ...options], { stdio: ["ignore", "pipe", "inherit"] });
+  const [url] = await once(createInterface({ input: fixture.stdout }), "line");
+  return { url, stop: () => new Promise((ended) => (fixture.once("exit", ended), fixture.kill())) };
+}
+
+/** The page of a played team, for the tests of this file. */
+export function playedTab(play, options) {
+  const tab = new Tab();
+  before(async () => {
+    tab.fixture = await startFixture(play);
+    await tab.open(tab.fixture.url, options);
+  });
+  after(async () => {
+    await tab.close();
+    await tab.fixture?.stop();
+  });
+  return tab;
+}

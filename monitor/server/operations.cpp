@@ -11,8 +11,11 @@ namespace {
 
 namespace kinds = msg::Command_Constants;
 const std::map<std::string, std::uint8_t>& command_kinds() {
-  static const std::map<std::string, std::uint8_t> kKinds{
-      {"hold", kinds::HOLD}, {"resume", kinds::RESUME}, {"push_bumper", kinds::PUSH_BUMPER}};
+  static const std::map<std::string, std::uint8_t> kKinds{{"hold", kinds::HOLD},
+                                                          {"resume", kinds::RESUME},
+                                                          {"push_bumper", kinds::PUSH_BUMPER},
+                                                          {"decommission", kinds::DECOMMISSION},
+                                                          {"commission", kinds::COMMISSION}};
   return kKinds;
 }
 
@@ -89,7 +92,7 @@ void Operations::cancel_push(const nlohmann::json& request, Finish finish) {
 void Operations::command(const nlohmann::json& request, Finish finish) {
   const auto kind = command_kinds().find(text_field(request, "kind"));
   if (kind == command_kinds().end())
-    throw BadRequest("'kind' must be hold, resume or push_bumper.");
+    throw BadRequest("'kind' must be hold, resume, push_bumper, decommission or commission.");
   msg::Command command;
   command.id = new_id();
   command.author = text_field(request, "author", "operator");

@@ -103,10 +103,19 @@ class Workshop {
     this.#typed = new Map();
   }
 
-  /** Shows a place of the program that runs; what somebody edits stays on the bench. */
-  showRunning(place: Place): void {
-    if (!this.edited) this.takeRunning();
+  /** Shows a place of the program that runs, or of the one with that hash; what somebody edits stays on the bench. */
+  async showRunning(place: Place, hash = live.robot?.program?.value.hash): Promise<void> {
+    if (!this.edited) await this.#takeByHash(hash);
     this.show(place);
+  }
+
+  /** The program that a robot runs, or one that ran before and was pushed through the monitor. */
+  async #takeByHash(hash: string | undefined): Promise<void> {
+    const running = live.robots.find(({ program }) => program?.value.hash === hash)?.program?.value;
+    const files = running?.files ?? (hash ? await api.readPushed(hash).catch(() => undefined) : undefined);
+    this.chosen = "";
+    if (files) this.#take(files);
+    else this.takeRunning();
   }
 
   show(place: Place): void {

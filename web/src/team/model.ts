@@ -49,6 +49,14 @@ export interface ProgramChange {
   readonly at_ms: number;
 }
 
+/** A robot's variables around one change of state. */
+export interface Moment {
+  /** Told before the change. */
+  readonly before?: Variables;
+  /** Told at its tick or just after it. */
+  readonly after?: Variables;
+}
+
 export interface Robot {
   readonly name: string;
   readonly identity: Identity;
@@ -60,6 +68,8 @@ export interface Robot {
   readonly sightings?: Stamped<Sightings>;
   readonly program?: Stamped<Program>;
   readonly transitions: readonly Transition[];
+  /** By the number of the transition, of those that happened while the page listened. */
+  readonly moments: ReadonlyMap<bigint, Moment>;
   readonly bars: readonly StateBar[];
   readonly programs: readonly ProgramChange[];
   readonly placed?: MapRobot;

@@ -2,6 +2,7 @@ import type * as wire from "../feed/messages";
 import { type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
 import { identityOf } from "./identity";
 import type { Robot, Team } from "./model";
+import { withMoment, withVariables } from "./moments";
 import { replyOf, withPush, withReply, withStep } from "./pushes";
 import { clockOffset_ms, onPageClock_ms } from "./robot_clock";
 import { withBar, withProgram } from "./timeline";
@@ -15,7 +16,7 @@ function robotNamed(team: Team, name: string, received_ms: number): Robot {
   if (known) return known;
   const others = [...team.robots.values()].map((robot) => robot.identity);
   const identity = identityOf(name, others);
-  return { name, identity, heard_ms: received_ms, transitions: [], bars: [], programs: [], trail: [] };
+  return { name, identity, heard_ms: received_ms, transitions: [], moments: new Map(), bars: [], programs: [], trail: [] };
 }
 
 const barOf = (robot: Robot, { number, to_state: state, stamp }: wire.Transition) => ({
@@ -48,14 +49,19 @@ function withState(robot: Robot, value: wire.RobotState, received_ms: number): R
 function withChange(robot: Robot, transition: wire.Transition): Robot {
   const transitions = withTransition(robot.transitions, transition);
   if (transitions === robot.transitions) return robot;
-  if (robot.clock_offset_ms === undefined) return { ...robot, transitions };
-  return { ...robot, transitions, bars: withBar(robot.bars, barOf(robot, transition)) };
+  const moments = withMoment(robot.moments, transition, robot.variables?.value);
+  if (robot.clock_offset_ms === undefined) return { ...robot, transitions, moments };
+  return { ...robot, transitions, moments, bars: withBar(robot.bars, barOf(robot, transition)) };
 }
 
 const ofRobot: { [K in Exclude<RobotTopic, "program_reply">]: Reduce<Robot, never> } = {
   state: withState,
   transition: withChange,
-  variables: (robot, value: wire.Variables, received_ms) => ({ ...robot, variables: { value, received_ms } }),
+  variables: (robot, value: wire.Variables, received_ms) => ({
+    ...robot,
+    variables: { value, received_ms },
+    moments: withVariables(robot.moments, robot.transitions, value),
+  }),
   sightings: (robot, value: wire.Sightings, received_ms) => ({ ...robot, sightings: { value, received_ms } }),
   program: (robot, value: wire.Program, received_ms) => ({ ...robot, program: { value, received_ms } }),
 };

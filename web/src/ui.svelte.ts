@@ -1,8 +1,6 @@
 // What the reader chose about the page itself.
 
 export type Theme = "system" | "light" | "dark";
-export const tabs = ["map", "machine", "why", "variables", "vision", "program", "timeline"] as const;
-export type Tab = (typeof tabs)[number];
 
 const THEME = "galilean.theme";
 const NEXT: Record<Theme, Theme> = { system: "dark", dark: "light", light: "system" };
@@ -18,7 +16,8 @@ class Ui {
   #systemDark = $state(matches("(prefers-color-scheme: dark)", (dark) => (this.#systemDark = dark)));
   /** No room for panels side by side: one at a time. */
   narrow = $state(matches("(max-width: 999px)", (narrow) => (this.narrow = narrow)));
-  tab = $state<Tab>("map");
+  /** The panel that is shown where there is room for one. */
+  tab = $state("map");
   helpOpen = $state(false);
   editorOpen = $state(false);
 

@@ -81,7 +81,7 @@ interface Problem {
   diagnostics?: Diagnostic[];
 }
 
-export type CommandKind = "hold" | "resume" | "push_bumper";
+export type CommandKind = "hold" | "resume" | "push_bumper" | "decommission" | "commission";
 
 async function call<T>(path: string, body?: unknown): Promise<T> {
   const headers = { ...credentials(), "content-type": "application/json" };

@@ -5,6 +5,7 @@ import type { Component } from "svelte";
 import type { PanelName } from "../layout/arrangement.svelte";
 import MachinePanel from "./MachinePanel.svelte";
 import MapPanel from "./MapPanel.svelte";
+import PlotsPanel from "./PlotsPanel.svelte";
 import ProgramPanel from "./ProgramPanel.svelte";
 import TeamPanel from "./TeamPanel.svelte";
 import TimelinePanel from "./TimelinePanel.svelte";
@@ -20,10 +21,11 @@ export interface PanelKind extends PanelName {
 export const panels: readonly PanelKind[] = [
   { id: "map", title: "Map", component: MapPanel },
   { id: "team", title: "Team", component: TeamPanel },
-  { id: "machine", title: "Machine", component: MachinePanel },
+  { id: "machine", title: "State machine", component: MachinePanel },
   { id: "why", title: "Why", component: WhyPanel },
   { id: "variables", title: "Variables", component: VariablesPanel },
   { id: "vision", title: "Vision", component: VisionPanel },
+  { id: "plots", title: "Plots", component: PlotsPanel, behind: "vision" },
   { id: "timeline", title: "Timeline", component: TimelinePanel },
   { id: "program", title: "Program", component: ProgramPanel },
 ];

@@ -14,7 +14,10 @@ import type {
   Transition,
   Variables,
 } from "../feed/messages";
+import type { RobotEvent } from "./events";
 import type { Identity } from "./identity";
+import type { MessageRate } from "./message_rate";
+import type { Standing } from "./stillness";
 
 export interface Stamped<T> {
   readonly value: T;
@@ -72,6 +75,9 @@ export interface Robot {
   readonly moments: ReadonlyMap<bigint, Moment>;
   readonly bars: readonly StateBar[];
   readonly programs: readonly ProgramChange[];
+  readonly events: readonly RobotEvent[];
+  readonly standing?: Standing;
+  readonly rate?: MessageRate;
   readonly placed?: MapRobot;
   readonly pose?: Pose;
   readonly trail: readonly TrailPoint[];
@@ -101,6 +107,7 @@ export interface Team {
   readonly objects?: Stamped<readonly MapObject[]>;
   readonly grid?: OccupancyGrid;
   readonly score?: Stamped<Score>;
+  readonly contest_began_ms?: number;
   readonly pushes: readonly Push[];
 }
 

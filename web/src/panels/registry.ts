@@ -7,6 +7,7 @@ import MachinePanel from "./MachinePanel.svelte";
 import MapPanel from "./MapPanel.svelte";
 import PlotsPanel from "./PlotsPanel.svelte";
 import ProgramPanel from "./ProgramPanel.svelte";
+import RefereePanel from "./RefereePanel.svelte";
 import TeamPanel from "./TeamPanel.svelte";
 import TimelinePanel from "./TimelinePanel.svelte";
 import VariablesPanel from "./VariablesPanel.svelte";
@@ -28,6 +29,7 @@ export const panels: readonly PanelKind[] = [
   { id: "plots", title: "Plots", component: PlotsPanel, behind: "vision" },
   { id: "timeline", title: "Timeline", component: TimelinePanel },
   { id: "program", title: "Program", component: ProgramPanel },
+  { id: "referee", title: "Referee", component: RefereePanel, behind: "why" },
 ];
 
 /** Where each stands until somebody arranges them, as layout/text.ts writes it. */

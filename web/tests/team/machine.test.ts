@@ -1,6 +1,5 @@
 import { describe, expect, it } from "vitest";
 import type { Machine } from "../../src/feed/messages";
-import { diffInWords, machineDiff } from "../../src/team/machine_diff";
 import { labelLines, layOut } from "../../src/team/machine_layout";
 
 function machine(...ways: [from: string, to: string, bits?: string][]): Machine {
@@ -56,17 +55,5 @@ describe("a machine's layout", () => {
   it("breaks long names near their middle", () => {
     expect(labelLines("wander_for_trashcan")).toEqual(["wander_for_", "trashcan"]);
     expect(labelLines("backup1")).toEqual(["backup1"]);
-  });
-});
-
-describe("what a push would change", () => {
-  it("is told by states", () => {
-    const spin = machine(["start", "wander"], ["wander", "spin"], ["spin", "move_to_trash"], ["move_to_trash", "wander"]);
-    expect(machineDiff(office, spin)).toEqual({ added: ["spin"], removed: ["grab"], changed: ["wander", "move_to_trash"] });
-    expect(diffInWords(machineDiff(office, spin))[0]).toBe("adds spin");
-  });
-  it("is nothing where only lines have moved", () => {
-    const moved = { ...office, states: office.states.map((state) => ({ ...state, line: state.line + 9 })) };
-    expect(diffInWords(machineDiff(office, moved))).toEqual(["leaves states and transitions as they are"]);
   });
 });

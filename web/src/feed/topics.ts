@@ -1,10 +1,12 @@
 // Which topics the page knows, and what a topic's name says.
 
 export const robotTopics = ["state", "transition", "variables", "sightings", "program", "program_reply"] as const;
+/** Read only while a panel shows them. */
+export const watchedTopics = ["forces"] as const;
 export const teamTopics = ["/team/objects", "/team/map", "/team/program_push", "/team/push_progress", "/referee/score"] as const;
 export const pictures = ["camera", "superred", "supergreen", "superblue", "dark"] as const;
 
-export type RobotTopic = (typeof robotTopics)[number];
+export type RobotTopic = (typeof robotTopics | typeof watchedTopics)[number];
 export type TeamTopic = (typeof teamTopics)[number];
 export type Picture = (typeof pictures)[number];
 

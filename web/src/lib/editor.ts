@@ -63,7 +63,7 @@ export class Editor {
       lineNumbers(), foldGutter(), history(), drawSelection(), bracketMatching(), highlightActiveLine(), lintGutter(), runningLine, bhdl, look, told,
       language,
       keymap.of([...defaultKeymap, ...historyKeymap, ...foldKeymap, ...lintKeymap, indentWithTab]),
-      EditorView.contentAttributes.of({ "aria-label": "Program text" }),
+      EditorView.contentAttributes.of({ "aria-label": "Program text", tabindex: "0" }),
     ];
     this.#view = new EditorView({ parent, doc: text, extensions });
   }

@@ -10,8 +10,16 @@ export interface Bounds {
 
 const MARGIN_M = 0.5;
 
+const known = new WeakMap<OccupancyGrid, Bounds | undefined>();
+
+/** As `knownCells`, reckoned once a grid: it is large, and comes seldom. */
+export function knownBounds(grid: OccupancyGrid): Bounds | undefined {
+  if (!known.has(grid)) known.set(grid, knownCells(grid));
+  return known.get(grid);
+}
+
 /** The cells that are known, less the unknown rim around them; undefined where none is. */
-export function knownBounds({ info, data }: OccupancyGrid): Bounds | undefined {
+function knownCells({ info, data }: OccupancyGrid): Bounds | undefined {
   let [left, right, bottom, top] = [info.width, -1, info.height, -1];
   for (let row = 0; row < info.height; row += 1) {
     for (let column = 0; column < info.width; column += 1) {

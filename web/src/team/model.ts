@@ -2,6 +2,7 @@
 // so that an instant can be kept whole at little cost. Times in ms are the page's clock.
 
 import type {
+  Forces,
   MapObject,
   MapRobot,
   OccupancyGrid,
@@ -11,6 +12,7 @@ import type {
   RobotState,
   Score,
   Sightings,
+  Time,
   Transition,
   Variables,
 } from "../feed/messages";
@@ -69,6 +71,8 @@ export interface Robot {
   readonly state?: Stamped<RobotState>;
   readonly variables?: Stamped<Variables>;
   readonly sightings?: Stamped<Sightings>;
+  /** Told only while somebody looks at them. */
+  readonly forces?: Stamped<Forces>;
   readonly program?: Stamped<Program>;
   readonly transitions: readonly Transition[];
   /** By the number of the transition, of those that happened while the page listened. */
@@ -104,7 +108,8 @@ export type Reply = Pick<
 
 export interface Team {
   readonly robots: ReadonlyMap<string, Robot>;
-  readonly objects?: Stamped<readonly MapObject[]>;
+  /** With the map's own time, which its objects' `last_seen` keeps. */
+  readonly objects?: Stamped<readonly MapObject[]> & { readonly stamp: Time };
   readonly grid?: OccupancyGrid;
   readonly score?: Stamped<Score>;
   readonly contest_began_ms?: number;

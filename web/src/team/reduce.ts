@@ -68,6 +68,7 @@ const ofRobot: { [K in Exclude<RobotTopic, "program_reply">]: Reduce<Robot, neve
     moments: withVariables(robot.moments, robot.transitions, value),
   }),
   sightings: (robot, value: wire.Sightings, received_ms) => ({ ...robot, sightings: { value, received_ms } }),
+  forces: (robot, value: wire.Forces, received_ms) => ({ ...robot, forces: { value, received_ms } }),
   program: (robot, value: wire.Program, received_ms) => ({ ...robot, program: { value, received_ms } }),
 };
 
@@ -79,7 +80,7 @@ function withObjects(team: Team, message: wire.ObjectMap, received_ms: number): 
     const trail = withPoint(robot.trail, { x_m: placed.x_m, y_m: placed.y_m, at_ms: received_ms });
     robots.set(placed.name, { ...robot, placed, pose, trail });
   }
-  return { ...team, robots, objects: { value: message.objects, received_ms } };
+  return { ...team, robots, objects: { value: message.objects, received_ms, stamp: message.stamp } };
 }
 
 const ofTeam: { [K in TeamTopic]: Reduce<Team, never> } = {

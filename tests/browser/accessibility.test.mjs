@@ -1,0 +1,105 @@
+// WCAG 2.2 AA as far as axe can tell: dark and light, laptop and phone, with everything open that can be opened;
+// the page by keys alone; with less motion; and on paper.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { test } from "node:test";
+import { LAPTOP, PHONE, playedTab } from "./tab.mjs";
+
+const axe = readFileSync(createRequire(new URL("../../web/package.json", import.meta.url)).resolve("axe-core/axe.min.js"), "utf8");
+const RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
+const tab = playedTab({ ahead: 60, silent: "callisto" });
+
+async function opened({ colorScheme = "light", viewport = LAPTOP, ...rest } = {}) {
+  const page = await tab.browser.newPage({ viewport, colorScheme, ...rest });
+  page.setDefaultTimeout(60_000);
+  await page.goto(tab.url);
+  await page.getByTestId("map-robot-io").waitFor();
+  await page.evaluate(axe);
+  return page;
+}
+
+async function violations(page) {
+  const found = await page.evaluate((rules) => window.axe.run({ runOnly: { type: "tag", values: rules } }), RULES);
+  return found.violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.html.slice(0, 120)} ${node.any[0]?.message ?? ""}`));
+}
+
+for (const colorScheme of ["light", "dark"]) {
+  test(`a laptop's page, ${colorScheme}, has no violation, nor have its menus, its help and its editor`, async () => {
+    const page = await opened({ colorScheme });
+    await page.locator("[data-testid=picture-camera][data-shown]:not([data-shown='0'])").waitFor();
+    assert.deepEqual(await violations(page), []);
+    for (const menu of ["panels-menu", "arrange-map", "map-layers"]) {
+      await page.getByTestId(menu).click();
+      assert.deepEqual(await violations(page), [], menu);
+      await page.keyboard.press("Escape");
+    }
+    await page.getByTestId("map-robot-io").focus();
+    await page.keyboard.press("Enter");
+    assert.deepEqual(await violations(page), [], "what is known of a thing");
+    await page.keyboard.press("?");
+    assert.deepEqual(await violations(page), [], "keys");
+    await page.keyboard.press("Escape");
+    await page.getByTestId("edit-button").click();
+    await page.getByTestId("program-editor").locator(".cm-content").waitFor();
+    assert.deepEqual(await violations(page), [], "editor");
+    await page.close();
+  });
+
+  test(`a phone's page, ${colorScheme}, has none in any of its panels`, async () => {
+    const page = await opened({ colorScheme, viewport: PHONE });
+    const tabs = await page.locator("footer [data-testid^=tab-]").evaluateAll((all) => all.map(({ dataset }) => dataset.testid));
+    for (const each of tabs) {
+      await page.getByTestId(each).click();
+      assert.deepEqual(await violations(page), [], each);
+    }
+    await page.close();
+  });
+}
+
+test("Tab reaches every panel, its title shows the focus, and STOP ALL works by key from anywhere", async () => {
+  const page = await opened();
+  const reached = new Set();
+  for (let presses = 0; presses < 120; presses += 1) {
+    await page.keyboard.press("Tab");
+    const panel = await page.evaluate(() => document.activeElement?.closest("[data-panel]")?.dataset.panel);
+    if (panel) reached.add(panel);
+    const outlined = await page.evaluate(() => {
+      const { activeElement } = document;
+      if (!activeElement || activeElement === document.body || activeElement.closest("svg")) return true;
+      return getComputedStyle(activeElement).outlineStyle !== "none";
+    });
+    assert.ok(outlined, await page.evaluate(() => document.activeElement.outerHTML.slice(0, 200)));
+  }
+  const all = await page.locator("[data-panel]").evaluateAll((places) => places.map(({ dataset }) => dataset.panel));
+  assert.deepEqual([...reached].sort(), all.sort());
+  await page.keyboard.press(".");
+  await page.locator("[data-testid=team-row-io][data-held=true]").waitFor();
+  await page.close();
+});
+
+test("whoever asked for less motion sees none", async () => {
+  const page = await opened({ reducedMotion: "reduce" });
+  const moving = await page.evaluate(() =>
+    [...document.querySelectorAll("*")].filter((each) => {
+      const { transitionDuration, animationName } = getComputedStyle(each);
+      return animationName !== "none" || transitionDuration.split(",").some((duration) => Number.parseFloat(duration) > 0);
+    }).length);
+  assert.equal(moving, 0);
+  await page.close();
+});
+
+test("on paper stand the panels and no buttons, dark ink on white", async () => {
+  const page = await opened({ colorScheme: "dark" });
+  await page.emulateMedia({ media: "print" });
+  const { background, stop, map } = await page.evaluate(() => ({
+    background: getComputedStyle(document.body).backgroundColor,
+    stop: getComputedStyle(document.querySelector("[data-testid=stop-all]")).visibility,
+    map: getComputedStyle(document.querySelector("[data-testid=map]")).visibility,
+  }));
+  assert.equal(background, "rgb(255, 255, 255)");
+  assert.deepEqual([stop, map], ["hidden", "visible"]);
+  await page.close();
+});
+
+tab.testComplaints();

@@ -1,0 +1,143 @@
+// The map of a played team: what is drawn of each thing, and going about on it by pointer and by keys.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { playedTab } from "./tab.mjs";
+
+const tab = playedTab({ ahead: 60 });
+const { at, until, untilIs } = tab;
+
+const objects = () => tab.page.locator("[data-testid^=map-object-]");
+const shownPart = () => tab.page.locator("[data-testid=map] svg > g").first().getAttribute("transform");
+const middleOf = async (thing) => {
+  const { x, y, width, height } = await thing.boundingBox();
+  return { x: x + width / 2, y: y + height / 2 };
+};
+
+test("objects have their class's shape, their certainty as opacity, and an ellipse for where they may be", async () => {
+  await until(() => document.querySelectorAll("[data-testid^=map-object-] ellipse").length > 5);
+  const drawn = await objects().evaluateAll((all) =>
+    all.map((each) => ({ name: each.getAttribute("aria-label"), opacity: Number(each.getAttribute("opacity")), certainty: Number(each.dataset.certainty) })));
+  for (const { opacity, certainty } of drawn) assert.ok(Math.abs(opacity - (0.12 + 0.88 * certainty)) < 1e-9);
+  assert.ok(new Set(drawn.map(({ opacity }) => opacity.toFixed(1))).size > 2, "all look equally sure");
+  assert.ok(drawn.some(({ name }) => /^trash \d+, certainty 0\.\d\d, forgotten in \d/.test(name)));
+  assert.equal(drawn.filter(({ name }) => name.startsWith("basket")).length, 2);
+});
+
+test("no object is drawn twice", async () => {
+  const ids = await objects().evaluateAll((all) => all.map(({ dataset }) => dataset.thing));
+  assert.equal(new Set(ids).size, ids.length);
+});
+
+test("the floor and the trails are drawn on it", async () => {
+  await until(() => {
+    const canvas = document.querySelector("[data-testid=map] canvas");
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    let [floor, coloured] = [0, 0];
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i + 3] === 255) floor += 1;
+      if (data[i + 3] > 0 && Math.max(data[i], data[i + 1], data[i + 2]) - Math.min(data[i], data[i + 1], data[i + 2]) > 60) coloured += 1;
+    }
+    return floor > 10_000 && coloured > 50;
+  });
+});
+
+test("each robot's field of view and what it sees are drawn, and can be left out", async () => {
+  for (const robot of ["io", "ganymede", "callisto"]) await at(`sight-${robot}`).locator(".view").waitFor({ state: "attached" });
+  await until(() => document.querySelectorAll("[data-testid^=sight-] .line").length > 0);
+  await at("map-layers").click();
+  await at("layer-views").uncheck();
+  await until(() => document.querySelectorAll("[data-testid^=sight-] .view").length === 0);
+  await at("layer-views").check();
+  await tab.page.keyboard.press("Escape");
+});
+
+test("the chosen robot's forces are drawn, each and their sum; of all robots when asked", async () => {
+  await untilIs("forces-io", "data-count", "4");
+  const drawn = await at("forces-io").locator("[data-force]").evaluateAll((all) => all.map(({ dataset }) => [dataset.force, Number(dataset.strength)]));
+  const strengths = new Map(drawn);
+  assert.ok(Math.abs(strengths.get("avoid_robot") - 0.5) < 0.01 && Math.abs(strengths.get("noise") - 0.4) < 0.01, "a force is not drawn times its gain");
+  assert.ok(strengths.has("sum") && !strengths.has("fetch"), "a schema that does not run is drawn");
+  assert.equal(await at("forces-callisto").count(), 0);
+  await at("map-layers").click();
+  await at("forces-of-all").check();
+  await untilIs("forces-callisto", "data-count", "4");
+  await at("forces-of-chosen").check();
+  await tab.page.keyboard.press("Escape");
+});
+
+test("a thing that is clicked tells all that is known of it", async () => {
+  const basket = tab.page.locator("[data-testid^=map-object-][aria-label^=basket]").first();
+  const { x, y } = await middleOf(basket.locator(".target"));
+  await tab.page.mouse.click(x, y);
+  const detail = at("map-detail");
+  for (const fact of ["certainty", "at", "within", "seen by", "last seen", "distance"]) await detail.getByText(fact, { exact: true }).waitFor();
+  await detail.getByText("basket 10").waitFor();
+  await detail.getByRole("button", { name: "Close" }).click();
+  await detail.waitFor({ state: "detached" });
+});
+
+test("keys go from thing to thing, and choose one", async () => {
+  await at("map-robot-io").focus();
+  await tab.page.keyboard.press("ArrowRight");
+  const on = () => tab.page.evaluate(() => document.activeElement?.dataset.thing);
+  let thing = await on();
+  if (thing === "robot io") {
+    await tab.page.keyboard.press("ArrowLeft");
+    thing = await on();
+  }
+  assert.notEqual(thing, "robot io");
+  await tab.page.keyboard.press("Enter");
+  await at("map-detail").getByText(thing.replace("robot ", ""), { exact: true }).waitFor();
+  await tab.page.keyboard.press("Enter");
+});
+
+test("it pans and zooms by pointer, wheel and keys, and fits again", async () => {
+  const fitted = await shownPart();
+  const floor = await tab.page.locator("[data-testid=map] .floor").boundingBox();
+  const place = { x: floor.x + floor.width - 60, y: floor.y + floor.height / 2 };
+  await tab.page.mouse.move(place.x, place.y);
+  await tab.page.mouse.wheel(0, -400);
+  await until((before) => document.querySelector("[data-testid=map] svg > g").getAttribute("transform") !== before, fitted);
+  const zoomed = await shownPart();
+  await tab.page.mouse.down();
+  await tab.page.mouse.move(place.x - 80, place.y + 40, { steps: 4 });
+  await tab.page.mouse.up();
+  assert.notEqual(await shownPart(), zoomed);
+  await tab.page.keyboard.press("f");
+  await until(() => document.querySelector("[data-testid=map-fit]").disabled);
+  await tab.page.keyboard.press("+");
+  await until(() => !document.querySelector("[data-testid=map-fit]").disabled);
+  await tab.page.keyboard.press("f");
+});
+
+test("it follows the chosen robot until a hand pans it", async () => {
+  await at("map-robot-callisto").focus();
+  await tab.page.keyboard.press("+");
+  await at("team-row-callisto").getByRole("button").first().click();
+  await at("map-follow").click();
+  await until(() => {
+    const floor = document.querySelector("[data-testid=map] .floor").getBoundingClientRect();
+    const robot = document.querySelector("[data-testid=map-robot-callisto] .ring").getBoundingClientRect();
+    return Math.abs(robot.x + robot.width / 2 - floor.x - floor.width / 2) < 12 && Math.abs(robot.y + robot.height / 2 - floor.y - floor.height / 2) < 12;
+  });
+  const floor = await tab.page.locator("[data-testid=map] .floor").boundingBox();
+  await tab.page.mouse.move(floor.x + 20, floor.y + floor.height / 2);
+  await tab.page.mouse.down();
+  await tab.page.mouse.move(floor.x + 90, floor.y + floor.height / 2, { steps: 4 });
+  await tab.page.mouse.up();
+  await untilIs("map-follow", "aria-pressed", "false");
+  await tab.page.keyboard.press("f");
+});
+
+test("it measures between two places", async () => {
+  await at("map-measure").click();
+  const floor = await tab.page.locator("[data-testid=map] .floor").boundingBox();
+  const px_per_m = Number(await tab.page.locator("[data-testid=map] .floor").getAttribute("data-px-per-m"));
+  const from = { x: floor.x + floor.width / 2, y: floor.y + floor.height / 2 };
+  await tab.page.mouse.click(from.x, from.y);
+  await tab.page.mouse.click(from.x + 2 * px_per_m, from.y);
+  assert.match(await at("map-legend").textContent(), /2\.0\d m, (−)?0°|1\.99 m/);
+  await tab.page.keyboard.press("m");
+});
+
+tab.testComplaints();

@@ -1,0 +1,47 @@
+// What pulls and pushes a robot, as vectors on the map.
+
+import { componentsOf } from "../bhdl/components";
+import type { Forces, Program } from "../feed/messages";
+
+export interface DrawnForce {
+  readonly schema: string;
+  /** In the map's frame, times its gain; no unit. */
+  readonly x: number;
+  readonly y: number;
+  readonly strength: number;
+  /** What the others add up to. */
+  readonly isSum: boolean;
+}
+
+const LEAST = 0.02;
+const combiners = new WeakMap<Program, ReadonlySet<string>>();
+
+function combinersOf(program: Program | undefined): ReadonlySet<string> {
+  if (!program) return new Set();
+  const known = combiners.get(program);
+  if (known) return known;
+  const names = new Set(componentsOf(program.files).flatMap(({ type, name }) => (type === "combine_forces" ? [name] : [])));
+  combiners.set(program, names);
+  return names;
+}
+
+/** The forces of the schemas that run, and their sum as the program's own combine_forces makes it, or plain without one. */
+export function drawnForces({ items }: Forces, program: Program | undefined, heading_rad: number): DrawnForce[] {
+  const sums = combinersOf(program);
+  const [cos, sin] = [Math.cos(heading_rad), Math.sin(heading_rad)];
+  const all = items
+    .filter(({ active }) => active)
+    .map(({ schema, x, y, gain }): DrawnForce => {
+      const isSum = sums.has(schema);
+      const [right, ahead] = isSum ? [x, y] : [x * gain, y * gain];
+      return { schema, x: ahead * cos + right * sin, y: ahead * sin - right * cos, strength: Math.hypot(right, ahead), isSum };
+    });
+  const drawn = all.filter(({ strength }) => strength >= LEAST);
+  return all.some(({ isSum }) => isSum) || drawn.length === 0 ? drawn : [...drawn, plainSum(drawn)];
+}
+
+function plainSum(forces: readonly DrawnForce[]): DrawnForce {
+  const x = forces.reduce((sum, force) => sum + force.x, 0);
+  const y = forces.reduce((sum, force) => sum + force.y, 0);
+  return { schema: "sum", x, y, strength: Math.hypot(x, y), isSum: true };
+}

@@ -1,0 +1,48 @@
+import { describe, expect, it } from "vitest";
+import { nextThing, type Thing, thingsOn } from "../../src/map/things";
+import { knownOf } from "../../src/map/known";
+import type { MapObject } from "../../src/feed/messages";
+import { mapRobot, state, T0_MS, time, told } from "../team/told";
+
+const thing = (key: string, x_m: number, y_m: number): Thing => ({ key, x_m, y_m });
+
+describe("going from thing to thing", () => {
+  const all = [thing("middle", 0, 0), thing("ahead", 0, 2), thing("askew", 1.5, 1), thing("right", 3, 0.2)];
+  it("takes the nearest that lies that way, not one far aside", () => {
+    expect(nextThing(all, all[0]!, "up")?.key).toBe("ahead");
+    expect(nextThing(all, all[0]!, "right")?.key).toBe("right");
+    expect(nextThing(all, all[0]!, "left")).toBeUndefined();
+  });
+});
+
+const can: MapObject = {
+  id: 7, object_class: "trash", x_m: 1, y_m: 2, variance_xx: 0.01, variance_xy: 0, variance_yy: 0.0025, certainty: 0.8,
+  decay_per_s: 0.05, last_seen: time(T0_MS - 3000), seen_by: ["io", "callisto"], held_by: "",
+};
+const team = told([
+  ["/io/state", state({ x_m: 0.1, heading_rad: Math.PI / 2 }), T0_MS],
+  ["/team/objects", { stamp: time(T0_MS), objects: [can], robots: [mapRobot({ x_m: 1, y_m: 0 })] }, T0_MS],
+]);
+
+describe("what is known", () => {
+  const factsOf = (key: string) => Object.fromEntries(knownOf(key, team, T0_MS + 2000)!.facts);
+
+  it("of an object: how sure, for how long yet, where within what, seen when and by whom", () => {
+    expect(factsOf("object 7")).toMatchObject({
+      certainty: "0.70, forgotten in 14 s", at: "1.00, 2.00 m", within: "0.20 m × 0.10 m", "seen by": "io, callisto",
+      "last seen": "5.0 s ago", distance: "io 2.0 m",
+    });
+  });
+
+  it("of a robot: what it does, where it is on the map and where it believes to be", () => {
+    expect(factsOf("robot io")).toMatchObject({ does: "start", at: "1.00, 0.00 m", "by its own reckoning": "0.10, 0.00 m, 90°" });
+  });
+
+  it("is nothing once it is forgotten", () => {
+    expect(knownOf("object 8", team, T0_MS)).toBeUndefined();
+  });
+
+  it("can be chosen thing by thing", () => {
+    expect(thingsOn(team).map(({ key }) => key)).toEqual(["robot io", "object 7"]);
+  });
+});

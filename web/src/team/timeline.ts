@@ -40,7 +40,7 @@ export function drawnBars(bars: readonly StateBar[], from_ms: number, to_ms: num
     .filter((bar) => bar.to_ms > bar.from_ms);
 }
 
-const CHARACTER_PX = 6.1;
+const CHARACTER_PX = 6.8;
 
 /** A state's name in so much room: whole, or shortened in the middle. */
 export function labelled(state: string, room_px: number): string {

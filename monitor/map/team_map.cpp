@@ -15,12 +15,18 @@ constexpr double kFloorStep_m = 0.05;  ///< standing still is no new evidence
 constexpr double kFloorTurn_rad = 0.1;
 constexpr double kMostSightRange_m = 4;  ///< beyond, the end of a sight line is too unsure
 constexpr double kTouchDeviation_m = 0.05;
+constexpr double kVague_m = 0.6;
 constexpr double kPose_m2 = 1e-4;  ///< of a pose that is 0.1 s old
 
 bool is_obstacle(const msg::Variable& variable) {
   return variable.type == msg::Variable_Constants::LOCATE && variable.valid &&
          variable.object_class == "obstacle" && variable.values.size() >= 2 &&
          std::isfinite(variable.values[0]) && std::isfinite(variable.values[1]);
+}
+
+/// Seen from far away, it may stand anywhere within a metre: that is no place to tell.
+bool is_vague(const Gaussian2& place) {
+  return place.covariance_m2.trace() > kVague_m * kVague_m;
 }
 
 Vec2 in_map(const Pose2& frame, const Vec2& in_odom_m) {
@@ -149,7 +155,7 @@ msg::MapRobot TeamMap::robot_message(const std::string& name, Time now) const {
 
 void TeamMap::put_things(msg::ObjectMap& message, Time now, std::int64_t stamp_ns) const {
   for (const auto& thing : things_.all()) {
-    if (!thing.told()) continue;
+    if (!thing.told() || is_vague(things_.place(thing))) continue;
     msg::MapObject& item = message.objects.emplace_back();
     item.id = static_cast<std::uint32_t>(thing.id);
     item.object_class = thing.object_class;

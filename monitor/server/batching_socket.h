@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "monitor/server/outbox.h"
+#include "monitor/server/send_rounds.h"
 
 namespace galilean::monitor {
 
@@ -27,8 +28,8 @@ class BatchingSocket {
   using next_layer_type = tcp::socket;
   using error_code = boost::system::error_code;
 
-  explicit BatchingSocket(tcp::socket socket)
-      : state_(std::make_shared<State>(State{std::move(socket)})) {}
+  BatchingSocket(tcp::socket socket, SendRounds& rounds)
+      : state_(std::make_shared<State>(std::move(socket), rounds)) {}
 
   [[nodiscard]] executor_type get_executor() noexcept { return state_->socket.get_executor(); }
   [[nodiscard]] next_layer_type& next_layer() noexcept { return state_->socket; }
@@ -36,8 +37,8 @@ class BatchingSocket {
 
   /// From now on frames are sent; nullptr: no more. The outbox must live until then.
   void send_from(Outbox* outbox) { state_->outbox = outbox; }
-  /// Sends what waits, unless that is being done already.
-  void flush() { state_->flush(state_); }
+  /// Sends what waits with the next round.
+  void flush() { state_->join_round(); }
 
   template <class Buffers, class Handler>
   auto async_read_some(const Buffers& buffers, Handler&& handler) {
@@ -53,7 +54,7 @@ class BatchingSocket {
           state_->control.resize(start + size);
           boost::asio::buffer_copy(boost::asio::buffer(state_->control.data() + start, size),
                                    buffers);
-          flush();
+          state_->send_waiting();
           boost::asio::post(get_executor(), boost::beast::bind_front_handler(std::move(completion),
                                                                              state_->failed, size));
         },
@@ -63,8 +64,9 @@ class BatchingSocket {
  private:
   static constexpr std::size_t kFramesAtOnce = 64;
 
-  struct State {
+  struct State final : SendRounds::Sender, std::enable_shared_from_this<State> {
     tcp::socket socket;
+    SendRounds& rounds;
     Outbox* outbox = nullptr;
     std::vector<std::uint8_t> control = {};
     std::vector<std::uint8_t> control_in_flight = {};
@@ -72,17 +74,29 @@ class BatchingSocket {
     bool writing = false;
     error_code failed = {};
 
-    void flush(const std::shared_ptr<State>& self) {
+    State(tcp::socket connected, SendRounds& shared)
+        : socket(std::move(connected)), rounds(shared) {}
+
+    void join_round() {
+      if (!writing && !failed) rounds.add(this->shared_from_this());
+    }
+    void send_waiting() override {
       if (writing || failed) return;
       control_in_flight = std::exchange(control, {});
       frames_in_flight = outbox ? outbox->take(kFramesAtOnce) : std::vector<Frame>();
       if (control_in_flight.empty() && frames_in_flight.empty()) return;
       writing = true;
-      boost::asio::async_write(socket, gathered(), [self](error_code error, std::size_t) {
-        self->writing = false;
-        self->failed = error;
-        self->flush(self);
-      });
+      boost::asio::async_write(socket, gathered(),
+                               [self = this->shared_from_this()](error_code error, std::size_t) {
+                                 self->written(error);
+                               });
+    }
+    void written(error_code error) {
+      const bool more_waits = frames_in_flight.size() == kFramesAtOnce || !control.empty();
+      writing = false;
+      failed = error;
+      if (more_waits) return send_waiting();
+      if (outbox && !outbox->empty()) join_round();
     }
 
     [[nodiscard]] std::vector<boost::asio::const_buffer> gathered() const {

@@ -12,6 +12,7 @@
 #include "monitor/server/guard.h"
 #include "monitor/server/http_messages.h"
 #include "monitor/server/language_session.h"
+#include "monitor/server/send_rounds.h"
 
 namespace galilean::monitor {
 
@@ -34,6 +35,7 @@ class HttpServer {
     Access access;
     HttpHandler handler;
     foxglove::Hub& hub;
+    SendRounds& rounds;
     LanguageDesk& language;
     Counts counts = {};
   };

@@ -105,7 +105,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
 
   void become_websocket(http::request<http::string_body> message, Right right) {
     stream_.expires_never();
-    serve_websocket(stream_.release_socket(), std::move(message), site_->hub, right);
+    serve_websocket(stream_.release_socket(), std::move(message), site_->hub, site_->rounds, right);
   }
 
   void become_language_server(const http::request<http::string_body>& message) {

@@ -53,6 +53,7 @@ struct Monitor::Parts {
   asio::io_context io{1};
   asio::signal_set signals{io, SIGINT, SIGTERM};
   asio::steady_timer tell_timer{io};
+  SendRounds rounds{io};
   Worker worker{io};
   Worker language_worker{io};
   LanguageDesk language;
@@ -102,7 +103,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
                   [this](const HttpRequest& request, const Respond& respond) {
                     api.answer(request, respond);
                   },
-                  hub, language}),
+                  hub, rounds, language}),
       ingest(*participant, callbacks(), [this] { asio::post(io, [this] { ingest.poll(); }); }),
       graph(*participant) {
   operations.offer(hub);

@@ -30,8 +30,9 @@ std::string_view subprotocol_for(const Upgrade& upgrade) {
 class WebSocketSession final : public foxglove::Link,
                                public std::enable_shared_from_this<WebSocketSession> {
  public:
-  WebSocketSession(boost::asio::ip::tcp::socket socket, foxglove::Hub& hub, Right right)
-      : stream_(std::move(socket)), hub_(hub), right_(right) {}
+  WebSocketSession(boost::asio::ip::tcp::socket socket, foxglove::Hub& hub, SendRounds& rounds,
+                   Right right)
+      : stream_(std::move(socket), rounds), hub_(hub), right_(right) {}
 
   void start(const Upgrade& upgrade) {
     const auto subprotocol = subprotocol_for(upgrade);
@@ -103,8 +104,8 @@ class WebSocketSession final : public foxglove::Link,
 }  // namespace
 
 void serve_websocket(boost::asio::ip::tcp::socket socket, Upgrade upgrade, foxglove::Hub& hub,
-                     Right right) {
-  std::make_shared<WebSocketSession>(std::move(socket), hub, right)->start(upgrade);
+                     SendRounds& rounds, Right right) {
+  std::make_shared<WebSocketSession>(std::move(socket), hub, rounds, right)->start(upgrade);
 }
 
 }  // namespace galilean::monitor

@@ -7,6 +7,7 @@
 
 #include "monitor/access/access.h"
 #include "monitor/server/foxglove_hub.h"
+#include "monitor/server/send_rounds.h"
 
 namespace galilean::monitor {
 
@@ -14,6 +15,6 @@ namespace galilean::monitor {
 /// keeps itself.
 void serve_websocket(boost::asio::ip::tcp::socket socket,
                      boost::beast::http::request<boost::beast::http::string_body> upgrade,
-                     foxglove::Hub& hub, Right right);
+                     foxglove::Hub& hub, SendRounds& rounds, Right right);
 
 }  // namespace galilean::monitor

@@ -1,0 +1,155 @@
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <random>
+
+#include "monitor/map/map_scene.h"
+#include "monitor/map/markers.h"
+#include "monitor/map/team_map.h"
+
+namespace {
+
+using namespace galilean;
+using namespace galilean::monitor;
+using namespace std::chrono_literals;
+
+constexpr double kSquareMetresAThing = 1.6, kSight_m = 3, kView_rad = 73.5 * kPi / 180;
+constexpr double kTurn_rad = 0.35;
+constexpr int kFramesAnUpdate = 2;  ///< cameras at 10 Hz, the map at 5
+
+constexpr int kPeriodsATurn = 10;
+
+/// Robots that turn in place in a hall full of things, measured as a camera would with 3 cm of
+/// error.
+class Hall {
+ public:
+  Hall(int robots, int things) {
+    const double half_m = std::sqrt(kSquareMetresAThing * things) / 2;
+    std::uniform_real_distribution<double> anywhere(-half_m, half_m);
+    for (int i = 0; i < things; ++i) things_.emplace_back(anywhere(random_), anywhere(random_));
+    for (int i = 0; i < robots; ++i) {
+      poses_.push_back({{anywhere(random_), anywhere(random_)}, anywhere(random_)});
+      map_.start_at(name(i), {});
+    }
+  }
+
+  struct Told {
+    msg::RobotState state;
+    msg::Sightings sightings;
+    Time at;
+  };
+  /// What robots tell between two updates.
+  [[nodiscard]] std::vector<Told> period() {
+    std::vector<Told> told;
+    for (int frame = 0; frame < kFramesAnUpdate; ++frame, now_ += 100ms)
+      for (std::size_t i = 0; i < poses_.size(); ++i) {
+        poses_[i].heading_rad = wrap_angle(poses_[i].heading_rad + kTurn_rad);
+        told.push_back({state(i), sightings(i), now_});
+      }
+    return told;
+  }
+  [[nodiscard]] msg::ObjectMap update(const std::vector<Told>& all) {
+    for (const auto& told : all) {
+      map_.note(told.state, told.at);
+      map_.note(told.sightings, told.at);
+    }
+    map_.update(now_);
+    return map_.objects(now_, now_.time_since_epoch().count());
+  }
+
+ private:
+  static std::string name(std::size_t robot) { return "r" + std::to_string(robot); }
+
+  [[nodiscard]] msg::RobotState state(std::size_t robot) const {
+    msg::RobotState state;
+    state.robot = name(robot);
+    state.x_m = poses_[robot].position_m.x();
+    state.y_m = poses_[robot].position_m.y();
+    state.heading_rad = poses_[robot].heading_rad;
+    return state;
+  }
+  [[nodiscard]] msg::Sightings sightings(std::size_t robot) {
+    std::normal_distribution<double> error(0, 0.03);
+    const Pose2& from = poses_[robot];
+    msg::Sightings frame;
+    frame.robot = name(robot);
+    frame.x_m = from.position_m.x();
+    frame.y_m = from.position_m.y();
+    frame.heading_rad = from.heading_rad;
+    frame.view_angle_rad = static_cast<float>(kView_rad);
+    for (const Vec2& thing : things_) {
+      const Vec2 towards = rotated(thing - from.position_m, -from.heading_rad);
+      const double azimuth_rad = std::atan2(towards.y(), towards.x());
+      if (towards.norm() > kSight_m || std::abs(azimuth_rad) > kView_rad / 2) continue;
+      auto& item = frame.items.emplace_back();
+      item.object_class = "trash";
+      item.x_m = thing.x() + error(random_);
+      item.y_m = thing.y() + error(random_);
+      item.variance_xx = item.variance_yy = 9e-4;
+      item.range_m = static_cast<float>(towards.norm());
+      item.azimuth_rad = static_cast<float>(azimuth_rad);
+      item.left_px = item.top_px = item.right_px = item.bottom_px = 100;
+    }
+    return frame;
+  }
+
+  std::mt19937 random_{1};
+  std::vector<Vec2> things_;
+  std::vector<Pose2> poses_;
+  TeamMap map_{2s};
+  Time now_{1s};
+};
+
+/// From the messages of one period to what is published. A whole turn comes first.
+void update(benchmark::State& state) {
+  Hall hall(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  for (int i = 0; i < kPeriodsATurn; ++i) (void)hall.update(hall.period());
+  std::size_t objects = 0;
+  for (auto _ : state) {
+    const auto told = hall.period();
+    const auto began = std::chrono::steady_clock::now();
+    objects = hall.update(told).objects.size();
+    state.SetIterationTime(to_seconds(std::chrono::steady_clock::now() - began));
+  }
+  state.counters["objects"] = static_cast<double>(objects);
+}
+BENCHMARK(update)
+    ->Unit(benchmark::kMillisecond)
+    ->Args({3, 20})
+    ->Args({10, 100})
+    ->Args({100, 1000})
+    ->UseManualTime()
+    ->Iterations(5);
+
+msg::ObjectMap full_map(int robots, int things) {
+  msg::ObjectMap map;
+  for (int i = 0; i < things; ++i) {
+    auto& item = map.objects.emplace_back();
+    item.id = static_cast<std::uint32_t>(i);
+    item.object_class = "trash";
+    item.x_m = i * 0.1;
+    item.variance_xx = item.variance_yy = 1e-3;
+    item.certainty = 1;
+    item.seen_by = {"io", "ganymede"};
+  }
+  for (int i = 0; i < robots; ++i) {
+    auto& robot = map.robots.emplace_back();
+    robot.name = "r" + std::to_string(i);
+    robot.variance_xx = robot.variance_yy = 1e-3;
+  }
+  return map;
+}
+
+void make_markers(benchmark::State& state) {
+  const auto map = full_map(100, 1000);
+  for (auto _ : state) benchmark::DoNotOptimize(markers(map));
+}
+BENCHMARK(make_markers)->Unit(benchmark::kMillisecond);
+
+void make_scene(benchmark::State& state) {
+  const auto map = full_map(100, 1000);
+  for (auto _ : state) benchmark::DoNotOptimize(map_scene({}, map));
+}
+BENCHMARK(make_scene)->Unit(benchmark::kMillisecond);
+
+}  // namespace

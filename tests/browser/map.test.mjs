@@ -7,7 +7,7 @@ const tab = playedTab({ ahead: 60 });
 const { at, until, untilIs } = tab;
 
 const objects = () => tab.page.locator("[data-testid^=map-object-]");
-const shownPart = () => tab.page.locator("[data-testid=map] svg > g").first().getAttribute("transform");
+const shownPart = () => tab.page.locator("[data-testid=map] .ground svg > g").first().getAttribute("transform");
 const middleOf = async (thing) => {
   const { x, y, width, height } = await thing.boundingBox();
   return { x: x + width / 2, y: y + height / 2 };
@@ -97,7 +97,7 @@ test("it pans and zooms by pointer, wheel and keys, and fits again", async () =>
   const place = { x: floor.x + floor.width - 60, y: floor.y + floor.height / 2 };
   await tab.page.mouse.move(place.x, place.y);
   await tab.page.mouse.wheel(0, -400);
-  await until((before) => document.querySelector("[data-testid=map] svg > g").getAttribute("transform") !== before, fitted);
+  await until((before) => document.querySelector("[data-testid=map] .ground svg > g").getAttribute("transform") !== before, fitted);
   const zoomed = await shownPart();
   await tab.page.mouse.down();
   await tab.page.mouse.move(place.x - 80, place.y + 40, { steps: 4 });

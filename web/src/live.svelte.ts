@@ -1,6 +1,7 @@
 // What the panels see: the team now or at a chosen instant, the robot chosen, and the page's clock.
 
 import { type Connection, Feed } from "./feed/feed";
+import { type Gap, withGap } from "./team/gaps";
 import { History, type Instant } from "./team/history";
 import { emptyTeam, type Reply, type Robot, type Team } from "./team/model";
 import { withProgress, withPush, withReply } from "./team/pushes";
@@ -15,6 +16,10 @@ const CALM_AGEING_MS = 1000;
 
 class Live {
   connection = $state<Connection>("connecting");
+  /** Since when nothing is heard from the monitor. */
+  lost_ms = $state<number>();
+  /** When nothing was heard from it: what happened then is not known. */
+  gaps = $state.raw<readonly Gap[]>([]);
   trouble = $state<string>();
   chosen = $state<string>();
   /** The instant that the panels show; undefined: now. */
@@ -28,7 +33,7 @@ class Live {
 
   feed = new Feed(withToken(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`), {
     message: (topic, message, received_ms) => this.#heard(topic, message, received_ms),
-    connection: (connection) => (this.connection = connection),
+    connection: (connection) => this.#connected(connection),
     trouble: (sentence) => (this.trouble = sentence),
   });
 
@@ -79,6 +84,14 @@ class Live {
     const listeners = this.#listeners.get(topic) ?? new Set();
     this.#listeners.set(topic, listeners.add(listener));
     return () => void listeners.delete(listener);
+  }
+
+  #connected(connection: Connection): void {
+    this.connection = connection;
+    if (connection === "lost") this.lost_ms ??= Date.now();
+    if (connection !== "live" || this.lost_ms === undefined) return;
+    this.gaps = withGap(this.gaps, { from_ms: this.lost_ms, to_ms: Date.now() });
+    this.lost_ms = undefined;
   }
 
   #heard(topic: string, message: unknown, received_ms: number): void {

@@ -1,4 +1,4 @@
-import type { CompressedImage } from "../feed/messages";
+import type { CompressedImage, Time } from "../feed/messages";
 import { type Picture, pictureTopic } from "../feed/topics";
 import { live } from "../live.svelte";
 import type { Feed } from "../feed/feed";
@@ -12,6 +12,8 @@ export class PictureReader {
   count = $state(0);
   shown_ms = $state(0);
   rate_hz = $state(0);
+  /** When what is shown was taken, by the robot's clock. */
+  taken = $state.raw<Time>();
   #times: number[] = [];
   #busy = false;
 
@@ -27,7 +29,7 @@ export class PictureReader {
   }
 
   /** A picture that comes while one is being drawn is skipped: the next will be newer. */
-  async #draw({ data, format }: CompressedImage, canvas: HTMLCanvasElement): Promise<void> {
+  async #draw({ header, data, format }: CompressedImage, canvas: HTMLCanvasElement): Promise<void> {
     if (this.#busy) return;
     this.#busy = true;
     try {
@@ -38,6 +40,7 @@ export class PictureReader {
       [this.width_px, this.height_px] = [bitmap.width, bitmap.height];
       canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
       bitmap.close();
+      this.taken = header.stamp;
       this.#counted();
     } catch {
       live.trouble = `A ${format} picture could not be drawn: it is damaged or of an unknown kind.`;

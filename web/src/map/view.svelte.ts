@@ -16,12 +16,12 @@ export class MapView {
   px_per_m = $state(60);
   /** Somebody moved it. */
   moved = $state(false);
-  #svg: SVGSVGElement | undefined;
-  #zoom: ZoomBehavior<SVGSVGElement, unknown>;
+  #element: HTMLElement | undefined;
+  #zoom: ZoomBehavior<HTMLElement, unknown>;
 
   /** `carried` is told when a hand pans it, not when it zooms. */
   constructor(carried: () => void = () => {}) {
-    this.#zoom = zoom<SVGSVGElement, unknown>()
+    this.#zoom = zoom<HTMLElement, unknown>()
       .scaleExtent([PX_PER_M.least, PX_PER_M.most])
       .on("zoom", ({ transform, sourceEvent }) => {
         const panned = transform.k === this.px_per_m;
@@ -33,9 +33,9 @@ export class MapView {
   }
 
   /** A Svelte attachment: makes the element pan and zoom. */
-  attach = (svg: SVGSVGElement): (() => void) => {
-    this.#svg = svg;
-    const selection = select(svg);
+  attach = (element: HTMLElement): (() => void) => {
+    this.#element = element;
+    const selection = select(element);
     selection.call(this.#zoom).on("dblclick.zoom", null);
     this.#show(this.x_px, this.y_px, this.px_per_m);
     return () => selection.on(".zoom", null);
@@ -56,7 +56,7 @@ export class MapView {
 
   by(factor: number): void {
     this.moved = true;
-    if (this.#svg) select(this.#svg).call(this.#zoom.scaleBy, factor);
+    if (this.#element) select(this.#element).call(this.#zoom.scaleBy, factor);
   }
 
   pan(x_px: number, y_px: number): void {
@@ -70,7 +70,7 @@ export class MapView {
   }
 
   #show(x_px: number, y_px: number, px_per_m: number): void {
-    if (this.#svg) select(this.#svg).call(this.#zoom.transform, zoomIdentity.translate(x_px, y_px).scale(px_per_m));
+    if (this.#element) select(this.#element).call(this.#zoom.transform, zoomIdentity.translate(x_px, y_px).scale(px_per_m));
   }
 }
 

@@ -21,14 +21,34 @@ const PICTURES: readonly [attribute: string, picture: Picture][] = [
   ["dark_variable", "dark"],
 ];
 
+function picturesOf(components: readonly ComponentText[]): Map<string, Picture> {
+  const looks = components.filter(({ type }) => type === "look");
+  return new Map(looks.flatMap(({ attributes }) => PICTURES.map(([attribute, picture]) => [attributes.get(attribute)?.value ?? "", picture] as const)));
+}
+
+const known = new WeakMap<readonly SourceFile[], ReadonlyMap<string, Picture>>();
+
+/** In which picture things are found, by the locate variable that they feed. */
+export function pictureOfVariables(files: readonly SourceFile[]): ReadonlyMap<string, Picture> {
+  const before = known.get(files);
+  if (before) return before;
+  const components = componentsOf(files);
+  const pictures = picturesOf(components);
+  const found = components
+    .filter(({ type }) => type === "blob_detector")
+    .flatMap(({ attributes }) => {
+      const picture = pictures.get(attributes.get("image_variable")?.value ?? "");
+      return picture ? [[attributes.get("locate_variable")?.value ?? "", picture] as const] : [];
+    });
+  const map = new Map(found);
+  known.set(files, map);
+  return map;
+}
+
 /** Those whose picture and numbers stand in the program or in the robot's catalog; constants and bases are not followed. */
 export function detectorsOf(files: readonly SourceFile[], catalog: Catalog): Detector[] {
   const components = componentsOf(files);
-  const pictures = new Map(
-    components
-      .filter(({ type }) => type === "look")
-      .flatMap(({ attributes }) => PICTURES.map(([attribute, picture]) => [attributes.get(attribute)?.value ?? "", picture] as const)),
-  );
+  const pictures = picturesOf(components);
   return components.flatMap((component) => {
     if (component.type !== "blob_detector") return [];
     const valueOf = (attribute: string): unknown => component.attributes.get(attribute)?.value ?? catalog.defaultOf("blob_detector", attribute);

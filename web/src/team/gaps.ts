@@ -1,0 +1,20 @@
+/** A time in which the page heard nothing, on the page's clock. */
+export interface Gap {
+  readonly from_ms: number;
+  readonly to_ms: number;
+}
+
+const KEPT_MS = 600_000;
+
+/** The gaps with another, as far back as the page remembers anything. */
+export function withGap(gaps: readonly Gap[], gap: Gap): readonly Gap[] {
+  return [...gaps.filter(({ to_ms }) => to_ms > gap.to_ms - KEPT_MS), gap];
+}
+
+/** What of the gaps is seen between two instants, cut to them; `open_ms`: since when there is one that has not ended. */
+export function drawnGaps(gaps: readonly Gap[], open_ms: number | undefined, from_ms: number, to_ms: number): Gap[] {
+  const all = open_ms === undefined ? gaps : [...gaps, { from_ms: open_ms, to_ms }];
+  return all
+    .map((gap) => ({ from_ms: Math.max(gap.from_ms, from_ms), to_ms: Math.min(gap.to_ms, to_ms) }))
+    .filter((gap) => gap.to_ms > gap.from_ms);
+}

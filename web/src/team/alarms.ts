@@ -82,12 +82,15 @@ export interface Posted {
   readonly seen: boolean;
 }
 
+/** What was over sooner was none: a page that has just been opened hears one robot before the other. */
+const PASSING_MS = 1500;
+
 /** The board with what is wrong now; one that comes again after it was over is a new one. */
 export function withAlarms(board: readonly Posted[], active: readonly Alarm[], now_ms: number): readonly Posted[] {
   const known = new Map(board.map((posted) => [posted.alarm.key, posted]));
   const now = new Set(active.map(({ key }) => key));
   const ended = board
-    .filter(({ alarm }) => !now.has(alarm.key))
+    .filter(({ alarm, since_ms, over_ms }) => !now.has(alarm.key) && (over_ms ?? now_ms) - since_ms >= PASSING_MS)
     .map((posted): Posted => (posted.over_ms === undefined ? { ...posted, over_ms: now_ms } : posted));
   const stands = active.map((alarm): Posted => {
     const before = known.get(alarm.key);

@@ -51,8 +51,8 @@ describe("the board of alarms", () => {
   const alarm: Alarm = { key: "silent io", kind: "silent", robot: "io", words: "io is silent.", advice: "" };
 
   it("keeps an alarm that is over until somebody has seen it", () => {
-    const over = withAlarms(withAlarms([], [alarm], 1000), [], 2000);
-    expect(over).toEqual([{ alarm, since_ms: 1000, over_ms: 2000, seen: false }]);
+    const over = withAlarms(withAlarms([], [alarm], 1000), [], 4000);
+    expect(over).toEqual([{ alarm, since_ms: 1000, over_ms: 4000, seen: false }]);
     expect(acknowledged(over, alarm.key)).toEqual([]);
   });
   it("keeps one that was seen as long as it lasts, quietly", () => {
@@ -60,8 +60,11 @@ describe("the board of alarms", () => {
     expect(withAlarms(seen, [alarm], 2000)).toEqual([{ alarm, since_ms: 1000, seen: true }]);
     expect(withAlarms(seen, [], 3000)).toEqual([]);
   });
+  it("forgets one that was over at once", () => {
+    expect(withAlarms(withAlarms([], [alarm], 1000), [], 1500)).toEqual([]);
+  });
   it("takes one that comes again for a new one", () => {
-    const over = withAlarms(withAlarms([], [alarm], 1000), [], 2000);
-    expect(withAlarms(over, [alarm], 3000)).toEqual([{ alarm, since_ms: 3000, seen: false }]);
+    const over = withAlarms(withAlarms([], [alarm], 1000), [], 4000);
+    expect(withAlarms(over, [alarm], 5000)).toEqual([{ alarm, since_ms: 5000, seen: false }]);
   });
 });

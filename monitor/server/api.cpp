@@ -36,6 +36,9 @@ void Api::add_routes() {
   });
   get("/api/status", [this](auto&, auto& respond) { status(respond); });
   get("/api/team", [this](auto&, auto& respond) { respond(json_response(to_json(parts_.team))); });
+  get("/api/strategies", [this](auto&, auto& respond) {
+    respond(json_response({{"strategies", strategies_json(parts_.team)}}));
+  });
   get("/api/programs", [this](auto&, auto& respond) { programs(respond); });
   get("/api/programs/",
       [this](auto& request, auto& respond) { program(rest(request, "/api/programs/"), respond); });

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "bhdl/diff/diff.h"
 #include "core/wire/topics.h"
 #include "monitor/programs/json.h"
 #include "monitor/server/request_fields.h"
@@ -11,15 +12,36 @@ namespace {
 
 namespace kinds = msg::Command_Constants;
 const std::map<std::string, std::uint8_t>& command_kinds() {
-  static const std::map<std::string, std::uint8_t> kKinds{
-      {"hold", kinds::HOLD}, {"resume", kinds::RESUME}, {"push_bumper", kinds::PUSH_BUMPER}};
+  static const std::map<std::string, std::uint8_t> kKinds{{"hold", kinds::HOLD},
+                                                          {"resume", kinds::RESUME},
+                                                          {"push_bumper", kinds::PUSH_BUMPER},
+                                                          {"decommission", kinds::DECOMMISSION},
+                                                          {"commission", kinds::COMMISSION}};
   return kKinds;
 }
 
-std::vector<bhdl::SourceFile> files_field(const nlohmann::json& request) {
-  auto files = files_from_json(request.value("files", nlohmann::json()));
+std::vector<bhdl::SourceFile> files_field(const nlohmann::json& request,
+                                          const char* name = "files") {
+  auto files = files_from_json(request.value(name, nlohmann::json()));
   if (!files) throw BadRequest(files.error().message + ".");
   return std::move(files).value();
+}
+
+/// What was found; and, where both are programs, what `files` tells a robot otherwise than
+/// `against`.
+nlohmann::json checked(const std::vector<bhdl::SourceFile>& files,
+                       const std::vector<Target>& targets,
+                       const std::vector<bhdl::SourceFile>& against,
+                       const ProgramLibrary& library) {
+  const auto found = check_for(files, targets, library).result;
+  auto json = to_json(found);
+  if (against.empty() || !found.program) return json;
+  const auto runs = check_for(against, targets, library).result;
+  if (!runs.program) return json;
+  json["changes"] = nlohmann::json::array();
+  for (const auto& change : bhdl::differences(*runs.program, *found.program, library.catalog()))
+    json["changes"].push_back(bhdl::in_words(change));
+  return json;
 }
 
 /// `try` is true, or {only, even_if_worse, seeds, duration_s, scenario}.
@@ -62,6 +84,8 @@ Operations::Operations(Worker& worker, const Team& team, const ProgramLibrary& l
 
 void Operations::check(const nlohmann::json& request, Finish finish) {
   auto files = files_field(request);
+  std::vector<bhdl::SourceFile> against;
+  if (request.contains("against")) against = files_field(request, "against");
   std::vector<Target> targets;
   if (const auto name = text_field(request, "robot"); !name.empty()) {
     const Robot* robot = team_.find(name);
@@ -70,8 +94,8 @@ void Operations::check(const nlohmann::json& request, Finish finish) {
   } else {
     for (const auto& [each, robot] : team_.robots()) targets.push_back(target_of(robot));
   }
-  worker_.run([files = std::move(files), targets = std::move(targets),
-               &library = library_] { return to_json(check_for(files, targets, library).result); },
+  worker_.run([files = std::move(files), targets = std::move(targets), against = std::move(against),
+               &library = library_] { return checked(files, targets, against, library); },
               [finish = std::move(finish)](nlohmann::json json) {
                 finish({200, std::move(json)});
               });
@@ -89,7 +113,7 @@ void Operations::cancel_push(const nlohmann::json& request, Finish finish) {
 void Operations::command(const nlohmann::json& request, Finish finish) {
   const auto kind = command_kinds().find(text_field(request, "kind"));
   if (kind == command_kinds().end())
-    throw BadRequest("'kind' must be hold, resume or push_bumper.");
+    throw BadRequest("'kind' must be hold, resume, push_bumper, decommission or commission.");
   msg::Command command;
   command.id = new_id();
   command.author = text_field(request, "author", "operator");

@@ -23,7 +23,7 @@ class Operations {
   /// {id, author}
   void cancel_push(const nlohmann::json& request, Finish finish);
   void command(const nlohmann::json& request, Finish finish);
-  /// push, cancel_push, hold, resume and push_bumper, as services of the hub.
+  /// push, cancel_push and every kind of command, as services of the hub.
   void offer(foxglove::Hub& hub);
 
  private:

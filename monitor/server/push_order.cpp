@@ -23,6 +23,11 @@ void add(const Robot& robot, bool is_named, const Team& team, OrderTargets& targ
     targets.silent.push_back(robot.name);
 }
 
+/// Such a robot takes no program that is pushed to all.
+bool out_of_service(const Robot& robot) {
+  return robot.state && robot.state->out_of_service;
+}
+
 void object(OrderTargets& targets, int status, std::string why) {
   targets.status = status;
   targets.objection = std::move(why);
@@ -42,7 +47,7 @@ OrderTargets targets_of(const PushOrder& order, const Team& team) {
     if (!team.find(name))
       object(targets, 404, "There is no robot '" + name + "'; " + known_robots(team) + ".");
   for (const auto& [name, robot] : team.robots())
-    if (order.targets.empty() || contains(order.targets, name))
+    if (order.targets.empty() ? !out_of_service(robot) : contains(order.targets, name))
       add(robot, !order.targets.empty(), team, targets);
   if (!targets.objection.empty()) return targets;
   if (targets.awaited.empty()) object(targets, 409, "No robot is heard; nothing was pushed.");

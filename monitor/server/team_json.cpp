@@ -41,6 +41,7 @@ nlohmann::json to_json(const RobotStatus& status) {
           {"program_hash", status.program_hash},
           {"drifting", status.drifting},
           {"held", status.held},
+          {"out_of_service", status.out_of_service},
           {"in_probation", status.in_probation},
           {"tick", status.tick},
           {"tick_time_us", status.tick_time_us},
@@ -65,6 +66,18 @@ nlohmann::json score_json(const Team& team) {
       {"scenario", score.scenario},       {"phase", score.phase},   {"elapsed_s", score.elapsed_s},
       {"remaining_s", score.remaining_s}, {"pieces", score.pieces}, {"deposited", score.deposited},
       {"collisions", score.collisions},   {"points", score.points}, {"robots", std::move(robots)}};
+}
+
+nlohmann::json strategies_json(const Team& team) {
+  auto json = nlohmann::json::array();
+  for (const auto& strategy : team.strategies())
+    json.push_back({{"program_name", strategy.program_name},
+                    {"program_hash", strategy.program_hash},
+                    {"robot_seconds", strategy.robot_seconds},
+                    {"deposited", strategy.deposited},
+                    {"collisions", strategy.collisions},
+                    {"points", strategy.points}});
+  return json;
 }
 
 nlohmann::json to_json(const Team& team) {

@@ -48,6 +48,7 @@ struct RobotStatus {
   std::string program_hash;
   bool drifting = false;  ///< it runs another program than the team
   bool held = false;
+  bool out_of_service = false;  ///< decommissioned
   bool in_probation = false;
   std::uint64_t tick = 0;
   double tick_time_us = 0;

@@ -16,6 +16,7 @@ void tell_state(const msg::RobotState& state, RobotStatus& status) {
   status.program_name = state.program_name;
   status.program_hash = state.program_hash;
   status.held = state.held;
+  status.out_of_service = state.out_of_service;
   status.in_probation = state.in_probation;
   status.tick = state.tick;
   status.tick_time_us = state.tick_time_us;
@@ -53,7 +54,7 @@ RobotStatus Team::status(const Robot& robot) const {
     tell_state(*robot.state, status);
     status.in_state_s = seconds_between(robot.state->state_since, robot.state->stamp) +
                         to_seconds(clock_.now() - robot.state_received);
-    status.drifting = status.program_hash != program_hash();
+    status.drifting = !status.out_of_service && status.program_hash != program_hash();
   }
   for (const auto& variable : robot.variables.items) {
     if (!variable.valid) continue;

@@ -45,6 +45,7 @@ void Team::note(const msg::RobotState& state) {
   // A lower tick is a robot that was started anew: its numbers begin again.
   if (robot.state && state.tick < robot.state->tick) robot.transitions.clear();
   robot.state = state;
+  tally_.note(state);
   robot.state_received = robot.heard;
 }
 
@@ -70,6 +71,11 @@ void Team::note(const msg::Program& program) {
 
 void Team::note(const msg::Catalog& catalog) {
   hear(catalog.robot).catalog = catalog;
+}
+
+void Team::note(const msg::Score& score) {
+  score_ = score;
+  tally_.note(score);
 }
 
 const Robot* Team::find(std::string_view robot) const noexcept {

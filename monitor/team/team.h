@@ -9,6 +9,7 @@
 #include "core/clock.h"
 #include "monitor/ingest/channel.h"
 #include "monitor/team/robot.h"
+#include "monitor/team/strategies.h"
 
 namespace galilean::monitor {
 
@@ -30,7 +31,7 @@ class Team {
   void note(const msg::Variables& variables);
   void note(const msg::Program& program);
   void note(const msg::Catalog& catalog);
-  void note(const msg::Score& score) { score_ = score; }
+  void note(const msg::Score& score);
   /// A program was pushed to the whole team.
   void note_push(const std::string& hash) { pushed_hash_ = hash; }
 
@@ -40,6 +41,10 @@ class Team {
   }
   [[nodiscard]] const Robot* find(std::string_view robot) const noexcept;
   [[nodiscard]] const std::optional<msg::Score>& score() const noexcept { return score_; }
+
+  [[nodiscard]] const std::vector<Strategy>& strategies() const noexcept {
+    return tally_.strategies();
+  }
 
   [[nodiscard]] RobotStatus status(const Robot& robot) const;
   [[nodiscard]] std::vector<RobotStatus> statuses() const;
@@ -59,6 +64,7 @@ class Team {
   Duration silent_after_;
   std::map<std::string, Robot, std::less<>> robots_;
   std::optional<msg::Score> score_;
+  StrategyTally tally_;
   std::string pushed_hash_;
 };
 

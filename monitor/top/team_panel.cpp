@@ -47,6 +47,7 @@ struct Columns {
 
 std::string flags(const RobotStatus& status) {
   std::string text;
+  if (status.out_of_service) text += " out of service";
   if (status.held) text += " held";
   if (status.in_probation) text += " on probation";
   if (status.drifting) text += " other program";

@@ -35,6 +35,14 @@ class ShortText {
   std::uint8_t size_ = 0;
 };
 
+/// What a state's conditions were before one of them fired: bit i is condition i.
+struct TestedConditions {
+  static constexpr std::uint32_t kMost = 64;  ///< those beyond are not told
+
+  std::uint64_t valid = 0;  ///< its variable is
+  std::uint64_t holds = 0;
+};
+
 /// Something that happened in a tick. Names are indices into the description of its program, so
 /// that the control loop hands over nothing that it owns.
 struct Event {
@@ -61,6 +69,7 @@ struct Event {
   std::uint32_t from_state = 0;     ///< in from_program
   std::uint32_t to_state = 0;       ///< in program
   std::uint32_t condition = kNone;  ///< of from_state, where that is the cause
+  TestedConditions tested;          ///< of from_state, where a condition is the cause
   std::uint32_t schema = kNone;     ///< of kSchemaFailed and of a rollback, among all schemas
   Duration tick_time{};             ///< of kStarted, kSwapped and kRolledBack: what that tick took
   ShortText text;  ///< what the schema threw, which device was lost, or the order's reason

@@ -193,6 +193,7 @@ void Executive::sequence() noexcept {
   Event change = event(Event::Kind::kTransition);
   change.condition = *condition;
   change.from_state = running_->state;
+  change.tested = test_all(current(), tick_.now);
   fire(fired, tick_.now);
   enter(fired.new_state);
   note_transition(change);
@@ -207,7 +208,7 @@ void Executive::act() noexcept {
 
 bool Executive::may_drive() const noexcept {
   const bool sees = health_.frame_grabber || !(running_ && running_->devices.uses_camera);
-  return running_ && sees && health_.comm_port && health_.motor_drive && !held();
+  return running_ && sees && health_.comm_port && health_.motor_drive && !held() && in_service();
 }
 
 void Executive::publish() noexcept {
@@ -223,6 +224,7 @@ void Executive::publish() noexcept {
                       .health = health_,
                       .pose = pose(),
                       .held = held(),
+                      .out_of_service = !in_service(),
                       .in_probation = probation_.active(),
                       .tick_time = tick_time_,
                       .overruns = overruns_,

@@ -84,6 +84,12 @@ class Executive {
   void hold() noexcept { held_.store(true, std::memory_order_relaxed); }
   void resume() noexcept { held_.store(false, std::memory_order_relaxed); }
   [[nodiscard]] bool held() const noexcept { return held_.load(std::memory_order_relaxed); }
+  /// Any thread: out of service, the motors stand still however often somebody resumes.
+  void decommission() noexcept { in_service_.store(false, std::memory_order_relaxed); }
+  void commission() noexcept { in_service_.store(true, std::memory_order_relaxed); }
+  [[nodiscard]] bool in_service() const noexcept {
+    return in_service_.load(std::memory_order_relaxed);
+  }
   /// Any thread: as if somebody pushed bumper `index` (0 to 7) for 0.3 s.
   void push_bumper(int index) noexcept { port_.push(index); }
   /// Any thread but control: destroys programs that were replaced. `load` does so too.
@@ -164,6 +170,7 @@ class Executive {
   std::uint64_t transitions_ = 0;
   bool state_changed_ = false;
   std::atomic<bool> held_{false};
+  std::atomic<bool> in_service_{true};
   std::atomic<ProgramId> running_id_{0};
 };
 

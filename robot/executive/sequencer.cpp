@@ -1,5 +1,7 @@
 #include "robot/executive/sequencer.h"
 
+#include <algorithm>
+
 namespace galilean::robot {
 namespace {
 
@@ -28,6 +30,17 @@ std::optional<std::uint32_t> first_that_holds(const RunningState& state, Time no
   for (std::uint32_t i = 0; i < state.conditions.size(); ++i)
     if (holds(state.conditions[i], now)) return i;
   return std::nullopt;
+}
+
+TestedConditions test_all(const RunningState& state, Time now) noexcept {
+  TestedConditions tested;
+  const auto count = std::min<std::size_t>(state.conditions.size(), TestedConditions::kMost);
+  for (std::size_t i = 0; i < count; ++i) {
+    const RunningCondition& condition = state.conditions[i];
+    tested.valid |= std::uint64_t{condition.bits->valid_at(now)} << i;
+    tested.holds |= std::uint64_t{holds(condition, now)} << i;
+  }
+  return tested;
 }
 
 void fire(const RunningCondition& condition, Time now) noexcept {

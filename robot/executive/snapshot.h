@@ -51,6 +51,7 @@ struct Snapshot {
   std::uint32_t overruns = 0;
   std::uint64_t transitions = 0;
   bool held = false;
+  bool out_of_service = false;
   bool in_probation = false;
   bool uses_camera = false;
   DeviceHealth health;

@@ -15,6 +15,7 @@ struct TickView {
   DeviceHealth health;
   Pose2 pose;  ///< by dead reckoning, odom frame
   bool held = false;
+  bool out_of_service = false;
   bool in_probation = false;
   Duration tick_time{};           ///< of exchange to act
   std::uint32_t overruns = 0;     ///< ticks that began late by a whole period, since the start

@@ -28,6 +28,12 @@ void CommandReceiver::obey(const msg::Command& command) {
     case msg::Command_Constants::RESUME:
       spdlog::info("resumed by {}", command.author);
       return source_.executive.resume();
+    case msg::Command_Constants::DECOMMISSION:
+      spdlog::info("decommissioned by {}", command.author);
+      return source_.executive.decommission();
+    case msg::Command_Constants::COMMISSION:
+      spdlog::info("commissioned by {}", command.author);
+      return source_.executive.commission();
     case msg::Command_Constants::PUSH_BUMPER:
       spdlog::info("bumper {} pushed by {}", command.argument, command.author);
       return source_.executive.push_bumper(command.argument);

@@ -6,7 +6,8 @@
 
 namespace galilean::robot {
 
-/// Does what operators say: hold, resume, push a bumper. Commands act from the next tick on.
+/// Does what operators say: hold, resume, push a bumper, commission and decommission. Commands act
+/// from the next tick on.
 class CommandReceiver {
  public:
   /// Throws std::runtime_error if DDS refuses the topic.

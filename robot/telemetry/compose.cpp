@@ -51,6 +51,24 @@ void fill(const Sighting& from, msg::Sighting& to) noexcept {
   to.area_px = from.area_px;
 }
 
+std::vector<msg::TestedCondition> tested_conditions(const bhdl::State& state,
+                                                    const TestedConditions& tested) {
+  std::vector<msg::TestedCondition> list;
+  for (std::size_t i = 0; i < state.conditions.size() && i < TestedConditions::kMost; ++i) {
+    const bhdl::Condition& condition = state.conditions[i];
+    msg::TestedCondition& item = list.emplace_back();
+    item.to_state = condition.new_state;
+    item.file = condition.location.file;
+    item.line = static_cast<std::uint32_t>(condition.location.line);
+    item.bits_variable = condition.bits_variable;
+    item.bit_index = condition.bit_index;
+    item.bit_value = condition.bit_value;
+    item.valid = (tested.valid >> i & 1U) != 0;
+    item.holds = (tested.holds >> i & 1U) != 0;
+  }
+  return list;
+}
+
 }  // namespace
 
 msg::Header Composer::header(Time time, const std::string& frame) const {
@@ -78,6 +96,7 @@ msg::RobotState Composer::state(const Snapshot& snapshot, const Description* pro
   state.tick_time_max_us = microseconds(snapshot.longest_tick_time);
   state.overruns = snapshot.overruns;
   state.held = snapshot.held;
+  state.out_of_service = snapshot.out_of_service;
   state.in_probation = snapshot.in_probation;
   state.x_m = snapshot.pose.position_m.x();
   state.y_m = snapshot.pose.position_m.y();
@@ -211,6 +230,7 @@ msg::Transition Composer::transition(const Event& event, const Description& from
   transition.bit_index = condition.bit_index;
   transition.bit_value = condition.bit_value;
   transition.reset_variables = condition.reset_variables;
+  transition.tested = tested_conditions(state, event.tested);
   return transition;
 }
 

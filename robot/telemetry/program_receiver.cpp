@@ -95,6 +95,7 @@ void ProgramReceiver::take_from(wire::Reader& reader) {
     M message;
     if (!msg::decode_cdr(received.cdr, message)) return;
     if (!is_meant(source_.robot, message.targets)) return;
+    if (message.targets.empty() && !source_.executive.in_service()) return;
     std::string why = source_.accepted_senders.objection(reader.sender(received));
     if (why.empty()) return handle(message);
     reject({message.id, message.hash, {}}, std::move(why));

@@ -86,7 +86,7 @@ void Publisher::step() {
     anything_happened = true;
   }
   if (source_.tap.take()) tell_sightings();
-  if (anything_happened) tell_state();
+  if (anything_happened) tell_what_is();
   if (source_.clock.now() >= next_report_) tell_regularly();
   for (const auto& line : log_.take()) {
     msg::Log message;
@@ -156,6 +156,13 @@ void Publisher::tell_state() {
   write(writers_->state, compose_.state(snapshot, describe(snapshot.program), problems_));
 }
 
+void Publisher::tell_what_is() {
+  tell_state();
+  const Snapshot& snapshot = source_.tap.newest();
+  if (const Description* program = describe(snapshot.program))
+    write(writers_->variables, compose_.variables(snapshot, *program));
+}
+
 void Publisher::tell_regularly() {
   const Time now = source_.clock.now();
   next_report_ = std::max(next_report_ + kReport, now);
@@ -165,14 +172,11 @@ void Publisher::tell_regularly() {
   auto found = problems();
   log_changes(found);
   problems_ = std::move(found);
-  tell_state();
+  tell_what_is();
   source_.tap.restart_longest();
   write(writers_->odometry, compose_.odometry(snapshot));
   write(writers_->transform, compose_.transform(snapshot));
-  if (program) {
-    write(writers_->variables, compose_.variables(snapshot, *program));
-    write(writers_->forces, compose_.forces(snapshot, *program));
-  }
+  if (program) write(writers_->forces, compose_.forces(snapshot, *program));
   if (now < next_diagnosis_) return;
   next_diagnosis_ = now + kDiagnosis;
   write(writers_->diagnostics, compose_.diagnostics(snapshot, problems_));

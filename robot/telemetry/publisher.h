@@ -26,8 +26,8 @@ struct TelemetrySource {
 };
 
 /// Tells the domain what the robot does, from a thread of its own, so that a network that stalls
-/// delays nothing but itself: events as they come with the state that they led to, state,
-/// variables, forces and pose ten times a second, what the camera saw with each picture,
+/// delays nothing but itself: events as they come with the state and variables that they led to,
+/// state, variables, forces and pose ten times a second, what the camera saw with each picture,
 /// diagnostics every second.
 class Publisher {
  public:
@@ -49,6 +49,7 @@ class Publisher {
   void tell_sightings();
   void tell_regularly();
   void tell_state();
+  void tell_what_is();
   void log_changes(const std::vector<Problem>& problems);
   [[nodiscard]] std::vector<Problem> problems() const;
   /// Null if nobody knows it any more.

@@ -22,6 +22,11 @@ msg::Score sheet_of(const World& world) {
   for (std::size_t i = 0; i < referee.robots().size(); ++i)
     sheet.robots.push_back(
         {robot_name(i), referee.robots()[i].deposited, referee.robots()[i].collisions});
+  sheet.points_per_piece = referee.rules().points_per_piece;
+  sheet.points_per_collision = -referee.rules().penalty_per_collision;
+  for (const RefereeCall& call : referee.calls())
+    sheet.calls.push_back(
+        {call.elapsed_s, robot_name(call.robot), to_string(call.what), call.points});
   return sheet;
 }
 

@@ -14,6 +14,10 @@ const char* to_string(Phase phase) noexcept {
   return "over";
 }
 
+const char* to_string(RefereeCall::What what) noexcept {
+  return what == RefereeCall::What::kDeposited ? "deposited" : "collision";
+}
+
 Referee::Referee(const Rules& rules, std::size_t robots) : rules_(rules), tallies_(robots) {}
 
 void Referee::start() noexcept {
@@ -35,13 +39,21 @@ void Referee::saw_hit(const Hit& hit) {
   const auto [last, first] = last_hit_s_.try_emplace({hit.robot, hit.other.packed()}, elapsed_s_);
   const bool again = first || elapsed_s_ - last->second >= rules_.collision_pause_s;
   last->second = elapsed_s_;
-  if (again) ++tallies_[hit.robot].collisions;
+  if (!again) return;
+  ++tallies_[hit.robot].collisions;
+  call(hit.robot, RefereeCall::What::kCollision, -rules_.penalty_per_collision);
 }
 
 bool Referee::saw_release(std::size_t robot, double to_basket_m) {
   if (phase_ != Phase::kRunning || to_basket_m > rules_.basket_zone_m) return false;
   ++tallies_[robot].deposited;
+  call(robot, RefereeCall::What::kDeposited, rules_.points_per_piece);
   return true;
+}
+
+void Referee::call(std::size_t robot, RefereeCall::What what, double points) {
+  calls_.push_back({elapsed_s_, robot, what, points});
+  if (calls_.size() > kCallsKept) calls_.pop_front();
 }
 
 unsigned Referee::deposited() const noexcept {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <map>
 #include <string>
 #include <utility>
@@ -19,6 +20,16 @@ struct RobotTally {
   unsigned collisions = 0;
 };
 
+/// Something that was counted.
+struct RefereeCall {
+  enum class What { kDeposited, kCollision };
+  double elapsed_s = 0;
+  std::size_t robot = 0;
+  What what = What::kDeposited;
+  double points = 0;  ///< earned, or less than 0
+};
+[[nodiscard]] const char* to_string(RefereeCall::What what) noexcept;
+
 /// Keeps the clock and the score by the scenario's rules. Knows only what it is told.
 ///   score = points · deposited - penalty · collisions
 class Referee {
@@ -37,15 +48,23 @@ class Referee {
   [[nodiscard]] double elapsed_s() const noexcept { return elapsed_s_; }
   [[nodiscard]] double remaining_s() const noexcept { return rules_.duration_s - elapsed_s_; }
   [[nodiscard]] const std::vector<RobotTally>& robots() const noexcept { return tallies_; }
+  /// The newest, the oldest of them first.
+  [[nodiscard]] const std::deque<RefereeCall>& calls() const noexcept { return calls_; }
+  [[nodiscard]] const Rules& rules() const noexcept { return rules_; }
   [[nodiscard]] unsigned deposited() const noexcept;
   [[nodiscard]] unsigned collisions() const noexcept;
   [[nodiscard]] double score() const noexcept;
 
  private:
+  static constexpr std::size_t kCallsKept = 64;
+
+  void call(std::size_t robot, RefereeCall::What what, double points);
+
   Rules rules_;
   Phase phase_ = Phase::kWaiting;
   double elapsed_s_ = 0;
   std::vector<RobotTally> tallies_;
+  std::deque<RefereeCall> calls_;
   std::map<std::pair<std::uint16_t, std::uint32_t>, double> last_hit_s_;
 };
 

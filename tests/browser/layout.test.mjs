@@ -81,7 +81,7 @@ test("keys alone move a panel, and the keyboard stays on it", async () => {
 
 test("a border is moved by the pointer and by keys", async () => {
   const before = await box("machine");
-  const border = tab.page.getByRole("separator", { name: "Border between Team and Machine" });
+  const border = tab.page.getByRole("separator", { name: "Border between Team and State machine" });
   const { x, y, height } = await border.boundingBox();
   await drag({ x: x + 4, y: y + height / 3 }, { x: x - 96, y: y + height / 3 });
   const dragged = await box("machine");

@@ -265,6 +265,15 @@ TEST_F(ServerTest, ListsReadsAndChecksPrograms) {
   const auto good = post("/api/check", {{"files", files("include \"parts.bhdl\"\n")}}).as_json();
   EXPECT_EQ(good["ok"], true) << good.dump();
   EXPECT_EQ(good["machine"]["states"][0]["name"], "start");
+  const json same{{"files", files("include \"parts.bhdl\"\n")},
+                  {"against", files("; a comment\ninclude \"parts.bhdl\"\n")}};
+  EXPECT_EQ(post("/api/check", same).as_json()["changes"], json::array());
+  const json other{
+      {"files", files("include \"parts.bhdl\"\nstates: state: name: \"more\" end end\n")},
+      {"against", files("include \"parts.bhdl\"\n")}};
+  const auto changed = post("/api/check", other).as_json();
+  ASSERT_EQ(changed["changes"].size(), 1U) << changed.dump();
+  EXPECT_THAT(changed["changes"][0].get<std::string>(), HasSubstr("more"));
   const auto broken = post("/api/check", {{"files", files(kBroken)}}).as_json();
   EXPECT_EQ(broken["ok"], false);
   EXPECT_EQ(broken["diagnostics"][0]["file"], "pushed.bhdl");

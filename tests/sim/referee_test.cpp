@@ -61,5 +61,24 @@ TEST(Referee, ScoreIsPointsLessPenalties) {
   EXPECT_EQ(referee.robots()[1].deposited, 1U);
 }
 
+TEST(Referee, KeepsTheNewestCallsWithTheirPoints) {
+  Rules rules;
+  rules.points_per_piece = 7;
+  rules.penalty_per_collision = 2;
+  Referee referee = running(rules);
+  referee.advance(3);
+  referee.saw_hit({0, kWall, 1});
+  EXPECT_TRUE(referee.saw_release(1, 0));
+  ASSERT_EQ(referee.calls().size(), 2U);
+  EXPECT_EQ(referee.calls()[0].what, RefereeCall::What::kCollision);
+  EXPECT_EQ(referee.calls()[0].points, -2);
+  EXPECT_EQ(referee.calls()[1].robot, 1U);
+  EXPECT_EQ(referee.calls()[1].elapsed_s, 3);
+  EXPECT_EQ(referee.calls()[1].points, 7);
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(referee.saw_release(0, 0));
+  EXPECT_EQ(referee.calls().size(), 64U);
+  EXPECT_EQ(referee.calls().front().robot, 0U);
+}
+
 }  // namespace
 }  // namespace galilean::sim

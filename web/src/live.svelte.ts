@@ -1,8 +1,8 @@
 // What the panels see: the team now or at a chosen instant, the robot chosen, and the page's clock.
 
 import { type Connection, Feed } from "./feed/feed";
-import { History } from "./team/history";
 import { type Gap, withGap } from "./team/gaps";
+import { History, type Instant } from "./team/history";
 import { emptyTeam, type Reply, type Robot, type Team } from "./team/model";
 import { withProgress, withPush, withReply } from "./team/pushes";
 import { apply } from "./team/reduce";
@@ -68,6 +68,11 @@ class Live {
 
   dismiss(pushId: string): void {
     this.#team = { ...this.#team, pushes: this.#team.pushes.filter((push) => push.id !== pushId) };
+  }
+
+  /** The team at each instant that is kept, the earliest first. */
+  get past(): readonly Instant[] {
+    return this.#history.instants;
   }
 
   get earliest_ms(): number {

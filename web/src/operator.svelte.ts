@@ -9,7 +9,7 @@ class Operator {
   askingToResume = $state(false);
 
   readonly held: string[] = $derived(
-    [...live.present.robots.values()].filter((robot) => robot.state?.value.held).map((robot) => robot.name),
+    [...live.present.robots.values()].filter(({ state }) => state?.value.held && !state.value.out_of_service).map((robot) => robot.name),
   );
 
   /** Acts at once. */
@@ -26,6 +26,15 @@ class Operator {
   resume(robots: readonly string[]): void {
     this.askingToResume = false;
     void this.#say("resume", robots, "The robots were not told to resume");
+  }
+
+  /** Out of service it stands still whoever resumes, and takes no program that is pushed to all. */
+  decommission(robot: string): void {
+    void this.#say("decommission", [robot], `${robot} was not taken out of service`);
+  }
+
+  commission(robot: string): void {
+    void this.#say("commission", [robot], `${robot} was not put into service`);
   }
 
   pushBumper(robot: string): void {

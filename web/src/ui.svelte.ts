@@ -18,6 +18,8 @@ class Ui {
   narrow = $state(matches("(max-width: 999px)", (narrow) => (this.narrow = narrow)));
   /** The panel that is shown where there is room for one. */
   tab = $state("map");
+  /** The force variable that the map picks out of the chosen robot's. */
+  litForce = $state<string>();
   helpOpen = $state(false);
   editorOpen = $state(false);
 

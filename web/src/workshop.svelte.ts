@@ -14,8 +14,10 @@ export interface Place {
 
 class Workshop {
   shipped = $state<api.ProgramEntry[]>([]);
+  /** Every push, the newest first. */
+  history = $state.raw<readonly api.PushedProgram[]>([]);
   /** Programs that were pushed before, the newest first, each once. */
-  pushed = $state<api.PushedProgram[]>([]);
+  readonly pushed: api.PushedProgram[] = $derived(eachOnce(this.history));
   chosen = $state("");
   files = $state<SourceFile[]>([]);
   open = $state(0);
@@ -52,7 +54,7 @@ class Workshop {
 
   async list(): Promise<void> {
     await this.#during(async () => {
-      [this.shipped, this.pushed] = await Promise.all([api.listPrograms(), api.listPushed().then(eachOnce)]);
+      [this.shipped, this.history] = await Promise.all([api.listPrograms(), api.listPushed().then(newestFirst)]);
     });
   }
 
@@ -103,10 +105,19 @@ class Workshop {
     this.#typed = new Map();
   }
 
-  /** Shows a place of the program that runs; what somebody edits stays on the bench. */
-  showRunning(place: Place): void {
-    if (!this.edited) this.takeRunning();
+  /** Shows a place of the program that runs, or of the one with that hash; what somebody edits stays on the bench. */
+  async showRunning(place: Place, hash = live.robot?.program?.value.hash): Promise<void> {
+    if (!this.edited) await this.#takeByHash(hash);
     this.show(place);
+  }
+
+  /** The program that a robot runs, or one that ran before and was pushed through the monitor. */
+  async #takeByHash(hash: string | undefined): Promise<void> {
+    const running = live.robots.find(({ program }) => program?.value.hash === hash)?.program?.value;
+    const files = running?.files ?? (hash ? await api.readPushed(hash).catch(() => undefined) : undefined);
+    this.chosen = "";
+    if (files) this.#take(files);
+    else this.takeRunning();
   }
 
   show(place: Place): void {
@@ -116,13 +127,23 @@ class Workshop {
     ui.editorOpen = true;
   }
 
+  /** As `check`, unasked while one types: says nothing where the monitor does not answer. */
+  async preview(): Promise<void> {
+    if (this.files.length > 0 && !this.isChecked && !this.busy) await this.#examine().catch(() => {});
+  }
+
+  /** What comes of it is kept if nobody has typed on meanwhile. */
+  async #examine(): Promise<void> {
+    const text = this.#text;
+    const result = await api.check(this.files, live.robot?.name, live.robot?.program?.value.files);
+    if (text !== this.#text) return;
+    this.result = result;
+    this.#checked = text;
+  }
+
   async check(): Promise<boolean> {
     if (this.files.length === 0) return false;
-    const text = this.#text;
-    await this.#during(async () => {
-      this.result = await api.check(this.files, live.robot?.name);
-      this.#checked = text;
-    });
+    await this.#during(() => this.#examine());
     return this.isChecked && this.result?.ok === true;
   }
 
@@ -139,7 +160,17 @@ class Workshop {
     const canary = this.canary !== "" && targets.length !== 1 ? this.canary : "";
     const way = { tries: this.tries, canary, probation_s: this.probation_s, replaces: runningHash(targets) };
     await this.#during(() => this.#send(this.files, targets, way));
-    await api.listPushed().then((all) => (this.pushed = eachOnce(all)), () => {});
+    await this.refreshHistory();
+  }
+
+  async refreshHistory(): Promise<void> {
+    await api.listPushed().then((all) => (this.history = newestFirst(all)), () => {});
+  }
+
+  /** Puts a program that was pushed before on the bench and asks for the one confirming click. */
+  async restore(hash: string): Promise<void> {
+    await this.choose(hash);
+    if (this.failure === undefined) await this.ask([]);
   }
 
   canGoBack(id: string): boolean {
@@ -201,9 +232,12 @@ function runningHash(targets: readonly string[]): string {
   return hashes.size === 1 ? ([...hashes][0] ?? "") : "";
 }
 
+function newestFirst(pushes: readonly api.PushedProgram[]): api.PushedProgram[] {
+  return [...pushes].sort((a, b) => b.pushed_ns - a.pushed_ns);
+}
+
 function eachOnce(pushes: readonly api.PushedProgram[]): api.PushedProgram[] {
-  const newestFirst = [...pushes].sort((a, b) => b.pushed_ns - a.pushed_ns);
-  return newestFirst.filter(({ hash }, i) => newestFirst.findIndex((other) => other.hash === hash) === i);
+  return pushes.filter(({ hash }, i) => hash && pushes.findIndex((other) => other.hash === hash) === i);
 }
 
 export const workshop = new Workshop();

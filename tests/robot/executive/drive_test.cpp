@@ -38,6 +38,19 @@ TEST(Drive, HoldStopsTheMotorsWhileTheSchemasRun) {
   EXPECT_DOUBLE_EQ(robot.drive.last.speed_mps, 0.2);
 }
 
+TEST(Drive, OutOfServiceTheMotorsStandStillWhoeverResumes) {
+  TestRobot robot;
+  ASSERT_TRUE(robot.load(driving_program("", "\"ahead\" \"note\"")));
+  robot.tick();
+  robot.executive->decommission();
+  robot.executive->resume();
+  robot.tick();
+  EXPECT_FALSE(robot.drive.moving);
+  robot.executive->commission();
+  robot.tick();
+  EXPECT_TRUE(robot.drive.moving);
+}
+
 TEST(Drive, AStateThatDoesNotDriveStopsTheMotorsAtOnce) {
   TestRobot robot;
   ASSERT_TRUE(robot.load(driving_program("", "\"ahead\"")));

@@ -43,6 +43,20 @@ TEST(Sequencer, TheFirstConditionInTheTextThatHoldsFires) {
   EXPECT_EQ(robot.state(), "b");
 }
 
+TEST(Sequencer, TellsWhatEveryConditionWasBeforeOneFired) {
+  TestRobot robot;
+  ASSERT_TRUE(robot.load(branching_program(
+      condition("never", 0, 1, "new_state: \"a\"") + condition("flags", 1, 1, "new_state: \"a\"") +
+      condition("flags", 0, 1, "bit_update: \"clear\" new_state: \"b\"") +
+      condition("flags", 0, 1, "new_state: \"a\""))));
+  robot.tick();
+  const Event* change = robot.events.last(Event::Kind::kTransition);
+  ASSERT_TRUE(change);
+  EXPECT_EQ(change->condition, 2U);
+  EXPECT_EQ(change->tested.valid, 0b1110U);
+  EXPECT_EQ(change->tested.holds, 0b1100U) << "the last one held as well, and came too late";
+}
+
 TEST(Sequencer, NoConditionHoldsOnAnInvalidVariable) {
   TestRobot robot;
   ASSERT_TRUE(robot.load(branching_program(condition("never", 0, 0, "new_state: \"a\"") +

@@ -78,10 +78,17 @@ TEST(Publisher, ATransitionComesWithItsCauseAndItsStateBeforeTheNextTick) {
   EXPECT_EQ(transition->file, "test.bhdl");
   EXPECT_EQ(transition->line, 13U);
   EXPECT_THAT(transition->reset_variables, ElementsAre("trash"));
+  ASSERT_EQ(transition->tested.size(), 1U);
+  EXPECT_EQ(transition->tested[0].to_state, "go");
+  EXPECT_EQ(transition->tested[0].line, 13U);
+  EXPECT_TRUE(transition->tested[0].holds);
   const auto state =
       states.wait_for([](const msg::RobotState& message) { return message.state == "go"; });
   ASSERT_TRUE(state);
   EXPECT_EQ(state->transitions, 1U);
+  EXPECT_TRUE(io.mailbox<msg::Variables>("variables").wait_for([&](const msg::Variables& message) {
+    return message.tick >= transition->tick;
+  }));
 }
 
 TEST(Publisher, SaysWhichDeviceIsMissingAndWhenItIsBack) {

@@ -20,10 +20,24 @@ export interface RobotState {
   overruns: number;
   held: boolean;
   in_probation: boolean;
+  out_of_service: boolean;
   x_m: number;
   y_m: number;
   heading_rad: number;
   problems: string[];
+}
+
+/** A condition as the robot's sequencer found it, before one fired. */
+export interface TestedCondition {
+  to_state: string;
+  file: string;
+  line: number;
+  bits_variable: string;
+  bit_index: number;
+  /** What it waits for. */
+  bit_value: boolean;
+  valid: boolean;
+  holds: boolean;
 }
 
 export interface Transition {
@@ -41,6 +55,7 @@ export interface Transition {
   bit_index: number;
   bit_value: boolean;
   reset_variables: string[];
+  tested: TestedCondition[];
 }
 
 export const VariableType = { shaft: 1, image: 2, locate: 3, bits: 4, force: 5 } as const;
@@ -239,6 +254,14 @@ export interface ObjectMap {
   robots: MapRobot[];
 }
 
+/** Something that the referee counted. */
+export interface RefereeCall {
+  elapsed_s: number;
+  robot: string;
+  what: string;
+  points: number;
+}
+
 export interface Score {
   stamp: Time;
   scenario: string;
@@ -249,7 +272,10 @@ export interface Score {
   deposited: number;
   collisions: number;
   points: number;
+  points_per_piece: number;
+  points_per_collision: number;
   robots: { robot: string; deposited: number; collisions: number }[];
+  calls: RefereeCall[];
 }
 
 export interface OccupancyGrid {

@@ -10,6 +10,8 @@ import { type Across, type Node, panelsIn, type Side, stackWith } from "./tree";
 export interface PanelName {
   readonly id: string;
   readonly title: string;
+  /** What it shows, in a sentence or two. */
+  readonly about: string;
   /** The panel as a tab of which it appears, where the standard gives it no place of its own. */
   readonly behind?: string;
 }
@@ -43,6 +45,10 @@ class Arrangement {
     const own = (linked && this.#read(linked)) || (kept && this.#withNew(this.#read(kept.layout), kept.known));
     this.isStandard = !own;
     this.tree = own || this.#standard;
+  }
+
+  aboutOf(panel: string): string {
+    return this.panels.find(({ id }) => id === panel)?.about ?? "";
   }
 
   titleOf(panel: string): string {

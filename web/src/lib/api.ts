@@ -15,6 +15,8 @@ export interface CheckResult {
   hash: string;
   diagnostics: Diagnostic[];
   machine?: Machine;
+  /** What it tells robots otherwise than what it was checked against, in words. */
+  changes?: string[];
 }
 
 /** The mean of several simulated runs, and its standard deviation. */
@@ -63,6 +65,9 @@ export interface PushedProgram {
   hash: string;
   author: string;
   pushed_ns: number;
+  id: string;
+  targets: string[];
+  state?: string;
 }
 
 /** What the monitor objects to; of a program, with every place. */
@@ -81,7 +86,7 @@ interface Problem {
   diagnostics?: Diagnostic[];
 }
 
-export type CommandKind = "hold" | "resume" | "push_bumper";
+export type CommandKind = "hold" | "resume" | "push_bumper" | "decommission" | "commission";
 
 async function call<T>(path: string, body?: unknown): Promise<T> {
   const headers = { ...credentials(), "content-type": "application/json" };
@@ -107,6 +112,20 @@ export async function readProgram(name: string): Promise<SourceFile[]> {
   return (await call<{ files: SourceFile[] }>(path)).files;
 }
 
+/** How a program fared in this contest, over all robots that ran it. */
+export interface Strategy {
+  program_name: string;
+  program_hash: string;
+  robot_seconds: number;
+  deposited: number;
+  collisions: number;
+  points: number;
+}
+
+export async function listStrategies(): Promise<Strategy[]> {
+  return (await call<{ strategies: Strategy[] }>("/api/strategies")).strategies;
+}
+
 export async function listPushed(): Promise<PushedProgram[]> {
   return (await call<{ pushes: PushedProgram[] }>("/api/pushes")).pushes;
 }
@@ -115,8 +134,9 @@ export async function readPushed(hash: string): Promise<SourceFile[]> {
   return (await call<{ files: SourceFile[] }>(`/api/pushed/${hash}`)).files;
 }
 
-export function check(files: readonly SourceFile[], robot?: string): Promise<CheckResult> {
-  return call("/api/check", { files, ...(robot && { robot }) });
+/** `against`: a program, such as the one that runs, to tell what is different. */
+export function check(files: readonly SourceFile[], robot?: string, against?: readonly SourceFile[]): Promise<CheckResult> {
+  return call("/api/check", { files, ...(robot && { robot }), ...(against && { against }) });
 }
 
 /** Empty `targets` mean the whole team. */

@@ -1,10 +1,12 @@
 // What pulls and pushes a robot, as vectors on the map.
 
 import { componentsOf } from "../bhdl/components";
-import type { Forces, Program } from "../feed/messages";
+import type { Forces, Program, Variable } from "../feed/messages";
 
 export interface DrawnForce {
   readonly schema: string;
+  /** The force variable that it wrote; of a plain sum, empty. */
+  readonly variable: string;
   /** In the map's frame, times its gain; no unit. */
   readonly x: number;
   readonly y: number;
@@ -25,16 +27,26 @@ function combinersOf(program: Program | undefined): ReadonlySet<string> {
   return names;
 }
 
+function turned(right: number, ahead: number, heading_rad: number): { x: number; y: number } {
+  const [cos, sin] = [Math.cos(heading_rad), Math.sin(heading_rad)];
+  return { x: ahead * cos + right * sin, y: ahead * sin - right * cos };
+}
+
+/** A force variable by itself, whether a schema that runs writes it or not. */
+export function drawnVariable({ name, values }: Variable, heading_rad: number): DrawnForce {
+  const [right, ahead] = [values[0] ?? 0, values[1] ?? 0];
+  return { schema: name, variable: name, ...turned(right, ahead, heading_rad), strength: Math.hypot(right, ahead), isSum: false };
+}
+
 /** The forces of the schemas that run, and their sum as the program's own combine_forces makes it, or plain without one. */
 export function drawnForces({ items }: Forces, program: Program | undefined, heading_rad: number): DrawnForce[] {
   const sums = combinersOf(program);
-  const [cos, sin] = [Math.cos(heading_rad), Math.sin(heading_rad)];
   const all = items
     .filter(({ active }) => active)
-    .map(({ schema, x, y, gain }): DrawnForce => {
+    .map(({ schema, variable, x, y, gain }): DrawnForce => {
       const isSum = sums.has(schema);
       const [right, ahead] = isSum ? [x, y] : [x * gain, y * gain];
-      return { schema, x: ahead * cos + right * sin, y: ahead * sin - right * cos, strength: Math.hypot(right, ahead), isSum };
+      return { schema, variable, ...turned(right, ahead, heading_rad), strength: Math.hypot(right, ahead), isSum };
     });
   const drawn = all.filter(({ strength }) => strength >= LEAST);
   return all.some(({ isSum }) => isSum) || drawn.length === 0 ? drawn : [...drawn, plainSum(drawn)];
@@ -43,5 +55,5 @@ export function drawnForces({ items }: Forces, program: Program | undefined, hea
 function plainSum(forces: readonly DrawnForce[]): DrawnForce {
   const x = forces.reduce((sum, force) => sum + force.x, 0);
   const y = forces.reduce((sum, force) => sum + force.y, 0);
-  return { schema: "sum", x, y, strength: Math.hypot(x, y), isSum: true };
+  return { schema: "sum", variable: "", x, y, strength: Math.hypot(x, y), isSum: true };
 }

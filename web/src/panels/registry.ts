@@ -5,7 +5,9 @@ import type { Component } from "svelte";
 import type { PanelName } from "../layout/arrangement.svelte";
 import MachinePanel from "./MachinePanel.svelte";
 import MapPanel from "./MapPanel.svelte";
+import PlotsPanel from "./PlotsPanel.svelte";
 import ProgramPanel from "./ProgramPanel.svelte";
+import RefereePanel from "./RefereePanel.svelte";
 import TeamPanel from "./TeamPanel.svelte";
 import TimelinePanel from "./TimelinePanel.svelte";
 import VariablesPanel from "./VariablesPanel.svelte";
@@ -18,14 +20,68 @@ export interface PanelKind extends PanelName {
 
 /** `behind` puts a panel that STANDARD does not place as a tab of another. */
 export const panels: readonly PanelKind[] = [
-  { id: "map", title: "Map", component: MapPanel },
-  { id: "team", title: "Team", component: TeamPanel },
-  { id: "machine", title: "Machine", component: MachinePanel },
-  { id: "why", title: "Why", component: WhyPanel },
-  { id: "variables", title: "Variables", component: VariablesPanel },
-  { id: "vision", title: "Vision", component: VisionPanel },
-  { id: "timeline", title: "Timeline", component: TimelinePanel },
-  { id: "program", title: "Program", component: ProgramPanel },
+  {
+    id: "map",
+    title: "Map",
+    about: "Where every robot and thing is, as the team knows it together: fainter is less sure, the ellipse is where it may be.",
+    component: MapPanel,
+  },
+  {
+    id: "team",
+    title: "Team",
+    about: "Each robot with its state, program and health. Hold, start, resume, take out of service; alarms stay until they are seen.",
+    component: TeamPanel,
+  },
+  {
+    id: "machine",
+    title: "State machine",
+    about: "The chosen robot's states: the current one is filled, blue arrows fired lately, a dashed arrow is near to firing. Point at a state to see its conditions live.",
+    component: MachinePanel,
+  },
+  {
+    id: "why",
+    title: "Why",
+    about: "Each change of state with its cause, the line of the program, what else could have fired, and what the robot knew then.",
+    component: WhyPanel,
+  },
+  {
+    id: "variables",
+    title: "Variables",
+    about: "What the chosen robot knows, and how sure it is of it: bars shrink until it forgets. Click a number to plot it, a force's arrow to see it on the map.",
+    component: VariablesPanel,
+  },
+  {
+    id: "vision",
+    title: "Vision",
+    about: "What the chosen robot's camera sees, and what it takes for objects. Tune tries other thresholds on the live picture.",
+    component: VisionPanel,
+  },
+  {
+    id: "plots",
+    title: "Plots",
+    about: "Numbers over time, along the timeline's axis. Point at an instant to read all of them, click to show everything as it was then.",
+    component: PlotsPanel,
+    behind: "vision",
+  },
+  {
+    id: "timeline",
+    title: "Timeline",
+    about: "What every robot did, and when: states as bars, ◆ pieces thrown away, ✕ collisions, ▲ pushes. Click to see everything as it was; the wheel zooms.",
+    component: TimelinePanel,
+  },
+  {
+    id: "program",
+    title: "Program",
+    about: "What runs, and what would: check, try, push to one robot first or to all, roll back. Every push is kept in the history.",
+    component: ProgramPanel,
+  },
+  {
+    id: "referee",
+    title: "Referee",
+    about: "The contest's clock, score and penalties, each call, and how the programs compare that were run in it.",
+    component: RefereePanel,
+    behind: "why",
+  },
 ];
 
 /** Where each stands until somebody arranges them, as layout/text.ts writes it. */

@@ -1,16 +1,102 @@
-import { isSilent } from "./silence";
-import type { Team } from "./model";
+// What an operator must hear of.
 
-/** What an operator must hear of, one sentence each. */
-export function alarms(team: Team, now_ms: number): string[] {
-  const ofRobots = [...team.robots.values()].flatMap((robot) => [
-    ...(isSilent(robot, now_ms) ? [`${robot.name} is silent.`] : []),
-    ...(robot.state?.value.problems ?? []).map((problem) => `${robot.name}: ${problem}`),
-  ]);
+import { ellipseOf } from "./ellipse";
+import { drifts, programShares } from "./drift";
+import type { Robot, Team } from "./model";
+import { isSilent } from "./silence";
+
+export type AlarmKind = "silent" | "overrun" | "drift" | "stuck" | "uncertain" | "problem" | "push";
+
+export interface Alarm {
+  /** The same as long as it is the same alarm. */
+  readonly key: string;
+  readonly kind: AlarmKind;
+  readonly robot: string;
+  /** One sentence. */
+  readonly words: string;
+  /** What to do about it. */
+  readonly advice: string;
+}
+
+/** A tick that began late is told for so long. */
+const LATE_FOR_MS = 20_000;
+/** Whoever neither moves nor turns for so long, though nobody holds it, is stuck. */
+const STUCK_AFTER_MS = 20_000;
+/** A robot known no better than this, at two standard deviations, is drawn where it may not be. */
+const UNCERTAIN_M = 0.8;
+
+type Find = (robot: Robot, now_ms: number) => Omit<Alarm, "robot" | "key"> | undefined;
+
+const finders: Record<Exclude<AlarmKind, "silent" | "problem" | "push" | "drift">, Find> = {
+  overrun: ({ name, events, state }, now_ms) => {
+    const last = events.findLast(({ kind }) => kind === "late");
+    if (!last || now_ms - last.at_ms > LATE_FOR_MS) return undefined;
+    const words = `${name}'s ticks begin late (${state?.value.overruns} so far).`;
+    return { kind: "overrun", words, advice: "Its computer is too slow for this program, or busy with something else." };
+  },
+  stuck: ({ name, state, program, standing }, now_ms) => {
+    if (!state || !standing || now_ms - standing.since_ms < STUCK_AFTER_MS) return undefined;
+    const { held, out_of_service, state: doing } = state.value;
+    if (held || out_of_service || doing === program?.value.start_state) return undefined;
+    return { kind: "stuck", words: `${name} has not moved for ${Math.round((now_ms - standing.since_ms) / 1000)} s in ${doing}.`, advice: "Look whether something holds it, or hold it and lift it free." };
+  },
+  uncertain: ({ name, placed }) => {
+    const radius_m = placed ? ellipseOf(placed).major_m : 0;
+    if (!placed || placed.silent || radius_m < UNCERTAIN_M) return undefined;
+    return { kind: "uncertain", words: `${name} may be ${radius_m.toFixed(1)} m from where the map shows it.`, advice: "It comes right when it sees things that others saw, too." };
+  },
+};
+
+function ofRobot(robot: Robot, team: Team, now_ms: number): Alarm[] {
+  const of = (kind: AlarmKind, words: string, advice: string, more = ""): Alarm => ({ key: `${kind} ${robot.name} ${more}`, kind, robot: robot.name, words, advice });
+  if (isSilent(robot, now_ms)) return [of("silent", `${robot.name} is silent.`, "Check its power and its network; it is shown where it was last heard.")];
+  const state = robot.state?.value;
+  if (state?.out_of_service) return [];
+  const found = Object.values(finders).flatMap((find) => find(robot, now_ms) ?? []);
+  const drift = drifts(robot, programShares(inService(team)))
+    ? [of("drift", `${robot.name} runs ${state?.program_name}, another program than the team.`, "Push the team's program to it, or leave it as a trial.", state?.program_hash)]
+    : [];
+  const problems = (state?.problems ?? []).map((problem) => of("problem", `${robot.name}: ${problem}`, "", problem));
+  return [...found.map((alarm) => ({ ...alarm, robot: robot.name, key: `${alarm.kind} ${robot.name}` })), ...drift, ...problems];
+}
+
+const inService = (team: Team): Robot[] => [...team.robots.values()].filter(({ state }) => !state?.value.out_of_service);
+
+export function alarms(team: Team, now_ms: number): Alarm[] {
   const ofPushes = team.pushes.flatMap((push) =>
     [...push.replies.values()]
       .filter(({ status }) => status === "rejected" || status === "rolled_back")
-      .map(({ robot, status }) => `${robot} ${status === "rejected" ? "refused" : "went back from"} ${push.name}.`),
+      .map(({ robot, status, message }): Alarm => {
+        const words = `${robot} ${status === "rejected" ? "refused" : "went back from"} ${push.name}.`;
+        return { key: `push ${push.id} ${robot}`, kind: "push", robot, words, advice: message };
+      }),
   );
-  return [...ofRobots, ...ofPushes];
+  return [...[...team.robots.values()].flatMap((robot) => ofRobot(robot, team, now_ms)), ...ofPushes];
+}
+
+/** An alarm on the board: it stays until it is over and somebody has seen it. */
+export interface Posted {
+  readonly alarm: Alarm;
+  readonly since_ms: number;
+  readonly over_ms?: number;
+  readonly seen: boolean;
+}
+
+/** The board with what is wrong now; one that comes again after it was over is a new one. */
+export function withAlarms(board: readonly Posted[], active: readonly Alarm[], now_ms: number): readonly Posted[] {
+  const known = new Map(board.map((posted) => [posted.alarm.key, posted]));
+  const now = new Set(active.map(({ key }) => key));
+  const ended = board
+    .filter(({ alarm }) => !now.has(alarm.key))
+    .map((posted): Posted => (posted.over_ms === undefined ? { ...posted, over_ms: now_ms } : posted));
+  const stands = active.map((alarm): Posted => {
+    const before = known.get(alarm.key);
+    return before && before.over_ms === undefined ? { ...before, alarm } : { alarm, since_ms: now_ms, seen: false };
+  });
+  return [...stands, ...ended.filter(({ seen }) => !seen)].sort((a, b) => Number(a.seen) - Number(b.seen) || b.since_ms - a.since_ms);
+}
+
+/** The board after somebody has seen one alarm, or all of them. */
+export function acknowledged(board: readonly Posted[], key?: string): readonly Posted[] {
+  return board.map((posted) => (key === undefined || posted.alarm.key === key ? { ...posted, seen: true } : posted)).filter(({ seen, over_ms }) => !(seen && over_ms !== undefined));
 }

@@ -3,7 +3,7 @@ import type { Team } from "./model";
 const STEP_MS = 500;
 const KEPT_MS = 600_000;
 
-interface Instant {
+export interface Instant {
   readonly at_ms: number;
   readonly team: Team;
 }
@@ -25,6 +25,11 @@ export class History {
 
   get earliest_ms(): number | undefined {
     return this.#instants[0]?.at_ms;
+  }
+
+  /** Every instant that is kept, the earliest first. */
+  get instants(): readonly Instant[] {
+    return this.#instants;
   }
 
   /** The team as it was at `at_ms`, or at the earliest instant known. */

@@ -1,13 +1,13 @@
-import dagre from "@dagrejs/dagre";
-import type { Machine, MachineTransition } from "../feed/messages";
+// Where a machine's states and arrows are drawn: states in the cells of a grid that fills the room
+// there is, placed so that arrows are short.
 
-export interface LaidState {
+import type { Machine, MachineTransition } from "../feed/messages";
+import { type Box, arrowPath } from "./machine_arrow";
+import { placed } from "./machine_places";
+
+export interface LaidState extends Box {
   readonly name: string;
   readonly lines: readonly string[];
-  readonly x: number;
-  readonly y: number;
-  readonly width: number;
-  readonly height: number;
 }
 
 /** All transitions from one state to another, as one arrow. */
@@ -25,10 +25,18 @@ export interface MachineLayout {
   readonly arrows: readonly LaidArrow[];
 }
 
+export interface Room {
+  readonly width: number;
+  readonly height: number;
+}
+
 const CHARACTER_PX = 6.7;
 const LINE_PX = 14;
 const LONGEST_LINE = 11;
-const MARGIN_PX = 6;
+/** Between states: room for arrows and their heads. */
+const GAP_PX = { x: 22, y: 20 };
+/** Where there is more room than that, states stand no farther apart. */
+const WIDEST_GAP_PX = { x: 70, y: 46 };
 
 /** A long name on two lines, broken at the underscore nearest its middle. */
 export function labelLines(name: string): string[] {
@@ -39,76 +47,59 @@ export function labelLines(name: string): string[] {
   return [name.slice(0, at + 1), name.slice(at + 1)];
 }
 
-type Point = { x: number; y: number };
-
-/** A curve through the middles of a line's pieces, with the given ends. */
-function curve(points: readonly Point[]): string {
-  const [first, ...rest] = points;
-  if (!first || rest.length === 0) return "";
-  const round = ({ x, y }: Point) => `${x.toFixed(1)},${y.toFixed(1)}`;
-  const last = rest.at(-1)!;
-  const pieces = rest.slice(0, -1).map((point, i) => {
-    const next = rest[i + 1]!;
-    return `Q${round(point)} ${round({ x: (point.x + next.x) / 2, y: (point.y + next.y) / 2 })}`;
-  });
-  return `M${round(first)} ${pieces.join(" ")} L${round(last)}`;
+function sizeOf(lines: readonly string[]): Room {
+  const width = Math.max(...lines.map((line) => line.length)) * CHARACTER_PX + 14;
+  return { width: Math.max(width, 52), height: lines.length * LINE_PX + 7 };
 }
 
 function arrowsOf(machine: Machine): Map<string, MachineTransition[]> {
+  const known = new Set(machine.states.map(({ name }) => name));
   const arrows = new Map<string, MachineTransition[]>();
   for (const transition of machine.transitions) {
+    if (!known.has(transition.from_state) || !known.has(transition.to_state)) continue;
     const key = JSON.stringify([transition.from_state, transition.to_state]);
     arrows.set(key, [...(arrows.get(key) ?? []), transition]);
   }
   return arrows;
 }
 
-function graphOf(machine: Machine, arrows: Map<string, MachineTransition[]>) {
-  const graph = new dagre.graphlib.Graph();
-  graph.setGraph({ rankdir: "TB", nodesep: 14, ranksep: 22, edgesep: 8, marginx: MARGIN_PX, marginy: MARGIN_PX });
-  graph.setDefaultEdgeLabel(() => ({}));
-  for (const { name } of machine.states) {
-    const lines = labelLines(name);
-    const width = Math.max(...lines.map((line) => line.length)) * CHARACTER_PX + 18;
-    graph.setNode(name, { width: Math.max(width, 56), height: lines.length * LINE_PX + 8 });
-  }
-  for (const key of arrows.keys()) {
-    const [from, to] = JSON.parse(key) as [string, string];
-    if (graph.hasNode(from) && graph.hasNode(to)) graph.setEdge(from, to);
-  }
-  return graph;
+/** A grid of the room's own shape, of no more columns than it takes at full size. */
+function columnsFor(count: number, cell: Room, room: Room): number {
+  const [across, down] = [Math.max(room.width / cell.width, 1), Math.max(room.height / cell.height, 1)];
+  const ofItsShape = Math.ceil(Math.sqrt((count * across) / down) - 0.25);
+  const needed = Math.ceil(count / Math.floor(down));
+  return Math.min(Math.max(ofItsShape, needed, 1), Math.floor(across), count);
 }
 
-/** Where a machine's states and arrows are drawn, in pixels at scale 1; the start state comes first. */
-export function layOut(machine: Machine): MachineLayout {
-  const start = machine.states.filter((state) => state.name === machine.start_state);
-  const others = machine.states.filter((state) => state.name !== machine.start_state);
+/** Drawn at scale 1 in `room` (pixels), or larger than it where the states need more. */
+export function layOut(machine: Machine, room: Room): MachineLayout {
+  const names = machine.states.map(({ name }) => name);
+  if (names.length === 0) return { width: 0, height: 0, states: [], arrows: [] };
   const arrows = arrowsOf(machine);
-  const graph = graphOf({ ...machine, states: [...start, ...others] }, arrows);
-  dagre.layout(graph);
-  const states = graph.nodes().map((name) => ({ name, lines: labelLines(name), ...box(graph.node(name)) }));
-  return { ...extent(graph), states, arrows: drawnArrows(graph, arrows) };
-}
-
-/** dagre's own width leaves out how far arrows swing. */
-function extent(graph: dagre.graphlib.Graph): { width: number; height: number } {
-  const { width = 0, height = 0 } = graph.graph();
-  const bends = graph.edges().flatMap((edge) => graph.edge(edge).points as Point[]);
-  return {
-    width: Math.max(width, ...bends.map(({ x }) => x + MARGIN_PX)),
-    height: Math.max(height, ...bends.map(({ y }) => y + MARGIN_PX)),
+  const ways = [...arrows.keys()].map((key) => JSON.parse(key) as [string, string]);
+  const labels = new Map(names.map((name) => [name, labelLines(name)]));
+  const sizes = names.map((name) => sizeOf(labels.get(name)!));
+  const widest = { width: Math.max(...sizes.map(({ width }) => width)), height: Math.max(...sizes.map(({ height }) => height)) };
+  const cell = { width: widest.width + GAP_PX.x, height: widest.height + GAP_PX.y };
+  const columns = columnsFor(names.length, cell, room);
+  const rows = Math.ceil(names.length / columns);
+  const pitch = {
+    x: Math.min(Math.max(room.width / columns, cell.width), widest.width + WIDEST_GAP_PX.x),
+    y: Math.min(Math.max(room.height / rows, cell.height), widest.height + WIDEST_GAP_PX.y),
   };
-}
-
-function box({ x, y, width, height }: { x: number; y: number; width: number; height: number }) {
-  return { x: x - width / 2, y: y - height / 2, width, height };
-}
-
-function drawnArrows(graph: dagre.graphlib.Graph, arrows: Map<string, MachineTransition[]>): LaidArrow[] {
-  return graph.edges().map(({ v: from, w: to }) => ({
+  const places = placed(names, machine.start_state, ways, columns);
+  const states = names.map((name, i): LaidState => {
+    const { column, row } = places.get(name)!;
+    const size = sizes[i]!;
+    const [x, y] = [(column + 0.5) * pitch.x - size.width / 2, (row + 0.5) * pitch.y - size.height / 2];
+    return { name, lines: labels.get(name)!, x, y, ...size };
+  });
+  const boxes = new Map(states.map((state) => [state.name, state]));
+  const drawn = ways.map(([from, to]) => ({
     from,
     to,
-    path: curve(graph.edge(from, to).points),
-    transitions: arrows.get(JSON.stringify([from, to])) ?? [],
+    path: arrowPath(boxes.get(from)!, boxes.get(to)!, states),
+    transitions: arrows.get(JSON.stringify([from, to]))!,
   }));
+  return { width: columns * pitch.x, height: rows * pitch.y, states, arrows: drawn };
 }

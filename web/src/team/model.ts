@@ -16,7 +16,10 @@ import type {
   Transition,
   Variables,
 } from "../feed/messages";
+import type { RobotEvent } from "./events";
 import type { Identity } from "./identity";
+import type { MessageRate } from "./message_rate";
+import type { Standing } from "./stillness";
 
 export interface Stamped<T> {
   readonly value: T;
@@ -51,6 +54,14 @@ export interface ProgramChange {
   readonly at_ms: number;
 }
 
+/** A robot's variables around one change of state. */
+export interface Moment {
+  /** Told before the change. */
+  readonly before?: Variables;
+  /** Told at its tick or just after it. */
+  readonly after?: Variables;
+}
+
 export interface Robot {
   readonly name: string;
   readonly identity: Identity;
@@ -64,8 +75,13 @@ export interface Robot {
   readonly forces?: Stamped<Forces>;
   readonly program?: Stamped<Program>;
   readonly transitions: readonly Transition[];
+  /** By the number of the transition, of those that happened while the page listened. */
+  readonly moments: ReadonlyMap<bigint, Moment>;
   readonly bars: readonly StateBar[];
   readonly programs: readonly ProgramChange[];
+  readonly events: readonly RobotEvent[];
+  readonly standing?: Standing;
+  readonly rate?: MessageRate;
   readonly placed?: MapRobot;
   readonly pose?: Pose;
   readonly trail: readonly TrailPoint[];
@@ -96,6 +112,7 @@ export interface Team {
   readonly objects?: Stamped<readonly MapObject[]> & { readonly stamp: Time };
   readonly grid?: OccupancyGrid;
   readonly score?: Stamped<Score>;
+  readonly contest_began_ms?: number;
   readonly pushes: readonly Push[];
 }
 

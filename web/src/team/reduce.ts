@@ -1,9 +1,13 @@
 import type * as wire from "../feed/messages";
 import { type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
+import { contestBegan_ms, withEvents } from "./events";
 import { identityOf } from "./identity";
 import type { Robot, Team } from "./model";
+import { withMessage } from "./message_rate";
+import { withMoment, withVariables } from "./moments";
 import { replyOf, withPush, withReply, withStep } from "./pushes";
 import { clockOffset_ms, onPageClock_ms } from "./robot_clock";
+import { standing } from "./stillness";
 import { withBar, withProgram } from "./timeline";
 import { unwound, withPoint } from "./trail";
 import { withTransition } from "./transitions";
@@ -15,7 +19,7 @@ function robotNamed(team: Team, name: string, received_ms: number): Robot {
   if (known) return known;
   const others = [...team.robots.values()].map((robot) => robot.identity);
   const identity = identityOf(name, others);
-  return { name, identity, heard_ms: received_ms, transitions: [], bars: [], programs: [], trail: [] };
+  return { name, identity, heard_ms: received_ms, transitions: [], moments: new Map(), bars: [], programs: [], events: [], trail: [] };
 }
 
 const barOf = (robot: Robot, { number, to_state: state, stamp }: wire.Transition) => ({
@@ -36,6 +40,8 @@ function withState(robot: Robot, value: wire.RobotState, received_ms: number): R
   return {
     ...clocked,
     state: { value, received_ms },
+    standing: standing(robot.standing, value, received_ms),
+    events: withEvents(robot.events, robot.state?.value, value, received_ms),
     bars: withBar(barsBefore(robot, clocked), {
       number: value.transitions,
       state: value.state,
@@ -48,14 +54,19 @@ function withState(robot: Robot, value: wire.RobotState, received_ms: number): R
 function withChange(robot: Robot, transition: wire.Transition): Robot {
   const transitions = withTransition(robot.transitions, transition);
   if (transitions === robot.transitions) return robot;
-  if (robot.clock_offset_ms === undefined) return { ...robot, transitions };
-  return { ...robot, transitions, bars: withBar(robot.bars, barOf(robot, transition)) };
+  const moments = withMoment(robot.moments, transition, robot.variables?.value);
+  if (robot.clock_offset_ms === undefined) return { ...robot, transitions, moments };
+  return { ...robot, transitions, moments, bars: withBar(robot.bars, barOf(robot, transition)) };
 }
 
 const ofRobot: { [K in Exclude<RobotTopic, "program_reply">]: Reduce<Robot, never> } = {
   state: withState,
   transition: withChange,
-  variables: (robot, value: wire.Variables, received_ms) => ({ ...robot, variables: { value, received_ms } }),
+  variables: (robot, value: wire.Variables, received_ms) => ({
+    ...robot,
+    variables: { value, received_ms },
+    moments: withVariables(robot.moments, robot.transitions, value),
+  }),
   sightings: (robot, value: wire.Sightings, received_ms) => ({ ...robot, sightings: { value, received_ms } }),
   forces: (robot, value: wire.Forces, received_ms) => ({ ...robot, forces: { value, received_ms } }),
   program: (robot, value: wire.Program, received_ms) => ({ ...robot, program: { value, received_ms } }),
@@ -83,7 +94,11 @@ const ofTeam: { [K in TeamTopic]: Reduce<Team, never> } = {
     ...team,
     pushes: withStep(team.pushes, told, received_ms),
   }),
-  "/referee/score": (team, value: wire.Score, received_ms) => ({ ...team, score: { value, received_ms } }),
+  "/referee/score": (team, value: wire.Score, received_ms) => ({
+    ...team,
+    score: { value, received_ms },
+    contest_began_ms: contestBegan_ms(team.contest_began_ms, value, received_ms),
+  }),
 };
 
 /** The team after a message; the same team where the topic says nothing of it. */
@@ -97,6 +112,6 @@ export function apply(team: Team, topic: string, message: unknown, received_ms: 
   const reduce = ofRobot[named.kind as keyof typeof ofRobot];
   if (!reduce) return team;
   const before = robotNamed(team, named.robot, received_ms);
-  const robot = reduce({ ...before, heard_ms: Math.max(before.heard_ms, received_ms) }, message as never, received_ms);
+  const robot = reduce({ ...before, heard_ms: Math.max(before.heard_ms, received_ms), rate: withMessage(before.rate, received_ms) }, message as never, received_ms);
   return { ...team, robots: new Map(team.robots).set(named.robot, robot) };
 }

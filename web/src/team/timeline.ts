@@ -1,3 +1,4 @@
+import { shortened } from "../lib/format";
 import type { ProgramChange, StateBar } from "./model";
 
 const KEPT = 600;
@@ -39,8 +40,9 @@ export function drawnBars(bars: readonly StateBar[], from_ms: number, to_ms: num
     .filter((bar) => bar.to_ms > bar.from_ms);
 }
 
-/** Where a time axis is marked: round ages from now back to the span's beginning. */
-export function timeMarks(span_s: number): number[] {
-  const step_s = span_s / 6;
-  return Array.from({ length: 6 }, (_, i) => i * step_s);
+const CHARACTER_PX = 6.1;
+
+/** A state's name in so much room: whole, or shortened in the middle. */
+export function labelled(state: string, room_px: number): string {
+  return shortened(state, Math.max(Math.floor(room_px / CHARACTER_PX), 2));
 }

@@ -1,6 +1,5 @@
 import { describe, expect, it } from "vitest";
 import type { Machine } from "../../src/feed/messages";
-import { diffInWords, machineDiff } from "../../src/team/machine_diff";
 import { labelLines, layOut } from "../../src/team/machine_layout";
 
 function machine(...ways: [from: string, to: string, bits?: string][]): Machine {
@@ -13,11 +12,12 @@ function machine(...ways: [from: string, to: string, bits?: string][]): Machine 
     })),
   };
 }
+const ROOM = { width: 368, height: 490 };
 const office = machine(["start", "wander"], ["wander", "move_to_trash"], ["move_to_trash", "wander"], ["move_to_trash", "grab"]);
 
 describe("a machine's layout", () => {
   it("places every state within its bounds, none on another, the start on top", () => {
-    const { states, width, height } = layOut(office);
+    const { states, width, height } = layOut(office, ROOM);
     expect(states.map(({ name }) => name).sort()).toEqual(["grab", "move_to_trash", "start", "wander"]);
     for (const a of states) {
       expect(a.x >= 0 && a.y >= 0 && a.x + a.width <= width && a.y + a.height <= height).toBe(true);
@@ -29,29 +29,31 @@ describe("a machine's layout", () => {
     expect([...states].sort((a, b) => a.y - b.y)[0]?.name).toBe("start");
   });
   it("draws all ways from one state to another as one arrow that knows them all", () => {
-    const twice = layOut(machine(["a", "b", "seen"], ["a", "b", "felt"]));
+    const twice = layOut(machine(["a", "b", "seen"], ["a", "b", "felt"]), ROOM);
     expect(twice.arrows).toHaveLength(1);
     expect(twice.arrows[0]?.transitions.map((way) => way.bits_variable)).toEqual(["seen", "felt"]);
   });
   it("draws a state that leads to itself, and leaves out a way to nowhere", () => {
     const odd = machine(["a", "a"], ["a", "b"]);
-    const { arrows } = layOut({ ...odd, states: odd.states.slice(0, 1) });
+    const { arrows } = layOut({ ...odd, states: odd.states.slice(0, 1) }, ROOM);
     expect(arrows.map(({ from, to }) => [from, to])).toEqual([["a", "a"]]);
+  });
+  it("holds twenty states of long names at full size in a laptop's panel", () => {
+    const names = Array.from({ length: 20 }, (_, i) => `wander_for_trash_${i}`);
+    const ways = names.flatMap((name, i): [string, string][] => [[name, names[(i + 1) % 20]!], [name, names[(i * 7 + 3) % 20]!]]);
+    const { width, height, states } = layOut(machine(...ways), ROOM);
+    expect(states).toHaveLength(20);
+    expect(width).toBeLessThanOrEqual(ROOM.width + 1);
+    expect(height).toBeLessThanOrEqual(ROOM.height + 1);
+  });
+  it("bends an arrow round a state that stands between", () => {
+    const chain = layOut(machine(["a", "b"], ["b", "c"], ["a", "c"]), { width: 60, height: 400 });
+    const [, b] = [...chain.states].sort((one, other) => one.y - other.y);
+    const control = Number(/Q(-?[\d.]+)/.exec(chain.arrows.find(({ from, to }) => from === "a" && to === "c")!.path)?.[1]);
+    expect(Math.abs(control - (b!.x + b!.width / 2))).toBeGreaterThan(b!.width / 2);
   });
   it("breaks long names near their middle", () => {
     expect(labelLines("wander_for_trashcan")).toEqual(["wander_for_", "trashcan"]);
     expect(labelLines("backup1")).toEqual(["backup1"]);
-  });
-});
-
-describe("what a push would change", () => {
-  it("is told by states", () => {
-    const spin = machine(["start", "wander"], ["wander", "spin"], ["spin", "move_to_trash"], ["move_to_trash", "wander"]);
-    expect(machineDiff(office, spin)).toEqual({ added: ["spin"], removed: ["grab"], changed: ["wander", "move_to_trash"] });
-    expect(diffInWords(machineDiff(office, spin))[0]).toBe("adds spin");
-  });
-  it("is nothing where only lines have moved", () => {
-    const moved = { ...office, states: office.states.map((state) => ({ ...state, line: state.line + 9 })) };
-    expect(diffInWords(machineDiff(office, moved))).toEqual(["leaves states and transitions as they are"]);
   });
 });

@@ -14,14 +14,14 @@ export function state(changes: Partial<RobotState> & { at_ms?: number } = {}): R
   return {
     stamp: time(at_ms), robot: "io", program_name: "office.bhdl", program_hash: "aaaa", state: "start", state_since: time(at_ms),
     tick: 0n, transitions: 0n, tick_period_s: 0.02, tick_time_us: 5, tick_time_max_us: 8, overruns: 0, held: false,
-    in_probation: false, x_m: 0, y_m: 0, heading_rad: 0, problems: [], ...rest,
+    in_probation: false, out_of_service: false, x_m: 0, y_m: 0, heading_rad: 0, problems: [], ...rest,
   };
 }
 
 export function transition(number: number, to_state: string, at_ms = T0_MS): Transition {
   return {
     stamp: time(at_ms), robot: "io", number: BigInt(number), tick: 0n, from_state: "", to_state, cause: "trash_seen[0] became 1",
-    program_hash: "aaaa", file: "office.bhdl", line: 7, bits_variable: "trash_seen", bit_index: 0, bit_value: true, reset_variables: [],
+    program_hash: "aaaa", file: "office.bhdl", line: 7, bits_variable: "trash_seen", bit_index: 0, bit_value: true, reset_variables: [], tested: [],
   };
 }
 

@@ -1,0 +1,20 @@
+// The alarms that somebody has yet to see, and those that last.
+
+import { live } from "./live.svelte";
+import { acknowledged, alarms, type Posted, withAlarms } from "./team/alarms";
+
+class AlarmBoard {
+  posted = $state.raw<readonly Posted[]>([]);
+  readonly unseen: number = $derived(this.posted.filter(({ seen }) => !seen).length);
+
+  /** Called as time goes on: what is wrong depends on it, too. */
+  refresh(): void {
+    this.posted = withAlarms(this.posted, alarms(live.present, live.present_ms), live.present_ms);
+  }
+
+  acknowledge(key?: string): void {
+    this.posted = acknowledged(this.posted, key);
+  }
+}
+
+export const alarmBoard = new AlarmBoard();

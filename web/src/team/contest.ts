@@ -1,0 +1,26 @@
+import type { Strategy } from "../lib/api";
+import type { Score } from "../feed/messages";
+import type { Stamped } from "./model";
+
+/** What is left on the referee's clock, which runs on between its messages. */
+export function remaining_s({ value: { phase, remaining_s: told_s }, received_ms }: Stamped<Score>, now_ms: number): number {
+  const since_s = phase === "running" ? Math.max((now_ms - received_ms) / 1000, 0) : 0;
+  return Math.max(told_s - since_s, 0);
+}
+
+/** In less time a rate says nothing. */
+const TELLING_S = 30;
+
+export interface RatedStrategy extends Strategy {
+  /** Pieces that one robot throws away in a minute; undefined before that says anything. */
+  readonly pieces_per_min?: number;
+}
+
+/** The best first; those of which too little is known last. */
+export function rated(strategies: readonly Strategy[]): RatedStrategy[] {
+  const rows = strategies.map((strategy): RatedStrategy => {
+    const { robot_seconds, deposited } = strategy;
+    return robot_seconds < TELLING_S ? strategy : { ...strategy, pieces_per_min: (deposited * 60) / robot_seconds };
+  });
+  return rows.sort((a, b) => (b.pieces_per_min ?? -1) - (a.pieces_per_min ?? -1));
+}

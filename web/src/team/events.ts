@@ -1,0 +1,49 @@
+// What happened to a robot besides its changes of state, read from how its state differs from the one before.
+
+import type { RefereeCall, RobotState, Score } from "../feed/messages";
+import type { Stamped } from "./model";
+
+export interface RobotEvent {
+  readonly at_ms: number;
+  readonly kind: "held" | "resumed" | "problem" | "well" | "decommissioned" | "commissioned" | "late";
+  readonly words: string;
+}
+
+const KEPT = 200;
+
+function differences(before: RobotState, now: RobotState): Omit<RobotEvent, "at_ms">[] {
+  const events: Omit<RobotEvent, "at_ms">[] = [];
+  if (now.held !== before.held) events.push({ kind: now.held ? "held" : "resumed", words: now.held ? "held" : "resumed" });
+  if (now.out_of_service !== before.out_of_service) {
+    const kind = now.out_of_service ? "decommissioned" : "commissioned";
+    events.push({ kind, words: kind });
+  }
+  for (const problem of now.problems) if (!before.problems.includes(problem)) events.push({ kind: "problem", words: problem });
+  if (before.problems.length > 0 && now.problems.length === 0) events.push({ kind: "well", words: "no problem any more" });
+  if (now.overruns > before.overruns) events.push({ kind: "late", words: `a tick began late (${now.overruns} so far)` });
+  return events;
+}
+
+/** The list with what the newest state tells. */
+export function withEvents(list: readonly RobotEvent[], before: RobotState | undefined, now: RobotState, at_ms: number): readonly RobotEvent[] {
+  const news = before ? differences(before, now) : [];
+  return news.length === 0 ? list : [...list, ...news.map((event) => ({ ...event, at_ms }))].slice(-KEPT);
+}
+
+/** When the contest's clock was at 0, by the page's clock: as the referee told it while the clock ran. */
+export function contestBegan_ms(before_ms: number | undefined, { phase, elapsed_s }: Score, received_ms: number): number | undefined {
+  if (phase !== "running") return before_ms;
+  const now_ms = received_ms - elapsed_s * 1000;
+  const jumped = before_ms === undefined || Math.abs(now_ms - before_ms) > 2000;
+  return jumped ? now_ms : Math.min(before_ms, now_ms);
+}
+
+export interface PlacedCall extends RefereeCall {
+  readonly at_ms: number;
+}
+
+/** The referee's calls on one robot, in the page's time. */
+export function callsOn(robot: string, score: Stamped<Score> | undefined, began_ms: number | undefined): PlacedCall[] {
+  if (!score || began_ms === undefined) return [];
+  return score.value.calls.filter((call) => call.robot === robot).map((call) => ({ ...call, at_ms: began_ms + call.elapsed_s * 1000 }));
+}

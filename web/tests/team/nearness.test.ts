@@ -1,0 +1,54 @@
+import { describe, expect, it } from "vitest";
+import type { MachineTransition, Variable } from "../../src/feed/messages";
+import { bitNow, nearnessOf, type Situation, triggersOf } from "../../src/team/nearness";
+import { T0_MS, time } from "./told";
+
+const TEXT = `perceptual_schemas:
+  seen: name: "see" locate_variable: "trash" min_certainty: 0.5 bits_variable: "seen" end
+  lost: name: "lose" locate_variable: "trash" min_certainty: 0.2 bits_variable: "lost" end
+  arrived: name: "reach" locate_variable: "trash" radius: 22 bits_variable: "reached" bit_index: 1 end
+  arrived: name: "reach_in_metres" locate_variable: "trash" radius: 0.5 m bits_variable: "near" end
+  time_detector: name: "short" duration: 4 bits_variable: "up" end
+  time_detector: name: "long" duration: 2 min bits_variable: "up" end
+end`;
+const triggers = triggersOf([{ path: "a.bhdl", text: TEXT }]);
+const variable = (name: string, type: number, values: number[], certainty = 1, decay_per_s = 0): Variable =>
+  ({ name, type, object_class: "", valid: certainty > 0, certainty, decay_per_s, updated: time(T0_MS), values });
+const condition = (bits_variable: string, bit_index = 0, bit_value = true): MachineTransition =>
+  ({ from_state: "a", to_state: "b", file: "", line: 1, bits_variable, bit_index, bit_value, bit_update: "same", reset_variables: [] });
+const now = (changes: Partial<Situation> = {}): Situation => ({
+  variables: [variable("shaft", 1, [0, 0, 0, 0, 0]), variable("trash", 3, [0, 0.44, 0, 0, 0, 0.03], 0.6, 0.1)],
+  age_ms: 0, in_state_s: 3, schemas: ["see", "lose", "reach", "reach_in_metres", "short"], ...changes,
+});
+
+describe("how near a condition is to firing", () => {
+  it("is the share of a clock's time that has passed", () => {
+    expect(nearnessOf(condition("up"), triggers, now())).toEqual({ share: 0.75, words: "in 1.0 s" });
+  });
+  it("counts only the trigger that the state runs", () => {
+    expect(nearnessOf(condition("up"), triggers, now({ schemas: ["long"] }))?.share).toBeCloseTo(3 / 120);
+    expect(nearnessOf(condition("up"), triggers, now({ schemas: [] }))).toBeUndefined();
+  });
+  it("is how far the robot has come, in the program's own units", () => {
+    expect(nearnessOf(condition("reached", 1), triggers, now())).toEqual({ share: 0.5, words: "0.44 m away, fires at 0.22 m" });
+    expect(nearnessOf(condition("near"), triggers, now())?.share).toBe(1);
+  });
+  it("is how much of a certainty is gone, and goes on while nothing is told", () => {
+    const { share, words } = nearnessOf(condition("lost"), triggers, now({ age_ms: 2000 }))!;
+    expect(share).toBeCloseTo(0.75);
+    expect(words).toBe("sure 0.40, lost below 0.2, in 2.0 s unless it is seen again");
+    expect(nearnessOf(condition("seen"), triggers, now({ age_ms: 2000 }))?.share).toBeCloseTo(0.8);
+  });
+  it("is unknown of a bumper, and of a bit that is waited for at 0", () => {
+    expect(nearnessOf(condition("bumpers"), triggers, now())).toBeUndefined();
+    expect(nearnessOf(condition("up", 0, false), triggers, now())).toBeUndefined();
+  });
+});
+
+describe("a condition's bit", () => {
+  it("is read from its place, and is unknown while the variable is invalid", () => {
+    const variables = [variable("gripper", 4, [2]), variable("stuck", 4, [1], 0)];
+    expect([bitNow(condition("gripper", 1), variables), bitNow(condition("gripper"), variables)]).toEqual([true, false]);
+    expect(bitNow(condition("stuck"), variables)).toBeUndefined();
+  });
+});

@@ -11,9 +11,9 @@ constexpr double kRangeError_m = 0.10, kRangeErrorShare = 0.10;
 constexpr double kSideError_m = 0.10, kSideErrorShare = 0.04;
 constexpr double kFarthest = 3;  ///< in the measure of the errors
 constexpr double kAgrees = 0.3;  ///< of 1
-constexpr double kLead = 0.9;
+constexpr double kBearingsLead = 0.9;
 constexpr double kSamePeak_rad = 0.15;
-constexpr double kLeastShare = 0.6;
+constexpr double kLeastAgreeingShare = 0.6;
 /// Two may agree by chance on any of many turns.
 constexpr double kNarrow_rad = 0.5;
 
@@ -66,11 +66,11 @@ std::optional<double> BearingsFit::turn(const std::vector<Mark>& seen,
   const Candidate best = *std::ranges::max_element(candidates, {}, &Candidate::score);
   const std::size_t least = most_rad < kNarrow_rad ? 2 : 3;
   if (best.agreeing < least ||
-      static_cast<double>(best.agreeing) < kLeastShare * static_cast<double>(seen.size()))
+      static_cast<double>(best.agreeing) < kLeastAgreeingShare * static_cast<double>(seen.size()))
     return std::nullopt;
   const bool rivalled = std::ranges::any_of(candidates, [&](const Candidate& other) {
     return std::abs(other.turn_rad - best.turn_rad) > kSamePeak_rad &&
-           other.score > best.score - kLead;
+           other.score > best.score - kBearingsLead;
   });
   return rivalled ? std::nullopt : std::optional(best.turn_rad);
 }

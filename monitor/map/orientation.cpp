@@ -10,8 +10,8 @@ namespace galilean::monitor {
 namespace {
 
 constexpr double kMostRange_m = 3.5;
-constexpr double kNearest_m = 0.35;  ///< what is nearer may be pushed
-constexpr double kMostTurn_rad = 1.4;
+constexpr double kUnpushedFrom_m = 0.35;  ///< what is nearer may be pushed
+constexpr double kWidestSearch_rad = 1.4;
 constexpr double kDeviations = 3;
 constexpr double kSameTurn_rad = 0.1;
 constexpr int kExpectedFrames = 2, kUnexpectedFrames = 5;
@@ -27,7 +27,7 @@ std::vector<Mark> marks_in(const msg::Sightings& frame) {
     const auto bearing = bearing_of(sighting, frame);
     if (!bearing || !bearing->whole) continue;
     const Vec2& at_m = bearing->from_robot.mean_m;
-    if (at_m.norm() > kNearest_m && at_m.norm() < kMostRange_m)
+    if (at_m.norm() > kUnpushedFrom_m && at_m.norm() < kMostRange_m)
       marks.push_back({at_m, kind_of(sighting.object_class), 0});
   }
   return marks;
@@ -43,9 +43,9 @@ void Orientation::look(const msg::Sightings& frame, Time now) {
       known.push_back({joint_.mean(thing.part), kind_of(thing.object_class), thing.id});
   const double deviation_rad = std::sqrt(joint_.covariance(robots_.part(frame.robot))(2, 2));
   const Pose2 pose = robots_.pose(frame.robot);
-  const double expected_rad = std::min(kDeviations * deviation_rad, kMostTurn_rad);
+  const double expected_rad = std::min(kDeviations * deviation_rad, kWidestSearch_rad);
   auto turn_rad = BearingsFit::turn(seen, known, pose, deviation_rad, expected_rad);
-  if (!turn_rad) turn_rad = BearingsFit::turn(seen, known, pose, deviation_rad, kMostTurn_rad);
+  if (!turn_rad) turn_rad = BearingsFit::turn(seen, known, pose, deviation_rad, kWidestSearch_rad);
   if (!turn_rad || std::abs(*turn_rad) < BearingsFit::kDeviation_rad) {
     suspicions_.erase(frame.robot);
     return;

@@ -51,7 +51,7 @@ TEST(BearingsFit, IsSilentWhereTwoTurnsFitAlike) {
 
 TEST(BearingsFit, IsSilentWhereMostIsNew) {
   auto seen = seen_by_one_that_faces(0.4, {0, 1});
-  for (const Vec2 at_m : {Vec2(1, 0.9), Vec2(2.2, -1), Vec2(0.9, -0.9)})
+  for (const Vec2& at_m : {Vec2(1, 0.9), Vec2(2.2, -1), Vec2(0.9, -0.9)})
     seen.push_back({at_m, kPost, 0});
   EXPECT_FALSE(BearingsFit::turn(seen, kAround, kBelieved, 0.3, kAnyTurn_rad));
   EXPECT_FALSE(BearingsFit::turn({}, kAround, kBelieved, 0.3, kAnyTurn_rad));

@@ -55,11 +55,12 @@ class LanguageSessionTest : public testing::Test {
   const Catalog installed = catalog_with("built_in");
   foxglove::Hub hub{"monitor", [](std::uint32_t, bool) {}};
   asio::io_context io{1};
+  SendRounds rounds{io};
   Worker worker{io};
   LanguageDesk desk{worker, team, installed, folder.path()};
   HttpServer::Site site(LanguageDesk& of, bool reads_freely) {
     return {Guard("127.0.0.1", {}), Access({"viewer", "operator"}, reads_freely),
-            [](const HttpRequest&, const Respond&) {}, hub, of};
+            [](const HttpRequest&, const Respond&) {}, hub, rounds, of};
   }
   HttpServer server{io, site(desk, true)};
   std::uint16_t port = 0;

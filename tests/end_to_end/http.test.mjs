@@ -36,7 +36,7 @@ test('the server answers as it is described', async (t) => {
   };
 
   await t.test('what can be read', async () => {
-    for (const path of ['/healthz', '/metrics', '/api/status', '/api/team', '/api/programs', '/api/pushes', '/api/map.png', '/api/map.yaml', '/api/map.3Dscene'])
+    for (const path of ['/healthz', '/metrics', '/api/status', '/api/team', '/api/programs', '/api/pushes', '/api/strategies', '/api/map.png', '/api/map.yaml', '/api/map.3Dscene'])
       await ask('GET', path, { status: 200 });
     await ask('GET', '/api/programs/{name}', { status: 200, name: 'office_cleanup.bhdl' });
     await ask('GET', '/api/programs/{name}', { status: 404, name: 'nothing.bhdl' });
@@ -47,6 +47,7 @@ test('the server answers as it is described', async (t) => {
   await t.test('what can be ordered, and what is refused', async () => {
     assert.equal((await ask('POST', '/api/check', { status: 200, body: program })).ok, true);
     assert.equal((await ask('POST', '/api/check', { status: 200, body: broken })).ok, false);
+    await ask('POST', '/api/check', { status: 200, body: { ...program, against: program.files } });
     await ask('POST', '/api/check', { status: 400, body: {} });
     await ask('POST', '/api/push', { status: 403, body: program, bearer: token('viewer') });
     await ask('POST', '/api/push', { status: 422, body: broken });
@@ -56,9 +57,11 @@ test('the server answers as it is described', async (t) => {
     await ask('GET', '/api/pushes/{id}', { status: 200, id: pushed.id });
     await eventually(async () => (await getJson(`${url}/api/pushes`)).pushes.length === 1);
     await ask('GET', '/api/pushes', { status: 200 });
+    await ask('GET', '/api/strategies', { status: 200 });
     await ask('GET', '/api/pushed/{hash}', { status: 200, hash: pushed.hash.slice(0, 10) });
     await ask('POST', '/api/pushes/{id}/cancel', { status: 409, id: pushed.id, body: {} });
     await ask('POST', '/api/command', { status: 200, body: { kind: 'hold', targets: ['io'] } });
+    for (const kind of ['decommission', 'commission', 'resume']) await ask('POST', '/api/command', { status: 200, body: { kind, targets: ['io'] } });
     await ask('POST', '/api/command', { status: 400, body: { kind: 'dance' } });
     await ask('POST', '/api/command', { status: 404, body: { kind: 'hold', targets: ['europa'] } });
     await ask('GET', '/api/status', { status: 403, headers: { origin: 'https://evil.example' } });

@@ -59,8 +59,12 @@ class LanguageSessionTest : public testing::Test {
   Worker worker{io};
   LanguageDesk desk{worker, team, installed, folder.path()};
   HttpServer::Site site(LanguageDesk& of, bool reads_freely) {
-    return {Guard("127.0.0.1", {}), Access({"viewer", "operator"}, reads_freely),
-            [](const HttpRequest&, const Respond&) {}, hub, rounds, of};
+    return {Guard("127.0.0.1", {}),
+            Access({"viewer", "operator"}, reads_freely),
+            [](const HttpRequest&, const Respond&) {},
+            hub,
+            rounds,
+            of};
   }
   HttpServer server{io, site(desk, true)};
   std::uint16_t port = 0;

@@ -8,17 +8,17 @@ const { at, until } = tab;
 const text = (wanted) => until((words) => document.querySelector("[data-testid=connection]").textContent.includes(words), wanted);
 
 test("a monitor that went away is told of, with for how long", async () => {
-  await text("live");
+  await at("team-row-io").waitFor();
   await tab.fixture.stop();
   await text("nothing heard for 1");
   await at("timeline-gap").waitFor();
-  await until(() => document.querySelector("[data-testid=team-row-io]").dataset.silent === "true");
+  await until(() => document.querySelector("[data-testid=team-row-io]")?.dataset.silent === "true");
 });
 
 test("it is live again by itself, and the gap stays on the timeline", async () => {
   tab.fixture = await startFixture({}, new URL(tab.url).port);
   await text("live");
-  await until(() => document.querySelector("[data-testid=team-row-io]").dataset.silent === "false");
+  await until(() => document.querySelector("[data-testid=team-row-io]")?.dataset.silent === "false");
   assert.equal(await at("timeline-gap").count(), 1);
   assert.match(await at("timeline-gap").getAttribute("title"), /^Nothing was heard from the monitor for \d/);
 });

@@ -14,7 +14,7 @@ const FIXTURE = fileURLToPath(new URL("../../web/tests/fixture/monitor.mjs", imp
 export const ROBOTS = ["io", "ganymede", "callisto"];
 export const LAPTOP = { width: 1366, height: 768 };
 export const PHONE = { width: 390, height: 844 };
-const PATIENCE_MS = 120_000;
+export const PATIENCE_MS = 120_000;
 
 class Tab {
   complaints = [];

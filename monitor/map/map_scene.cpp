@@ -36,7 +36,7 @@ void add_floor(COpenGLScene& scene, const msg::OccupancyGrid& grid) {
   const auto height = std::min(cells.getSizeY(), info.height);
   for (unsigned row = 0; row < height; ++row)
     for (unsigned column = 0; column < width; ++column) {
-      const int occupied_percent = grid.data[row * std::size_t{info.width} + column];
+      const std::int8_t occupied_percent = grid.data[row * std::size_t{info.width} + column];
       const float free =
           occupied_percent < 0 ? kOneHalf : 1 - static_cast<float>(occupied_percent) / 100;
       cells.setCell(static_cast<int>(column), static_cast<int>(row), free);

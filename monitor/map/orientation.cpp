@@ -16,10 +16,6 @@ constexpr double kDeviations = 3;
 constexpr double kSameTurn_rad = 0.1;
 constexpr int kExpectedFrames = 2, kUnexpectedFrames = 5;
 
-std::size_t kind_of(const std::string& object_class) {
-  return std::hash<std::string>()(object_class);
-}
-
 std::vector<Mark> marks_in(const msg::Sightings& frame) {
   std::vector<Mark> marks;
   for (const auto& sighting : frame.items) {
@@ -28,7 +24,7 @@ std::vector<Mark> marks_in(const msg::Sightings& frame) {
     if (!bearing || !bearing->whole) continue;
     const Vec2& at_m = bearing->from_robot.mean_m;
     if (at_m.norm() > kUnpushedFrom_m && at_m.norm() < kMostRange_m)
-      marks.push_back({at_m, kind_of(sighting.object_class), 0});
+      marks.push_back({at_m, mark_kind(sighting.object_class), 0});
   }
   return marks;
 }
@@ -37,10 +33,7 @@ std::vector<Mark> marks_in(const msg::Sightings& frame) {
 
 void Orientation::look(const msg::Sightings& frame, Time now) {
   const auto seen = marks_in(frame);
-  std::vector<Mark> known;
-  for (const auto& thing : things_.all())
-    if (thing.established() && !thing.is_new_of(frame.robot, now))
-      known.push_back({joint_.mean(thing.part), kind_of(thing.object_class), thing.id});
+  const auto known = known_to(frame.robot, now);
   const double deviation_rad = std::sqrt(joint_.covariance(robots_.part(frame.robot))(2, 2));
   const Pose2 pose = robots_.pose(frame.robot);
   const double expected_rad = std::min(kDeviations * deviation_rad, kWidestSearch_rad);
@@ -50,17 +43,31 @@ void Orientation::look(const msg::Sightings& frame, Time now) {
     suspicions_.erase(frame.robot);
     return;
   }
-  Suspicion& suspicion = suspicions_[frame.robot];
-  const bool same = std::abs(suspicion.turn_rad - *turn_rad) < kSameTurn_rad;
-  suspicion = {*turn_rad, same ? suspicion.frames + 1 : 1};
   const bool expected = std::abs(*turn_rad) <= expected_rad;
-  if (suspicion.frames < (expected ? kExpectedFrames : kUnexpectedFrames)) return;
+  if (frames_that_agree(frame.robot, *turn_rad) < (expected ? kExpectedFrames : kUnexpectedFrames))
+    return;
   suspicions_.erase(frame.robot);
   turn(frame.robot, *turn_rad, deviation_rad, now);
 }
 
+std::vector<Mark> Orientation::known_to(const std::string& robot, Time now) const {
+  std::vector<Mark> known;
+  for (const auto& thing : things_.all())
+    if (thing.established() && !thing.is_new_of(robot, now))
+      known.push_back({joint_.mean(thing.part), mark_kind(thing.object_class), thing.id});
+  return known;
+}
+
+int Orientation::frames_that_agree(const std::string& robot, double turn_rad) {
+  Suspicion& suspicion = suspicions_[robot];
+  const bool same = std::abs(suspicion.turn_rad - turn_rad) < kSameTurn_rad;
+  suspicion = {turn_rad, same ? suspicion.frames + 1 : 1};
+  return suspicion.frames;
+}
+
 void Orientation::turn(const std::string& robot, double by_rad, double deviation_rad, Time now) {
   const auto part = robots_.part(robot);
+  // A turn beyond what the filter holds for possible would else be believed in part only.
   RobotMatrix unsure = RobotMatrix::Zero();
   unsure(2, 2) = std::max(0.0, by_rad * by_rad - deviation_rad * deviation_rad);
   joint_.blur(part, unsure);

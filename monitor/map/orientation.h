@@ -2,8 +2,10 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "monitor/map/things.h"
+#include "monitor/map/turned_robot.h"
 
 namespace galilean::monitor {
 
@@ -27,6 +29,10 @@ class Orientation {
     int frames = 0;
   };
 
+  /// Where things stand that it did not note only just now, perhaps turned as it is.
+  [[nodiscard]] std::vector<Mark> known_to(const std::string& robot, Time now) const;
+  /// Running, this one counted.
+  int frames_that_agree(const std::string& robot, double turn_rad);
   void turn(const std::string& robot, double by_rad, double deviation_rad, Time now);
 
   JointGaussian& joint_;

@@ -159,8 +159,7 @@ void SameThings::turn_back(const std::string& robot) {
   std::vector<JointGaussian::Part> seen_parts;
   for (const auto& thing : things_.all()) {
     if (!thing.established() || thing.object_class == "obstacle") continue;
-    const Mark mark{joint_.mean(thing.part), std::hash<std::string>()(thing.object_class),
-                    thing.id};
+    const Mark mark{joint_.mean(thing.part), mark_kind(thing.object_class), thing.id};
     if (thing.is_new_of(robot, now_)) {
       seen.push_back(mark);
       seen_parts.push_back(thing.part);

@@ -71,6 +71,10 @@ std::vector<Hypothesis> hypotheses(const Marks& seen, const Marks& known, const 
 
 }  // namespace
 
+std::size_t mark_kind(const std::string& object_class) {
+  return std::hash<std::string>()(object_class);
+}
+
 std::optional<RigidFit> TurnedRobot::fit(const Marks& seen, const Marks& known,
                                          const Vec2& robot_m) {
   const auto all = hypotheses(seen, known, robot_m);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct Mark {
   std::size_t kind = 0;
   std::uint64_t id = 0;
 };
+
+[[nodiscard]] std::size_t mark_kind(const std::string& object_class);
 
 /// A robot that was wedged, or pushed, faces otherwise than it is believed to, and what it sees
 /// lies beside what is known by one and the same turn about it and one shift.

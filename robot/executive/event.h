@@ -51,7 +51,7 @@ struct Event {
     kStarted,       ///< the first program runs
     kSwapped,       ///< `program` runs in place of `from_program`
     kConfirmed,     ///< the probation of `program` is over
-    kRolledBack,    ///< `program`, the last good one, runs again in place of `from_program`
+    kRolledBack,    ///< `program`, which ran before, runs again in place of `from_program`
     kSchemaFailed,  ///< schema `schema` of `program` threw and is switched off
   };
   /// What changed the state.
@@ -61,6 +61,7 @@ struct Event {
   Kind kind = Kind::kTransition;
   Cause cause = Cause::kCondition;
   Fault fault = Fault::kNone;  ///< of a rollback
+  bool in_probation = false;   ///< after a rollback: `program` has not proven itself either
   ProgramId program = 0;       ///< the one that runs after it
   ProgramId from_program = 0;  ///< the one that ran before it
   Time time{};

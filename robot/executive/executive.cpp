@@ -120,20 +120,35 @@ void Executive::take_over(std::unique_ptr<RunningProgram> next) noexcept {
   if (replaced) probation_.begin(tick_.now, running_->description->probation, health_);
   install(replaced.get(), Event::Cause::kSwap);
   if (!replaced) return;
-  if (replaced_is_proven) std::swap(last_good_, replaced);
-  if (replaced) exchange_.retire(std::move(replaced));
+  retire(std::move(unproven_));
+  std::swap(replaced_is_proven ? last_good_ : unproven_, replaced);
+  retire(std::move(replaced));
+}
+
+/// The operator who takes a program off wants what ran before it; a program that failed tells that
+/// nothing unproven is to be trusted.
+std::unique_ptr<RunningProgram> Executive::predecessor(Fault fault) noexcept {
+  if (fault == Fault::kOrdered && unproven_) return std::move(unproven_);
+  retire(std::move(unproven_));
+  return std::move(last_good_);
+}
+
+void Executive::retire(std::unique_ptr<RunningProgram> program) noexcept {
+  if (program) exchange_.retire(std::move(program));
 }
 
 void Executive::roll_back(const Verdict& verdict) noexcept {
-  auto replaced = std::exchange(running_, std::move(last_good_));
+  auto replaced = std::exchange(running_, predecessor(verdict.fault));
   exchanged_ = event(Event::Kind::kRolledBack);
   exchanged_.from_program = id_of(replaced.get());
   exchanged_.fault = verdict.fault;
   exchanged_.schema = verdict.schema;
   exchanged_.text = verdict.reason;
   probation_.end();
+  exchanged_.in_probation = last_good_ != nullptr;
+  if (last_good_) probation_.begin(tick_.now, running_->description->probation, health_);
   install(replaced.get(), Event::Cause::kRollback);
-  exchange_.retire(std::move(replaced));
+  retire(std::move(replaced));
 }
 
 void Executive::install(RunningProgram* replaced, Event::Cause cause) noexcept {

@@ -66,9 +66,10 @@ class Executive {
   }
   Result<ProgramId> load(bhdl::Program program, const ProbationRules& rules);
 
-  /// Any thread but control: in the next tick `program`, if it still runs, gives way to the last
-  /// good one before it, in probation or not; an event tells so, with the reason. Nothing happens
-  /// where there is none to go back to. False if too many such orders wait.
+  /// Any thread but control: in the next tick `program`, if it still runs, gives way to the one
+  /// that it replaced, in probation or not; one that had not proven itself then is in probation
+  /// anew. An event tells so, with the reason. Nothing happens where there is none to go back to.
+  /// False if too many such orders wait.
   bool roll_back(ProgramId program, std::string_view reason);
 
   /// Any thread: a program was loaded and its first tick is yet to come.
@@ -126,6 +127,8 @@ class Executive {
   [[nodiscard]] Verdict judgement() noexcept;
   void take_over(std::unique_ptr<RunningProgram> next) noexcept;
   void roll_back(const Verdict& verdict) noexcept;
+  [[nodiscard]] std::unique_ptr<RunningProgram> predecessor(Fault fault) noexcept;
+  void retire(std::unique_ptr<RunningProgram> program) noexcept;
   void install(RunningProgram* replaced, Event::Cause cause) noexcept;
   void enter(std::uint32_t state) noexcept;
   void activate(std::uint32_t schema) noexcept;
@@ -157,7 +160,8 @@ class Executive {
   SpscRing<RollbackOrder, 4> orders_;  ///< written under shelf_mutex_
 
   std::unique_ptr<RunningProgram> running_;
-  std::unique_ptr<RunningProgram> last_good_;  ///< what `running_` may give way to
+  std::unique_ptr<RunningProgram> unproven_;   ///< what `running_` replaced while in probation
+  std::unique_ptr<RunningProgram> last_good_;  ///< the last before both that proved itself
   Probation probation_;
   Event exchanged_;  ///< the programs that this tick exchanged, told when its time is known
   Odometry odometry_;

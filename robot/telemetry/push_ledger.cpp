@@ -63,7 +63,7 @@ Replies PushLedger::answers(const Event& event) {
 }
 
 Replies PushLedger::started(const Event& event) {
-  pushes_.erase(event.from_program);
+  pushes_.erase(pushes_.begin(), pushes_.lower_bound(event.from_program));
   const auto before = std::exchange(running_.program, executive_.description(event.program));
   running_.since_tick = event.tick;
   running_.proven = event.kind == Event::Kind::kStarted;
@@ -90,20 +90,21 @@ Replies PushLedger::confirmed(const Event& event) {
   Replies replies;
   for (auto [push, end] = pushes_.equal_range(event.program); push != end; ++push)
     replies.push_back(reply(push->second, status::CONFIRMED));
-  pushes_.erase(event.program);
+  pushes_.erase(pushes_.begin(), pushes_.upper_bound(event.program));
   return replies;
 }
 
 Replies PushLedger::rolled_back(const Event& event) {
   const auto failed = std::exchange(running_.program, executive_.description(event.program));
   running_.since_tick = event.tick;
-  running_.proven = true;
-  running_.has_predecessor = false;
+  running_.proven = !event.in_probation;
+  running_.has_predecessor = event.in_probation;
   Replies replies;
   for (auto* concerned : {&pushes_, &orders_}) {
     for (auto [push, end] = concerned->equal_range(event.from_program); push != end; ++push)
       replies.push_back(rollback_reply(push->second, event, failed.get()));
-    concerned->erase(event.from_program);
+    concerned->erase(concerned->upper_bound(event.program),
+                     concerned->upper_bound(event.from_program));
   }
   return replies;
 }

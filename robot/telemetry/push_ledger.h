@@ -53,7 +53,7 @@ class PushLedger {
   Executive& executive_;
   mutable std::mutex mutex_;
   Running running_;
-  std::multimap<ProgramId, Push> pushes_;  ///< that are not yet confirmed
+  std::multimap<ProgramId, Push> pushes_;  ///< that are not yet confirmed and may still be
   std::multimap<ProgramId, Push> orders_;  ///< to roll back, which are not yet obeyed
 };
 

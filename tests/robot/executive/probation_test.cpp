@@ -200,13 +200,40 @@ TEST_F(ProbationTest, AnOrderTakesAProgramOffThatHasProvenItselfToo) {
   expect_rolled_back(Fault::kOrdered);
 }
 
+TEST_F(ProbationTest, AnOrderBringsBackWhatRanBeforeEvenIfThatIsUnproven) {
+  swap(counting_program(kThrows));
+  robot.tick(2);
+  swap(counting_program(kHarmless));
+  EXPECT_TRUE(robot.executive->roll_back(3, "by anna: back"));
+  robot.tick();
+  EXPECT_EQ(running(), 2U);
+  EXPECT_TRUE(robot.events.in_probation) << "anew";
+  EXPECT_TRUE(robot.events.last(Event::Kind::kRolledBack)->in_probation);
+  robot.tick(3);
+  expect_rolled_back(Fault::kSchemaThrew, 1);
+}
+
+TEST_F(ProbationTest, OrdersAgainstTwoUnprovenProgramsLeadToTheLastGoodOne) {
+  swap(counting_program(kHarmless));
+  swap(counting_program(kHarmless));
+  EXPECT_TRUE(robot.executive->roll_back(3, ""));
+  robot.tick();
+  EXPECT_TRUE(robot.executive->roll_back(2, ""));
+  robot.tick();
+  expect_rolled_back(Fault::kOrdered, 1);
+}
+
 TEST_F(ProbationTest, AnOrderAgainstAProgramThatRunsNoMoreDoesNothing) {
   swap(counting_program(kHarmless));
   swap(counting_program(kHarmless));
   EXPECT_TRUE(robot.executive->roll_back(2, ""));
   robot.tick();
   EXPECT_EQ(running(), 3U);
+  robot.tick(250);
   EXPECT_TRUE(robot.executive->roll_back(3, ""));
+  robot.tick();
+  EXPECT_EQ(running(), 2U) << "which it replaced";
+  EXPECT_TRUE(robot.executive->roll_back(2, ""));
   robot.tick();
   EXPECT_TRUE(robot.executive->roll_back(1, "")) << "which nothing ran before";
   robot.tick();
@@ -217,6 +244,9 @@ TEST_F(ProbationTest, ManySwapsAndRollbacksInARowLeaveTheRobotAtWork) {
   for (int i = 0; i < 60; ++i) {
     swap(counting_program(i % 3 == 0 ? kThrows : kHarmless));
     robot.tick(i % 7 == 0 ? 250 : i % 5);
+    if (i % 4 != 0) continue;
+    EXPECT_TRUE(robot.executive->roll_back(running(), ""));
+    robot.tick();
   }
   robot.tick(300);
   EXPECT_FALSE(robot.events.in_probation);

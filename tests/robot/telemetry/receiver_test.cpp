@@ -113,6 +113,26 @@ TEST_F(ReceiverTest, AProgramIsTakenOffOnOrder) {
   }
 }
 
+TEST_F(ReceiverTest, APushThatAnOrderBringsBackProvesItselfAfterAll) {
+  auto first = io.push(renamed(kWaits, "\"go\"", "\"move\""));
+  auto second = io.push(renamed(kWaits, "\"go\"", "\"run\""));
+  first.probation_s = second.probation_s = 3600;  // longer than the robot can tick meanwhile
+  second.id = "second";
+  for (const auto& push : {first, second}) {
+    io.send(push);
+    ASSERT_TRUE(io.tick_until([&] { return running_hash() == push.hash; }));
+  }
+  msg::ProgramRollback order;
+  order.id = "order";
+  order.hash = second.hash;
+  io.send(order);
+  ASSERT_TRUE(io.tick_until([&] { return running_hash() == first.hash; }));
+  io.robot.tick(3600 * 20 + 1);
+  const auto proven = replies.wait_for(has_status(status::CONFIRMED));
+  ASSERT_TRUE(proven);
+  EXPECT_EQ(proven->id, first.id);
+}
+
 TEST_F(ReceiverTest, RefusesToTakeOffWhatDoesNotRunOrHasNoPredecessor) {
   msg::ProgramRollback order;
   order.id = "stale";

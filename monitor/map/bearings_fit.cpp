@@ -17,41 +17,64 @@ constexpr double kLeastAgreeingShare = 0.6;
 /// Two may agree by chance on any of many turns.
 constexpr double kNarrow_rad = 0.5;
 
-/// How well the nearest thing of its kind fits, 0 to 1.
-double fit_of(const Mark& seen, const std::vector<Mark>& known, const Pose2& pose) {
-  const double range_m = seen.in_map_m.norm();
-  const double range_error_m = kRangeError_m + kRangeErrorShare * range_m;
-  const double side_error_m = kSideError_m + kSideErrorShare * range_m;
-  const Vec2 along = rotated(seen.in_map_m / range_m, pose.heading_rad);
-  const Vec2 there_m = pose.position_m + range_m * along;
-  double nearest = kFarthest * kFarthest;
-  for (const Mark& mark : known) {
-    if (mark.kind != seen.kind) continue;
-    const Vec2 apart_m = mark.in_map_m - there_m;
-    const double radial = apart_m.dot(along) / range_error_m;
-    const double lateral = (along.x() * apart_m.y() - along.y() * apart_m.x()) / side_error_m;
-    nearest = std::min(nearest, radial * radial + lateral * lateral);
-  }
-  return nearest < kFarthest * kFarthest ? std::exp(-nearest / 2) : 0;
-}
-
 struct Candidate {
   double turn_rad = 0;
   double score = 0;
   std::size_t agreeing = 0;
+  double nearest = 0;  ///< squared distance of the mark that is tried
+};
+using Candidates = std::vector<Candidate>;
+
+Candidates candidates_within(double most_rad, double deviation_rad) {
+  Candidates candidates;
+  for (int i = -static_cast<int>(most_rad / kStep_rad); i * kStep_rad <= most_rad; ++i) {
+    const double deviations = i * kStep_rad / deviation_rad;
+    candidates.push_back({i * kStep_rad, -0.5 * std::min(1.0, deviations * deviations)});
+  }
+  return candidates;
+}
+
+/// Lays `seen`, whose errors are so large, beside a thing that is known, by every turn that brings
+/// it near: both are from the robot, x forward, y left.
+struct Laid {
+  double range_m, azimuth_rad, range_error_m, side_error_m;
+
+  explicit Laid(const Vec2& seen_m)
+      : range_m(seen_m.norm()),
+        azimuth_rad(std::atan2(seen_m.y(), seen_m.x())),
+        range_error_m(kRangeError_m + kRangeErrorShare * range_m),
+        side_error_m(kSideError_m + kSideErrorShare * range_m) {}
+
+  void beside(const Vec2& known_m, Candidates& candidates) const {
+    const double known_range_m = known_m.norm();
+    if (std::abs(known_range_m - range_m) > kFarthest * (range_error_m + side_error_m)) return;
+    const double widest = kFarthest * side_error_m / known_range_m;
+    const double window_rad = widest < 1 ? std::asin(widest) : kPi;
+    const double off_rad = wrap_angle(std::atan2(known_m.y(), known_m.x()) - azimuth_rad);
+    for (auto each =
+             std::ranges::lower_bound(candidates, off_rad - window_rad, {}, &Candidate::turn_rad);
+         each != candidates.end() && each->turn_rad <= off_rad + window_rad; ++each) {
+      const double by_rad = off_rad - each->turn_rad;
+      const double radial = (known_range_m * std::cos(by_rad) - range_m) / range_error_m;
+      const double lateral = known_range_m * std::sin(by_rad) / side_error_m;
+      each->nearest = std::min(each->nearest, radial * radial + lateral * lateral);
+    }
+  }
 };
 
-Candidate candidate_at(double turn_rad, const std::vector<Mark>& seen,
-                       const std::vector<Mark>& known, const Pose2& pose, double deviation_rad) {
-  const Pose2 turned{pose.position_m, pose.heading_rad + turn_rad};
-  const double deviations = turn_rad / deviation_rad;
-  Candidate candidate{turn_rad, -0.5 * std::min(1.0, deviations * deviations), 0};
-  for (const Mark& mark : seen) {
-    const double fit = fit_of(mark, known, turned);
-    candidate.score += fit;
-    candidate.agreeing += fit > kAgrees ? 1 : 0;
+/// Adds how well the nearest thing of its kind fits, 0 to 1.
+void add_fit(const Mark& seen, const std::vector<Mark>& known, const Pose2& pose,
+             Candidates& candidates) {
+  const Laid laid(seen.in_map_m);
+  for (auto& each : candidates) each.nearest = kFarthest * kFarthest;
+  for (const Mark& mark : known)
+    if (mark.kind == seen.kind)
+      laid.beside(rotated(mark.in_map_m - pose.position_m, -pose.heading_rad), candidates);
+  for (auto& each : candidates) {
+    const double fit = each.nearest < kFarthest * kFarthest ? std::exp(-each.nearest / 2) : 0;
+    each.score += fit;
+    each.agreeing += fit > kAgrees ? 1 : 0;
   }
-  return candidate;
 }
 
 }  // namespace
@@ -59,10 +82,9 @@ Candidate candidate_at(double turn_rad, const std::vector<Mark>& seen,
 std::optional<double> BearingsFit::turn(const std::vector<Mark>& seen,
                                         const std::vector<Mark>& known, const Pose2& pose,
                                         double deviation_rad, double most_rad) {
-  std::vector<Candidate> candidates;
-  for (int i = -static_cast<int>(most_rad / kStep_rad); i * kStep_rad <= most_rad; ++i)
-    candidates.push_back(candidate_at(i * kStep_rad, seen, known, pose, deviation_rad));
-  if (candidates.empty()) return std::nullopt;
+  if (seen.empty() || known.empty()) return std::nullopt;
+  auto candidates = candidates_within(most_rad, deviation_rad);
+  for (const Mark& mark : seen) add_fit(mark, known, pose, candidates);
   const Candidate best = *std::ranges::max_element(candidates, {}, &Candidate::score);
   const std::size_t least = most_rad < kNarrow_rad ? 2 : 3;
   if (best.agreeing < least ||

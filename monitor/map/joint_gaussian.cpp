@@ -1,18 +1,32 @@
 #include "monitor/map/joint_gaussian.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 namespace galilean::monitor {
 
+void JointGaussian::make_room(Eigen::Index size) {
+  if (size <= mean_.size()) return;
+  const Eigen::Index room = std::max(size, 2 * mean_.size());
+  mean_.conservativeResize(room);
+  covariance_.conservativeResize(room, room);
+}
+
 JointGaussian::Part JointGaussian::append(const Vector& mean) {
-  const Eigen::Index at = mean_.size(), size = mean.size(), all = at + size;
-  mean_.conservativeResize(all);
-  covariance_.conservativeResize(all, all);
-  mean_.tail(size) = mean;
-  covariance_.rightCols(size).setZero();
-  covariance_.bottomRows(size).setZero();
-  places_[++last_part_] = {at, size};
-  return last_part_;
+  const Place added{size_, mean.size()};
+  make_room(size_ + added.size);
+  size_ += added.size;
+  mean_.segment(added.at, added.size) = mean;
+  covariance().rightCols(added.size).setZero();
+  covariance().bottomRows(added.size).setZero();
+  if (unused_.empty()) {
+    places_.push_back(added);
+    return static_cast<Part>(places_.size() - 1);
+  }
+  const Part part = unused_.back();
+  unused_.pop_back();
+  places_[part] = added;
+  return part;
 }
 
 JointGaussian::Part JointGaussian::add(const Vector& mean, const Matrix& covariance) {
@@ -21,8 +35,8 @@ JointGaussian::Part JointGaussian::add(const Vector& mean, const Matrix& covaria
   return part;
 }
 
-JointGaussian::Part JointGaussian::add(const Vector& mean, const Terms& of, const Matrix& noise) {
-  const Matrix cross = cross_covariance(of);
+JointGaussian::Part JointGaussian::add(const Vector& mean, Terms of, const Matrix& noise) {
+  const Cross cross = cross_covariance(of);
   const Matrix own = apply(of, cross);
   const Part part = append(mean);
   const auto [at, size] = place(part);
@@ -34,15 +48,20 @@ JointGaussian::Part JointGaussian::add(const Vector& mean, const Terms& of, cons
 
 void JointGaussian::remove(Part part) {
   const auto [at, size] = place(part);
-  const Eigen::Index after = at + size, rest = mean_.size() - after, left = mean_.size() - size;
-  mean_.segment(at, rest) = mean_.tail(rest).eval();
-  covariance_.middleRows(at, rest) = covariance_.bottomRows(rest).eval();
-  covariance_.middleCols(at, rest) = covariance_.rightCols(rest).eval();
-  mean_.conservativeResize(left);
-  covariance_.conservativeResize(left, left);
-  places_.erase(part);
-  for (auto& [other, where] : places_)
-    if (where.at > at) where.at -= size;
+  const Eigen::Index after = at + size;
+  for (Eigen::Index to = at; to + size < size_; ++to) {
+    mean_[to] = mean_[to + size];
+    covariance_.col(to).head(size_) = covariance_.col(to + size).head(size_);
+  }
+  size_ -= size;
+  for (Eigen::Index column = 0; column < size_; ++column) {
+    double* numbers = covariance_.col(column).data();
+    std::copy(numbers + after, numbers + size_ + size, numbers + at);
+  }
+  for (Place& other : places_)
+    if (other.at > at) other.at -= size;
+  places_[part] = {};
+  unused_.push_back(part);
 }
 
 JointGaussian::Vector JointGaussian::mean(Part part) const {
@@ -55,52 +74,50 @@ JointGaussian::Matrix JointGaussian::covariance(Part part) const {
   return covariance_.block(at, at, size, size);
 }
 
-JointGaussian::Matrix JointGaussian::covariance(const Terms& terms) const {
-  Matrix sum;
-  for (const auto& a : terms)
-    for (const auto& b : terms) {
-      const auto& [row, rows] = place(a.part);
-      const auto& [column, columns] = place(b.part);
-      const Matrix share =
-          a.jacobian * covariance_.block(row, column, rows, columns) * b.jacobian.transpose();
-      sum = sum.size() ? Matrix(sum + share) : share;
-    }
+JointGaussian::Matrix JointGaussian::covariance(Terms terms) const {
+  const Eigen::Index size = terms.front().jacobian.rows();
+  Matrix sum = Matrix::Zero(size, size);
+  for (const auto& [row, of_row] : terms)
+    for (const auto& [column, of_column] : terms)
+      sum += of_row *
+             covariance_.block(place(row).at, place(column).at, of_row.cols(), of_column.cols()) *
+             of_column.transpose();
   return sum;
 }
 
-JointGaussian::Matrix JointGaussian::cross_covariance(const Terms& terms) const {
-  Matrix cross = Matrix::Zero(mean_.size(), terms.front().jacobian.rows());
-  for (const auto& [part, jacobian] : terms) {
-    const auto [at, size] = place(part);
-    cross.noalias() += covariance_.middleCols(at, size) * jacobian.transpose();
-  }
+JointGaussian::Cross JointGaussian::cross_covariance(Terms terms) const {
+  Cross cross = Cross::Zero(size_, terms.front().jacobian.rows());
+  for (const auto& [part, jacobian] : terms)
+    for (Eigen::Index to = 0; to < jacobian.rows(); ++to)
+      for (Eigen::Index from = 0; from < jacobian.cols(); ++from)
+        cross.col(to) += jacobian(to, from) * covariance().col(place(part).at + from);
   return cross;
 }
 
-JointGaussian::Matrix JointGaussian::apply(const Terms& terms, const Matrix& cross) const {
+JointGaussian::Matrix JointGaussian::apply(Terms terms, const Cross& cross) const {
   Matrix sum = Matrix::Zero(cross.cols(), cross.cols());
-  for (const auto& [part, jacobian] : terms) {
-    const auto [at, size] = place(part);
-    sum += jacobian * cross.middleRows(at, size);
-  }
+  for (const auto& [part, jacobian] : terms)
+    sum += jacobian * cross.middleRows(place(part).at, jacobian.cols());
   return sum;
 }
 
 void JointGaussian::move(Part part, const Vector& mean, const Matrix& jacobian,
                          const Matrix& noise) {
   const auto [at, size] = place(part);
+  const Term itself[] = {{part, jacobian}};
+  const Cross cross = cross_covariance(itself);
+  const Matrix own = apply(itself, cross);
   mean_.segment(at, size) = mean;
-  covariance_.middleRows(at, size) = (jacobian * covariance_.middleRows(at, size)).eval();
-  covariance_.middleCols(at, size) =
-      (covariance_.middleCols(at, size) * jacobian.transpose()).eval();
-  blur(part, noise);
+  covariance().middleCols(at, size) = cross;
+  covariance().middleRows(at, size) = cross.transpose();
+  covariance().block(at, at, size, size) = own + noise;
 }
 
 void JointGaussian::replace(Part part, Eigen::Index component, double mean, double variance) {
   const Eigen::Index at = place(part).at + component;
   mean_[at] = mean;
-  covariance_.row(at).setZero();
-  covariance_.col(at).setZero();
+  covariance().row(at).setZero();
+  covariance().col(at).setZero();
   covariance_(at, at) = variance;
 }
 
@@ -109,24 +126,25 @@ void JointGaussian::blur(Part part, const Matrix& noise) {
   covariance_.block(at, at, size, size) += noise;
 }
 
-void JointGaussian::blur(const Terms& shared, const Matrix& covariance) {
-  for (const auto& a : shared)
-    for (const auto& b : shared) {
-      const auto& [row, rows] = place(a.part);
-      const auto& [column, columns] = place(b.part);
-      covariance_.block(row, column, rows, columns) +=
-          a.jacobian * covariance * b.jacobian.transpose();
-    }
+void JointGaussian::blur(Terms shared, const Matrix& covariance) {
+  for (const auto& [row, of_row] : shared)
+    for (const auto& [column, of_column] : shared)
+      covariance_.block(place(row).at, place(column).at, of_row.rows(), of_column.rows()) +=
+          of_row * covariance * of_column.transpose();
 }
 
-void JointGaussian::correct(const Terms& terms, const Vector& innovation, const Matrix& noise) {
-  const Matrix cross = cross_covariance(terms);
+/// With the noise's root taken out of both sides, what goes off the covariance is a square, and
+/// stays symmetric to the last digit.
+void JointGaussian::correct(Terms terms, const Vector& innovation, const Matrix& noise) {
+  Cross cross = cross_covariance(terms);
   const Matrix sum = apply(terms, cross) + noise;
-  const Matrix gain = sum.ldlt().solve(cross.transpose()).transpose();
-  mean_.noalias() += gain * innovation;
-  covariance_.noalias() -= gain * cross.transpose();
-  // Rounding would let the two halves drift apart.
-  covariance_ = (0.5 * (covariance_ + covariance_.transpose())).eval();
+  const Eigen::LLT<Matrix> root(sum);
+  root.matrixU().solveInPlace<Eigen::OnTheRight>(cross);
+  const Vector whitened = root.matrixL().solve(innovation);
+  mean_.head(size_).noalias() += cross * whitened;
+  for (Eigen::Index column = 0; column < size_; ++column)
+    for (Eigen::Index i = 0; i < cross.cols(); ++i)
+      covariance_.col(column).head(size_) -= cross(column, i) * cross.col(i);
 }
 
 }  // namespace galilean::monitor

@@ -72,11 +72,10 @@ void Orientation::turn(const std::string& robot, double by_rad, double deviation
   unsure(2, 2) = std::max(0.0, by_rad * by_rad - deviation_rad * deviation_rad);
   joint_.blur(part, unsure);
   things_.forget_new_of(robot, now);
-  Eigen::MatrixXd heading = Eigen::MatrixXd::Zero(1, joint_.mean(part).size());
-  heading(0, 2) = 1;
+  const JointGaussian::Term heading[] = {{part, Eigen::RowVector3d(0, 0, 1)}};
   constexpr double kVariance = BearingsFit::kDeviation_rad * BearingsFit::kDeviation_rad;
-  joint_.correct({{part, heading}}, Eigen::VectorXd::Constant(1, by_rad),
-                 Eigen::MatrixXd::Constant(1, 1, kVariance));
+  joint_.correct(heading, JointGaussian::Vector::Constant(1, by_rad),
+                 JointGaussian::Matrix::Constant(1, 1, kVariance));
 }
 
 }  // namespace galilean::monitor

@@ -40,8 +40,8 @@ bool may_be_one(const Thing& a, const Thing& b) {
          !seen_at_once(a, b);
 }
 
-JointGaussian::Terms difference(const Thing& a, const Thing& b) {
-  return {{a.part, Mat2::Identity()}, {b.part, -Mat2::Identity()}};
+std::array<JointGaussian::Term, 2> difference(const Thing& a, const Thing& b) {
+  return {{{a.part, Mat2::Identity()}, {b.part, -Mat2::Identity()}}};
 }
 
 bool is_there_already(const Vec2& robot_m, const RigidFit& fit) {
@@ -182,17 +182,17 @@ std::vector<JointGaussian::Part> SameThings::seen_alone(const std::string& robot
 
 void SameThings::transport(const std::string& robot, const std::vector<JointGaussian::Part>& things,
                            const RigidFit& fit) {
-  JointGaussian::Terms moved;
+  std::vector<JointGaussian::Term> moved;
   const Mat2 turn = rotation_by(fit.transform.heading_rad);
   const auto move = [&](JointGaussian::Part part) {
-    Eigen::VectorXd mean = joint_.mean(part);
-    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Identity(mean.size(), mean.size());
+    JointGaussian::Vector mean = joint_.mean(part);
+    JointGaussian::Matrix jacobian = JointGaussian::Matrix::Identity(mean.size(), mean.size());
     jacobian.topLeftCorner<2, 2>() = turn;
     mean.head<2>() = fit.to_map(mean.head<2>());
     if (mean.size() > 2) mean[2] += fit.transform.heading_rad;
-    joint_.move(part, mean, jacobian, Eigen::MatrixXd::Zero(mean.size(), mean.size()));
+    joint_.move(part, mean, jacobian, JointGaussian::Matrix::Zero(mean.size(), mean.size()));
     const Vec2 arm = mean.head<2>() - fit.transform.position_m;
-    Eigen::MatrixXd shared = Eigen::MatrixXd::Zero(mean.size(), 3);
+    JointGaussian::Matrix shared = JointGaussian::Matrix::Zero(mean.size(), 3);
     shared.topLeftCorner<2, 2>().setIdentity();
     shared.col(2).head<2>() << -arm.y(), arm.x();
     if (mean.size() > 2) shared(2, 2) = 1;
@@ -201,7 +201,7 @@ void SameThings::transport(const std::string& robot, const std::vector<JointGaus
   move(robots_.part(robot));
   for (const JointGaussian::Part thing : things) move(thing);
   const Eigen::Vector3d deviations(kTransported_m, kTransported_m, kTransported_rad);
-  joint_.blur(moved, deviations.cwiseAbs2().asDiagonal());
+  joint_.blur(moved, JointGaussian::Matrix(deviations.cwiseAbs2().asDiagonal()));
 }
 
 }  // namespace galilean::monitor

@@ -76,12 +76,9 @@ Expected expected_sighting(const JointGaussian& joint, JointGaussian::Part robot
   Mat2 of_place;
   of_place.row(0) = apart.transpose() / range_m;
   of_place.row(1) << -apart.y() / (range_m * range_m), apart.x() / (range_m * range_m);
-  Eigen::MatrixXd of_robot = Eigen::MatrixXd::Zero(2, from.size());
-  of_robot.leftCols<2>() = -of_place;
-  of_robot(1, 2) = -1;
-  Eigen::MatrixXd of_seen = Eigen::MatrixXd::Zero(2, to.size());
-  of_seen.leftCols<2>() = of_place;
-  expected.terms = {{robot, of_robot}, {seen, of_seen}};
+  Eigen::Matrix<double, 2, 3> of_pose;
+  of_pose << -of_place, Vec2(0, -1);
+  expected.terms = {{{robot, of_pose}, {seen, of_place}}};
   return expected;
 }
 
@@ -106,11 +103,10 @@ Placed place_of(const JointGaussian& joint, JointGaussian::Part robot,
   const auto from = joint.mean(robot);
   const Mat2 turn = rotation_by(from[2]);
   const Vec2 offset = turn * from_robot.mean_m;
-  Eigen::MatrixXd of_robot = Eigen::MatrixXd::Zero(2, from.size());
-  of_robot.leftCols<2>().setIdentity();
-  of_robot.col(2) << -offset.y(), offset.x();
+  Eigen::Matrix<double, 2, 3> of_pose;
+  of_pose << Mat2::Identity(), Vec2(-offset.y(), offset.x());
   return {from.head<2>() + offset,
-          {{robot, of_robot}},
+          {{{robot, of_pose}}},
           turn * from_robot.covariance_m2 * turn.transpose()};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "core/wire/messages.h"
@@ -22,9 +23,9 @@ struct Bearing {
 /// for a bearing is the heading's error and no more, however large that is; x and y bend with it.
 ///   law     range = |thing - robot|, bearing = direction of (thing - robot) - heading
 struct Expected {
-  Vec2 from_robot_m;           ///< x forward, y left
-  Vec2 range_bearing;          ///< [m, rad]
-  JointGaussian::Terms terms;  ///< of range_bearing
+  Vec2 from_robot_m;                         ///< x forward, y left
+  Vec2 range_bearing;                        ///< [m, rad]
+  std::array<JointGaussian::Term, 2> terms;  ///< of range_bearing
 };
 /// `seen`'s first two numbers are its place in the map frame: a thing or another robot.
 [[nodiscard]] Expected expected_sighting(const JointGaussian& joint, JointGaussian::Part robot,
@@ -44,7 +45,7 @@ void correct_by(JointGaussian& joint, const Expected& expected, const Gaussian2&
 /// The place of something seen, as a function of the robot's pose.
 struct Placed {
   Vec2 in_map_m;
-  JointGaussian::Terms of;
+  std::array<JointGaussian::Term, 1> of;
   Mat2 noise_m2;
 };
 [[nodiscard]] Placed place_of(const JointGaussian& joint, JointGaussian::Part robot,

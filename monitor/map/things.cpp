@@ -115,8 +115,8 @@ void Things::unite(std::uint64_t kept, std::uint64_t same) {
   Thing* thing = find(kept);
   const Thing* other = find(same);
   if (!thing || !other || thing == other) return;
-  const JointGaussian::Terms difference{{other->part, Mat2::Identity()},
-                                        {thing->part, -Mat2::Identity()}};
+  const JointGaussian::Term difference[] = {{other->part, Mat2::Identity()},
+                                            {thing->part, -Mat2::Identity()}};
   joint_.correct(difference, joint_.mean(thing->part) - joint_.mean(other->part),
                  kSamePlace_m * kSamePlace_m * Mat2::Identity());
   thing->absorb(*other);

@@ -37,6 +37,17 @@ bool has_rival(const auto& matches, const auto& best) {
   });
 }
 
+/// What lies further away fits by no means, and need not be reckoned. A bend of so much is allowed
+/// for: the gate is one of range and bearing.
+bool within_reach(const Vec2& thing_m, const Vec2& seen_m, const auto& seen) {
+  constexpr double kBend = 4;
+  const bool basket = seen.sighting->object_class == "basket";
+  const double deviation_m = basket ? kMostBasketDeviation_m : kMostDeviation_m;
+  const double variance_m2 =
+      deviation_m * deviation_m + seen.bearing.from_robot.covariance_m2.trace();
+  return (thing_m - seen_m).squaredNorm() < kBend * same_thing_gate() * variance_m2;
+}
+
 bool is_hidden(const msg::Sightings& frame, double azimuth_rad, double range_m) {
   return std::ranges::any_of(frame.items, [&](const auto& other) {
     return other.range_m < range_m &&
@@ -64,12 +75,16 @@ double Things::most_deviation_m(const Thing& thing, const std::string& robot) co
 std::optional<Things::Match> Things::match(const std::vector<Seen>& seen,
                                            const std::string& observer) const {
   const auto robot = robots_.part(observer);
+  const Pose2 pose = robots_.pose(observer);
   std::vector<Match> matches;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i].thing) continue;
+    const Vec2 in_map_m =
+        pose.position_m + rotated(seen[i].bearing.from_robot.mean_m, pose.heading_rad);
     for (std::size_t j = 0; j < things_.size(); ++j) {
       if (things_[j].object_class != seen[i].sighting->object_class || is_matched(j, seen))
         continue;
+      if (!within_reach(joint_.mean(things_[j].part), in_map_m, seen[i])) continue;
       const auto expected = expected_sighting(joint_, robot, things_[j].part);
       const Fit fit = fit_of(joint_, expected, seen[i].bearing.from_robot);
       if (fit.squared_distance < same_thing_gate() &&

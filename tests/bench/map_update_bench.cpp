@@ -116,6 +116,7 @@ void update(benchmark::State& state) {
 BENCHMARK(update)
     ->Unit(benchmark::kMillisecond)
     ->Args({3, 20})
+    ->Args({4, 40})
     ->Args({10, 100})
     ->Args({100, 1000})
     ->UseManualTime()

@@ -40,9 +40,10 @@ void Carried::pick_up(const std::string& robot, const RobotPoses& robots, Things
   const auto nearest = std::ranges::min_element(things.all(), {}, distance_m);
   if (nearest == things.all().end() || distance_m(*nearest) > kReach_m) {
     load.id = things.next_id();
+    load.was_known = false;
     return;
   }
-  load = {nearest->id, nearest->observers()};
+  load = {nearest->id, nearest->observers(), true};
   things.forget(load.id);
 }
 
@@ -54,7 +55,7 @@ void Carried::put_down(const std::string& robot, const RobotPoses& robots, Thing
     return thing.object_class == "basket" && thing.told() &&
            (things.place(thing).mean_m - gripper_m).norm() < kBasketReach_m;
   });
-  if (!in_basket) things.note("trash", robot, kInGripper, 1, now, load.id);
+  if (!in_basket && load.was_known) things.note("trash", robot, kInGripper, 1, now, load.id);
 }
 
 bool Carried::is_carried(const Vec2& in_map_m, const RobotPoses& robots) const {

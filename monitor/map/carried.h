@@ -14,6 +14,7 @@ class Carried {
   struct Load {
     std::uint64_t id = 0;
     std::vector<std::string> seen_by;  ///< the latest first
+    bool was_known = true;             ///< it stood on the map; else a leg may break the beam
   };
 
   /// Whether `robot` holds something now.

@@ -10,7 +10,7 @@ namespace {
 /// Variance a metre driven and a radian turned. Treads scrub: they lose more in turns.
 constexpr double kAlong_m2pm = 2e-4;
 constexpr double kAcross_m2pm = 1e-4;
-constexpr double kHeading_rad2pm = 2.5e-3;
+constexpr double kHeading_rad2pm = 1e-2;
 constexpr double kPosition_m2prad = 5e-5;
 constexpr double kHeading_rad2prad = 1.5e-3;
 

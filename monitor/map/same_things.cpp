@@ -22,22 +22,9 @@ constexpr double kLeastSpread_m = 0.8;
 constexpr double kAlreadyThere_m = 0.5, kAlreadyThere_rad = 0.2;
 constexpr double kTransported_m = 0.10, kTransported_rad = 0.05;
 
-/// Two robots never saw them in one frame as two.
-bool seen_at_once(const Thing& a, const Thing& b) {
-  return std::ranges::any_of(a.seen_by, [&](const auto& seen) {
-    const auto other = b.seen_by.find(seen.first);
-    return other != b.seen_by.end() && other->second == seen.second;
-  });
-}
-
 bool share_an_observer(const Thing& a, const Thing& b) {
   return std::ranges::any_of(a.seen_by,
                              [&](const auto& seen) { return b.was_seen_by(seen.first); });
-}
-
-bool may_be_one(const Thing& a, const Thing& b) {
-  return a.id != b.id && a.object_class == b.object_class && a.object_class != "obstacle" &&
-         !seen_at_once(a, b);
 }
 
 std::array<JointGaussian::Term, 2> difference(const Thing& a, const Thing& b) {
@@ -87,6 +74,7 @@ void SameThings::align(Time now) {
   last_aligned_ = next->first;
   unite_agreeing(next->first);
   if (recognises_nothing(next->first)) turn_back(next->first);
+  rejoin(next->first);
   if (next != robots.begin() && !shares_things(next->first)) search(next->first);
 }
 
@@ -170,6 +158,24 @@ void SameThings::turn_back(const std::string& robot) {
   const auto fit = TurnedRobot::fit(seen, known, robots_.pose(robot).position_m);
   if (!fit) return;
   transport(robot, seen_parts, *fit);
+  for (const auto& pair : fit->agreeing) things_.unite(pair.map_index, pair.other_index);
+}
+
+void SameThings::rejoin(const std::string& robot) {
+  std::vector<Mark> seen, known;
+  std::vector<JointGaussian::Part> alone;
+  for (const auto& thing : things_.all()) {
+    if (!thing.established() || thing.object_class == "obstacle") continue;
+    const Mark mark{joint_.mean(thing.part), mark_kind(thing.object_class), thing.id};
+    const bool lately = thing.was_seen_by(robot, now_ - kLately);
+    const bool shared = thing.seen_by.size() > 1;
+    if (lately) seen.push_back(mark);
+    if (shared) known.push_back(mark);
+    if (lately && !shared) alone.push_back(thing.part);
+  }
+  const auto fit = TurnedRobot::fit(seen, known, robots_.pose(robot).position_m);
+  if (!fit || is_there_already(robots_.pose(robot).position_m, *fit)) return;
+  transport(robot, alone, *fit);
   for (const auto& pair : fit->agreeing) things_.unite(pair.map_index, pair.other_index);
 }
 

@@ -46,6 +46,9 @@ class SameThings {
   [[nodiscard]] std::vector<JointGaussian::Part> seen_alone(const std::string& robot) const;
   [[nodiscard]] bool recognises_nothing(const std::string& robot) const;
   void turn_back(const std::string& robot);
+  /// One that took its bearings from the wrong things maps all it sees beside what others know too,
+  /// and goes by that.
+  void rejoin(const std::string& robot);
   /// The robot, and these things with it.
   void transport(const std::string& robot, const std::vector<JointGaussian::Part>& things,
                  const RigidFit& fit);

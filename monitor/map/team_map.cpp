@@ -155,7 +155,8 @@ msg::MapRobot TeamMap::robot_message(const std::string& name, Time now) const {
 
 void TeamMap::put_things(msg::ObjectMap& message, Time now, std::int64_t stamp_ns) const {
   for (const auto& thing : things_.all()) {
-    if (!thing.told() || is_vague(things_.place(thing))) continue;
+    if (!thing.told() || is_vague(things_.place(thing)) || things_.may_be_told_twice(thing))
+      continue;
     msg::MapObject& item = message.objects.emplace_back();
     item.id = static_cast<std::uint32_t>(thing.id);
     item.object_class = thing.object_class;

@@ -50,6 +50,15 @@ bool Thing::was_seen_by(const std::string& robot, Time since) const {
   return seen != seen_by.end() && seen->second > since;
 }
 
+bool may_be_one(const Thing& a, const Thing& b) {
+  if (a.id == b.id || a.object_class != b.object_class || a.object_class == "obstacle")
+    return false;
+  return std::ranges::none_of(a.seen_by, [&](const auto& seen) {
+    const auto other = b.seen_by.find(seen.first);
+    return other != b.seen_by.end() && other->second == seen.second;
+  });
+}
+
 std::vector<std::string> Thing::observers() const {
   std::vector<std::string> names;
   for (const auto& [robot, at] : seen_by) names.push_back(robot);

@@ -60,4 +60,7 @@ struct Thing {
   [[nodiscard]] std::vector<std::string> observers() const;
 };
 
+/// Of one class, and no robot saw them as two in the frame that it saw either in last.
+[[nodiscard]] bool may_be_one(const Thing& a, const Thing& b);
+
 }  // namespace galilean::monitor

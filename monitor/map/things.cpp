@@ -1,5 +1,6 @@
 #include "monitor/map/things.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <utility>
 
@@ -13,6 +14,13 @@ constexpr double kFacingUnknown_rad = 0.12;
 constexpr double kFootprint_m = 0.15;  ///< of its centre, wherever its nose points
 constexpr double kFootprintDeviation_m = 0.12;
 
+/// A piece of trash that is so far from where it was expected, by squared Mahalanobis distance, was
+/// rather pushed than is its observer elsewhere.
+constexpr double kMovedDistance = 4;
+
+constexpr double kToldTwice_m = 0.36;
+constexpr double kApart_m = 0.05;  ///< by which two notes of one thing may err unbeknown
+
 constexpr double kPushedWithin_m = 0.42;
 constexpr double kPushed_m2ps = 4e-3;
 
@@ -24,6 +32,21 @@ bool is_thing(const msg::Sighting& sighting) {
 
 Gaussian2 Things::place(const Thing& thing) const {
   return {joint_.mean(thing.part), joint_.covariance(thing.part)};
+}
+
+bool Things::may_be_told_twice(const Thing& thing) const {
+  const Gaussian2 at = place(thing);
+  return std::ranges::any_of(things_, [&](const Thing& other) {
+    if (!other.told() || !may_be_one(thing, other)) return false;
+    const Gaussian2 there = place(other);
+    const Vec2 apart = at.mean_m - there.mean_m;
+    if (there.covariance_m2.trace() >= at.covariance_m2.trace() || apart.norm() > kToldTwice_m)
+      return false;
+    const JointGaussian::Term difference[] = {{other.part, Mat2::Identity()},
+                                              {thing.part, -Mat2::Identity()}};
+    const Mat2 covariance = joint_.covariance(difference) + kApart_m * kApart_m * Mat2::Identity();
+    return apart.dot(covariance.inverse() * apart) < same_thing_gate();
+  });
 }
 
 Thing* Things::find(std::uint64_t id) {
@@ -42,9 +65,14 @@ void Things::see(const msg::Sightings& frame, Time now) {
     seen[next->seen].thing = next->thing;
     Thing& thing = things_[next->thing];
     thing.confirm(frame.robot, now);
-    if (next->is_sure && seen[next->seen].bearing.whole && tells_anything(thing, frame.robot, now))
+    if (!seen[next->seen].bearing.whole) continue;
+    const bool moved = thing.object_class == "trash" && next->squared_distance > kMovedDistance;
+    if (moved)
+      put(thing, frame.robot, seen[next->seen].bearing.from_robot);
+    else if (next->is_sure && tells_anything(thing, frame.robot, now))
       correct(thing, seen[next->seen].bearing, robot);
   }
+  recognise_baskets(frame.robot, seen);
   note_orientation(frame, seen, now);
   doubt_unseen(frame, seen, now);
   for (const auto& each : seen)
@@ -63,6 +91,12 @@ bool Things::tells_anything(const Thing& thing, const std::string& robot, Time n
 void Things::correct(const Thing& thing, const Bearing& bearing, JointGaussian::Part robot) {
   const auto expected = expected_sighting(joint_, robot, thing.part);
   correct_by(joint_, expected, bearing.from_robot);
+}
+
+void Things::put(Thing& thing, const std::string& robot, const Gaussian2& from_robot) {
+  const auto placed = place_of(joint_, robots_.part(robot), from_robot);
+  joint_.remove(thing.part);
+  thing.part = joint_.add(placed.in_map_m, placed.of, placed.noise_m2);
 }
 
 void Things::note(const std::string& object_class, const std::string& robot,

@@ -19,7 +19,8 @@ namespace galilean::monitor {
 ///           and inside the gate, each thing to one sighting of a frame at most: what is seen as
 ///           two stays two. It corrects thing and robot. Where two things come into question alike,
 ///           it corrects neither; where where to look is not known well, it makes a new thing, and
-///           SameThings finds out.
+///           SameThings finds out. Trash that lies elsewhere than expected was moved, and corrects
+///           no robot; baskets stay, and stand apart.
 class Things {
  public:
   Things(JointGaussian& joint, const RobotPoses& robots) : joint_(joint), robots_(robots) {}
@@ -43,6 +44,8 @@ class Things {
 
   [[nodiscard]] const std::vector<Thing>& all() const noexcept { return things_; }
   [[nodiscard]] Gaussian2 place(const Thing& thing) const;
+  /// Another one, whose place is known better, may be the same.
+  [[nodiscard]] bool may_be_told_twice(const Thing& thing) const;
   [[nodiscard]] std::uint64_t next_id() noexcept { return ++last_id_; }
 
  private:
@@ -64,8 +67,16 @@ class Things {
   /// How unsure the place may be where to look for it.
   [[nodiscard]] double most_deviation_m(const Thing& thing, const std::string& robot) const;
   [[nodiscard]] bool tells_anything(const Thing& thing, const std::string& robot, Time now) const;
+  /// It lies where this robot sees it now, wherever it was: it tells nothing of the robot.
+  void put(Thing& thing, const std::string& robot, const Gaussian2& from_robot);
   void correct(const Thing& thing, const Bearing& bearing, JointGaussian::Part robot);
   void note_orientation(const msg::Sightings& frame, const std::vector<Seen>& seen, Time now);
+  /// A basket where none is known, but beside one that is: it is that one, and the robot is
+  /// elsewhere than it is believed to be.
+  void recognise_baskets(const std::string& robot, std::vector<Seen>& seen);
+  [[nodiscard]] std::optional<std::size_t> basket_beside(const Seen& basket,
+                                                         const std::string& robot) const;
+  void relocate(const std::string& robot, const Thing& basket, const Bearing& bearing);
   void doubt_unseen(const msg::Sightings& frame, const std::vector<Seen>& seen, Time now);
   void make_room();
   Thing* find(std::uint64_t id);
@@ -74,8 +85,9 @@ class Things {
   const RobotPoses& robots_;
   std::vector<Thing> things_;
   std::map<std::string, Time> last_frame_;
-  std::map<std::string, Time> oriented_;  ///< when a robot saw last what it can go by
-  std::set<std::string> among_others_;    ///< robots that saw what another one saw
+  std::map<std::string, Time> oriented_;       ///< when a robot saw last what it can go by
+  std::map<std::string, int> strange_frames_;  ///< running, in which a robot saw such a basket
+  std::set<std::string> among_others_;         ///< robots that saw what another one saw
   std::uint64_t last_id_ = 0;
 };
 

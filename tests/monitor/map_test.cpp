@@ -146,6 +146,21 @@ TEST_F(MapTest, ARobotThatTurnedLessThanItsOdometerSaysIsTurnedBack) {
   EXPECT_EQ(told.objects.size(), around.size());
 }
 
+// Its treads slipped on: the odometer counts a way that it did not go.
+TEST_F(MapTest, ABasketBesideWhereItIsKnownPutsTheRobotBack) {
+  map.start_at("io", io);
+  const Vec2 basket_m(1.6, 0.5);
+  for (int i = 0; i < 50; ++i, step()) map.note(frame("io", io, {{"basket", basket_m}}), now);
+  Vec2 counted_m(0, 0);
+  for (; counted_m.x() < 0.65; counted_m.x() += 0.1, step())
+    map.note(at("io", {counted_m, 0}), now);
+  for (int i = 0; i < 20; ++i, step())
+    map.note(frame("io", {counted_m, 0}, {{"basket", basket_m + counted_m}}), now);
+  const auto told = objects();
+  EXPECT_NEAR(told.robots.at(0).x_m, 0, 0.2);
+  EXPECT_EQ(told.objects.size(), 1U);
+}
+
 TEST_F(MapTest, TheFloorIsFreeWhereItWasCrossedAndOccupiedWhereItWasBumpedInto) {
   for (double x = 0; x < 1; x += 0.05, step()) map.note(at("io", {{x, 0}, 0}), now);
   msg::Variables variables;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "monitor/map/carried.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -16,11 +18,12 @@ const std::vector<std::pair<std::string, Vec2>> kThings{
 class SameThingsTest : public testing::Test {
  protected:
   /// `robot` stands at `truly`, its odometer at 0, and sees everything.
-  void look(const std::string& robot, const Pose2& truly, std::size_t things = kThings.size()) {
+  void look(const std::string& robot, const Pose2& truly, std::size_t things = kThings.size(),
+            std::size_t first = 0) {
     msg::Sightings frame;
     frame.robot = robot;
     frame.view_angle_rad = 7;
-    for (std::size_t i = 0; i < things; ++i) {
+    for (std::size_t i = first; i < things; ++i) {
       const Vec2 at_m = rotated(kThings[i].second - truly.position_m, -truly.heading_rad);
       msg::Sighting& item = frame.items.emplace_back();
       item.object_class = kThings[i].first;
@@ -104,6 +107,55 @@ TEST_F(SameThingsTest, WhatOneRobotSeesAtOnceStaysTwo) {
     same.unite_neighbours();
   }
   EXPECT_EQ(seen.all().size(), 2U);
+}
+
+// Its things are no news any more, and so nothing but the others' map tells.
+TEST_F(SameThingsTest, ARobotThatMapsAllBesideTheOthersRejoinsThem) {
+  const Pose2 stands{{2, 2}, 0.3}, believed{{2.5, 2.4}, 0.3};
+  robots.start_at("callisto", believed);
+  robots.start_at("ganymede", {{1, 1}, 0});
+  robots.start_at("io", {});
+  const auto look_at_trash = [this](const std::string& robot, const Pose2& truly) {
+    look(robot, truly, kThings.size(), 4);
+  };
+  for (int i = 0; i < 40; ++i) {
+    look_at_trash("io", {});
+    look_at_trash("ganymede", {{1, 1}, 0});
+    look_at_trash("callisto", stands);
+  }
+  expect_at("callisto", believed, 0.2, 0.1);
+  align(6);
+  expect_at("callisto", stands, 0.15, 0.1);
+  EXPECT_EQ(seen.all().size(), kThings.size() - 4);
+}
+
+// A leg of a table, say, which nobody took for trash.
+TEST_F(SameThingsTest, WhatBreaksTheBeamAndStoodOnNoMapIsNotPutDown) {
+  look("io", {}, 0);
+  Carried carried;
+  carried.note("io", true, robots, seen, now);
+  EXPECT_EQ(carried.all().size(), 1U);
+  carried.note("io", false, robots, seen, now);
+  EXPECT_TRUE(carried.all().empty());
+  EXPECT_TRUE(seen.all().empty());
+}
+
+TEST_F(SameThingsTest, WhatMayBeOneIsToldOnceWhereItIsKnownBest) {
+  look("io", {}, 0);
+  const auto note = [this](const Vec2& at_m, double deviation_m, Duration after) {
+    now += after;
+    const auto id = seen.next_id();
+    seen.note("trash", "io", {at_m, deviation_m * deviation_m * Mat2::Identity()}, 1, now, id);
+  };
+  note({1, 0}, 0.02, 100ms);
+  note({1.2, 0.1}, 0.20, 100ms);
+  note({2.5, 0}, 0.20, 100ms);
+  note({2.7, 0.1}, 0.25, 0ms);
+  const auto& all = seen.all();
+  EXPECT_FALSE(seen.may_be_told_twice(all[0])) << "known best";
+  EXPECT_TRUE(seen.may_be_told_twice(all[1]));
+  EXPECT_FALSE(seen.may_be_told_twice(all[2])) << "too far from any other";
+  EXPECT_FALSE(seen.may_be_told_twice(all[3])) << "seen at once as two";
 }
 
 }  // namespace

@@ -1,0 +1,60 @@
+#include <algorithm>
+
+#include "monitor/map/robot_motion.h"
+#include "monitor/map/things.h"
+
+namespace galilean::monitor {
+namespace {
+
+constexpr double kBasketsApart_m = 1.2;  ///< nearer to one another no two stand
+constexpr double kPlainBasket_m = 3;     ///< further away, its place is not to be relied upon
+constexpr int kStrangeFrames = 5;
+constexpr double kRelocated_rad = 0.3;
+
+}  // namespace
+
+void Things::recognise_baskets(const std::string& robot, std::vector<Seen>& seen) {
+  bool strange = false;
+  for (auto& each : seen) {
+    if (each.thing || !each.bearing.whole || each.sighting->object_class != "basket") continue;
+    const auto known = basket_beside(each, robot);
+    const bool seen_as_two = known && std::ranges::find(seen, known, &Seen::thing) != seen.end();
+    if (!known || seen_as_two) continue;
+    each.thing = known;
+    if (each.bearing.from_robot.mean_m.norm() > kPlainBasket_m) continue;
+    strange = true;
+    if (strange_frames_[robot] + 1 >= kStrangeFrames)
+      relocate(robot, things_[*known], each.bearing);
+  }
+  int& frames = strange_frames_[robot];
+  frames = strange && frames + 1 < kStrangeFrames ? frames + 1 : 0;
+}
+
+std::optional<std::size_t> Things::basket_beside(const Seen& basket,
+                                                 const std::string& robot) const {
+  const Vec2 at_m = place_of(joint_, robots_.part(robot), basket.bearing.from_robot).in_map_m;
+  std::optional<std::size_t> nearest;
+  double nearest_m = kBasketsApart_m;
+  for (std::size_t i = 0; i < things_.size(); ++i) {
+    if (things_[i].object_class != "basket" || !things_[i].established()) continue;
+    const double apart_m = (joint_.mean(things_[i].part) - at_m).norm();
+    if (apart_m >= nearest_m) continue;
+    nearest = i;
+    nearest_m = apart_m;
+  }
+  return nearest;
+}
+
+/// The filter would not believe it: first it must learn that the robot may be anywhere near.
+void Things::relocate(const std::string& robot, const Thing& basket, const Bearing& bearing) {
+  const auto part = robots_.part(robot);
+  const auto expected = expected_sighting(joint_, part, basket.part);
+  const double apart_m = (expected.from_robot_m - bearing.from_robot.mean_m).norm();
+  RobotMatrix unsure = RobotMatrix::Zero();
+  unsure.diagonal().head<3>() << apart_m * apart_m, apart_m * apart_m,
+      kRelocated_rad * kRelocated_rad;
+  joint_.blur(part, unsure);
+  correct(basket, bearing, part);
+}
+
+}  // namespace galilean::monitor

@@ -2,7 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 
 #include "core/termination.h"
 #include "monitor/record/log_info.h"
@@ -27,6 +29,13 @@ struct Options {
   bool anyway = false;
   int domain = -1;
 };
+
+/// "5.9 s"
+std::string seconds(double duration_s) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << duration_s << " s";
+  return text.str();
+}
 
 int fail(const std::string& sentence) {
   std::cerr << "galilean-replay: " << sentence << '\n';
@@ -108,8 +117,8 @@ class Replay {
         [&](Time due) { return to_its_end = waiting_.until(due, [&] { stage.look(); }); });
     const Time began = clock_.now();
     (void)player.play(recording_, summary_.statistics.start_ns);
-    std::cout << "played " << player.sent() << " messages in " << to_seconds(clock_.now() - began)
-              << " s" << std::endl;
+    std::cout << "played " << player.sent() << " messages in "
+              << seconds(to_seconds(clock_.now() - began)) << std::endl;
     if (stage.lost() > 0)
       std::cerr << "galilean-replay: " << stage.lost()
                 << " messages were not sent: damaged, or not taken in time\n";
@@ -133,9 +142,8 @@ int run(const Options& options) try {
   if (tracks_of(summary.value()).played.empty())
     return fail(options.file + " has no topic that can be played");
   if (options.from_s > duration_s(summary.value()))
-    return fail("--from " + std::to_string(options.from_s) + " is behind the end of " +
-                options.file + ", which lasts " + std::to_string(duration_s(summary.value())) +
-                " s");
+    return fail("--from " + seconds(options.from_s) + " is behind the end of " + options.file +
+                ", which lasts " + seconds(duration_s(summary.value())));
   return Replay(options, file.value(), summary.value(), termination).run();
 } catch (const std::exception& error) {
   return fail(error.what());

@@ -14,6 +14,7 @@ constexpr std::array kVerbs{
     Verb{"monitor", "galilean-monitor", "", "The team in a browser, with its map"},
     Verb{"top", "galilean-top", "", "The team in a terminal"},
     Verb{"record", "galilean-record", "", "Record all topics as MCAP"},
+    Verb{"replay", "galilean-replay", "", "Play a recording again, as if it were live"},
     Verb{"log", "galilean-log", "", "Look into recordings: log info FILE"},
     Verb{"bhdl", "galilean-bhdl", "", "Check, lay out, compare and draw programs"},
     Verb{"bhdl test", "galilean-bhdl-test", "", "Run what programs expect of themselves"},

@@ -20,6 +20,10 @@ done
 # The demo's own link: with the token that lets its reader steer.
 GALILEAN_URL=$(grep -o "http://127.0.0.1:$port[^ ]*" "$folder/demo.log" | head -n 1)
 export GALILEAN_URL
+if [[ " ${files[*]} " == *recorded.test.mjs* ]]; then
+  export GALILEAN_RECORDING=$folder/recorded.mcap
+  build/bin/galilean record --out "$GALILEAN_RECORDING" --duration 15
+fi
 status=0
 for file in "${files[@]}"; do node --test "$file" || status=1; done
 exit $status

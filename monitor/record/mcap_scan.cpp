@@ -58,8 +58,12 @@ std::uint64_t content_length(const std::uint8_t* head) {
   return length;
 }
 
+bool is_enough(const Visitor& visitor) {
+  return visitor.enough && visitor.enough();
+}
+
 std::string visit_records(ByteView records, const Visitor& visitor) {
-  while (!records.empty()) {
+  while (!records.empty() && !is_enough(visitor)) {
     if (records.size() < kRecordHead) return "ends within a record";
     const auto opcode = static_cast<Opcode>(records[0]);
     const auto length = content_length(records.data());
@@ -96,7 +100,7 @@ ScanEnd scan(const ByteSource& source, const Visitor& visitor) {
   ScanEnd end{.offset = sizeof kMagic};
   Bytes content, records;
   Opcode opcode{};
-  while (read_record(source, end.offset, opcode, content)) {
+  while (!is_enough(visitor) && read_record(source, end.offset, opcode, content)) {
     const std::string at = " at byte " + std::to_string(end.offset) + " ";
     end.complete = opcode == Opcode::kDataEnd;
     if (end.complete) break;

@@ -15,6 +15,7 @@ struct Visitor {
   std::function<void(const Message&)> message;  ///< its bytes are valid during the call only
   std::function<void(const Chunk&)> chunk;      ///< one that was whole, before what it contains
   std::function<void(const Metadata&)> metadata;
+  std::function<bool()> enough;  ///< asked before each record; the scan ends where it says true
 };
 
 /// How far a scan came.

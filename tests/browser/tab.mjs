@@ -16,7 +16,7 @@ export const LAPTOP = { width: 1366, height: 768 };
 export const PHONE = { width: 390, height: 844 };
 export const PATIENCE_MS = 120_000;
 
-class Tab {
+export class Tab {
   complaints = [];
 
   async open(url, { viewport = LAPTOP, ...context } = {}) {

@@ -1,7 +1,8 @@
 // How fast the page is, on a team that tests/fixture plays (or a live one): first paint, size, frames a second,
 // memory, from a change of state to the pixel, and coming back after the monitor was gone.
-//   node scripts/performance.mjs [--robots 3,30] [--seconds 20] [--minutes 0] [--url LIVE] [--chromium PATH]
-// --minutes: watch memory for so long, instead of a minute. Needs dist/.
+//   node scripts/performance.mjs [--robots 3,30] [--seconds 20] [--minutes 1] [--url LIVE] [--chromium PATH]
+// --minutes: watch memory for so long with each team; the page remembers ten minutes, so that only from then on
+// it tells of a leak. 0: not at all. Without it all takes about five minutes. Needs dist/.
 import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { readdirSync, readFileSync } from "node:fs";
@@ -19,6 +20,8 @@ const { values } = parseArgs({
 });
 const FIXTURE = fileURLToPath(new URL("../tests/fixture/monitor.mjs", import.meta.url));
 const ASSETS = new URL("../dist/assets/", import.meta.url);
+/** The page's history, with a minute to fill. */
+const REMEMBERED_MIN = 11;
 const LAPTOP = { width: 1366, height: 768 };
 
 async function play(robots, port = 0) {
@@ -109,19 +112,31 @@ async function changeToPixel(page, robots) {
   say(`change of state to pixel, ${robots}`, `median ${quantile(delays_ms, 0.5).toFixed(0)} ms, 99 % ${quantile(delays_ms, 0.99).toFixed(0)} ms of ${delays_ms.length}`);
 }
 
+/** What is still held after a collection of garbage, each minute. */
 async function memory(page, robots, minutes) {
+  if (minutes === 0) return;
   const client = await page.context().newCDPSession(page);
   const used_MB = async () => {
     await client.send("HeapProfiler.collectGarbage");
     return (await client.send("Runtime.getHeapUsage")).usedSize / 1e6;
   };
-  const samples = [await used_MB()];
   const steps = Math.max(4, Math.round(minutes));
-  for (let step = 0; step < steps; step += 1) {
+  const samples = [{ minute: 0, MB: await used_MB() }];
+  for (let step = 1; step <= steps; step += 1) {
     await wait_s((minutes * 60) / steps);
-    samples.push(await used_MB());
+    samples.push({ minute: (minutes * step) / steps, MB: await used_MB() });
   }
-  say(`memory, ${robots} robots, ${minutes} min`, `${samples.map((each) => each.toFixed(1)).join(" ")} MB`);
+  say(`memory, ${robots} robots, ${minutes} min`, `${samples.map(({ MB }) => MB.toFixed(1)).join(" ")} MB`);
+  const full = samples.filter(({ minute }) => minute >= REMEMBERED_MIN);
+  if (full.length > 2) say("", `${(slope(full) * 60).toFixed(1)} MB more an hour, from minute ${full[0].minute} on`);
+}
+
+/** By least squares, in MB a minute. */
+function slope(samples) {
+  const mean = (of) => samples.reduce((sum, each) => sum + of(each), 0) / samples.length;
+  const [minute, MB] = [mean((each) => each.minute), mean((each) => each.MB)];
+  const sum = (of) => samples.reduce((total, each) => total + of(each), 0);
+  return sum((each) => (each.minute - minute) * (each.MB - MB)) / sum((each) => (each.minute - minute) ** 2);
 }
 
 async function reconnect(browser) {

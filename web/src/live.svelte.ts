@@ -1,6 +1,9 @@
 // What the panels see: the team now or at a chosen instant, the robot chosen, and the page's clock.
 
+import { flushSync } from "svelte";
 import { type Connection, Feed } from "./feed/feed";
+import { tellsWhatHappens } from "./feed/topics";
+import { browserFrames, Redraw } from "./lib/redraw";
 import { type Gap, withGap } from "./team/gaps";
 import { History, type Instant } from "./team/history";
 import { emptyTeam, type Reply, type Robot, type Team } from "./team/model";
@@ -13,6 +16,8 @@ import type { SourceFile } from "./feed/messages";
 /** How often what only ages (certainty, silence, clocks) is drawn anew. */
 const AGEING_MS = 100;
 const CALM_AGEING_MS = 1000;
+/** It goes along with what is drawn anyway: alone it is drawn where nothing else was for so many times as long. */
+const PATIENCE = 1.5;
 
 class Live {
   connection = $state<Connection>("connecting");
@@ -30,6 +35,7 @@ class Live {
   #history = new History();
   #listeners = new Map<string, Set<(message: unknown) => void>>();
   #calm = matchMedia("(prefers-reduced-motion: reduce)");
+  #redraw = new Redraw(() => this.#draw(), browserFrames());
 
   feed = new Feed(withToken(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`), {
     message: (topic, message, received_ms) => this.#heard(topic, message, received_ms),
@@ -54,7 +60,7 @@ class Live {
 
   start(): void {
     this.feed.connect();
-    requestAnimationFrame(() => this.#draw());
+    setInterval(() => this.#age(), AGEING_MS / 2);
   }
 
   /** What the push's own HTTP answer tells, ahead of or instead of the topics. */
@@ -63,11 +69,11 @@ class Live {
     let pushes = withPush(this.#team.pushes, { ...message, targets: [...targets], files: [...files] }, Date.now());
     pushes = withProgress(pushes, id, { state, steps });
     for (const reply of replies) pushes = withReply(pushes, id, withDefaults(reply));
-    this.#team = { ...this.#team, pushes };
+    this.#fold({ ...this.#team, pushes }, true);
   }
 
   dismiss(pushId: string): void {
-    this.#team = { ...this.#team, pushes: this.#team.pushes.filter((push) => push.id !== pushId) };
+    this.#fold({ ...this.#team, pushes: this.#team.pushes.filter((push) => push.id !== pushId) }, true);
   }
 
   /** The team at each instant that is kept, the earliest first. */
@@ -96,19 +102,33 @@ class Live {
 
   #heard(topic: string, message: unknown, received_ms: number): void {
     this.#listeners.get(topic)?.forEach((listener) => listener(message));
-    this.#team = apply(this.#team, topic, message, received_ms);
+    this.#fold(apply(this.#team, topic, message, received_ms), tellsWhatHappens(topic));
   }
 
   // Messages are folded as they come and drawn at most once a frame, however many there are.
+  #fold(team: Team, atOnce = false): void {
+    if (team === this.#team) return;
+    this.#team = team;
+    if (atOnce) this.#redraw.askNow();
+    else this.#redraw.ask();
+  }
+
+  #age(): void {
+    if (Date.now() - this.#now_ms >= this.#ageing_ms * PATIENCE) this.#redraw.ask();
+  }
+
+  get #ageing_ms(): number {
+    return this.#calm.matches ? CALM_AGEING_MS : AGEING_MS;
+  }
+
   #draw(): void {
     const now_ms = Date.now();
     if (this.#shown !== this.#team) {
       this.#shown = this.#team;
       this.#history.record(this.#team, now_ms);
     }
-    const step_ms = this.#calm.matches ? CALM_AGEING_MS : AGEING_MS;
-    if (now_ms - this.#now_ms >= step_ms) this.#now_ms = now_ms;
-    requestAnimationFrame(() => this.#draw());
+    if (now_ms - this.#now_ms >= this.#ageing_ms) this.#now_ms = now_ms;
+    flushSync();
   }
 }
 

@@ -13,7 +13,9 @@ class TimeAxis {
   pointed_ms = $state<number>();
 
   readonly follows: boolean = $derived(this.#end_ms === undefined);
-  readonly to_ms: number = $derived(this.#end_ms ?? Math.ceil(live.present_ms / STEP_MS) * STEP_MS);
+  /** The present, as far as the axis has got. */
+  readonly present_ms: number = $derived(Math.ceil(live.present_ms / STEP_MS) * STEP_MS);
+  readonly to_ms: number = $derived(this.#end_ms ?? this.present_ms);
   readonly from_ms: number = $derived(this.to_ms - this.span_s * 1000);
 
   /** What is at `at_ms` stays where it is; where the axis follows the present, its end does. */

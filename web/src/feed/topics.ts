@@ -18,6 +18,13 @@ export function robotTopicOf(topic: string): { robot: string; kind: string } | u
   return robot && kind && !NOT_ROBOTS.has(robot) ? { robot, kind } : undefined;
 }
 
+const HAPPENINGS = new Set(["transition", "program", "program_reply", "team/program_push", "team/push_progress"]);
+
+/** Whether a topic tells of single events, which are worth a frame of their own, rather than how things stand. */
+export function tellsWhatHappens(topic: string): boolean {
+  return HAPPENINGS.has(robotTopicOf(topic)?.kind ?? topic.slice(1));
+}
+
 export function pictureTopic(robot: string, picture: Picture): string {
   return `/${robot}/${picture}/compressed`;
 }

@@ -1,6 +1,9 @@
 import type { Team } from "./model";
 
 const STEP_MS = 500;
+/** So far back every step is kept; farther, one of four: nobody looks there for a tenth of a second, and memory costs. */
+const FINE_MS = 120_000;
+const COARSE_STEP_MS = 4 * STEP_MS;
 const KEPT_MS = 600_000;
 
 export interface Instant {
@@ -9,38 +12,46 @@ export interface Instant {
 }
 
 /**
- * The last ten minutes of the team, an instant each half second. Instants share what did not change
- * between them. The floor's grid is left out: it is large, and only grows.
+ * The last ten minutes of the team, an instant each half second, and each two seconds farther back. Instants
+ * share what did not change between them. The floor's grid is left out: it is large, and only grows.
  */
 export class History {
-  #instants: Instant[] = [];
+  #old: Instant[] = [];
+  #fine: Instant[] = [];
 
   record(team: Team, at_ms: number): void {
-    const newest = this.#instants.at(-1);
+    const newest = this.#fine.at(-1);
     if (newest && at_ms - newest.at_ms < STEP_MS) return;
-    this.#instants.push({ at_ms, team: { ...team, grid: undefined } });
-    const kept_from = this.#instants.findIndex((instant) => instant.at_ms >= at_ms - KEPT_MS);
-    if (kept_from > 0) this.#instants.splice(0, kept_from);
+    this.#fine.push({ at_ms, team: { ...team, grid: undefined } });
+    while (this.#fine[0]!.at_ms < at_ms - FINE_MS) this.#age(this.#fine.shift()!);
+    const kept_from = this.#old.findIndex((instant) => instant.at_ms >= at_ms - KEPT_MS);
+    if (kept_from > 0) this.#old.splice(0, kept_from);
   }
 
   get earliest_ms(): number | undefined {
-    return this.#instants[0]?.at_ms;
+    return (this.#old[0] ?? this.#fine[0])?.at_ms;
   }
 
   /** Every instant that is kept, the earliest first. */
   get instants(): readonly Instant[] {
-    return this.#instants;
+    return [...this.#old, ...this.#fine];
   }
 
   /** The team as it was at `at_ms`, or at the earliest instant known. */
   at(at_ms: number): Team | undefined {
+    const instants = this.instants;
     let low = 0;
-    let high = this.#instants.length;
+    let high = instants.length;
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (this.#instants[middle]!.at_ms <= at_ms) low = middle + 1;
+      if (instants[middle]!.at_ms <= at_ms) low = middle + 1;
       else high = middle;
     }
-    return this.#instants[Math.max(low - 1, 0)]?.team;
+    return instants[Math.max(low - 1, 0)]?.team;
+  }
+
+  #age(instant: Instant): void {
+    const before = this.#old.at(-1);
+    if (!before || instant.at_ms - before.at_ms >= COARSE_STEP_MS) this.#old.push(instant);
   }
 }

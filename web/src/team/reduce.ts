@@ -6,7 +6,7 @@ import type { Robot, Team } from "./model";
 import { withMessage } from "./message_rate";
 import { withMoment, withVariables } from "./moments";
 import { replyOf, withPush, withReply, withStep } from "./pushes";
-import { clockOffset_ms, onPageClock_ms } from "./robot_clock";
+import { clockOffset_ms, onPageClock_ms, wentBack } from "./robot_clock";
 import { standing } from "./stillness";
 import { withBar, withProgram } from "./timeline";
 import { unwound, withPoint } from "./trail";
@@ -34,7 +34,15 @@ function barsBefore(robot: Robot, clocked: Robot): Robot["bars"] {
   return robot.transitions.reduce((bars, change) => withBar(bars, barOf(clocked, change)), [] as Robot["bars"]);
 }
 
-function withState(robot: Robot, value: wire.RobotState, received_ms: number): Robot {
+/** Without what its count of changes says has not happened yet, where its time began again. */
+function withoutFuture(robot: Robot, { stamp, transitions: count }: wire.RobotState): Robot {
+  if (!robot.state || !wentBack(robot.state.value.stamp, stamp)) return robot;
+  const transitions = robot.transitions.filter(({ number }) => number <= count);
+  return { ...robot, transitions, moments: new Map([...robot.moments].filter(([number]) => number <= count)) };
+}
+
+function withState(heard: Robot, value: wire.RobotState, received_ms: number): Robot {
+  const robot = withoutFuture(heard, value);
   const clocked = { ...robot, clock_offset_ms: clockOffset_ms(robot.clock_offset_ms, value.stamp, received_ms) };
   const { program_hash: hash, program_name: name } = value;
   return {

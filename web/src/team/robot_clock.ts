@@ -12,6 +12,11 @@ export function clockOffset_ms(before: number | undefined, stamp: Time, received
   return before === undefined || Math.abs(sample - before) > JUMP_MS ? sample : Math.min(sample, before);
 }
 
+/** Whether its clock went back between two stamps, as a recording's does that begins again. */
+export function wentBack(before: Time, after: Time): boolean {
+  return (seconds(before) - seconds(after)) * 1000 > JUMP_MS;
+}
+
 export function onPageClock_ms(robot: Robot, stamp: Time): number {
   return seconds(stamp) * 1000 + (robot.clock_offset_ms ?? 0);
 }

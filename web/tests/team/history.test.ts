@@ -1,5 +1,6 @@
 import { expect, it } from "vitest";
 import { History } from "../../src/team/history";
+import { emptyTeam } from "../../src/team/model";
 import { robotOf, state, T0_MS, told } from "./told";
 
 it("gives the team as it was at an instant, for ten minutes back", () => {
@@ -12,4 +13,13 @@ it("gives the team as it was at an instant, for ten minutes back", () => {
   expect(shown(650)).toBe("state650");
   expect(shown(650.7)).toBe("state650");
   expect(shown(3)).toBe("state100");
+});
+
+it("keeps each half second of the last two minutes, and each two seconds of what is older", () => {
+  const history = new History();
+  for (let at_ms = T0_MS; at_ms <= T0_MS + 1_200_000; at_ms += 100) history.record(emptyTeam, at_ms);
+  const steps_ms = history.instants.map(({ at_ms }, i, all) => at_ms - (all[i - 1]?.at_ms ?? at_ms)).slice(1);
+  expect(steps_ms.filter((step_ms) => step_ms === 500).length).toBe(240);
+  expect(steps_ms.filter((step_ms) => step_ms === 2000).length).toBe(240);
+  expect(steps_ms.length).toBe(480);
 });

@@ -1,0 +1,49 @@
+#include "core/wire/byte_writer.h"
+
+#include <array>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "core/wire/topics.h"
+
+namespace galilean::wire {
+namespace {
+
+using WriteBytes = std::function<bool(std::span<const std::uint8_t>)>;
+using MakeWriter = WriteBytes (*)(Participant&, const std::string&);
+
+/// Cyclone 0.10 takes bytes only with its own description of their type, which it does not give
+/// away: so they become a message again. Encoded they are the same bytes.
+template <class M>
+WriteBytes make_writer(Participant& participant, const std::string& topic) {
+  return [writer =
+              std::make_shared<Writer<M>>(participant, topic)](std::span<const std::uint8_t> cdr) {
+    M message;
+    return msg::decode_cdr(cdr, message) && writer->write(message);
+  };
+}
+
+template <class... M>
+constexpr auto table_of() {
+  return std::array{std::pair<std::string_view, MakeWriter>{M::kRosType, make_writer<M>}...};
+}
+
+constexpr auto kMakers =
+    table_of<msg::RobotState, msg::Transition, msg::Variables, msg::Forces, msg::Sightings,
+             msg::Program, msg::ProgramPush, msg::ProgramRollback, msg::ProgramReply,
+             msg::PushProgress, msg::Catalog, msg::Command, msg::ObjectMap, msg::Score,
+             msg::CompressedImage, msg::Odometry, msg::OccupancyGrid, msg::TFMessage,
+             msg::MarkerArray, msg::DiagnosticArray, msg::Log>();
+
+}  // namespace
+
+ByteWriter::ByteWriter(Participant& participant, const std::string& topic,
+                       const std::string& ros_type) {
+  for (const auto& [type, make] : kMakers)
+    if (type == ros_type) write_ = make(participant, topic);
+  if (!write_) throw std::runtime_error("no message type is called " + ros_type);
+}
+
+}  // namespace galilean::wire

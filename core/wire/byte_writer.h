@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include "core/wire/participant.h"
+
+namespace galilean::wire {
+
+/// Writes messages that are bytes already, as Reader takes them, to one topic.
+class ByteWriter {
+ public:
+  /// Throws std::runtime_error if Cyclone refuses the topic, or if `ros_type` is none of the
+  /// messages.
+  ByteWriter(Participant& participant, const std::string& topic, const std::string& ros_type);
+  /// `cdr` with its four-byte header. False if that is no message of the type, or if Cyclone did
+  /// not take it in time; it is then not sent.
+  [[nodiscard]] bool write(std::span<const std::uint8_t> cdr) { return write_(cdr); }
+
+ private:
+  std::function<bool(std::span<const std::uint8_t>)> write_;
+};
+
+}  // namespace galilean::wire

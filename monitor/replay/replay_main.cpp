@@ -1,0 +1,169 @@
+#include <poll.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+#include "core/termination.h"
+#include "monitor/record/log_info.h"
+#include "monitor/replay/player.h"
+#include "monitor/replay/report.h"
+#include "monitor/replay/stage.h"
+
+namespace {
+
+using namespace galilean;
+using namespace galilean::monitor;
+
+/// Until all that are there are known, and know what is written here.
+constexpr auto kAcquaintance = std::chrono::milliseconds(800);
+constexpr auto kLookEach = std::chrono::milliseconds(500);
+
+struct Options {
+  std::string file;
+  double rate = 1;
+  double from_s = 0;
+  bool loop = false;
+  bool anyway = false;
+  int domain = -1;
+};
+
+/// "5.9 s"
+std::string seconds(double duration_s) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << duration_s << " s";
+  return text.str();
+}
+
+int fail(const std::string& sentence) {
+  std::cerr << "galilean-replay: " << sentence << '\n';
+  return 1;
+}
+
+/// Waits on the machine's clock; false if somebody ended it sooner. Calls `look` on the way.
+class Waiting {
+ public:
+  Waiting(const Clock& clock, Termination& termination)
+      : clock_(clock), termination_(termination) {}
+
+  bool until(Time due, const std::function<void()>& look = {}) {
+    for (Time now = clock_.now(); !termination_.asked(); now = clock_.now()) {
+      if (look && now >= next_look_) {
+        look();
+        next_look_ = now + kLookEach;
+      }
+      if (now >= due) return true;
+      sleep(std::min<Duration>(due - now, kLookEach));
+    }
+    return false;
+  }
+
+ private:
+  void sleep(Duration wait) {
+    const timespec time{wait.count() / 1'000'000'000, wait.count() % 1'000'000'000};
+    pollfd event{termination_.descriptor(), POLLIN, 0};
+    ppoll(&event, 1, &time, nullptr);
+  }
+
+  const Clock& clock_;
+  Termination& termination_;
+  Time next_look_{};
+};
+
+class Replay {
+ public:
+  Replay(const Options& options, const mcap::ByteSource& recording, const mcap::Summary& summary,
+         Termination& termination)
+      : options_(options),
+        recording_(recording),
+        summary_(summary),
+        tracks_(tracks_of(summary)),
+        waiting_(clock_, termination) {}
+
+  int run() {
+    const auto joined = wire::Participant::join("replay", options_.domain);
+    if (!joined) return fail(joined.error().message);
+    auto& participant = *joined.value();
+    if (!options_.anyway && !is_free(participant)) return 1;
+    std::cout << before_playing(options_.file, summary_, tracks_) << std::flush;
+    while (pass(participant) && options_.loop) {
+    }
+    return 0;
+  }
+
+ private:
+  bool is_free(wire::Participant& participant) {
+    const wire::Discovery others(participant);
+    if (!waiting_.until(clock_.now() + kAcquaintance)) return false;
+    const auto names = live_namesakes(others.publications(), tracks_.played);
+    if (names.empty()) return true;
+    (void)fail(listed(names) + (names.size() == 1 ? " is" : " are") +
+               " live in this DDS domain, and two would talk at once under one name; end the live "
+               "ones, use another domain (--domain), or play all the same with --anyway");
+    return false;
+  }
+
+  /// Once through the recording, with writers of its own: to late joiners it is the only one.
+  /// False if somebody ended it.
+  bool pass(wire::Participant& participant) {
+    Stage stage(participant, tracks_.played);
+    if (!waiting_.until(clock_.now() + kAcquaintance)) return false;
+    bool to_its_end = true;
+    Player player(
+        tracks_.played, {options_.rate, from_seconds(options_.from_s)}, clock_,
+        [&](std::uint16_t channel, mcap::ByteView cdr) { stage.send(channel, cdr); },
+        [&](Time due) { return to_its_end = waiting_.until(due, [&] { stage.look(); }); });
+    const Time began = clock_.now();
+    (void)player.play(recording_, summary_.statistics.start_ns);
+    std::cout << "played " << player.sent() << " messages in "
+              << seconds(to_seconds(clock_.now() - began)) << std::endl;
+    if (stage.lost() > 0)
+      std::cerr << "galilean-replay: " << stage.lost()
+                << " messages were not sent: damaged, or not taken in time\n";
+    return to_its_end;
+  }
+
+  const Options& options_;
+  const mcap::ByteSource& recording_;
+  const mcap::Summary& summary_;
+  Tracks tracks_;
+  SteadyClock clock_;
+  Waiting waiting_;
+};
+
+int run(const Options& options) try {
+  Termination termination;
+  const auto file = mcap::FileSource::open(options.file);
+  if (!file) return fail(file.error().message);
+  const auto summary = mcap::summarize(file.value());
+  if (!summary) return fail(options.file + " " + summary.error().message);
+  if (tracks_of(summary.value()).played.empty())
+    return fail(options.file + " has no topic that can be played");
+  if (options.from_s > duration_s(summary.value()))
+    return fail("--from " + seconds(options.from_s) + " is behind the end of " + options.file +
+                ", which lasts " + seconds(duration_s(summary.value())));
+  return Replay(options, file.value(), summary.value(), termination).run();
+} catch (const std::exception& error) {
+  return fail(error.what());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Plays a recording of a team again, for the monitor, top, Foxglove or rviz2."};
+  app.add_option("file", options.file, "An MCAP file that galilean record made")->required();
+  app.add_option("--rate", options.rate, "How fast: 2 is twice as fast as it was")
+      ->check(CLI::Range(0.01, 100.0));
+  app.add_option("--from", options.from_s, "Seconds after the recording's start to begin at")
+      ->check(CLI::NonNegativeNumber);
+  app.add_flag("--loop", options.loop, "Begin again at the end, until Ctrl-C");
+  app.add_flag("--anyway", options.anyway,
+               "Play though robots of the same names are live in the domain");
+  app.add_option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
+      ->check(CLI::Range(0, 232));
+  CLI11_PARSE(app, argc, argv);
+  return run(options);
+}

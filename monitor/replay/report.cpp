@@ -1,0 +1,37 @@
+#include "monitor/replay/report.h"
+
+#include <iomanip>
+#include <sstream>
+
+#include "monitor/record/log_info.h"
+#include "monitor/record/times.h"
+
+namespace galilean::monitor {
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
+std::string before_playing(const std::string& path, const mcap::Summary& summary,
+                           const Tracks& tracks) {
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(1);
+  if (summary.recovered)
+    out << path << " was not closed properly: the " << summary.statistics.messages
+        << " messages that are whole are played\n";
+  for (const auto& damage : summary.damage) out << "damage: " << damage << '\n';
+  out << path << ": " << tracks.played.size() << " topics, " << duration_s(summary) << " s, from "
+      << iso_time(static_cast<std::int64_t>(summary.statistics.start_ns)) << '\n';
+  if (!tracks.commands.empty())
+    out << "not played: " << listed(tracks.commands)
+        << "; what robots were told then is not said again\n";
+  if (!tracks.foreign.empty())
+    out << "not played: " << listed(tracks.foreign)
+        << "; this release has no such type, or another of that name\n";
+  return out.str();
+}
+
+}  // namespace galilean::monitor

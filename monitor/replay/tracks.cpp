@@ -1,0 +1,50 @@
+#include "monitor/replay/tracks.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/wire/schemas.h"
+
+namespace galilean::monitor {
+namespace {
+
+constexpr std::array<std::string_view, 4> kMadeByMonitor{
+    wire::kObjectsTopic, wire::kMapTopic, wire::kMarkersTopic, wire::kPushProgressTopic};
+constexpr std::array<std::string_view, 3> kShared{wire::kTfTopic, wire::kDiagnosticsTopic,
+                                                  wire::kLogTopic};
+
+bool is_known(const mcap::Channel& channel, const mcap::Schema& schema) {
+  const auto* known = wire::find_schema_by_ros_type(schema.name);
+  return known && channel.message_encoding == "cdr" && known->idl == schema.data &&
+         channel.topic.starts_with('/');
+}
+
+}  // namespace
+
+Tracks tracks_of(const mcap::Summary& summary) {
+  Tracks tracks;
+  for (const auto& [id, channel] : summary.channels) {
+    const auto schema = summary.schemas.find(channel.schema_id);
+    const std::string type = schema == summary.schemas.end() ? "" : schema->second.name;
+    const auto delivery = wire::delivery_of(type);
+    if (delivery == wire::Delivery::kCommand)
+      tracks.commands.push_back(channel.topic);
+    else if (schema != summary.schemas.end() && is_known(channel, schema->second))
+      tracks.played[id] = {"rt" + channel.topic, type, delivery};
+    else
+      tracks.foreign.push_back(channel.topic);
+  }
+  std::ranges::sort(tracks.commands);
+  std::ranges::sort(tracks.foreign);
+  return tracks;
+}
+
+bool is_made_by_monitor(const Track& track) {
+  return std::ranges::find(kMadeByMonitor, track.topic) != kMadeByMonitor.end();
+}
+
+bool is_shared(const Track& track) {
+  return std::ranges::find(kShared, track.topic) != kShared.end();
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,112 @@
+// A recorded team, played again: the same bytes in the same order at the same times, no command twice, and
+// never beside live robots of the same names.
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { after, before, describe, test } from 'node:test';
+import { McapIndexedReader, unzstd } from '../logs/tools.mjs';
+import { eventually, freshDomain, galilean, getJson, Running, scratchFolder, startTeam } from './tools.mjs';
+
+const decompressHandlers = { zstd: (bytes, size) => unzstd(bytes, new Uint8Array(Number(size))) };
+
+/** By topic, in their order: when each message was received, in seconds since the first, and its bytes. */
+async function messagesOf(path) {
+  const bytes = readFileSync(path);
+  const readable = {
+    size: async () => BigInt(bytes.length),
+    read: async (offset, length) => new Uint8Array(bytes.subarray(Number(offset), Number(offset + length))),
+  };
+  const reader = await McapIndexedReader.Initialize({ readable, decompressHandlers });
+  const topics = {};
+  const first_ns = reader.statistics.messageStartTime;
+  for await (const { channelId, data, logTime } of reader.readMessages({ validateCrcs: true }))
+    (topics[reader.channelsById.get(channelId).topic] ??= []).push({ at_s: Number(logTime - first_ns) * 1e-9, bytes: Buffer.from(data) });
+  return topics;
+}
+
+describe('a recorded team', () => {
+  const leaving = [];
+  const all = { after: (leave) => leaving.push(leave) };
+  after(async () => { for (const leave of leaving) await leave(); });
+  const cwd = scratchFolder(all);
+  const said = (args, options) => galilean(['replay', ...args], { cwd, ...options });
+
+  before(async () => {
+    const { team, domain, url } = await startTeam(all);
+    await eventually(async () => (await getJson(`${url}/api/status`)).robots.length === 3);
+    const recorder = new Running(all, ['record', '--out', 'run.mcap', '--duration', '6'], { domain, cwd });
+    await eventually(() => existsSync(`${cwd}/run.mcap`) && statSync(`${cwd}/run.mcap`).size > 100_000);
+    for (const command of ['hold', 'resume']) {
+      const told = galilean([command, '--team'], { domain, cwd });
+      assert.equal(told.status, 0, told.stderr);
+    }
+    await recorder.exited;
+
+    const refused = said(['run.mcap'], { domain });
+    assert.equal(refused.status, 1);
+    assert.match(refused.stderr, /callisto, ganymede, io and referee are live in this DDS domain.*--anyway\n$/);
+    assert.equal(refused.stdout, '');
+    await team.stop();
+  });
+
+  test('arrives as it was: every message, in order, with the same bytes, at the same time', async (t) => {
+    const domain = freshDomain();
+    const recorder = new Running(t, ['record', '--out', 'again.mcap'], { domain, cwd });
+    const played = said(['run.mcap'], { domain });
+    assert.equal(played.status, 0, played.stderr);
+    assert.match(played.stdout, /not played: .*\/team\/command/);
+    await recorder.stop();
+
+    const [then, again] = [await messagesOf(`${cwd}/run.mcap`), await messagesOf(`${cwd}/again.mcap`)];
+    assert.ok(then['/team/command'].length > 0);
+    assert.equal(again['/team/command'], undefined);
+    const topics = Object.keys(then).filter((topic) => topic !== '/team/command');
+    assert.ok(topics.length > 30, topics.join(' '));
+    for (const topic of topics.filter((each) => !each.endsWith('/compressed'))) {
+      assert.equal(again[topic]?.length, then[topic].length, topic);
+      then[topic].forEach(({ bytes }, i) => assert.ok(bytes.equals(again[topic][i].bytes), `message ${i} of ${topic}`));
+    }
+    const late_s = then['/io/state'].map(({ at_s }, i) => Math.abs(again['/io/state'][i].at_s - at_s)).sort((a, b) => a - b);
+    assert.ok(late_s[Math.floor(late_s.length / 2)] < 0.2, `half of the states are off by ${late_s[Math.floor(late_s.length / 2)]} s`);
+  });
+
+  test('is a team to the monitor, which draws a map of its own', async (t) => {
+    const domain = freshDomain();
+    const folder = scratchFolder(t);
+    const monitor = new Running(t, ['monitor', '--listen', '127.0.0.1:0', '--data', folder], { domain, cwd: folder });
+    const [url] = await monitor.line(/http:\/\/127\.0\.0\.1:\d+/);
+    const replay = new Running(t, ['replay', `${cwd}/run.mcap`, '--loop', '--rate', '4'], { domain, cwd });
+    const first = await eventually(async () => {
+      const { robots } = await getJson(`${url}/api/status`);
+      return robots.length === 3 && robots.every(({ state, silent }) => state && !silent) && robots;
+    });
+    assert.deepEqual(first.map(({ name }) => name), ['callisto', 'ganymede', 'io']);
+    await replay.line(/played \d+ messages[^]*played \d+ messages/);
+    const listener = galilean(['record', '--out', 'monitored.mcap', '--duration', '2', '--topics', 'objects'], { domain, cwd });
+    assert.equal(listener.status, 0, listener.stderr);
+    const { '/team/objects': maps } = await messagesOf(`${cwd}/monitored.mcap`);
+    assert.ok(maps.length <= 12, `${maps.length} maps in 2 s: two draw them`);
+  });
+
+  test('is played as far as it is whole, and says so', () => {
+    const bytes = readFileSync(`${cwd}/run.mcap`);
+    writeFileSync(`${cwd}/cut.mcap`, bytes.subarray(0, bytes.length / 2));
+    const cut = said(['cut.mcap', '--rate', '20'], { domain: freshDomain() });
+    assert.equal(cut.status, 0, cut.stderr);
+    const [, whole] = /cut\.mcap was not closed properly: the (\d+) messages that are whole are played/.exec(cut.stdout);
+    const [, played] = /played (\d+) messages/.exec(cut.stdout);
+    assert.ok(Number(played) > 50 && Number(played) <= Number(whole), `${played} of ${whole}`);
+  });
+
+  test('says in a line what cannot be played', () => {
+    writeFileSync(`${cwd}/notes.txt`, 'no recording');
+    for (const [args, words] of [
+      [['notes.txt'], /^galilean-replay: notes\.txt is not an MCAP file\n$/],
+      [['nothing.mcap'], /^galilean-replay: nothing\.mcap cannot be read: .*\n$/],
+      [['run.mcap', '--from', '600'], /^galilean-replay: --from 600\.0 s is behind the end of run\.mcap, which lasts \d+\.\d s\n$/],
+    ]) {
+      const { status, stderr } = said(args, { domain: freshDomain() });
+      assert.equal(status, 1);
+      assert.match(stderr, words);
+    }
+  });
+});

@@ -1,0 +1,122 @@
+#include "monitor/replay/player.h"
+
+#include <gtest/gtest.h>
+
+#include "monitor/record/mcap_writer.h"
+#include "tests/monitor_tools/record/faulty_disk.h"
+
+namespace galilean::monitor {
+namespace {
+
+constexpr std::uint64_t kStart_ns = 1'700'000'000'000'000'000;
+constexpr std::uint16_t kState = 1, kTransition = 2, kSightings = 3;
+
+/// When a message was sent, in seconds since the playing began, on which channel, and its one byte.
+struct Sent {
+  double at_s;
+  std::uint16_t channel;
+  int byte;
+  bool operator==(const Sent&) const = default;
+};
+
+/// Ten messages a second on each of three channels, for so many seconds; each is one byte, counted
+/// up.
+mcap::FaultyDisk recording_of(int duration_s) {
+  mcap::FaultyDisk disk;
+  mcap::Writer writer(disk, {.chunk_bytes = 400});
+  EXPECT_FALSE(writer.begin());
+  for (const char* topic : {"/io/state", "/io/transition", "/io/sightings"})
+    (void)writer.add_channel({.topic = topic, .message_encoding = "cdr"});
+  for (std::uint8_t i = 0; i < duration_s * 10; ++i)
+    for (const auto channel : {kState, kTransition, kSightings}) {
+      const std::uint64_t log_ns = kStart_ns + i * 100'000'000ULL;
+      EXPECT_FALSE(writer.write(mcap::Message{channel, i, log_ns, log_ns - 5000, {&i, 1}}));
+    }
+  EXPECT_FALSE(writer.end());
+  return disk;
+}
+
+const std::map<std::uint16_t, Track> kAll{
+    {kState, {"rt/io/state", "galilean_msgs/msg/RobotState", wire::Delivery::kState}},
+    {kTransition, {"rt/io/transition", "galilean_msgs/msg/Transition", wire::Delivery::kEvent}},
+    {kSightings, {"rt/io/sightings", "galilean_msgs/msg/Sightings", wire::Delivery::kStream}}};
+
+/// Plays on a stepped clock: waiting moves it on, until `end_s`.
+std::vector<Sent> played(mcap::ByteView file, Pace pace,
+                         const std::map<std::uint16_t, Track>& tracks = kAll, double end_s = 1e9) {
+  SteppedClock clock;
+  std::vector<Sent> sent;
+  Player player(
+      tracks, pace, clock,
+      [&](std::uint16_t channel, mcap::ByteView cdr) {
+        EXPECT_EQ(cdr.size(), 1u);
+        sent.push_back({to_seconds(clock.now() - Time{}), channel, cdr[0]});
+      },
+      [&](Time due) {
+        if (to_seconds(due - Time{}) > end_s) return false;
+        if (due > clock.now()) clock.advance(due - clock.now());
+        return true;
+      });
+  (void)player.play(mcap::MemorySource(file), kStart_ns);
+  EXPECT_EQ(player.sent(), sent.size());
+  return sent;
+}
+
+TEST(Player, SendsEachMessageAsLongAfterTheFirstAsItWasReceived) {
+  const auto file = recording_of(2);
+  const auto sent = played(file.bytes(), {});
+  ASSERT_EQ(sent.size(), 60u);
+  for (std::size_t i = 0; i < sent.size(); ++i) {
+    EXPECT_NEAR(sent[i].at_s, static_cast<double>(i / 3) * 0.1, 1e-6);
+    EXPECT_EQ(sent[i].channel, 1 + i % 3);
+    EXPECT_EQ(sent[i].byte, static_cast<int>(i / 3));
+  }
+}
+
+TEST(Player, PlaysFasterAndSlower) {
+  const auto file = recording_of(2);
+  EXPECT_NEAR(played(file.bytes(), {.rate = 4}).back().at_s, 1.9 / 4, 1e-6);
+  EXPECT_NEAR(played(file.bytes(), {.rate = 0.5}).back().at_s, 1.9 * 2, 1e-6);
+}
+
+TEST(Player, BeginsWithWhatALateJoinerWouldBeTold) {
+  const auto file = recording_of(10);
+  const auto sent = played(file.bytes(), {.from = from_seconds(8)});
+  const auto events = std::count_if(sent.begin(), sent.end(), [](const Sent& each) {
+    return each.channel == kTransition && each.at_s == 0 && each.byte < 80;
+  });
+  EXPECT_EQ(events, 64);
+  EXPECT_EQ(sent.front(), (Sent{0, kTransition, 16}));
+  const auto first_state = std::find_if(sent.begin(), sent.end(),
+                                        [](const Sent& each) { return each.channel == kState; });
+  EXPECT_EQ(*first_state, (Sent{0, kState, 79}));
+  const auto first_sightings = std::find_if(
+      sent.begin(), sent.end(), [](const Sent& each) { return each.channel == kSightings; });
+  EXPECT_EQ(first_sightings->byte, 80);
+  EXPECT_NEAR(sent.back().at_s, 1.9, 1e-6);
+}
+
+TEST(Player, PlaysWhatIsWholeOfATruncatedFile) {
+  const auto file = recording_of(10);
+  const auto whole = played(file.bytes(), {});
+  for (const std::size_t bytes : {file.bytes().size() / 2, file.bytes().size() / 3}) {
+    const auto sent = played(mcap::ByteView(file.bytes()).first(bytes), {});
+    ASSERT_GT(sent.size(), 10u);
+    ASSERT_LT(sent.size(), whole.size());
+    EXPECT_TRUE(std::equal(sent.begin(), sent.end(), whole.begin()));
+  }
+}
+
+TEST(Player, LeavesOutWhatIsNotAskedFor) {
+  const auto file = recording_of(1);
+  for (const auto& each : played(file.bytes(), {}, {{kState, kAll.at(kState)}}))
+    EXPECT_EQ(each.channel, kState);
+}
+
+TEST(Player, EndsWhereItIsTold) {
+  const auto file = recording_of(5);
+  EXPECT_EQ(played(file.bytes(), {}, kAll, 0.95).size(), 30u);
+}
+
+}  // namespace
+}  // namespace galilean::monitor

@@ -1,0 +1,76 @@
+#include "monitor/replay/tracks.h"
+
+#include <gtest/gtest.h>
+
+#include "core/wire/schemas.h"
+#include "monitor/replay/report.h"
+#include "monitor/replay/stage.h"
+
+namespace galilean::monitor {
+namespace {
+
+/// A recording with one channel a pair of topic and type, in the order given from channel 1 on.
+mcap::Summary recording_with(const std::vector<std::pair<std::string, std::string>>& topics) {
+  mcap::Summary summary;
+  std::uint16_t id = 0;
+  for (const auto& [topic, type] : topics) {
+    const auto* known = wire::find_schema_by_ros_type(type);
+    ++id;
+    summary.schemas[id] = {id, type, "ros2idl", std::string(known ? known->idl : "module x {};")};
+    summary.channels[id] = {id, id, topic, "cdr", {}};
+  }
+  return summary;
+}
+
+TEST(Tracks, RobotsAreNeverToldASecondTimeWhatToDo) {
+  const auto tracks =
+      tracks_of(recording_with({{"/io/state", "galilean_msgs/msg/RobotState"},
+                                {"/team/program_push", "galilean_msgs/msg/ProgramPush"},
+                                {"/team/program_rollback", "galilean_msgs/msg/ProgramRollback"},
+                                {"/team/command", "galilean_msgs/msg/Command"}}));
+  ASSERT_EQ(tracks.played.size(), 1u);
+  EXPECT_EQ(tracks.played.at(1).topic, "rt/io/state");
+  EXPECT_EQ(tracks.commands, (std::vector<std::string>{"/team/command", "/team/program_push",
+                                                       "/team/program_rollback"}));
+}
+
+TEST(Tracks, TypesOfOthersAndOfOtherReleasesAreLeftOut) {
+  auto recording = recording_with({{"/scan", "sensor_msgs/msg/LaserScan"},
+                                   {"/io/state", "galilean_msgs/msg/RobotState"},
+                                   {"/io/variables", "galilean_msgs/msg/Variables"}});
+  recording.schemas[2].data += "\n// as it was once";
+  const auto tracks = tracks_of(recording);
+  EXPECT_EQ(tracks.foreign, (std::vector<std::string>{"/io/state", "/scan"}));
+  EXPECT_TRUE(tracks.played.contains(3));
+}
+
+TEST(Tracks, LiveNamesakesAreThoseThatWriteTheSameTopics) {
+  const auto tracks = tracks_of(recording_with({{"/io/state", "galilean_msgs/msg/RobotState"},
+                                                {"/io/program", "galilean_msgs/msg/Program"},
+                                                {"/referee/score", "galilean_msgs/msg/Score"},
+                                                {"/team/objects", "galilean_msgs/msg/ObjectMap"},
+                                                {"/tf", "tf2_msgs/msg/TFMessage"}}));
+  const auto names = [&](std::initializer_list<const char*> topics) {
+    std::vector<wire::Publication> there;
+    for (const char* topic : topics) there.push_back({topic, "", "", ""});
+    return live_namesakes(there, tracks.played);
+  };
+  EXPECT_EQ(names({"rt/io/state", "rt/io/program", "rt/referee/score"}),
+            (std::vector<std::string>{"io", "referee"}));
+  EXPECT_EQ(names({"rt/europa/state", "rt/team/objects", "rt/tf"}), std::vector<std::string>{});
+}
+
+TEST(Report, SaysWhatIsPlayedAndWhatIsNot) {
+  auto recording = recording_with({{"/io/state", "galilean_msgs/msg/RobotState"},
+                                   {"/team/command", "galilean_msgs/msg/Command"}});
+  recording.recovered = true;
+  recording.statistics.messages = 7;
+  const auto text = before_playing("run.mcap", recording, tracks_of(recording));
+  EXPECT_NE(text.find("run.mcap was not closed properly: the 7 messages that are whole"),
+            std::string::npos);
+  EXPECT_NE(text.find("not played: /team/command; "), std::string::npos);
+  EXPECT_EQ(listed({"io", "ganymede", "callisto"}), "io, ganymede and callisto");
+}
+
+}  // namespace
+}  // namespace galilean::monitor

@@ -1,0 +1,71 @@
+import { beforeEach, expect, it } from "vitest";
+import { type Frames, Redraw } from "../../src/lib/redraw";
+
+/** A browser's frames on a stepped clock: one each 16 ms; a frame costs what `cost_ms` says. */
+class SteppedFrames implements Frames {
+  at_ms = 0;
+  cost_ms = 1;
+  #before: (() => void)[] = [];
+  #behind: (() => void)[] = [];
+  #timers: { at_ms: number; callback: () => void }[] = [];
+  now_ms = () => this.at_ms;
+  before = (callback: () => void) => void this.#before.push(callback);
+  behind = (callback: () => void) => void this.#behind.push(callback);
+  after = (callback: () => void, wait_ms: number) => void this.#timers.push({ at_ms: this.at_ms + wait_ms, callback });
+
+  frame(): void {
+    const began_ms = this.at_ms;
+    for (const { callback } of this.#timers.filter(({ at_ms }) => at_ms <= began_ms)) callback();
+    this.#timers = this.#timers.filter(({ at_ms }) => at_ms > began_ms);
+    this.#before.splice(0).forEach((callback) => callback());
+    this.at_ms += this.cost_ms;
+    this.#behind.splice(0).forEach((callback) => callback());
+    this.at_ms = Math.max(began_ms + 16, this.at_ms);
+  }
+}
+
+let frames: SteppedFrames;
+let drawn_ms: number[];
+let redraw: Redraw;
+beforeEach(() => {
+  frames = new SteppedFrames();
+  drawn_ms = [];
+  redraw = new Redraw(() => drawn_ms.push(frames.at_ms), frames);
+});
+
+it("draws once a frame, however often it is asked, and not at all where nobody asks", () => {
+  for (let i = 0; i < 50; i += 1) redraw.ask();
+  frames.frame();
+  frames.frame();
+  expect(drawn_ms).toEqual([0]);
+});
+
+it("leaves three parts of four of the time to others where drawing is slow, but waits no longer than a tenth of a second", () => {
+  const drawnIn1s = (cost_ms: number) => {
+    frames.cost_ms = cost_ms;
+    drawn_ms = [];
+    for (const end_ms = frames.at_ms + 1000; frames.at_ms < end_ms; frames.frame()) redraw.ask();
+    return drawn_ms.length;
+  };
+  expect(drawnIn1s(2)).toBeGreaterThan(55);
+  expect(drawnIn1s(20) * 20).toBeLessThan(270);
+  expect(drawnIn1s(60)).toBeGreaterThanOrEqual(8);
+});
+
+it("draws an event at once, though what is steady has to wait", () => {
+  frames.cost_ms = 25;
+  redraw.ask();
+  frames.frame();
+  redraw.ask();
+  frames.frame();
+  expect(drawn_ms).toEqual([0]);
+  redraw.askNow();
+  expect(drawn_ms).toEqual([0, 50]);
+});
+
+it("draws a burst of events once at once, and once with all of them", () => {
+  for (let i = 0; i < 50; i += 1) redraw.askNow();
+  expect(drawn_ms).toEqual([0]);
+  for (let i = 0; i < 5; i += 1) frames.frame();
+  expect(drawn_ms.length).toBe(2);
+});

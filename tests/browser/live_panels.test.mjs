@@ -9,6 +9,7 @@ const { at, until, untilRow, row } = tab;
 
 test("a change of state tells each condition that was tested, and the variables of its tick", async () => {
   await row("io").getByRole("button").first().click();
+  await at("variables").locator("[data-variable=shaft]").waitFor(); // of changes before it the page knows no values
   const newest = at("why").locator("li.newest");
   const known = await newest.getAttribute("data-testid", { timeout: 120_000 });
   await until((before) => {

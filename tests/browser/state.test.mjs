@@ -11,6 +11,7 @@ const span_s = () => at("timeline").locator(".rows").evaluate(({ dataset }) => (
 const backToLive = () => tab.page.keyboard.press("l");
 
 test("a change of state is opened: what fired, what did not, and what the robot knew at that tick", async () => {
+  await row("shaft").waitFor(); // of changes before it the page knows no values
   const newest = at("why").locator("li.newest");
   const before = await newest.getAttribute("data-testid");
   await until((known) => document.querySelector("[data-testid=why] li.newest").dataset.testid !== known, before);

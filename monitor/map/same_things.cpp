@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "monitor/map/turned_robot.h"
-
 namespace galilean::monitor {
 namespace {
 
@@ -132,51 +130,61 @@ void SameThings::search(const std::string& robot) {
   candidates_[robot] = fit;
 }
 
+/// What stays where it is for a while, and was seen often enough.
+std::vector<const Thing*> SameThings::landmarks() const {
+  std::vector<const Thing*> result;
+  for (const auto& thing : things_.all())
+    if (thing.established() && thing.object_class != "obstacle") result.push_back(&thing);
+  return result;
+}
+
+Mark SameThings::mark_of(const Thing& thing) const {
+  return {joint_.mean(thing.part), mark_kind(thing.object_class), thing.id};
+}
+
 /// Of what it saw lately, nearly all is new, and nobody else saw it.
 bool SameThings::recognises_nothing(const std::string& robot) const {
   std::size_t fresh = 0, known = 0;
-  for (const auto& thing : things_.all())
-    if (thing.established() && thing.object_class != "obstacle" &&
-        thing.was_seen_by(robot, now_ - kLately))
-      ++(thing.is_new_of(robot, now_) ? fresh : known);
+  for (const Thing* thing : landmarks())
+    if (thing->was_seen_by(robot, now_ - kLately))
+      ++(thing->is_new_of(robot, now_) ? fresh : known);
   return fresh >= TurnedRobot::kLeastAgreeing && fresh > 2 * known;
 }
 
 void SameThings::turn_back(const std::string& robot) {
   std::vector<Mark> seen, known;
-  std::vector<JointGaussian::Part> seen_parts;
-  for (const auto& thing : things_.all()) {
-    if (!thing.established() || thing.object_class == "obstacle") continue;
-    const Mark mark{joint_.mean(thing.part), mark_kind(thing.object_class), thing.id};
-    if (thing.is_new_of(robot, now_)) {
-      seen.push_back(mark);
-      seen_parts.push_back(thing.part);
-    } else if (!thing.was_seen_by(robot, now_ - kLately)) {
-      known.push_back(mark);
+  std::vector<JointGaussian::Part> own;
+  for (const Thing* thing : landmarks()) {
+    if (thing->is_new_of(robot, now_)) {
+      seen.push_back(mark_of(*thing));
+      own.push_back(thing->part);
+    } else if (!thing->was_seen_by(robot, now_ - kLately)) {
+      known.push_back(mark_of(*thing));
     }
   }
-  const auto fit = TurnedRobot::fit(seen, known, robots_.pose(robot).position_m);
-  if (!fit) return;
-  transport(robot, seen_parts, *fit);
-  for (const auto& pair : fit->agreeing) things_.unite(pair.map_index, pair.other_index);
+  if (const auto fit = TurnedRobot::fit(seen, known, robots_.pose(robot).position_m))
+    lay_back(robot, own, *fit);
 }
 
 void SameThings::rejoin(const std::string& robot) {
   std::vector<Mark> seen, known;
-  std::vector<JointGaussian::Part> alone;
-  for (const auto& thing : things_.all()) {
-    if (!thing.established() || thing.object_class == "obstacle") continue;
-    const Mark mark{joint_.mean(thing.part), mark_kind(thing.object_class), thing.id};
-    const bool lately = thing.was_seen_by(robot, now_ - kLately);
-    const bool shared = thing.seen_by.size() > 1;
-    if (lately) seen.push_back(mark);
-    if (shared) known.push_back(mark);
-    if (lately && !shared) alone.push_back(thing.part);
+  std::vector<JointGaussian::Part> own;
+  for (const Thing* thing : landmarks()) {
+    const bool lately = thing->was_seen_by(robot, now_ - kLately);
+    const bool shared = thing->seen_by.size() > 1;
+    if (lately) seen.push_back(mark_of(*thing));
+    if (shared) known.push_back(mark_of(*thing));
+    if (lately && !shared) own.push_back(thing->part);
   }
-  const auto fit = TurnedRobot::fit(seen, known, robots_.pose(robot).position_m);
-  if (!fit || is_there_already(robots_.pose(robot).position_m, *fit)) return;
-  transport(robot, alone, *fit);
-  for (const auto& pair : fit->agreeing) things_.unite(pair.map_index, pair.other_index);
+  const Vec2 robot_m = robots_.pose(robot).position_m;
+  const auto fit = TurnedRobot::fit(seen, known, robot_m);
+  if (fit && !is_there_already(robot_m, *fit)) lay_back(robot, own, *fit);
+}
+
+void SameThings::lay_back(const std::string& robot, const std::vector<JointGaussian::Part>& own,
+                          const RigidFit& fit) {
+  transport(robot, own, fit);
+  for (const auto& pair : fit.agreeing) things_.unite(pair.map_index, pair.other_index);
 }
 
 std::vector<JointGaussian::Part> SameThings::seen_alone(const std::string& robot) const {

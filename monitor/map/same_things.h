@@ -6,6 +6,7 @@
 
 #include "monitor/map/rigid_fit.h"
 #include "monitor/map/things.h"
+#include "monitor/map/turned_robot.h"
 
 namespace galilean::monitor {
 
@@ -49,6 +50,11 @@ class SameThings {
   /// One that took its bearings from the wrong things maps all it sees beside what others know too,
   /// and goes by that.
   void rejoin(const std::string& robot);
+  [[nodiscard]] std::vector<const Thing*> landmarks() const;
+  [[nodiscard]] Mark mark_of(const Thing& thing) const;
+  /// The robot and its own things, onto those that they agree with.
+  void lay_back(const std::string& robot, const std::vector<JointGaussian::Part>& own,
+                const RigidFit& fit);
   /// The robot, and these things with it.
   void transport(const std::string& robot, const std::vector<JointGaussian::Part>& things,
                  const RigidFit& fit);

@@ -37,7 +37,7 @@ std::optional<std::size_t> Things::basket_beside(const Seen& basket,
   double nearest_m = kBasketsApart_m;
   for (std::size_t i = 0; i < things_.size(); ++i) {
     if (things_[i].object_class != "basket" || !things_[i].established()) continue;
-    const double apart_m = (joint_.mean(things_[i].part) - at_m).norm();
+    const double apart_m = (joint_.position(things_[i].part) - at_m).norm();
     if (apart_m >= nearest_m) continue;
     nearest = i;
     nearest_m = apart_m;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "monitor/map/gaussian.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -63,13 +65,11 @@ struct Laid {
 };
 
 /// Adds how well the nearest thing of its kind fits, 0 to 1.
-void add_fit(const Mark& seen, const std::vector<Mark>& known, const Pose2& pose,
-             Candidates& candidates) {
+void add_fit(const Mark& seen, const std::vector<Mark>& known, Candidates& candidates) {
   const Laid laid(seen.in_map_m);
   for (auto& each : candidates) each.nearest = kFarthest * kFarthest;
   for (const Mark& mark : known)
-    if (mark.kind == seen.kind)
-      laid.beside(rotated(mark.in_map_m - pose.position_m, -pose.heading_rad), candidates);
+    if (mark.kind == seen.kind) laid.beside(mark.in_map_m, candidates);
   for (auto& each : candidates) {
     const double fit = each.nearest < kFarthest * kFarthest ? std::exp(-each.nearest / 2) : 0;
     each.score += fit;
@@ -84,7 +84,10 @@ std::optional<double> BearingsFit::turn(const std::vector<Mark>& seen,
                                         double deviation_rad, double most_rad) {
   if (seen.empty() || known.empty()) return std::nullopt;
   auto candidates = candidates_within(most_rad, deviation_rad);
-  for (const Mark& mark : seen) add_fit(mark, known, pose, candidates);
+  const Mat2 turn = rotation_by(-pose.heading_rad);
+  std::vector<Mark> from_robot = known;
+  for (Mark& mark : from_robot) mark.in_map_m = turn * (mark.in_map_m - pose.position_m);
+  for (const Mark& mark : seen) add_fit(mark, from_robot, candidates);
   const Candidate best = *std::ranges::max_element(candidates, {}, &Candidate::score);
   const std::size_t least = most_rad < kNarrow_rad ? 2 : 3;
   if (best.agreeing < least ||

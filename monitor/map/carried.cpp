@@ -1,6 +1,7 @@
 #include "monitor/map/carried.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace galilean::monitor {
 namespace {
@@ -13,54 +14,86 @@ constexpr double kInGripper_m = 0.03;
 
 const Gaussian2 kInGripper{{kGripperAhead_m, 0}, kInGripper_m* kInGripper_m* Mat2::Identity()};
 
+/// As it is told; by itself if it is not.
+ToldThing known_as(const ToldThing& thing, const std::vector<ToldThing>& told) {
+  const auto& [squad, id] = thing.notes.front();
+  const auto found =
+      std::ranges::find_if(told, [&](const ToldThing& other) { return other.has(*squad, id); });
+  return found == told.end() ? thing : *found;
+}
+
+/// The nearest piece of trash that any squad noted there.
+std::optional<ToldThing> trash_at(const Vec2& at_m, double within_m, const Squads& squads) {
+  std::optional<ToldThing> nearest;
+  for (const auto& squad : squads.all())
+    for (const auto& thing : squad->things.all()) {
+      const double away_m = (squad->things.place(thing).mean_m - at_m).norm();
+      if (thing.object_class != "trash" || away_m >= within_m) continue;
+      within_m = away_m;
+      nearest.emplace();
+      nearest->id = thing.id;
+      nearest->seen_by = thing.seen_by;
+      nearest->notes = {{squad.get(), thing.id}};
+    }
+  return nearest;
+}
+
+bool basket_at(const Vec2& at_m, const Things& things) {
+  return std::ranges::any_of(things.all(), [&](const Thing& thing) {
+    return thing.object_class == "basket" && thing.told() &&
+           (things.place(thing).mean_m - at_m).norm() < kBasketReach_m;
+  });
+}
+
+Vec2 gripper_m(const Pose2& robot) {
+  return robot.position_m + kGripperAhead_m * unit_vector(robot.heading_rad);
+}
+
 }  // namespace
 
-Gaussian2 Carried::place(const std::string& robot, const RobotPoses& robots) {
-  const Pose2 pose = robots.pose(robot);
-  const Gaussian2 at = robots.position(robot);
-  return {at.mean_m + kGripperAhead_m * unit_vector(pose.heading_rad),
-          at.covariance_m2 + kInGripper.covariance_m2};
+Gaussian2 Carried::place(const std::string& robot) const {
+  const RobotPoses& poses = squads_.of(robot).poses;
+  return {gripper_m(poses.pose(robot)),
+          poses.position(robot).covariance_m2 + kInGripper.covariance_m2};
 }
 
-void Carried::note(const std::string& robot, bool holds, const RobotPoses& robots, Things& things,
+void Carried::note(const std::string& robot, bool holds, const std::vector<ToldThing>& told,
                    Time now) {
   const bool held = loads_.contains(robot);
-  if (holds && !held) pick_up(robot, robots, things);
-  if (!holds && held) put_down(robot, robots, things, now);
+  if (holds && !held) pick_up(robot, told);
+  if (!holds && held) put_down(robot, now);
 }
 
-void Carried::pick_up(const std::string& robot, const RobotPoses& robots, Things& things) {
-  const Vec2 gripper_m = place(robot, robots).mean_m;
-  const auto distance_m = [&](const Thing& thing) {
-    return thing.object_class == "trash" ? (things.place(thing).mean_m - gripper_m).norm()
-                                         : 2 * kReach_m;
-  };
-  Load& load = loads_[robot];
-  load.seen_by = {robot};
-  const auto nearest = std::ranges::min_element(things.all(), {}, distance_m);
-  if (nearest == things.all().end() || distance_m(*nearest) > kReach_m) {
-    load.id = things.next_id();
-    load.was_known = false;
+void Carried::pick_up(const std::string& robot, const std::vector<ToldThing>& told) {
+  const auto nearest = trash_at(place(robot).mean_m, kReach_m, squads_);
+  if (!nearest) {
+    loads_[robot] = {squads_.next_id(), {robot}, false};
     return;
   }
-  load = {nearest->id, nearest->observers(), true};
-  things.forget(load.id);
+  const ToldThing thing = known_as(*nearest, told);
+  loads_[robot] = {thing.id, latest_first(thing.seen_by), true};
+  for (const auto& note : thing.notes) note.squad->things.forget(note.id);
 }
 
-void Carried::put_down(const std::string& robot, const RobotPoses& robots, Things& things,
-                       Time now) {
+void Carried::put_down(const std::string& robot, Time now) {
   const Load load = loads_.extract(robot).mapped();
-  const Vec2 gripper_m = place(robot, robots).mean_m;
-  const bool in_basket = std::ranges::any_of(things.all(), [&](const Thing& thing) {
-    return thing.object_class == "basket" && thing.told() &&
-           (things.place(thing).mean_m - gripper_m).norm() < kBasketReach_m;
-  });
-  if (!in_basket && load.was_known) things.note("trash", robot, kInGripper, 1, now, load.id);
+  const Vec2 at_m = place(robot).mean_m;
+  const bool in_basket = std::ranges::any_of(
+      squads_.all(), [&](const auto& squad) { return basket_at(at_m, squad->things); });
+  if (!in_basket && load.was_known)
+    squads_.of(robot).things.note("trash", robot, kInGripper, 1, now, load.id);
 }
 
-bool Carried::is_carried(const Vec2& in_map_m, const RobotPoses& robots) const {
-  return std::ranges::any_of(loads_, [&](const auto& load) {
-    return (place(load.first, robots).mean_m - in_map_m).norm() < kCarriedWithin_m;
+std::vector<Vec2> Carried::grippers_m() const {
+  std::vector<Vec2> all;
+  for (const auto& [robot, load] : loads_)
+    all.push_back(gripper_m(squads_.of(robot).poses.pose(robot)));
+  return all;
+}
+
+bool Carried::is_carried(const Vec2& in_map_m, const std::vector<Vec2>& grippers_m) {
+  return std::ranges::any_of(grippers_m, [&](const Vec2& gripper) {
+    return (gripper - in_map_m).norm() < kCarriedWithin_m;
   });
 }
 

@@ -2,13 +2,15 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
-#include "monitor/map/things.h"
+#include "monitor/map/told_things.h"
 
 namespace galilean::monitor {
 
-/// What the robots have in their grippers. A thing that is picked up leaves the floor and goes with
-/// its robot; what is put down beside a basket is thrown away, elsewhere it stands there again.
+/// What the robots have in their grippers. A thing that is picked up leaves the floor, whoever
+/// noted it, and goes with its robot; what is put down beside a basket is thrown away, elsewhere it
+/// stands there again.
 class Carried {
  public:
   struct Load {
@@ -17,19 +19,22 @@ class Carried {
     bool was_known = true;             ///< it stood on the map; else a leg may break the beam
   };
 
-  /// Whether `robot` holds something now.
-  void note(const std::string& robot, bool holds, const RobotPoses& robots, Things& things,
-            Time now);
-  /// The sighting of a thing at `in_map_m` is of one that a robot carries.
-  [[nodiscard]] bool is_carried(const Vec2& in_map_m, const RobotPoses& robots) const;
+  explicit Carried(Squads& squads) : squads_(squads) {}
+
+  /// Whether `robot` holds something now. `told` knows which notes are of one thing.
+  void note(const std::string& robot, bool holds, const std::vector<ToldThing>& told, Time now);
+  /// Where something seen is one that a robot carries.
+  [[nodiscard]] std::vector<Vec2> grippers_m() const;
+  [[nodiscard]] static bool is_carried(const Vec2& in_map_m, const std::vector<Vec2>& grippers_m);
 
   [[nodiscard]] const std::map<std::string, Load>& all() const noexcept { return loads_; }
-  [[nodiscard]] static Gaussian2 place(const std::string& robot, const RobotPoses& robots);
+  [[nodiscard]] Gaussian2 place(const std::string& robot) const;
 
  private:
-  void pick_up(const std::string& robot, const RobotPoses& robots, Things& things);
-  void put_down(const std::string& robot, const RobotPoses& robots, Things& things, Time now);
+  void pick_up(const std::string& robot, const std::vector<ToldThing>& told);
+  void put_down(const std::string& robot, Time now);
 
+  Squads& squads_;
   std::map<std::string, Load> loads_;  ///< by robot
 };
 

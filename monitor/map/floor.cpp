@@ -67,15 +67,20 @@ void Floor::stood(const Vec2& robot_m) {
 }
 
 void Floor::looked(const View& view) {
+  struct Seen {
+    double range_m, azimuth_rad;
+  };
+  std::vector<Seen> seen;
+  for (const auto& thing : view.seen_m) {
+    const Vec2 at_m = rotated(thing - view.from_m, -view.heading_rad);
+    seen.push_back({at_m.norm(), std::atan2(at_m.y(), at_m.x())});
+  }
   for (double off_rad = -view.angle_rad / 2; off_rad <= view.angle_rad / 2; off_rad += kRay_rad) {
     const double direction_rad = view.heading_rad + off_rad;
     double nearest_m = 0;
-    for (const auto& thing : view.seen_m) {
-      const Vec2 towards = rotated(thing - view.from_m, -direction_rad);
-      const bool in_the_way =
-          towards.x() > 0 && std::abs(std::atan2(towards.y(), towards.x())) < kRay_rad;
-      if (in_the_way && (nearest_m == 0 || towards.x() < nearest_m)) nearest_m = towards.x();
-    }
+    for (const auto& [range_m, azimuth_rad] : seen)
+      if (std::abs(azimuth_rad - off_rad) < kRay_rad && (nearest_m == 0 || range_m < nearest_m))
+        nearest_m = range_m;
     if (nearest_m > 0)
       look_along(view.from_m, direction_rad, nearest_m - kThingRadius_m, kLookedAcross);
     else

@@ -13,10 +13,6 @@ struct Gaussian2 {
 /// Turns vectors counter-clockwise by so much.
 [[nodiscard]] Mat2 rotation_by(double angle_rad);
 
-/// Both say where the same thing is: what follows from them together
-/// (mrpt::poses::CPointPDFGaussian).
-[[nodiscard]] Gaussian2 fused(const Gaussian2& a, const Gaussian2& b);
-
 /// (a - b)ᵀ (A + B)⁻¹ (a - b): how far apart two estimates are, in the measure of what they do not
 /// know. Of the same thing it is below `same_thing_gate()` with a probability of 99 %.
 [[nodiscard]] double squared_mahalanobis(const Gaussian2& a, const Gaussian2& b);

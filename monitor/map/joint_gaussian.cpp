@@ -17,8 +17,7 @@ JointGaussian::Part JointGaussian::append(const Vector& mean) {
   make_room(size_ + added.size);
   size_ += added.size;
   mean_.segment(added.at, added.size) = mean;
-  covariance().rightCols(added.size).setZero();
-  covariance().bottomRows(added.size).setZero();
+  covariance_.block(added.at, 0, added.size, size_).setZero();
   if (unused_.empty()) {
     places_.push_back(added);
     return static_cast<Part>(places_.size() - 1);
@@ -40,7 +39,6 @@ JointGaussian::Part JointGaussian::add(const Vector& mean, Terms of, const Matri
   const Matrix own = apply(of, cross);
   const Part part = append(mean);
   const auto [at, size] = place(part);
-  covariance_.block(0, at, at, size) = cross;
   covariance_.block(at, 0, size, at) = cross.transpose();
   covariance_.block(at, at, size, size) = own + noise;
   return part;
@@ -69,6 +67,10 @@ JointGaussian::Vector JointGaussian::mean(Part part) const {
   return mean_.segment(at, size);
 }
 
+Eigen::Vector2d JointGaussian::position(Part part) const {
+  return mean_.segment<2>(place(part).at);
+}
+
 JointGaussian::Matrix JointGaussian::covariance(Part part) const {
   const auto [at, size] = place(part);
   return covariance_.block(at, at, size, size);
@@ -78,19 +80,29 @@ JointGaussian::Matrix JointGaussian::covariance(Terms terms) const {
   const Eigen::Index size = terms.front().jacobian.rows();
   Matrix sum = Matrix::Zero(size, size);
   for (const auto& [row, of_row] : terms)
-    for (const auto& [column, of_column] : terms)
-      sum += of_row *
-             covariance_.block(place(row).at, place(column).at, of_row.cols(), of_column.cols()) *
-             of_column.transpose();
+    for (const auto& [column, of_column] : terms) {
+      const Eigen::Index i = place(row).at, j = place(column).at;
+      if (i >= j)
+        sum += of_row * covariance_.block(i, j, of_row.cols(), of_column.cols()) *
+               of_column.transpose();
+      else
+        sum += of_row * covariance_.block(j, i, of_column.cols(), of_row.cols()).transpose() *
+               of_column.transpose();
+    }
   return sum;
 }
 
 JointGaussian::Cross JointGaussian::cross_covariance(Terms terms) const {
   Cross cross = Cross::Zero(size_, terms.front().jacobian.rows());
+  Eigen::Matrix<double, Eigen::Dynamic, 1> column(size_);
   for (const auto& [part, jacobian] : terms)
-    for (Eigen::Index to = 0; to < jacobian.rows(); ++to)
-      for (Eigen::Index from = 0; from < jacobian.cols(); ++from)
-        cross.col(to) += jacobian(to, from) * covariance().col(place(part).at + from);
+    for (Eigen::Index from = 0; from < jacobian.cols(); ++from) {
+      const auto [at, size] = place(part);
+      column.head(at) = covariance_.row(at + from).head(at);
+      column.tail(size_ - at) = covariance_.col(at + from).segment(at, size_ - at);
+      for (Eigen::Index to = 0; to < jacobian.rows(); ++to)
+        if (jacobian(to, from) != 0) cross.col(to) += jacobian(to, from) * column;
+    }
   return cross;
 }
 
@@ -108,16 +120,17 @@ void JointGaussian::move(Part part, const Vector& mean, const Matrix& jacobian,
   const Cross cross = cross_covariance(itself);
   const Matrix own = apply(itself, cross);
   mean_.segment(at, size) = mean;
-  covariance().middleCols(at, size) = cross;
-  covariance().middleRows(at, size) = cross.transpose();
-  covariance().block(at, at, size, size) = own + noise;
+  covariance_.block(at, 0, size, at) = cross.topRows(at).transpose();
+  covariance_.block(at, at, size_ - at, size) = cross.bottomRows(size_ - at);
+  covariance_.block(at, at, size, size) = own + noise;
 }
 
 void JointGaussian::replace(Part part, Eigen::Index component, double mean, double variance) {
-  const Eigen::Index at = place(part).at + component;
+  const auto [first, size] = place(part);
+  const Eigen::Index at = first + component;
   mean_[at] = mean;
-  covariance().row(at).setZero();
-  covariance().col(at).setZero();
+  covariance_.row(at).head(first + size).setZero();
+  covariance_.col(at).segment(first, size_ - first).setZero();
   covariance_(at, at) = variance;
 }
 
@@ -129,8 +142,9 @@ void JointGaussian::blur(Part part, const Matrix& noise) {
 void JointGaussian::blur(Terms shared, const Matrix& covariance) {
   for (const auto& [row, of_row] : shared)
     for (const auto& [column, of_column] : shared)
-      covariance_.block(place(row).at, place(column).at, of_row.rows(), of_column.rows()) +=
-          of_row * covariance * of_column.transpose();
+      if (place(row).at >= place(column).at)
+        covariance_.block(place(row).at, place(column).at, of_row.rows(), of_column.rows()) +=
+            of_row * covariance * of_column.transpose();
 }
 
 /// With the noise's root taken out of both sides, what goes off the covariance is a square, and
@@ -142,9 +156,17 @@ void JointGaussian::correct(Terms terms, const Vector& innovation, const Matrix&
   root.matrixU().solveInPlace<Eigen::OnTheRight>(cross);
   const Vector whitened = root.matrixL().solve(innovation);
   mean_.head(size_).noalias() += cross * whitened;
-  for (Eigen::Index column = 0; column < size_; ++column)
-    for (Eigen::Index i = 0; i < cross.cols(); ++i)
-      covariance_.col(column).head(size_) -= cross(column, i) * cross.col(i);
+  for (Eigen::Index column = 0; column < size_; ++column) {
+    if (cross.row(column).isZero(0)) continue;  // it has nothing in common with these
+    const Eigen::Index from = std::max<Eigen::Index>(column - kMostNumbers + 1, 0);
+    auto numbers = covariance_.col(column).segment(from, size_ - from);
+    if (cross.cols() == 2)  // nearly always: read and written once
+      numbers = numbers - cross(column, 0) * cross.col(0).tail(size_ - from) -
+                cross(column, 1) * cross.col(1).tail(size_ - from);
+    else
+      for (Eigen::Index i = 0; i < cross.cols(); ++i)
+        numbers -= cross(column, i) * cross.col(i).tail(size_ - from);
+  }
 }
 
 }  // namespace galilean::monitor

@@ -36,9 +36,20 @@ class JointGaussian {
   void remove(Part part);
 
   [[nodiscard]] Vector mean(Part part) const;
+  /// The mean's first two numbers.
+  [[nodiscard]] Eigen::Vector2d position(Part part) const;
   [[nodiscard]] Matrix covariance(Part part) const;
   /// Of the sum over `terms`.
   [[nodiscard]] Matrix covariance(Terms terms) const;
+
+  /// Between a part's first numbers and another's, as many as are asked for.
+  template <int kRows, int kColumns>
+  [[nodiscard]] Eigen::Matrix<double, kRows, kColumns> cross_covariance(Part rows,
+                                                                        Part columns) const {
+    const Eigen::Index i = place(rows).at, j = place(columns).at;
+    if (i >= j) return covariance_.block<kRows, kColumns>(i, j);
+    return covariance_.block<kColumns, kRows>(j, i).transpose();
+  }
 
   /// The part becomes a function of itself, with this value and Jacobian, plus noise.
   void move(Part part, const Vector& mean, const Matrix& jacobian, const Matrix& noise);
@@ -60,8 +71,6 @@ class JointGaussian {
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Eigen::Dynamic, kMostNumbers>;
 
   [[nodiscard]] const Place& place(Part part) const { return places_[part]; }
-  [[nodiscard]] auto covariance() { return covariance_.topLeftCorner(size_, size_); }
-  [[nodiscard]] auto covariance() const { return covariance_.topLeftCorner(size_, size_); }
   /// Covariance of everything with the sum over `terms`.
   [[nodiscard]] Cross cross_covariance(Terms terms) const;
   [[nodiscard]] Matrix apply(Terms terms, const Cross& cross) const;
@@ -72,6 +81,7 @@ class JointGaussian {
   std::vector<Part> unused_;  ///< parts that were removed
   Eigen::Index size_ = 0;     ///< what of the following is in use
   Eigen::VectorXd mean_;
+  /// Its lower half; of each part's own block both halves, and above that nothing of use.
   Eigen::MatrixXd covariance_;
 };
 

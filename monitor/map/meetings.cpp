@@ -1,5 +1,6 @@
 #include "monitor/map/meetings.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -40,15 +41,26 @@ Gaussian2 nearer(const Gaussian2& seen) {
   return {kNearer * seen.mean_m, seen.covariance_m2 + error_m * error_m.transpose()};
 }
 
+Gaussian2 in_map(const JointGaussian& joint, JointGaussian::Part observer, const Gaussian2& seen) {
+  const auto placed = place_of(joint, observer, seen);
+  return {placed.in_map_m, joint.covariance(placed.of) + placed.noise_m2};
+}
+
+bool may_be_any(const std::vector<Gaussian2>& robots, const Gaussian2& seen) {
+  return std::ranges::any_of(
+      robots, [&](const auto& robot) { return squared_mahalanobis(robot, seen) < kRivalGate; });
+}
+
 }  // namespace
 
 void note_meetings(const msg::Sightings& frame, const RobotPoses& robots, JointGaussian& joint,
-                   Time now) {
+                   const std::vector<Gaussian2>& others, Time now) {
   for (const auto& sighting : frame.items) {
     if (sighting.object_class != "robot") continue;
     const auto bearing = bearing_of(sighting, frame);
     if (!bearing || !bearing->whole) continue;
     const Gaussian2 seen = nearer(bearing->from_robot);
+    if (may_be_any(others, in_map(joint, robots.part(frame.robot), seen))) continue;
     if (const auto expected = met(frame.robot, seen, robots, joint, now))
       correct_by(joint, *expected, seen);
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "core/wire/messages.h"
 #include "monitor/map/robot_poses.h"
 
@@ -7,7 +9,8 @@ namespace galilean::monitor {
 
 /// One robot saw a robot: corrects both, where it is clear which one it was. Cameras do not tell
 /// robots apart; the one that is meant must be heard of lately, inside the gate, and alone there.
+/// `others`: robots that are not of the joint distribution, and may have been meant.
 void note_meetings(const msg::Sightings& frame, const RobotPoses& robots, JointGaussian& joint,
-                   Time now);
+                   const std::vector<Gaussian2>& others, Time now);
 
 }  // namespace galilean::monitor

@@ -10,7 +10,8 @@ namespace galilean::monitor {
 namespace {
 
 constexpr double kMostRange_m = 3.5;
-constexpr double kUnpushedFrom_m = 0.35;  ///< what is nearer may be pushed
+constexpr double kMostKnownRange_m = 2 * kMostRange_m;  ///< beyond, it is none of what is seen
+constexpr double kUnpushedFrom_m = 0.35;                ///< what is nearer may be pushed
 constexpr double kWidestSearch_rad = 1.4;
 constexpr double kDeviations = 3;
 constexpr double kSameTurn_rad = 0.1;
@@ -51,10 +52,12 @@ void Orientation::look(const msg::Sightings& frame, Time now) {
 }
 
 std::vector<Mark> Orientation::known_to(const std::string& robot, Time now) const {
+  const Vec2 robot_m = robots_.pose(robot).position_m;
   std::vector<Mark> known;
   for (const auto& thing : things_.all())
-    if (thing.established() && !thing.is_new_of(robot, now))
-      known.push_back({joint_.mean(thing.part), mark_kind(thing.object_class), thing.id});
+    if ((joint_.position(thing.part) - robot_m).norm() < kMostKnownRange_m && thing.established() &&
+        !thing.is_new_of(robot, now))
+      known.push_back({joint_.position(thing.part), mark_kind(thing.object_class), thing.id});
   return known;
 }
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "monitor/map/gaussian.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -16,23 +18,41 @@ bool exclude_one_another(const PointPair& a, const PointPair& b) {
   return a.map_index == b.map_index || a.other_index == b.other_index;
 }
 
-double error_m(const Pose2& by, const PointPair& pair) {
-  const Vec2 there_m = by.position_m + rotated(pair.in_other_m, by.heading_rad);
-  return (there_m - pair.in_map_m).norm();
-}
+/// Of a transformation: what it does is reckoned once, for many points.
+class Errors {
+ public:
+  explicit Errors(const Pose2& by)
+      : turn_(rotation_by(by.heading_rad)), position_m_(by.position_m) {}
 
-/// Those that agree within so much, the nearest first; each point once.
+  [[nodiscard]] double squared_m2(const PointPair& pair) const {
+    return (position_m_ + turn_ * pair.in_other_m - pair.in_map_m).squaredNorm();
+  }
+
+ private:
+  Mat2 turn_;
+  Vec2 position_m_;
+};
+
+/// Those that agree within so much, the nearest first; each point once. Nothing if they cannot be
+/// more than `at_least`.
 std::vector<PointPair> agreeing_with(const Pose2& by, const std::vector<PointPair>& pairs,
-                                     double within_m) {
-  std::vector<PointPair> near;
+                                     double within_m, std::size_t at_least = 0) {
+  struct Near {
+    double squared_m2;
+    const PointPair* pair;
+  };
+  const Errors errors(by);
+  std::vector<Near> near;
   for (const auto& pair : pairs)
-    if (error_m(by, pair) < within_m) near.push_back(pair);
-  std::ranges::stable_sort(near, {}, [&](const PointPair& pair) { return error_m(by, pair); });
+    if (const double error = errors.squared_m2(pair); error < within_m * within_m)
+      near.push_back({error, &pair});
   std::vector<PointPair> once;
-  for (const auto& pair : near)
+  if (near.size() <= at_least) return once;
+  std::ranges::stable_sort(near, {}, &Near::squared_m2);
+  for (const auto& [error, pair] : near)
     if (std::ranges::none_of(
-            once, [&](const PointPair& other) { return exclude_one_another(pair, other); }))
-      once.push_back(pair);
+            once, [&](const PointPair& other) { return exclude_one_another(*pair, other); }))
+      once.push_back(*pair);
   return once;
 }
 
@@ -79,7 +99,7 @@ RigidFit fit_rigidly(const std::vector<PointPair>& pairs, double deviation_m, st
       const PointPair &a = pairs[i], &b = pairs[j];
       if (!are_as_far_apart(a, b, deviation_m)) continue;
       const Pose2 by = laid_on(a.in_other_m, b.in_other_m, a.in_map_m, b.in_map_m);
-      if (auto all = agreeing_with(by, pairs, within_m); all.size() > best.size())
+      if (auto all = agreeing_with(by, pairs, within_m, best.size()); all.size() > best.size())
         best = std::move(all);
     }
   RigidFit fit;

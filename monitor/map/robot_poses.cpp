@@ -2,19 +2,12 @@
 
 #include <utility>
 
+#include "monitor/map/frames.h"
 #include "monitor/map/robot_motion.h"
 
 namespace galilean::monitor {
 namespace {
 
-/// How well a person places a robot, or says where it is.
-constexpr double kPlaced_m = 0.06;
-constexpr double kPlaced_rad = 0.15;
-/// Of the one whose frame is the map's.
-constexpr double kReference = 1e-3;
-/// Of robots of which nothing is said.
-constexpr double kGuessed_m = 0.15;
-constexpr double kGuessed_rad = 0.2;
 /// Dead reckoning before it was first heard, a metre from its start.
 constexpr double kUnheard_mpm = 0.1;
 constexpr double kUnheard_radpm = 0.08;
@@ -24,29 +17,19 @@ constexpr double kJitter_m = 0.3;
 constexpr double kSetDown_m = 0.05;  ///< what a restart may have moved a robot
 constexpr double kSetDown_rad = 0.1;
 
-Pose2 composed(const Pose2& frame, const Pose2& in_frame) {
-  return {frame.position_m + rotated(in_frame.position_m, frame.heading_rad),
-          wrap_angle(frame.heading_rad + in_frame.heading_rad)};
-}
-
 }  // namespace
 
 void RobotPoses::place(const std::string& robot, const Pose2& in_odom, Time now) {
-  const auto given = starts_.find(robot);
-  const bool reference = starts_.empty() && robots_.empty();
-  const Pose2 origin = given != starts_.end() ? given->second
-                       : starts_.empty()      ? Pose2{}
-                                              : starts_.begin()->second;
-  double position_m = reference ? kReference : given != starts_.end() ? kPlaced_m : kGuessed_m;
-  double heading_rad = reference ? kReference : given != starts_.end() ? kPlaced_rad : kGuessed_rad;
-  if (!reference) {
-    position_m += kUnheard_mpm * in_odom.position_m.norm();
-    heading_rad += kUnheard_radpm * in_odom.position_m.norm();
+  Starts::Start start = starts_.of(robot);
+  if (!start.is_reference) {
+    start.position_m += kUnheard_mpm * in_odom.position_m.norm();
+    start.heading_rad += kUnheard_radpm * in_odom.position_m.norm();
   }
-  const Pose2 at = composed(origin, in_odom);
+  const Pose2 at = in_map(start.origin, in_odom);
   RobotVector mean = RobotVector::Zero();
   mean.head<3>() << at.position_m, at.heading_rad;
-  robots_[robot] = {joint_.add(mean, start_covariance(position_m, heading_rad)), in_odom, now};
+  robots_[robot] = {joint_.add(mean, start_covariance(start.position_m, start.heading_rad)),
+                    in_odom, now};
 }
 
 void RobotPoses::move(const std::string& robot, const Pose2& in_odom, bool touching, Time now) {

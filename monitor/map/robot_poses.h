@@ -7,27 +7,25 @@
 #include "core/geometry.h"
 #include "monitor/map/gaussian.h"
 #include "monitor/map/joint_gaussian.h"
+#include "monitor/map/starts.h"
 
 namespace galilean::monitor {
 
 /// Where the robots are in the map frame: parts of the joint distribution that dead reckoning moves
 /// (see RobotMotion) and sightings correct.
 ///
-///   start  as given; else where the odom frame of the first that was given, or heard, has its
-///          origin. If none is given, the map frame is the odom frame of the first that is heard.
+///   start  as Starts says
 ///   jumps  an odometer that leaps was set anew (a robot that restarted): the robot stays.
 class RobotPoses {
  public:
-  explicit RobotPoses(JointGaussian& joint) : joint_(joint) {}
+  RobotPoses(JointGaussian& joint, const Starts& starts) : joint_(joint), starts_(starts) {}
 
-  /// Where a robot's odom frame has its origin in the map frame, as a person places it.
-  void start_at(const std::string& robot, const Pose2& origin) { starts_[robot] = origin; }
   /// The robot believes to be at `in_odom`; something is at its bumpers or not.
   void move(const std::string& robot, const Pose2& in_odom, bool touching, Time now);
 
   /// Somebody said where it starts, or its frame is the map's.
   [[nodiscard]] bool was_placed(const std::string& robot) const {
-    return starts_.contains(robot) || robots_.size() == 1;
+    return starts_.is_given(robot) || robots_.size() == 1;
   }
   [[nodiscard]] bool knows(const std::string& robot) const { return robots_.contains(robot); }
   [[nodiscard]] JointGaussian::Part part(const std::string& robot) const {
@@ -51,7 +49,7 @@ class RobotPoses {
   void place(const std::string& robot, const Pose2& in_odom, Time now);
 
   JointGaussian& joint_;
-  std::map<std::string, Pose2> starts_;
+  const Starts& starts_;
   std::map<std::string, Robot> robots_;
 };
 

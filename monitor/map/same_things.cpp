@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "monitor/map/transport.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -18,7 +20,6 @@ constexpr double kSearchDeviation_m = 0.06;
 constexpr Duration kLately = std::chrono::seconds(10);
 constexpr double kLeastSpread_m = 0.8;
 constexpr double kAlreadyThere_m = 0.5, kAlreadyThere_rad = 0.2;
-constexpr double kTransported_m = 0.10, kTransported_rad = 0.05;
 
 bool share_an_observer(const Thing& a, const Thing& b) {
   return std::ranges::any_of(a.seen_by,
@@ -34,11 +35,6 @@ bool is_there_already(const Vec2& robot_m, const RigidFit& fit) {
          std::abs(fit.transform.heading_rad) < kAlreadyThere_rad;
 }
 
-bool are_near(const RigidFit& a, const RigidFit& b) {
-  return (a.transform.position_m - b.transform.position_m).norm() < 0.3 &&
-         std::abs(wrap_angle(a.transform.heading_rad - b.transform.heading_rad)) < 0.1;
-}
-
 }  // namespace
 
 void SameThings::unite_neighbours() {
@@ -50,8 +46,8 @@ std::optional<SameThings::Pair> SameThings::nearest_neighbours() const {
   const auto& all = things_.all();
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size(); ++j) {
-      if (!may_be_one(all[i], all[j])) continue;
-      const Vec2 apart = joint_.mean(all[i].part) - joint_.mean(all[j].part);
+      const Vec2 apart = joint_.position(all[i].part) - joint_.position(all[j].part);
+      if (apart.norm() > kNeighbours_m || !may_be_one(all[i], all[j])) continue;
       const double within_m = share_an_observer(all[i], all[j]) ? kTwins_m : kNeighbours_m;
       if (apart.norm() > within_m) continue;
       const Mat2 covariance = joint_.covariance(difference(all[i], all[j]));
@@ -63,7 +59,7 @@ std::optional<SameThings::Pair> SameThings::nearest_neighbours() const {
   return best;
 }
 
-void SameThings::align(Time now) {
+void SameThings::align(Time now, const std::vector<Mark>& others_know) {
   now_ = now;
   const auto& robots = robots_.all();
   if (robots.empty()) return;
@@ -71,8 +67,8 @@ void SameThings::align(Time now) {
   if (next == robots.end()) next = robots.begin();
   last_aligned_ = next->first;
   unite_agreeing(next->first);
-  if (recognises_nothing(next->first)) turn_back(next->first);
-  rejoin(next->first);
+  if (recognises_nothing(next->first)) turn_back(next->first, others_know);
+  rejoin(next->first, others_know);
   if (next != robots.begin() && !shares_things(next->first)) search(next->first);
 }
 
@@ -85,7 +81,7 @@ std::vector<PointPair> SameThings::pairs(const std::string& robot, bool inside_g
     for (const auto& other : all) {
       if (!other.established() || other.was_seen_by(robot, since) || !may_be_one(own, other))
         continue;
-      const Vec2 own_m = joint_.mean(own.part), other_m = joint_.mean(other.part);
+      const Vec2 own_m = joint_.position(own.part), other_m = joint_.position(other.part);
       if (inside_gate) {
         const Vec2 apart = own_m - other_m;
         if (apart.norm() > kMatchedWithin_m) continue;
@@ -124,7 +120,7 @@ void SameThings::search(const std::string& robot) {
   if (before != candidates_.end() && are_near(before->second, fit)) {
     candidates_.erase(robot);
     if (!is_there_already(robots_.pose(robot).position_m, fit))
-      transport(robot, seen_alone(robot), fit);
+      transport(joint_, with(robot, seen_alone(robot)), fit);
     return;
   }
   candidates_[robot] = fit;
@@ -139,7 +135,7 @@ std::vector<const Thing*> SameThings::landmarks() const {
 }
 
 Mark SameThings::mark_of(const Thing& thing) const {
-  return {joint_.mean(thing.part), mark_kind(thing.object_class), thing.id};
+  return {joint_.position(thing.part), mark_kind(thing.object_class), thing.id};
 }
 
 /// Of what it saw lately, nearly all is new, and nobody else saw it.
@@ -151,8 +147,8 @@ bool SameThings::recognises_nothing(const std::string& robot) const {
   return fresh >= TurnedRobot::kLeastAgreeing && fresh > 2 * known;
 }
 
-void SameThings::turn_back(const std::string& robot) {
-  std::vector<Mark> seen, known;
+void SameThings::turn_back(const std::string& robot, const std::vector<Mark>& others_know) {
+  std::vector<Mark> seen, known = others_know;
   std::vector<JointGaussian::Part> own;
   for (const Thing* thing : landmarks()) {
     if (thing->is_new_of(robot, now_)) {
@@ -162,12 +158,15 @@ void SameThings::turn_back(const std::string& robot) {
       known.push_back(mark_of(*thing));
     }
   }
-  if (const auto fit = TurnedRobot::fit(seen, known, robots_.pose(robot).position_m))
-    lay_back(robot, own, *fit);
+  const Vec2 robot_m = robots_.pose(robot).position_m;
+  const auto fit = TurnedRobot::fit(seen, known, robot_m);
+  // What others know beside it is put right by what they tell, and needs no laying back.
+  const bool needless = fit && !others_know.empty() && is_there_already(robot_m, *fit);
+  if (fit && !needless) lay_back(robot, own, *fit);
 }
 
-void SameThings::rejoin(const std::string& robot) {
-  std::vector<Mark> seen, known;
+void SameThings::rejoin(const std::string& robot, const std::vector<Mark>& others_know) {
+  std::vector<Mark> seen, known = others_know;
   std::vector<JointGaussian::Part> own;
   for (const Thing* thing : landmarks()) {
     const bool lately = thing->was_seen_by(robot, now_ - kLately);
@@ -183,8 +182,14 @@ void SameThings::rejoin(const std::string& robot) {
 
 void SameThings::lay_back(const std::string& robot, const std::vector<JointGaussian::Part>& own,
                           const RigidFit& fit) {
-  transport(robot, own, fit);
+  transport(joint_, with(robot, own), fit);
   for (const auto& pair : fit.agreeing) things_.unite(pair.map_index, pair.other_index);
+}
+
+std::vector<JointGaussian::Part> SameThings::with(const std::string& robot,
+                                                  std::vector<JointGaussian::Part> things) const {
+  things.insert(things.begin(), robots_.part(robot));
+  return things;
 }
 
 std::vector<JointGaussian::Part> SameThings::seen_alone(const std::string& robot) const {
@@ -192,30 +197,6 @@ std::vector<JointGaussian::Part> SameThings::seen_alone(const std::string& robot
   for (const auto& thing : things_.all())
     if (thing.seen_by.size() == 1 && thing.was_seen_by(robot)) parts.push_back(thing.part);
   return parts;
-}
-
-void SameThings::transport(const std::string& robot, const std::vector<JointGaussian::Part>& things,
-                           const RigidFit& fit) {
-  std::vector<JointGaussian::Term> moved;
-  const Mat2 turn = rotation_by(fit.transform.heading_rad);
-  const auto move = [&](JointGaussian::Part part) {
-    JointGaussian::Vector mean = joint_.mean(part);
-    JointGaussian::Matrix jacobian = JointGaussian::Matrix::Identity(mean.size(), mean.size());
-    jacobian.topLeftCorner<2, 2>() = turn;
-    mean.head<2>() = fit.to_map(mean.head<2>());
-    if (mean.size() > 2) mean[2] += fit.transform.heading_rad;
-    joint_.move(part, mean, jacobian, JointGaussian::Matrix::Zero(mean.size(), mean.size()));
-    const Vec2 arm = mean.head<2>() - fit.transform.position_m;
-    JointGaussian::Matrix shared = JointGaussian::Matrix::Zero(mean.size(), 3);
-    shared.topLeftCorner<2, 2>().setIdentity();
-    shared.col(2).head<2>() << -arm.y(), arm.x();
-    if (mean.size() > 2) shared(2, 2) = 1;
-    moved.push_back({part, shared});
-  };
-  move(robots_.part(robot));
-  for (const JointGaussian::Part thing : things) move(thing);
-  const Eigen::Vector3d deviations(kTransported_m, kTransported_m, kTransported_rad);
-  joint_.blur(moved, JointGaussian::Matrix(deviations.cwiseAbs2().asDiagonal()));
 }
 
 }  // namespace galilean::monitor

@@ -31,8 +31,9 @@ class SameThings {
       : joint_(joint), robots_(robots), things_(things) {}
 
   void unite_neighbours();
-  /// Of one robot, another one with each call.
-  void align(Time now);
+  /// Of one robot, another one with each call. `others_know`: things that robots saw which are not
+  /// of the joint distribution.
+  void align(Time now, const std::vector<Mark>& others_know);
 
  private:
   struct Pair {
@@ -46,18 +47,18 @@ class SameThings {
   void search(const std::string& robot);
   [[nodiscard]] std::vector<JointGaussian::Part> seen_alone(const std::string& robot) const;
   [[nodiscard]] bool recognises_nothing(const std::string& robot) const;
-  void turn_back(const std::string& robot);
+  void turn_back(const std::string& robot, const std::vector<Mark>& others_know);
   /// One that took its bearings from the wrong things maps all it sees beside what others know too,
   /// and goes by that.
-  void rejoin(const std::string& robot);
+  void rejoin(const std::string& robot, const std::vector<Mark>& others_know);
   [[nodiscard]] std::vector<const Thing*> landmarks() const;
   [[nodiscard]] Mark mark_of(const Thing& thing) const;
   /// The robot and its own things, onto those that they agree with.
   void lay_back(const std::string& robot, const std::vector<JointGaussian::Part>& own,
                 const RigidFit& fit);
-  /// The robot, and these things with it.
-  void transport(const std::string& robot, const std::vector<JointGaussian::Part>& things,
-                 const RigidFit& fit);
+  /// The robot first, as they are laid back together.
+  [[nodiscard]] std::vector<JointGaussian::Part> with(
+      const std::string& robot, std::vector<JointGaussian::Part> things) const;
   [[nodiscard]] std::vector<PointPair> pairs(const std::string& robot, bool inside_gate) const;
 
   JointGaussian& joint_;

@@ -67,23 +67,27 @@ std::optional<Bearing> bearing_of(const msg::Sighting& sighting, const msg::Sigh
 Expected expected_sighting(const JointGaussian& joint, JointGaussian::Part robot,
                            JointGaussian::Part seen) {
   const auto from = joint.mean(robot);
-  const auto to = joint.mean(seen);
-  const Vec2 apart = to.head<2>() - from.head<2>();
+  const Vec2 apart = joint.position(seen) - from.head<2>();
   const double range_m = std::max(apart.norm(), kNearest_m);
-  Expected expected;
+  Expected expected{.robot = robot, .seen = seen};
   expected.from_robot_m = rotated(apart, -from[2]);
   expected.range_bearing << range_m, bearing_rad(expected.from_robot_m);
-  Mat2 of_place;
+  Mat2& of_place = expected.of_place;
   of_place.row(0) = apart.transpose() / range_m;
   of_place.row(1) << -apart.y() / (range_m * range_m), apart.x() / (range_m * range_m);
-  Eigen::Matrix<double, 2, 3> of_pose;
-  of_pose << -of_place, Vec2(0, -1);
-  expected.terms = {{{robot, of_pose}, {seen, of_place}}};
+  expected.of_pose << -of_place, Vec2(0, -1);
   return expected;
 }
 
+Mat2 Expected::covariance(const JointGaussian& joint) const {
+  const Mat2 cross = of_pose * joint.cross_covariance<3, 2>(robot, seen) * of_place.transpose();
+  return of_pose * joint.cross_covariance<3, 3>(robot, robot) * of_pose.transpose() + cross +
+         cross.transpose() +
+         of_place * joint.cross_covariance<2, 2>(seen, seen) * of_place.transpose();
+}
+
 Fit fit_of(const JointGaussian& joint, const Expected& expected, const Gaussian2& from_robot) {
-  const Mat2 own = joint.covariance(expected.terms);
+  const Mat2 own = expected.covariance(joint);
   const Gaussian2 seen = in_range_and_bearing(from_robot);
   const Vec2 apart = difference(seen.mean_m, expected.range_bearing);
   const Mat2 sum = own + seen.covariance_m2;
@@ -94,8 +98,9 @@ Fit fit_of(const JointGaussian& joint, const Expected& expected, const Gaussian2
 
 void correct_by(JointGaussian& joint, const Expected& expected, const Gaussian2& from_robot) {
   const Gaussian2 seen = in_range_and_bearing(from_robot);
-  joint.correct(expected.terms, difference(seen.mean_m, expected.range_bearing),
-                seen.covariance_m2);
+  const JointGaussian::Term terms[] = {{expected.robot, expected.of_pose},
+                                       {expected.seen, expected.of_place}};
+  joint.correct(terms, difference(seen.mean_m, expected.range_bearing), seen.covariance_m2);
 }
 
 Placed place_of(const JointGaussian& joint, JointGaussian::Part robot,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <optional>
 
@@ -23,9 +24,15 @@ struct Bearing {
 /// for a bearing is the heading's error and no more, however large that is; x and y bend with it.
 ///   law     range = |thing - robot|, bearing = direction of (thing - robot) - heading
 struct Expected {
-  Vec2 from_robot_m;                         ///< x forward, y left
-  Vec2 range_bearing;                        ///< [m, rad]
-  std::array<JointGaussian::Term, 2> terms;  ///< of range_bearing
+  Vec2 from_robot_m;   ///< x forward, y left
+  Vec2 range_bearing;  ///< [m, rad]
+  JointGaussian::Part robot, seen;
+  /// Of range_bearing, by the robot's x, y, heading and by the thing's x, y.
+  Eigen::Matrix<double, 2, 3> of_pose;
+  Mat2 of_place;
+
+  /// What of it is not known.
+  [[nodiscard]] Mat2 covariance(const JointGaussian& joint) const;
 };
 /// `seen`'s first two numbers are its place in the map frame: a thing or another robot.
 [[nodiscard]] Expected expected_sighting(const JointGaussian& joint, JointGaussian::Part robot,

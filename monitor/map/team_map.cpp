@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/wire/topics.h"
+#include "monitor/map/frames.h"
 #include "monitor/map/meetings.h"
 
 namespace galilean::monitor {
@@ -15,8 +15,6 @@ constexpr double kFloorStep_m = 0.05;  ///< standing still is no new evidence
 constexpr double kFloorTurn_rad = 0.1;
 constexpr double kMostSightRange_m = 4;  ///< beyond, the end of a sight line is too unsure
 constexpr double kTouchDeviation_m = 0.05;
-constexpr double kVague_m = 0.6;
-constexpr double kPose_m2 = 1e-4;  ///< of a pose that is 0.1 s old
 
 bool is_obstacle(const msg::Variable& variable) {
   return variable.type == msg::Variable_Constants::LOCATE && variable.valid &&
@@ -24,38 +22,22 @@ bool is_obstacle(const msg::Variable& variable) {
          std::isfinite(variable.values[0]) && std::isfinite(variable.values[1]);
 }
 
-/// Seen from far away, it may stand anywhere within a metre: that is no place to tell.
-bool is_vague(const Gaussian2& place) {
-  return place.covariance_m2.trace() > kVague_m * kVague_m;
-}
-
-Vec2 in_map(const Pose2& frame, const Vec2& in_odom_m) {
-  return frame.position_m + rotated(in_odom_m, frame.heading_rad);
-}
-
-void put(const Gaussian2& place, auto& message) {
-  message.x_m = place.mean_m.x();
-  message.y_m = place.mean_m.y();
-  message.variance_xx = place.covariance_m2(0, 0);
-  message.variance_xy = place.covariance_m2(0, 1);
-  message.variance_yy = place.covariance_m2(1, 1);
-}
-
 }  // namespace
 
 bool TeamMap::move(const std::string& robot, const Pose2& in_odom, Time now) {
   if (!in_odom.position_m.allFinite() || !std::isfinite(in_odom.heading_rad)) return false;
-  if (poses_.knows(robot))
-    things_.blur_around(robot, std::max(0.0, to_seconds(now - poses_.moved(robot))));
+  Squad& squad = squads_.join(robot, in_odom);
+  if (squad.poses.knows(robot))
+    squad.things.blur_around(robot, std::max(0.0, to_seconds(now - squad.poses.moved(robot))));
   Heard& heard = heard_[robot];
-  poses_.move(robot, in_odom, heard.senses.touches(now), now);
+  squad.poses.move(robot, in_odom, heard.senses.touches(now), now);
   heard.at = now;
   return true;
 }
 
 void TeamMap::note(const msg::RobotState& state, Time now) {
   if (!move(state.robot, {{state.x_m, state.y_m}, state.heading_rad}, now)) return;
-  const Vec2 at_m = poses_.pose(state.robot).position_m;
+  const Vec2 at_m = squads_.of(state.robot).poses.pose(state.robot).position_m;
   Heard& robot = heard_[state.robot];
   robot.senses.note(state);
   if ((at_m - robot.last_stood_m).norm() < kFloorStep_m) return;
@@ -65,20 +47,33 @@ void TeamMap::note(const msg::RobotState& state, Time now) {
 
 void TeamMap::note(const msg::Sightings& frame, Time now) {
   if (!move(frame.robot, {{frame.x_m, frame.y_m}, frame.heading_rad}, now)) return;
-  const Pose2 to_map = poses_.frame(frame.robot);
+  Squad& squad = squads_.of(frame.robot);
+  const Pose2 odom = squad.poses.frame(frame.robot);
+  const auto grippers_m = carried_.grippers_m();
   msg::Sightings things = frame;
   std::erase_if(things.items, [&](const msg::Sighting& sighting) {
     return sighting.object_class == "trash" &&
-           carried_.is_carried(in_map(to_map, {sighting.x_m, sighting.y_m}), poses_);
+           Carried::is_carried(in_map(odom, Vec2(sighting.x_m, sighting.y_m)), grippers_m);
   });
-  orientation_.look(things, now);
-  things_.see(things, now);
-  note_meetings(frame, poses_, joint_, now);
+  squad.orientation.look(things, now);
+  const Lookout from = squad.things.see(things, now);
+  if (std::ranges::find(frame.items, "robot", &msg::Sighting::object_class) != frame.items.end())
+    note_meetings(frame, squad.poses, squad.joint, robots_of_others(squad), now);
+  for (Squad* other : squads_.others_near(squad, from.pose.position_m, Things::kPlainViewTo_m))
+    other->things.miss(things, from);
   look(frame);
 }
 
+std::vector<Gaussian2> TeamMap::robots_of_others(const Squad& squad) const {
+  std::vector<Gaussian2> others;
+  for (const auto& [name, its_squad] : squads_.robots())
+    if (its_squad != &squad) others.push_back(its_squad->poses.position(name));
+  return others;
+}
+
 void TeamMap::look(const msg::Sightings& frame) {
-  const Pose2 pose = poses_.pose(frame.robot), to_map = poses_.frame(frame.robot);
+  const RobotPoses& poses = squads_.of(frame.robot).poses;
+  const Pose2 pose = poses.pose(frame.robot), odom = poses.frame(frame.robot);
   Pose2& last = heard_[frame.robot].last_looked;
   if ((pose.position_m - last.position_m).norm() < kFloorStep_m &&
       std::abs(wrap_angle(pose.heading_rad - last.heading_rad)) < kFloorTurn_rad)
@@ -87,7 +82,7 @@ void TeamMap::look(const msg::Sightings& frame) {
   Floor::View view{pose.position_m, pose.heading_rad, frame.view_angle_rad, {}};
   for (const auto& sighting : frame.items)
     if (sighting.range_m < kMostSightRange_m)
-      view.seen_m.push_back(in_map(to_map, {sighting.x_m, sighting.y_m}));
+      view.seen_m.push_back(in_map(odom, Vec2(sighting.x_m, sighting.y_m)));
   floor_.looked(view);
 }
 
@@ -95,7 +90,7 @@ void TeamMap::note(const msg::Variables& variables, Time now) {
   Heard& robot = heard_[variables.robot];
   robot.at = now;
   robot.senses.note(variables, now);
-  if (!poses_.knows(variables.robot)) return;
+  if (!squads_.know(variables.robot)) return;
   for (const auto& variable : variables.items) {
     if (!is_obstacle(variable)) continue;
     const auto [touched, is_new] = robot.touched.try_emplace(variable.name, variable.updated);
@@ -105,11 +100,11 @@ void TeamMap::note(const msg::Variables& variables, Time now) {
 }
 
 void TeamMap::touch(const std::string& robot, const msg::Variable& obstacle, Time now) {
-  const Vec2 at_m = in_map(poses_.frame(robot), {obstacle.values[0], obstacle.values[1]});
-  const Pose2 pose = poses_.pose(robot);
-  const Gaussian2 from_robot{rotated(at_m - pose.position_m, -pose.heading_rad),
-                             kTouchDeviation_m * kTouchDeviation_m * Mat2::Identity()};
-  things_.note("obstacle", robot, from_robot, obstacle.certainty, now);
+  Squad& squad = squads_.of(robot);
+  const Vec2 at_m = in_map(squad.poses.frame(robot), Vec2(obstacle.values[0], obstacle.values[1]));
+  const Gaussian2 place{from_robot(squad.poses.pose(robot), at_m),
+                        kTouchDeviation_m * kTouchDeviation_m * Mat2::Identity()};
+  squad.things.note("obstacle", robot, place, obstacle.certainty, now);
   floor_.bumped(at_m);
 }
 
@@ -128,80 +123,39 @@ void TeamMap::note(const msg::Program& program, Time now) {
 }
 
 void TeamMap::update(Time now) {
-  things_.fade(now);
-  if (to_seconds(now - aligned_) >= kAlignEvery_s) {
-    same_things_.align(now);
-    aligned_ = now;
+  for (const auto& squad : squads_.all()) squad->things.fade(now);
+  align(now);
+  for (const auto& squad : squads_.all()) {
+    squad->same_things.unite_neighbours();
+    squad->extent_m = squad->things.extent_m();
   }
-  same_things_.unite_neighbours();
-  for (const auto& [name, robot] : poses_.all()) {
-    things_.clear_under(name);
-    carried_.note(name, heard_[name].senses.holds(now), poses_, things_, now);
+  for (const auto& [name, squad] : squads_.robots()) {
+    clear_under(name);
+    carried_.note(name, heard_[name].senses.holds(now), told_, now);
   }
+  auto notes = squads_notes(squads_);
+  const auto pairs = same_pairs(notes);
+  Neighbours::teach(notes, pairs);
+  told_ = united(std::move(notes), pairs);
 }
 
-msg::MapRobot TeamMap::robot_message(const std::string& name, Time now) const {
-  msg::MapRobot message;
-  message.name = name;
-  Gaussian2 at = poses_.position(name);
-  at.covariance_m2 += kPose_m2 * Mat2::Identity();
-  put(at, message);
-  message.heading_rad = poses_.pose(name).heading_rad;
-  const Time heard = heard_.at(name).at;
-  message.age_s = static_cast<float>(to_seconds(now - heard));
-  message.silent = now - heard > silent_after_;
-  return message;
+/// It is the dearest part: of many squads one is aligned at a time, and none is forgotten.
+void TeamMap::align(Time now) {
+  if (squads_.all().empty()) return;
+  const auto least = [](const auto& squad) { return squad->aligned; };
+  Squad& squad = **std::ranges::min_element(squads_.all(), {}, least);
+  if (to_seconds(now - squad.aligned) < kAlignEvery_s) return;
+  squad.aligned = now;
+  squad.same_things.align(now, squad.placed ? known_to_others(squad, told_) : std::vector<Mark>{});
+  neighbours_.find_unplaced(told_);
 }
 
-void TeamMap::put_things(msg::ObjectMap& message, Time now, std::int64_t stamp_ns) const {
-  for (const auto& thing : things_.all()) {
-    if (!thing.told() || is_vague(things_.place(thing)) || things_.may_be_told_twice(thing))
-      continue;
-    msg::MapObject& item = message.objects.emplace_back();
-    item.id = static_cast<std::uint32_t>(thing.id);
-    item.object_class = thing.object_class;
-    put(things_.place(thing), item);
-    item.certainty = static_cast<float>(thing.certainty);
-    item.decay_per_s = 1 / static_cast<float>(Thing::kMemory_s);
-    item.last_seen = wire::ros_time(stamp_ns - (now - thing.last_seen).count());
-    item.seen_by = thing.observers();
-  }
-}
-
-void TeamMap::put_loads(msg::ObjectMap& message) const {
-  for (const auto& [robot, load] : carried_.all()) {
-    msg::MapObject& item = message.objects.emplace_back();
-    item.id = static_cast<std::uint32_t>(load.id);
-    item.object_class = "trash";
-    put(Carried::place(robot, poses_), item);
-    item.certainty = 1;
-    item.last_seen = message.stamp;
-    item.seen_by = load.seen_by;
-    item.held_by = robot;
-  }
-}
-
-msg::ObjectMap TeamMap::objects(Time now, std::int64_t stamp_ns) const {
-  msg::ObjectMap message;
-  message.stamp = wire::ros_time(stamp_ns);
-  put_things(message, now, stamp_ns);
-  put_loads(message);
-  for (const auto& [name, robot] : poses_.all()) message.robots.push_back(robot_message(name, now));
-  return message;
-}
-
-msg::TFMessage TeamMap::transforms(std::int64_t stamp_ns) const {
-  msg::TFMessage message;
-  for (const auto& [name, robot] : poses_.all()) {
-    const Pose2 frame = poses_.frame(name);
-    msg::TransformStamped& item = message.transforms.emplace_back();
-    item.header = {wire::ros_time(stamp_ns), "map"};
-    item.child_frame_id = name + "/odom";
-    item.transform.translation = {frame.position_m.x(), frame.position_m.y(), 0};
-    item.transform.rotation = {0, 0, std::sin(frame.heading_rad / 2),
-                               std::cos(frame.heading_rad / 2)};
-  }
-  return message;
+void TeamMap::clear_under(const std::string& robot) {
+  Squad& squad = squads_.of(robot);
+  squad.things.clear_under(robot);
+  const Gaussian2 at = squad.poses.position(robot);
+  for (Squad* other : squads_.others_near(squad, at.mean_m, Things::kFootprint_m))
+    other->things.clear_under(at);
 }
 
 }  // namespace galilean::monitor

@@ -8,23 +8,25 @@
 #include "core/wire/messages.h"
 #include "monitor/map/carried.h"
 #include "monitor/map/floor.h"
-#include "monitor/map/orientation.h"
-#include "monitor/map/same_things.h"
+#include "monitor/map/neighbours.h"
 #include "monitor/map/senses.h"
 
 namespace galilean::monitor {
 
 /// What the team knows together: the floor, the things on it and the robots, in one frame, "map".
-/// Robots and things are estimated together (JointGaussian); the floor is drawn where they are now.
+/// Robots and things are estimated together, a few robots at a time (Squad); the floor is drawn
+/// where they are now.
 /// Pure: messages and the time go in, messages come out.
 class TeamMap {
  public:
-  explicit TeamMap(Duration silent_after) : silent_after_(silent_after) {}
+  /// `squad`: how many robots are estimated together at most.
+  explicit TeamMap(Duration silent_after, std::size_t squad = Squads::kMostRobots)
+      : silent_after_(silent_after), squads_(squad) {}
   TeamMap(const TeamMap&) = delete;
   TeamMap& operator=(const TeamMap&) = delete;
 
   /// Where a robot's odom frame has its origin in the map frame.
-  void start_at(const std::string& robot, const Pose2& origin) { poses_.start_at(robot, origin); }
+  void start_at(const std::string& robot, const Pose2& origin) { squads_.start_at(robot, origin); }
 
   void note(const msg::RobotState& state, Time now);
   void note(const msg::Sightings& frame, Time now);
@@ -55,20 +57,20 @@ class TeamMap {
   bool move(const std::string& robot, const Pose2& in_odom, Time now);
   void look(const msg::Sightings& frame);
   void touch(const std::string& robot, const msg::Variable& obstacle, Time now);
+  [[nodiscard]] std::vector<Gaussian2> robots_of_others(const Squad& squad) const;
+  void align(Time now);
+  void clear_under(const std::string& robot);
   [[nodiscard]] msg::MapRobot robot_message(const std::string& name, Time now) const;
   void put_things(msg::ObjectMap& message, Time now, std::int64_t stamp_ns) const;
   void put_loads(msg::ObjectMap& message) const;
 
   Duration silent_after_;
   std::map<std::string, Heard> heard_;
-  JointGaussian joint_;
-  RobotPoses poses_{joint_};
-  Things things_{joint_, poses_};
-  Orientation orientation_{joint_, poses_, things_};
-  SameThings same_things_{joint_, poses_, things_};
-  Carried carried_;
+  Squads squads_;
+  Neighbours neighbours_{squads_};
+  Carried carried_{squads_};
+  std::vector<ToldThing> told_;  ///< since the last update
   Floor floor_;
-  Time aligned_{};
 };
 
 }  // namespace galilean::monitor

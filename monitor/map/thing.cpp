@@ -59,7 +59,7 @@ bool may_be_one(const Thing& a, const Thing& b) {
   });
 }
 
-std::vector<std::string> Thing::observers() const {
+std::vector<std::string> latest_first(const std::map<std::string, Time>& seen_by) {
   std::vector<std::string> names;
   for (const auto& [robot, at] : seen_by) names.push_back(robot);
   std::ranges::stable_sort(

@@ -56,9 +56,10 @@ struct Thing {
   }
   [[nodiscard]] bool was_seen_by(const std::string& robot) const { return seen_by.contains(robot); }
   [[nodiscard]] bool was_seen_by(const std::string& robot, Time since) const;
-  /// The latest first.
-  [[nodiscard]] std::vector<std::string> observers() const;
 };
+
+/// Who saw it, the latest first.
+[[nodiscard]] std::vector<std::string> latest_first(const std::map<std::string, Time>& seen_by);
 
 /// Of one class, and no robot saw them as two in the frame that it saw either in last.
 [[nodiscard]] bool may_be_one(const Thing& a, const Thing& b);

@@ -11,7 +11,6 @@ constexpr double kSamePlace_m = 0.02;     ///< what is known of two notes of one
 constexpr double kTouchedAgain_m = 0.20;  ///< obstacles nearer to one another are one
 
 constexpr double kFacingUnknown_rad = 0.12;
-constexpr double kFootprint_m = 0.15;  ///< of its centre, wherever its nose points
 constexpr double kFootprintDeviation_m = 0.12;
 
 /// A piece of trash that is so far from where it was expected, by squared Mahalanobis distance, was
@@ -20,6 +19,8 @@ constexpr double kMovedDistance = 4;
 
 constexpr double kToldTwice_m = 0.36;
 constexpr double kApart_m = 0.05;  ///< by which two notes of one thing may err unbeknown
+
+constexpr double kVague_m = 0.6;
 
 constexpr double kPushedWithin_m = 0.42;
 constexpr double kPushed_m2ps = 4e-3;
@@ -31,17 +32,21 @@ bool is_thing(const msg::Sighting& sighting) {
 }  // namespace
 
 Gaussian2 Things::place(const Thing& thing) const {
-  return {joint_.mean(thing.part), joint_.covariance(thing.part)};
+  return {joint_.position(thing.part), joint_.covariance(thing.part)};
+}
+
+/// Seen from far away, it may stand anywhere within a metre: that is no place to tell.
+bool Things::tell(const Thing& thing) const {
+  return thing.told() && joint_.covariance(thing.part).trace() <= kVague_m * kVague_m &&
+         !may_be_told_twice(thing);
 }
 
 bool Things::may_be_told_twice(const Thing& thing) const {
   const Gaussian2 at = place(thing);
   return std::ranges::any_of(things_, [&](const Thing& other) {
-    if (!other.told() || !may_be_one(thing, other)) return false;
-    const Gaussian2 there = place(other);
-    const Vec2 apart = at.mean_m - there.mean_m;
-    if (there.covariance_m2.trace() >= at.covariance_m2.trace() || apart.norm() > kToldTwice_m)
-      return false;
+    const Vec2 apart = at.mean_m - joint_.position(other.part);
+    if (apart.norm() > kToldTwice_m || !other.told() || !may_be_one(thing, other)) return false;
+    if (joint_.covariance(other.part).trace() >= at.covariance_m2.trace()) return false;
     const JointGaussian::Term difference[] = {{other.part, Mat2::Identity()},
                                               {thing.part, -Mat2::Identity()}};
     const Mat2 covariance = joint_.covariance(difference) + kApart_m * kApart_m * Mat2::Identity();
@@ -54,7 +59,7 @@ Thing* Things::find(std::uint64_t id) {
   return found == things_.end() ? nullptr : &*found;
 }
 
-void Things::see(const msg::Sightings& frame, Time now) {
+Lookout Things::see(const msg::Sightings& frame, Time now) {
   const auto robot = robots_.part(frame.robot);
   std::vector<Seen> seen;
   for (const auto& sighting : frame.items)
@@ -74,11 +79,13 @@ void Things::see(const msg::Sightings& frame, Time now) {
   }
   recognise_baskets(frame.robot, seen);
   note_orientation(frame, seen, now);
-  doubt_unseen(frame, seen, now);
+  const double for_s = looked_s(frame.robot, now);
+  doubt_unseen(frame, seen, for_s);
   for (const auto& each : seen)
     if (!each.thing && each.bearing.whole)
       note(each.sighting->object_class, frame.robot, each.bearing.from_robot, 1 - Thing::kDoubtKept,
            now);
+  return {robots_.pose(frame.robot), joint_.covariance(robot).topLeftCorner<3, 3>(), for_s};
 }
 
 /// What a robot found while it hardly knew where it faces tells it nothing of that: to go by it all
@@ -111,12 +118,18 @@ void Things::note(const std::string& object_class, const std::string& robot,
       }
   make_room();
   Thing& thing = things_.emplace_back();
-  thing.id = id ? id : next_id();
+  thing.id = id ? id : ids_.next();
   thing.object_class = object_class;
   thing.part = joint_.add(placed.in_map_m, placed.of, placed.noise_m2);
   thing.certainty = certainty;
   thing.sightings = id ? Thing::kLeastSightings : 1;
   thing.first_seen = thing.faded = thing.last_seen = thing.seen_by[robot] = now;
+}
+
+Eigen::AlignedBox2d Things::extent_m() const {
+  Eigen::AlignedBox2d box;
+  for (const auto& thing : things_) box.extend(joint_.position(thing.part));
+  return box;
 }
 
 void Things::fade(Time now) {
@@ -151,7 +164,7 @@ void Things::unite(std::uint64_t kept, std::uint64_t same) {
   if (!thing || !other || thing == other) return;
   const JointGaussian::Term difference[] = {{other->part, Mat2::Identity()},
                                             {thing->part, -Mat2::Identity()}};
-  joint_.correct(difference, joint_.mean(thing->part) - joint_.mean(other->part),
+  joint_.correct(difference, joint_.position(thing->part) - joint_.position(other->part),
                  kSamePlace_m * kSamePlace_m * Mat2::Identity());
   thing->absorb(*other);
   forget(same);
@@ -161,19 +174,31 @@ void Things::blur_around(const std::string& robot, double for_s) {
   const Vec2 at_m = robots_.pose(robot).position_m;
   for (const auto& thing : things_)
     if (thing.object_class != "obstacle" &&
-        (joint_.mean(thing.part) - at_m).norm() < kPushedWithin_m)
+        (joint_.position(thing.part) - at_m).norm() < kPushedWithin_m)
       joint_.blur(thing.part, kPushed_m2ps * for_s * Mat2::Identity());
 }
 
 void Things::clear_under(const std::string& robot) {
   const auto part = robots_.part(robot);
+  const Vec2 robot_m = joint_.position(part);
   std::vector<std::uint64_t> under;
   for (const auto& thing : things_) {
     if (thing.object_class != "trash") continue;
+    if ((joint_.position(thing.part) - robot_m).norm() > kFootprint_m) continue;
     const auto expected = expected_sighting(joint_, part, thing.part);
-    if (expected.from_robot_m.norm() > kFootprint_m) continue;
     const Fit fit = fit_of(joint_, expected, {expected.from_robot_m, Mat2::Identity()});
     if (fit.deviation_m < kFootprintDeviation_m) under.push_back(thing.id);
+  }
+  for (const auto id : under) forget(id);
+}
+
+void Things::clear_under(const Gaussian2& robot) {
+  std::vector<std::uint64_t> under;
+  for (const auto& thing : things_) {
+    if (thing.object_class != "trash") continue;
+    if ((joint_.position(thing.part) - robot.mean_m).norm() > kFootprint_m) continue;
+    const double variance_m2 = (joint_.covariance(thing.part) + robot.covariance_m2).trace();
+    if (variance_m2 < 2 * kFootprintDeviation_m * kFootprintDeviation_m) under.push_back(thing.id);
   }
   for (const auto id : under) forget(id);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <optional>
 #include <set>
 #include <string>
@@ -12,6 +13,22 @@
 
 namespace galilean::monitor {
 
+/// Counts the team's things, so that none has the number of another.
+class ThingIds {
+ public:
+  [[nodiscard]] std::uint64_t next() noexcept { return ++last_; }
+
+ private:
+  std::uint64_t last_ = 0;
+};
+
+/// From where a robot looked for how long, and saw all that was there.
+struct Lookout {
+  Pose2 pose;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of x, y [m] and heading [rad]
+  double for_s = 0;                                      ///< 0: it may be anywhere
+};
+
 /// What stands on the floor, estimated together with the robots that saw it.
 ///
 ///   reads   Sightings, after the robot was moved to their pose
@@ -23,9 +40,15 @@ namespace galilean::monitor {
 ///           no robot; baskets stay, and stand apart.
 class Things {
  public:
-  Things(JointGaussian& joint, const RobotPoses& robots) : joint_(joint), robots_(robots) {}
+  Things(JointGaussian& joint, const RobotPoses& robots, ThingIds& ids)
+      : joint_(joint), robots_(robots), ids_(ids) {}
 
-  void see(const msg::Sightings& frame, Time now);
+  /// By a robot of the joint distribution.
+  Lookout see(const msg::Sightings& frame, Time now);
+  /// By one that is none of it: doubts what it does not see. Only what is within kPlainViewTo_m
+  /// can be in plain view.
+  static constexpr double kPlainViewTo_m = 2.0;
+  void miss(const msg::Sightings& frame, const Lookout& from);
   /// Something that a robot touched or put down, `from_robot` of its centre. What is touched again
   /// is the same, and tells nothing of where the robot is.
   void note(const std::string& object_class, const std::string& robot, const Gaussian2& from_robot,
@@ -41,12 +64,18 @@ class Things {
   void blur_around(const std::string& robot, double for_s);
   /// No piece of trash lies where a robot stands: it was pushed away, or picked up.
   void clear_under(const std::string& robot);
+  /// Likewise where one stands that is not of the joint distribution, within kFootprint_m.
+  static constexpr double kFootprint_m = 0.15;  ///< of its centre, wherever its nose points
+  void clear_under(const Gaussian2& robot);
 
+  /// The box around all of them.
+  [[nodiscard]] Eigen::AlignedBox2d extent_m() const;
   [[nodiscard]] const std::vector<Thing>& all() const noexcept { return things_; }
   [[nodiscard]] Gaussian2 place(const Thing& thing) const;
   /// Another one, whose place is known better, may be the same.
   [[nodiscard]] bool may_be_told_twice(const Thing& thing) const;
-  [[nodiscard]] std::uint64_t next_id() noexcept { return ++last_id_; }
+  /// It is to be told.
+  [[nodiscard]] bool tell(const Thing& thing) const;
 
  private:
   struct Seen {
@@ -77,18 +106,20 @@ class Things {
   [[nodiscard]] std::optional<std::size_t> basket_beside(const Seen& basket,
                                                          const std::string& robot) const;
   void relocate(const std::string& robot, const Thing& basket, const Bearing& bearing);
-  void doubt_unseen(const msg::Sightings& frame, const std::vector<Seen>& seen, Time now);
+  /// For how long it is to be relied upon what a robot sees and misses [s].
+  double looked_s(const std::string& robot, Time now);
+  void doubt_unseen(const msg::Sightings& frame, const std::vector<Seen>& seen, double for_s);
   void make_room();
   Thing* find(std::uint64_t id);
 
   JointGaussian& joint_;
   const RobotPoses& robots_;
+  ThingIds& ids_;
   std::vector<Thing> things_;
   std::map<std::string, Time> last_frame_;
   std::map<std::string, Time> oriented_;       ///< when a robot saw last what it can go by
   std::map<std::string, int> strange_frames_;  ///< running, in which a robot saw such a basket
   std::set<std::string> among_others_;         ///< robots that saw what another one saw
-  std::uint64_t last_id_ = 0;
 };
 
 }  // namespace galilean::monitor

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "monitor/map/gaussian.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -28,16 +30,16 @@ bool is_same_turn(const Pose2& a, const Pose2& b, const Vec2& robot_m) {
 }
 
 std::vector<PointPair> agreeing(const Marks& seen, const Marks& known, const Pose2& by) {
+  const Mat2 turn = rotation_by(by.heading_rad);
   std::vector<PointPair> pairs;
   for (const Mark& mark : seen) {
-    const Vec2 there_m = laid_by(by, mark.in_map_m);
+    const Vec2 there_m = by.position_m + turn * mark.in_map_m;
     const Mark* nearest = nullptr;
     for (const Mark& other : known) {
-      const bool taken = std::ranges::find(pairs, other.id, &PointPair::map_index) != pairs.end();
-      if (taken || other.kind != mark.kind) continue;
       const double apart_m = (other.in_map_m - there_m).norm();
-      if (apart_m < kAgree_m && (!nearest || apart_m < (nearest->in_map_m - there_m).norm()))
-        nearest = &other;
+      if (apart_m >= kAgree_m || other.kind != mark.kind) continue;
+      const bool taken = std::ranges::find(pairs, other.id, &PointPair::map_index) != pairs.end();
+      if (!taken && (!nearest || apart_m < (nearest->in_map_m - there_m).norm())) nearest = &other;
     }
     if (nearest) pairs.push_back({nearest->in_map_m, mark.in_map_m, nearest->id, mark.id});
   }
@@ -69,14 +71,27 @@ std::vector<Hypothesis> hypotheses(const Marks& seen, const Marks& known, const 
   return result;
 }
 
+/// Those that something seen can lie on, however far the robot is turned and shifted.
+Marks within_reach(const Marks& known, const Marks& seen, const Vec2& robot_m) {
+  double reach_m = 0;
+  for (const Mark& mark : seen) reach_m = std::max(reach_m, (mark.in_map_m - robot_m).norm());
+  reach_m += TurnedRobot::kMostShift_m + kAgree_m + kSameLength_m;
+  Marks result;
+  for (const Mark& mark : known)
+    if ((mark.in_map_m - robot_m).norm() < reach_m) result.push_back(mark);
+  return result;
+}
+
 }  // namespace
 
 std::size_t mark_kind(const std::string& object_class) {
   return std::hash<std::string>()(object_class);
 }
 
-std::optional<RigidFit> TurnedRobot::fit(const Marks& seen, const Marks& known,
+std::optional<RigidFit> TurnedRobot::fit(const Marks& seen, const Marks& all_known,
                                          const Vec2& robot_m) {
+  if (seen.size() < kLeastAgreeing) return std::nullopt;
+  const Marks known = within_reach(all_known, seen, robot_m);
   const auto all = hypotheses(seen, known, robot_m);
   if (all.empty()) return std::nullopt;
   const auto& best =

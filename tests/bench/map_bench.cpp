@@ -22,18 +22,22 @@ void print(const char* name, const Figures& f) {
 
 }  // namespace
 
-/// How right the map is after three minutes of an office contest, seeds 1 to `argv[1]`; with
-/// "rough", robots' starts are given as the scenario says, before the jitter.
+/// How right the map is after three minutes of an office contest:
+///   map_bench [SEEDS=10] [measured|rough] [SQUAD=4] [SECONDS=190]
+/// seeds 1 to SEEDS; "rough": robots' starts are given as the scenario says, before the jitter;
+/// so many robots a squad.
 int main(int count, char** arguments) {
   const int seeds = count > 1 ? std::atoi(arguments[1]) : 10;
-  const bool rough = count > 2;
-  const double to_s = count > 3 ? std::atof(arguments[3]) : 190;
+  const bool rough = count > 2 && std::string(arguments[2]) == "rough";
+  const std::size_t squad = count > 3 ? std::stoul(arguments[3]) : Squads::kMostRobots;
+  const double to_s = count > 4 ? std::atof(arguments[4]) : 190;
   Figures all;
   for (int seed = 1; seed <= seeds; ++seed) {
     MappedContest contest(
         {.seed = static_cast<std::uint64_t>(seed),
          .duration_s = to_s,
-         .starts = rough ? MappedContest::Starts::kRough : MappedContest::Starts::kMeasured});
+         .starts = rough ? MappedContest::Starts::kRough : MappedContest::Starts::kMeasured,
+         .squad = squad});
     TruthWatch watch(contest, to_s - 20, to_s);
     contest.run([&](const auto& now, const auto& map) { watch.look(now, map); });
     print(std::to_string(seed).c_str(), watch.figures());

@@ -28,9 +28,10 @@ class Hall {
     std::uniform_real_distribution<double> anywhere(-half_m, half_m);
     for (int i = 0; i < things; ++i) things_.emplace_back(anywhere(random_), anywhere(random_));
     for (int i = 0; i < robots; ++i) {
-      poses_.push_back({{anywhere(random_), anywhere(random_)}, anywhere(random_)});
-      map_.start_at(name(i), {});
+      starts_.push_back({{anywhere(random_), anywhere(random_)}, anywhere(random_)});
+      map_.start_at(name(i), starts_.back());
     }
+    turned_rad_.resize(starts_.size());
   }
 
   struct Told {
@@ -42,8 +43,8 @@ class Hall {
   [[nodiscard]] std::vector<Told> period() {
     std::vector<Told> told;
     for (int frame = 0; frame < kFramesAnUpdate; ++frame, now_ += 100ms)
-      for (std::size_t i = 0; i < poses_.size(); ++i) {
-        poses_[i].heading_rad = wrap_angle(poses_[i].heading_rad + kTurn_rad);
+      for (std::size_t i = 0; i < starts_.size(); ++i) {
+        turned_rad_[i] = wrap_angle(turned_rad_[i] + kTurn_rad);
         told.push_back({state(i), sightings(i), now_});
       }
     return told;
@@ -63,28 +64,25 @@ class Hall {
   [[nodiscard]] msg::RobotState state(std::size_t robot) const {
     msg::RobotState state;
     state.robot = name(robot);
-    state.x_m = poses_[robot].position_m.x();
-    state.y_m = poses_[robot].position_m.y();
-    state.heading_rad = poses_[robot].heading_rad;
+    state.heading_rad = turned_rad_[robot];
     return state;
   }
   [[nodiscard]] msg::Sightings sightings(std::size_t robot) {
     std::normal_distribution<double> error(0, 0.03);
-    const Pose2& from = poses_[robot];
+    const Pose2& start = starts_[robot];
     msg::Sightings frame;
     frame.robot = name(robot);
-    frame.x_m = from.position_m.x();
-    frame.y_m = from.position_m.y();
-    frame.heading_rad = from.heading_rad;
+    frame.heading_rad = turned_rad_[robot];
     frame.view_angle_rad = static_cast<float>(kView_rad);
     for (const Vec2& thing : things_) {
-      const Vec2 towards = rotated(thing - from.position_m, -from.heading_rad);
+      const Vec2 in_odom = rotated(thing - start.position_m, -start.heading_rad);
+      const Vec2 towards = rotated(in_odom, -turned_rad_[robot]);
       const double azimuth_rad = std::atan2(towards.y(), towards.x());
       if (towards.norm() > kSight_m || std::abs(azimuth_rad) > kView_rad / 2) continue;
       auto& item = frame.items.emplace_back();
       item.object_class = "trash";
-      item.x_m = thing.x() + error(random_);
-      item.y_m = thing.y() + error(random_);
+      item.x_m = in_odom.x() + error(random_);
+      item.y_m = in_odom.y() + error(random_);
       item.variance_xx = item.variance_yy = 9e-4;
       item.range_m = static_cast<float>(towards.norm());
       item.azimuth_rad = static_cast<float>(azimuth_rad);
@@ -95,7 +93,8 @@ class Hall {
 
   std::mt19937 random_{1};
   std::vector<Vec2> things_;
-  std::vector<Pose2> poses_;
+  std::vector<Pose2> starts_;
+  std::vector<double> turned_rad_;  ///< by odometry
   TeamMap map_{2s};
   Time now_{1s};
 };

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "monitor/map/carried.h"
-
 namespace galilean::monitor {
 namespace {
 
@@ -42,7 +40,7 @@ class SameThingsTest : public testing::Test {
   }
   void align(int times) {
     for (int i = 0; i < times; ++i) {
-      same.align(now);
+      same.align(now, {});
       same.unite_neighbours();
     }
   }
@@ -52,16 +50,18 @@ class SameThingsTest : public testing::Test {
     EXPECT_LT(std::abs(wrap_angle(pose.heading_rad - truly.heading_rad)), within_rad);
   }
 
+  Starts starts;
+  ThingIds ids;
   JointGaussian joint;
-  RobotPoses robots{joint};
-  Things seen{joint, robots};
+  RobotPoses robots{joint, starts};
+  Things seen{joint, robots, ids};
   SameThings same{joint, robots, seen};
   Time now{1s};
 };
 
 TEST_F(SameThingsTest, ARobotPlacedRoughlyIsPutRightByWhatOthersSaw) {
-  robots.start_at("ganymede", {});
-  robots.start_at("io", {{0.1, -0.05}, 0.1});
+  starts.give("ganymede", {});
+  starts.give("io", {{0.1, -0.05}, 0.1});
   look("ganymede", {});
   look("io", {});
   align(6);
@@ -112,9 +112,9 @@ TEST_F(SameThingsTest, WhatOneRobotSeesAtOnceStaysTwo) {
 // Its things are no news any more, and so nothing but the others' map tells.
 TEST_F(SameThingsTest, ARobotThatMapsAllBesideTheOthersRejoinsThem) {
   const Pose2 stands{{2, 2}, 0.3}, believed{{2.5, 2.4}, 0.3};
-  robots.start_at("callisto", believed);
-  robots.start_at("ganymede", {{1, 1}, 0});
-  robots.start_at("io", {});
+  starts.give("callisto", believed);
+  starts.give("ganymede", {{1, 1}, 0});
+  starts.give("io", {});
   const auto look_at_trash = [this](const std::string& robot, const Pose2& truly) {
     look(robot, truly, kThings.size(), 4);
   };
@@ -129,22 +129,11 @@ TEST_F(SameThingsTest, ARobotThatMapsAllBesideTheOthersRejoinsThem) {
   EXPECT_EQ(seen.all().size(), kThings.size() - 4);
 }
 
-// A leg of a table, say, which nobody took for trash.
-TEST_F(SameThingsTest, WhatBreaksTheBeamAndStoodOnNoMapIsNotPutDown) {
-  look("io", {}, 0);
-  Carried carried;
-  carried.note("io", true, robots, seen, now);
-  EXPECT_EQ(carried.all().size(), 1U);
-  carried.note("io", false, robots, seen, now);
-  EXPECT_TRUE(carried.all().empty());
-  EXPECT_TRUE(seen.all().empty());
-}
-
 TEST_F(SameThingsTest, WhatMayBeOneIsToldOnceWhereItIsKnownBest) {
   look("io", {}, 0);
   const auto note = [this](const Vec2& at_m, double deviation_m, Duration after) {
     now += after;
-    const auto id = seen.next_id();
+    const auto id = ids.next();
     seen.note("trash", "io", {at_m, deviation_m * deviation_m * Mat2::Identity()}, 1, now, id);
   };
   note({1, 0}, 0.02, 100ms);

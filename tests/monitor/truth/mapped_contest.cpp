@@ -20,7 +20,8 @@ T required(Result<T> result) {
 
 }  // namespace
 
-MappedContest::MappedContest(const Options& options) {
+MappedContest::MappedContest(const Options& options)
+    : map_(std::chrono::seconds(2), options.squad) {
   robot::add_components(components_);
   sim::HeadlessOptions how{
       .robots = options.robots, .seed = options.seed, .duration_s = options.duration_s};

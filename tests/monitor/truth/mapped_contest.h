@@ -24,6 +24,7 @@ class MappedContest {
     double duration_s = 180;
     Starts starts = Starts::kMeasured;
     std::size_t robots = 3;
+    std::size_t squad = Squads::kMostRobots;
   };
 
   explicit MappedContest(const Options& options);
@@ -52,7 +53,7 @@ class MappedContest {
   void tell(std::size_t robot);
   void tell_regularly(Telemetry& telemetry, const robot::Snapshot& snapshot);
 
-  TeamMap map_{std::chrono::seconds(2)};
+  TeamMap map_;
   SteppedClock stopped_;  ///< messages' own stamps are not what the map goes by
   Registry components_;
   std::vector<std::unique_ptr<Telemetry>> telemetry_;

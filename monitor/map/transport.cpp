@@ -1,0 +1,41 @@
+#include "monitor/map/transport.h"
+
+#include <cmath>
+
+#include "monitor/map/gaussian.h"
+
+namespace galilean::monitor {
+namespace {
+
+constexpr double kTransported_m = 0.10, kTransported_rad = 0.05;
+
+}  // namespace
+
+void transport(JointGaussian& joint, const std::vector<JointGaussian::Part>& parts,
+               const RigidFit& fit) {
+  std::vector<JointGaussian::Term> moved;
+  const Mat2 turn = rotation_by(fit.transform.heading_rad);
+  for (const JointGaussian::Part part : parts) {
+    JointGaussian::Vector mean = joint.mean(part);
+    JointGaussian::Matrix jacobian = JointGaussian::Matrix::Identity(mean.size(), mean.size());
+    jacobian.topLeftCorner<2, 2>() = turn;
+    mean.head<2>() = fit.to_map(mean.head<2>());
+    if (mean.size() > 2) mean[2] += fit.transform.heading_rad;
+    joint.move(part, mean, jacobian, JointGaussian::Matrix::Zero(mean.size(), mean.size()));
+    const Vec2 arm = mean.head<2>() - fit.transform.position_m;
+    JointGaussian::Matrix shared = JointGaussian::Matrix::Zero(mean.size(), 3);
+    shared.topLeftCorner<2, 2>().setIdentity();
+    shared.col(2).head<2>() << -arm.y(), arm.x();
+    if (mean.size() > 2) shared(2, 2) = 1;
+    moved.push_back({part, shared});
+  }
+  const Eigen::Vector3d deviations(kTransported_m, kTransported_m, kTransported_rad);
+  joint.blur(moved, JointGaussian::Matrix(deviations.cwiseAbs2().asDiagonal()));
+}
+
+bool are_near(const RigidFit& a, const RigidFit& b) {
+  return (a.transform.position_m - b.transform.position_m).norm() < 0.3 &&
+         std::abs(wrap_angle(a.transform.heading_rad - b.transform.heading_rad)) < 0.1;
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "monitor/map/joint_gaussian.h"
+#include "monitor/map/rigid_fit.h"
+
+namespace galilean::monitor {
+
+/// Lays robots and things as `fit` says, all together: what they know of one another stays. How far
+/// off the fit may be is an unknown that they share.
+void transport(JointGaussian& joint, const std::vector<JointGaussian::Part>& parts,
+               const RigidFit& fit);
+
+/// The same transformation, up to what fits of a few things differ by.
+[[nodiscard]] bool are_near(const RigidFit& a, const RigidFit& b);
+
+}  // namespace galilean::monitor

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "monitor/map/robot_motion.h"
 #include "monitor/map/things.h"
@@ -32,17 +33,24 @@ void Things::recognise_baskets(const std::string& robot, std::vector<Seen>& seen
 
 std::optional<std::size_t> Things::basket_beside(const Seen& basket,
                                                  const std::string& robot) const {
-  const Vec2 at_m = place_of(joint_, robots_.part(robot), basket.bearing.from_robot).in_map_m;
+  const auto part = robots_.part(robot);
+  const Vec2 at_m = place_of(joint_, part, basket.bearing.from_robot).in_map_m;
   std::optional<std::size_t> nearest;
-  double nearest_m = kBasketsApart_m;
+  double nearest_m = std::numeric_limits<double>::infinity(), next_m = nearest_m;
   for (std::size_t i = 0; i < things_.size(); ++i) {
     if (things_[i].object_class != "basket" || !things_[i].established()) continue;
     const double apart_m = (joint_.position(things_[i].part) - at_m).norm();
+    next_m = std::min(next_m, std::max(apart_m, nearest_m));
     if (apart_m >= nearest_m) continue;
     nearest = i;
     nearest_m = apart_m;
   }
-  return nearest;
+  if (!nearest || nearest_m < kBasketsApart_m) return nearest;
+  // A robot that lost its way, and knows it, may be further off; then no other may come near.
+  const auto expected = expected_sighting(joint_, part, things_[*nearest].part);
+  const double deviation_m = fit_of(joint_, expected, basket.bearing.from_robot).deviation_m;
+  const bool lost = nearest_m < deviation_m && next_m > nearest_m + kBasketsApart_m;
+  return lost ? nearest : std::nullopt;
 }
 
 /// The filter would not believe it: first it must learn that the robot may be anywhere near.

@@ -17,10 +17,10 @@ constexpr double kFootprintDeviation_m = 0.12;
 /// rather pushed than is its observer elsewhere.
 constexpr double kMovedDistance = 4;
 
-constexpr double kToldTwice_m = 0.36;
+constexpr double kToldTwice_m = 0.25;
 constexpr double kApart_m = 0.05;  ///< by which two notes of one thing may err unbeknown
 
-constexpr double kVague_m = 0.6;
+constexpr double kVague_m = 1.0;
 
 constexpr double kPushedWithin_m = 0.42;
 constexpr double kPushed_m2ps = 4e-3;
@@ -35,7 +35,7 @@ Gaussian2 Things::place(const Thing& thing) const {
   return {joint_.position(thing.part), joint_.covariance(thing.part)};
 }
 
-/// Seen from far away, it may stand anywhere within a metre: that is no place to tell.
+/// Seen from far away, it may stand anywhere within metres: that is no place to tell.
 bool Things::tell(const Thing& thing) const {
   return thing.told() && joint_.covariance(thing.part).trace() <= kVague_m * kVague_m &&
          !may_be_told_twice(thing);

@@ -35,9 +35,10 @@ struct Lookout {
 ///   law     a sighting belongs to the thing of its class that is nearest by Mahalanobis distance
 ///           and inside the gate, each thing to one sighting of a frame at most: what is seen as
 ///           two stays two. It corrects thing and robot. Where two things come into question alike,
-///           it corrects neither; where where to look is not known well, it makes a new thing, and
-///           SameThings finds out. Trash that lies elsewhere than expected was moved, and corrects
-///           no robot; baskets stay, and stand apart.
+///           it corrects neither, unless they may be one that was noted twice; where where to look
+///           is not known well, it makes a new thing, and SameThings finds out. Trash that lies
+///           elsewhere than expected was moved, and corrects no robot; baskets stay, and stand
+///           apart.
 class Things {
  public:
   Things(JointGaussian& joint, const RobotPoses& robots, ThingIds& ids)

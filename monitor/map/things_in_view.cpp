@@ -15,6 +15,8 @@ constexpr double kMostBasketDeviation_m = 0.9;
 /// Another thing that fits nearly as well, by squared Mahalanobis distance.
 constexpr double kRivalMargin = 6;
 
+constexpr double kNotedTwice_m = 0.30;  ///< two notes of one thing may be so far apart
+
 /// What a camera must see if it is there: not so near that the blob leaves the picture, not so far
 /// that it is small, and not at the picture's edge.
 constexpr double kPlainViewFrom_m = 0.6;
@@ -28,9 +30,11 @@ bool is_matched(std::size_t thing, const auto& seen) {
   return std::ranges::any_of(seen, [&](const auto& each) { return each.thing == thing; });
 }
 
-bool has_rival(const auto& matches, const auto& best) {
+/// `noted_twice`: two things that may be notes of one are no rivals; either tells the same.
+bool has_rival(const auto& matches, const auto& best, const auto& noted_twice) {
   return std::ranges::any_of(matches, [&](const auto& other) {
-    const bool same_sighting = other.seen == best.seen && other.thing != best.thing;
+    const bool same_sighting = other.seen == best.seen && other.thing != best.thing &&
+                               !noted_twice(best.thing, other.thing);
     const bool same_thing = other.thing == best.thing && other.seen != best.seen;
     return (same_sighting || same_thing) &&
            other.squared_distance < best.squared_distance + kRivalMargin;
@@ -104,7 +108,11 @@ std::optional<Things::Match> Things::match(const std::vector<Seen>& seen,
     }
   }
   if (matches.empty()) return std::nullopt;
-  for (auto& match : matches) match.is_sure = !has_rival(matches, match);
+  const auto noted_twice = [&](std::size_t a, std::size_t b) {
+    const Vec2 apart = joint_.position(things_[a].part) - joint_.position(things_[b].part);
+    return apart.norm() < kNotedTwice_m && may_be_one(things_[a], things_[b]);
+  };
+  for (auto& match : matches) match.is_sure = !has_rival(matches, match, noted_twice);
   return *std::ranges::min_element(matches, {}, [](const Match& match) {
     return std::pair(!match.is_sure, match.squared_distance);
   });

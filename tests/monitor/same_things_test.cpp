@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "monitor/map/robot_motion.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -32,6 +34,7 @@ class SameThingsTest : public testing::Test {
       item.left_px = item.top_px = 100;
       item.right_px = item.bottom_px = 120;
     }
+    starts.hear(robot);
     for (int i = 0; i < 5; ++i) {
       now += 100ms;
       robots.move(robot, {}, false, now);
@@ -127,6 +130,40 @@ TEST_F(SameThingsTest, ARobotThatMapsAllBesideTheOthersRejoinsThem) {
   align(6);
   expect_at("callisto", stands, 0.15, 0.1);
   EXPECT_EQ(seen.all().size(), kThings.size() - 4);
+}
+
+// Until it is found out that they are one, there are two; a third robot may go by either.
+TEST_F(SameThingsTest, WhatMayBeOneNotedTwiceIsNoRivalOfItself) {
+  const auto variance_after_looking = [this](bool seen_as_two) {
+    const std::string io = seen_as_two ? "io" : "callisto";
+    const Pose2 beside{{1.3, 1.4}, 0};
+    starts.give(io, beside);
+    look(io, beside, 0);
+    const double deviation_m = 0.12;
+    for (const double x_m : {1.3, 1.5}) {
+      if (!seen_as_two) now += 100ms;
+      seen.note("trash", "ganymede", {{x_m, 2.1}, deviation_m * deviation_m * Mat2::Identity()}, 1,
+                now, ids.next());
+    }
+    look(io, beside, 5, 4);
+    const double variance_m2 = robots.position(io).covariance_m2.trace();
+    while (!seen.all().empty()) seen.forget(seen.all().front().id);
+    return variance_m2;
+  };
+  look("ganymede", {}, 0);
+  EXPECT_LT(variance_after_looking(false), 0.9 * variance_after_looking(true));
+}
+
+TEST_F(SameThingsTest, ARobotThatKnowsItIsLostIsFoundByOneBasket) {
+  look("ganymede", {}, 4);
+  const Pose2 believed{{5.9, 5.2}, 0}, stands{{5.9, 5.2}, 1};
+  starts.give("io", believed);
+  look("io", believed, 0);
+  RobotMatrix lost = RobotMatrix::Zero();
+  lost(2, 2) = 1.5;
+  joint.blur(robots.part("io"), lost);
+  for (int i = 0; i < 3; ++i) look("io", stands, 4, 3);
+  EXPECT_LT(std::abs(wrap_angle(robots.pose("io").heading_rad - stands.heading_rad)), 0.25);
 }
 
 TEST_F(SameThingsTest, WhatMayBeOneIsToldOnceWhereItIsKnownBest) {

@@ -16,9 +16,9 @@ const Gaussian2 kInGripper{{kGripperAhead_m, 0}, kInGripper_m* kInGripper_m* Mat
 
 /// As it is told; by itself if it is not.
 ToldThing known_as(const ToldThing& thing, const std::vector<ToldThing>& told) {
-  const auto& [squad, id] = thing.notes.front();
-  const auto found =
-      std::ranges::find_if(told, [&](const ToldThing& other) { return other.has(*squad, id); });
+  const ToldThing::Note& note = thing.notes.front();
+  const auto found = std::ranges::find_if(
+      told, [&](const ToldThing& other) { return other.has(*note.squad, note.id); });
   return found == told.end() ? thing : *found;
 }
 

@@ -12,10 +12,10 @@ constexpr double kFarBetter = 2;  ///< variances
 /// the same would each time be surer of it.
 constexpr double kHearsay_m = 0.05;
 /// A piece that lies so far from where another squad knows it was rather pushed since.
-constexpr double kMovedDistance = 4;
+constexpr double kPushedDistance = 4;
 /// Narrow, where all pairs are tried: two dozen things in a room agree by chance otherwise.
-constexpr double kSearchDeviation_m = 0.06;
-constexpr double kLeastSpread_m = 0.8;
+constexpr double kFoundDeviation_m = 0.06;
+constexpr double kLeastFoundSpread_m = 0.8;
 /// Pairs of pairs are tried.
 constexpr std::size_t kMostOwn = 24, kMostKnown = 48;
 
@@ -69,7 +69,8 @@ std::vector<JointGaussian::Part> parts_of(const Squad& squad) {
 void Neighbours::teach(const std::vector<ToldThing>& notes, const std::vector<SamePair>& pairs) {
   for (const auto& pair : pairs) {
     const ToldThing &a = notes[pair.a], &b = notes[pair.b];
-    const bool may_have_moved = a.object_class == "trash" && pair.squared_distance > kMovedDistance;
+    const bool may_have_moved =
+        a.object_class == "trash" && pair.squared_distance > kPushedDistance;
     if (!pair.is_sure || may_have_moved || a.object_class == "obstacle") continue;
     const bool a_knows = a.place.covariance_m2.trace() < b.place.covariance_m2.trace();
     monitor::teach(a_knows ? a : b, a_knows ? b : a);
@@ -82,11 +83,11 @@ void Neighbours::find_unplaced(const std::vector<ToldThing>& told) {
 }
 
 void Neighbours::find(Squad& squad, const std::vector<ToldThing>& told) {
-  const auto fit = fit_rigidly(all_pairs(squad, told), kSearchDeviation_m, kLeastAgreeing);
+  const auto fit = fit_rigidly(all_pairs(squad, told), kFoundDeviation_m, kLeastAgreeing);
   const auto before = candidates_.find(&squad);
   const bool again = before != candidates_.end() && are_near(before->second, fit);
   candidates_.erase(&squad);
-  if (fit.agreeing.empty() || fit.spread_m < kLeastSpread_m) return;
+  if (fit.agreeing.empty() || fit.spread_m < kLeastFoundSpread_m) return;
   if (!again) {
     candidates_[&squad] = fit;
     return;

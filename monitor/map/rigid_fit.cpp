@@ -49,10 +49,10 @@ std::vector<PointPair> agreeing_with(const Pose2& by, const std::vector<PointPai
   std::vector<PointPair> once;
   if (near.size() <= at_least) return once;
   std::ranges::stable_sort(near, {}, &Near::squared_m2);
-  for (const auto& [error, pair] : near)
+  for (const Near& each : near)
     if (std::ranges::none_of(
-            once, [&](const PointPair& other) { return exclude_one_another(*pair, other); }))
-      once.push_back(*pair);
+            once, [&](const PointPair& other) { return exclude_one_another(*each.pair, other); }))
+      once.push_back(*each.pair);
   return once;
 }
 

@@ -7,10 +7,10 @@
 namespace galilean::monitor {
 namespace {
 
-constexpr double kWithin_m = 0.30;  ///< notes of one thing lie nearer to one another
-constexpr double kApart_m = 0.05;   ///< by which either may err unbeknown
+constexpr double kWithin_m = 0.30;      ///< notes of one thing lie nearer to one another
+constexpr double kNotesApart_m = 0.05;  ///< by which either may err unbeknown
 /// Another pair that fits nearly as well, by squared Mahalanobis distance.
-constexpr double kRivalMargin = 6;
+constexpr double kNotesRivalMargin = 6;
 
 ToldThing told(Squad& squad, const Thing& thing) {
   return {thing.id,        thing.object_class, squad.things.place(thing), thing.certainty,
@@ -19,7 +19,7 @@ ToldThing told(Squad& squad, const Thing& thing) {
 
 double squared_distance(const ToldThing& a, const ToldThing& b) {
   Gaussian2 unsure = b.place;
-  unsure.covariance_m2 += kApart_m * kApart_m * Mat2::Identity();
+  unsure.covariance_m2 += kNotesApart_m * kNotesApart_m * Mat2::Identity();
   return squared_mahalanobis(a.place, unsure);
 }
 
@@ -38,7 +38,7 @@ void mark_rivals(std::vector<SamePair>& pairs) {
   for (std::size_t i = 0; i < pairs.size(); ++i)
     for (std::size_t j = 0; j < pairs.size() && pairs[i].is_sure; ++j)
       pairs[i].is_sure = i == j || !shares(pairs[i], pairs[j]) ||
-                         pairs[j].squared_distance > pairs[i].squared_distance + kRivalMargin;
+                         pairs[j].squared_distance > pairs[i].squared_distance + kNotesRivalMargin;
 }
 
 bool is_placed(const ToldThing& note) {

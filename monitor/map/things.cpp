@@ -19,7 +19,7 @@ constexpr double kMovedDistance = 4;
 constexpr double kToldTwice_m = 0.25;
 constexpr double kApart_m = 0.05;  ///< by which two notes of one thing may err unbeknown
 
-constexpr double kVague_m = 1.0;
+constexpr double kVague_m = 0.75;
 
 bool is_thing(const msg::Sighting& sighting) {
   return sighting.object_class != "robot" && sighting.object_class != "obstacle";

@@ -7,7 +7,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double kView_rad = 73.5 * kPi / 180;
+constexpr double kCameraView_rad = 73.5 * kPi / 180;
 
 TEST(Squads, ATeamThatFitsIntoOneIsNotDivided) {
   Squads squads(4);
@@ -40,7 +40,7 @@ class DividedTeamTest : public testing::Test {
   /// `robot` stands at `truly` and its odometer at 0: what it sees of the things, exactly.
   [[nodiscard]] static msg::Sightings frame(const std::string& robot, const Pose2& truly,
                                             const std::vector<Vec2>& trash,
-                                            double view_rad = kView_rad) {
+                                            double view_rad = kCameraView_rad) {
     msg::Sightings result;
     result.robot = robot;
     result.view_angle_rad = static_cast<float>(view_rad);

@@ -25,7 +25,7 @@ void teach(const ToldThing& knows, const ToldThing& learns) {
   const auto& [squad, id] = learns.notes.front();
   const auto thing = std::ranges::find(squad->things.all(), id, &Thing::id);
   const JointGaussian::Term itself[] = {{thing->part, Mat2::Identity()}};
-  const Vec2 apart = knows.place.mean_m - squad->joint.mean(thing->part).head<2>();
+  const Vec2 apart = knows.place.mean_m - squad->joint.position(thing->part);
   squad->joint.correct(itself, apart, hearsay);
 }
 

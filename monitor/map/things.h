@@ -41,14 +41,15 @@ struct Lookout {
 ///           apart.
 class Things {
  public:
+  static constexpr double kPlainViewTo_m = 2.0;  ///< further away, a blob may be too small
+  static constexpr double kFootprint_m = 0.15;   ///< of its centre, wherever its nose points
+
   Things(JointGaussian& joint, const RobotPoses& robots, ThingIds& ids)
       : joint_(joint), robots_(robots), ids_(ids) {}
 
   /// By a robot of the joint distribution.
   Lookout see(const msg::Sightings& frame, Time now);
-  /// By one that is none of it: doubts what it does not see. Only what is within kPlainViewTo_m
-  /// can be in plain view.
-  static constexpr double kPlainViewTo_m = 2.0;
+  /// By one that is none of it: doubts what it misses in plain view, within kPlainViewTo_m.
   void miss(const msg::Sightings& frame, const Lookout& from);
   /// Something that a robot touched or put down, `from_robot` of its centre. What is touched again
   /// is the same, and tells nothing of where the robot is.
@@ -66,7 +67,6 @@ class Things {
   /// No piece of trash lies where a robot stands: it was pushed away, or picked up.
   void clear_under(const std::string& robot);
   /// Likewise where one stands that is not of the joint distribution, within kFootprint_m.
-  static constexpr double kFootprint_m = 0.15;  ///< of its centre, wherever its nose points
   void clear_under(const Gaussian2& robot);
 
   /// The box around all of them.
@@ -101,8 +101,8 @@ class Things {
   void put(Thing& thing, const std::string& robot, const Gaussian2& from_robot);
   void correct(const Thing& thing, const Bearing& bearing, JointGaussian::Part robot);
   void note_orientation(const msg::Sightings& frame, const std::vector<Seen>& seen, Time now);
-  /// A basket where none is known, but beside one that is: it is that one, and the robot is
-  /// elsewhere than it is believed to be.
+  /// A basket where none is known, but beside one that is, or nearest to one where the robot is
+  /// lost: it is that one, and the robot is elsewhere than it is believed to be.
   void recognise_baskets(const std::string& robot, std::vector<Seen>& seen);
   [[nodiscard]] std::optional<std::size_t> basket_beside(const Seen& basket,
                                                          const std::string& robot) const;

@@ -60,9 +60,8 @@ bool is_hidden(const msg::Sightings& frame, double azimuth_rad, double range_m) 
 }
 
 bool in_plain_view(const msg::Sightings& frame, const Vec2& from_robot_m) {
-  constexpr double kPlainViewTo_m = Things::kPlainViewTo_m;
   const double range_m = from_robot_m.norm();
-  if (range_m <= kPlainViewFrom_m || range_m >= kPlainViewTo_m) return false;
+  if (range_m <= kPlainViewFrom_m || range_m >= Things::kPlainViewTo_m) return false;
   const double azimuth_rad = std::atan2(from_robot_m.y(), from_robot_m.x());
   return std::abs(azimuth_rad) < frame.view_angle_rad / 2 - kPictureEdge_rad &&
          !is_hidden(frame, azimuth_rad, range_m);

@@ -31,6 +31,18 @@ struct Floor::Cells {
       static_cast<float>(-kStartAcross_m / 2), static_cast<float>(kStartAcross_m / 2),
       static_cast<float>(-kStartAcross_m / 2), static_cast<float>(kStartAcross_m / 2),
       static_cast<float>(kCell_m)};
+
+  void update(const Vec2& at_m, float free_probability) {
+    grid.updateCell(grid.x2idx(at_m.x()), grid.y2idx(at_m.y()), free_probability);
+  }
+
+  /// False: it is occupied.
+  [[nodiscard]] bool update_unless_occupied(const Vec2& at_m, float free_probability) {
+    const int column = grid.x2idx(at_m.x()), row = grid.y2idx(at_m.y());
+    if (grid.getCell(column, row) < kUnknownAbove) return false;
+    grid.updateCell(column, row, free_probability);
+    return true;
+  }
 };
 
 Floor::Floor() : cells_(std::make_unique<Cells>()) {}
@@ -50,16 +62,12 @@ bool Floor::make_room(const Vec2& at_m) {
   return true;
 }
 
-void Floor::update(const Vec2& at_m, float free_probability) {
-  auto& grid = cells_->grid;
-  grid.updateCell(grid.x2idx(at_m.x()), grid.y2idx(at_m.y()), free_probability);
-}
-
 void Floor::update_disc(const Vec2& centre_m, double radius_m, float free_probability) {
   if (!make_room(centre_m)) return;
   for (double dx_m = -radius_m; dx_m <= radius_m; dx_m += kCell_m)
     for (double dy_m = -radius_m; dy_m <= radius_m; dy_m += kCell_m)
-      if (std::hypot(dx_m, dy_m) <= radius_m) update(centre_m + Vec2(dx_m, dy_m), free_probability);
+      if (std::hypot(dx_m, dy_m) <= radius_m)
+        cells_->update(centre_m + Vec2(dx_m, dy_m), free_probability);
 }
 
 void Floor::stood(const Vec2& robot_m) {
@@ -93,16 +101,8 @@ void Floor::look_along(const Vec2& from_m, double direction_rad, double length_m
   const Vec2 step = kCell_m * unit_vector(direction_rad);
   const auto steps = static_cast<int>(length_m / kCell_m);
   if (steps <= 0 || !make_room(from_m) || !make_room(from_m + steps * step)) return;
-  for (int i = 0; i < steps; ++i) {
-    const Vec2 at_m = from_m + i * step;
-    if (is_occupied(at_m)) return;
-    update(at_m, free_probability);
-  }
-}
-
-bool Floor::is_occupied(const Vec2& at_m) const {
-  return cells_->grid.getPos(static_cast<float>(at_m.x()), static_cast<float>(at_m.y())) <
-         kUnknownAbove;
+  for (int i = 0; i < steps; ++i)
+    if (!cells_->update_unless_occupied(from_m + i * step, free_probability)) return;
 }
 
 void Floor::bumped(const Vec2& at_m) {

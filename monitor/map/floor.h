@@ -46,8 +46,6 @@ class Floor {
   [[nodiscard]] bool make_room(const Vec2& at_m);
   void look_along(const Vec2& from_m, double direction_rad, double length_m,
                   float free_probability);
-  [[nodiscard]] bool is_occupied(const Vec2& at_m) const;
-  void update(const Vec2& at_m, float free_probability);
   void update_disc(const Vec2& centre_m, double radius_m, float free_probability);
 
   std::unique_ptr<Cells> cells_;

@@ -1,5 +1,6 @@
 #include "monitor/map/map_service.h"
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <utility>
@@ -9,8 +10,10 @@
 namespace galilean::monitor {
 namespace {
 
-constexpr auto kPeriod = std::chrono::milliseconds(200);
-constexpr int kPeriodsAFloor = 5;
+/// Messages are taken in all along, so that little is left to do when it is time to publish.
+constexpr auto kSlice = std::chrono::milliseconds(20);
+constexpr int kSlicesAPeriod = 10;
+constexpr int kSlicesAFloor = 5 * kSlicesAPeriod;
 
 template <class M>
 void note_as(TeamMap& map, const std::vector<std::uint8_t>& cdr, Time at) {
@@ -63,23 +66,27 @@ void MapService::receive(const Message& message) {
 
 void MapService::run() {
   auto next = std::chrono::steady_clock::now();
-  for (int period = 0;; ++period) {
-    std::vector<Arrived> arrived;
-    {
-      std::unique_lock lock(mutex_);
-      next += kPeriod;
-      if (ended_.wait_until(lock, next, [this] { return ending_; })) return;
-      arrived = std::exchange(waiting_, {});
-    }
+  for (int slice = 0;; ++slice) {
+    next = std::max(next + kSlice, std::chrono::steady_clock::now());
+    const auto arrived = arrived_until(next);
+    if (!arrived) return;
     try {
       const Time began = clock_.now();
-      take_in(arrived);
-      publish(clock_.now(), period % kPeriodsAFloor == 0);
+      take_in(*arrived);
+      if (slice % kSlicesAPeriod != 0) continue;
+      publish(clock_.now(), slice % kSlicesAFloor == 0);
       update_s_ = to_seconds(clock_.now() - began);
     } catch (const std::exception& error) {
       std::clog << "galilean-monitor: the map lost an update: " << error.what() << '\n';
     }
   }
+}
+
+std::optional<std::vector<MapService::Arrived>> MapService::arrived_until(
+    std::chrono::steady_clock::time_point end) {
+  std::unique_lock lock(mutex_);
+  if (ended_.wait_until(lock, end, [this] { return ending_; })) return std::nullopt;
+  return std::exchange(waiting_, {});
 }
 
 void MapService::take_in(const std::vector<Arrived>& arrived) {

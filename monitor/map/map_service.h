@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <map>
 #include <mutex>
@@ -41,7 +42,7 @@ class MapService {
   };
   /// Nothing while no robot has told where it is.
   [[nodiscard]] std::optional<Newest> newest() const;
-  /// What the last update took, with the messages before it.
+  /// What the last update took, with the messages of the 20 ms before it: what they are late by.
   [[nodiscard]] double update_s() const noexcept { return update_s_; }
 
  private:
@@ -54,6 +55,9 @@ class MapService {
   static constexpr std::size_t kMostWaiting = 4096;
 
   void run();
+  /// Waits. Nothing: the service ends.
+  [[nodiscard]] std::optional<std::vector<Arrived>> arrived_until(
+      std::chrono::steady_clock::time_point end);
   void take_in(const std::vector<Arrived>& arrived);
   void publish(Time now, bool with_floor);
   void publish_floor(std::int64_t stamp_ns);

@@ -49,6 +49,7 @@ void RobotPoses::move(const std::string& robot, const Pose2& in_odom, bool touch
     joint_.blur(moving.part, noise);
     return;
   }
+  if (!touching && step.by_m.isZero(0) && step.turn_rad == 0) return;  // neither moved nor unsurer
   const Moved now_at = galilean::monitor::moved(joint_.mean(moving.part), step);
   joint_.move(moving.part, now_at.mean, now_at.jacobian, now_at.noise);
 }

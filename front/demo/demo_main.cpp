@@ -162,6 +162,8 @@ int main(int argc, char** argv) {
                  "End after so many seconds: exit code 0 if the team worked, else 1")
       ->check(CLI::PositiveNumber);
   app.add_option("--record", options.record, "Record all topics to this file, as MCAP");
+  app.add_option("--allow-origin", options.allowed_origins,
+                 "Another page that may use the monitor, as https://host[:port]");
   app.add_option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
       ->check(CLI::Range(0, 232));
   CLI11_PARSE(app, argc, argv);

@@ -109,6 +109,8 @@ std::optional<Error> Ensemble::start_monitor() {
   const std::string place = "127.0.0.1:" + std::to_string(options_.port);
   std::vector<std::string> command{"galilean-monitor", "--listen", place};
   for (const auto& start : starts_) command.insert(command.end(), {"--start", start});
+  for (const auto& origin : options_.allowed_origins)
+    command.insert(command.end(), {"--allow-origin", origin});
   if (auto failure = add("monitor", command, true)) return failure;
   const auto answered = await_line("http://");
   return answered ? std::nullopt : std::optional(answered.error());

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace galilean::front {
 
@@ -15,8 +16,9 @@ struct DemoOptions {
   bool watch = false;                   ///< the robots swap when it is saved
   std::uint64_t seed = 1;
   std::optional<double> headless_for_s;
-  std::string record;  ///< a file, or empty
-  int domain = -1;     ///< of DDS; -1: as ROS_DOMAIN_ID says, else 0
+  std::string record;                        ///< a file, or empty
+  std::vector<std::string> allowed_origins;  ///< other pages that may use the monitor
+  int domain = -1;                           ///< of DDS; -1: as ROS_DOMAIN_ID says, else 0
 };
 
 }  // namespace galilean::front

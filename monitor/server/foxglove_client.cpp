@@ -146,9 +146,10 @@ void Hub::Client::call(const ServiceCall& call) {
 void Hub::Client::answer(std::uint32_t service_id, std::uint32_t call_id,
                          const Result<nlohmann::json>& result) {
   if (result)
-    push(service_response_frame(service_id, call_id, "json", json_text(result.value())));
-  else
-    tell(service_failure(service_id, call_id, result.error().message));
+    return push(service_response_frame(service_id, call_id, "json", json_text(result.value())));
+  const auto& why = result.error().message;
+  tell(service_failure(service_id, call_id, why));
+  refuse(why);  // some viewers (Lichtblick 1.28) wait on and say nothing of a failure
 }
 
 void Hub::Client::deliver(std::uint32_t subscription_id, const Message& message) {

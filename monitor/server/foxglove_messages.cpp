@@ -73,9 +73,7 @@ std::string advertise_services(const std::vector<Service>& services) {
                     {"name", service.name},
                     {"type", service.type},
                     {"request", definition(service.request_schema, service.type + "_Request")},
-                    {"response", definition(service.response_schema, service.type + "_Response")},
-                    {"requestSchema", service.request_schema.dump()},
-                    {"responseSchema", service.response_schema.dump()}});
+                    {"response", definition(service.response_schema, service.type + "_Response")}});
   return json_text({{"op", "advertiseServices"}, {"services", std::move(list)}});
 }
 

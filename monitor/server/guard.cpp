@@ -26,6 +26,9 @@ std::string_view authority(std::string_view origin) {
   return scheme == origin.npos ? std::string_view() : origin.substr(scheme + 3);
 }
 
+/// What a browser's engine sends for a page that was opened as a file.
+constexpr std::string_view kDesktopProgram = "file://";
+
 }  // namespace
 
 bool Guard::means_us(std::string_view host) const {
@@ -47,6 +50,7 @@ std::string Guard::objection(const HttpRequest& request) const {
     return "This monitor does not answer for the host '" + request.host +
            "'; use localhost or the address that it listens on.";
   if (request.origin.empty() || is_allowed_stranger(request.origin)) return {};
+  if (lower(request.origin) == kDesktopProgram) return {};
   if (lower(authority(request.origin)) == lower(request.host)) return {};
   return "Pages from '" + request.origin +
          "' may not use this monitor; start it with --allow-origin " + request.origin +

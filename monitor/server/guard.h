@@ -14,7 +14,8 @@ namespace galilean::monitor {
 /// even read the answers; the browser then names the page's own host in Host, and the page in
 /// Origin. Host must be a name of the loopback interface or the address that the server listens on
 /// (any address, where it listens on all); Origin, where there is one, must be this same host or
-/// one that the operator allowed.
+/// one that the operator allowed. A page that was opened as a file may ask as well: the desktop
+/// programs of Foxglove and Lichtblick are such, and no site can name itself so.
 class Guard {
  public:
   /// `allowed_origins` as a browser sends them: "https://studio.example.org".

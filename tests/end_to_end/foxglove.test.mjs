@@ -84,6 +84,7 @@ test("the protocol's own client", async (t) => {
     const hold = await viewer.service('/galilean/hold');
     viewer.client.sendServiceCallRequest({ serviceId: hold.id, callId: 7, encoding: 'json', data: asJson({}) });
     assert.match((await viewer.next('serviceCallFailure')).message, /operator's token/);
+    assert.match((await viewer.next('status')).message, /operator's token/);
     const operator = connect(inner, url, { token: token('operator') });
     const call = async (name, callId, request) => {
       const service = await operator.service(name);

@@ -43,6 +43,13 @@ TEST(Guard, OnlyItsOwnPageAndAllowedOnesMayAsk) {
   EXPECT_FALSE(passes(guard, "localhost:8080", "null"));
 }
 
+TEST(Guard, DesktopProgramsWhosePagesAreFilesMayAsk) {
+  const Guard guard("127.0.0.1", {});
+  EXPECT_TRUE(passes(guard, "localhost:8080", "file://"));
+  EXPECT_FALSE(passes(guard, "evil.example", "file://"));
+  EXPECT_FALSE(passes(guard, "localhost:8080", "file://evil.example"));
+}
+
 TEST(PageFiles, WithoutAPageItSaysHowToBuildOne) {
   const PageFiles page("/nonexistent");
   HttpRequest request;

@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 
 #include "monitor/map/transport.h"
 
@@ -16,10 +15,7 @@ constexpr double kMatchedWithin_m = 1.2;
 constexpr double kPointDeviation_m = 0.08;
 /// Narrower where all pairs are tried: two dozen things in a room agree by chance otherwise.
 constexpr double kSearchDeviation_m = 0.06;
-/// A robot that lost its way sees anew what it knew before.
-constexpr Duration kLately = std::chrono::seconds(10);
 constexpr double kLeastSpread_m = 0.8;
-constexpr double kAlreadyThere_m = 0.5, kAlreadyThere_rad = 0.2;
 
 bool share_an_observer(const Thing& a, const Thing& b) {
   return std::ranges::any_of(a.seen_by,
@@ -28,11 +24,6 @@ bool share_an_observer(const Thing& a, const Thing& b) {
 
 std::array<JointGaussian::Term, 2> difference(const Thing& a, const Thing& b) {
   return {{{a.part, Mat2::Identity()}, {b.part, -Mat2::Identity()}}};
-}
-
-bool is_there_already(const Vec2& robot_m, const RigidFit& fit) {
-  return (fit.to_map(robot_m) - robot_m).norm() < kAlreadyThere_m &&
-         std::abs(fit.transform.heading_rad) < kAlreadyThere_rad;
 }
 
 }  // namespace
@@ -67,15 +58,14 @@ void SameThings::align(Time now, const std::vector<Mark>& others_know) {
   if (next == robots.end()) next = robots.begin();
   last_aligned_ = next->first;
   unite_agreeing(next->first);
-  if (recognises_nothing(next->first)) turn_back(next->first, others_know);
-  rejoin(next->first, others_know);
+  lost_.lay_back(next->first, now, others_know);
   if (next != robots.begin() && !shares_things(next->first)) search(next->first);
 }
 
 std::vector<PointPair> SameThings::pairs(const std::string& robot, bool inside_gate) const {
   std::vector<PointPair> result;
   const auto& all = things_.all();
-  const Time since = inside_gate ? now_ - kLately : Time::min();
+  const Time since = inside_gate ? now_ - Thing::kLately : Time::min();
   for (const auto& own : all) {
     if (!own.established() || !own.was_seen_by(robot, since)) continue;
     for (const auto& other : all) {
@@ -120,80 +110,14 @@ void SameThings::search(const std::string& robot) {
   if (before != candidates_.end() && are_near(before->second, fit)) {
     candidates_.erase(robot);
     if (!is_there_already(robots_.pose(robot).position_m, fit))
-      transport(joint_, with(robot, seen_alone(robot)), fit);
+      transport(joint_, robot_and_seen_alone(robot), fit);
     return;
   }
   candidates_[robot] = fit;
 }
 
-/// What stays where it is for a while, and was seen often enough.
-std::vector<const Thing*> SameThings::landmarks() const {
-  std::vector<const Thing*> result;
-  for (const auto& thing : things_.all())
-    if (thing.established() && thing.object_class != "obstacle") result.push_back(&thing);
-  return result;
-}
-
-Mark SameThings::mark_of(const Thing& thing) const {
-  return {joint_.position(thing.part), mark_kind(thing.object_class), thing.id};
-}
-
-/// Of what it saw lately, nearly all is new, and nobody else saw it.
-bool SameThings::recognises_nothing(const std::string& robot) const {
-  std::size_t fresh = 0, known = 0;
-  for (const Thing* thing : landmarks())
-    if (thing->was_seen_by(robot, now_ - kLately))
-      ++(thing->is_new_of(robot, now_) ? fresh : known);
-  return fresh >= TurnedRobot::kLeastAgreeing && fresh > 2 * known;
-}
-
-void SameThings::turn_back(const std::string& robot, const std::vector<Mark>& others_know) {
-  std::vector<Mark> seen, known = others_know;
-  std::vector<JointGaussian::Part> own;
-  for (const Thing* thing : landmarks()) {
-    if (thing->is_new_of(robot, now_)) {
-      seen.push_back(mark_of(*thing));
-      own.push_back(thing->part);
-    } else if (!thing->was_seen_by(robot, now_ - kLately)) {
-      known.push_back(mark_of(*thing));
-    }
-  }
-  const Vec2 robot_m = robots_.pose(robot).position_m;
-  const auto fit = TurnedRobot::fit(seen, known, robot_m);
-  // What others know beside it is put right by what they tell, and needs no laying back.
-  const bool needless = fit && !others_know.empty() && is_there_already(robot_m, *fit);
-  if (fit && !needless) lay_back(robot, own, *fit);
-}
-
-void SameThings::rejoin(const std::string& robot, const std::vector<Mark>& others_know) {
-  std::vector<Mark> seen, known = others_know;
-  std::vector<JointGaussian::Part> own;
-  for (const Thing* thing : landmarks()) {
-    const bool lately = thing->was_seen_by(robot, now_ - kLately);
-    const bool shared = thing->seen_by.size() > 1;
-    if (lately) seen.push_back(mark_of(*thing));
-    if (shared) known.push_back(mark_of(*thing));
-    if (lately && !shared) own.push_back(thing->part);
-  }
-  const Vec2 robot_m = robots_.pose(robot).position_m;
-  const auto fit = TurnedRobot::fit(seen, known, robot_m);
-  if (fit && !is_there_already(robot_m, *fit)) lay_back(robot, own, *fit);
-}
-
-void SameThings::lay_back(const std::string& robot, const std::vector<JointGaussian::Part>& own,
-                          const RigidFit& fit) {
-  transport(joint_, with(robot, own), fit);
-  for (const auto& pair : fit.agreeing) things_.unite(pair.map_index, pair.other_index);
-}
-
-std::vector<JointGaussian::Part> SameThings::with(const std::string& robot,
-                                                  std::vector<JointGaussian::Part> things) const {
-  things.insert(things.begin(), robots_.part(robot));
-  return things;
-}
-
-std::vector<JointGaussian::Part> SameThings::seen_alone(const std::string& robot) const {
-  std::vector<JointGaussian::Part> parts;
+std::vector<JointGaussian::Part> SameThings::robot_and_seen_alone(const std::string& robot) const {
+  std::vector<JointGaussian::Part> parts{robots_.part(robot)};
   for (const auto& thing : things_.all())
     if (thing.seen_by.size() == 1 && thing.was_seen_by(robot)) parts.push_back(thing.part);
   return parts;

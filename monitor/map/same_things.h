@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "monitor/map/lost_robots.h"
 #include "monitor/map/rigid_fit.h"
 #include "monitor/map/things.h"
-#include "monitor/map/turned_robot.h"
 
 namespace galilean::monitor {
 
@@ -16,11 +16,10 @@ namespace galilean::monitor {
 ///   law     two things of a class near one another are one where their places are known well and
 ///           nothing else comes into question. Where they are not, the things of a robot and those
 ///           of the others are matched by the rigid transformation that most of them agree on.
-///           Where a robot shares nothing with the others, because it
-///           is not where it was said to be, all
-///           pairs of a class are tried; a transformation that at least kLeastForUnknown agree on,
-///           twice running, moves the robot and what it alone saw. A robot that recognises nothing
-///           of what was known is turned back as TurnedRobot says.
+///           Where a robot shares nothing with the others, because it is not where it was said to
+///           be, all pairs of a class are tried; a transformation that at least kLeastForUnknown
+///           agree on, twice running, moves the robot and what it alone saw. One that lost its way
+///           is laid back (LostRobots).
 ///   source  mrpt::tfest
 class SameThings {
  public:
@@ -45,25 +44,14 @@ class SameThings {
   void unite_agreeing(const std::string& robot);
   [[nodiscard]] bool shares_things(const std::string& robot) const;
   void search(const std::string& robot);
-  [[nodiscard]] std::vector<JointGaussian::Part> seen_alone(const std::string& robot) const;
-  [[nodiscard]] bool recognises_nothing(const std::string& robot) const;
-  void turn_back(const std::string& robot, const std::vector<Mark>& others_know);
-  /// One that took its bearings from the wrong things maps all it sees beside what others know too,
-  /// and goes by that.
-  void rejoin(const std::string& robot, const std::vector<Mark>& others_know);
-  [[nodiscard]] std::vector<const Thing*> landmarks() const;
-  [[nodiscard]] Mark mark_of(const Thing& thing) const;
-  /// The robot and its own things, onto those that they agree with.
-  void lay_back(const std::string& robot, const std::vector<JointGaussian::Part>& own,
-                const RigidFit& fit);
-  /// The robot first, as they are laid back together.
-  [[nodiscard]] std::vector<JointGaussian::Part> with(
-      const std::string& robot, std::vector<JointGaussian::Part> things) const;
+  [[nodiscard]] std::vector<JointGaussian::Part> robot_and_seen_alone(
+      const std::string& robot) const;
   [[nodiscard]] std::vector<PointPair> pairs(const std::string& robot, bool inside_gate) const;
 
   JointGaussian& joint_;
   RobotPoses& robots_;
   Things& things_;
+  LostRobots lost_{joint_, robots_, things_};
   Time now_{};
   std::map<std::string, RigidFit> candidates_;  ///< found once
   std::string last_aligned_;

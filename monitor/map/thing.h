@@ -25,6 +25,8 @@ struct Thing {
   static constexpr double kDoubtKept = 0.6;
   static constexpr unsigned kLeastSightings = 3;
   static constexpr Duration kNew = std::chrono::seconds(12);
+  /// A robot that lost its way sees anew what it knew before.
+  static constexpr Duration kLately = std::chrono::seconds(10);
 
   std::uint64_t id = 0;  ///< the same as long as it is remembered
   std::string object_class;

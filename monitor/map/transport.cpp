@@ -8,6 +8,7 @@ namespace galilean::monitor {
 namespace {
 
 constexpr double kTransported_m = 0.10, kTransported_rad = 0.05;
+constexpr double kAlreadyThere_m = 0.5, kAlreadyThere_rad = 0.2;
 
 }  // namespace
 
@@ -31,6 +32,11 @@ void transport(JointGaussian& joint, const std::vector<JointGaussian::Part>& par
   }
   const Eigen::Vector3d deviations(kTransported_m, kTransported_m, kTransported_rad);
   joint.blur(moved, JointGaussian::Matrix(deviations.cwiseAbs2().asDiagonal()));
+}
+
+bool is_there_already(const Vec2& robot_m, const RigidFit& fit) {
+  return (fit.to_map(robot_m) - robot_m).norm() < kAlreadyThere_m &&
+         std::abs(fit.transform.heading_rad) < kAlreadyThere_rad;
 }
 
 bool are_near(const RigidFit& a, const RigidFit& b) {

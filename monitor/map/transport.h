@@ -12,6 +12,9 @@ namespace galilean::monitor {
 void transport(JointGaussian& joint, const std::vector<JointGaussian::Part>& parts,
                const RigidFit& fit);
 
+/// The fit would not move a robot there by more than things differ anyway.
+[[nodiscard]] bool is_there_already(const Vec2& robot_m, const RigidFit& fit);
+
 /// The same transformation, up to what fits of a few things differ by.
 [[nodiscard]] bool are_near(const RigidFit& a, const RigidFit& b);
 

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "monitor/map/rigid_fit.h"
+#include "monitor/map/things.h"
+#include "monitor/map/turned_robot.h"
+
+namespace galilean::monitor {
+
+/// Lays robots that lost their way back to where what they see was known to be.
+///
+///   law   a robot that recognises nothing of what was known is turned back as TurnedRobot says;
+///         so is one that took its bearings from the wrong things: it maps all it sees beside what
+///         others know too, and goes by that. What it alone noted goes with it
+class LostRobots {
+ public:
+  LostRobots(JointGaussian& joint, RobotPoses& robots, Things& things)
+      : joint_(joint), robots_(robots), things_(things) {}
+
+  /// `others_know`: things that robots saw which are not of the joint distribution.
+  void lay_back(const std::string& robot, Time now, const std::vector<Mark>& others_know);
+
+ private:
+  [[nodiscard]] bool recognises_nothing(const std::string& robot) const;
+  void turn_back(const std::string& robot, const std::vector<Mark>& others_know);
+  void rejoin(const std::string& robot, const std::vector<Mark>& others_know);
+  [[nodiscard]] std::vector<const Thing*> landmarks() const;
+  [[nodiscard]] Mark mark_of(const Thing& thing) const;
+  /// Onto the things that they agree with.
+  void lay(const std::vector<JointGaussian::Part>& robot_and_own, const RigidFit& fit);
+
+  JointGaussian& joint_;
+  RobotPoses& robots_;
+  Things& things_;
+  Time now_{};
+};
+
+}  // namespace galilean::monitor

@@ -1,5 +1,5 @@
+#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 
 #include "tests/monitor/truth/figures.h"
@@ -22,22 +22,27 @@ void print(const char* name, const Figures& f) {
 
 }  // namespace
 
-/// How right the map is after three minutes of an office contest:
-///   map_bench [SEEDS=10] [measured|rough] [SQUAD=4] [SECONDS=190]
-/// seeds 1 to SEEDS; "rough": robots' starts are given as the scenario says, before the jitter;
-/// so many robots a squad.
+/// How right the map is after three minutes of a contest: map_bench --help.
 int main(int count, char** arguments) {
-  const int seeds = count > 1 ? std::atoi(arguments[1]) : 10;
-  const bool rough = count > 2 && std::string(arguments[2]) == "rough";
-  const std::size_t squad = count > 3 ? std::stoul(arguments[3]) : Squads::kMostRobots;
-  const double to_s = count > 4 ? std::atof(arguments[4]) : 190;
+  int seeds = 10;
+  double to_s = 190;
+  bool rough = false;
+  MappedContest::Options options;
+  CLI::App app{"How right the map is after three minutes of a contest, against the world's truth."};
+  app.add_option("seeds", seeds, "from 1 on")->capture_default_str();
+  app.add_option("--scenario", options.scenario, "one that ships, or a file")
+      ->capture_default_str();
+  app.add_option("--robots", options.robots, "how many")->capture_default_str();
+  app.add_option("--squad", options.squad, "robots estimated together")->capture_default_str();
+  app.add_option("--seconds", to_s, "of each contest; its last 20 count")->capture_default_str();
+  app.add_flag("--rough", rough, "starts as the scenario says, before the jitter");
+  CLI11_PARSE(app, count, arguments);
+  options.starts = rough ? MappedContest::Starts::kRough : MappedContest::Starts::kMeasured;
+  options.duration_s = to_s;
   Figures all;
   for (int seed = 1; seed <= seeds; ++seed) {
-    MappedContest contest(
-        {.seed = static_cast<std::uint64_t>(seed),
-         .duration_s = to_s,
-         .starts = rough ? MappedContest::Starts::kRough : MappedContest::Starts::kMeasured,
-         .squad = squad});
+    options.seed = static_cast<std::uint64_t>(seed);
+    MappedContest contest(options);
     TruthWatch watch(contest, to_s - 20, to_s);
     contest.run([&](const auto& now, const auto& map) { watch.look(now, map); });
     print(std::to_string(seed).c_str(), watch.figures());

@@ -31,13 +31,13 @@ MappedContest::MappedContest(const Options& options)
     telemetry->compose.emplace(sim::robot_name(i), stopped_);
     how.observers.push_back(&telemetry->tap);
   }
-  const auto office = required(sim::load_scenario("office"));
+  const auto scenario = required(sim::load_scenario(options.scenario));
   const auto program = required(sim::load_program("office_cleanup", components_.catalog()));
-  contest_ = required(sim::HeadlessContest::make(office, program, how));
+  contest_ = required(sim::HeadlessContest::make(scenario, program, how));
   for (std::size_t i = 0; i < options.robots; ++i)
     map_.start_at(sim::robot_name(i), options.starts == Starts::kMeasured
                                           ? contest_->world().robot(i).pose()
-                                          : office.starts[i]);
+                                          : scenario.starts[i]);
 }
 
 void MappedContest::run(

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "monitor/map/team_map.h"
@@ -23,6 +24,7 @@ class MappedContest {
     std::uint64_t seed = 1;
     double duration_s = 180;
     Starts starts = Starts::kMeasured;
+    std::string scenario = "office";  ///< one that ships, or a file
     std::size_t robots = 3;
     std::size_t squad = Squads::kMostRobots;
   };

@@ -21,5 +21,5 @@ export function programShares(robots: Iterable<Robot>): ProgramShare[] {
 
 export function drifts(robot: Robot, shares: readonly ProgramShare[]): boolean {
   const hash = robot.state?.value.program_hash;
-  return hash !== undefined && shares.length > 1 && shares[0]?.hash !== hash;
+  return Boolean(hash) && shares.length > 1 && shares[0]?.hash !== hash;
 }

@@ -38,6 +38,33 @@ describe("what is known", () => {
     expect(factsOf("robot io")).toMatchObject({ does: "start", at: "1.00, 0.00 m", "by its own reckoning": "0.10, 0.00 m, 90°" });
   });
 
+  it("of a robot: how well its place is known, what it carries and what it sees", () => {
+    const carried = { ...can, id: 8, held_by: "io" };
+    const sighting = (object_class: string) => ({ object_class });
+    const busy = told([
+      ["/io/state", state({ held: true, state: "drop" }), T0_MS],
+      ["/ganymede/state", state({ robot: "ganymede" }), T0_MS],
+      ["/io/sightings", { items: [sighting("trash"), sighting("basket"), sighting("trash")] }, T0_MS],
+      ["/team/objects", { stamp: time(T0_MS), objects: [can, carried], robots: [mapRobot({ variance_xx: 0.04, variance_yy: 0.01, heading_rad: -Math.PI / 2 })] }, T0_MS],
+    ]);
+    const facts = (now_ms: number, key = "robot io") => Object.fromEntries(knownOf(key, busy, now_ms)!.facts);
+    expect(facts(T0_MS + 100)).toMatchObject({ does: "drop, held", heads: "−90°", within: "0.40 m × 0.20 m", carries: "trash 8", sees: "2 trash, 1 basket" });
+    expect(facts(T0_MS + 100)).not.toHaveProperty("silent for");
+    expect(facts(T0_MS + 1500).sees).toBe("nothing");
+    expect(facts(T0_MS + 9000)["silent for"]).toBe("9.0 s");
+    expect(facts(T0_MS + 100, "object 8")).toMatchObject({ "carried by": "io" });
+    const unplaced = facts(T0_MS + 100, "robot ganymede");
+    expect(unplaced).toMatchObject({ does: "start", carries: "nothing", sees: "nothing" });
+    expect(unplaced).not.toHaveProperty("within");
+  });
+
+  it("of an object: the nearest robots first", () => {
+    const three = told([
+      ["/team/objects", { stamp: time(T0_MS), objects: [{ ...can, seen_by: [] }], robots: [mapRobot({ x_m: 1, y_m: 6 }), mapRobot({ name: "ganymede", x_m: 1, y_m: 3 }), mapRobot({ name: "callisto", x_m: 3, y_m: 2 })] }, T0_MS],
+    ]);
+    expect(Object.fromEntries(knownOf("object 7", three, T0_MS)!.facts)).toMatchObject({ distance: "ganymede 1.0 m, callisto 2.0 m, io 4.0 m", "seen by": "nobody lately" });
+  });
+
   it("is nothing once it is forgotten", () => {
     expect(knownOf("object 8", team, T0_MS)).toBeUndefined();
   });

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { replyStatuses } from "../../src/feed/messages";
 import { acknowledged, type Alarm, alarms, withAlarms } from "../../src/team/alarms";
 import { mapRobot, state, T0_MS, told } from "./told";
 
@@ -21,9 +22,23 @@ describe("alarms", () => {
     const stillHeard: Told[] = [...late, ["/io/state", state({ overruns: 2, x_m: 1 }), T0_MS + 30_000]];
     expect(kinds(stillHeard, T0_MS + 30_000)).toEqual([]);
   });
+  it("tell of late ticks whatever else happened since", () => {
+    const messages: Told[] = [
+      ["/io/state", state(), T0_MS],
+      ["/io/state", state({ overruns: 3 }), T0_MS + 100],
+      ["/io/state", state({ overruns: 3, held: true }), T0_MS + 200],
+    ];
+    expect(alarms(told(messages), T0_MS + 300).map(({ words }) => words)).toEqual(["io's ticks begin late (3 so far)."]);
+    const onlyHeld: Told[] = [["/io/state", state(), T0_MS], ["/io/state", state({ held: true }), T0_MS + 100]];
+    expect(kinds(onlyHeld, T0_MS + 300)).toEqual([]);
+  });
   it("tell of a robot that runs another program than most", () => {
     const one = (robot: string, program_hash: string): Told => [`/${robot}/state`, state({ robot, program_hash }), T0_MS];
     expect(kinds([one("io", "a"), one("ganymede", "a"), one("callisto", "b")], T0_MS)).toEqual(["callisto drift"]);
+  });
+  it("measure a robot's program by those that are in service", () => {
+    const one = (robot: string, program_hash: string, out_of_service = false): Told => [`/${robot}/state`, state({ robot, program_hash, out_of_service }), T0_MS];
+    expect(kinds([one("io", "a"), one("ganymede", "b", true), one("callisto", "b", true)], T0_MS)).toEqual([]);
   });
   it("tell of a robot that does not move though nobody holds it", () => {
     const standing = (changes: object): Told[] => [0, 10, 21].map((s) => ["/io/state", state({ ...moving, ...changes }), T0_MS + s * 1000]);
@@ -32,6 +47,17 @@ describe("alarms", () => {
     const turning: Told[] = [0, 10, 21].map((s) => ["/io/state", state({ ...moving, heading_rad: s / 10 }), T0_MS + s * 1000]);
     expect(kinds(turning, T0_MS + 21_000)).toEqual([]);
   });
+  it("say for how long, and in which state, a robot has stood", () => {
+    const standing: Told[] = [0, 10, 25].map((s) => ["/io/state", state(moving), T0_MS + s * 1000]);
+    expect(alarms(told(standing), T0_MS + 25_000).map(({ words }) => words)).toEqual(["io has not moved for 25 s in wander."]);
+    const notYet: Told[] = [0, 10, 19].map((s) => ["/io/state", state(moving), T0_MS + s * 1000]);
+    expect(kinds(notYet, T0_MS + 19_000)).toEqual([]);
+  });
+  it("do not call a robot stuck that waits to be started", () => {
+    const program = { start_state: "wander", states: [], transitions: [], files: [], name: "", hash: "", robot: "io", stamp: { sec: 0, nsec: 0 } };
+    const waiting: Told[] = [["/io/program", program, T0_MS], ...[0, 10, 21].map((s): Told => ["/io/state", state(moving), T0_MS + s * 1000])];
+    expect(kinds(waiting, T0_MS + 21_000)).toEqual([]);
+  });
   it("tell of a robot whose place is not known well", () => {
     const at = (variance: number): Told[] => [
       ["/io/state", state(moving), T0_MS],
@@ -39,6 +65,32 @@ describe("alarms", () => {
     ];
     expect(kinds(at(0.25), T0_MS)).toEqual(["io uncertain"]);
     expect(kinds(at(0.04), T0_MS)).toEqual([]);
+  });
+  it("tell only of silence where the map no longer hears a robot, not of its place", () => {
+    const placed = mapRobot({ variance_xx: 0.25, variance_yy: 0.25, silent: true });
+    const messages: Told[] = [
+      ["/io/state", state(moving), T0_MS],
+      ["/team/objects", { stamp: { sec: 0, nsec: 0 }, objects: [], robots: [placed] }, T0_MS],
+    ];
+    expect(kinds(messages, T0_MS)).toEqual(["io silent"]);
+  });
+  it("tell of each robot that refused a push, or went back from it", () => {
+    const stamp = { sec: 0, nsec: 0 };
+    const push = { stamp, id: "p1", author: "operator", targets: [], replaces_hash: "", hash: "bbbb", files: [{ path: "sit_and_spin.bhdl", text: "" }] };
+    const reply = (robot: string, status: number, message: string): Told =>
+      [`/${robot}/program_reply`, { stamp, id: "p1", robot, hash: "bbbb", running_hash: "", status, message, tick: 0n, swap_tick_us: 8, kept_variables: [], diagnostics: [] }, T0_MS];
+    const status = (name: string) => replyStatuses.indexOf(name as never);
+    const found = alarms(told([
+      ["/team/program_push", push, T0_MS],
+      reply("io", status("confirmed"), ""),
+      reply("ganymede", status("rejected"), "no such schema"),
+      reply("callisto", status("rolled_back"), "overruns"),
+    ]), T0_MS);
+    expect(found.map(({ kind, words, advice }) => [kind, words, advice])).toEqual([
+      ["push", "ganymede refused sit_and_spin.bhdl.", "no such schema"],
+      ["push", "callisto went back from sit_and_spin.bhdl.", "overruns"],
+    ]);
+    expect(new Set(found.map(({ key }) => key)).size).toBe(2);
   });
   it("leave a robot that is out of service alone, but for its silence", () => {
     const away = state({ out_of_service: true, problems: ["motor: off"] });

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { MachineTransition, Variable } from "../../src/feed/messages";
-import { bitNow, nearnessOf, type Situation, triggersOf } from "../../src/team/nearness";
+import { bitNow, conditionNow, nearnessOf, schemasOf, type Situation, triggersOf } from "../../src/team/nearness";
 import { T0_MS, time } from "./told";
 
 const TEXT = `perceptual_schemas:
@@ -39,6 +39,26 @@ describe("how near a condition is to firing", () => {
     expect(words).toBe("sure 0.40, lost below 0.2, in 2.0 s unless it is seen again");
     expect(nearnessOf(condition("seen"), triggers, now({ age_ms: 2000 }))?.share).toBeCloseTo(0.8);
   });
+  it("is measured from the variable that the trigger names, in both directions", () => {
+    const [reach] = triggersOf([{ path: "a.bhdl", text: `perceptual_schemas:
+  arrived: name: "reach" locate_variable: "trash" shaft_variable: "odometer" radius: 50 bits_variable: "reached" end
+end` }]);
+    const variables = [variable("shaft", 1, [9, 9]), variable("odometer", 1, [1, 1]), variable("trash", 3, [1.6, 1.8])];
+    expect(nearnessOf(condition("reached"), [reach!], now({ variables }))).toEqual({ share: 0.5, words: "1.00 m away, fires at 0.50 m" });
+    const lost = [variable("odometer", 1, [1, 1], 0), variable("trash", 3, [1.6, 1.8])];
+    expect(nearnessOf(condition("reached"), [reach!], now({ variables: lost }))).toEqual({ share: 0, words: "trash is not known" });
+  });
+  it("says what is not known, and what is sure for good", () => {
+    const unknown = now({ variables: [variable("shaft", 1, [0, 0]), variable("trash", 3, [0, 0], 0)] });
+    expect(nearnessOf(condition("reached", 1), triggers, unknown)).toEqual({ share: 0, words: "trash is not known" });
+    expect(nearnessOf(condition("seen"), triggers, unknown)).toEqual({ share: 0, words: "trash is not known" });
+    expect(nearnessOf(condition("lost"), triggers, unknown)).toEqual({ share: 1, words: "trash is not known" });
+    const forGood = now({ variables: [variable("trash", 3, [0, 1], 0.6, 0)] });
+    expect(nearnessOf(condition("lost"), triggers, forGood)?.words).toBe("sure 0.60, lost below 0.2");
+  });
+  it("belongs to the bit, not only to its variable", () => {
+    expect(nearnessOf(condition("reached", 0), triggers, now())).toBeUndefined();
+  });
   it("is unknown of a bumper, and of a bit that is waited for at 0", () => {
     expect(nearnessOf(condition("bumpers"), triggers, now())).toBeUndefined();
     expect(nearnessOf(condition("up", 0, false), triggers, now())).toBeUndefined();
@@ -50,5 +70,15 @@ describe("a condition's bit", () => {
     const variables = [variable("gripper", 4, [2]), variable("stuck", 4, [1], 0)];
     expect([bitNow(condition("gripper", 1), variables), bitNow(condition("gripper"), variables)]).toEqual([true, false]);
     expect(bitNow(condition("stuck"), variables)).toBeUndefined();
+  });
+});
+
+describe("a condition now", () => {
+  it("is its bit and how near it is, of the schemas that the state runs", () => {
+    const program = { states: [{ name: "a", perceptual_schemas: ["short"] }, { name: "b", perceptual_schemas: ["long"] }] } as never;
+    expect(schemasOf(program, "b")).toEqual(["long"]);
+    expect(schemasOf(program, "gone")).toEqual([]);
+    const situation = now({ variables: [variable("up", 4, [1])], schemas: schemasOf(program, "a") });
+    expect(conditionNow(condition("up"), triggers, situation)).toEqual({ bit: true, near: { share: 0.75, words: "in 1.0 s" } });
   });
 });

@@ -23,6 +23,21 @@ describe("a push", () => {
     expect(only?.replies.get("io")?.status).toBe("confirmed");
     expect(only?.replies.get("ganymede")).toMatchObject({ status: "rejected", diagnostics: [{ line: 3 }] });
   });
+  it("stays itself among others, and keeps its time and answers when it is told again", () => {
+    const other = { ...push, id: "p2", files: [{ path: "a/b/wander.bhdl", text: "" }] };
+    const team = told([
+      ["/team/program_push", push, T0_MS],
+      ["/team/program_push", other, T0_MS + 10],
+      ["/io/program_reply", reply("io", 4), T0_MS + 50],
+      ["/team/program_push", push, T0_MS + 90],
+    ]);
+    expect(team.pushes.map(({ id, name, at_ms }) => [id, name, at_ms])).toEqual([["p2", "wander.bhdl", T0_MS + 10], ["p1", "sit_and_spin.bhdl", T0_MS]]);
+    expect(team.pushes.map(({ replies }) => [...replies.keys()])).toEqual([[], ["io"]]);
+  });
+  it("is kept until eight newer ones came", () => {
+    const many = Array.from({ length: 10 }, (_, i): [string, unknown, number] => ["/team/program_push", { ...push, id: `p${i}` }, T0_MS + i]);
+    expect(told(many).pushes.map(({ id }) => id)).toEqual(["p2", "p3", "p4", "p5", "p6", "p7", "p8", "p9"]);
+  });
   it("does not fall back when an earlier answer comes late", () => {
     const team = told([
       ["/team/program_push", push, T0_MS],

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { drawnBars } from "../../src/team/timeline";
+import { drawnBars, labelled, withBar, withProgram } from "../../src/team/timeline";
 import { robotOf, state, T0_MS, told, transition } from "./told";
 
 describe("the timeline", () => {
@@ -28,6 +28,21 @@ describe("the timeline", () => {
       { state: "wander", from_ms: T0_MS + 20, to_ms: T0_MS + 40 },
       { state: "grab", from_ms: T0_MS + 40, to_ms: T0_MS + 100 },
     ]);
+  });
+  it("puts a change that comes late between those around it", () => {
+    const bar = (number: number) => ({ number: BigInt(number), state: `s${number}`, from_ms: T0_MS + number });
+    const bars = [bar(1), bar(2), bar(4), bar(5)].reduce(withBar, [] as readonly ReturnType<typeof bar>[]);
+    expect(withBar(bars, bar(3)).map(({ state: name }) => name)).toEqual(["s1", "s2", "s3", "s4", "s5"]);
+  });
+  it("marks where the program changed, once", () => {
+    const change = (hash: string) => ({ hash, name: hash, at_ms: T0_MS });
+    const list = ["a", "a", "b", "a"].map(change).reduce(withProgram, [] as readonly ReturnType<typeof change>[]);
+    expect(list.map(({ hash }) => hash)).toEqual(["a", "b", "a"]);
+  });
+  it("shortens a name to the room that its bar has", () => {
+    expect(labelled("wander_for_trash", 200)).toBe("wander_for_trash");
+    expect(labelled("wander_for_trash", 68).length).toBeLessThanOrEqual(10);
+    expect(labelled("wander_for_trash", 1).length).toBeLessThanOrEqual(2);
   });
   it("goes on when a robot starts again and counts from nothing", () => {
     const reborn = state({ at_ms: T0_MS + 60_000, state: "start", transitions: 0n });

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "monitor/map/bearings_fit.h"
+#include "monitor/map/frames.h"
+#include "monitor/map/plain_view.h"
 #include "monitor/map/robot_motion.h"
 
 namespace galilean::monitor {
@@ -15,6 +17,8 @@ constexpr double kUnpushedFrom_m = 0.35;                ///< what is nearer may 
 constexpr double kWidestSearch_rad = 1.4;
 constexpr double kDeviations = 3;
 constexpr double kSameTurn_rad = 0.1;
+constexpr double kLargeTurn_rad = 0.7;
+constexpr double kSameMark_m = 0.4;
 constexpr int kExpectedFrames = 2, kUnexpectedFrames = 5;
 
 std::vector<Mark> marks_in(const msg::Sightings& frame) {
@@ -28,6 +32,18 @@ std::vector<Mark> marks_in(const msg::Sightings& frame) {
       marks.push_back({at_m, mark_kind(sighting.object_class), 0});
   }
   return marks;
+}
+
+/// Known things that ought to be in plain view from there, and none of their kind is about.
+std::ptrdiff_t missed_from(const Pose2& pose, const msg::Sightings& frame,
+                           const std::vector<Mark>& seen, const std::vector<Mark>& known) {
+  return std::ranges::count_if(known, [&](const Mark& mark) {
+    const Vec2 at_m = from_robot(pose, mark.in_map_m);
+    const auto is_it = [&](const Mark& other) {
+      return other.kind == mark.kind && (other.in_map_m - at_m).norm() < kSameMark_m;
+    };
+    return in_plain_view(frame, at_m) && std::ranges::none_of(seen, is_it);
+  });
 }
 
 }  // namespace
@@ -45,10 +61,24 @@ void Orientation::look(const msg::Sightings& frame, Time now) {
     return;
   }
   const bool expected = std::abs(*turn_rad) <= expected_rad;
+  if (!expected && !is_plausible(*turn_rad, frame, seen, known)) {
+    suspicions_.erase(frame.robot);
+    return;
+  }
   if (frames_that_agree(frame.robot, *turn_rad) < (expected ? kExpectedFrames : kUnexpectedFrames))
     return;
   suspicions_.erase(frame.robot);
   turn(frame.robot, *turn_rad, deviation_rad, now);
+}
+
+bool Orientation::is_plausible(double turn_rad, const msg::Sightings& frame,
+                               const std::vector<Mark>& seen,
+                               const std::vector<Mark>& known) const {
+  const Pose2 believed = robots_.pose(frame.robot);
+  const Pose2 turned{believed.position_m, believed.heading_rad + turn_rad};
+  const auto missed = missed_from(turned, frame, seen, known);
+  const auto missed_now = missed_from(believed, frame, seen, known);
+  return missed < missed_now || (missed == missed_now && std::abs(turn_rad) < kLargeTurn_rad);
 }
 
 std::vector<Mark> Orientation::known_to(const std::string& robot, Time now) const {

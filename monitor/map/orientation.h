@@ -14,7 +14,10 @@ namespace galilean::monitor {
 /// itself could be mistaken for its neighbour.
 ///
 ///   law     a turn that so many frames running agree on corrects the heading: few where the robot
-///           is known to be unsure of it, more where it is not
+///           is known to be unsure of it, more where it is not. There it must not leave more of
+///           what is known unseen in plain view than the heading it replaces, and a large turn must
+///           leave less: else the robot is rather at a place that is new to it, where a few things
+///           lie by chance as known ones do
 class Orientation {
  public:
   Orientation(JointGaussian& joint, const RobotPoses& robots, Things& things)
@@ -33,6 +36,10 @@ class Orientation {
   [[nodiscard]] std::vector<Mark> known_to(const std::string& robot, Time now) const;
   /// Running, this one counted.
   int frames_that_agree(const std::string& robot, double turn_rad);
+  /// By which known things ought to be in plain view as it is believed to face, and if turned.
+  [[nodiscard]] bool is_plausible(double turn_rad, const msg::Sightings& frame,
+                                  const std::vector<Mark>& seen,
+                                  const std::vector<Mark>& known) const;
   void turn(const std::string& robot, double by_rad, double deviation_rad, Time now);
 
   JointGaussian& joint_;

@@ -6,6 +6,7 @@
 
 #include "monitor/map/frames.h"
 #include "monitor/map/meetings.h"
+#include "monitor/map/plain_view.h"
 
 namespace galilean::monitor {
 namespace {
@@ -59,7 +60,7 @@ void TeamMap::note(const msg::Sightings& frame, Time now) {
   const Lookout from = squad.things.see(things, now);
   if (std::ranges::find(frame.items, "robot", &msg::Sighting::object_class) != frame.items.end())
     note_meetings(frame, squad.poses, squad.joint, robots_of_others(squad), now);
-  for (Squad* other : squads_.others_near(squad, from.pose.position_m, Things::kPlainViewTo_m))
+  for (Squad* other : squads_.others_near(squad, from.pose.position_m, kPlainViewTo_m))
     other->things.miss(things, from);
   look(frame);
 }

@@ -41,7 +41,6 @@ struct Lookout {
 ///           apart.
 class Things {
  public:
-  static constexpr double kPlainViewTo_m = 2.0;  ///< further away, a blob may be too small
   static constexpr double kFootprint_m = 0.15;   ///< of its centre, wherever its nose points
 
   Things(JointGaussian& joint, const RobotPoses& robots, ThingIds& ids)

@@ -3,34 +3,15 @@
 #include <utility>
 
 #include "monitor/map/frames.h"
+#include "monitor/map/plain_view.h"
 #include "monitor/map/things.h"
 
 namespace galilean::monitor {
 namespace {
 
-/// What a camera must see if it is there: not so near that the blob leaves the picture, not so far
-/// that it is small, and not at the picture's edge.
-constexpr double kPlainViewFrom_m = 0.6;
-constexpr double kPictureEdge_rad = 0.10;
-constexpr double kHides_rad = 0.15;
 constexpr double kLongestPeriod_s = 0.5;
 constexpr Duration kOrientedFor = std::chrono::seconds(3);
 constexpr double kPlainViewDeviation_m = 0.2;
-
-bool is_hidden(const msg::Sightings& frame, double azimuth_rad, double range_m) {
-  return std::ranges::any_of(frame.items, [&](const auto& other) {
-    return other.range_m < range_m &&
-           std::abs(wrap_angle(other.azimuth_rad - azimuth_rad)) < kHides_rad;
-  });
-}
-
-bool in_plain_view(const msg::Sightings& frame, const Vec2& from_robot_m) {
-  const double range_m = from_robot_m.norm();
-  if (range_m <= kPlainViewFrom_m || range_m >= Things::kPlainViewTo_m) return false;
-  const double azimuth_rad = std::atan2(from_robot_m.y(), from_robot_m.x());
-  return std::abs(azimuth_rad) < frame.view_angle_rad / 2 - kPictureEdge_rad &&
-         !is_hidden(frame, azimuth_rad, range_m);
-}
 
 /// Something of its class is about there.
 bool is_seen(const msg::Sightings& frame, const Thing& thing, const Vec2& from_robot_m) {

@@ -146,6 +146,22 @@ TEST_F(MapTest, ARobotThatTurnedLessThanItsOdometerSaysIsTurnedBack) {
   EXPECT_EQ(told.objects.size(), around.size());
 }
 
+TEST_F(MapTest, AStrangePlaceThatLooksLikeAKnownOneTurnsNobody) {
+  map.start_at("io", io);
+  const std::vector<std::pair<std::string, Vec2>> known{
+      {"trash", {1.6, 0.5}}, {"trash", {1, -0.4}}, {"trash", {2.2, -0.3}}};
+  for (int i = 0; i < 150; ++i, step()) map.note(frame("io", io, known), now);
+  constexpr double kTurned_rad = 1.2;
+  for (double turned_rad = 0; turned_rad < kTurned_rad; turned_rad += 0.1, step())
+    map.note(at("io", {{0, 0}, turned_rad}), now);
+  auto alike = known;
+  for (auto& [object_class, at_m] : alike) at_m = rotated(at_m, kTurned_rad);
+  for (int i = 0; i < 20; ++i, step()) map.note(frame("io", {{0, 0}, kTurned_rad}, alike), now);
+  const auto told = objects();
+  EXPECT_NEAR(told.robots.at(0).heading_rad, kTurned_rad, 0.06);
+  EXPECT_EQ(told.objects.size(), known.size() + alike.size());
+}
+
 // Its treads slipped on: the odometer counts a way that it did not go.
 TEST_F(MapTest, ABasketBesideWhereItIsKnownPutsTheRobotBack) {
   map.start_at("io", io);

@@ -1,8 +1,16 @@
 #include "monitor/map/lost_robots.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "monitor/map/transport.h"
 
 namespace galilean::monitor {
+namespace {
+
+constexpr double kLostDeviations = 3, kFarthestShift_m = 6;
+
+}  // namespace
 
 void LostRobots::lay_back(const std::string& robot, Time now,
                           const std::vector<Mark>& others_know) {
@@ -44,7 +52,7 @@ void LostRobots::turn_back(const std::string& robot, const std::vector<Mark>& ot
     }
   }
   const Vec2 robot_m = robots_.pose(robot).position_m;
-  const auto fit = TurnedRobot::fit(seen, known, robot_m);
+  const auto fit = TurnedRobot::fit(seen, known, robot_m, most_shift_m(robot));
   // What others know beside it is put right by what they tell, and needs no laying back.
   const bool needless = fit && !others_know.empty() && is_there_already(robot_m, *fit);
   if (fit && !needless) lay(own, *fit);
@@ -61,8 +69,14 @@ void LostRobots::rejoin(const std::string& robot, const std::vector<Mark>& other
     if (lately && !shared) own.push_back(thing->part);
   }
   const Vec2 robot_m = robots_.pose(robot).position_m;
-  const auto fit = TurnedRobot::fit(seen, known, robot_m);
+  const auto fit = TurnedRobot::fit(seen, known, robot_m, most_shift_m(robot));
   if (fit && !is_there_already(robot_m, *fit)) lay(own, *fit);
+}
+
+/// One that knows how badly it is lost may be anywhere there.
+double LostRobots::most_shift_m(const std::string& robot) const {
+  const double deviation_m = std::sqrt(robots_.position(robot).covariance_m2.trace());
+  return std::clamp(kLostDeviations * deviation_m, TurnedRobot::kMostShift_m, kFarthestShift_m);
 }
 
 void LostRobots::lay(const std::vector<JointGaussian::Part>& robot_and_own, const RigidFit& fit) {

@@ -13,7 +13,8 @@ namespace galilean::monitor {
 ///
 ///   law   a robot that recognises nothing of what was known is turned back as TurnedRobot says;
 ///         so is one that took its bearings from the wrong things: it maps all it sees beside what
-///         others know too, and goes by that. What it alone noted goes with it
+///         others know too, and goes by that. What it alone noted goes with it. It is looked for
+///         further away the less it is known where it is
 class LostRobots {
  public:
   LostRobots(JointGaussian& joint, RobotPoses& robots, Things& things)
@@ -28,6 +29,7 @@ class LostRobots {
   void rejoin(const std::string& robot, const std::vector<Mark>& others_know);
   [[nodiscard]] std::vector<const Thing*> landmarks() const;
   [[nodiscard]] Mark mark_of(const Thing& thing) const;
+  [[nodiscard]] double most_shift_m(const std::string& robot) const;
   /// Onto the things that they agree with.
   void lay(const std::vector<JointGaussian::Part>& robot_and_own, const RigidFit& fit);
 

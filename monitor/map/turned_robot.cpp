@@ -51,7 +51,8 @@ struct Hypothesis {
   std::vector<PointPair> pairs;
 };
 
-std::vector<Hypothesis> hypotheses(const Marks& seen, const Marks& known, const Vec2& robot_m) {
+std::vector<Hypothesis> hypotheses(const Marks& seen, const Marks& known, const Vec2& robot_m,
+                                   double most_shift_m) {
   std::vector<Hypothesis> result;
   for (std::size_t i = 0; i < seen.size(); ++i)
     for (std::size_t j = i + 1; j < seen.size(); ++j) {
@@ -63,7 +64,7 @@ std::vector<Hypothesis> hypotheses(const Marks& seen, const Marks& known, const 
           if (std::abs((a.in_map_m - b.in_map_m).norm() - length_m) > kSameLength_m) continue;
           const Pose2 by = laid_on(seen[i].in_map_m, seen[j].in_map_m, a.in_map_m, b.in_map_m);
           if (std::abs(by.heading_rad) > TurnedRobot::kMostTurn_rad ||
-              (laid_by(by, robot_m) - robot_m).norm() > TurnedRobot::kMostShift_m)
+              (laid_by(by, robot_m) - robot_m).norm() > most_shift_m)
             continue;
           result.push_back({by, agreeing(seen, known, by)});
         }
@@ -72,10 +73,11 @@ std::vector<Hypothesis> hypotheses(const Marks& seen, const Marks& known, const 
 }
 
 /// Those that something seen can lie on, however far the robot is turned and shifted.
-Marks within_reach(const Marks& known, const Marks& seen, const Vec2& robot_m) {
+Marks within_reach(const Marks& known, const Marks& seen, const Vec2& robot_m,
+                   double most_shift_m) {
   double reach_m = 0;
   for (const Mark& mark : seen) reach_m = std::max(reach_m, (mark.in_map_m - robot_m).norm());
-  reach_m += TurnedRobot::kMostShift_m + kAgree_m + kSameLength_m;
+  reach_m += most_shift_m + kAgree_m + kSameLength_m;
   Marks result;
   for (const Mark& mark : known)
     if ((mark.in_map_m - robot_m).norm() < reach_m) result.push_back(mark);
@@ -89,10 +91,10 @@ std::size_t mark_kind(const std::string& object_class) {
 }
 
 std::optional<RigidFit> TurnedRobot::fit(const Marks& seen, const Marks& all_known,
-                                         const Vec2& robot_m) {
+                                         const Vec2& robot_m, double most_shift_m) {
   if (seen.size() < kLeastAgreeing) return std::nullopt;
-  const Marks known = within_reach(all_known, seen, robot_m);
-  const auto all = hypotheses(seen, known, robot_m);
+  const Marks known = within_reach(all_known, seen, robot_m, most_shift_m);
+  const auto all = hypotheses(seen, known, robot_m, most_shift_m);
   if (all.empty()) return std::nullopt;
   const auto& best =
       *std::ranges::max_element(all, {}, [](const Hypothesis& each) { return each.pairs.size(); });

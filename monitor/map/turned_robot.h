@@ -25,7 +25,7 @@ struct Mark {
 ///   law     every two of `seen` are laid on every two of `known` of their kinds that are as far
 ///           apart; the turn and shift that most of `seen` agree on counts where at least
 ///           kLeastAgreeing do, most of all that was seen, and no other turn does nearly as well
-///   units   turns up to kMostTurn_rad, shifts of the robot up to kMostShift_m
+///   units   turns up to kMostTurn_rad, shifts of the robot up to kMostShift_m, or what it is told
 struct TurnedRobot {
   static constexpr std::size_t kLeastAgreeing = 4;
   static constexpr double kMostTurn_rad = 1.4;
@@ -35,7 +35,8 @@ struct TurnedRobot {
   /// clear.
   [[nodiscard]] static std::optional<RigidFit> fit(const std::vector<Mark>& seen,
                                                    const std::vector<Mark>& known,
-                                                   const Vec2& robot_m);
+                                                   const Vec2& robot_m,
+                                                   double most_shift_m = kMostShift_m);
 };
 
 }  // namespace galilean::monitor

@@ -48,6 +48,15 @@ TEST(TurnedRobot, SomeOfWhatItSeesMayBeNew) {
   EXPECT_FALSE(TurnedRobot::fit(seen, kKnown, kRobot_m)) << "most of it is new: another room";
 }
 
+TEST(TurnedRobot, IsLookedForAsFarAwayAsItMayBe) {
+  const auto seen = noted({1, 2, 3, 5, 6}, -0.7, {2.5, -0.4});
+  EXPECT_FALSE(TurnedRobot::fit(seen, kKnown, kRobot_m + Vec2(2.5, -0.4)));
+  const auto fit = TurnedRobot::fit(seen, kKnown, kRobot_m + Vec2(2.5, -0.4), 3);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->transform.heading_rad, 0.7, 1e-6);
+  EXPECT_EQ(fit->agreeing.size(), 5U);
+}
+
 TEST(TurnedRobot, StaysWhereTooLittleOrNothingIsClear) {
   EXPECT_FALSE(TurnedRobot::fit({}, kKnown, kRobot_m));
   EXPECT_FALSE(TurnedRobot::fit(noted({1, 2, 3}, 0.5, Vec2::Zero()), kKnown, kRobot_m));

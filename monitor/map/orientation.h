@@ -36,7 +36,8 @@ class Orientation {
   [[nodiscard]] std::vector<Mark> known_to(const std::string& robot, Time now) const;
   /// Running, this one counted.
   int frames_that_agree(const std::string& robot, double turn_rad);
-  /// By which known things ought to be in plain view as it is believed to face, and if turned.
+  /// Judged by the known things that are missed in plain view, as it is believed to face and if
+  /// turned.
   [[nodiscard]] bool is_plausible(double turn_rad, const msg::Sightings& frame,
                                   const std::vector<Mark>& seen,
                                   const std::vector<Mark>& known) const;

@@ -41,7 +41,7 @@ struct Lookout {
 ///           apart.
 class Things {
  public:
-  static constexpr double kFootprint_m = 0.15;   ///< of its centre, wherever its nose points
+  static constexpr double kFootprint_m = 0.15;  ///< of its centre, wherever its nose points
 
   Things(JointGaussian& joint, const RobotPoses& robots, ThingIds& ids)
       : joint_(joint), robots_(robots), ids_(ids) {}

@@ -51,10 +51,9 @@ void LostRobots::turn_back(const std::string& robot, const std::vector<Mark>& ot
       known.push_back(mark_of(*thing));
     }
   }
-  const Vec2 robot_m = robots_.pose(robot).position_m;
-  const auto fit = TurnedRobot::fit(seen, known, robot_m, most_shift_m(robot));
+  const auto fit = find(robot, seen, known);
   // What others know beside it is put right by what they tell, and needs no laying back.
-  const bool needless = fit && !others_know.empty() && is_there_already(robot_m, *fit);
+  const bool needless = fit && !others_know.empty() && is_there(robot, *fit);
   if (fit && !needless) lay(own, *fit);
 }
 
@@ -68,15 +67,21 @@ void LostRobots::rejoin(const std::string& robot, const std::vector<Mark>& other
     if (shared) known.push_back(mark_of(*thing));
     if (lately && !shared) own.push_back(thing->part);
   }
-  const Vec2 robot_m = robots_.pose(robot).position_m;
-  const auto fit = TurnedRobot::fit(seen, known, robot_m, most_shift_m(robot));
-  if (fit && !is_there_already(robot_m, *fit)) lay(own, *fit);
+  const auto fit = find(robot, seen, known);
+  if (fit && !is_there(robot, *fit)) lay(own, *fit);
 }
 
 /// One that knows how badly it is lost may be anywhere there.
-double LostRobots::most_shift_m(const std::string& robot) const {
-  const double deviation_m = std::sqrt(robots_.position(robot).covariance_m2.trace());
-  return std::clamp(kLostDeviations * deviation_m, TurnedRobot::kMostShift_m, kFarthestShift_m);
+std::optional<RigidFit> LostRobots::find(const std::string& robot, const std::vector<Mark>& seen,
+                                         const std::vector<Mark>& known) const {
+  const Gaussian2 at = robots_.position(robot);
+  const double shift_m = kLostDeviations * std::sqrt(at.covariance_m2.trace());
+  return TurnedRobot::fit(seen, known, at.mean_m,
+                          std::clamp(shift_m, TurnedRobot::kMostShift_m, kFarthestShift_m));
+}
+
+bool LostRobots::is_there(const std::string& robot, const RigidFit& fit) const {
+  return is_there_already(robots_.pose(robot).position_m, fit);
 }
 
 void LostRobots::lay(const std::vector<JointGaussian::Part>& robot_and_own, const RigidFit& fit) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,11 @@ class LostRobots {
   void rejoin(const std::string& robot, const std::vector<Mark>& others_know);
   [[nodiscard]] std::vector<const Thing*> landmarks() const;
   [[nodiscard]] Mark mark_of(const Thing& thing) const;
-  [[nodiscard]] double most_shift_m(const std::string& robot) const;
+  /// What lays the robot, and what it saw, onto what is known.
+  [[nodiscard]] std::optional<RigidFit> find(const std::string& robot,
+                                             const std::vector<Mark>& seen,
+                                             const std::vector<Mark>& known) const;
+  [[nodiscard]] bool is_there(const std::string& robot, const RigidFit& fit) const;
   /// Onto the things that they agree with.
   void lay(const std::vector<JointGaussian::Part>& robot_and_own, const RigidFit& fit);
 

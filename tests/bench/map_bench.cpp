@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <exception>
 #include <string>
 
 #include "tests/monitor/truth/figures.h"
@@ -23,7 +24,7 @@ void print(const char* name, const Figures& f) {
 }  // namespace
 
 /// How right the map is after three minutes of a contest: map_bench --help.
-int main(int count, char** arguments) {
+int main(int count, char** arguments) try {
   int seeds = 10;
   double to_s = 190;
   bool rough = false;
@@ -49,4 +50,7 @@ int main(int count, char** arguments) {
     all.add(watch.figures());
   }
   print("all", all);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "map_bench: %s\n", error.what());
+  return 1;
 }

@@ -51,6 +51,12 @@ class MapTest : public testing::Test {
   }
   [[nodiscard]] std::int64_t to_ns() const { return now.time_since_epoch().count(); }
 
+  /// Io stands there by its odometry, and sees these in so many frames.
+  void look(const Pose2& from, const std::vector<std::pair<std::string, Vec2>>& things,
+            int frames) {
+    for (int i = 0; i < frames; ++i, step()) map.note(frame("io", from, things), now);
+  }
+
   TeamMap map{2s};
   Time now{1s};
   const Pose2 io{{0, 0}, 0};
@@ -136,11 +142,11 @@ TEST_F(MapTest, ARobotThatTurnedLessThanItsOdometerSaysIsTurnedBack) {
   map.start_at("io", io);
   const std::vector<std::pair<std::string, Vec2>> around{
       {"basket", {1.6, 0.5}}, {"trash", {1, -0.4}}, {"trash", {2.2, -0.3}}};
-  for (int i = 0; i < 150; ++i, step()) map.note(frame("io", io, around), now);
+  look(io, around, 150);
   constexpr double kSlip_rad = 0.6;
   auto counted = around;
   for (auto& [object_class, at_m] : counted) at_m = rotated(at_m, kSlip_rad);
-  for (int i = 0; i < 20; ++i, step()) map.note(frame("io", {{0, 0}, kSlip_rad}, counted), now);
+  look({{0, 0}, kSlip_rad}, counted, 20);
   const auto told = objects();
   EXPECT_NEAR(told.robots.at(0).heading_rad, 0, 0.06);
   EXPECT_EQ(told.objects.size(), around.size());
@@ -150,13 +156,13 @@ TEST_F(MapTest, AStrangePlaceThatLooksLikeAKnownOneTurnsNobody) {
   map.start_at("io", io);
   const std::vector<std::pair<std::string, Vec2>> known{
       {"trash", {1.6, 0.5}}, {"trash", {1, -0.4}}, {"trash", {2.2, -0.3}}};
-  for (int i = 0; i < 150; ++i, step()) map.note(frame("io", io, known), now);
+  look(io, known, 150);
   constexpr double kTurned_rad = 1.2;
   for (double turned_rad = 0; turned_rad < kTurned_rad; turned_rad += 0.1, step())
     map.note(at("io", {{0, 0}, turned_rad}), now);
   auto alike = known;
   for (auto& [object_class, at_m] : alike) at_m = rotated(at_m, kTurned_rad);
-  for (int i = 0; i < 20; ++i, step()) map.note(frame("io", {{0, 0}, kTurned_rad}, alike), now);
+  look({{0, 0}, kTurned_rad}, alike, 20);
   const auto told = objects();
   EXPECT_NEAR(told.robots.at(0).heading_rad, kTurned_rad, 0.06);
   EXPECT_EQ(told.objects.size(), known.size() + alike.size());

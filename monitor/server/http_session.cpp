@@ -1,11 +1,14 @@
 #include "monitor/server/http_session.h"
 
+#include <array>
+#include <boost/asio/write.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/span.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "monitor/server/websocket_session.h"
 
@@ -15,7 +18,6 @@ namespace {
 namespace beast = boost::beast;
 namespace http = beast::http;
 using error_code = boost::system::error_code;
-using SharedBody = http::span_body<const char>;
 
 constexpr std::uint32_t kMostHeaderBytes = 16 << 10;
 constexpr std::uint64_t kMostBodyBytes = 16 << 20;
@@ -115,22 +117,38 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
 
   void respond(HttpResponse response) {
     body_ = response.body ? std::move(response.body) : std::make_shared<const std::string>();
-    response_.emplace(static_cast<http::status>(response.status), version_);
-    response_->set(http::field::server, "galilean");
-    response_->set("X-Content-Type-Options", "nosniff");
-    if (!stranger_.empty()) response_->set(http::field::access_control_allow_origin, stranger_);
-    if (!response.content_type.empty())
-      response_->set(http::field::content_type, response.content_type);
-    for (const auto& [name, value] : response.headers) response_->set(name, value);
-    response_->keep_alive(keep_alive_);
-    if (response.status != 304) response_->content_length(body_->size());
-    if (!head_only_ && response.status != 304) response_->body() = {body_->data(), body_->size()};
+    write_head(response);
+    const bool with_body = !head_only_ && response.status != 304;
     stream_.expires_after(kLongestRequest);
-    serializer_.emplace(*response_);
-    http::async_write(stream_, *serializer_,
-                      [self = shared_from_this()](error_code error, std::size_t) {
-                        if (!error) self->go_on();
-                      });
+    // Head and body as they are, in one system call: Beast's serializer would take longer than
+    // that.
+    const std::array<boost::asio::const_buffer, 2> parts{
+        boost::asio::buffer(head_),
+        with_body ? boost::asio::buffer(*body_) : boost::asio::const_buffer()};
+    boost::asio::async_write(stream_, parts,
+                             [self = shared_from_this()](error_code error, std::size_t) {
+                               if (!error) self->go_on();
+                             });
+  }
+
+  void write_head(const HttpResponse& response) {
+    const auto status = static_cast<http::status>(response.status);
+    head_ = version_ == 11 ? "HTTP/1.1 " : "HTTP/1.0 ";
+    head_.append(std::to_string(response.status)).append(" ");
+    head_.append(http::obsolete_reason(status)).append("\r\n");
+    write_field("Server", "galilean");
+    write_field("X-Content-Type-Options", "nosniff");
+    if (!stranger_.empty()) write_field("Access-Control-Allow-Origin", stranger_);
+    if (!response.content_type.empty()) write_field("Content-Type", response.content_type);
+    for (const auto& [name, value] : response.headers) write_field(name, value);
+    if (keep_alive_ != (version_ == 11))
+      write_field("Connection", keep_alive_ ? "keep-alive" : "close");
+    if (response.status != 304) write_field("Content-Length", std::to_string(body_->size()));
+    head_.append("\r\n");
+  }
+
+  void write_field(std::string_view name, std::string_view value) {
+    head_.append(name).append(": ").append(value).append("\r\n");
   }
 
   void go_on() {
@@ -144,8 +162,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   std::shared_ptr<const std::string> body_;
-  std::optional<http::response<SharedBody>> response_;
-  std::optional<http::response_serializer<SharedBody>> serializer_;
+  std::string head_;
   std::string stranger_;
   unsigned version_ = 11;
   bool keep_alive_ = false;

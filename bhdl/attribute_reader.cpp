@@ -4,8 +4,8 @@
 #include <optional>
 #include <unordered_set>
 
-#include "bhdl/names.h"
-#include "bhdl/text.h"
+#include "bhdl/source/names.h"
+#include "bhdl/source/text.h"
 #include "bhdl/value_reader.h"
 #include "bhdl/vocabulary.h"
 

@@ -2,7 +2,7 @@
 
 #include "bhdl/checker.h"
 #include "bhdl/loader.h"
-#include "bhdl/sha256.h"
+#include "bhdl/source/sha256.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "bhdl/checker.h"
-#include "bhdl/diagnostic.h"
 #include "bhdl/program.h"
-#include "bhdl/source_provider.h"
+#include "bhdl/source/diagnostic.h"
+#include "bhdl/source/source_provider.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {

@@ -8,8 +8,8 @@
 #include "bhdl/expectation_reader.h"
 #include "bhdl/extension.h"
 #include "bhdl/program_check.h"
+#include "bhdl/source/text.h"
 #include "bhdl/state_specs.h"
-#include "bhdl/text.h"
 #include "bhdl/value_or_nothing.h"
 #include "bhdl/vocabulary.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bhdl/diagnostic.h"
+#include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax.h"
 #include "bhdl/vocabulary.h"
 

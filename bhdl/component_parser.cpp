@@ -1,7 +1,7 @@
 #include "bhdl/component_parser.h"
 
 #include "bhdl/keywords.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 #include "bhdl/value_parser.h"
 
 namespace galilean::bhdl {

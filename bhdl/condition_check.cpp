@@ -3,7 +3,7 @@
 #include <map>
 
 #include "bhdl/bit_flow.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
 namespace {

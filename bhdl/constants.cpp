@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "bhdl/source/text.h"
 #include "bhdl/symbols.h"
-#include "bhdl/text.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bhdl/diagnostic.h"
+#include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax.h"
 
 namespace galilean::bhdl {

@@ -4,9 +4,9 @@
 #include <iterator>
 
 #include "bhdl/keywords.h"
-#include "bhdl/names.h"
 #include "bhdl/owner.h"
-#include "bhdl/text.h"
+#include "bhdl/source/names.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "bhdl/expectation_specs.h"
 #include "bhdl/keywords.h"
-#include "bhdl/names.h"
+#include "bhdl/source/names.h"
+#include "bhdl/source/text.h"
 #include "bhdl/state_specs.h"
-#include "bhdl/text.h"
 #include "bhdl/value_words.h"
 #include "bhdl/vocabulary.h"
 

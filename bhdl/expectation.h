@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bhdl/location.h"
+#include "bhdl/source/location.h"
 #include "core/geometry.h"
 
 namespace galilean::bhdl {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "bhdl/expectation_specs.h"
-#include "bhdl/names.h"
-#include "bhdl/text.h"
+#include "bhdl/source/names.h"
+#include "bhdl/source/text.h"
 #include "bhdl/value_or_nothing.h"
 
 namespace galilean::bhdl {

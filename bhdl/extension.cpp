@@ -5,11 +5,11 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "bhdl/names.h"
 #include "bhdl/owner.h"
+#include "bhdl/source/names.h"
+#include "bhdl/source/text.h"
 #include "bhdl/state_specs.h"
 #include "bhdl/symbols.h"
-#include "bhdl/text.h"
 
 namespace galilean::bhdl {
 namespace {

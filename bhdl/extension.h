@@ -3,7 +3,7 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "bhdl/diagnostic.h"
+#include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax.h"
 #include "bhdl/vocabulary.h"
 

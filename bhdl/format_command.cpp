@@ -5,7 +5,7 @@
 
 #include "bhdl/format/formatter.h"
 #include "bhdl/loader.h"
-#include "bhdl/replace_file.h"
+#include "bhdl/source/replace_file.h"
 
 namespace galilean::bhdl {
 namespace {

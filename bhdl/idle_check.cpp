@@ -4,7 +4,7 @@
 #include <unordered_set>
 
 #include "bhdl/initial_value.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
 namespace {

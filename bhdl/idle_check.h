@@ -1,8 +1,8 @@
 #pragma once
 
-#include "bhdl/diagnostic.h"
 #include "bhdl/program_check.h"
 #include "bhdl/schema_use.h"
+#include "bhdl/source/diagnostic.h"
 
 namespace galilean::bhdl {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "bhdl/names.h"
+#include "bhdl/source/names.h"
 
 namespace galilean::bhdl {
 namespace {

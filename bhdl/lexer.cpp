@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "bhdl/lexeme.h"
-#include "bhdl/text.h"
+#include "bhdl/source/lexeme.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
 namespace {

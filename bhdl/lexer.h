@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "bhdl/diagnostic.h"
+#include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax.h"
 
 namespace galilean::bhdl {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "bhdl/parser.h"
-#include "bhdl/readable.h"
-#include "bhdl/text.h"
+#include "bhdl/source/readable.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -3,8 +3,8 @@
 #include <deque>
 #include <string>
 
-#include "bhdl/diagnostic.h"
-#include "bhdl/source_provider.h"
+#include "bhdl/source/diagnostic.h"
+#include "bhdl/source/source_provider.h"
 #include "bhdl/syntax.h"
 
 namespace galilean::bhdl {

@@ -1,6 +1,6 @@
 #include "bhdl/owner.h"
 
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
 

@@ -3,9 +3,9 @@
 #include "bhdl/component_parser.h"
 #include "bhdl/expectation_parser.h"
 #include "bhdl/keywords.h"
-#include "bhdl/names.h"
+#include "bhdl/source/names.h"
+#include "bhdl/source/text.h"
 #include "bhdl/state_parser.h"
-#include "bhdl/text.h"
 #include "bhdl/token_stream.h"
 
 namespace galilean::bhdl {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bhdl/expectation.h"
-#include "bhdl/location.h"
+#include "bhdl/source/location.h"
 #include "core/catalog/catalog.h"
 #include "core/catalog/wiring.h"
 

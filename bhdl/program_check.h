@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bhdl/diagnostic.h"
 #include "bhdl/extension.h"
+#include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax.h"
 #include "bhdl/vocabulary.h"
 

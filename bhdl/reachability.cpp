@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bhdl/diagnostic.h"
 #include "bhdl/extension.h"
+#include "bhdl/source/diagnostic.h"
 #include "bhdl/state_graph.h"
 
 namespace galilean::bhdl {

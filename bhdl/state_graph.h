@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "bhdl/diagnostic.h"
 #include "bhdl/program.h"
+#include "bhdl/source/diagnostic.h"
 
 namespace galilean::bhdl {
 

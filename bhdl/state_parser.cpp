@@ -4,8 +4,8 @@
 
 #include "bhdl/component_parser.h"
 #include "bhdl/keywords.h"
-#include "bhdl/names.h"
-#include "bhdl/text.h"
+#include "bhdl/source/names.h"
+#include "bhdl/source/text.h"
 #include "bhdl/value_parser.h"
 
 namespace galilean::bhdl {

@@ -2,8 +2,8 @@
 
 #include "bhdl/constants.h"
 #include "bhdl/keywords.h"
-#include "bhdl/names.h"
-#include "bhdl/text.h"
+#include "bhdl/source/names.h"
+#include "bhdl/source/text.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {

@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "bhdl/diagnostic.h"
 #include "bhdl/owner.h"
+#include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax.h"
 
 namespace galilean::bhdl {

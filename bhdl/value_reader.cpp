@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "bhdl/constants.h"
-#include "bhdl/names.h"
-#include "bhdl/text.h"
+#include "bhdl/source/names.h"
+#include "bhdl/source/text.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {

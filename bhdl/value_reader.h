@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "bhdl/diagnostic.h"
 #include "bhdl/owner.h"
+#include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax.h"
 #include "core/catalog/value.h"
 

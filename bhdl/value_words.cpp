@@ -3,7 +3,7 @@
 #include <array>
 #include <charconv>
 
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
 namespace {

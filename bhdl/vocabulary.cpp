@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "bhdl/source/text.h"
 #include "bhdl/state_specs.h"
-#include "bhdl/text.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bhdl/diagnostic.h"
 #include "bhdl/schema_use.h"
+#include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax.h"
 
 namespace galilean::bhdl {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "bhdl/names.h"
+#include "bhdl/source/names.h"
 
 namespace galilean::front {
 namespace {

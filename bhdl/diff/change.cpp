@@ -3,7 +3,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 #include "bhdl/value_words.h"
 
 namespace galilean::bhdl {

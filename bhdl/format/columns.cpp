@@ -3,7 +3,7 @@
 #include <unordered_map>
 
 #include "bhdl/format/line.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -4,7 +4,7 @@
 #include "bhdl/format/same_meaning.h"
 #include "bhdl/loader.h"
 #include "bhdl/parser.h"
-#include "bhdl/readable.h"
+#include "bhdl/source/readable.h"
 
 namespace galilean::bhdl {
 namespace {

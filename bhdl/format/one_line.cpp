@@ -1,7 +1,7 @@
 #include "bhdl/format/one_line.h"
 
 #include "bhdl/format/line.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
 namespace {

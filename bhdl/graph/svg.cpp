@@ -3,7 +3,7 @@
 
 #include "bhdl/graph/graph.h"
 #include "bhdl/graph/layout.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "bhdl/owner.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

@@ -10,8 +10,8 @@
 #include "bhdl/lsp/completion_list.h"
 #include "bhdl/lsp/cursor.h"
 #include "bhdl/lsp/snippet.h"
+#include "bhdl/source/text.h"
 #include "bhdl/state_specs.h"
-#include "bhdl/text.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "bhdl/lexer.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

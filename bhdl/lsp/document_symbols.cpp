@@ -1,7 +1,7 @@
 #include "bhdl/lsp/document_symbols.h"
 
 #include "bhdl/lsp/block.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

@@ -1,7 +1,7 @@
 #include "bhdl/lsp/document_sync.h"
 
 #include "bhdl/lsp/uri.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

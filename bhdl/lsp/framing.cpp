@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

@@ -5,7 +5,7 @@
 #include "bhdl/lsp/block.h"
 #include "bhdl/lsp/name_search.h"
 #include "bhdl/lsp/spot.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

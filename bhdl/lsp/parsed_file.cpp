@@ -2,7 +2,7 @@
 
 #include "bhdl/loader.h"
 #include "bhdl/parser.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl::lsp {
 

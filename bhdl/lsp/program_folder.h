@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bhdl/source_provider.h"
+#include "bhdl/source/source_provider.h"
 
 namespace galilean::bhdl::lsp {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "bhdl/names.h"
-#include "bhdl/text.h"
+#include "bhdl/source/names.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "bhdl/check.h"
 #include "bhdl/lsp/name_search.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

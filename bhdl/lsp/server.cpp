@@ -11,7 +11,7 @@
 #include "bhdl/lsp/navigation.h"
 #include "bhdl/lsp/quick_fix.h"
 #include "bhdl/lsp/rename.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

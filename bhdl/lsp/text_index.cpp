@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

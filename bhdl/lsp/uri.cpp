@@ -2,7 +2,7 @@
 
 #include <cctype>
 
-#include "bhdl/source_provider.h"
+#include "bhdl/source/source_provider.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "bhdl/loader.h"
-#include "bhdl/source_provider.h"
+#include "bhdl/source/source_provider.h"
 #include "core/installation.h"
 
 namespace galilean::monitor {

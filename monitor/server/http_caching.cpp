@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bhdl/sha256.h"
+#include "bhdl/source/sha256.h"
 #include "monitor/compression/gzip.h"
 
 namespace galilean::monitor {

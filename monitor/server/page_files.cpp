@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "bhdl/sha256.h"
+#include "bhdl/source/sha256.h"
 #include "core/installation.h"
 #include "monitor/compression/gzip.h"
 #include "monitor/server/http_caching.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 #include "robot/components.h"
 #include "robot/executive/executive.h"
 #include "robot/rehearsal/given_program.h"

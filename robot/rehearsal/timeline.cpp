@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bhdl/machine.h"
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::robot {
 

@@ -1,4 +1,4 @@
-#include "bhdl/sha256.h"
+#include "bhdl/source/sha256.h"
 #include "robot/telemetry/compose.h"
 
 namespace galilean::robot {

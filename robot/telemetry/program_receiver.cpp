@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "bhdl/sha256.h"
+#include "bhdl/source/sha256.h"
 #include "robot/executive/turn.h"
 #include "robot/telemetry/targets.h"
 

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "bhdl/loader.h"
-#include "bhdl/sha256.h"
+#include "bhdl/source/sha256.h"
 #include "tests/bhdl/small_catalog.h"
 #include "tests/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "bhdl/names.h"
+#include "bhdl/source/names.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bhdl/sha256.h"
+#include "bhdl/source/sha256.h"
 #include "robot/telemetry/telemetry.h"
 #include "tests/robot/executive/test_robot.h"
 #include "tests/robot/telemetry/mailbox.h"

@@ -1,4 +1,4 @@
-#include "bhdl/lexeme.h"
+#include "bhdl/source/lexeme.h"
 
 #include <array>
 

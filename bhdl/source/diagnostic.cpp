@@ -1,4 +1,4 @@
-#include "bhdl/diagnostic.h"
+#include "bhdl/source/diagnostic.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "bhdl/names.h"
+#include "bhdl/source/names.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
 namespace {

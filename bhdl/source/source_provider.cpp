@@ -1,11 +1,11 @@
-#include "bhdl/source_provider.h"
+#include "bhdl/source/source_provider.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
 namespace {

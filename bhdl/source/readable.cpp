@@ -1,6 +1,6 @@
-#include "bhdl/readable.h"
+#include "bhdl/source/readable.h"
 
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
 

@@ -1,4 +1,4 @@
-#include "bhdl/text.h"
+#include "bhdl/source/text.h"
 
 #include <algorithm>
 #include <array>

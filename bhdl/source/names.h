@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bhdl/diagnostic.h"
+#include "bhdl/source/diagnostic.h"
 
 namespace galilean::bhdl {
 

@@ -1,4 +1,4 @@
-#include "bhdl/replace_file.h"
+#include "bhdl/source/replace_file.h"
 
 #include <sys/stat.h>
 #include <unistd.h>

@@ -4,14 +4,14 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "bhdl/catalog_file.h"
 #include "bhdl/check.h"
 #include "bhdl/describe.h"
 #include "bhdl/diff_command.h"
 #include "bhdl/format_command.h"
 #include "bhdl/graph_command.h"
 #include "bhdl/lsp/standard_streams.h"
-#include "bhdl/machine.h"
+#include "bhdl/program/catalog_file.h"
+#include "bhdl/program/machine.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bhdl/initial_value.h"
+#include "bhdl/program/initial_value.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bhdl/checker.h"
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 #include "bhdl/source/diagnostic.h"
 #include "bhdl/source/source_provider.h"
 #include "bhdl/vocabulary.h"

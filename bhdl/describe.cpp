@@ -5,10 +5,10 @@
 
 #include "bhdl/expectation_specs.h"
 #include "bhdl/keywords.h"
+#include "bhdl/program/value_words.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
 #include "bhdl/state_specs.h"
-#include "bhdl/value_words.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bhdl/attribute_reader.h"
-#include "bhdl/expectation.h"
+#include "bhdl/program/expectation.h"
 
 namespace galilean::bhdl {
 

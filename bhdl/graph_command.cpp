@@ -5,7 +5,7 @@
 
 #include "bhdl/check.h"
 #include "bhdl/graph/graph.h"
-#include "bhdl/machine.h"
+#include "bhdl/program/machine.h"
 
 namespace galilean::bhdl {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "bhdl/initial_value.h"
+#include "bhdl/program/initial_value.h"
 #include "bhdl/source/text.h"
 
 namespace galilean::bhdl {

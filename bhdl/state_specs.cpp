@@ -1,6 +1,6 @@
 #include "bhdl/state_specs.h"
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 #include "core/catalog/catalog.h"
 
 namespace galilean::bhdl {

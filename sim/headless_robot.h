@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 #include "robot/devices/byte_pipe.h"
 #include "robot/devices/frame_grabber.h"
 #include "robot/devices/microcontroller_link.h"

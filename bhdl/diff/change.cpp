@@ -3,8 +3,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "bhdl/program/value_words.h"
 #include "bhdl/source/text.h"
-#include "bhdl/value_words.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -3,7 +3,7 @@
 #include <unordered_set>
 
 #include "bhdl/diff/parts.h"
-#include "bhdl/value_words.h"
+#include "bhdl/program/value_words.h"
 
 namespace galilean::bhdl {
 namespace {

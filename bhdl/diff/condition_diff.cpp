@@ -3,7 +3,7 @@
 #include <unordered_map>
 
 #include "bhdl/diff/parts.h"
-#include "bhdl/machine.h"
+#include "bhdl/program/machine.h"
 
 namespace galilean::bhdl {
 namespace {

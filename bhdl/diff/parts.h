@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bhdl/diff/change.h"
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 
 namespace galilean::bhdl {
 

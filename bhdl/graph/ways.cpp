@@ -1,6 +1,6 @@
 #include "bhdl/graph/ways.h"
 
-#include "bhdl/machine.h"
+#include "bhdl/program/machine.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 #include "core/result.h"
 
 namespace galilean::bhdl {

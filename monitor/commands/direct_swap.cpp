@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "bhdl/catalog_file.h"
+#include "bhdl/program/catalog_file.h"
 #include "monitor/commands/push_dialogue.h"
 #include "monitor/programs/json.h"
 #include "monitor/programs/target_check.h"

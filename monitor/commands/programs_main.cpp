@@ -3,9 +3,9 @@
 #include <iomanip>
 #include <iostream>
 
-#include "bhdl/catalog_file.h"
 #include "bhdl/check.h"
 #include "bhdl/diff/diff.h"
+#include "bhdl/program/catalog_file.h"
 #include "monitor/commands/push_dialogue.h"
 #include "monitor/programs/json.h"
 

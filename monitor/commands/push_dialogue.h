@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 #include "monitor/commands/monitor_client.h"
 #include "monitor/commands/push_options.h"
 

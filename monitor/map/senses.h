@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 #include "core/catalog/catalog.h"
 #include "core/clock.h"
 #include "core/wire/messages.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 #include "core/result.h"
 #include "monitor/programs/push.h"
 #include "monitor/programs/swap_transaction.h"

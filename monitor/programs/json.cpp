@@ -1,6 +1,6 @@
 #include "monitor/programs/json.h"
 
-#include "bhdl/machine.h"
+#include "bhdl/program/machine.h"
 
 namespace galilean::monitor {
 namespace {

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <iostream>
 
-#include "bhdl/catalog_file.h"
+#include "bhdl/program/catalog_file.h"
 #include "core/installation.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/server/api.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 #include "core/clock.h"
 #include "monitor/programs/target_check.h"
 #include "monitor/team/team.h"

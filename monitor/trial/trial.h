@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 #include "monitor/trial/child_process.h"
 #include "monitor/trial/figures.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 #include "robot/executive/probation.h"
 
 namespace galilean::robot {

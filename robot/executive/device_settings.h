@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 #include "robot/devices/comm_port_settings.h"
 #include "robot/devices/frame_grabber_settings.h"
 #include "robot/devices/motor_drive_settings.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 
 namespace galilean::robot {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 #include "core/catalog/registry.h"
 
 namespace galilean::robot {

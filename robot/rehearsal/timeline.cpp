@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bhdl/machine.h"
+#include "bhdl/program/machine.h"
 #include "bhdl/source/text.h"
 
 namespace galilean::robot {

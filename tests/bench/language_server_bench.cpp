@@ -2,8 +2,8 @@
 // fit.
 #include <benchmark/benchmark.h>
 
-#include "bhdl/catalog_file.h"
 #include "bhdl/lsp/server.h"
+#include "bhdl/program/catalog_file.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

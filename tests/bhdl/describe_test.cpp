@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bhdl/machine.h"
+#include "bhdl/program/machine.h"
 #include "tests/bhdl/small_catalog.h"
 
 namespace galilean::bhdl {

@@ -2,7 +2,7 @@
 
 #include "bhdl/diff/diff.h"
 #include "bhdl/graph/graph.h"
-#include "bhdl/machine.h"
+#include "bhdl/program/machine.h"
 #include "tests/bhdl/small_catalog.h"
 #include "tests/fuzz/input.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 
 namespace galilean::bhdl {
 

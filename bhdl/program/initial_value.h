@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 
 namespace galilean::bhdl {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bhdl/expectation.h"
+#include "bhdl/program/expectation.h"
 #include "bhdl/source/location.h"
 #include "core/catalog/catalog.h"
 #include "core/catalog/wiring.h"

@@ -1,4 +1,4 @@
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 
 #include <algorithm>
 #include <array>

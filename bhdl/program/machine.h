@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "bhdl/program.h"
+#include "bhdl/program/program.h"
 
 namespace galilean::bhdl {
 

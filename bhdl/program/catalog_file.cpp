@@ -1,4 +1,4 @@
-#include "bhdl/catalog_file.h"
+#include "bhdl/program/catalog_file.h"
 
 #include <fstream>
 #include <sstream>

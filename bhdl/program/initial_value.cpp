@@ -1,4 +1,4 @@
-#include "bhdl/initial_value.h"
+#include "bhdl/program/initial_value.h"
 
 namespace galilean::bhdl {
 

@@ -1,4 +1,4 @@
-#include "bhdl/machine.h"
+#include "bhdl/program/machine.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "bhdl/value_words.h"
+#include "bhdl/program/value_words.h"
 
 #include <array>
 #include <charconv>

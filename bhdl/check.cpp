@@ -1,8 +1,8 @@
 #include "bhdl/check.h"
 
 #include "bhdl/checker.h"
-#include "bhdl/loader.h"
 #include "bhdl/source/sha256.h"
+#include "bhdl/syntax/loader.h"
 
 namespace galilean::bhdl {
 namespace {

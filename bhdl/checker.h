@@ -3,7 +3,7 @@
 #include <string>
 
 #include "bhdl/source/diagnostic.h"
-#include "bhdl/syntax.h"
+#include "bhdl/syntax/syntax.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bhdl/source/diagnostic.h"
-#include "bhdl/syntax.h"
+#include "bhdl/syntax/syntax.h"
 
 namespace galilean::bhdl {
 

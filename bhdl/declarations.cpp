@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "bhdl/keywords.h"
 #include "bhdl/owner.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
+#include "bhdl/syntax/keywords.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -4,11 +4,11 @@
 #include <array>
 
 #include "bhdl/expectation_specs.h"
-#include "bhdl/keywords.h"
 #include "bhdl/program/value_words.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
 #include "bhdl/state_specs.h"
+#include "bhdl/syntax/keywords.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {

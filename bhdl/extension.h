@@ -4,7 +4,7 @@
 #include <unordered_set>
 
 #include "bhdl/source/diagnostic.h"
-#include "bhdl/syntax.h"
+#include "bhdl/syntax/syntax.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {

@@ -4,8 +4,8 @@
 #include <iostream>
 
 #include "bhdl/format/formatter.h"
-#include "bhdl/loader.h"
 #include "bhdl/source/replace_file.h"
+#include "bhdl/syntax/loader.h"
 
 namespace galilean::bhdl {
 namespace {

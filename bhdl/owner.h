@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bhdl/syntax.h"
+#include "bhdl/syntax/syntax.h"
 
 namespace galilean::bhdl {
 

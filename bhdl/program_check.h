@@ -5,7 +5,7 @@
 
 #include "bhdl/extension.h"
 #include "bhdl/source/diagnostic.h"
-#include "bhdl/syntax.h"
+#include "bhdl/syntax/syntax.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {

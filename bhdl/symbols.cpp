@@ -1,9 +1,9 @@
 #include "bhdl/symbols.h"
 
 #include "bhdl/constants.h"
-#include "bhdl/keywords.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
+#include "bhdl/syntax/keywords.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {

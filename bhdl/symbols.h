@@ -8,7 +8,7 @@
 
 #include "bhdl/owner.h"
 #include "bhdl/source/diagnostic.h"
-#include "bhdl/syntax.h"
+#include "bhdl/syntax/syntax.h"
 
 namespace galilean::bhdl {
 

@@ -5,7 +5,7 @@
 
 #include "bhdl/owner.h"
 #include "bhdl/source/diagnostic.h"
-#include "bhdl/syntax.h"
+#include "bhdl/syntax/syntax.h"
 #include "core/catalog/value.h"
 
 namespace galilean::bhdl {

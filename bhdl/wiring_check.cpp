@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "bhdl/keywords.h"
 #include "bhdl/source/text.h"
+#include "bhdl/syntax/keywords.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "bhdl/schema_use.h"
 #include "bhdl/source/diagnostic.h"
-#include "bhdl/syntax.h"
+#include "bhdl/syntax/syntax.h"
 
 namespace galilean::bhdl {
 

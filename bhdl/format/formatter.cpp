@@ -2,9 +2,9 @@
 
 #include "bhdl/format/line.h"
 #include "bhdl/format/same_meaning.h"
-#include "bhdl/loader.h"
-#include "bhdl/parser.h"
 #include "bhdl/source/readable.h"
+#include "bhdl/syntax/loader.h"
+#include "bhdl/syntax/parser.h"
 
 namespace galilean::bhdl {
 namespace {

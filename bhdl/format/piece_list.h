@@ -2,7 +2,7 @@
 
 #include "bhdl/format/piece.h"
 #include "bhdl/format/trivia.h"
-#include "bhdl/token_stream.h"
+#include "bhdl/syntax/token_stream.h"
 
 namespace galilean::bhdl {
 

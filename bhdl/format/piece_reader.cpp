@@ -1,5 +1,5 @@
 #include "bhdl/format/piece_list.h"
-#include "bhdl/keywords.h"
+#include "bhdl/syntax/keywords.h"
 
 namespace galilean::bhdl {
 namespace {

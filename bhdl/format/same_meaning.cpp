@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bhdl/keywords.h"
+#include "bhdl/syntax/keywords.h"
 
 namespace galilean::bhdl {
 namespace {

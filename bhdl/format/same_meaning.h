@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bhdl/syntax.h"
+#include "bhdl/syntax/syntax.h"
 
 namespace galilean::bhdl {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bhdl/expectation_specs.h"
-#include "bhdl/keywords.h"
+#include "bhdl/syntax/keywords.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

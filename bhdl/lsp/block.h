@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bhdl/lsp/text_index.h"
-#include "bhdl/token_stream.h"
+#include "bhdl/syntax/token_stream.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl::lsp {

@@ -6,12 +6,12 @@
 
 #include "bhdl/describe.h"
 #include "bhdl/expectation_specs.h"
-#include "bhdl/keywords.h"
 #include "bhdl/lsp/completion_list.h"
 #include "bhdl/lsp/cursor.h"
 #include "bhdl/lsp/snippet.h"
 #include "bhdl/source/text.h"
 #include "bhdl/state_specs.h"
+#include "bhdl/syntax/keywords.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "bhdl/keywords.h"
+#include "bhdl/syntax/keywords.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

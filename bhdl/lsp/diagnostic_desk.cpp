@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "bhdl/lexer.h"
 #include "bhdl/source/text.h"
+#include "bhdl/syntax/lexer.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

@@ -6,7 +6,7 @@
 #include "bhdl/expectation_specs.h"
 #include "bhdl/state_specs.h"
 #include "bhdl/symbols.h"
-#include "bhdl/syntax.h"
+#include "bhdl/syntax/syntax.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl::lsp {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bhdl/format/formatter.h"
-#include "bhdl/loader.h"
+#include "bhdl/syntax/loader.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

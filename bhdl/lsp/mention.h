@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bhdl/symbols.h"
-#include "bhdl/syntax.h"
+#include "bhdl/syntax/syntax.h"
 #include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl::lsp {

@@ -1,7 +1,7 @@
 #include "bhdl/lsp/navigation.h"
 
-#include "bhdl/loader.h"
 #include "bhdl/lsp/name_search.h"
+#include "bhdl/syntax/loader.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

@@ -1,8 +1,8 @@
 #include "bhdl/lsp/parsed_file.h"
 
-#include "bhdl/loader.h"
-#include "bhdl/parser.h"
 #include "bhdl/source/text.h"
+#include "bhdl/syntax/loader.h"
+#include "bhdl/syntax/parser.h"
 
 namespace galilean::bhdl::lsp {
 

@@ -6,7 +6,7 @@
 
 #include "bhdl/lsp/mention.h"
 #include "bhdl/lsp/text_index.h"
-#include "bhdl/syntax.h"
+#include "bhdl/syntax/syntax.h"
 
 namespace galilean::bhdl::lsp {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "bhdl/loader.h"
 #include "bhdl/lsp/uri.h"
+#include "bhdl/syntax/loader.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

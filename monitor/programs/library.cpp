@@ -4,8 +4,8 @@
 #include <set>
 #include <system_error>
 
-#include "bhdl/loader.h"
 #include "bhdl/source/source_provider.h"
+#include "bhdl/syntax/loader.h"
 #include "core/installation.h"
 
 namespace galilean::monitor {

@@ -4,8 +4,8 @@
 
 #include "bhdl/check.h"
 #include "bhdl/checker.h"
-#include "bhdl/lexer.h"
-#include "bhdl/parser.h"
+#include "bhdl/syntax/lexer.h"
+#include "bhdl/syntax/parser.h"
 #include "robot/executive/builder.h"
 #include "tests/bench/generated_program.h"
 #include "tests/robot/executive/test_robot.h"

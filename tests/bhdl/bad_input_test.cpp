@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "bhdl/loader.h"
-#include "bhdl/parser.h"
+#include "bhdl/syntax/loader.h"
+#include "bhdl/syntax/parser.h"
 #include "tests/bhdl/small_catalog.h"
 
 namespace galilean::bhdl {

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "bhdl/keywords.h"
+#include "bhdl/syntax/keywords.h"
 
 namespace galilean::bhdl {
 namespace {

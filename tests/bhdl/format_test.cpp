@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bhdl/loader.h"
+#include "bhdl/syntax/loader.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "bhdl/loader.h"
 #include "bhdl/source/sha256.h"
+#include "bhdl/syntax/loader.h"
 #include "tests/bhdl/small_catalog.h"
 #include "tests/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "bhdl/lexer.h"
+#include "bhdl/syntax/lexer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bhdl/parser.h"
+#include "bhdl/syntax/parser.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "bhdl/loader.h"
+#include "bhdl/syntax/loader.h"
 
 #include <algorithm>
 #include <optional>
 
-#include "bhdl/parser.h"
 #include "bhdl/source/readable.h"
 #include "bhdl/source/text.h"
+#include "bhdl/syntax/parser.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -1,7 +1,7 @@
-#include "bhdl/expectation_parser.h"
+#include "bhdl/syntax/expectation_parser.h"
 
-#include "bhdl/component_parser.h"
-#include "bhdl/keywords.h"
+#include "bhdl/syntax/component_parser.h"
+#include "bhdl/syntax/keywords.h"
 
 namespace galilean::bhdl {
 

@@ -1,4 +1,4 @@
-#include "bhdl/value_parser.h"
+#include "bhdl/syntax/value_parser.h"
 
 #include <algorithm>
 

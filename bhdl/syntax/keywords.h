@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bhdl/token_stream.h"
+#include "bhdl/syntax/token_stream.h"
 #include "core/catalog/catalog.h"
 
 namespace galilean::bhdl {

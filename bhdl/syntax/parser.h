@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "bhdl/source/diagnostic.h"
-#include "bhdl/syntax.h"
+#include "bhdl/syntax/syntax.h"
 
 namespace galilean::bhdl {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "bhdl/lexer.h"
+#include "bhdl/syntax/lexer.h"
 
 namespace galilean::bhdl {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bhdl/token_stream.h"
+#include "bhdl/syntax/token_stream.h"
 
 namespace galilean::bhdl {
 

@@ -1,12 +1,12 @@
-#include "bhdl/state_parser.h"
+#include "bhdl/syntax/state_parser.h"
 
 #include <array>
 
-#include "bhdl/component_parser.h"
-#include "bhdl/keywords.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
-#include "bhdl/value_parser.h"
+#include "bhdl/syntax/component_parser.h"
+#include "bhdl/syntax/keywords.h"
+#include "bhdl/syntax/value_parser.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -1,8 +1,8 @@
-#include "bhdl/component_parser.h"
+#include "bhdl/syntax/component_parser.h"
 
-#include "bhdl/keywords.h"
 #include "bhdl/source/text.h"
-#include "bhdl/value_parser.h"
+#include "bhdl/syntax/keywords.h"
+#include "bhdl/syntax/value_parser.h"
 
 namespace galilean::bhdl {
 namespace {

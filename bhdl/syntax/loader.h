@@ -5,7 +5,7 @@
 
 #include "bhdl/source/diagnostic.h"
 #include "bhdl/source/source_provider.h"
-#include "bhdl/syntax.h"
+#include "bhdl/syntax/syntax.h"
 
 namespace galilean::bhdl {
 

@@ -1,12 +1,12 @@
-#include "bhdl/parser.h"
+#include "bhdl/syntax/parser.h"
 
-#include "bhdl/component_parser.h"
-#include "bhdl/expectation_parser.h"
-#include "bhdl/keywords.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
-#include "bhdl/state_parser.h"
-#include "bhdl/token_stream.h"
+#include "bhdl/syntax/component_parser.h"
+#include "bhdl/syntax/expectation_parser.h"
+#include "bhdl/syntax/keywords.h"
+#include "bhdl/syntax/state_parser.h"
+#include "bhdl/syntax/token_stream.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -1,4 +1,4 @@
-#include "bhdl/keywords.h"
+#include "bhdl/syntax/keywords.h"
 
 #include <algorithm>
 #include <array>

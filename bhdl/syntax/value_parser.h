@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bhdl/token_stream.h"
+#include "bhdl/syntax/token_stream.h"
 
 namespace galilean::bhdl {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bhdl/check.h"
-#include "bhdl/describe.h"
+#include "bhdl/check/describe.h"
 #include "bhdl/diff_command.h"
 #include "bhdl/format_command.h"
 #include "bhdl/graph_command.h"

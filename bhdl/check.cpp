@@ -1,6 +1,6 @@
 #include "bhdl/check.h"
 
-#include "bhdl/checker.h"
+#include "bhdl/check/checker.h"
 #include "bhdl/source/sha256.h"
 #include "bhdl/syntax/loader.h"
 

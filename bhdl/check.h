@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "bhdl/checker.h"
+#include "bhdl/check/checker.h"
+#include "bhdl/check/vocabulary.h"
 #include "bhdl/program/program.h"
 #include "bhdl/source/diagnostic.h"
 #include "bhdl/source/source_provider.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 

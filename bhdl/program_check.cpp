@@ -1,7 +1,7 @@
 #include "bhdl/program_check.h"
 
+#include "bhdl/check/constants.h"
 #include "bhdl/condition_check.h"
-#include "bhdl/constants.h"
 #include "bhdl/idle_check.h"
 #include "bhdl/reachability.h"
 #include "bhdl/stop_check.h"

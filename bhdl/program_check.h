@@ -3,10 +3,10 @@
 #include <string_view>
 #include <vector>
 
-#include "bhdl/extension.h"
+#include "bhdl/check/extension.h"
+#include "bhdl/check/vocabulary.h"
 #include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax/syntax.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 

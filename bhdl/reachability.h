@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bhdl/extension.h"
+#include "bhdl/check/extension.h"
 #include "bhdl/source/diagnostic.h"
 #include "bhdl/state_graph.h"
 

@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "bhdl/check/vocabulary.h"
 #include "bhdl/program/program.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 

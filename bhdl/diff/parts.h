@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "bhdl/check/vocabulary.h"
 #include "bhdl/diff/change.h"
 #include "bhdl/program/program.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "bhdl/owner.h"
+#include "bhdl/check/owner.h"
 #include "bhdl/source/text.h"
 
 namespace galilean::bhdl::lsp {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bhdl/expectation_specs.h"
+#include "bhdl/check/expectation_specs.h"
 #include "bhdl/syntax/keywords.h"
 
 namespace galilean::bhdl::lsp {

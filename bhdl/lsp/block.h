@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
+#include "bhdl/check/vocabulary.h"
 #include "bhdl/lsp/text_index.h"
 #include "bhdl/syntax/token_stream.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl::lsp {
 

@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <set>
 
-#include "bhdl/describe.h"
-#include "bhdl/expectation_specs.h"
+#include "bhdl/check/describe.h"
+#include "bhdl/check/expectation_specs.h"
+#include "bhdl/check/state_specs.h"
 #include "bhdl/lsp/completion_list.h"
 #include "bhdl/lsp/cursor.h"
 #include "bhdl/lsp/snippet.h"
 #include "bhdl/source/text.h"
-#include "bhdl/state_specs.h"
 #include "bhdl/syntax/keywords.h"
 
 namespace galilean::bhdl::lsp {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <optional>
 
-#include "bhdl/expectation_specs.h"
-#include "bhdl/state_specs.h"
-#include "bhdl/symbols.h"
+#include "bhdl/check/expectation_specs.h"
+#include "bhdl/check/state_specs.h"
+#include "bhdl/check/symbols.h"
+#include "bhdl/check/vocabulary.h"
 #include "bhdl/syntax/syntax.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl::lsp {
 

@@ -1,6 +1,6 @@
 #include "bhdl/lsp/hover.h"
 
-#include "bhdl/describe.h"
+#include "bhdl/check/describe.h"
 #include "bhdl/lsp/bit_meaning.h"
 #include "bhdl/lsp/block.h"
 #include "bhdl/lsp/name_search.h"

@@ -1,7 +1,7 @@
 #include "bhdl/lsp/mention.h"
 
+#include "bhdl/check/owner.h"
 #include "bhdl/lsp/entity.h"
-#include "bhdl/owner.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

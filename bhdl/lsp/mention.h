@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "bhdl/symbols.h"
+#include "bhdl/check/symbols.h"
+#include "bhdl/check/vocabulary.h"
 #include "bhdl/syntax/syntax.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl::lsp {
 

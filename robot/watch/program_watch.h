@@ -4,7 +4,7 @@
 #include <string>
 #include <thread>
 
-#include "bhdl/vocabulary.h"
+#include "bhdl/check/vocabulary.h"
 #include "core/catalog/catalog.h"
 #include "core/wake.h"
 #include "robot/executive/executive.h"

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bhdl/check.h"
-#include "bhdl/checker.h"
+#include "bhdl/check/checker.h"
 #include "bhdl/syntax/lexer.h"
 #include "bhdl/syntax/parser.h"
 #include "robot/executive/builder.h"

@@ -1,4 +1,4 @@
-#include "bhdl/describe.h"
+#include "bhdl/check/describe.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "bhdl/extension.h"
+#include "bhdl/check/extension.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

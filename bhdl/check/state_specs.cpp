@@ -1,4 +1,4 @@
-#include "bhdl/state_specs.h"
+#include "bhdl/check/state_specs.h"
 
 #include "bhdl/program/program.h"
 

@@ -1,15 +1,15 @@
-#include "bhdl/describe.h"
+#include "bhdl/check/describe.h"
 
 #include <algorithm>
 #include <array>
 
-#include "bhdl/expectation_specs.h"
+#include "bhdl/check/expectation_specs.h"
+#include "bhdl/check/state_specs.h"
+#include "bhdl/check/vocabulary.h"
 #include "bhdl/program/value_words.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
-#include "bhdl/state_specs.h"
 #include "bhdl/syntax/keywords.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 namespace {

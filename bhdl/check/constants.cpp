@@ -1,12 +1,12 @@
-#include "bhdl/constants.h"
+#include "bhdl/check/constants.h"
 
 #include <algorithm>
 #include <array>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "bhdl/check/symbols.h"
 #include "bhdl/source/text.h"
-#include "bhdl/symbols.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -3,9 +3,9 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "bhdl/check/vocabulary.h"
 #include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax/syntax.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 

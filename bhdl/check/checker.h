@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "bhdl/check/vocabulary.h"
 #include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax/syntax.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 

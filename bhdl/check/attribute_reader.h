@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bhdl/symbols.h"
+#include "bhdl/check/symbols.h"
 #include "core/catalog/wiring.h"
 
 namespace galilean::bhdl {

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "bhdl/owner.h"
+#include "bhdl/check/owner.h"
 #include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax/syntax.h"
 

@@ -1,10 +1,10 @@
-#include "bhdl/symbols.h"
+#include "bhdl/check/symbols.h"
 
-#include "bhdl/constants.h"
+#include "bhdl/check/constants.h"
+#include "bhdl/check/vocabulary.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
 #include "bhdl/syntax/keywords.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 namespace {

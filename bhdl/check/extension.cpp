@@ -1,15 +1,15 @@
-#include "bhdl/extension.h"
+#include "bhdl/check/extension.h"
 
 #include <algorithm>
 #include <array>
 #include <unordered_map>
 #include <unordered_set>
 
-#include "bhdl/owner.h"
+#include "bhdl/check/owner.h"
+#include "bhdl/check/state_specs.h"
+#include "bhdl/check/symbols.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
-#include "bhdl/state_specs.h"
-#include "bhdl/symbols.h"
 
 namespace galilean::bhdl {
 namespace {

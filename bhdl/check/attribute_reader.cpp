@@ -1,13 +1,13 @@
-#include "bhdl/attribute_reader.h"
+#include "bhdl/check/attribute_reader.h"
 
 #include <algorithm>
 #include <optional>
 #include <unordered_set>
 
+#include "bhdl/check/value_reader.h"
+#include "bhdl/check/vocabulary.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
-#include "bhdl/value_reader.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -1,11 +1,11 @@
-#include "bhdl/expectation_reader.h"
+#include "bhdl/check/expectation_reader.h"
 
 #include <algorithm>
 
-#include "bhdl/expectation_specs.h"
+#include "bhdl/check/expectation_specs.h"
+#include "bhdl/check/value_or_nothing.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
-#include "bhdl/value_or_nothing.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "bhdl/owner.h"
+#include "bhdl/check/owner.h"
 #include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax/syntax.h"
 #include "core/catalog/value.h"

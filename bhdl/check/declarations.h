@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bhdl/symbols.h"
-#include "bhdl/vocabulary.h"
+#include "bhdl/check/symbols.h"
+#include "bhdl/check/vocabulary.h"
 
 namespace galilean::bhdl {
 

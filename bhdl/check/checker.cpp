@@ -1,17 +1,17 @@
-#include "bhdl/checker.h"
+#include "bhdl/check/checker.h"
 
 #include <algorithm>
 
-#include "bhdl/attribute_reader.h"
-#include "bhdl/constants.h"
-#include "bhdl/declarations.h"
-#include "bhdl/expectation_reader.h"
-#include "bhdl/extension.h"
+#include "bhdl/check/attribute_reader.h"
+#include "bhdl/check/constants.h"
+#include "bhdl/check/declarations.h"
+#include "bhdl/check/expectation_reader.h"
+#include "bhdl/check/extension.h"
+#include "bhdl/check/state_specs.h"
+#include "bhdl/check/value_or_nothing.h"
+#include "bhdl/check/vocabulary.h"
 #include "bhdl/program_check.h"
 #include "bhdl/source/text.h"
-#include "bhdl/state_specs.h"
-#include "bhdl/value_or_nothing.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 namespace {

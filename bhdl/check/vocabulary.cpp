@@ -1,10 +1,10 @@
-#include "bhdl/vocabulary.h"
+#include "bhdl/check/vocabulary.h"
 
 #include <array>
 #include <cmath>
 
+#include "bhdl/check/state_specs.h"
 #include "bhdl/source/text.h"
-#include "bhdl/state_specs.h"
 
 namespace galilean::bhdl {
 namespace {

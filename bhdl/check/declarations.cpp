@@ -1,9 +1,9 @@
-#include "bhdl/declarations.h"
+#include "bhdl/check/declarations.h"
 
 #include <algorithm>
 #include <iterator>
 
-#include "bhdl/owner.h"
+#include "bhdl/check/owner.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
 #include "bhdl/syntax/keywords.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bhdl/attribute_reader.h"
+#include "bhdl/check/attribute_reader.h"
 #include "bhdl/program/expectation.h"
 
 namespace galilean::bhdl {

@@ -1,8 +1,8 @@
-#include "bhdl/expectation_specs.h"
+#include "bhdl/check/expectation_specs.h"
 
 #include <array>
 
-#include "bhdl/state_specs.h"
+#include "bhdl/check/state_specs.h"
 
 namespace galilean::bhdl {
 namespace {

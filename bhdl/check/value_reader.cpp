@@ -1,13 +1,13 @@
-#include "bhdl/value_reader.h"
+#include "bhdl/check/value_reader.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "bhdl/constants.h"
+#include "bhdl/check/constants.h"
+#include "bhdl/check/vocabulary.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
-#include "bhdl/vocabulary.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -1,4 +1,4 @@
-#include "bhdl/owner.h"
+#include "bhdl/check/owner.h"
 
 #include "bhdl/source/text.h"
 

@@ -10,7 +10,7 @@
 #include "bhdl/check/state_specs.h"
 #include "bhdl/check/value_or_nothing.h"
 #include "bhdl/check/vocabulary.h"
-#include "bhdl/program_check.h"
+#include "bhdl/lint/program_check.h"
 #include "bhdl/source/text.h"
 
 namespace galilean::bhdl {

@@ -1,4 +1,4 @@
-#include "bhdl/reachability.h"
+#include "bhdl/lint/reachability.h"
 
 #include <algorithm>
 

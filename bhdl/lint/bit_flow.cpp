@@ -1,4 +1,4 @@
-#include "bhdl/bit_flow.h"
+#include "bhdl/lint/bit_flow.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bhdl/check/extension.h"
+#include "bhdl/lint/state_graph.h"
 #include "bhdl/source/diagnostic.h"
-#include "bhdl/state_graph.h"
 
 namespace galilean::bhdl {
 

@@ -1,4 +1,4 @@
-#include "bhdl/idle_check.h"
+#include "bhdl/lint/idle_check.h"
 
 #include <algorithm>
 #include <unordered_set>

@@ -1,4 +1,4 @@
-#include "bhdl/schema_use.h"
+#include "bhdl/lint/schema_use.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -1,11 +1,11 @@
-#include "bhdl/program_check.h"
+#include "bhdl/lint/program_check.h"
 
 #include "bhdl/check/constants.h"
-#include "bhdl/condition_check.h"
-#include "bhdl/idle_check.h"
-#include "bhdl/reachability.h"
-#include "bhdl/stop_check.h"
-#include "bhdl/wiring_check.h"
+#include "bhdl/lint/condition_check.h"
+#include "bhdl/lint/idle_check.h"
+#include "bhdl/lint/reachability.h"
+#include "bhdl/lint/stop_check.h"
+#include "bhdl/lint/wiring_check.h"
 
 namespace galilean::bhdl {
 

@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "bhdl/schema_use.h"
-#include "bhdl/state_graph.h"
+#include "bhdl/lint/schema_use.h"
+#include "bhdl/lint/state_graph.h"
 
 namespace galilean::bhdl {
 

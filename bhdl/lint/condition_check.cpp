@@ -1,8 +1,8 @@
-#include "bhdl/condition_check.h"
+#include "bhdl/lint/condition_check.h"
 
 #include <map>
 
-#include "bhdl/bit_flow.h"
+#include "bhdl/lint/bit_flow.h"
 #include "bhdl/source/text.h"
 
 namespace galilean::bhdl {

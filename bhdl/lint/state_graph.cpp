@@ -1,4 +1,4 @@
-#include "bhdl/state_graph.h"
+#include "bhdl/lint/state_graph.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bhdl/schema_use.h"
+#include "bhdl/lint/schema_use.h"
 #include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax/syntax.h"
 

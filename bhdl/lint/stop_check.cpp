@@ -1,4 +1,4 @@
-#include "bhdl/stop_check.h"
+#include "bhdl/lint/stop_check.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "bhdl/wiring_check.h"
+#include "bhdl/lint/wiring_check.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bhdl/program_check.h"
-#include "bhdl/schema_use.h"
+#include "bhdl/lint/program_check.h"
+#include "bhdl/lint/schema_use.h"
 #include "bhdl/source/diagnostic.h"
 
 namespace galilean::bhdl {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "bhdl/schema_use.h"
+#include "bhdl/lint/schema_use.h"
+#include "bhdl/lint/state_graph.h"
 #include "bhdl/source/diagnostic.h"
-#include "bhdl/state_graph.h"
 
 namespace galilean::bhdl {
 

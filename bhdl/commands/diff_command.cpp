@@ -1,4 +1,4 @@
-#include "bhdl/diff_command.h"
+#include "bhdl/commands/diff_command.h"
 
 #include <iostream>
 #include <nlohmann/json.hpp>

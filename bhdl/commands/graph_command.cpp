@@ -1,4 +1,4 @@
-#include "bhdl/graph_command.h"
+#include "bhdl/commands/graph_command.h"
 
 #include <iostream>
 #include <nlohmann/json.hpp>

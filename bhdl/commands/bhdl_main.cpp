@@ -6,9 +6,9 @@
 
 #include "bhdl/check.h"
 #include "bhdl/check/describe.h"
-#include "bhdl/diff_command.h"
-#include "bhdl/format_command.h"
-#include "bhdl/graph_command.h"
+#include "bhdl/commands/diff_command.h"
+#include "bhdl/commands/format_command.h"
+#include "bhdl/commands/graph_command.h"
 #include "bhdl/lsp/standard_streams.h"
 #include "bhdl/program/catalog_file.h"
 #include "bhdl/program/machine.h"

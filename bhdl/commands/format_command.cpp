@@ -1,4 +1,4 @@
-#include "bhdl/format_command.h"
+#include "bhdl/commands/format_command.h"
 
 #include <filesystem>
 #include <iostream>

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "monitor/map/robot_motion.h"
+#include "monitor/map/estimation/robot_motion.h"
 #include "monitor/map/things.h"
 
 namespace galilean::monitor {

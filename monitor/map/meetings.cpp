@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "monitor/map/sighting_model.h"
+#include "monitor/map/estimation/sighting_model.h"
 
 namespace galilean::monitor {
 namespace {

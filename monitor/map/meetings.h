@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/wire/messages.h"
-#include "monitor/map/robot_poses.h"
+#include "monitor/map/estimation/robot_poses.h"
 
 namespace galilean::monitor {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "monitor/map/bearings_fit.h"
-#include "monitor/map/frames.h"
-#include "monitor/map/plain_view.h"
-#include "monitor/map/robot_motion.h"
+#include "monitor/map/estimation/frames.h"
+#include "monitor/map/estimation/plain_view.h"
+#include "monitor/map/estimation/robot_motion.h"
 
 namespace galilean::monitor {
 namespace {

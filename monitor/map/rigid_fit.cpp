@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "monitor/map/gaussian.h"
+#include "monitor/map/estimation/gaussian.h"
 
 namespace galilean::monitor {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "monitor/map/frames.h"
+#include "monitor/map/estimation/frames.h"
 
 namespace galilean::monitor {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "monitor/map/frames.h"
+#include "monitor/map/estimation/frames.h"
+#include "monitor/map/estimation/plain_view.h"
 #include "monitor/map/meetings.h"
-#include "monitor/map/plain_view.h"
 
 namespace galilean::monitor {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/clock.h"
-#include "monitor/map/joint_gaussian.h"
+#include "monitor/map/estimation/joint_gaussian.h"
 
 namespace galilean::monitor {
 

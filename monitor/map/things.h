@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/wire/messages.h"
-#include "monitor/map/robot_poses.h"
-#include "monitor/map/sighting_model.h"
+#include "monitor/map/estimation/robot_poses.h"
+#include "monitor/map/estimation/sighting_model.h"
 #include "monitor/map/thing.h"
 
 namespace galilean::monitor {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "monitor/map/frames.h"
+#include "monitor/map/estimation/frames.h"
 #include "monitor/map/things.h"
 
 namespace galilean::monitor {

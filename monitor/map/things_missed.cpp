@@ -2,8 +2,8 @@
 #include <cmath>
 #include <utility>
 
-#include "monitor/map/frames.h"
-#include "monitor/map/plain_view.h"
+#include "monitor/map/estimation/frames.h"
+#include "monitor/map/estimation/plain_view.h"
 #include "monitor/map/things.h"
 
 namespace galilean::monitor {

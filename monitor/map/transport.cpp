@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "monitor/map/gaussian.h"
+#include "monitor/map/estimation/gaussian.h"
 
 namespace galilean::monitor {
 namespace {

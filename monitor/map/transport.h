@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "monitor/map/joint_gaussian.h"
+#include "monitor/map/estimation/joint_gaussian.h"
 #include "monitor/map/rigid_fit.h"
 
 namespace galilean::monitor {

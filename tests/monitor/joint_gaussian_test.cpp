@@ -1,4 +1,4 @@
-#include "monitor/map/joint_gaussian.h"
+#include "monitor/map/estimation/joint_gaussian.h"
 
 #include <gtest/gtest.h>
 

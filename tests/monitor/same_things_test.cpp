@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "monitor/map/robot_motion.h"
+#include "monitor/map/estimation/robot_motion.h"
 
 namespace galilean::monitor {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "core/wire/messages.h"
-#include "monitor/map/gaussian.h"
-#include "monitor/map/joint_gaussian.h"
+#include "monitor/map/estimation/gaussian.h"
+#include "monitor/map/estimation/joint_gaussian.h"
 
 namespace galilean::monitor {
 

@@ -1,8 +1,8 @@
-#include "monitor/map/robot_motion.h"
+#include "monitor/map/estimation/robot_motion.h"
 
 #include <cmath>
 
-#include "monitor/map/gaussian.h"
+#include "monitor/map/estimation/gaussian.h"
 
 namespace galilean::monitor {
 namespace {

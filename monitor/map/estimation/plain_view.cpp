@@ -1,4 +1,4 @@
-#include "monitor/map/plain_view.h"
+#include "monitor/map/estimation/plain_view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "monitor/map/gaussian.h"
+#include "monitor/map/estimation/gaussian.h"
 
 #include <mrpt/math/distributions.h>
 

@@ -1,4 +1,4 @@
-#include "monitor/map/sighting_model.h"
+#include "monitor/map/estimation/sighting_model.h"
 
 #include <Eigen/LU>
 #include <cmath>

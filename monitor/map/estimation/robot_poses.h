@@ -5,9 +5,9 @@
 
 #include "core/clock.h"
 #include "core/geometry.h"
-#include "monitor/map/gaussian.h"
-#include "monitor/map/joint_gaussian.h"
-#include "monitor/map/starts.h"
+#include "monitor/map/estimation/gaussian.h"
+#include "monitor/map/estimation/joint_gaussian.h"
+#include "monitor/map/estimation/starts.h"
 
 namespace galilean::monitor {
 

@@ -1,4 +1,4 @@
-#include "monitor/map/starts.h"
+#include "monitor/map/estimation/starts.h"
 
 namespace galilean::monitor {
 namespace {

@@ -1,9 +1,9 @@
-#include "monitor/map/robot_poses.h"
+#include "monitor/map/estimation/robot_poses.h"
 
 #include <utility>
 
-#include "monitor/map/frames.h"
-#include "monitor/map/robot_motion.h"
+#include "monitor/map/estimation/frames.h"
+#include "monitor/map/estimation/robot_motion.h"
 
 namespace galilean::monitor {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "core/clock.h"
 #include "core/wire/messages.h"
-#include "monitor/map/carried.h"
-#include "monitor/map/floor.h"
+#include "monitor/map/evidence/carried.h"
+#include "monitor/map/evidence/floor.h"
+#include "monitor/map/evidence/senses.h"
 #include "monitor/map/neighbours.h"
-#include "monitor/map/senses.h"
 
 namespace galilean::monitor {
 

@@ -1,4 +1,4 @@
-#include "monitor/map/senses.h"
+#include "monitor/map/evidence/senses.h"
 
 #include <algorithm>
 #include <utility>

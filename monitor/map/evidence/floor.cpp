@@ -1,4 +1,4 @@
-#include "monitor/map/floor.h"
+#include "monitor/map/evidence/floor.h"
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
 

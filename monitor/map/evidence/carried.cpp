@@ -1,4 +1,4 @@
-#include "monitor/map/carried.h"
+#include "monitor/map/evidence/carried.h"
 
 #include <algorithm>
 #include <optional>

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <utility>
 
-#include "monitor/map/markers.h"
+#include "monitor/map/export/markers.h"
 
 namespace galilean::monitor {
 namespace {

@@ -1,5 +1,5 @@
-#include "monitor/map/map_files.h"
-#include "monitor/map/map_scene.h"
+#include "monitor/map/export/map_files.h"
+#include "monitor/map/export/map_scene.h"
 #include "monitor/server/api.h"
 
 namespace galilean::monitor {

@@ -4,8 +4,8 @@
 #include <random>
 #include <span>
 
-#include "monitor/map/map_scene.h"
-#include "monitor/map/markers.h"
+#include "monitor/map/export/map_scene.h"
+#include "monitor/map/export/markers.h"
 #include "monitor/map/team_map.h"
 
 namespace {

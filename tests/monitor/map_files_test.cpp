@@ -9,9 +9,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "monitor/map/map_files.h"
-#include "monitor/map/map_scene.h"
-#include "monitor/map/markers.h"
+#include "monitor/map/export/map_files.h"
+#include "monitor/map/export/map_scene.h"
+#include "monitor/map/export/markers.h"
 #include "tests/temporary_folder.h"
 
 namespace galilean::monitor {

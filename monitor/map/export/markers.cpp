@@ -1,9 +1,9 @@
-#include "monitor/map/markers.h"
+#include "monitor/map/export/markers.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "monitor/map/look.h"
+#include "monitor/map/export/look.h"
 
 namespace galilean::monitor {
 namespace {

@@ -1,4 +1,4 @@
-#include "monitor/map/map_files.h"
+#include "monitor/map/export/map_files.h"
 
 #include <zlib.h>
 

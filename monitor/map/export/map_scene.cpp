@@ -1,4 +1,4 @@
-#include "monitor/map/map_scene.h"
+#include "monitor/map/export/map_scene.h"
 
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
@@ -13,7 +13,7 @@
 #include <algorithm>
 
 #include "monitor/compression/gzip.h"
-#include "monitor/map/look.h"
+#include "monitor/map/export/look.h"
 
 namespace galilean::monitor {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "monitor/map/landmarks/things.h"
 #include "monitor/map/rigid_fit.h"
-#include "monitor/map/things.h"
 #include "monitor/map/turned_robot.h"
 
 namespace galilean::monitor {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "monitor/map/things.h"
+#include "monitor/map/landmarks/things.h"
 #include "monitor/map/turned_robot.h"
 
 namespace galilean::monitor {

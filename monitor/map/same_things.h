@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "monitor/map/landmarks/things.h"
 #include "monitor/map/lost_robots.h"
 #include "monitor/map/rigid_fit.h"
-#include "monitor/map/things.h"
 
 namespace galilean::monitor {
 

@@ -1,4 +1,4 @@
-#include "monitor/map/things.h"
+#include "monitor/map/landmarks/things.h"
 
 namespace galilean::monitor {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "monitor/map/estimation/frames.h"
 #include "monitor/map/estimation/plain_view.h"
-#include "monitor/map/things.h"
+#include "monitor/map/landmarks/things.h"
 
 namespace galilean::monitor {
 namespace {

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "monitor/map/estimation/robot_motion.h"
-#include "monitor/map/things.h"
+#include "monitor/map/landmarks/things.h"
 
 namespace galilean::monitor {
 namespace {

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "monitor/map/estimation/frames.h"
-#include "monitor/map/things.h"
+#include "monitor/map/landmarks/things.h"
 
 namespace galilean::monitor {
 namespace {

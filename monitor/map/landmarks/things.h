@@ -9,7 +9,7 @@
 #include "core/wire/messages.h"
 #include "monitor/map/estimation/robot_poses.h"
 #include "monitor/map/estimation/sighting_model.h"
-#include "monitor/map/thing.h"
+#include "monitor/map/landmarks/thing.h"
 
 namespace galilean::monitor {
 

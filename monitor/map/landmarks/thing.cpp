@@ -1,4 +1,4 @@
-#include "monitor/map/thing.h"
+#include "monitor/map/landmarks/thing.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "monitor/map/transport.h"
+#include "monitor/map/relocalization/transport.h"
 
 namespace galilean::monitor {
 namespace {

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "monitor/map/rigid_fit.h"
+#include "monitor/map/relocalization/rigid_fit.h"
 #include "monitor/map/told_things.h"
 
 namespace galilean::monitor {

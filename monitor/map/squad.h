@@ -2,8 +2,8 @@
 
 #include <Eigen/Geometry>
 
-#include "monitor/map/orientation.h"
-#include "monitor/map/same_things.h"
+#include "monitor/map/relocalization/orientation.h"
+#include "monitor/map/relocalization/same_things.h"
 
 namespace galilean::monitor {
 

@@ -6,7 +6,7 @@
 
 #include "monitor/map/estimation/frames.h"
 #include "monitor/map/estimation/plain_view.h"
-#include "monitor/map/meetings.h"
+#include "monitor/map/relocalization/meetings.h"
 
 namespace galilean::monitor {
 namespace {

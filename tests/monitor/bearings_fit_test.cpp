@@ -1,4 +1,4 @@
-#include "monitor/map/bearings_fit.h"
+#include "monitor/map/relocalization/bearings_fit.h"
 
 #include <gtest/gtest.h>
 

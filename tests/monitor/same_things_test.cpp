@@ -1,4 +1,4 @@
-#include "monitor/map/same_things.h"
+#include "monitor/map/relocalization/same_things.h"
 
 #include <gtest/gtest.h>
 

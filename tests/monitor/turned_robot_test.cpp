@@ -1,4 +1,4 @@
-#include "monitor/map/turned_robot.h"
+#include "monitor/map/relocalization/turned_robot.h"
 
 #include <gtest/gtest.h>
 

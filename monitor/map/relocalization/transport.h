@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "monitor/map/estimation/joint_gaussian.h"
-#include "monitor/map/rigid_fit.h"
+#include "monitor/map/relocalization/rigid_fit.h"
 
 namespace galilean::monitor {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "monitor/map/landmarks/things.h"
-#include "monitor/map/lost_robots.h"
-#include "monitor/map/rigid_fit.h"
+#include "monitor/map/relocalization/lost_robots.h"
+#include "monitor/map/relocalization/rigid_fit.h"
 
 namespace galilean::monitor {
 

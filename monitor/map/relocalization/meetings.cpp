@@ -1,4 +1,4 @@
-#include "monitor/map/meetings.h"
+#include "monitor/map/relocalization/meetings.h"
 
 #include <algorithm>
 #include <optional>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/geometry.h"
-#include "monitor/map/rigid_fit.h"
+#include "monitor/map/relocalization/rigid_fit.h"
 
 namespace galilean::monitor {
 

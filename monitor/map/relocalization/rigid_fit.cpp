@@ -1,4 +1,4 @@
-#include "monitor/map/rigid_fit.h"
+#include "monitor/map/relocalization/rigid_fit.h"
 
 #include <mrpt/math/TPose2D.h>
 #include <mrpt/tfest/TMatchingPair.h>

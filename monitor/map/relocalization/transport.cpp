@@ -1,4 +1,4 @@
-#include "monitor/map/transport.h"
+#include "monitor/map/relocalization/transport.h"
 
 #include <cmath>
 

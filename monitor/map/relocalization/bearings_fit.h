@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/geometry.h"
-#include "monitor/map/turned_robot.h"
+#include "monitor/map/relocalization/turned_robot.h"
 
 namespace galilean::monitor {
 

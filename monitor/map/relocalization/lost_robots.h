@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "monitor/map/landmarks/things.h"
-#include "monitor/map/rigid_fit.h"
-#include "monitor/map/turned_robot.h"
+#include "monitor/map/relocalization/rigid_fit.h"
+#include "monitor/map/relocalization/turned_robot.h"
 
 namespace galilean::monitor {
 

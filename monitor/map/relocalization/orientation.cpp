@@ -1,12 +1,12 @@
-#include "monitor/map/orientation.h"
+#include "monitor/map/relocalization/orientation.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "monitor/map/bearings_fit.h"
 #include "monitor/map/estimation/frames.h"
 #include "monitor/map/estimation/plain_view.h"
 #include "monitor/map/estimation/robot_motion.h"
+#include "monitor/map/relocalization/bearings_fit.h"
 
 namespace galilean::monitor {
 namespace {

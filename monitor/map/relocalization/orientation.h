@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "monitor/map/landmarks/things.h"
-#include "monitor/map/turned_robot.h"
+#include "monitor/map/relocalization/turned_robot.h"
 
 namespace galilean::monitor {
 

@@ -1,9 +1,9 @@
-#include "monitor/map/lost_robots.h"
+#include "monitor/map/relocalization/lost_robots.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "monitor/map/transport.h"
+#include "monitor/map/relocalization/transport.h"
 
 namespace galilean::monitor {
 namespace {

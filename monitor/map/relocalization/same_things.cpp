@@ -1,9 +1,9 @@
-#include "monitor/map/same_things.h"
+#include "monitor/map/relocalization/same_things.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "monitor/map/transport.h"
+#include "monitor/map/relocalization/transport.h"
 
 namespace galilean::monitor {
 namespace {

@@ -9,7 +9,7 @@
 #include "monitor/map/evidence/carried.h"
 #include "monitor/map/evidence/floor.h"
 #include "monitor/map/evidence/senses.h"
-#include "monitor/map/neighbours.h"
+#include "monitor/map/groups/neighbours.h"
 
 namespace galilean::monitor {
 

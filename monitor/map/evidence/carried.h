@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "monitor/map/told_things.h"
+#include "monitor/map/groups/told_things.h"
 
 namespace galilean::monitor {
 

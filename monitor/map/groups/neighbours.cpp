@@ -1,4 +1,4 @@
-#include "monitor/map/neighbours.h"
+#include "monitor/map/groups/neighbours.h"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 #include <map>
 #include <vector>
 
+#include "monitor/map/groups/told_things.h"
 #include "monitor/map/relocalization/rigid_fit.h"
-#include "monitor/map/told_things.h"
 
 namespace galilean::monitor {
 

@@ -1,4 +1,4 @@
-#include "monitor/map/told_things.h"
+#include "monitor/map/groups/told_things.h"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "monitor/map/squads.h"
+#include "monitor/map/groups/squads.h"
 
 namespace galilean::monitor {
 

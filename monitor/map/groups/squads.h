@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "monitor/map/squad.h"
+#include "monitor/map/groups/squad.h"
 
 namespace galilean::monitor {
 

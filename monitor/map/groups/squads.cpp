@@ -1,4 +1,4 @@
-#include "monitor/map/squads.h"
+#include "monitor/map/groups/squads.h"
 
 #include <algorithm>
 #include <limits>

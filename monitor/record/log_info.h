@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "monitor/record/mcap_reader.h"
+#include "monitor/mcap/mcap_reader.h"
 
 namespace galilean::monitor {
 

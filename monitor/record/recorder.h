@@ -13,7 +13,7 @@
 #include "core/wire/participant.h"
 #include "core/wire/schemas.h"
 #include "core/wire/topics.h"
-#include "monitor/record/mcap_writer.h"
+#include "monitor/mcap/mcap_writer.h"
 
 namespace galilean::monitor {
 

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "core/clock.h"
-#include "monitor/record/mcap_scan.h"
+#include "monitor/mcap/mcap_scan.h"
 #include "monitor/replay/tracks.h"
 
 namespace galilean::monitor {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/wire/topics.h"
-#include "monitor/record/mcap_reader.h"
+#include "monitor/mcap/mcap_reader.h"
 
 namespace galilean::monitor {
 

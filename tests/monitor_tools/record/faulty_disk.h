@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "monitor/record/byte_sink.h"
+#include "monitor/mcap/byte_sink.h"
 
 namespace galilean::mcap {
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "monitor/record/crc32.h"
-#include "monitor/record/mcap_reader.h"
-#include "monitor/record/mcap_scan.h"
+#include "monitor/mcap/crc32.h"
+#include "monitor/mcap/mcap_reader.h"
+#include "monitor/mcap/mcap_scan.h"
 #include "tests/monitor_tools/record/random_recording.h"
 #include "tests/temporary_folder.h"
 

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "monitor/record/mcap_writer.h"
+#include "monitor/mcap/mcap_writer.h"
 #include "tests/monitor_tools/record/faulty_disk.h"
 
 namespace galilean::mcap {

@@ -1,11 +1,11 @@
-#include "monitor/record/mcap_reader.h"
+#include "monitor/mcap/mcap_reader.h"
 
 #include <algorithm>
 #include <cstring>
 #include <optional>
 
-#include "monitor/record/crc32.h"
-#include "monitor/record/mcap_scan.h"
+#include "monitor/mcap/crc32.h"
+#include "monitor/mcap/mcap_scan.h"
 
 namespace galilean::mcap {
 namespace {

@@ -1,4 +1,4 @@
-#include "monitor/record/chunk_builder.h"
+#include "monitor/mcap/chunk_builder.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "monitor/record/zstd.h"
+#include "monitor/mcap/zstd.h"
 
 #include <zstd.h>
 

@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "monitor/record/byte_source.h"
-#include "monitor/record/mcap_records.h"
+#include "monitor/mcap/byte_source.h"
+#include "monitor/mcap/mcap_records.h"
 
 namespace galilean::mcap {
 

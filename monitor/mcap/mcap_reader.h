@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/result.h"
-#include "monitor/record/byte_source.h"
-#include "monitor/record/mcap_records.h"
+#include "monitor/mcap/byte_source.h"
+#include "monitor/mcap/mcap_records.h"
 
 namespace galilean::mcap {
 

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "monitor/record/mcap_records.h"
+#include "monitor/mcap/mcap_records.h"
 
 namespace galilean::mcap {
 

@@ -1,7 +1,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "monitor/record/mcap_records.h"
+#include "monitor/mcap/mcap_records.h"
 
 namespace galilean::mcap {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "monitor/record/byte_sink.h"
+#include "monitor/mcap/byte_sink.h"
 
 namespace galilean::mcap {
 

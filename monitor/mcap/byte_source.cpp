@@ -1,4 +1,4 @@
-#include "monitor/record/byte_source.h"
+#include "monitor/mcap/byte_source.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-#include "monitor/record/crc32.h"
+#include "monitor/mcap/crc32.h"
 
 #include <array>
 #include <bit>

@@ -1,10 +1,10 @@
-#include "monitor/record/mcap_writer.h"
+#include "monitor/mcap/mcap_writer.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "monitor/record/crc32.h"
+#include "monitor/mcap/crc32.h"
 
 namespace galilean::mcap {
 namespace {

@@ -1,7 +1,7 @@
 #include <bit>
 #include <cstring>
 
-#include "monitor/record/mcap_records.h"
+#include "monitor/mcap/mcap_records.h"
 
 namespace galilean::mcap {
 namespace {

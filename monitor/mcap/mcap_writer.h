@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/clock.h"
-#include "monitor/record/byte_sink.h"
-#include "monitor/record/chunk_builder.h"
-#include "monitor/record/mcap_records.h"
-#include "monitor/record/zstd.h"
+#include "monitor/mcap/byte_sink.h"
+#include "monitor/mcap/chunk_builder.h"
+#include "monitor/mcap/mcap_records.h"
+#include "monitor/mcap/zstd.h"
 
 namespace galilean::mcap {
 

@@ -1,9 +1,9 @@
-#include "monitor/record/mcap_scan.h"
+#include "monitor/mcap/mcap_scan.h"
 
 #include <cstring>
 
-#include "monitor/record/crc32.h"
-#include "monitor/record/zstd.h"
+#include "monitor/mcap/crc32.h"
+#include "monitor/mcap/zstd.h"
 
 namespace galilean::mcap {
 namespace {

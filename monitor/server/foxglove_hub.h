@@ -13,7 +13,7 @@
 
 #include "core/result.h"
 #include "monitor/server/foxglove_messages.h"
-#include "monitor/server/outbox.h"
+#include "monitor/server/websocket/outbox.h"
 
 namespace galilean::monitor::foxglove {
 

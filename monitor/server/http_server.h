@@ -12,7 +12,7 @@
 #include "monitor/server/guard.h"
 #include "monitor/server/http_messages.h"
 #include "monitor/server/language_session.h"
-#include "monitor/server/send_rounds.h"
+#include "monitor/server/websocket/send_rounds.h"
 
 namespace galilean::monitor {
 

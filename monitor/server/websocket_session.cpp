@@ -5,7 +5,7 @@
 #include <boost/beast/http/rfc7230.hpp>
 #include <boost/beast/websocket/stream.hpp>
 
-#include "monitor/server/batching_socket.h"
+#include "monitor/server/websocket/batching_socket.h"
 
 namespace galilean::monitor {
 namespace {

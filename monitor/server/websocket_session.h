@@ -7,7 +7,7 @@
 
 #include "monitor/access/access.h"
 #include "monitor/server/foxglove_hub.h"
-#include "monitor/server/send_rounds.h"
+#include "monitor/server/websocket/send_rounds.h"
 
 namespace galilean::monitor {
 

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "monitor/server/outbox.h"
+#include "monitor/server/websocket/outbox.h"
 
 namespace galilean::monitor::foxglove {
 namespace {

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "monitor/server/frame.h"
+#include "monitor/server/websocket/frame.h"
 
 namespace galilean::monitor {
 

@@ -13,8 +13,8 @@
 #include <memory>
 #include <vector>
 
-#include "monitor/server/outbox.h"
-#include "monitor/server/send_rounds.h"
+#include "monitor/server/websocket/outbox.h"
+#include "monitor/server/websocket/send_rounds.h"
 
 namespace galilean::monitor {
 

@@ -1,4 +1,4 @@
-#include "monitor/server/frame.h"
+#include "monitor/server/websocket/frame.h"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "monitor/server/outbox.h"
+#include "monitor/server/websocket/outbox.h"
 
 #include <algorithm>
 #include <utility>

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/result.h"
-#include "monitor/server/foxglove_hub.h"
+#include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/guard.h"
 #include "monitor/server/http_messages.h"
 #include "monitor/server/language_session.h"

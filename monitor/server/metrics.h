@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "monitor/server/foxglove_hub.h"
+#include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/http_server.h"
 #include "monitor/team/team.h"
 

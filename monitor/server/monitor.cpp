@@ -10,7 +10,7 @@
 #include "core/installation.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/server/api.h"
-#include "monitor/server/domain_graph.h"
+#include "monitor/server/foxglove/domain_graph.h"
 #include "monitor/server/team_parameters.h"
 
 namespace galilean::monitor {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "monitor/programs/library.h"
-#include "monitor/server/foxglove_hub.h"
+#include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/outcome.h"
 #include "monitor/server/push_desk.h"
 #include "monitor/team/team.h"

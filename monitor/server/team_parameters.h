@@ -1,6 +1,6 @@
 #pragma once
 
-#include "monitor/server/foxglove_hub.h"
+#include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/operations.h"
 
 namespace galilean::monitor {

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "monitor/access/access.h"
-#include "monitor/server/foxglove_hub.h"
+#include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/websocket/send_rounds.h"
 
 namespace galilean::monitor {

@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "monitor/server/foxglove_hub.h"
+#include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/websocket_session.h"
 #include "tests/bench/websocket_crowd.h"
 

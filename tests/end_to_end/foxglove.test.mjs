@@ -160,7 +160,7 @@ test("the examples' programs as peers", async (t) => {
 });
 
 test('the layout that ships names panels that it places, and topics of the demo', () => {
-  const layout = JSON.parse(readFileSync(`${root}monitor/foxglove/three_robots.json`, 'utf8'));
+  const layout = JSON.parse(readFileSync(`${root}monitor/server/foxglove/three_robots.json`, 'utf8'));
   const placed = (node) => typeof node === 'string' ? [node, ...(layout.configById[node]?.tabs ?? []).flatMap((tab) => placed(tab.layout))]
     : [...placed(node.first), ...placed(node.second)];
   assert.deepEqual(placed(layout.layout).sort(), Object.keys(layout.configById).sort());

@@ -1,7 +1,7 @@
 // What a client watches besides channels: parameters and the connection graph.
 #include "monitor/access/access.h"
-#include "monitor/server/foxglove_hub.h"
-#include "monitor/server/foxglove_request.h"
+#include "monitor/server/foxglove/foxglove_hub.h"
+#include "monitor/server/foxglove/foxglove_request.h"
 
 namespace galilean::monitor::foxglove {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/result.h"
-#include "monitor/server/foxglove_messages.h"
+#include "monitor/server/foxglove/foxglove_messages.h"
 #include "monitor/server/websocket/outbox.h"
 
 namespace galilean::monitor::foxglove {

@@ -1,4 +1,4 @@
-#include "monitor/server/foxglove_messages.h"
+#include "monitor/server/foxglove/foxglove_messages.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "monitor/access/access.h"
-#include "monitor/server/foxglove_hub.h"
-#include "monitor/server/foxglove_request.h"
+#include "monitor/server/foxglove/foxglove_hub.h"
+#include "monitor/server/foxglove/foxglove_request.h"
 #include "monitor/server/json_text.h"
 
 namespace galilean::monitor::foxglove {

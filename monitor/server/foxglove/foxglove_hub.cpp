@@ -1,4 +1,4 @@
-#include "monitor/server/foxglove_hub.h"
+#include "monitor/server/foxglove/foxglove_hub.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/wire/graph.h"
-#include "monitor/server/foxglove_messages.h"
+#include "monitor/server/foxglove/foxglove_messages.h"
 
 namespace galilean::monitor {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "monitor/programs/json.h"
-#include "monitor/server/http_caching.h"
+#include "monitor/server/http/http_caching.h"
 #include "monitor/server/metrics.h"
 #include "monitor/server/request_fields.h"
 #include "monitor/server/team_json.h"

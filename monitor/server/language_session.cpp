@@ -7,7 +7,7 @@
 #include <deque>
 
 #include "bhdl/lsp/server.h"
-#include "monitor/server/http_messages.h"
+#include "monitor/server/http/http_messages.h"
 
 namespace galilean::monitor {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "monitor/server/foxglove/foxglove_hub.h"
-#include "monitor/server/http_server.h"
+#include "monitor/server/http/http_server.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {

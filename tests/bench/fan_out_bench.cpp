@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "monitor/server/foxglove/foxglove_hub.h"
-#include "monitor/server/websocket_session.h"
+#include "monitor/server/http/websocket_session.h"
 #include "tests/bench/websocket_crowd.h"
 
 namespace {

@@ -1,8 +1,8 @@
-#include "monitor/server/guard.h"
+#include "monitor/server/http/guard.h"
 
 #include <gtest/gtest.h>
 
-#include "monitor/server/page_files.h"
+#include "monitor/server/http/page_files.h"
 
 namespace galilean::monitor {
 namespace {

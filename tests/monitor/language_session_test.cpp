@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "monitor/server/http_server.h"
+#include "monitor/server/http/http_server.h"
 #include "tests/temporary_folder.h"
 
 namespace galilean::monitor {

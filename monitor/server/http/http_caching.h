@@ -1,6 +1,6 @@
 #pragma once
 
-#include "monitor/server/http_messages.h"
+#include "monitor/server/http/http_messages.h"
 
 namespace galilean::monitor {
 

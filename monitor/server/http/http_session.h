@@ -1,6 +1,6 @@
 #pragma once
 
-#include "monitor/server/http_server.h"
+#include "monitor/server/http/http_server.h"
 
 namespace galilean::monitor {
 

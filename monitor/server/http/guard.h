@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "monitor/server/http_messages.h"
+#include "monitor/server/http/http_messages.h"
 
 namespace galilean::monitor {
 

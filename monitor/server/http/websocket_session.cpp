@@ -1,4 +1,4 @@
-#include "monitor/server/websocket_session.h"
+#include "monitor/server/http/websocket_session.h"
 
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http/field.hpp>

@@ -1,4 +1,4 @@
-#include "monitor/server/http_messages.h"
+#include "monitor/server/http/http_messages.h"
 
 #include <boost/beast/http/status.hpp>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "monitor/server/http_caching.h"
+#include "monitor/server/http/http_caching.h"
 
 #include <algorithm>
 

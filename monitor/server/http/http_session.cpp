@@ -1,4 +1,4 @@
-#include "monitor/server/http_session.h"
+#include "monitor/server/http/http_session.h"
 
 #include <array>
 #include <boost/asio/write.hpp>
@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "monitor/server/websocket_session.h"
+#include "monitor/server/http/websocket_session.h"
 
 namespace galilean::monitor {
 namespace {

@@ -1,4 +1,4 @@
-#include "monitor/server/guard.h"
+#include "monitor/server/http/guard.h"
 
 #include <algorithm>
 #include <boost/asio/ip/address.hpp>

@@ -1,8 +1,8 @@
-#include "monitor/server/http_server.h"
+#include "monitor/server/http/http_server.h"
 
 #include <boost/asio/steady_timer.hpp>
 
-#include "monitor/server/http_session.h"
+#include "monitor/server/http/http_session.h"
 
 namespace galilean::monitor {
 namespace {

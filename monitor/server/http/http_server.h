@@ -9,8 +9,8 @@
 
 #include "core/result.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
-#include "monitor/server/guard.h"
-#include "monitor/server/http_messages.h"
+#include "monitor/server/http/guard.h"
+#include "monitor/server/http/http_messages.h"
 #include "monitor/server/language_session.h"
 #include "monitor/server/websocket/send_rounds.h"
 

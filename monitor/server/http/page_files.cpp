@@ -1,11 +1,11 @@
-#include "monitor/server/page_files.h"
+#include "monitor/server/http/page_files.h"
 
 #include <fstream>
 
 #include "bhdl/source/sha256.h"
 #include "core/installation.h"
 #include "monitor/compression/gzip.h"
-#include "monitor/server/http_caching.h"
+#include "monitor/server/http/http_caching.h"
 
 namespace galilean::monitor {
 namespace {

@@ -9,9 +9,9 @@
 #include "bhdl/program/catalog_file.h"
 #include "core/installation.h"
 #include "monitor/ingest/ingest.h"
-#include "monitor/server/api.h"
+#include "monitor/server/api/api.h"
+#include "monitor/server/api/team_parameters.h"
 #include "monitor/server/foxglove/domain_graph.h"
-#include "monitor/server/team_parameters.h"
 
 namespace galilean::monitor {
 namespace {

@@ -1,4 +1,4 @@
-#include "monitor/server/team_parameters.h"
+#include "monitor/server/api/team_parameters.h"
 
 namespace galilean::monitor {
 namespace {

@@ -1,4 +1,4 @@
-#include "monitor/server/team_json.h"
+#include "monitor/server/api/team_json.h"
 
 namespace galilean::monitor {
 namespace {

@@ -1,4 +1,4 @@
-#include "monitor/server/metrics.h"
+#include "monitor/server/api/metrics.h"
 
 #include <unistd.h>
 

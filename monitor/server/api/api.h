@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "monitor/map/map_service.h"
+#include "monitor/server/api/operations.h"
 #include "monitor/server/http/http_server.h"
 #include "monitor/server/http/page_files.h"
-#include "monitor/server/operations.h"
 
 namespace galilean::monitor {
 

@@ -1,11 +1,11 @@
-#include "monitor/server/operations.h"
+#include "monitor/server/api/operations.h"
 
 #include <map>
 
 #include "bhdl/diff/diff.h"
 #include "core/wire/topics.h"
 #include "monitor/programs/json.h"
-#include "monitor/server/request_fields.h"
+#include "monitor/server/api/request_fields.h"
 
 namespace galilean::monitor {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "monitor/server/api/operations.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
-#include "monitor/server/operations.h"
 
 namespace galilean::monitor {
 

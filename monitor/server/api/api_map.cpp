@@ -1,6 +1,6 @@
 #include "monitor/map/export/map_files.h"
 #include "monitor/map/export/map_scene.h"
-#include "monitor/server/api.h"
+#include "monitor/server/api/api.h"
 
 namespace galilean::monitor {
 

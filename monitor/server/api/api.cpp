@@ -1,12 +1,12 @@
-#include "monitor/server/api.h"
+#include "monitor/server/api/api.h"
 
 #include <algorithm>
 
 #include "monitor/programs/json.h"
+#include "monitor/server/api/metrics.h"
+#include "monitor/server/api/request_fields.h"
+#include "monitor/server/api/team_json.h"
 #include "monitor/server/http/http_caching.h"
-#include "monitor/server/metrics.h"
-#include "monitor/server/request_fields.h"
-#include "monitor/server/team_json.h"
 
 namespace galilean::monitor {
 namespace {

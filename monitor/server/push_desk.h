@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/wire/topics.h"
+#include "monitor/background/worker.h"
 #include "monitor/programs/history.h"
 #include "monitor/programs/swap_transaction.h"
 #include "monitor/programs/target_check.h"
@@ -16,7 +17,6 @@
 #include "monitor/server/outcome.h"
 #include "monitor/server/push_order.h"
 #include "monitor/server/trial_room.h"
-#include "monitor/server/worker.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {

@@ -1,5 +1,5 @@
 // The language server in the monitor, as the page's editor meets it: over a WebSocket.
-#include "monitor/server/language_session.h"
+#include "monitor/server/lsp/language_session.h"
 
 #include <gmock/gmock.h>
 

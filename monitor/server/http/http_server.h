@@ -11,7 +11,7 @@
 #include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/http/guard.h"
 #include "monitor/server/http/http_messages.h"
-#include "monitor/server/language_session.h"
+#include "monitor/server/lsp/language_session.h"
 #include "monitor/server/websocket/send_rounds.h"
 
 namespace galilean::monitor {

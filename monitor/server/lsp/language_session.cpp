@@ -1,4 +1,4 @@
-#include "monitor/server/language_session.h"
+#include "monitor/server/lsp/language_session.h"
 
 #include <boost/beast/core/buffers_to_string.hpp>
 #include <boost/beast/core/flat_buffer.hpp>

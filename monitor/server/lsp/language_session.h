@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "core/catalog/catalog.h"
-#include "monitor/server/worker.h"
+#include "monitor/background/worker.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {

@@ -6,10 +6,10 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "sim/headless.h"
+#include "sim/headless/headless.h"
+#include "sim/headless/programs.h"
+#include "sim/headless/report.h"
 #include "sim/live.h"
-#include "sim/programs.h"
-#include "sim/report.h"
 #include "sim/snapshot.h"
 
 namespace galilean::sim {

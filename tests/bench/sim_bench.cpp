@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
-#include "sim/headless.h"
-#include "sim/programs.h"
+#include "sim/headless/headless.h"
+#include "sim/headless/programs.h"
 
 namespace {
 

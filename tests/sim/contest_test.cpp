@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "sim/headless.h"
-#include "sim/programs.h"
-#include "sim/report.h"
+#include "sim/headless/headless.h"
+#include "sim/headless/programs.h"
+#include "sim/headless/report.h"
 
 namespace galilean::sim {
 namespace {

@@ -1,11 +1,11 @@
-#include "sim/situation.h"
+#include "sim/headless/situation.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "sim/headless.h"
-#include "sim/programs.h"
+#include "sim/headless/headless.h"
+#include "sim/headless/programs.h"
 
 namespace galilean::sim {
 namespace {

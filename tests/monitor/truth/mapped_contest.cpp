@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "robot/components.h"
-#include "sim/programs.h"
+#include "sim/headless/programs.h"
 
 namespace galilean::monitor {
 namespace {

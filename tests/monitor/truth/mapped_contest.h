@@ -8,7 +8,7 @@
 #include "monitor/map/team_map.h"
 #include "robot/executive/snapshot.h"
 #include "robot/telemetry/compose.h"
-#include "sim/headless.h"
+#include "sim/headless/headless.h"
 
 namespace galilean::monitor {
 

@@ -1,4 +1,4 @@
-#include "sim/programs.h"
+#include "sim/headless/programs.h"
 
 #include "core/installation.h"
 

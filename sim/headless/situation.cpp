@@ -1,4 +1,4 @@
-#include "sim/situation.h"
+#include "sim/headless/situation.h"
 
 #include <algorithm>
 #include <fstream>

@@ -13,7 +13,7 @@
 #include "robot/executive/executive.h"
 #include "sim/devices/simulated_board.h"
 #include "sim/devices/simulated_camera.h"
-#include "sim/stuck_watch.h"
+#include "sim/headless/stuck_watch.h"
 #include "sim/world/world.h"
 
 namespace galilean::sim {

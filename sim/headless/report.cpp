@@ -1,4 +1,4 @@
-#include "sim/report.h"
+#include "sim/headless/report.h"
 
 #include <algorithm>
 #include <cmath>

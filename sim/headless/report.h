@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "sim/headless.h"
+#include "sim/headless/headless.h"
 
 namespace galilean::sim {
 

@@ -1,4 +1,4 @@
-#include "sim/headless.h"
+#include "sim/headless/headless.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

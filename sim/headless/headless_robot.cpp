@@ -1,4 +1,4 @@
-#include "sim/headless_robot.h"
+#include "sim/headless/headless_robot.h"
 
 #include <algorithm>
 

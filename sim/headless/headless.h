@@ -9,8 +9,8 @@
 #include "core/clock.h"
 #include "core/result.h"
 #include "robot/components.h"
-#include "sim/headless_robot.h"
-#include "sim/situation.h"
+#include "sim/headless/headless_robot.h"
+#include "sim/headless/situation.h"
 
 namespace galilean::sim {
 

@@ -9,8 +9,8 @@
 #include "sim/headless/headless.h"
 #include "sim/headless/programs.h"
 #include "sim/headless/report.h"
-#include "sim/live.h"
-#include "sim/snapshot.h"
+#include "sim/live/live.h"
+#include "sim/live/snapshot.h"
 
 namespace galilean::sim {
 namespace {

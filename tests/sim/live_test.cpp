@@ -1,4 +1,4 @@
-#include "sim/live.h"
+#include "sim/live/live.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "sim/run_folder.h"
+#include "sim/live/run_folder.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

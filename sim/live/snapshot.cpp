@@ -1,4 +1,4 @@
-#include "sim/snapshot.h"
+#include "sim/live/snapshot.h"
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>

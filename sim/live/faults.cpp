@@ -1,4 +1,4 @@
-#include "sim/faults.h"
+#include "sim/live/faults.h"
 
 #include <algorithm>
 #include <cstdlib>

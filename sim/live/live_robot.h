@@ -9,7 +9,7 @@
 #include "sim/camera/renderer.h"
 #include "sim/devices/pty_line.h"
 #include "sim/devices/simulated_board.h"
-#include "sim/faults.h"
+#include "sim/live/faults.h"
 
 namespace galilean::sim {
 

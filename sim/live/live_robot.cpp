@@ -1,4 +1,4 @@
-#include "sim/live_robot.h"
+#include "sim/live/live_robot.h"
 
 namespace galilean::sim {
 

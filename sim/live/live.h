@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/result.h"
-#include "sim/faults.h"
-#include "sim/live_robot.h"
-#include "sim/run_folder.h"
+#include "sim/live/faults.h"
+#include "sim/live/live_robot.h"
+#include "sim/live/run_folder.h"
 #include "sim/telemetry/score_publisher.h"
 
 namespace galilean::sim {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "sim/json_reader.h"
+#include "sim/scenario/json_reader.h"
 #include "sim/world/gripper.h"
 
 namespace galilean::sim {

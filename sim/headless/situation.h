@@ -5,7 +5,7 @@
 
 #include "core/result.h"
 #include "robot/executive/restore.h"
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 
 namespace galilean::sim {
 

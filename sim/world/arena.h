@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 #include "sim/world/physics.h"
 
 namespace galilean::sim {

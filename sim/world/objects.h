@@ -5,7 +5,7 @@
 
 #include "core/random.h"
 #include "core/result.h"
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 #include "sim/world/physics.h"
 
 namespace galilean::sim {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 #include "sim/world/physics.h"
 
 namespace galilean::sim {

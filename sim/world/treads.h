@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "core/random.h"
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 
 namespace galilean::sim {
 

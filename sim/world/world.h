@@ -7,7 +7,7 @@
 
 #include "core/result.h"
 #include "robot/executive/state_hash.h"
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 #include "sim/world/objects.h"
 #include "sim/world/physics.h"
 #include "sim/world/referee.h"

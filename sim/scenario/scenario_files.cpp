@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "core/installation.h"
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 
 namespace galilean::sim {
 namespace {

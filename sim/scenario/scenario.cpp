@@ -1,9 +1,9 @@
-#include "sim/scenario.h"
+#include "sim/scenario/scenario.h"
 
 #include <algorithm>
 #include <array>
 
-#include "sim/json_reader.h"
+#include "sim/scenario/json_reader.h"
 
 namespace galilean::sim {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/json_reader.h"
+#include "sim/scenario/json_reader.h"
 
 #include <algorithm>
 #include <cmath>

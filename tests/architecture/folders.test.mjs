@@ -15,7 +15,6 @@ const mayInclude = {
   robot: ['core', 'bhdl', 'robot'],
   sim: ['core', 'bhdl', 'robot', 'sim'],
   monitor: ['core', 'bhdl', 'monitor'],
-  front: ['core', 'bhdl', 'monitor', 'front'],
 };
 
 function includes(file) {

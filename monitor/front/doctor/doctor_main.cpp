@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "front/doctor/checks.h"
+#include "monitor/front/doctor/checks.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "front/process.h"
+#include "monitor/front/process.h"
 
 #include <fcntl.h>
 #include <signal.h>

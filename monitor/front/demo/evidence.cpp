@@ -1,4 +1,4 @@
-#include "front/demo/evidence.h"
+#include "monitor/front/demo/evidence.h"
 
 #include <iomanip>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "front/process.h"
+#include "monitor/front/process.h"
 
 #include <gtest/gtest.h>
 #include <poll.h>

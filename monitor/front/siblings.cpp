@@ -1,4 +1,4 @@
-#include "front/siblings.h"
+#include "monitor/front/siblings.h"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "front/demo/run_logs.h"
+#include "monitor/front/demo/run_logs.h"
 
 #include <algorithm>
 #include <vector>

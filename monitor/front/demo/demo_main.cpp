@@ -7,8 +7,8 @@
 #include "core/clock.h"
 #include "core/termination.h"
 #include "core/wake.h"
-#include "front/demo/ensemble.h"
-#include "front/demo/evidence.h"
+#include "monitor/front/demo/ensemble.h"
+#include "monitor/front/demo/evidence.h"
 #include "monitor/ingest/ingest.h"
 
 namespace {

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "core/wire/topics.h"
-#include "front/doctor/checks.h"
+#include "monitor/front/doctor/checks.h"
 
 namespace galilean::front {
 namespace {

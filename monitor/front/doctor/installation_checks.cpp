@@ -3,9 +3,9 @@
 #include <set>
 
 #include "core/installation.h"
-#include "front/doctor/checks.h"
-#include "front/siblings.h"
-#include "front/verbs.h"
+#include "monitor/front/doctor/checks.h"
+#include "monitor/front/siblings.h"
+#include "monitor/front/verbs.h"
 
 namespace galilean::front {
 namespace fs = std::filesystem;

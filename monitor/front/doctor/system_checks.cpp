@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-#include "front/doctor/checks.h"
+#include "monitor/front/doctor/checks.h"
 
 namespace galilean::front {
 namespace {

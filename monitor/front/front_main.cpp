@@ -6,8 +6,8 @@
 #include <iostream>
 #include <vector>
 
-#include "front/siblings.h"
-#include "front/verbs.h"
+#include "monitor/front/siblings.h"
+#include "monitor/front/verbs.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "front/demo/ensemble.h"
+#include "monitor/front/demo/ensemble.h"
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "core/installation.h"
-#include "front/demo/run_logs.h"
-#include "front/siblings.h"
 #include "monitor/access/tokens.h"
+#include "monitor/front/demo/run_logs.h"
+#include "monitor/front/siblings.h"
 
 namespace galilean::front {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "core/result.h"
 #include "core/termination.h"
-#include "front/demo/options.h"
-#include "front/process.h"
+#include "monitor/front/demo/options.h"
+#include "monitor/front/process.h"
 
 namespace galilean::front {
 

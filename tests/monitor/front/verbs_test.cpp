@@ -1,4 +1,4 @@
-#include "front/verbs.h"
+#include "monitor/front/verbs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

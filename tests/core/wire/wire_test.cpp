@@ -6,7 +6,7 @@
 #include "core/wire/graph.h"
 #include "core/wire/schemas.h"
 #include "core/wire/topics.h"
-#include "tests/wire/wait_until.h"
+#include "tests/core/wire/wait_until.h"
 
 namespace galilean::wire {
 namespace {

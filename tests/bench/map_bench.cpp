@@ -3,7 +3,7 @@
 #include <exception>
 #include <string>
 
-#include "tests/monitor/truth/figures.h"
+#include "tests/monitor/map/truth/figures.h"
 
 namespace {
 

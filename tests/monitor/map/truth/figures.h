@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "tests/monitor/truth/mapped_contest.h"
+#include "tests/monitor/map/truth/mapped_contest.h"
 
 namespace galilean::monitor {
 

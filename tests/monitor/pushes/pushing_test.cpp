@@ -1,6 +1,6 @@
 // Pushes over HTTP, to robots that are scripted but speak real DDS.
 #include "tests/monitor/scripted_robot.h"
-#include "tests/monitor/server_fixture.h"
+#include "tests/monitor/server/server_fixture.h"
 
 namespace galilean::monitor {
 namespace {

@@ -3,7 +3,7 @@
 #include "monitor/mcap/crc32.h"
 #include "monitor/mcap/mcap_reader.h"
 #include "monitor/mcap/mcap_scan.h"
-#include "tests/monitor_tools/record/random_recording.h"
+#include "tests/monitor/record/random_recording.h"
 #include "tests/temporary_folder.h"
 
 namespace galilean::mcap {

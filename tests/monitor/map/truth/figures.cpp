@@ -1,4 +1,4 @@
-#include "tests/monitor/truth/figures.h"
+#include "tests/monitor/map/truth/figures.h"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -2,9 +2,9 @@
 // scripted but speak real DDS.
 #include "core/wire/topics.h"
 #include "monitor/access/tokens.h"
-#include "tests/monitor/foxglove_socket.h"
 #include "tests/monitor/scripted_robot.h"
-#include "tests/monitor/server_fixture.h"
+#include "tests/monitor/server/foxglove/foxglove_socket.h"
+#include "tests/monitor/server/server_fixture.h"
 
 namespace galilean::monitor {
 namespace {

@@ -1,6 +1,6 @@
 // `galilean swap` and `galilean programs`, against a monitor and without one.
 #include "tests/monitor/scripted_robot.h"
-#include "tests/monitor/server_fixture.h"
+#include "tests/monitor/server/server_fixture.h"
 
 namespace galilean::monitor {
 namespace {

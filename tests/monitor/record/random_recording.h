@@ -3,7 +3,7 @@
 #include <random>
 
 #include "monitor/mcap/mcap_writer.h"
-#include "tests/monitor_tools/record/faulty_disk.h"
+#include "tests/monitor/record/faulty_disk.h"
 
 namespace galilean::mcap {
 

@@ -1,4 +1,4 @@
-#include "tests/monitor/truth/mapped_contest.h"
+#include "tests/monitor/map/truth/mapped_contest.h"
 
 #include <stdexcept>
 

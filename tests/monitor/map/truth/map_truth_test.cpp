@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tests/monitor/truth/figures.h"
+#include "tests/monitor/map/truth/figures.h"
 
 namespace galilean::monitor {
 namespace {

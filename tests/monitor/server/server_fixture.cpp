@@ -1,4 +1,4 @@
-#include "tests/monitor/server_fixture.h"
+#include "tests/monitor/server/server_fixture.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

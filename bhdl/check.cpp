@@ -1,6 +1,7 @@
 #include "bhdl/check.h"
 
 #include "bhdl/check/checker.h"
+#include "bhdl/lint/program_check.h"
 #include "bhdl/source/sha256.h"
 #include "bhdl/syntax/loader.h"
 
@@ -20,13 +21,18 @@ CheckResult check(const std::string& main_path, const SourceProvider& sources,
   Diagnostics diagnostics;
   LoadedProgram loaded = load(main_path, sources, diagnostics);
   CheckResult result;
-  Program program =
-      check_tree(std::move(loaded.tree), sources.shown(main_path), vocabulary, diagnostics, depth);
+  const std::string main_file = sources.shown(main_path);
+  CheckedTree checked = check_tree(std::move(loaded.tree), main_file, vocabulary, diagnostics);
+  if (depth == Depth::kErrorsAndWarnings && !diagnostics.has_errors())
+    warn_of_suspects(checked.program, vocabulary,
+                     {checked.tree, checked.bases, checked.unused_constants, main_file},
+                     diagnostics);
   const bool usable = !diagnostics.has_errors();
   result.diagnostics = std::move(diagnostics).take(shown_names(loaded.files));
   for (auto& file : loaded.files)
     result.files.push_back({std::move(file.path), std::move(file.text)});
   if (!usable) return result;
+  Program& program = checked.program;
   program.name = std::filesystem::path(main_path).filename().string();
   program.hash = program_hash(result.files);
   program.files = result.files;

@@ -4,13 +4,16 @@
 #include <optional>
 #include <vector>
 
-#include "bhdl/check/checker.h"
 #include "bhdl/check/vocabulary.h"
 #include "bhdl/program/program.h"
 #include "bhdl/source/diagnostic.h"
+#include "bhdl/source/source_file.h"
 #include "bhdl/source/source_provider.h"
 
 namespace galilean::bhdl {
+
+/// How much is looked for. Warnings take a fifth of the time, and change nothing of a program.
+enum class Depth { kErrors, kErrorsAndWarnings };
 
 /// A program, or every reason why the text is none.
 struct CheckResult {

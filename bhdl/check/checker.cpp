@@ -10,7 +10,6 @@
 #include "bhdl/check/state_specs.h"
 #include "bhdl/check/value_or_nothing.h"
 #include "bhdl/check/vocabulary.h"
-#include "bhdl/lint/program_check.h"
 #include "bhdl/source/text.h"
 
 namespace galilean::bhdl {
@@ -145,12 +144,12 @@ class ProgramReader {
 
 }  // namespace
 
-Program check_tree(SyntaxTree tree, const std::string& main_file, const Vocabulary& vocabulary,
-                   Diagnostics& diagnostics, Depth depth) {
+CheckedTree check_tree(SyntaxTree tree, const std::string& main_file, const Vocabulary& vocabulary,
+                       Diagnostics& diagnostics) {
   return_lost_attributes(tree, vocabulary, diagnostics);
   const bool text_is_whole = !diagnostics.has_errors();
-  const std::vector<Word> unused_constants = put_in_constants(tree, diagnostics);
-  const Bases bases = inherit(tree, vocabulary, text_is_whole, diagnostics);
+  std::vector<Word> unused_constants = put_in_constants(tree, diagnostics);
+  Bases bases = inherit(tree, vocabulary, text_is_whole, diagnostics);
   const Symbols symbols = declare_names(tree, vocabulary, diagnostics);
   ProgramReader reader(vocabulary, symbols, text_is_whole, diagnostics);
   for (const auto& node : tree) std::visit([&](const auto& each) { reader.read(each); }, node);
@@ -159,9 +158,7 @@ Program check_tree(SyntaxTree tree, const std::string& main_file, const Vocabula
     diagnostics.error({main_file, 1, 1}, "state/none",
                       "the program has no state: a robot would not know what to do",
                       "add one with 'states:'");
-  if (depth == Depth::kErrorsAndWarnings && !diagnostics.has_errors())
-    warn_of_suspects(program, vocabulary, {tree, bases, unused_constants, main_file}, diagnostics);
-  return program;
+  return {std::move(program), std::move(tree), std::move(bases), std::move(unused_constants)};
 }
 
 }  // namespace galilean::bhdl

@@ -1,15 +1,23 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "bhdl/check/extension.h"
 #include "bhdl/check/vocabulary.h"
+#include "bhdl/program/program.h"
 #include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax/syntax.h"
 
 namespace galilean::bhdl {
 
-/// How much is looked for. Warnings take a fifth of the time, and change nothing of a program.
-enum class Depth { kErrors, kErrorsAndWarnings };
+/// A program beside what it was read from. The views point into the loaded texts.
+struct CheckedTree {
+  Program program;
+  SyntaxTree tree;  ///< constants and bases are put in
+  Bases bases;
+  std::vector<Word> unused_constants;
+};
 
 /// Turns a whole program's tree into a program. All that it knows of components comes from the
 /// catalog. First every name is declared, then every attribute and reference is held against its
@@ -17,8 +25,7 @@ enum class Depth { kErrors, kErrorsAndWarnings };
 ///
 /// `main_file` is where a fault of the whole is reported. `Program::name`, `hash` and `files` are
 /// the caller's to fill in; where there are errors the result is not to be used.
-[[nodiscard]] Program check_tree(SyntaxTree tree, const std::string& main_file,
-                                 const Vocabulary& vocabulary, Diagnostics& diagnostics,
-                                 Depth depth = Depth::kErrorsAndWarnings);
+[[nodiscard]] CheckedTree check_tree(SyntaxTree tree, const std::string& main_file,
+                                     const Vocabulary& vocabulary, Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

@@ -7,16 +7,11 @@
 
 #include "bhdl/program/expectation.h"
 #include "bhdl/source/location.h"
+#include "bhdl/source/source_file.h"
 #include "core/catalog/catalog.h"
 #include "core/catalog/wiring.h"
 
 namespace galilean::bhdl {
-
-/// One file of a program as it was read. The main file is the first of a list.
-struct SourceFile {
-  std::string path;  ///< as `include` names it; the main file's own name
-  std::string text;
-};
 
 /// An instance of a component of the catalog.
 struct Component {

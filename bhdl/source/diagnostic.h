@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bhdl/program/program.h"
+#include "bhdl/source/location.h"
 
 namespace galilean::bhdl {
 

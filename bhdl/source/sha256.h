@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bhdl/program/program.h"
+#include "bhdl/source/source_file.h"
 
 namespace galilean::bhdl {
 

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "bhdl/program/program.h"
+#include "bhdl/source/source_file.h"
 #include "core/result.h"
 
 namespace galilean::bhdl {

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "bhdl/program/program.h"
+#include "bhdl/source/location.h"
 #include "core/catalog/catalog.h"
 
 namespace galilean::bhdl {

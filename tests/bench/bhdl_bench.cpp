@@ -4,6 +4,7 @@
 
 #include "bhdl/check.h"
 #include "bhdl/check/checker.h"
+#include "bhdl/lint/program_check.h"
 #include "bhdl/syntax/lexer.h"
 #include "bhdl/syntax/parser.h"
 #include "robot/executive/builder.h"
@@ -55,13 +56,17 @@ void parse(benchmark::State& state) {
   count(state, text);
 }
 
-/// Parser and checker without the limit of a file's size.
+/// Parser, checker and warnings without the limit of a file's size.
 void parse_and_check(benchmark::State& state) {
   const auto text = generated_program(static_cast<int>(state.range()));
   for (auto _ : state) {
     Diagnostics diagnostics;
-    benchmark::DoNotOptimize(check_tree(parse("program.bhdl", text, diagnostics), "program.bhdl",
-                                        robot_vocabulary(), diagnostics));
+    const CheckedTree checked = check_tree(parse("program.bhdl", text, diagnostics), "program.bhdl",
+                                           robot_vocabulary(), diagnostics);
+    warn_of_suspects(checked.program, robot_vocabulary(),
+                     {checked.tree, checked.bases, checked.unused_constants, "program.bhdl"},
+                     diagnostics);
+    benchmark::DoNotOptimize(checked);
     if (diagnostics.has_errors()) return state.SkipWithError("the program has errors");
   }
   count(state, text);

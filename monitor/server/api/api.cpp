@@ -4,9 +4,9 @@
 
 #include "monitor/programs/json.h"
 #include "monitor/server/api/metrics.h"
-#include "monitor/server/api/request_fields.h"
 #include "monitor/server/api/team_json.h"
 #include "monitor/server/http/http_caching.h"
+#include "monitor/server/json/request_fields.h"
 
 namespace galilean::monitor {
 namespace {

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "monitor/server/json_text.h"
+#include "monitor/server/json/json_text.h"
 
 namespace galilean::monitor {
 namespace http = boost::beast::http;

@@ -7,7 +7,6 @@
 #include <deque>
 
 #include "bhdl/lsp/server.h"
-#include "monitor/server/http/http_messages.h"
 
 namespace galilean::monitor {
 namespace {

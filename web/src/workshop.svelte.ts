@@ -4,7 +4,7 @@ import type { Diagnostic, SourceFile } from "./feed/messages";
 import * as api from "./lib/api";
 import { withKnownFixes } from "./lib/quick_fixes";
 import { live } from "./live.svelte";
-import { ui } from "./ui.svelte";
+import { ui } from "./lib/ui.svelte";
 
 export interface Place {
   file: string;

@@ -1,6 +1,6 @@
 // How the reader has arranged the panels: kept by the browser, shared by a link, and back to the standard at any time.
 
-import { ui } from "../ui.svelte";
+import { ui } from "../lib/ui.svelte";
 import { beside, grown, moved, opened, resized, shown, stacked, without } from "./change";
 import type { Drop } from "./places";
 import { textOf, treeOf } from "./text";

@@ -9,8 +9,8 @@ import { History, type Instant } from "./team/history";
 import { emptyTeam, type Reply, type Robot, type Team } from "./team/model";
 import { withProgress, withPush, withReply } from "./team/pushes";
 import { apply } from "./team/reduce";
-import type { PushResult } from "./lib/api";
-import { withToken } from "./lib/token";
+import type { PushResult } from "./feed/api";
+import { withToken } from "./feed/token";
 import type { SourceFile } from "./feed/messages";
 
 /** How often what only ages (certainty, silence, clocks) is drawn anew. */

@@ -1,7 +1,7 @@
 // The program on the bench: chosen or edited here, checked by the monitor, pushed to robots.
 
 import type { Diagnostic, SourceFile } from "./feed/messages";
-import * as api from "./lib/api";
+import * as api from "./feed/api";
 import { withKnownFixes } from "./lib/quick_fixes";
 import { live } from "./live.svelte";
 import { ui } from "./lib/ui.svelte";

@@ -12,7 +12,7 @@ import { type Bench, BenchWorkspace, pathOf, uriOf } from "./bench_workspace";
 import { harmless } from "./harmless_html";
 import { problemsFrom, type PublishedProblems } from "./problems";
 import { type CodeAction, withFixes } from "./quick_fixes";
-import { withToken } from "./token";
+import { withToken } from "../feed/token";
 
 export interface LanguageEvents extends Bench {
   /** What is wrong with a file, as of its newest text. */

@@ -1,4 +1,4 @@
-import type { Strategy } from "../lib/api";
+import type { Strategy } from "../feed/api";
 import type { Score } from "../feed/messages";
 import type { Stamped } from "./model";
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { takeToken } from "../../src/lib/token";
+import { takeToken } from "../../src/feed/token";
 
 function storage(kept?: string) {
   const items = new Map(kept ? [["galilean.token", kept]] : []);

@@ -1,6 +1,6 @@
 // The monitor's HTTP operations. Every failure is an Error whose message can be shown as it stands.
 
-import type { Diagnostic, Machine, PushStep, SourceFile } from "../feed/messages";
+import type { Diagnostic, Machine, PushStep, SourceFile } from "./messages";
 import type { Reply } from "../team/model";
 import { credentials } from "./token";
 

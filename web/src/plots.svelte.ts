@@ -1,7 +1,7 @@
 // The lines that are plotted, and their samples: the past that the page remembers, and then all that comes.
 
 import type { Variables } from "./feed/messages";
-import { live } from "./live.svelte";
+import { live } from "./model/live.svelte";
 import { lineKey, type PlotLine, valueOf } from "./team/quantities";
 import { Samples } from "./team/samples";
 

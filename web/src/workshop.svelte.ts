@@ -3,7 +3,7 @@
 import type { Diagnostic, SourceFile } from "./feed/messages";
 import * as api from "./feed/api";
 import { withKnownFixes } from "./lib/quick_fixes";
-import { live } from "./live.svelte";
+import { live } from "./model/live.svelte";
 import { ui } from "./lib/ui.svelte";
 
 export interface Place {

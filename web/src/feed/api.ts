@@ -1,7 +1,7 @@
 // The monitor's HTTP operations. Every failure is an Error whose message can be shown as it stands.
 
 import type { Diagnostic, Machine, PushStep, SourceFile } from "./messages";
-import type { Reply } from "../team/model";
+import type { Reply } from "../model/model";
 import { credentials } from "./token";
 
 export interface ProgramEntry {

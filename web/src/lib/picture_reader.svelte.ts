@@ -1,6 +1,6 @@
 import type { CompressedImage, Time } from "../feed/messages";
 import { type Picture, pictureTopic } from "../feed/topics";
-import { live } from "../live.svelte";
+import { live } from "../model/live.svelte";
 import type { Feed } from "../feed/feed";
 
 const RATE_OVER = 10;

@@ -1,6 +1,6 @@
 // What the reader chose to see on the map; it stays so when the panel closes or the page is loaded anew.
 
-import { live } from "../live.svelte";
+import { live } from "../model/live.svelte";
 
 export const forceChoices = ["none", "chosen", "all"] as const;
 export const layerNames = {

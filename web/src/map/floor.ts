@@ -1,8 +1,8 @@
 // The floor and the trails on it, drawn on a canvas: there may be tens of thousands of points.
 
 import type { OccupancyGrid } from "../feed/messages";
-import type { Robot, TrailPoint } from "../team/model";
-import { unknownSince } from "../team/trail";
+import type { Robot, TrailPoint } from "../model/model";
+import { unknownSince } from "../model/trail";
 
 /** Where the map's origin stands on the canvas, y down, in CSS pixels. */
 export interface Ground {

@@ -2,10 +2,10 @@
 
 import { type MapObject, seconds } from "../feed/messages";
 import { degrees, lasting, metres, plural, signed } from "../lib/format";
-import { certaintyAt, forgottenIn_s } from "../team/certainty";
-import { ellipseOf } from "../team/ellipse";
-import type { Robot, Team } from "../team/model";
-import { age_s, isSilent } from "../team/silence";
+import { certaintyAt, forgottenIn_s } from "../model/certainty";
+import { ellipseOf } from "../model/ellipse";
+import type { Robot, Team } from "../model/model";
+import { age_s, isSilent } from "../model/silence";
 import { keyOf } from "./things";
 
 export interface Known {

@@ -1,7 +1,7 @@
 // What on the map can be chosen: every robot that has a place, and every object.
 
 import type { Side } from "../layout/tree";
-import type { Team } from "../team/model";
+import type { Team } from "../model/model";
 
 export interface Thing {
   readonly key: string;

@@ -1,5 +1,5 @@
 import type { OccupancyGrid } from "../feed/messages";
-import type { Team } from "./model";
+import type { Team } from "../model/model";
 
 export interface Bounds {
   readonly left_m: number;

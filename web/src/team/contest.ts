@@ -1,6 +1,6 @@
 import type { Strategy } from "../feed/api";
 import type { Score } from "../feed/messages";
-import type { Stamped } from "./model";
+import type { Stamped } from "../model/model";
 
 /** What is left on the referee's clock, which runs on between its messages. */
 export function remaining_s({ value: { phase, remaining_s: told_s }, received_ms }: Stamped<Score>, now_ms: number): number {

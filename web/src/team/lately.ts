@@ -1,5 +1,5 @@
-import type { Robot } from "./model";
-import { onPageClock_ms } from "./robot_clock";
+import type { Robot } from "../model/model";
+import { onPageClock_ms } from "../model/robot_clock";
 
 const LATELY_MS = 15_000;
 /** It fades in so many steps: finer ones are not seen, and each is drawn. */

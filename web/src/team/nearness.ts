@@ -4,7 +4,7 @@
 import { type ComponentText, componentsOf } from "../bhdl/components";
 import type { MachineTransition, Program, SourceFile, Variable } from "../feed/messages";
 import { lasting, metres } from "../lib/format";
-import { certaintyAt } from "./certainty";
+import { certaintyAt } from "../model/certainty";
 
 /** A schema that sets a bit when a measure passes a limit. */
 export interface Trigger {

@@ -1,6 +1,6 @@
 import type { Variable } from "../feed/messages";
-import { certaintyAt } from "./certainty";
-import { typeName } from "./variable_text";
+import { certaintyAt } from "../model/certainty";
+import { typeName } from "../model/variable_text";
 
 /** "all", "valid", or a type. */
 export type Shown = string;

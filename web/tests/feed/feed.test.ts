@@ -3,7 +3,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { WebSocket, WebSocketServer } from "ws";
 import { type Connection, Feed } from "../../src/feed/feed";
 import { schemaOf, writerOf } from "../fixture/idl.mjs";
-import { state } from "../team/told";
+import { state } from "../model/told";
 
 vi.stubGlobal("WebSocket", WebSocket);
 

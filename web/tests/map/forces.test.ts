@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Forces, Program } from "../../src/feed/messages";
 import { drawnForces } from "../../src/map/forces";
-import { time } from "../team/told";
+import { time } from "../model/told";
 
 const force = (schema: string, x: number, y: number, gain = 1, active = true) => ({ schema, variable: schema, x, y, gain, active });
 const forces = (...items: Forces["items"]): Forces => ({ stamp: time(0), robot: "io", tick: 0n, items });

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { nextThing, type Thing, thingsOn } from "../../src/map/things";
 import { knownOf } from "../../src/map/known";
 import type { MapObject } from "../../src/feed/messages";
-import { mapRobot, state, T0_MS, time, told } from "../team/told";
+import { mapRobot, state, T0_MS, time, told } from "../model/told";
 
 const thing = (key: string, x_m: number, y_m: number): Thing => ({ key, x_m, y_m });
 

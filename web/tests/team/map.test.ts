@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { knownBounds } from "../../src/team/bounds";
-import { ellipseOf } from "../../src/team/ellipse";
+import { ellipseOf } from "../../src/model/ellipse";
 
 describe("an uncertainty ellipse", () => {
   it("is two standard deviations along the axes of an axis-parallel covariance", () => {

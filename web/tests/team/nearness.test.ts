@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { MachineTransition, Variable } from "../../src/feed/messages";
 import { bitNow, conditionNow, nearnessOf, schemasOf, type Situation, triggersOf } from "../../src/team/nearness";
-import { T0_MS, time } from "./told";
+import { T0_MS, time } from "../model/told";
 
 const TEXT = `perceptual_schemas:
   seen: name: "see" locate_variable: "trash" min_certainty: 0.5 bits_variable: "seen" end

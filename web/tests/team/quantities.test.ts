@@ -3,7 +3,7 @@ import type { Variable } from "../../src/feed/messages";
 import { quantitiesOf, valueOf } from "../../src/team/quantities";
 import { Samples } from "../../src/team/samples";
 import { isShown, kindsOf } from "../../src/team/variable_filter";
-import { T0_MS, time } from "./told";
+import { T0_MS, time } from "../model/told";
 
 const variable = (name: string, type: number, values: number[], changes: Partial<Variable> = {}): Variable =>
   ({ name, type, object_class: "", valid: true, certainty: 0.5, decay_per_s: 0.1, updated: time(T0_MS), values, ...changes });

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
-import { History } from "../../src/team/history";
-import { emptyTeam } from "../../src/team/model";
+import { History } from "../../src/model/history";
+import { emptyTeam } from "../../src/model/model";
 import { robotOf, state, T0_MS, told } from "./told";
 
 it("gives the team as it was at an instant, for ten minutes back", () => {

@@ -1,7 +1,7 @@
 // Messages as a robot tells them, with what a test does not care about filled in.
 import type { MapRobot, RobotState, Transition } from "../../src/feed/messages";
-import { emptyTeam, type Robot, type Team } from "../../src/team/model";
-import { apply } from "../../src/team/reduce";
+import { emptyTeam, type Robot, type Team } from "../../src/model/model";
+import { apply } from "../../src/model/reduce";
 
 export const T0_MS = 1_700_000_000_000;
 

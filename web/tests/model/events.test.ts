@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Score } from "../../src/feed/messages";
-import { callsOn, contestBegan_ms } from "../../src/team/events";
+import { callsOn, contestBegan_ms } from "../../src/model/events";
 import { robotOf, state, T0_MS, told } from "./told";
 
 const kinds = (...states: Parameters<typeof state>[0][]) =>

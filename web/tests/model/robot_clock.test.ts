@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { onPageClock_ms } from "../../src/team/robot_clock";
+import { onPageClock_ms } from "../../src/model/robot_clock";
 import { robotOf, state, T0_MS, time, told, transition } from "./told";
 
 it("puts a robot's times on the page's clock, whatever the robot's clock says", () => {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { unwound, withPoint } from "../../src/team/trail";
-import type { TrailPoint } from "../../src/team/model";
+import { unwound, withPoint } from "../../src/model/trail";
+import type { TrailPoint } from "../../src/model/model";
 
 describe("a trail", () => {
   const at = (x_m: number, at_ms: number) => ({ x_m, y_m: 0, at_ms });

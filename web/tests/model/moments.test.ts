@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Transition, Variable, Variables } from "../../src/feed/messages";
-import { findings, valuesThen } from "../../src/team/moments";
+import { findings, valuesThen } from "../../src/model/moments";
 import { robotOf, state, T0_MS, time, told, transition } from "./told";
 
 function variable(name: string, value: number, valid = true): Variable {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { replyStatuses } from "../../src/feed/messages";
-import { acknowledged, type Alarm, alarms, withAlarms } from "../../src/team/alarms";
+import { acknowledged, type Alarm, alarms, withAlarms } from "../../src/model/alarms";
 import { mapRobot, state, T0_MS, told } from "./told";
 
 type Told = [string, unknown, number];

@@ -1,6 +1,6 @@
 // What the operator tells the robots.
 
-import { type CommandKind, command } from "./feed/api";
+import { type CommandKind, command } from "../feed/api";
 import { live } from "./live.svelte";
 
 class Operator {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { missedBetween, withTransition } from "../../src/team/transitions";
+import { missedBetween, withTransition } from "../../src/model/transitions";
 import { T0_MS, transition } from "./told";
 
 describe("the list of transitions", () => {

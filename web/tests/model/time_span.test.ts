@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { timeMarks, zoomed } from "../../src/team/time_span";
+import { timeMarks, zoomed } from "../../src/model/time_span";
 
 describe("a span of time", () => {
   it("keeps what the pointer is at where it is when it is zoomed", () => {

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { drifts, programShares } from "../../src/team/drift";
+import { drifts, programShares } from "../../src/model/drift";
 import { robotOf, state, T0_MS, told } from "./told";
 
 it("shows the robot that runs another program than most", () => {

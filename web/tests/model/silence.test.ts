@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { age_s, isSilent, SILENT_AFTER_S } from "../../src/team/silence";
+import { age_s, isSilent, SILENT_AFTER_S } from "../../src/model/silence";
 import { mapRobot, robotOf, state, T0_MS, told } from "./told";
 
 describe("a robot that goes silent", () => {

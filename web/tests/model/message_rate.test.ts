@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { type MessageRate, withMessage } from "../../src/team/message_rate";
+import { type MessageRate, withMessage } from "../../src/model/message_rate";
 
 const after = (times_ms: number[]): MessageRate => times_ms.reduce<MessageRate | undefined>(withMessage, undefined)!;
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { drawnGaps, withGap } from "../../src/team/gaps";
+import { drawnGaps, withGap } from "../../src/model/gaps";
 
 describe("times in which nothing was heard", () => {
   const gap = { from_ms: 1000, to_ms: 4000 };

@@ -1,7 +1,7 @@
 // The span of time that the timeline and every plot show, and the instant that the pointer is at in any of them.
 
 import { live } from "./live.svelte";
-import { clampSpan_s, zoomed } from "./team/time_span";
+import { clampSpan_s, zoomed } from "./time_span";
 
 /** The axis moves on twice a second: finer steps are no pixel wide, and drawing costs. */
 const STEP_MS = 500;

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { type Identity, identityOf } from "../../src/team/identity";
+import { type Identity, identityOf } from "../../src/model/identity";
 
 function identities(names: string[]): Identity[] {
   return names.reduce<Identity[]>((others, name) => [...others, identityOf(name, others)], []);

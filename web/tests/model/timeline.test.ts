@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { drawnBars, labelled, withBar, withProgram } from "../../src/team/timeline";
+import { drawnBars, labelled, withBar, withProgram } from "../../src/model/timeline";
 import { robotOf, state, T0_MS, told, transition } from "./told";
 
 describe("the timeline", () => {

@@ -1,17 +1,17 @@
 // What the panels see: the team now or at a chosen instant, the robot chosen, and the page's clock.
 
 import { flushSync } from "svelte";
-import { type Connection, Feed } from "./feed/feed";
-import { tellsWhatHappens } from "./feed/topics";
-import { browserFrames, Redraw } from "./lib/redraw";
-import { type Gap, withGap } from "./team/gaps";
-import { History, type Instant } from "./team/history";
-import { emptyTeam, type Reply, type Robot, type Team } from "./team/model";
-import { withProgress, withPush, withReply } from "./team/pushes";
-import { apply } from "./team/reduce";
-import type { PushResult } from "./feed/api";
-import { withToken } from "./feed/token";
-import type { SourceFile } from "./feed/messages";
+import { type Connection, Feed } from "../feed/feed";
+import { tellsWhatHappens } from "../feed/topics";
+import { browserFrames, Redraw } from "../lib/redraw";
+import { type Gap, withGap } from "./gaps";
+import { History, type Instant } from "./history";
+import { emptyTeam, type Reply, type Robot, type Team } from "./model";
+import { withProgress, withPush, withReply } from "./pushes";
+import { apply } from "./reduce";
+import type { PushResult } from "../feed/api";
+import { withToken } from "../feed/token";
+import type { SourceFile } from "../feed/messages";
 
 /** How often what only ages (certainty, silence, clocks) is drawn anew. */
 const AGEING_MS = 100;

@@ -1,7 +1,7 @@
 // The alarms that somebody has yet to see, and those that last.
 
 import { live } from "./live.svelte";
-import { acknowledged, alarms, type Posted, withAlarms } from "./team/alarms";
+import { acknowledged, alarms, type Posted, withAlarms } from "./alarms";
 
 class AlarmBoard {
   posted = $state.raw<readonly Posted[]>([]);

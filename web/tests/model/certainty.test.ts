@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { certaintyAt, forgottenIn_s } from "../../src/team/certainty";
+import { certaintyAt, forgottenIn_s } from "../../src/model/certainty";
 
 describe("certainty", () => {
   it("falls by its own rate between samples", () => {

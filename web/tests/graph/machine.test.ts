@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Machine } from "../../src/feed/messages";
-import { labelLines, layOut } from "../../src/team/machine_layout";
+import { labelLines, layOut } from "../../src/graph/machine_layout";
 
 function machine(...ways: [from: string, to: string, bits?: string][]): Machine {
   const names = [...new Set(ways.flatMap(([from, to]) => [from, to]))];

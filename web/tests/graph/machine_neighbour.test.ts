@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { LaidState } from "../../src/team/machine_layout";
-import { neighbour } from "../../src/team/machine_neighbour";
+import type { LaidState } from "../../src/graph/machine_layout";
+import { neighbour } from "../../src/graph/machine_neighbour";
 
 const box = (name: string, x: number, y: number): LaidState => ({ name, x, y, width: 40, height: 20 }) as LaidState;
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { placed } from "../../src/team/machine_places";
+import { placed } from "../../src/graph/machine_places";
 
 type Way = [string, string];
 const cells = (names: string[], start: string, ways: Way[], columns: number) =>

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { arrowPath, type Box } from "../../src/team/machine_arrow";
+import { arrowPath, type Box } from "../../src/graph/machine_arrow";
 
 const box = (x: number, y: number): Box => ({ x, y, width: 40, height: 20 });
 const numbers = (path: string) => [...path.matchAll(/-?[\d.]+/g)].map(([text]) => Number(text));

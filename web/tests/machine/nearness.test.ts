@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { MachineTransition, Variable } from "../../src/feed/messages";
-import { bitNow, conditionNow, nearnessOf, schemasOf, type Situation, triggersOf } from "../../src/team/nearness";
+import { bitNow, conditionNow, nearnessOf, schemasOf, type Situation, triggersOf } from "../../src/machine/nearness";
 import { T0_MS, time } from "../model/told";
 
 const TEXT = `perceptual_schemas:

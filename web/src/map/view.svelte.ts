@@ -1,6 +1,6 @@
 import { select } from "d3-selection";
 import { type ZoomBehavior, zoom, zoomIdentity } from "d3-zoom";
-import type { Bounds } from "../team/bounds";
+import type { Bounds } from "./bounds";
 
 const PX_PER_M = { least: 8, most: 1200 };
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { knownBounds } from "../../src/team/bounds";
+import { knownBounds } from "../../src/map/bounds";
 import { ellipseOf } from "../../src/model/ellipse";
 
 describe("an uncertainty ellipse", () => {

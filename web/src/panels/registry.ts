@@ -5,7 +5,7 @@ import type { Component } from "svelte";
 import type { PanelName } from "../layout/arrangement.svelte";
 import MachinePanel from "../machine/MachinePanel.svelte";
 import MapPanel from "../map/MapPanel.svelte";
-import PlotsPanel from "./PlotsPanel.svelte";
+import PlotsPanel from "../plots/PlotsPanel.svelte";
 import ProgramPanel from "./ProgramPanel.svelte";
 import RefereePanel from "./RefereePanel.svelte";
 import TeamPanel from "./TeamPanel.svelte";

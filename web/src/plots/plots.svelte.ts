@@ -1,9 +1,9 @@
 // The lines that are plotted, and their samples: the past that the page remembers, and then all that comes.
 
-import type { Variables } from "./feed/messages";
-import { live } from "./model/live.svelte";
-import { lineKey, type PlotLine, valueOf } from "./team/quantities";
-import { Samples } from "./team/samples";
+import type { Variables } from "../feed/messages";
+import { live } from "../model/live.svelte";
+import { lineKey, type PlotLine, valueOf } from "./quantities";
+import { Samples } from "./samples";
 
 /** Lines of one kind of number share a chart. */
 export interface Chart {

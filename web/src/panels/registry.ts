@@ -10,7 +10,7 @@ import ProgramPanel from "./ProgramPanel.svelte";
 import RefereePanel from "./RefereePanel.svelte";
 import TeamPanel from "./TeamPanel.svelte";
 import TimelinePanel from "./TimelinePanel.svelte";
-import VariablesPanel from "./VariablesPanel.svelte";
+import VariablesPanel from "../variables/VariablesPanel.svelte";
 import VisionPanel from "./VisionPanel.svelte";
 import WhyPanel from "./WhyPanel.svelte";
 

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { Variable } from "../../src/feed/messages";
 import { quantitiesOf, valueOf } from "../../src/plots/quantities";
 import { Samples } from "../../src/plots/samples";
-import { isShown, kindsOf } from "../../src/team/variable_filter";
+import { isShown, kindsOf } from "../../src/variables/variable_filter";
 import { T0_MS, time } from "../model/told";
 
 const variable = (name: string, type: number, values: number[], changes: Partial<Variable> = {}): Variable =>

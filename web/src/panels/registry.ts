@@ -11,7 +11,7 @@ import RefereePanel from "./RefereePanel.svelte";
 import TeamPanel from "./TeamPanel.svelte";
 import TimelinePanel from "./TimelinePanel.svelte";
 import VariablesPanel from "../variables/VariablesPanel.svelte";
-import VisionPanel from "./VisionPanel.svelte";
+import VisionPanel from "../vision/VisionPanel.svelte";
 import WhyPanel from "./WhyPanel.svelte";
 
 export interface PanelKind extends PanelName {

@@ -12,7 +12,7 @@ import TeamPanel from "./TeamPanel.svelte";
 import TimelinePanel from "./TimelinePanel.svelte";
 import VariablesPanel from "../variables/VariablesPanel.svelte";
 import VisionPanel from "../vision/VisionPanel.svelte";
-import WhyPanel from "./WhyPanel.svelte";
+import WhyPanel from "../why/WhyPanel.svelte";
 
 export interface PanelKind extends PanelName {
   readonly component: Component;

@@ -7,7 +7,7 @@ import MachinePanel from "../machine/MachinePanel.svelte";
 import MapPanel from "../map/MapPanel.svelte";
 import PlotsPanel from "../plots/PlotsPanel.svelte";
 import ProgramPanel from "./ProgramPanel.svelte";
-import RefereePanel from "./RefereePanel.svelte";
+import RefereePanel from "../referee/RefereePanel.svelte";
 import TeamPanel from "./TeamPanel.svelte";
 import TimelinePanel from "./TimelinePanel.svelte";
 import VariablesPanel from "../variables/VariablesPanel.svelte";

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { rated } from "../../src/team/contest";
+import { rated } from "../../src/referee/contest";
 
 it("strategies are compared by what one robot throws away in a minute, the best first", () => {
   const one = (program_hash: string, robot_seconds: number, deposited: number) => ({ program_name: "a", program_hash, robot_seconds, deposited, collisions: 0, points: 0 });

@@ -9,7 +9,7 @@ import PlotsPanel from "../plots/PlotsPanel.svelte";
 import ProgramPanel from "./ProgramPanel.svelte";
 import RefereePanel from "../referee/RefereePanel.svelte";
 import TeamPanel from "./TeamPanel.svelte";
-import TimelinePanel from "./TimelinePanel.svelte";
+import TimelinePanel from "../timeline/TimelinePanel.svelte";
 import VariablesPanel from "../variables/VariablesPanel.svelte";
 import VisionPanel from "../vision/VisionPanel.svelte";
 import WhyPanel from "../why/WhyPanel.svelte";

@@ -6,7 +6,7 @@ import type { PanelName } from "../layout/arrangement.svelte";
 import MachinePanel from "../machine/MachinePanel.svelte";
 import MapPanel from "../map/MapPanel.svelte";
 import PlotsPanel from "../plots/PlotsPanel.svelte";
-import ProgramPanel from "./ProgramPanel.svelte";
+import ProgramPanel from "../program/ProgramPanel.svelte";
 import RefereePanel from "../referee/RefereePanel.svelte";
 import TeamPanel from "./TeamPanel.svelte";
 import TimelinePanel from "../timeline/TimelinePanel.svelte";

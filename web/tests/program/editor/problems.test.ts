@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { problemsFrom } from "../../src/lib/problems";
+import { problemsFrom } from "../../../src/program/editor/problems";
 
 it("tells what the language server published as the monitor's check would", () => {
   const range = { start: { line: 1, character: 2 } };

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { withFixes, withKnownFixes } from "../../src/lib/quick_fixes";
+import { withFixes, withKnownFixes } from "../../../src/program/editor/quick_fixes";
 
 const problem = { file: "a.bhdl", line: 2, column: 3, severity: "error", code: "name/undefined-state", message: "no 'og'", hint: "" };
 const other = { ...problem, line: 5 };

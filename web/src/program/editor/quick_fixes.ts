@@ -1,4 +1,4 @@
-import type { Diagnostic, Fix } from "../feed/messages";
+import type { Diagnostic, Fix } from "../../feed/messages";
 
 interface Place {
   line: number;

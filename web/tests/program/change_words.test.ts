@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { sortOf } from "../../src/lib/change_words";
+import { sortOf } from "../../src/program/change_words";
 
 it("a difference is told by its sign", () => {
   expect(["+ state 'spin'", "- state 'wander'", "~ motor schema noise 'n': persistence was 5 s, is 8 s"].map(sortOf)).toEqual([

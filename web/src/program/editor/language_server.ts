@@ -7,12 +7,12 @@ import {
 } from "@codemirror/lsp-client";
 import type { Extension } from "@codemirror/state";
 import { keymap } from "@codemirror/view";
-import type { Diagnostic, SourceFile } from "../feed/messages";
+import type { Diagnostic, SourceFile } from "../../feed/messages";
 import { type Bench, BenchWorkspace, pathOf, uriOf } from "./bench_workspace";
 import { harmless } from "./harmless_html";
 import { problemsFrom, type PublishedProblems } from "./problems";
 import { type CodeAction, withFixes } from "./quick_fixes";
-import { withToken } from "../feed/token";
+import { withToken } from "../../feed/token";
 
 export interface LanguageEvents extends Bench {
   /** What is wrong with a file, as of its newest text. */

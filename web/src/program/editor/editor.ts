@@ -5,8 +5,8 @@ import { bracketMatching, foldGutter, foldKeymap } from "@codemirror/language";
 import { type Action, type Diagnostic as Mark, lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { type Extension, StateEffect, StateField, type Text } from "@codemirror/state";
 import { Decoration, type DecorationSet, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
-import type { Diagnostic, Fix } from "../feed/messages";
-import { bhdl } from "../bhdl/language";
+import type { Diagnostic, Fix } from "../../feed/messages";
+import { bhdl } from "../../bhdl/language";
 
 const setRunningLine = StateEffect.define<number | undefined>();
 const runningLine = StateField.define<DecorationSet>({

@@ -1,4 +1,4 @@
-import type { Diagnostic } from "../feed/messages";
+import type { Diagnostic } from "../../feed/messages";
 
 interface Problem {
   range: { start: { line: number; character: number } };

@@ -1,6 +1,6 @@
 import { LSPClient, type Transport } from "@codemirror/lsp-client";
 import { expect, it } from "vitest";
-import { BenchWorkspace, pathOf, uriOf } from "../../src/lib/bench_workspace";
+import { BenchWorkspace, pathOf, uriOf } from "../../../src/program/editor/bench_workspace";
 
 interface Message {
   id?: number;

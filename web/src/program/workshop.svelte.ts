@@ -1,10 +1,10 @@
 // The program on the bench: chosen or edited here, checked by the monitor, pushed to robots.
 
-import type { Diagnostic, SourceFile } from "./feed/messages";
-import * as api from "./feed/api";
-import { withKnownFixes } from "./lib/quick_fixes";
-import { live } from "./model/live.svelte";
-import { ui } from "./lib/ui.svelte";
+import type { Diagnostic, SourceFile } from "../feed/messages";
+import * as api from "../feed/api";
+import { withKnownFixes } from "./editor/quick_fixes";
+import { live } from "../model/live.svelte";
+import { ui } from "../lib/ui.svelte";
 
 export interface Place {
   file: string;

@@ -1,7 +1,7 @@
 import { LSPClient, LSPPlugin, Workspace, type WorkspaceFile } from "@codemirror/lsp-client";
 import { ChangeSet, Text, type TransactionSpec } from "@codemirror/state";
 import type { EditorView } from "@codemirror/view";
-import type { SourceFile } from "../feed/messages";
+import type { SourceFile } from "../../feed/messages";
 
 /** Where the files lie that the language server speaks of. */
 export interface Bench {

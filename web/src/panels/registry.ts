@@ -8,7 +8,7 @@ import MapPanel from "../map/MapPanel.svelte";
 import PlotsPanel from "../plots/PlotsPanel.svelte";
 import ProgramPanel from "../program/ProgramPanel.svelte";
 import RefereePanel from "../referee/RefereePanel.svelte";
-import TeamPanel from "./TeamPanel.svelte";
+import TeamPanel from "../team/TeamPanel.svelte";
 import TimelinePanel from "../timeline/TimelinePanel.svelte";
 import VariablesPanel from "../variables/VariablesPanel.svelte";
 import VisionPanel from "../vision/VisionPanel.svelte";

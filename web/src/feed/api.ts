@@ -1,8 +1,13 @@
 // The monitor's HTTP operations. Every failure is an Error whose message can be shown as it stands.
 
-import type { Diagnostic, Machine, PushStep, SourceFile } from "./messages";
-import type { Reply } from "../model/model";
+import type { Diagnostic, Machine, ProgramReply, PushStep, SourceFile } from "./messages";
 import { credentials } from "./token";
+
+/** What a robot answers to a push; `latency_ms` where the monitor measured it. */
+export type Reply = Pick<
+  ProgramReply,
+  "robot" | "hash" | "running_hash" | "message" | "swap_tick_us" | "kept_variables" | "diagnostics"
+> & { readonly status: string; readonly latency_ms?: number };
 
 export interface ProgramEntry {
   name: string;

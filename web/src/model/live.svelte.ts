@@ -6,10 +6,10 @@ import { tellsWhatHappens } from "../feed/topics";
 import { browserFrames, Redraw } from "../lib/redraw";
 import { type Gap, withGap } from "./gaps";
 import { History, type Instant } from "./history";
-import { emptyTeam, type Reply, type Robot, type Team } from "./model";
+import { emptyTeam, type Robot, type Team } from "./model";
 import { withProgress, withPush, withReply } from "./pushes";
 import { apply } from "./reduce";
-import type { PushResult } from "../feed/api";
+import type { PushResult, Reply } from "../feed/api";
 import { withToken } from "../feed/token";
 import type { SourceFile } from "../feed/messages";
 

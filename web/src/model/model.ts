@@ -7,7 +7,6 @@ import type {
   MapRobot,
   OccupancyGrid,
   Program,
-  ProgramReply,
   PushStep,
   RobotState,
   Score,
@@ -16,6 +15,7 @@ import type {
   Transition,
   Variables,
 } from "../feed/messages";
+import type { Reply } from "../feed/api";
 import type { RobotEvent } from "./events";
 import type { Identity } from "./identity";
 import type { MessageRate } from "./message_rate";
@@ -100,11 +100,6 @@ export interface Push {
   readonly state: string;
   readonly steps: readonly PushStep[];
 }
-
-export type Reply = Pick<
-  ProgramReply,
-  "robot" | "hash" | "running_hash" | "message" | "swap_tick_us" | "kept_variables" | "diagnostics"
-> & { readonly status: string; readonly latency_ms?: number };
 
 export interface Team {
   readonly robots: ReadonlyMap<string, Robot>;

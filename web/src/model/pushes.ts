@@ -1,5 +1,6 @@
 import { type ProgramPush, type ProgramReply, type PushProgress, replyStatuses } from "../feed/messages";
-import type { Push, Reply } from "./model";
+import type { Reply } from "../feed/api";
+import type { Push } from "./model";
 
 const KEPT = 8;
 const RANK: readonly string[] = replyStatuses;

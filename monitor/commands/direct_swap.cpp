@@ -6,9 +6,9 @@
 
 #include "bhdl/program/catalog_file.h"
 #include "monitor/commands/push_dialogue.h"
-#include "monitor/programs/json.h"
-#include "monitor/programs/target_check.h"
-#include "monitor/programs/team_listener.h"
+#include "monitor/pushes/json.h"
+#include "monitor/pushes/target_check.h"
+#include "monitor/pushes/team_listener.h"
 
 namespace galilean::monitor {
 namespace {

@@ -7,7 +7,7 @@
 #include "bhdl/diff/diff.h"
 #include "bhdl/program/catalog_file.h"
 #include "monitor/commands/push_dialogue.h"
-#include "monitor/programs/json.h"
+#include "monitor/pushes/json.h"
 
 namespace {
 using namespace galilean::monitor;

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "core/termination.h"
-#include "monitor/programs/json.h"
+#include "monitor/pushes/json.h"
 
 namespace galilean::monitor {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "monitor/programs/json.h"
+#include "monitor/pushes/json.h"
 #include "monitor/server/api/metrics.h"
 #include "monitor/server/api/team_json.h"
 #include "monitor/server/http/http_caching.h"

@@ -4,7 +4,7 @@
 
 #include "bhdl/diff/diff.h"
 #include "core/wire/topics.h"
-#include "monitor/programs/json.h"
+#include "monitor/pushes/json.h"
 #include "monitor/server/json/request_fields.h"
 
 namespace galilean::monitor {

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "monitor/programs/library.h"
+#include "monitor/pushes/outcome.h"
+#include "monitor/pushes/push_desk.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
-#include "monitor/server/outcome.h"
-#include "monitor/server/push_desk.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {

@@ -1,4 +1,4 @@
-#include "monitor/programs/push.h"
+#include "monitor/pushes/push.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "monitor/server/push_order.h"
+#include "monitor/pushes/push_order.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "monitor/programs/history.h"
+#include "monitor/pushes/history.h"
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
@@ -10,7 +10,7 @@
 
 #include "core/random.h"
 #include "core/wire/topics.h"
-#include "monitor/programs/sql.h"
+#include "monitor/pushes/sql.h"
 #include "tests/temporary_folder.h"
 
 namespace galilean::monitor {

@@ -1,4 +1,4 @@
-#include "monitor/programs/team_listener.h"
+#include "monitor/pushes/team_listener.h"
 
 #include <algorithm>
 

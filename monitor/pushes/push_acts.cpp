@@ -3,9 +3,9 @@
 #include <iostream>
 #include <utility>
 
-#include "monitor/programs/json.h"
-#include "monitor/server/push_desk.h"
-#include "monitor/server/push_words.h"
+#include "monitor/pushes/json.h"
+#include "monitor/pushes/push_desk.h"
+#include "monitor/pushes/push_words.h"
 
 namespace galilean::monitor {
 

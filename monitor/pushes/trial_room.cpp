@@ -1,4 +1,4 @@
-#include "monitor/server/trial_room.h"
+#include "monitor/pushes/trial_room.h"
 
 #include <unistd.h>
 

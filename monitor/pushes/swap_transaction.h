@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "monitor/programs/push.h"
+#include "monitor/pushes/push.h"
 
 namespace galilean::monitor {
 

@@ -9,8 +9,8 @@
 
 #include "bhdl/program/program.h"
 #include "core/result.h"
-#include "monitor/programs/push.h"
-#include "monitor/programs/swap_transaction.h"
+#include "monitor/pushes/push.h"
+#include "monitor/pushes/swap_transaction.h"
 
 struct sqlite3;
 

@@ -1,4 +1,4 @@
-#include "monitor/programs/push.h"
+#include "monitor/pushes/push.h"
 
 #include <algorithm>
 #include <array>

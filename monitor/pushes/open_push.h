@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/wire/messages.h"
-#include "monitor/programs/history.h"
-#include "monitor/server/outcome.h"
-#include "monitor/server/push_order.h"
+#include "monitor/pushes/history.h"
+#include "monitor/pushes/outcome.h"
+#include "monitor/pushes/push_order.h"
 #include "monitor/trial/trial.h"
 
 namespace galilean::monitor {

@@ -6,8 +6,8 @@
 
 #include "bhdl/check.h"
 #include "core/result.h"
-#include "monitor/programs/history.h"
-#include "monitor/programs/push.h"
+#include "monitor/pushes/history.h"
+#include "monitor/pushes/push.h"
 
 namespace galilean::monitor {
 

@@ -10,13 +10,13 @@
 
 #include "core/wire/topics.h"
 #include "monitor/background/worker.h"
-#include "monitor/programs/history.h"
-#include "monitor/programs/swap_transaction.h"
-#include "monitor/programs/target_check.h"
-#include "monitor/server/open_push.h"
-#include "monitor/server/outcome.h"
-#include "monitor/server/push_order.h"
-#include "monitor/server/trial_room.h"
+#include "monitor/pushes/history.h"
+#include "monitor/pushes/open_push.h"
+#include "monitor/pushes/outcome.h"
+#include "monitor/pushes/push_order.h"
+#include "monitor/pushes/swap_transaction.h"
+#include "monitor/pushes/target_check.h"
+#include "monitor/pushes/trial_room.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {

@@ -1,9 +1,9 @@
-#include "monitor/programs/history.h"
+#include "monitor/pushes/history.h"
 
 #include <nlohmann/json.hpp>
 
 #include "core/wire/topics.h"
-#include "monitor/programs/sql.h"
+#include "monitor/pushes/sql.h"
 
 namespace galilean::monitor {
 namespace {

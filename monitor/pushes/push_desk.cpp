@@ -1,10 +1,10 @@
-#include "monitor/server/push_desk.h"
+#include "monitor/pushes/push_desk.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "monitor/programs/json.h"
-#include "monitor/server/push_words.h"
+#include "monitor/pushes/json.h"
+#include "monitor/pushes/push_words.h"
 
 namespace galilean::monitor {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "bhdl/program/program.h"
 #include "core/clock.h"
-#include "monitor/programs/target_check.h"
+#include "monitor/pushes/target_check.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "monitor/ingest/channel.h"
-#include "monitor/server/push_order.h"
+#include "monitor/pushes/push_order.h"
 #include "monitor/team/team.h"
 #include "monitor/trial/trial.h"
 

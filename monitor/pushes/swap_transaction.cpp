@@ -1,4 +1,4 @@
-#include "monitor/programs/swap_transaction.h"
+#include "monitor/pushes/swap_transaction.h"
 
 #include <algorithm>
 #include <array>

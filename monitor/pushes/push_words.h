@@ -4,10 +4,10 @@
 #include <string>
 
 #include "core/wire/messages.h"
-#include "monitor/programs/history.h"
-#include "monitor/programs/target_check.h"
-#include "monitor/server/outcome.h"
-#include "monitor/server/push_order.h"
+#include "monitor/pushes/history.h"
+#include "monitor/pushes/outcome.h"
+#include "monitor/pushes/push_order.h"
+#include "monitor/pushes/target_check.h"
 
 namespace galilean::monitor {
 

@@ -1,4 +1,4 @@
-#include "monitor/programs/target_check.h"
+#include "monitor/pushes/target_check.h"
 
 #include <random>
 #include <set>

@@ -1,4 +1,4 @@
-#include "monitor/programs/json.h"
+#include "monitor/pushes/json.h"
 
 #include "bhdl/program/machine.h"
 

@@ -1,9 +1,9 @@
-#include "monitor/server/push_words.h"
+#include "monitor/pushes/push_words.h"
 
 #include <ctime>
 
 #include "core/wire/topics.h"
-#include "monitor/programs/json.h"
+#include "monitor/pushes/json.h"
 
 namespace galilean::monitor {
 namespace {

@@ -2,7 +2,9 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 import { test } from 'node:test';
+import { circle, offence, roomOf, rooms } from './rooms.mjs';
 
 const root = new URL('../..', import.meta.url).pathname;
 const filesNamed = (...patterns) =>
@@ -51,4 +53,47 @@ test('perceptual and motor schemas know neither one another, nor the executive, 
 test('build files list their sources', () => {
   const files = filesNamed('CMakeLists.txt', '*.cmake');
   assert.deepEqual(files.filter((file) => /file\s*\(\s*GLOB/i.test(readFileSync(`${root}/${file}`, 'utf8'))), []);
+});
+
+const pageSources = filesNamed('*.ts', '*.svelte').filter((file) => file.startsWith('web/src/'));
+
+function imports(file) {
+  const text = readFileSync(`${root}/${file}`, 'utf8');
+  const found = [...text.matchAll(/(?:from|import)\s*\(?\s*["'](\.{1,2}\/[^"']*)["']/g)].map((match) => match[1]);
+  return found.map((name) => join(dirname(file), name));
+}
+
+const arrows = [
+  ...sources.flatMap((file) => includes(file).map((name) => [file, name])),
+  ...pageSources.flatMap((file) => imports(file).map((name) => [file, name])),
+];
+
+test('every folder is a room that the plan knows, and every room of the plan is there', () => {
+  const there = new Set([...sources, ...pageSources].map(roomOf).filter(Boolean).map(({ top, room }) => `${top}/${room}`));
+  const known = new Set(Object.entries(rooms).flatMap(([top, inside]) => Object.keys(inside).map((room) => `${top}/${room}`)));
+  assert.deepEqual([...there].filter((room) => !known.has(room)), [], 'rooms that rooms.mjs does not know');
+  assert.deepEqual([...known].filter((room) => !there.has(room)), [], 'rooms that are gone');
+});
+
+test('rooms include only the rooms that the plan allows', () => {
+  const offending = arrows.map(([file, name]) => [offence(roomOf(file), roomOf(name)), file, name]).filter(([why]) => why);
+  assert.deepEqual(offending.map(([why, file, name]) => `${file} includes ${name}: ${why}`), []);
+});
+
+test('no way through the plan leads in a circle', () => {
+  for (const top of Object.keys(rooms)) assert.equal(circle(top)?.join(' -> '), undefined);
+});
+
+test('what the plan does not allow is an offence', () => {
+  assert.match(offence(roomOf('bhdl/syntax/parser.cpp'), roomOf('bhdl/lint/idle_check.h')), /may not include/);
+  assert.match(offence(roomOf('bhdl/attic/x.cpp'), roomOf('bhdl/lint/idle_check.h')), /does not know/);
+  assert.equal(offence(roomOf('bhdl/lint/idle_check.cpp'), roomOf('bhdl/syntax/parser.h')), undefined);
+});
+
+test('tests stand in rooms that are there', () => {
+  const known = new Set(Object.entries(rooms).flatMap(([top, inside]) => Object.keys(inside).map((room) => `${top}/${room}`)));
+  const ofTests = sources.filter((file) => file.startsWith('tests/')).map((file) => dirname(file).slice('tests/'.length));
+  const mirrored = ofTests.filter((place) => place.split('/')[0] in rooms && place.includes('/'));
+  const extra = ['monitor/map/truth', 'bhdl/editors'];
+  assert.deepEqual([...new Set(mirrored)].filter((place) => !known.has(place) && !extra.includes(place)), []);
 });

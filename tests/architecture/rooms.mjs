@@ -1,0 +1,141 @@
+// Which rooms there are, and which rooms of its own top folder each may include. A new room is a line
+// here. Files that stand on top of a folder, such as bhdl/check.h, are the room '.'; they and programs'
+// entrances may include all rooms below them, so they are listed without an account of what.
+const ANY = '*';
+
+export const rooms = {
+  core: {
+    '.': [],
+    variable: ['.'],
+    device: ['.'],
+    schema: ['.'],
+    catalog: ['.', 'variable', 'device', 'schema'],
+    wire: ['.'],
+    'wire/generate': [],
+  },
+  bhdl: {
+    '.': ANY,
+    source: [],
+    program: ['source'],
+    syntax: ['source'],
+    check: ['source', 'program', 'syntax'],
+    lint: ['source', 'program', 'syntax', 'check'],
+    format: ['source', 'syntax'],
+    diff: ['source', 'program', 'check'],
+    graph: ['source', 'program'],
+    lsp: ['.', 'source', 'syntax', 'check', 'format'],
+    commands: ANY,
+  },
+  robot: {
+    '.': ANY,
+    firmware: [],
+    devices: ['firmware'],
+    variables: [],
+    vision: [],
+    perceptual: ['variables', 'vision'],
+    motor: ['variables'],
+    executive: ['devices', 'variables'],
+    rehearsal: ['.', 'executive'],
+    telemetry: ['executive'],
+    watch: ['executive'],
+  },
+  sim: {
+    '.': ANY,
+    scenario: [],
+    world: ['scenario'],
+    camera: ['scenario', 'world'],
+    devices: ['world', 'camera'],
+    telemetry: ['world'],
+    headless: ['scenario', 'world', 'devices'],
+    live: ['camera', 'devices', 'telemetry'],
+  },
+  monitor: {
+    '.': ANY,
+    access: [],
+    background: [],
+    compression: [],
+    ingest: [],
+    mcap: [],
+    team: ['ingest'],
+    trial: ['team'],
+    programs: [],
+    pushes: ['background', 'ingest', 'programs', 'team', 'trial'],
+    map: ['ingest', 'map/estimation', 'map/landmarks', 'map/relocalization', 'map/groups', 'map/evidence', 'map/export'],
+    'map/estimation': [],
+    'map/landmarks': ['map/estimation'],
+    'map/relocalization': ['map/estimation', 'map/landmarks'],
+    'map/groups': ['map/estimation', 'map/relocalization'],
+    'map/evidence': ['map/groups'],
+    'map/export': ['compression'],
+    'server/json': [],
+    'server/websocket': ['ingest'],
+    'server/foxglove': ['access', 'ingest', 'server/json', 'server/websocket'],
+    'server/lsp': ['background', 'team'],
+    'server/http': ['access', 'compression', 'server/json', 'server/websocket', 'server/foxglove', 'server/lsp'],
+    'server/api': ['map', 'map/export', 'programs', 'pushes', 'team', 'server/json', 'server/foxglove', 'server/http'],
+    server: ['background', 'ingest', 'map', 'programs', 'pushes', 'team', 'server/foxglove', 'server/api'],
+    record: ['mcap'],
+    replay: ['mcap', 'record'],
+    top: ['ingest', 'team'],
+    commands: ['access', 'pushes'],
+    front: [],
+    'front/demo': ['access', 'ingest', 'front'],
+    'front/doctor': ['front'],
+  },
+  web: {
+    '.': ANY,
+    lib: [],
+    feed: [],
+    bhdl: ['feed'],
+    model: ['lib', 'feed'],
+    parts: ['model'],
+    layout: ['lib', 'parts'],
+    graph: ['feed'],
+    'program/editor': ['lib', 'feed', 'bhdl', 'model'],
+    program: ['lib', 'feed', 'model', 'layout', 'graph', 'program/editor'],
+    vision: ['lib', 'feed', 'bhdl', 'model', 'parts', 'layout', 'program'],
+    map: ['lib', 'feed', 'bhdl', 'model', 'parts', 'layout', 'vision'],
+    plots: ['lib', 'feed', 'model', 'layout'],
+    variables: ['lib', 'feed', 'model', 'layout', 'map', 'plots'],
+    machine: ['lib', 'feed', 'bhdl', 'model', 'parts', 'layout', 'graph', 'program'],
+    why: ['lib', 'feed', 'model', 'layout', 'program'],
+    timeline: ['lib', 'model', 'parts', 'layout'],
+    referee: ['lib', 'feed', 'model', 'parts', 'layout'],
+    team: ['lib', 'feed', 'model', 'parts', 'layout'],
+    shell: ANY,
+  },
+};
+
+/** The room of `path` and its top folder; undefined for what is in none, such as the generated. */
+export function roomOf(path) {
+  const inside = path.startsWith('web/src/') ? `web/${path.slice('web/src/'.length)}` : path;
+  const [top, ...rest] = inside.split('/');
+  if (!(top in rooms) || rest.length === 0 || (top === 'web' && inside === path)) return undefined;
+  return { top, room: rest.slice(0, -1).join('/') || '.' };
+}
+
+/** Why a file of room `from` may not include one of room `to`; undefined where it may. */
+export function offence(from, to) {
+  if (!from || !to || from.top !== to.top || from.room === to.room) return undefined;
+  const allowed = rooms[from.top][from.room];
+  if (allowed === undefined) return `${from.top}/${from.room} is a room that rooms.mjs does not know`;
+  if (allowed === ANY || allowed.includes(to.room)) return undefined;
+  return `${from.top}/${from.room} may not include ${from.top}/${to.room}`;
+}
+
+/** A way in a circle through the rooms of `top`, as a list of them; undefined where there is none. */
+export function circle(top) {
+  const done = new Set();
+  const walk = (room, way) => {
+    if (way.includes(room)) return [...way.slice(way.indexOf(room)), room];
+    if (done.has(room)) return undefined;
+    const below = rooms[top][room];
+    for (const next of below === ANY ? [] : below) {
+      const found = walk(next, [...way, room]);
+      if (found) return found;
+    }
+    done.add(room);
+    return undefined;
+  };
+  return Object.keys(rooms[top]).map((room) => walk(room, [])).find(Boolean);
+}

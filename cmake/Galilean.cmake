@@ -61,7 +61,8 @@ function(galilean_benchmark name)
   galilean_precompile(${name} galilean_headers)
 endfunction()
 
-# galilean_test(NAME [THREADS] [DDS] [LONG] SOURCES a_test.cpp … LINK lib …): a GoogleTest program, run by ctest.
+# galilean_test(NAME [THREADS] [DDS] [LONG] SOURCES a_test.cpp … LINK lib …): a GoogleTest program,
+# run by ctest.
 # One program a folder keeps linking cheap; ctest still lists every test by its own name.
 # THREADS marks tests that run under ThreadSanitizer as well; DDS those that must not run beside one
 # another, since they would hear one another; LONG those that would take minutes under sanitizers.

@@ -55,6 +55,11 @@ test('build files list their sources', () => {
   assert.deepEqual(files.filter((file) => /file\s*\(\s*GLOB/i.test(readFileSync(`${root}/${file}`, 'utf8'))), []);
 });
 
+test('no line of a build file is over 110 columns', () => {
+  const long = (file) => readFileSync(`${root}/${file}`, 'utf8').split('\n').filter((line) => line.length > 110);
+  assert.deepEqual(filesNamed('CMakeLists.txt', '*.cmake').flatMap((file) => long(file).map((line) => `${file}: ${line}`)), []);
+});
+
 const pageSources = filesNamed('*.ts', '*.svelte').filter((file) => file.startsWith('web/src/'));
 
 function imports(file) {

@@ -5,6 +5,7 @@
 
 #include "bhdl/check/extension.h"
 #include "bhdl/check/vocabulary.h"
+#include "bhdl/program/program.h"
 #include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax/syntax.h"
 

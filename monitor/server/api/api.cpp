@@ -6,7 +6,7 @@
 #include "monitor/server/api/metrics.h"
 #include "monitor/server/api/team_json.h"
 #include "monitor/server/http/http_caching.h"
-#include "monitor/server/json/request_fields.h"
+#include "monitor/server/text/request_fields.h"
 
 namespace galilean::monitor {
 namespace {

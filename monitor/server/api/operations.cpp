@@ -5,7 +5,7 @@
 #include "bhdl/diff/diff.h"
 #include "core/wire/topics.h"
 #include "monitor/pushes/json.h"
-#include "monitor/server/json/request_fields.h"
+#include "monitor/server/text/request_fields.h"
 
 namespace galilean::monitor {
 namespace {

@@ -3,7 +3,7 @@
 #include "monitor/access/access.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/foxglove/foxglove_request.h"
-#include "monitor/server/json/json_text.h"
+#include "monitor/server/text/json_text.h"
 
 namespace galilean::monitor::foxglove {
 namespace {

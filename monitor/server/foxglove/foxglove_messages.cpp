@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "monitor/server/json/json_text.h"
+#include "monitor/server/text/json_text.h"
 
 namespace galilean::monitor::foxglove {
 namespace {

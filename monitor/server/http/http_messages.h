@@ -46,9 +46,4 @@ using HttpHandler = std::function<void(const HttpRequest&, Respond)>;
 /// 401 where nothing is known of who asks, else 403: this needs a right that `has` is not.
 [[nodiscard]] HttpResponse refusal(Right has, Right needs);
 
-/// "a%20b" -> "a b"; what is no escape stays as it is.
-[[nodiscard]] std::string percent_decoded(std::string_view text);
-/// "io" of ("/lsp?robot=io&token=x", "robot"), decoded; empty where the query does not name it.
-[[nodiscard]] std::string query_value(std::string_view target, std::string_view name);
-
 }  // namespace galilean::monitor

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "monitor/server/http/websocket_session.h"
+#include "monitor/server/text/url_text.h"
 
 namespace galilean::monitor {
 namespace {

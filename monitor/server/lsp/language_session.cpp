@@ -7,6 +7,7 @@
 #include <deque>
 
 #include "bhdl/lsp/server.h"
+#include "monitor/server/text/url_text.h"
 
 namespace galilean::monitor {
 namespace {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "monitor/server/http/page_files.h"
+#include "monitor/server/text/url_text.h"
 
 namespace galilean::monitor {
 namespace {

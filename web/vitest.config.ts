@@ -1,9 +1,17 @@
+import { svelte } from "@sveltejs/vite-plugin-svelte";
 import { defineConfig } from "vitest/config";
 import { grammars } from "./grammar_plugin";
 
-// By number: where /etc/hosts is missing nobody knows localhost.
 export default defineConfig({
-  plugins: [grammars()],
+  plugins: [svelte(), grammars()],
+  // What has Svelte's state in it is tested as a browser runs it.
+  resolve: { conditions: ["browser"] },
+  // By number: where /etc/hosts is missing nobody knows localhost.
   server: { host: "127.0.0.1" },
-  test: { include: ["tests/**/*.test.ts"], environment: "node", testTimeout: 30_000 },
+  test: {
+    include: ["tests/**/*.test.ts"],
+    environment: "node",
+    testTransformMode: { web: ["**/*.svelte.test.ts"] },
+    testTimeout: 30_000,
+  },
 });

@@ -72,6 +72,25 @@ test("the graph follows as one types, without being asked", async () => {
   await at("editor-close").click();
 });
 
+test("of two programs that are chosen one after the other the second is edited, though the first comes last", async () => {
+  const first = "**/api/programs/office_cleanup.bhdl";
+  let release;
+  const held = new Promise((resolve) => (release = resolve));
+  await tab.page.route(first, (route) => held.then(() => route.continue()));
+  const late = tab.page.waitForResponse(first);
+  await at("program-select").selectOption("office_cleanup.bhdl");
+  await at("program-select").selectOption("sit_and_spin.bhdl");
+  await at("edit-button").click();
+  await at("editor-graph").locator("[data-state=move_at_random]").waitFor();
+  release();
+  await (await late).finished();
+  await tab.page.evaluate(() => new Promise(requestAnimationFrame));
+  assert.equal(await at("program-select").inputValue(), "sit_and_spin.bhdl");
+  await at("editor-graph").locator("[data-state=move_at_random]").waitFor();
+  await at("program-editor").getByText("move_at_random").first().waitFor();
+  await at("editor-close").click();
+});
+
 test("a program is pushed to one robot, each answer stands there, and the one that drifts raises an alarm", async () => {
   await at("program-select").selectOption("sit_and_spin.bhdl");
   await at("push-target").selectOption("io");

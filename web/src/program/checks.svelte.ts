@@ -1,50 +1,74 @@
-import type { Diagnostic } from "../feed/messages";
+import type { Diagnostic, Machine, Program } from "../feed/messages";
 import * as api from "../feed/api";
+import { Latest } from "../lib/latest";
 import { withKnownFixes } from "./editor/quick_fixes";
 import { live } from "../model/live.svelte";
 import type { Bench } from "./bench.svelte";
+import type { Draft } from "./draft";
+import { TypedProblems } from "./typed_problems.svelte";
+
+/** What the monitor says of one draft. */
+interface Verdict {
+  readonly draft: Draft;
+  readonly result: api.CheckResult;
+  /** The program that it was compared with. */
+  readonly against?: Program;
+}
 
 /** What the monitor and the language server say of the program on the bench. */
 export class Checks {
-  result = $state.raw<api.CheckResult>();
-  /** The text that `result` speaks of. */
-  #checked = $state("");
-  /** What the language server says of each file as one types. */
-  #typed = $state.raw<ReadonlyMap<string, readonly Diagnostic[]>>(new Map());
+  #verdict = $state.raw<Verdict>();
+  #drawn = $state.raw<{ readonly generation: number; readonly machine: Machine }>();
+  #asked = new Latest();
+  readonly typed: TypedProblems;
 
-  constructor(private readonly bench: Bench) {}
+  constructor(private readonly bench: Bench) {
+    this.typed = new TypedProblems(bench);
+  }
 
-  readonly #text: string = $derived.by(() => JSON.stringify(this.bench.files));
-  readonly isChecked: boolean = $derived(this.#checked === this.#text && this.result !== undefined);
-  readonly #problemsTyped: Diagnostic[] = $derived.by(() => this.bench.files.flatMap(({ path }) => this.#typed.get(path) ?? []));
-  readonly diagnostics: Diagnostic[] = $derived(
-    this.isChecked ? withKnownFixes(this.result?.diagnostics ?? [], this.#problemsTyped) : this.#problemsTyped,
+  readonly #current: Verdict | undefined = $derived.by(() => (this.#verdict?.draft === this.bench.draft ? this.#verdict : undefined));
+  readonly #isComparedWithRunning: boolean = $derived(this.#current?.against?.hash === live.robot?.program?.value.hash);
+  readonly diagnostics: Diagnostic[] = $derived.by(() =>
+    this.verdict ? withKnownFixes(this.verdict.diagnostics, this.typed.problems) : this.typed.problems,
   );
   readonly errors: Diagnostic[] = $derived(this.diagnostics.filter(({ severity }) => severity === "error"));
 
-  /** What comes of it is kept if nobody has typed on meanwhile. */
+  /** What the monitor says of the text as it stands; undefined until it was asked. */
+  get verdict(): api.CheckResult | undefined {
+    return this.#current?.result;
+  }
+
+  /** What the program tells a robot otherwise than the one that the chosen robot runs, in words. */
+  get changes(): readonly string[] | undefined {
+    return this.#isComparedWithRunning ? this.verdict?.changes : undefined;
+  }
+
+  /** Of the last text of this program that had no errors. */
+  get machine(): Machine | undefined {
+    return this.#drawn?.generation === this.bench.generation ? this.#drawn.machine : undefined;
+  }
+
+  /** The monitor was asked about the text as it stands, and compared it with what runs now. */
+  get isUpToDate(): boolean {
+    return this.#current !== undefined && this.#isComparedWithRunning;
+  }
+
+  /** Asks the monitor. Its answer counts unless the text changes, or it is asked again, before it comes. */
   async examine(): Promise<void> {
-    const text = this.#text;
-    const result = await api.check(this.bench.files, live.robot?.name, live.robot?.program?.value.files);
-    if (text !== this.#text) return;
-    this.result = result;
-    this.#checked = text;
+    const { draft } = this.bench;
+    const against = live.robot?.program?.value;
+    await this.#asked.take(api.check(draft.files, live.robot?.name, against?.files), (result) => this.#note({ draft, result, against }));
   }
 
-  refused(diagnostics: readonly Diagnostic[]): void {
-    this.result = { ok: false, hash: "", diagnostics: [...diagnostics] };
-    this.#checked = this.#text;
+  /** The monitor refused to push a draft, which may have left the bench since. */
+  refused(draft: Draft, diagnostics: readonly Diagnostic[]): void {
+    this.#note({ draft, result: { ok: false, hash: "", diagnostics: [...diagnostics] } });
   }
 
-  forget(): void {
-    this.result = undefined;
-  }
-
-  noteProblems(path: string, problems: readonly Diagnostic[]): void {
-    this.#typed = new Map(this.#typed).set(path, problems);
-  }
-
-  forgetProblems(): void {
-    this.#typed = new Map();
+  #note(verdict: Verdict): void {
+    if (verdict.draft !== this.bench.draft) return;
+    this.#verdict = verdict;
+    const { machine } = verdict.result;
+    if (machine) this.#drawn = { generation: this.bench.generation, machine };
   }
 }

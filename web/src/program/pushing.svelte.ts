@@ -1,13 +1,24 @@
 import type { SourceFile } from "../feed/messages";
 import * as api from "../feed/api";
+import { Latest } from "../lib/latest";
 import { live } from "../model/live.svelte";
 import type { Bench } from "./bench.svelte";
+import type { Checks } from "./checks.svelte";
+import type { Draft } from "./draft";
 import { runningHash, runningProgram } from "./running";
+
+/** Whether to push this draft, which was checked, to these robots. Empty `targets` mean the whole team. */
+export interface Question {
+  readonly draft: Draft;
+  /** Of the program; empty if it has errors. */
+  readonly hash: string;
+  readonly targets: readonly string[];
+}
 
 /** How the program on the bench comes to robots, and how they come back to what ran before. */
 export class Pushing {
-  /** Whom a push would go to; undefined: none is being asked about. */
-  asking = $state<string[]>();
+  #question = $state.raw<Question>();
+  #checks = new Latest();
   /** The way that the next push takes. */
   tries = $state(false);
   canary = $state("");
@@ -16,12 +27,43 @@ export class Pushing {
   /** What ran before a push of this page, for going back. */
   #before = new Map<string, { files: readonly SourceFile[]; targets: readonly string[] }>();
 
-  constructor(private readonly bench: Bench) {}
+  constructor(
+    private readonly bench: Bench,
+    private readonly checks: Checks,
+  ) {}
 
-  async push(targets: readonly string[]): Promise<void> {
+  /** What waits for the one confirming click. It is withdrawn when what stands on the bench is no longer what it is about. */
+  get question(): Question | undefined {
+    return this.#question?.draft === this.bench.draft ? this.#question : undefined;
+  }
+
+  /** Puts the question once `check` has come to its end, unless the bench has another text by then. */
+  async ask(targets: readonly string[], check: Promise<void>): Promise<void> {
+    this.withdraw();
+    const { draft } = this.bench;
+    await this.#checks.take(check, () => {
+      const { verdict } = this.checks;
+      if (verdict && draft === this.bench.draft) this.#question = { draft, hash: verdict.hash, targets };
+    });
+  }
+
+  /** Also of a question that is yet to be put. */
+  withdraw(): void {
+    this.#checks.supersede();
+    this.#question = undefined;
+  }
+
+  /** Pushes what was asked about. */
+  async confirm({ draft, targets }: Question): Promise<void> {
+    this.withdraw();
     const canary = this.canary !== "" && targets.length !== 1 ? this.canary : "";
     const way = { tries: this.tries, canary, probation_s: this.probation_s, replaces: runningHash(targets) };
-    await this.#send(this.bench.files, targets, way);
+    try {
+      await this.#send(draft.files, targets, way);
+    } catch (error) {
+      if (error instanceof api.Refusal && error.diagnostics.length) this.checks.refused(draft, error.diagnostics);
+      throw error;
+    }
   }
 
   canGoBack(id: string): boolean {

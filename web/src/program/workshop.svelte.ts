@@ -15,48 +15,52 @@ export class Workshop {
   readonly library = new Library();
   readonly bench = new Bench();
   readonly checks = new Checks(this.bench);
-  readonly pushing = new Pushing(this.bench);
+  readonly pushing = new Pushing(this.bench, this.checks);
 
   async list(): Promise<void> {
     await this.attempts.make(() => this.library.list());
   }
 
-  /** A shipped program by its name, or one pushed before by its hash. */
-  async choose(key: string): Promise<void> {
-    this.bench.chosen = key;
-    this.pushing.asking = undefined;
-    await this.attempts.make(async () => this.#take(await this.library.read(key)));
+  /**
+   * Puts a shipped program on the bench by its name, or one pushed before by its hash.
+   * Returns whether it stands there: not if the monitor refuses, or if something else is chosen or edited meanwhile.
+   */
+  async choose(key: string): Promise<boolean> {
+    this.pushing.withdraw();
+    return (await this.attempts.make(() => this.bench.load(key, this.library.read(key)))) === true;
   }
 
   /** Puts what a robot runs on the bench. */
   takeRunning(): void {
     const program = live.robot?.program?.value;
-    if (!program) return;
-    this.bench.chosen = "";
-    this.#take(program.files);
+    if (program) this.#take(program.files);
   }
 
   /** Puts files on the bench that somebody changed elsewhere on the page, and shows the one that is changed. */
   takeChanged(files: readonly SourceFile[], changed: number): void {
-    this.bench.chosen = "";
-    this.#take(files);
-    this.bench.open = changed;
-    this.bench.edited = true;
+    this.bench.put({ chosen: "", files, edited: true }, changed);
   }
 
   /** Shows a place of the program that runs, or of the one with that hash; what somebody edits stays on the bench. */
   async showRunning(place: Place, hash = live.robot?.program?.value.hash): Promise<void> {
-    if (!this.bench.edited) await this.#takeByHash(hash);
-    this.show(place);
+    if (this.bench.draft.edited || (await this.#takeByHash(hash))) this.show(place);
   }
 
-  /** The program that a robot runs, or one that ran before and was pushed through the monitor. */
-  async #takeByHash(hash: string | undefined): Promise<void> {
+  /**
+   * Puts the program that a robot runs on the bench, or one that was pushed before, or else what the chosen robot runs.
+   * Returns false if something else is chosen meanwhile.
+   */
+  async #takeByHash(hash: string | undefined): Promise<boolean> {
     const running = live.robots.find(({ program }) => program?.value.hash === hash)?.program?.value;
-    const files = running?.files ?? (hash ? await api.readPushed(hash).catch(() => undefined) : undefined);
-    this.bench.chosen = "";
-    if (files) this.#take(files);
-    else this.takeRunning();
+    if (running) this.#take(running.files);
+    else if (!hash) this.takeRunning();
+    // Where somebody types meanwhile, that stays, as everything that is edited does.
+    else return this.bench.load("", this.#readPushed(hash)).catch(() => true);
+    return true;
+  }
+
+  #readPushed(hash: string): Promise<readonly SourceFile[]> {
+    return api.readPushed(hash).catch(() => live.robot?.program?.value.files ?? this.bench.files);
   }
 
   show(place: Place): void {
@@ -66,51 +70,45 @@ export class Workshop {
 
   /** As `check`, unasked while one types: says nothing where the monitor does not answer. */
   async preview(): Promise<void> {
-    if (this.bench.files.length > 0 && !this.checks.isChecked && !this.attempts.busy) await this.checks.examine().catch(() => {});
+    if (this.bench.files.length > 0 && !this.checks.isUpToDate && !this.attempts.busy) await this.checks.examine().catch(() => {});
+  }
+
+  /** Nothing is checked under the name of a program that is still on its way. */
+  get canCheck(): boolean {
+    return this.bench.files.length > 0 && !this.bench.isLoading;
   }
 
   async check(): Promise<void> {
-    if (this.bench.files.length > 0) await this.attempts.make(() => this.checks.examine());
+    if (this.canCheck) await this.attempts.make(() => this.checks.examine());
   }
 
   /** Checks, then asks for the one confirming click. */
-  async ask(targets: string[]): Promise<void> {
-    await this.check();
-    if (this.checks.isChecked) this.pushing.asking = targets;
+  async ask(targets: readonly string[]): Promise<void> {
+    if (this.canCheck) await this.pushing.ask(targets, this.check());
   }
 
   async push(): Promise<void> {
-    const targets = this.pushing.asking;
-    if (!targets) return;
-    this.pushing.asking = undefined;
-    await this.attempts.make(() => this.#withDiagnostics(this.pushing.push(targets)));
+    const { question } = this.pushing;
+    if (!question) return;
+    await this.attempts.make(() => this.pushing.confirm(question));
     await this.library.refreshHistory();
   }
 
   /** Puts a program that was pushed before on the bench and asks for the one confirming click. */
   async restore(hash: string): Promise<void> {
-    await this.choose(hash);
-    if (this.attempts.failure === undefined) await this.ask([]);
+    if (await this.choose(hash)) await this.ask([]);
   }
 
   async goBack(id: string, pushedHash: string): Promise<void> {
-    await this.attempts.make(() => this.#withDiagnostics(this.pushing.goBack(id, pushedHash)));
+    await this.attempts.make(() => this.pushing.goBack(id, pushedHash));
   }
 
   async cancel(id: string): Promise<void> {
-    await this.attempts.make(async () => void (await api.cancelPush(id)));
+    await this.attempts.make(() => api.cancelPush(id));
   }
 
   #take(files: readonly SourceFile[]): void {
-    this.bench.take(files);
-    this.checks.forget();
-  }
-
-  async #withDiagnostics(push: Promise<void>): Promise<void> {
-    await push.catch((error: unknown) => {
-      if (error instanceof api.Refusal && error.diagnostics.length) this.checks.refused(error.diagnostics);
-      throw error;
-    });
+    this.bench.put({ chosen: "", files, edited: false });
   }
 }
 

@@ -191,6 +191,8 @@ export interface Fix {
   from: { line: number; column: number };
   to: { line: number; column: number };
   text: string;
+  /** The text of the whole file that it puts right; in any other its places are others. */
+  of: string;
 }
 
 export const replyStatuses = ["no_answer", "received", "rejected", "running", "confirmed", "rolled_back"] as const;

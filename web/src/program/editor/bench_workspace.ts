@@ -16,13 +16,13 @@ export const pathOf = (uri: string): string => decodeURIComponent(uri.replace(/^
 
 class BenchFile implements WorkspaceFile {
   readonly languageId = "bhdl";
-  version = 0;
   view: EditorView | null = null;
   /** Changes that were made without a view and that the server does not know yet. */
   unsent: ChangeSet | undefined;
 
   constructor(
     readonly uri: string,
+    public version: number,
     public doc: Text,
   ) {}
   getView(): EditorView | null {
@@ -38,6 +38,10 @@ const textOf = (text: string): Text => Text.of(text.split(/\r\n?|\n/));
 /** Every file on the bench is open at the server; at most one of them has an editor. */
 export class BenchWorkspace extends Workspace {
   files: BenchFile[] = [];
+  /** Grows with each program that comes onto the bench. */
+  generation = 0;
+  /** No two texts of a file have one version, even where it leaves the bench between them. */
+  #version = 0;
 
   constructor(
     client: LSPClient,
@@ -46,7 +50,13 @@ export class BenchWorkspace extends Workspace {
     super(client);
   }
 
+  /** The text of each file, as it is edited, by the file's URI. */
+  get texts(): ReadonlyMap<string, Text> {
+    return new Map(this.files.map((file) => [file.uri, file.view?.state.doc ?? file.text]));
+  }
+
   put(files: readonly SourceFile[]): void {
+    this.generation += 1;
     const wanted = new Map(files.map(({ path, text }) => [uriOf(path), text]));
     for (const file of this.files.filter(({ uri }) => !wanted.has(uri))) this.#drop(file);
     for (const [uri, text] of wanted) this.#take(uri, textOf(text));
@@ -69,7 +79,7 @@ export class BenchWorkspace extends Workspace {
       if (!changes || changes.empty) return [];
       const prevDoc = file.doc;
       file.doc = plugin ? plugin.view.state.doc : changes.apply(prevDoc);
-      file.version += 1;
+      file.version = this.#version++;
       file.unsent = undefined;
       plugin?.clear();
       return [{ file, prevDoc, changes }];
@@ -108,7 +118,7 @@ export class BenchWorkspace extends Workspace {
   #take(uri: string, text: Text): void {
     const file = this.getFile(uri);
     if (!file) {
-      const opened = new BenchFile(uri, text);
+      const opened = new BenchFile(uri, this.#version++, text);
       this.files.push(opened);
       this.client.didOpen(opened);
     } else if (!file.view && !file.text.eq(text)) {

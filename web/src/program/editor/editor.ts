@@ -3,10 +3,11 @@
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { bracketMatching, foldGutter, foldKeymap } from "@codemirror/language";
 import { type Action, type Diagnostic as Mark, lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
-import { type Extension, StateEffect, StateField, type Text } from "@codemirror/state";
+import { type Extension, StateEffect, StateField } from "@codemirror/state";
 import { Decoration, type DecorationSet, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
 import type { Diagnostic, Fix } from "../../feed/messages";
 import { bhdl } from "../../bhdl/language";
+import { changeOf, offsetOf } from "../../lib/fix_change";
 
 const setRunningLine = StateEffect.define<number | undefined>();
 const runningLine = StateField.define<DecorationSet>({
@@ -40,16 +41,11 @@ const look = EditorView.theme({
   },
 });
 
-function offsetOf(doc: Text, { line, column }: { line: number; column: number }): number {
-  const at = doc.line(Math.min(Math.max(line, 1), doc.lines));
-  return Math.min(at.from + Math.max(column - 1, 0), at.to);
-}
-
 const actionOf = (fix: Fix): Action => ({
   name: fix.title,
   apply: (view) => {
-    const { doc } = view.state;
-    view.dispatch({ changes: { from: offsetOf(doc, fix.from), to: offsetOf(doc, fix.to), insert: fix.text }, userEvent: "input.fix" });
+    const changes = changeOf(fix, view.state.doc);
+    if (changes) view.dispatch({ changes, userEvent: "input.fix" });
   },
 });
 

@@ -2,13 +2,14 @@
 // layout and problems as one types. Without it the editor still edits.
 
 import {
-  findReferencesKeymap, formatKeymap, hoverTooltips, jumpToDefinitionKeymap, LSPClient, renameKeymap, serverCompletion,
+  findReferencesKeymap, formatKeymap, hoverTooltips, jumpToDefinitionKeymap, renameKeymap, serverCompletion,
   serverDiagnostics, type Transport,
 } from "@codemirror/lsp-client";
 import type { Extension } from "@codemirror/state";
 import { keymap } from "@codemirror/view";
 import type { Diagnostic, SourceFile } from "../../feed/messages";
-import { type Bench, BenchWorkspace, pathOf, uriOf } from "./bench_workspace";
+import { BenchClient } from "../../lib/bench_client";
+import { type Bench, pathOf, uriOf } from "./bench_workspace";
 import { harmless } from "./harmless_html";
 import { problemsFrom, type PublishedProblems } from "./problems";
 import { type CodeAction, withFixes } from "./quick_fixes";
@@ -50,18 +51,16 @@ class SocketTransport implements Transport {
 }
 
 export class LanguageServer {
-  #client: LSPClient;
-  #workspace!: BenchWorkspace;
+  #client: BenchClient;
   #transport: SocketTransport | undefined;
 
   constructor(events: LanguageEvents) {
-    this.#client = new LSPClient({
+    this.#client = new BenchClient(events, {
       rootUri: uriOf(""),
       sanitizeHTML: harmless,
-      workspace: (client) => (this.#workspace = new BenchWorkspace(client, events)),
       notificationHandlers: {
         "textDocument/publishDiagnostics": (_, params: PublishedProblems) => {
-          if (this.#workspace.isNewest(params.uri, params.version)) void this.#tell(params, events);
+          if (this.#client.files.isNewest(params.uri, params.version)) void this.#tell(params, events);
           return true;
         },
       },
@@ -89,7 +88,8 @@ export class LanguageServer {
     const context = { diagnostics: [], only: ["quickfix"] };
     const ask = this.#client.request<object, CodeAction[] | null>("textDocument/codeAction", { textDocument: { uri }, range, context });
     const actions = await ask.catch(() => null); // without them the problems still stand
-    if (actions?.length && this.#workspace.isNewest(uri, version)) events.problems(path, withFixes(problems, actions));
+    const text = this.#client.files.getFile(uri)?.doc.toString();
+    if (actions?.length && text !== undefined && this.#client.files.isNewest(uri, version)) events.problems(path, withFixes(problems, actions, text));
   }
 
   /** Does nothing while connected. `robot`: whose catalog programs are checked against. */
@@ -103,7 +103,7 @@ export class LanguageServer {
 
   /** Shows the server which files there are, and what they hold. */
   put(files: readonly SourceFile[]): void {
-    this.#workspace.put(files);
+    this.#client.files.put(files);
   }
 
   /** What an editor of this file takes to be served. */

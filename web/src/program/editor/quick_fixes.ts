@@ -19,21 +19,21 @@ export interface CodeAction {
   };
 }
 
-const fixOf = ({ title, edit }: CodeAction): Fix | undefined => {
+const fixOf = ({ title, edit }: CodeAction, of: string): Fix | undefined => {
   const edits = edit?.documentChanges?.flatMap((change) => change.edits) ?? Object.values(edit?.changes ?? {}).flat();
   const only = edits.length === 1 ? edits[0] : undefined;
-  return only && { title, from: placeOf(only.range.start), to: placeOf(only.range.end), text: only.newText };
+  return only && { title, from: placeOf(only.range.start), to: placeOf(only.range.end), text: only.newText, of };
 };
 
 const placeOf = ({ line, character }: Place) => ({ line: line + 1, column: character + 1 });
 
 const key = (line: number, column: number, code: string) => `${line}:${column} ${code}`;
 
-/** The problems, each with what would put it right, where the language server knows that. */
-export function withFixes(problems: readonly Diagnostic[], actions: readonly CodeAction[]): Diagnostic[] {
+/** The problems of a text, each with what would put it right, where the language server knows that. */
+export function withFixes(problems: readonly Diagnostic[], actions: readonly CodeAction[], text: string): Diagnostic[] {
   const fixes = new Map<string, Fix>();
   for (const action of actions) {
-    const fix = fixOf(action);
+    const fix = fixOf(action, text);
     for (const { range, code } of action.diagnostics ?? [])
       if (fix) fixes.set(key(range.start.line + 1, range.start.character + 1, String(code ?? "")), fix);
   }

@@ -5,7 +5,7 @@ const problem = { file: "a.bhdl", line: 2, column: 3, severity: "error", code: "
 const other = { ...problem, line: 5 };
 const range = { start: { line: 1, character: 2 }, end: { line: 1, character: 6 } };
 const inside = { start: { line: 1, character: 3 }, end: { line: 1, character: 5 } };
-const fix = { title: "Change to 'go'", from: { line: 2, column: 4 }, to: { line: 2, column: 6 }, text: "go" };
+const fix = { title: "Change to 'go'", from: { line: 2, column: 4 }, to: { line: 2, column: 6 }, text: "go", of: "\n   og" };
 
 it("gives a problem the one edit that puts it right", () => {
   const diagnostics = [{ range, code: problem.code }];
@@ -13,13 +13,13 @@ it("gives a problem the one edit that puts it right", () => {
     { changes: { "file:///a.bhdl": [{ range: inside, newText: "go" }] } },
     { documentChanges: [{ edits: [{ range: inside, newText: "go" }] }] },
   ])
-    expect(withFixes([problem, other], [{ title: fix.title, diagnostics, edit }])).toEqual([{ ...problem, fix }, other]);
+    expect(withFixes([problem, other], [{ title: fix.title, diagnostics, edit }], fix.of)).toEqual([{ ...problem, fix }, other]);
 });
 
 it("leaves out what would need several edits", () => {
   const edits = [{ range: inside, newText: "go" }, { range, newText: "" }];
   const action = { title: fix.title, diagnostics: [{ range, code: problem.code }], edit: { documentChanges: [{ edits }] } };
-  expect(withFixes([problem], [action])).toEqual([problem]);
+  expect(withFixes([problem], [action], fix.of)).toEqual([problem]);
 });
 
 it("knows a problem again that the monitor's check tells", () => {

@@ -1,0 +1,81 @@
+import type { Transport } from "@codemirror/lsp-client";
+import { beforeEach, expect, it } from "vitest";
+import { BenchClient } from "../../src/lib/bench_client";
+
+const A = "file:///a.bhdl";
+const asked = { textDocument: { uri: A } };
+
+/** A server that answers `initialize`, and the rest when the test says so. */
+class SlowServer implements Transport {
+  versions: number[] = [];
+  #waiting: number[] = [];
+  #handle: (message: string) => void = () => {};
+  send(text: string): void {
+    const { id, method, params } = JSON.parse(text) as { id?: number; method: string; params: { textDocument: { version: number } } };
+    if (method === "initialize") this.#tell(id!, { capabilities: { textDocumentSync: 2 } });
+    else if (id !== undefined) this.#waiting.push(id);
+    else if (/did(Open|Change)/.test(method)) this.versions.push(params.textDocument.version);
+  }
+  answer(result: unknown): void {
+    this.#waiting.splice(0).forEach((id) => this.#tell(id, result));
+  }
+  subscribe(handler: (message: string) => void): void {
+    this.#handle = handler;
+  }
+  unsubscribe(): void {}
+  #tell(id: number, result: unknown): void {
+    this.#handle(JSON.stringify({ jsonrpc: "2.0", id, result }));
+  }
+}
+
+let server: SlowServer;
+let client: BenchClient;
+const edit = () => client.files.updateFile(A, { changes: { from: 0, insert: "; " } });
+const asking = async (method: string) => {
+  const answer = client.request(method, asked);
+  answer.catch(() => {});
+  await Promise.resolve();
+  await Promise.resolve();
+  return { answer };
+};
+beforeEach(async () => {
+  server = new SlowServer();
+  client = new BenchClient({ display: () => Promise.resolve(null), edited: () => {} }, {});
+  client.files.put([{ path: "a.bhdl", text: "a" }]);
+  await client.connect(server).initializing;
+});
+
+it.each(["textDocument/formatting", "textDocument/rename"])("does not let %s change a text that was edited meanwhile, and says so", async (method) => {
+  const { answer } = await asking(method);
+  edit();
+  server.answer([{}]);
+  await expect(answer).rejects.toThrow("edited meanwhile");
+});
+
+it.each(["textDocument/formatting", "textDocument/rename"])("gives the answer to %s of the text that stands", async (method) => {
+  const { answer } = await asking(method);
+  server.answer([{}]);
+  expect(await answer).toEqual([{}]);
+});
+
+it("gives answers that change nothing though somebody types on", async () => {
+  const { answer } = await asking("textDocument/completion");
+  edit();
+  server.answer([{}]);
+  expect(await answer).toEqual([{}]);
+});
+
+it.each(["textDocument/formatting", "textDocument/definition"])("drops the answer to %s of a program that has left the bench", async (method) => {
+  const { answer } = await asking(method);
+  client.files.put([{ path: "a.bhdl", text: "another" }]);
+  server.answer([{}]);
+  expect(await answer).toBeNull();
+});
+
+it("gives no two texts of a file the same version, though it leaves the bench between them", async () => {
+  client.files.put([]);
+  client.files.put([{ path: "a.bhdl", text: "another" }]);
+  edit();
+  await Promise.resolve();
+  expect(new Set(server.versions).size).toBe(3);
+});

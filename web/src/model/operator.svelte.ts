@@ -1,16 +1,21 @@
 // What the operator tells the robots.
 
 import { type CommandKind, command } from "../feed/api";
+import { Attempts } from "../lib/attempts.svelte";
 import { live } from "./live.svelte";
 
-class Operator {
-  /** What went wrong with the last word, until the next. */
-  failure = $state<string>();
+export class Operator {
+  #attempts = new Attempts();
   askingToResume = $state(false);
 
   readonly held: string[] = $derived(
     [...live.present.robots.values()].filter(({ state }) => state?.value.held && !state.value.out_of_service).map((robot) => robot.name),
   );
+
+  /** What went wrong with the last words, until the next. */
+  get failure(): string | undefined {
+    return this.#attempts.failure;
+  }
 
   /** Acts at once. */
   stopAll(): void {
@@ -42,12 +47,7 @@ class Operator {
   }
 
   async #say(kind: CommandKind, targets: readonly string[], failed: string): Promise<void> {
-    this.failure = undefined;
-    try {
-      await command(kind, targets);
-    } catch (error) {
-      this.failure = `${failed}: ${(error as Error).message}`;
-    }
+    await this.#attempts.make(() => command(kind, targets), ({ message }) => `${failed}: ${message}`);
   }
 }
 

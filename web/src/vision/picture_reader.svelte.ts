@@ -2,6 +2,7 @@ import type { CompressedImage, Time } from "../feed/messages";
 import { type Picture, pictureTopic } from "../feed/topics";
 import { live } from "../model/live.svelte";
 import type { Feed } from "../feed/feed";
+import { Latest } from "../lib/latest";
 
 const RATE_OVER = 10;
 
@@ -16,37 +17,55 @@ export class PictureReader {
   taken = $state.raw<Time>();
   #times: number[] = [];
   #busy = false;
+  #topic = "";
+  #pictures = new Latest();
 
-  /** Until the returned function is called; `drawn` is told of each picture on the canvas. */
+  /** Until the returned function is called, which no picture outlives; `drawn` is told of each one on the canvas. */
   read(feed: Feed, robot: string, picture: Picture, canvas: HTMLCanvasElement, drawn?: () => void): () => void {
     const topic = pictureTopic(robot, picture);
+    if (topic !== this.#topic) this.#begin(topic);
     const release = feed.want(topic);
-    const silence = live.onMessage(topic, (image) => void this.#draw(image as CompressedImage, canvas).then(drawn));
+    const silence = live.onMessage(topic, (image) => void this.#draw(image as CompressedImage, canvas, drawn));
     return () => {
+      this.#pictures.supersede();
       release();
       silence();
     };
   }
 
+  /** What was read of another robot or picture says nothing of this one. */
+  #begin(topic: string): void {
+    this.#topic = topic;
+    this.#times = [];
+    [this.count, this.shown_ms, this.rate_hz, this.taken] = [0, 0, 0, undefined];
+  }
+
   /** A picture that comes while one is being drawn is skipped: the next will be newer. */
-  async #draw({ header, data, format }: CompressedImage, canvas: HTMLCanvasElement): Promise<void> {
+  async #draw({ header, data, format }: CompressedImage, canvas: HTMLCanvasElement, drawn?: () => void): Promise<void> {
     if (this.#busy) return;
     this.#busy = true;
+    const type = format.includes("png") ? "image/png" : "image/jpeg";
+    const decoded = createImageBitmap(new Blob([data as Uint8Array<ArrayBuffer>], { type }));
     try {
-      const type = format.includes("png") ? "image/png" : "image/jpeg";
-      const bitmap = await createImageBitmap(new Blob([data as Uint8Array<ArrayBuffer>], { type }));
-      if (canvas.width !== bitmap.width || canvas.height !== bitmap.height)
-        [canvas.width, canvas.height] = [bitmap.width, bitmap.height];
-      [this.width_px, this.height_px] = [bitmap.width, bitmap.height];
-      canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
-      bitmap.close();
-      this.taken = header.stamp;
-      this.#counted();
+      await this.#pictures.take(decoded, (bitmap) => {
+        this.#show(bitmap, canvas);
+        this.taken = header.stamp;
+        this.#counted();
+        drawn?.();
+      });
     } catch {
       live.trouble = `A ${format} picture could not be drawn: it is damaged or of an unknown kind.`;
     } finally {
       this.#busy = false;
+      void decoded.then((bitmap) => bitmap.close(), () => {});
     }
+  }
+
+  #show(bitmap: ImageBitmap, canvas: HTMLCanvasElement): void {
+    if (canvas.width !== bitmap.width || canvas.height !== bitmap.height)
+      [canvas.width, canvas.height] = [bitmap.width, bitmap.height];
+    [this.width_px, this.height_px] = [bitmap.width, bitmap.height];
+    canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
   }
 
   #counted(): void {

@@ -4,7 +4,7 @@ import type { Diagnostic, Machine } from "../../src/feed/messages";
 import { Refusal } from "../../src/feed/api";
 import { Workshop } from "../../src/program/workshop.svelte";
 import { Questions } from "../fixture/answers";
-import { live, runs } from "./fake_live.svelte";
+import { live, runs } from "../fixture/fake_live.svelte";
 
 const monitor = vi.hoisted(() => ({ questions: undefined as unknown as Questions }));
 vi.mock("../../src/feed/api", async (original) => {
@@ -12,7 +12,7 @@ vi.mock("../../src/feed/api", async (original) => {
   const operations = ["listPrograms", "listPushed", "readProgram", "readPushed", "check", "push", "cancelPush"];
   return { ...(await original<object>()), ...Object.fromEntries(operations.map((name) => [name, monitor.questions.operation(name)])) };
 });
-vi.mock("../../src/model/live.svelte", () => import("./fake_live.svelte"));
+vi.mock("../../src/model/live.svelte", () => import("../fixture/fake_live.svelte"));
 const ui = vi.hoisted(() => ({ editorOpen: false }));
 vi.mock("../../src/lib/ui.svelte", () => ({ ui }));
 
@@ -29,8 +29,8 @@ const result = (hash: string) => ({ id: "1", hash, state: "running", steps: [], 
 let workshop: Workshop;
 beforeEach(() => {
   questions.asked = [];
+  live.reset();
   live.robots = [runs("io", OFFICE)];
-  live.pushed.mockClear();
   ui.editorOpen = false;
   workshop = new Workshop();
 });

@@ -7,7 +7,7 @@ import { type Extension, StateEffect, StateField } from "@codemirror/state";
 import { Decoration, type DecorationSet, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
 import type { Diagnostic, Fix } from "../../feed/messages";
 import { bhdl } from "../../bhdl/language";
-import { changeOf, offsetOf } from "../../lib/fix_change";
+import { changeOf, offsetOf } from "./fix_change";
 
 const setRunningLine = StateEffect.define<number | undefined>();
 const runningLine = StateField.define<DecorationSet>({

@@ -8,7 +8,7 @@ import {
 import type { Extension } from "@codemirror/state";
 import { keymap } from "@codemirror/view";
 import type { Diagnostic, SourceFile } from "../../feed/messages";
-import { BenchClient } from "../../lib/bench_client";
+import { BenchClient } from "./bench_client";
 import { type Bench, pathOf, uriOf } from "./bench_workspace";
 import { harmless } from "./harmless_html";
 import { problemsFrom, type PublishedProblems } from "./problems";

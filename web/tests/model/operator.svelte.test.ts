@@ -1,13 +1,13 @@
 import { beforeEach, expect, it, vi } from "vitest";
-import { Operator } from "../src/model/operator.svelte";
-import type { Questions } from "./fixture/answers";
+import { Operator } from "../../src/model/operator.svelte";
+import type { Questions } from "../fixture/answers";
 
 const monitor = vi.hoisted(() => ({ questions: undefined as unknown as Questions }));
-vi.mock("../src/feed/api", async () => {
-  monitor.questions = new (await import("./fixture/answers")).Questions();
+vi.mock("../../src/feed/api", async () => {
+  monitor.questions = new (await import("../fixture/answers")).Questions();
   return { command: monitor.questions.operation("command") };
 });
-vi.mock("../src/model/live.svelte", () => import("./fixture/fake_live.svelte"));
+vi.mock("../../src/model/live.svelte", () => import("../fixture/fake_live.svelte"));
 
 const { questions } = monitor;
 let operator: Operator;

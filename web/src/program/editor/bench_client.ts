@@ -1,5 +1,5 @@
 import { LSPClient, type LSPClientConfig } from "@codemirror/lsp-client";
-import { type Bench, BenchWorkspace } from "../program/editor/bench_workspace";
+import { type Bench, BenchWorkspace } from "./bench_workspace";
 
 /** Requests whose answers are changes of the text that was asked about. */
 const CHANGES = new Set(["textDocument/formatting", "textDocument/rename"]);

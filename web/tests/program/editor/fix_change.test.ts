@@ -1,6 +1,6 @@
 import { ChangeSet, Text } from "@codemirror/state";
 import { expect, it } from "vitest";
-import { changeOf, offsetOf } from "../../src/lib/fix_change";
+import { changeOf, offsetOf } from "../../../src/program/editor/fix_change";
 
 const fix = { title: "Change to 'go'", from: { line: 2, column: 3 }, to: { line: 2, column: 5 }, text: "go", of: "state:\n  og" };
 

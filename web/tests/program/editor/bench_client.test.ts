@@ -1,6 +1,6 @@
 import type { Transport } from "@codemirror/lsp-client";
 import { beforeEach, expect, it } from "vitest";
-import { BenchClient } from "../../src/lib/bench_client";
+import { BenchClient } from "../../../src/program/editor/bench_client";
 
 const A = "file:///a.bhdl";
 const asked = { textDocument: { uri: A } };

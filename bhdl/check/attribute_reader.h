@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bhdl/check/symbols.h"
-#include "core/catalog/wiring.h"
+#include "core/catalog/attribute_values.h"
 
 namespace galilean::bhdl {
 

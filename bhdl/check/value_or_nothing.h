@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/catalog/wiring.h"
+#include "core/catalog/attribute_values.h"
 
 namespace galilean::bhdl {
 

@@ -8,8 +8,8 @@
 #include "bhdl/program/expectation.h"
 #include "bhdl/source/location.h"
 #include "bhdl/source/source_file.h"
+#include "core/catalog/attribute_values.h"
 #include "core/catalog/catalog.h"
-#include "core/catalog/wiring.h"
 
 namespace galilean::bhdl {
 

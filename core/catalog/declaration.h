@@ -6,8 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/catalog/attribute_values.h"
 #include "core/catalog/catalog.h"
 #include "core/catalog/wiring.h"
+#include "core/random.h"
+#include "core/variable/type_name.h"
 
 namespace galilean {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/device/devices.h"
+#include "core/device/comm_port.h"
 #include "core/geometry.h"
 
 namespace galilean {

@@ -6,7 +6,9 @@
 #include <string_view>
 #include <utility>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
+#include "core/wire/writer.h"
 
 namespace galilean::wire {
 namespace {

@@ -1,6 +1,7 @@
 #include "core/wire/graph.h"
 
 #include "core/wire/announced.h"
+#include "core/wire/entity.h"
 #include "core/wire/qos.h"
 
 namespace galilean::wire {

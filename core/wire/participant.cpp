@@ -1,4 +1,7 @@
 #include "core/wire/participant.h"
+#include "core/wire/discovery.h"
+#include "core/wire/entity.h"
+#include "core/wire/messages.h"
 
 #include <dds/dds.h>
 

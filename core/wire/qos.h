@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "core/wire/topics.h"
+#include "core/wire/delivery.h"
 
 namespace galilean::wire {
 

@@ -4,8 +4,11 @@
 #include <vector>
 
 #include "core/wire/announced.h"
+#include "core/wire/delivery.h"
+#include "core/wire/entity.h"
+#include "core/wire/participant.h"
 #include "core/wire/qos.h"
-#include "core/wire/topics.h"
+#include "core/wire/reader.h"
 
 namespace galilean::wire {
 namespace {

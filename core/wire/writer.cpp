@@ -4,9 +4,13 @@
 #include <cstddef>
 #include <memory_resource>
 
+#include "core/wire/delivery.h"
+#include "core/wire/entity.h"
 #include "core/wire/lending.h"
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
 #include "core/wire/qos.h"
-#include "core/wire/topics.h"
+#include "core/wire/writer.h"
 
 namespace galilean::wire {
 

@@ -5,6 +5,8 @@
 #include <iostream>
 
 #include "bhdl/program/catalog_file.h"
+#include "core/wire/topic_names.h"
+#include "core/wire/writer.h"
 #include "monitor/commands/push_dialogue.h"
 #include "monitor/pushes/json.h"
 #include "monitor/pushes/target_check.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/wire/delivery.h"
 #include "core/wire/schemas.h"
-#include "core/wire/topics.h"
 
 namespace galilean::monitor {
 

@@ -4,6 +4,9 @@
 #include <exception>
 #include <utility>
 
+#include "core/wire/reader.h"
+#include "core/wire/ros_time.h"
+
 namespace galilean::monitor {
 
 /// What Cyclone's threads may touch.

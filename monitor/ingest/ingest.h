@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/wire/discovery.h"
 #include "core/wire/participant.h"
-#include "core/wire/topics.h"
 #include "monitor/ingest/channel.h"
 
 namespace galilean::monitor {

@@ -5,6 +5,8 @@
 #include <iostream>
 #include <utility>
 
+#include "core/wire/ros_time.h"
+#include "core/wire/topic_names.h"
 #include "monitor/map/export/markers.h"
 
 namespace galilean::monitor {

@@ -10,7 +10,9 @@
 #include <thread>
 #include <vector>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
+#include "core/wire/writer.h"
 #include "monitor/ingest/channel.h"
 #include "monitor/map/team_map.h"
 

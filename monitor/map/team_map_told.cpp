@@ -1,6 +1,7 @@
 #include <cmath>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/ros_time.h"
 #include "monitor/map/team_map.h"
 
 namespace galilean::monitor {

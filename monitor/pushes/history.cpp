@@ -2,7 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/ros_time.h"
 #include "monitor/pushes/sql.h"
 
 namespace galilean::monitor {

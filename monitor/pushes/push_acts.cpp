@@ -3,6 +3,7 @@
 #include <iostream>
 #include <utility>
 
+#include "core/wire/ros_time.h"
 #include "monitor/pushes/json.h"
 #include "monitor/pushes/push_desk.h"
 #include "monitor/pushes/push_words.h"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/wire/ros_time.h"
+#include "core/wire/topic_names.h"
 #include "monitor/pushes/json.h"
 #include "monitor/pushes/push_words.h"
 

@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
+#include "core/wire/writer.h"
 #include "monitor/background/worker.h"
 #include "monitor/pushes/history.h"
 #include "monitor/pushes/open_push.h"

@@ -2,7 +2,8 @@
 
 #include <ctime>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/ros_time.h"
 #include "monitor/pushes/json.h"
 
 namespace galilean::monitor {

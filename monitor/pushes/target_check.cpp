@@ -3,7 +3,8 @@
 #include <random>
 #include <set>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/ros_time.h"
 
 namespace galilean::monitor {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/wire/topics.h"
+#include "core/wire/delivery.h"
 
 namespace galilean::monitor {
 

@@ -5,6 +5,7 @@
 
 #include "core/clock.h"
 #include "core/termination.h"
+#include "core/wire/ros_time.h"
 #include "monitor/record/recorder.h"
 #include "monitor/record/times.h"
 

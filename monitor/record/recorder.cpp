@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include "core/wire/reader.h"
+#include "core/wire/ros_time.h"
 #include "monitor/record/qos_profile.h"
 
 namespace galilean::monitor {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/wake.h"
+#include "core/wire/discovery.h"
 #include "core/wire/participant.h"
 #include "core/wire/schemas.h"
-#include "core/wire/topics.h"
 #include "monitor/mcap/mcap_writer.h"
 
 namespace galilean::monitor {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/termination.h"
+#include "core/wire/discovery.h"
 #include "monitor/record/log_info.h"
 #include "monitor/replay/player.h"
 #include "monitor/replay/report.h"

@@ -2,6 +2,9 @@
 
 #include <set>
 
+#include "core/wire/discovery.h"
+#include "core/wire/topic_names.h"
+
 namespace galilean::monitor {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/wire/byte_writer.h"
+#include "core/wire/discovery.h"
 #include "core/wire/graph.h"
 #include "monitor/replay/tracks.h"
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/wire/schemas.h"
+#include "core/wire/topic_names.h"
 
 namespace galilean::monitor {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/wire/topics.h"
+#include "core/wire/delivery.h"
 #include "monitor/mcap/mcap_reader.h"
 
 namespace galilean::monitor {

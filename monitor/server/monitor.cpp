@@ -8,6 +8,7 @@
 
 #include "bhdl/program/catalog_file.h"
 #include "core/installation.h"
+#include "core/wire/ros_time.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/server/api/api.h"
 #include "monitor/server/api/team_parameters.h"

@@ -1,6 +1,7 @@
 #include <algorithm>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/ros_time.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {

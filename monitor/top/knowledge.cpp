@@ -1,6 +1,7 @@
 #include "monitor/top/knowledge.h"
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/topic_names.h"
 
 namespace galilean::monitor::top {
 namespace {

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "core/account.h"
+#include "core/wire/ros_time.h"
 
 namespace galilean::monitor {
 namespace {

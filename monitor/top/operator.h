@@ -3,7 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
+#include "core/wire/topic_names.h"
+#include "core/wire/writer.h"
 
 namespace galilean::monitor {
 

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
 #include "monitor/top/variable_text.h"
 
 namespace galilean::monitor::top {

@@ -3,7 +3,9 @@
 #include <mutex>
 #include <string>
 
-#include "core/device/devices.h"
+#include "core/device/camera_geometry.h"
+#include "core/device/frame.h"
+#include "core/device/frame_grabber.h"
 #include "core/latest.h"
 #include "robot/devices/frame_grabber_settings.h"
 #include "robot/devices/frame_source.h"

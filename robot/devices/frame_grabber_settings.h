@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/catalog/declaration.h"
-#include "core/device/devices.h"
+#include "core/device/camera_geometry.h"
 
 namespace galilean::robot {
 

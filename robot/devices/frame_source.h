@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/clock.h"
-#include "core/device/devices.h"
+#include "core/device/frame.h"
 
 namespace galilean::robot {
 

@@ -3,7 +3,7 @@
 #include <mutex>
 #include <string>
 
-#include "core/device/devices.h"
+#include "core/device/comm_port.h"
 #include "core/latest.h"
 #include "robot/devices/board_session.h"
 #include "robot/devices/comm_port_settings.h"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/device/devices.h"
+#include "core/device/motor_drive.h"
 #include "robot/devices/microcontroller_link.h"
 #include "robot/devices/motor_drive_settings.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/clock.h"
-#include "core/device/devices.h"
+#include "core/device/frame.h"
 #include "core/result.h"
 #include "robot/devices/frame_source.h"
 #include "robot/devices/shared_memory.h"

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/catalog/registry.h"
+#include "core/device/devices.h"
 #include "core/result.h"
 #include "robot/executive/running_program.h"
 

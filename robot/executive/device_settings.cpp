@@ -1,6 +1,11 @@
 #include "robot/executive/device_settings.h"
 
 #include "core/catalog/registry.h"
+#include "core/device/comm_port.h"
+#include "core/device/devices.h"
+#include "core/device/frame.h"
+#include "core/device/frame_grabber.h"
+#include "core/device/motor_drive.h"
 
 namespace galilean::robot {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/device/frame_grabber.h"
 #include "robot/executive/builder.h"
 #include "robot/executive/sequencer.h"
 #include "robot/executive/swap.h"

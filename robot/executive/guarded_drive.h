@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/device/devices.h"
+#include "core/device/motor_drive.h"
 
 namespace galilean::robot {
 

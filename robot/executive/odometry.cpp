@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/device/motor_drive.h"
+
 namespace galilean::robot {
 namespace {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/device/comm_port.h"
 #include "core/device/devices.h"
 #include "core/schema/schema.h"
 #include "robot/executive/running_program.h"

@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-#include "core/device/devices.h"
+#include "core/device/comm_port.h"
 
 namespace galilean::robot {
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/device/frame_grabber.h"
+
 namespace galilean::robot {
 namespace {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/catalog/declaration.h"
+#include "core/device/comm_port.h"
 #include "core/device/devices.h"
 #include "core/schema/schema.h"
 #include "core/variable/variable.h"

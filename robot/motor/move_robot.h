@@ -2,6 +2,7 @@
 
 #include "core/catalog/declaration.h"
 #include "core/device/devices.h"
+#include "core/device/motor_drive.h"
 #include "core/schema/schema.h"
 #include "core/variable/variable.h"
 

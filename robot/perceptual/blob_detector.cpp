@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/device/frame_grabber.h"
+
 namespace galilean::robot {
 namespace {
 

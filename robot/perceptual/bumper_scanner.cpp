@@ -1,5 +1,7 @@
 #include "robot/perceptual/bumper_scanner.h"
 
+#include "core/device/comm_port.h"
+
 namespace galilean::robot {
 
 void BumperScanner::describe(Declaration<BumperScanner>& is) {

@@ -1,5 +1,7 @@
 #include "robot/perceptual/gripper_scanner.h"
 
+#include "core/device/comm_port.h"
+
 namespace galilean::robot {
 
 void GripperScanner::describe(Declaration<GripperScanner>& is) {

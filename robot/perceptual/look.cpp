@@ -1,5 +1,7 @@
 #include "robot/perceptual/look.h"
 
+#include "core/device/frame.h"
+#include "core/device/frame_grabber.h"
 #include "robot/vision/supercomponent.h"
 
 namespace galilean::robot {

@@ -1,6 +1,10 @@
 #pragma once
 
-#include "core/device/devices.h"
+#include "core/device/camera_geometry.h"
+#include "core/device/comm_port.h"
+#include "core/device/frame.h"
+#include "core/device/frame_grabber.h"
+#include "core/device/motor_drive.h"
 
 namespace galilean::robot {
 

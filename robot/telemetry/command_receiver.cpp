@@ -2,6 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include "core/wire/reader.h"
+#include "core/wire/topic_names.h"
 #include "robot/telemetry/targets.h"
 
 namespace galilean::robot {

@@ -2,6 +2,7 @@
 
 #include <mutex>
 
+#include "core/wire/reader.h"
 #include "robot/telemetry/publisher.h"
 
 namespace galilean::robot {

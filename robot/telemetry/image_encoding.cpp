@@ -3,7 +3,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "core/device/devices.h"
+#include "core/device/frame.h"
 
 namespace galilean::robot {
 namespace {

@@ -3,6 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "core/wire/topic_names.h"
+#include "core/wire/writer.h"
 #include "robot/telemetry/image_encoding.h"
 
 namespace galilean::robot {

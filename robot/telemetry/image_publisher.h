@@ -3,6 +3,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/wire/writer.h"
 #include "robot/telemetry/image_tap.h"
 #include "robot/telemetry/publisher.h"
 

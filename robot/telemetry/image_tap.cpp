@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <string_view>
 
+#include "core/device/frame.h"
+#include "core/device/frame_grabber.h"
+
 namespace galilean::robot {
 namespace {
 

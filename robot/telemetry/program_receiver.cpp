@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "bhdl/source/sha256.h"
+#include "core/wire/reader.h"
+#include "core/wire/topic_names.h"
 #include "robot/executive/turn.h"
 #include "robot/telemetry/targets.h"
 

@@ -5,6 +5,8 @@
 #include <thread>
 
 #include "bhdl/check.h"
+#include "core/wire/reader.h"
+#include "core/wire/writer.h"
 #include "robot/telemetry/publisher.h"
 #include "robot/telemetry/push_ledger.h"
 

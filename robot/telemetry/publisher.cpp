@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/wire/topic_names.h"
+#include "core/wire/writer.h"
 #include "robot/telemetry/words.h"
 
 namespace galilean::robot {

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "core/clock.h"
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/ros_time.h"
 
 namespace galilean::robot {
 

@@ -1,5 +1,7 @@
 #include "robot/telemetry/words.h"
 
+#include "core/device/device.h"
+
 namespace galilean::robot {
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/device/devices.h"
+#include "core/device/camera_geometry.h"
 #include "core/geometry.h"
 
 namespace galilean::robot {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "core/device/devices.h"
+#include "core/device/frame.h"
 #include "sim/camera/noise.h"
 #include "sim/camera/scene.h"
 #include "sim/camera/view.h"

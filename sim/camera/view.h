@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "core/device/devices.h"
+#include "core/device/camera_geometry.h"
 #include "core/geometry.h"
 
 namespace galilean::sim {

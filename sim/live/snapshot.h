@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/device/devices.h"
+#include "core/device/frame.h"
 #include "core/result.h"
 
 namespace galilean::sim {

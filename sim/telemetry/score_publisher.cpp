@@ -2,6 +2,9 @@
 
 #include <chrono>
 
+#include "core/wire/ros_time.h"
+#include "core/wire/topic_names.h"
+
 namespace galilean::sim {
 namespace {
 

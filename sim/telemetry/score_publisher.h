@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "core/result.h"
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
+#include "core/wire/writer.h"
 #include "sim/world/world.h"
 
 namespace galilean::sim {

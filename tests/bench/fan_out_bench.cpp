@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "core/wire/messages.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/http/websocket_session.h"
 #include "tests/bench/websocket_crowd.h"

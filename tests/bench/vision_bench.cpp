@@ -4,7 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "core/device/devices.h"
+#include "core/device/frame.h"
 #include "core/random.h"
 #include "robot/vision/blobs.h"
 #include "robot/vision/supercomponent.h"

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "core/wire/ros_time.h"
+#include "core/wire/topic_names.h"
+
 namespace galilean::monitor {
 namespace {
 

@@ -5,7 +5,10 @@
 #include <string>
 #include <thread>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
+#include "core/wire/reader.h"
+#include "core/wire/writer.h"
 
 namespace galilean::monitor {
 

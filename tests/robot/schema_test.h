@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/catalog/registry.h"
+#include "core/device/devices.h"
 #include "robot/components.h"
 #include "tests/robot/fake_devices.h"
 

@@ -11,7 +11,10 @@
 #include <memory>
 #include <thread>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
+#include "core/wire/reader.h"
+#include "core/wire/writer.h"
 #include "monitor/front/doctor/checks.h"
 
 namespace galilean::front {

@@ -3,7 +3,10 @@
 #include <map>
 
 #include "bhdl/diff/diff.h"
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
+#include "core/wire/ros_time.h"
+#include "core/wire/topic_names.h"
 #include "monitor/pushes/json.h"
 #include "monitor/server/text/request_fields.h"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/wire/graph.h"
+#include "core/wire/topic_names.h"
 #include "monitor/server/foxglove/foxglove_messages.h"
 
 namespace galilean::monitor {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "core/wire/topics.h"
+#include "core/wire/delivery.h"
+#include "core/wire/ros_time.h"
 
 namespace galilean::monitor::foxglove {
 namespace {

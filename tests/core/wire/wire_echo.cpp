@@ -7,8 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
+#include "core/wire/reader.h"
 #include "core/wire/schemas.h"
-#include "core/wire/topics.h"
+#include "core/wire/writer.h"
 
 namespace {
 

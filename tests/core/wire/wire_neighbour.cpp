@@ -3,8 +3,13 @@
 #include <iostream>
 #include <map>
 
+#include "core/wire/discovery.h"
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
+#include "core/wire/reader.h"
 #include "core/wire/schemas.h"
-#include "core/wire/topics.h"
+#include "core/wire/topic_names.h"
+#include "core/wire/writer.h"
 #include "tests/core/wire/wait_until.h"
 
 namespace {

@@ -6,7 +6,11 @@
 
 #include <iostream>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
+#include "core/wire/ros_time.h"
+#include "core/wire/topic_names.h"
+#include "core/wire/writer.h"
 
 namespace {
 

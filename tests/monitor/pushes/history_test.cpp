@@ -9,7 +9,8 @@
 #include <fstream>
 
 #include "core/random.h"
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/ros_time.h"
 #include "monitor/pushes/sql.h"
 #include "tests/temporary_folder.h"
 

@@ -1,6 +1,9 @@
 // The monitor as its users meet it: over HTTP and Foxglove's protocol, with robots that are
 // scripted but speak real DDS.
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
+#include "core/wire/topic_names.h"
+#include "core/wire/writer.h"
 #include "monitor/access/tokens.h"
 #include "tests/monitor/scripted_robot.h"
 #include "tests/monitor/server/foxglove/foxglove_socket.h"

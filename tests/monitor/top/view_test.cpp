@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/wire/topics.h"
+#include "core/wire/delivery.h"
+#include "core/wire/messages.h"
 
 namespace galilean::monitor::top {
 namespace {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
 #include "monitor/trial/situation.h"
 #include "tests/temporary_folder.h"
 

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/catalog/registry.h"
+#include "core/device/devices.h"
+#include "core/device/motor_drive.h"
 
 namespace galilean::robot {
 

@@ -3,7 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "core/device/devices.h"
+#include "core/device/camera_geometry.h"
+#include "core/device/frame.h"
 #include "core/geometry.h"
 
 namespace galilean::robot {

@@ -7,7 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/wire/topics.h"
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
+#include "core/wire/reader.h"
 
 namespace galilean::robot {
 

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <spdlog/spdlog.h>
 
+#include "core/wire/topic_names.h"
 #include "tests/robot/telemetry/telemetry_robot.h"
 
 namespace galilean::robot {

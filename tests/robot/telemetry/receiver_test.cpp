@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include "core/wire/topic_names.h"
+#include "core/wire/writer.h"
 #include "tests/robot/telemetry/telemetry_robot.h"
 
 namespace galilean::robot {

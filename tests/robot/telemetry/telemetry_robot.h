@@ -1,6 +1,8 @@
 #pragma once
 
 #include "bhdl/source/sha256.h"
+#include "core/wire/topic_names.h"
+#include "core/wire/writer.h"
 #include "robot/telemetry/telemetry.h"
 #include "tests/robot/executive/test_robot.h"
 #include "tests/robot/telemetry/mailbox.h"

@@ -1,14 +1,10 @@
-#include "core/wire/topics.h"
+#include "core/wire/ros_time.h"
 
 #include <chrono>
 
 namespace galilean::wire {
 namespace {
 constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
-}
-
-std::string robot_topic(std::string_view robot, std::string_view leaf) {
-  return "rt/" + std::string(robot) + "/" + std::string(leaf);
 }
 
 msg::Time ros_time(std::int64_t since_epoch_ns) noexcept {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string_view>
+
+namespace galilean::wire {
+
+/// How a kind of message travels; decided once, by its type, in qos.cpp.
+enum class Delivery {
+  kState,    ///< what is: reliable, transient-local, keep-last 1; a late joiner knows at once
+  kEvent,    ///< what happens: reliable, transient-local, keep-last 64; numbered, so that receivers
+             ///< drop repeats
+  kCommand,  ///< reliable, volatile, keep-last 64
+  kFlow,     ///< reliable, volatile, keep-last 10: what ROS 2 tools ask of odometry, tf and
+             ///< diagnostics
+  kStream    ///< best effort, volatile, keep-last 1
+};
+[[nodiscard]] Delivery delivery_of(std::string_view ros_type) noexcept;
+
+}  // namespace galilean::wire

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace galilean::wire {
+
+class Participant;
+
+/// A writer somewhere in the domain.
+struct Publication {
+  std::string topic;        ///< as on DDS: "rt/io/state"
+  std::string dds_type;     ///< "galilean_msgs::msg::dds_::RobotState_"
+  std::string writer;       ///< its GUID, hexadecimal
+  std::string participant;  ///< the GUID of the process that it belongs to
+  bool operator==(const Publication&) const = default;
+};
+
+/// Sees which topics are written in the domain, by anybody.
+class Discovery {
+ public:
+  explicit Discovery(Participant& participant);
+  ~Discovery();
+  /// All that are there now.
+  [[nodiscard]] std::vector<Publication> publications() const;
+  /// Called on a thread of Cyclone's whenever that changes. Set once, right after construction.
+  void on_change(std::function<void()> callback);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace galilean::wire

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+namespace galilean::wire {
+
+/// An entity of Cyclone's, deleted with this object.
+class Entity {
+ public:
+  Entity() = default;
+  explicit Entity(std::int32_t handle) noexcept : handle_(handle) {}
+  Entity(Entity&& other) noexcept : handle_(std::exchange(other.handle_, 0)) {}
+  Entity& operator=(Entity&& other) noexcept {
+    std::swap(handle_, other.handle_);
+    return *this;
+  }
+  ~Entity();
+  [[nodiscard]] std::int32_t handle() const noexcept { return handle_; }
+
+ private:
+  std::int32_t handle_ = 0;
+};
+
+}  // namespace galilean::wire

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace galilean::wire {
+
+/// "rt/io/state" for ("io", "state"): ROS 2's name for topic /io/state.
+[[nodiscard]] std::string robot_topic(std::string_view robot, std::string_view leaf);
+inline constexpr const char* kProgramPushTopic = "rt/team/program_push";
+inline constexpr const char* kProgramRollbackTopic = "rt/team/program_rollback";
+inline constexpr const char* kPushProgressTopic = "rt/team/push_progress";
+inline constexpr const char* kCommandTopic = "rt/team/command";
+inline constexpr const char* kObjectsTopic = "rt/team/objects";
+inline constexpr const char* kMapTopic = "rt/team/map";
+inline constexpr const char* kMarkersTopic = "rt/team/markers";
+inline constexpr const char* kScoreTopic = "rt/referee/score";
+inline constexpr const char* kTfTopic = "rt/tf";
+inline constexpr const char* kDiagnosticsTopic = "rt/diagnostics";
+inline constexpr const char* kLogTopic = "rt/rosout";
+
+}  // namespace galilean::wire

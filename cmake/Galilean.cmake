@@ -33,6 +33,7 @@ function(galilean_executable name)
   target_link_libraries(${name} PRIVATE ${arg_LINK} CLI11::CLI11 galilean_runs_once galilean_warnings)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   add_dependencies(programs ${name})
+  install(TARGETS ${name} RUNTIME DESTINATION bin)
   galilean_precompile(${name} galilean_command_line_headers)
 endfunction()
 

@@ -1,0 +1,25 @@
+// An installed tree works where it was put: programs find what they read beside them.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { root, scratchFolder } from './tools.mjs';
+
+const build = process.env.GALILEAN_BUILD ?? `${root}build`;
+
+test('cmake --install into a DESTDIR gives programs that find their share folder', { timeout: 120_000 }, (t) => {
+  const destination = scratchFolder(t);
+  execFileSync('cmake', ['--install', build, '--prefix', '/usr'], { env: { ...process.env, DESTDIR: destination } });
+  const galilean = (...words) =>
+    execFileSync(join(destination, 'usr/bin/galilean'), words, { cwd: destination, encoding: 'utf8' });
+
+  const shipped = (name) => existsSync(join(destination, 'usr/share/galilean', name));
+  for (const name of ['catalog.json', 'web/index.html', 'programs/office_cleanup.bhdl', 'scenarios/office.json'])
+    assert.ok(shipped(name), name);
+  assert.ok(existsSync(join(destination, 'usr/lib/galilean/libgalilean_opencv_source.so')));
+
+  assert.match(galilean('bhdl', 'describe', 'move_to_goal'), /move_to_goal/);
+  const run = JSON.parse(galilean('sim', '--headless', '--scenario', 'office', '--robots', '3', '--seed', '1', '--duration', '5', '--json'));
+  assert.ok(run.hash);
+});

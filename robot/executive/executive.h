@@ -2,9 +2,7 @@
 
 #include <atomic>
 #include <functional>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <string_view>
 #include <vector>
 
@@ -12,14 +10,14 @@
 #include "core/clock.h"
 #include "core/device/devices.h"
 #include "core/result.h"
-#include "robot/executive/exchange.h"
 #include "robot/executive/guarded_drive.h"
 #include "robot/executive/odometry.h"
-#include "robot/executive/probation.h"
+#include "robot/executive/program_intake.h"
 #include "robot/executive/pushable_port.h"
 #include "robot/executive/restore.h"
 #include "robot/executive/running_program.h"
 #include "robot/executive/state_hash.h"
+#include "robot/executive/succession.h"
 #include "robot/executive/tick_observer.h"
 
 namespace galilean::robot {
@@ -73,7 +71,7 @@ class Executive {
   bool roll_back(ProgramId program, std::string_view reason);
 
   /// Any thread: a program was loaded and its first tick is yet to come.
-  [[nodiscard]] bool waiting() const noexcept { return exchange_.waiting(); }
+  [[nodiscard]] bool waiting() const noexcept { return intake_.waiting(); }
   /// Any thread; 0 before the first tick with a program.
   [[nodiscard]] ProgramId running() const noexcept { return running_id_.load(); }
   [[nodiscard]] const ProbationRules& probation_rules() const noexcept { return setup_.probation; }
@@ -94,17 +92,19 @@ class Executive {
   /// Any thread: as if somebody pushed bumper `index` (0 to 7) for 0.3 s.
   void push_bumper(int index) noexcept { port_.push(index); }
   /// Any thread but control: destroys programs that were replaced. `load` does so too.
-  void collect();
+  void collect() { intake_.collect(); }
   /// Any thread but control: what the numbers in events and snapshots mean. Null for a program
   /// that sixteen others came after.
-  [[nodiscard]] std::shared_ptr<const Description> description(ProgramId id) const;
+  [[nodiscard]] std::shared_ptr<const Description> description(ProgramId id) const {
+    return intake_.description(id);
+  }
 
   /// Control, between ticks: the program that runs goes on from where `situation` was left; nothing
   /// where none runs. Allocates: for the simulator.
   void restore(const Situation& situation);
 
   /// Control, as all that follows. Null before the first tick with a program.
-  [[nodiscard]] const RunningProgram* program() const noexcept { return running_.get(); }
+  [[nodiscard]] const RunningProgram* program() const noexcept { return succession_.running(); }
   /// Empty before the first tick with a program.
   [[nodiscard]] std::string_view state_name() const noexcept;
   [[nodiscard]] Duration time_in_state() const noexcept;
@@ -118,18 +118,14 @@ class Executive {
  private:
   void begin_tick() noexcept;
   void exchange_programs() noexcept;
+  void install(const Handover& handover) noexcept;
+  void go_on_from(const RunningProgram& replaced) noexcept;
   void sense() noexcept;
   void perceive() noexcept;
   void sequence() noexcept;
   void act() noexcept;
   void publish() noexcept;
 
-  [[nodiscard]] Verdict judgement() noexcept;
-  void take_over(std::unique_ptr<RunningProgram> next) noexcept;
-  void roll_back(const Verdict& verdict) noexcept;
-  [[nodiscard]] std::unique_ptr<RunningProgram> predecessor(Fault fault) noexcept;
-  void retire(std::unique_ptr<RunningProgram> program) noexcept;
-  void install(RunningProgram* replaced, Event::Cause cause) noexcept;
   void enter(std::uint32_t state) noexcept;
   void activate(std::uint32_t schema) noexcept;
   void run(std::uint32_t schema) noexcept;
@@ -139,30 +135,16 @@ class Executive {
   [[nodiscard]] bool may_drive() const noexcept;
   [[nodiscard]] Event event(Event::Kind kind) const noexcept;
   void emit(const Event& event) noexcept;
+  [[nodiscard]] RunningProgram* running() noexcept { return succession_.running(); }
   [[nodiscard]] const RunningState& current() const noexcept;
-  void tidy_shelf();
-
-  /// An operator's word against a program.
-  struct RollbackOrder {
-    ProgramId program = 0;
-    ShortText reason;
-  };
 
   const ExecutiveSetup setup_;
   PushablePort port_;
   GuardedDrive drive_;
   const Devices devices_;  ///< as schemas see them: with the port and the drive above
 
-  mutable std::mutex shelf_mutex_;
-  std::map<ProgramId, std::shared_ptr<const Description>> shelf_;
-  ProgramId last_id_ = 0;
-  Exchange exchange_;
-  SpscRing<RollbackOrder, 4> orders_;  ///< written under shelf_mutex_
-
-  std::unique_ptr<RunningProgram> running_;
-  std::unique_ptr<RunningProgram> unproven_;   ///< what `running_` replaced while in probation
-  std::unique_ptr<RunningProgram> last_good_;  ///< the last before both that proved itself
-  Probation probation_;
+  ProgramIntake intake_;
+  Succession succession_;
   Event exchanged_;  ///< the programs that this tick exchanged, told when its time is known
   Odometry odometry_;
   DeviceHealth health_;

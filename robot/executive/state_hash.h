@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/clock.h"
 #include "core/geometry.h"
 
 namespace galilean::robot {
@@ -30,5 +31,11 @@ class StateHash {
 
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
+
+struct RunningProgram;
+
+void add_pose(StateHash& hash, const Pose2& pose) noexcept;
+/// Adds every variable with its certainty as of `now`; of an image its frame's number.
+void add_variables(StateHash& hash, const RunningProgram& program, Time now) noexcept;
 
 }  // namespace galilean::robot

@@ -1,4 +1,6 @@
-#include "robot/executive/executive.h"
+#include "robot/executive/state_hash.h"
+
+#include "robot/executive/running_program.h"
 
 namespace galilean::robot {
 namespace {
@@ -26,15 +28,15 @@ void add(StateHash& hash, const Force& force) noexcept {
 
 }  // namespace
 
-void Executive::hash_into(StateHash& hash) const noexcept {
-  hash.add(tick_.number);
-  hash.add(state_name());
-  add(hash, pose());
-  if (!running_) return;
-  running_->variables.for_each([&](const auto& variable) {
+void add_pose(StateHash& hash, const Pose2& pose) noexcept {
+  add(hash, pose);
+}
+
+void add_variables(StateHash& hash, const RunningProgram& program, Time now) noexcept {
+  program.variables.for_each([&](const auto& variable) {
     hash.add(variable.name);
     add(hash, variable.value);
-    hash.add(variable.certainty_at(tick_.now));
+    hash.add(variable.certainty_at(now));
   });
 }
 

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string_view>
+
+#include "core/result.h"
+#include "robot/executive/builder.h"
+#include "robot/executive/exchange.h"
+
+namespace galilean::robot {
+
+/// An operator's word against a program.
+struct RollbackOrder {
+  ProgramId program = 0;
+  ShortText reason;
+};
+
+/// The way into an executive for threads other than the control loop: they bring programs and
+/// orders, which the control loop takes without waiting, and find here what a program's numbers
+/// mean. Every method says which side may call it.
+class ProgramIntake {
+ public:
+  /// Any thread but control. Builds `program` under the next number and lets it wait for a tick.
+  /// Errors: another one still waits; the program cannot be built.
+  [[nodiscard]] Result<ProgramId> load(bhdl::Program program, const BuildMaterial& material);
+  /// Any thread but control. False if too many orders wait.
+  [[nodiscard]] bool order_rollback(const RollbackOrder& order);
+  /// Any thread but control: destroys programs that were replaced. `load` does so too.
+  void collect();
+  /// Any thread but control. Null for a program that sixteen others came after.
+  [[nodiscard]] std::shared_ptr<const Description> description(ProgramId id) const;
+  /// Any thread: a program waits for its first tick.
+  [[nodiscard]] bool waiting() const noexcept { return exchange_.waiting(); }
+
+  /// Control: null if none waits.
+  [[nodiscard]] std::unique_ptr<RunningProgram> take() noexcept { return exchange_.take(); }
+  /// Control: the oldest order that waits.
+  [[nodiscard]] std::optional<RollbackOrder> take_order() noexcept { return orders_.pop(); }
+  /// Control: hands back what runs no longer, to be destroyed by another thread.
+  void retire(std::unique_ptr<RunningProgram> program) noexcept {
+    if (program) exchange_.retire(std::move(program));
+  }
+
+ private:
+  void forget_old_descriptions();
+
+  mutable std::mutex mutex_;  ///< over what the control loop never touches
+  std::map<ProgramId, std::shared_ptr<const Description>> descriptions_;
+  ProgramId last_id_ = 0;
+  Exchange exchange_;
+  SpscRing<RollbackOrder, 4> orders_;  ///< written under mutex_
+};
+
+}  // namespace galilean::robot

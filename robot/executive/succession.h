@@ -1,0 +1,85 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "robot/executive/probation.h"
+#include "robot/executive/program_intake.h"
+#include "robot/executive/running_program.h"
+
+namespace galilean::robot {
+
+/// One program giving way to another, while it happens.
+struct Handover {
+  Event::Kind kind = Event::Kind::kStarted;  ///< kStarted, kSwapped or kRolledBack
+  RunningProgram* replaced = nullptr;        ///< null at the first program; lives until it is over
+  Verdict verdict;                           ///< of a rollback: why
+};
+
+/// Which program runs, which ones to go back to, and whether the one that runs has proven itself.
+/// A program that replaces another is in probation. It is taken off, for the last one that proved
+/// itself, when it fails there; and at any time when an order says so. Belongs to the control loop.
+class Succession {
+ public:
+  explicit Succession(ProgramIntake& intake) : intake_(intake) {}
+
+  /// Start of a tick: takes the running program off if there is a reason and one to go back to,
+  /// else lets one that waits take over. Calls `install(handover)` in between, when the new program
+  /// runs and the old one still lives. `health` is how the devices were before this tick.
+  template <class Install>
+  void advance(Time now, const DeviceHealth& health, Install install) noexcept {
+    if (const Verdict verdict = judgement(); verdict.fault != Fault::kNone)
+      retire(roll_back(verdict, now, health, install));
+    else if (auto next = intake_.take())
+      retire(take_over(std::move(next), now, health, install));
+  }
+
+  /// Null before the first tick with a program.
+  [[nodiscard]] RunningProgram* running() noexcept { return running_.get(); }
+  [[nodiscard]] const RunningProgram* running() const noexcept { return running_.get(); }
+  /// 0 where none runs.
+  [[nodiscard]] ProgramId running_id() const noexcept {
+    return running_ ? running_->description->id : 0;
+  }
+
+  [[nodiscard]] Probation& probation() noexcept { return probation_; }
+  [[nodiscard]] const Probation& probation() const noexcept { return probation_; }
+
+ private:
+  template <class Install>
+  std::unique_ptr<RunningProgram> take_over(std::unique_ptr<RunningProgram> next, Time now,
+                                            const DeviceHealth& health, Install& install) noexcept {
+    const bool replaced_is_proven = !probation_.active();
+    auto replaced = std::exchange(running_, std::move(next));
+    if (replaced) begin_probation(now, health);
+    install(Handover{replaced ? Event::Kind::kSwapped : Event::Kind::kStarted, replaced.get(), {}});
+    return keep(std::move(replaced), replaced_is_proven);
+  }
+
+  template <class Install>
+  std::unique_ptr<RunningProgram> roll_back(const Verdict& verdict, Time now,
+                                            const DeviceHealth& health, Install& install) noexcept {
+    auto replaced = std::exchange(running_, predecessor(verdict.fault));
+    probation_.end();
+    if (last_good_) begin_probation(now, health);
+    install(Handover{Event::Kind::kRolledBack, replaced.get(), verdict});
+    return replaced;
+  }
+
+  [[nodiscard]] Verdict judgement() noexcept;
+  [[nodiscard]] std::unique_ptr<RunningProgram> predecessor(Fault fault) noexcept;
+  [[nodiscard]] std::unique_ptr<RunningProgram> keep(std::unique_ptr<RunningProgram> replaced,
+                                                     bool proven) noexcept;
+  void begin_probation(Time now, const DeviceHealth& health) noexcept;
+  void retire(std::unique_ptr<RunningProgram> program) noexcept {
+    intake_.retire(std::move(program));
+  }
+
+  ProgramIntake& intake_;
+  std::unique_ptr<RunningProgram> running_;
+  std::unique_ptr<RunningProgram> unproven_;   ///< what `running_` replaced while in probation
+  std::unique_ptr<RunningProgram> last_good_;  ///< the last before both that proved itself
+  Probation probation_;
+};
+
+}  // namespace galilean::robot

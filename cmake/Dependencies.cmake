@@ -35,3 +35,13 @@ if(GALILEAN_TESTS)
   find_package(GTest REQUIRED)
   find_package(benchmark REQUIRED)
 endif()
+
+# What of Asio and Beast is no template is compiled once here, and not in every file that includes them:
+# such a file takes two thirds of the time.
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/boost_sources.cpp
+     CONTENT "#include <boost/asio/impl/src.hpp>\n#include <boost/beast/src.hpp>\n")
+add_library(galilean_boost STATIC EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/generated/boost_sources.cpp)
+target_compile_definitions(galilean_boost PUBLIC
+  BOOST_ASIO_SEPARATE_COMPILATION BOOST_BEAST_SEPARATE_COMPILATION)
+target_link_libraries(galilean_boost PUBLIC Boost::headers Threads::Threads)
+set_target_properties(galilean_boost PROPERTIES UNITY_BUILD OFF)

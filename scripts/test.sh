@@ -8,7 +8,7 @@
 # scripts/node_tests.sh FILE, those in the browser with scripts/browser_tests.sh FILE.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-usage() { sed -n '2,8s/^# \{0,1\}//p' "$0"; exit 2; }
+usage() { awk '/^[^#]/ { exit } NR > 1 && !/SPDX/ { sub(/^# ?/, ""); print }' "$0"; exit 2; }
 [ $# -gt 0 ] || usage
 name=$1
 shift

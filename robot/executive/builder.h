@@ -3,9 +3,12 @@
 #include <memory>
 
 #include "core/catalog/registry.h"
-#include "core/device/devices.h"
 #include "core/result.h"
 #include "robot/executive/running_program.h"
+
+namespace galilean {
+struct Devices;
+}
 
 namespace galilean::robot {
 

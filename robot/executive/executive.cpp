@@ -71,7 +71,7 @@ void Executive::exchange_programs() noexcept {
 }
 
 void Executive::install(const Handover& handover) noexcept {
-  RunningProgram& program = *running();
+  RunningProgram& program = *current_program();
   running_id_.store(succession_.running_id());
   exchanged_ = event(handover.kind);
   exchanged_.from_program = handover.replaced ? handover.replaced->description->id : 0;
@@ -91,7 +91,7 @@ void Executive::install(const Handover& handover) noexcept {
 
 /// In the state that `replaced` was in, if the program has it; else in its successor.
 void Executive::go_on_from(const RunningProgram& replaced) noexcept {
-  RunningProgram& program = *running();
+  RunningProgram& program = *current_program();
   const std::uint32_t state = successor_state(replaced, program);
   const bool same = program.text().states[state].name == replaced.state_name();
   enter(state);
@@ -109,14 +109,14 @@ void Executive::go_on_from(const RunningProgram& replaced) noexcept {
 }
 
 void Executive::restore(const Situation& situation) {
-  if (!running()) return;
-  restore_variables(situation, *running(), setup_.clock.now());
-  enter(successor_state(situation.state, *running()));
+  if (!current_program()) return;
+  restore_variables(situation, *current_program(), setup_.clock.now());
+  enter(successor_state(situation.state, *current_program()));
 }
 
 void Executive::enter(std::uint32_t state) noexcept {
-  running()->state = state;
-  running()->state_since = tick_.now;
+  current_program()->state = state;
+  current_program()->state_since = tick_.now;
   for (const std::uint32_t schema : current().perceptual_schemas) activate(schema);
   for (const std::uint32_t schema : current().motor_schemas) activate(schema);
 }
@@ -126,22 +126,22 @@ void Executive::sense() noexcept {
   devices_.motor_drive.sense(tick_.now);
   devices_.frame_grabber.sense(tick_.now);
   health_ = health_of(devices_);
-  odometry_.update(devices_, running(), tick_);
+  odometry_.update(devices_, current_program(), tick_);
 }
 
 void Executive::perceive() noexcept {
-  if (!running()) return;
+  if (!current_program()) return;
   for (const std::uint32_t schema : current().perceptual_schemas) run(schema);
 }
 
 void Executive::sequence() noexcept {
-  if (!running()) return;
+  if (!current_program()) return;
   const auto condition = first_that_holds(current(), tick_.now);
   if (!condition) return;
   const RunningCondition& fired = current().conditions[*condition];
   Event change = event(Event::Kind::kTransition);
   change.condition = *condition;
-  change.from_state = running()->state;
+  change.from_state = current_program()->state;
   change.tested = test_all(current(), tick_.now);
   fire(fired, tick_.now);
   enter(fired.new_state);
@@ -150,7 +150,7 @@ void Executive::sequence() noexcept {
 
 void Executive::act() noexcept {
   drive_.begin(tick_.now, may_drive());
-  if (running())
+  if (current_program())
     for (const std::uint32_t schema : current().motor_schemas) run(schema);
   drive_.finish(state_changed_);
 }
@@ -191,23 +191,23 @@ void Executive::judge_probation() noexcept {
 }
 
 void Executive::activate(std::uint32_t schema) noexcept {
-  if (!running()->schemas[schema].activate(tick_)) note_failure(schema);
+  if (!current_program()->schemas[schema].activate(tick_)) note_failure(schema);
 }
 
 void Executive::run(std::uint32_t schema) noexcept {
-  if (!running()->schemas[schema].run(tick_)) note_failure(schema);
+  if (!current_program()->schemas[schema].run(tick_)) note_failure(schema);
 }
 
 void Executive::note_failure(std::uint32_t schema) noexcept {
   Event failure = event(Event::Kind::kSchemaFailed);
   failure.schema = schema;
-  failure.text = running()->schemas[schema].failure();
+  failure.text = current_program()->schemas[schema].failure();
   succession_.probation().note_schema_failure(schema, failure.text);
   emit(failure);
 }
 
 void Executive::note_transition(Event change) noexcept {
-  change.to_state = running()->state;
+  change.to_state = current_program()->state;
   change.number = ++transitions_;
   state_changed_ = true;
   succession_.probation().note_transition(tick_.now);

@@ -135,7 +135,7 @@ class Executive {
   [[nodiscard]] bool may_drive() const noexcept;
   [[nodiscard]] Event event(Event::Kind kind) const noexcept;
   void emit(const Event& event) noexcept;
-  [[nodiscard]] RunningProgram* running() noexcept { return succession_.running(); }
+  [[nodiscard]] RunningProgram* current_program() noexcept { return succession_.running(); }
   [[nodiscard]] const RunningState& current() const noexcept;
 
   const ExecutiveSetup setup_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/device/devices.h"
 #include "core/device/motor_drive.h"
 
 namespace galilean::robot {

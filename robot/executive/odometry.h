@@ -1,9 +1,12 @@
 #pragma once
 
 #include "core/device/comm_port.h"
-#include "core/device/devices.h"
 #include "core/schema/schema.h"
 #include "robot/executive/running_program.h"
+
+namespace galilean {
+struct Devices;
+}
 
 namespace galilean::robot {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/device/devices.h"
 #include "core/device/frame_grabber.h"
 
 namespace galilean::robot {

@@ -1,5 +1,7 @@
 #include "robot/motor/move_gripper.h"
 
+#include "core/device/devices.h"
+
 namespace galilean::robot {
 
 void MoveGripper::describe(Declaration<MoveGripper>& is) {

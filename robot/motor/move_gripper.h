@@ -2,9 +2,12 @@
 
 #include "core/catalog/declaration.h"
 #include "core/device/comm_port.h"
-#include "core/device/devices.h"
 #include "core/schema/schema.h"
 #include "core/variable/variable.h"
+
+namespace galilean {
+struct Devices;
+}
 
 namespace galilean::robot {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/device/bumpers.h"
+#include "core/device/devices.h"
 #include "robot/variables/relative.h"
 
 namespace galilean::robot {

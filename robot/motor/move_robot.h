@@ -1,10 +1,13 @@
 #pragma once
 
 #include "core/catalog/declaration.h"
-#include "core/device/devices.h"
 #include "core/device/motor_drive.h"
 #include "core/schema/schema.h"
 #include "core/variable/variable.h"
+
+namespace galilean {
+struct Devices;
+}
 
 namespace galilean::robot {
 

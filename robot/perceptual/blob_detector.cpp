@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/device/devices.h"
 #include "core/device/frame_grabber.h"
 
 namespace galilean::robot {

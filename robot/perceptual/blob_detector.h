@@ -3,12 +3,15 @@
 #include <optional>
 
 #include "core/catalog/declaration.h"
-#include "core/device/devices.h"
 #include "core/schema/schema.h"
 #include "core/variable/variable.h"
 #include "robot/perceptual/blob_gates.h"
 #include "robot/perceptual/target_memory.h"
 #include "robot/vision/blobs.h"
+
+namespace galilean {
+struct Devices;
+}
 
 namespace galilean::robot {
 

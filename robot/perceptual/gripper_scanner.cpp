@@ -1,6 +1,7 @@
 #include "robot/perceptual/gripper_scanner.h"
 
 #include "core/device/comm_port.h"
+#include "core/device/devices.h"
 
 namespace galilean::robot {
 

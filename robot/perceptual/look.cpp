@@ -1,5 +1,6 @@
 #include "robot/perceptual/look.h"
 
+#include "core/device/devices.h"
 #include "core/device/frame.h"
 #include "core/device/frame_grabber.h"
 #include "robot/vision/supercomponent.h"

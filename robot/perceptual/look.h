@@ -1,9 +1,12 @@
 #pragma once
 
 #include "core/catalog/declaration.h"
-#include "core/device/devices.h"
 #include "core/schema/schema.h"
 #include "core/variable/variable.h"
+
+namespace galilean {
+struct Devices;
+}
 
 namespace galilean::robot {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "core/device/devices.h"
 #include "core/device/frame.h"
 #include "core/device/frame_grabber.h"
 

@@ -1,6 +1,9 @@
 #include "robot/telemetry/words.h"
 
-#include "core/device/device.h"
+#include "core/device/comm_port.h"
+#include "core/device/devices.h"
+#include "core/device/frame_grabber.h"
+#include "core/device/motor_drive.h"
 
 namespace galilean::robot {
 namespace {

@@ -3,9 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "core/device/devices.h"
 #include "robot/executive/description.h"
 #include "robot/executive/snapshot.h"
+
+namespace galilean {
+struct Devices;
+}
 
 namespace galilean::robot {
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/catalog/registry.h"
+#include "core/device/devices.h"
 #include "tests/robot/fake_devices.h"
 
 namespace galilean {

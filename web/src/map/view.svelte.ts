@@ -78,5 +78,5 @@ const ROUND_M = [0.1, 0.2, 0.5, 1, 2, 5, 10];
 
 /** The longest round length that takes no more than `longest_px`. */
 export function scaleBar_m(px_per_m: number, longest_px: number): number {
-  return ROUND_M.findLast((length_m) => length_m * px_per_m <= longest_px) ?? ROUND_M[0]!;
+  return ROUND_M.filter((length_m) => length_m * px_per_m <= longest_px).at(-1) ?? ROUND_M[0]!;
 }

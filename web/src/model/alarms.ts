@@ -29,7 +29,7 @@ type Find = (robot: Robot, now_ms: number) => Omit<Alarm, "robot" | "key"> | und
 
 const finders: Record<Exclude<AlarmKind, "silent" | "problem" | "push" | "drift">, Find> = {
   overrun: ({ name, events, state }, now_ms) => {
-    const last = events.findLast(({ kind }) => kind === "late");
+    const last = events.filter(({ kind }) => kind === "late").at(-1);
     if (!last || now_ms - last.at_ms > LATE_FOR_MS) return undefined;
     const words = `${name}'s ticks begin late (${state?.value.overruns} so far).`;
     return { kind: "overrun", words, advice: "Its computer is too slow for this program, or busy with something else." };

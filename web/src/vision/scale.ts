@@ -8,7 +8,8 @@ export interface ScaleLine {
   readonly depth_m: number | undefined;
 }
 
-const DEPTHS_M = [0.5, 1, 2, 4];
+/** From the horizon down. */
+const DEPTHS_M = [4, 2, 1, 0.5];
 /** Closer lines than this would not be told apart. */
 const LEAST_GAP_PX = 9;
 
@@ -17,8 +18,7 @@ export function scaleLines({ height_m }: Camera, view_angle_rad: number, width_p
   const fx_px = width_px / 2 / Math.tan(view_angle_rad / 2);
   const fy_px = (fx_px * height_px) / ((width_px * 3) / 4);
   const horizon = { row_px: height_px / 2, depth_m: undefined };
-  const ranges = DEPTHS_M.toReversed()
-    .map((depth_m) => ({ row_px: height_px / 2 + (height_m * fy_px) / depth_m, depth_m }))
+  const ranges = DEPTHS_M.map((depth_m) => ({ row_px: height_px / 2 + (height_m * fy_px) / depth_m, depth_m }))
     .filter(({ row_px }) => row_px < height_px - 1);
   return ranges.reduce<ScaleLine[]>((lines, line) => (line.row_px - lines.at(-1)!.row_px < LEAST_GAP_PX ? lines : [...lines, line]), [horizon]);
 }

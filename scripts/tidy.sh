@@ -6,8 +6,13 @@ cd "$(dirname "$0")/.."
 dir=build/tidy
 mkdir -p "$dir"
 
-sources=$(scripts/sources.sh '*.h' '*.cpp' '*.idl' CMakeLists.txt '*.cmake' .clang-tidy | xargs sha256sum | sha256sum)
-[ "$(cat "$dir/clean" 2>/dev/null)" = "$sources" ] && exit 0
+# What was clean stays so for the same sources, to the same clang-tidy, asked in the same way.
+stamp=$({
+  clang-tidy --version
+  cat scripts/tidy.sh scripts/sources.sh
+  scripts/sources.sh '*.h' '*.cpp' '*.idl' CMakeLists.txt '*.cmake' .clang-tidy | xargs sha256sum
+} | sha256sum)
+[ "$(cat "$dir/clean" 2>/dev/null)" = "$stamp" ] && exit 0
 
 # clang cannot read what g++ precompiles.
 cmake -S . -B "$dir" -G Ninja -DGALILEAN_TESTS=OFF -DGALILEAN_PCH=OFF -DCMAKE_UNITY_BUILD=ON \
@@ -17,4 +22,4 @@ ninja -C "$dir" galilean_wire >"$dir/build.log" 2>&1 || { tail -40 "$dir/build.l
 node -p 'JSON.parse(fs.readFileSync(process.argv[1])).map((entry) => entry.file).join("\n")' "$dir/compile_commands.json" |
   grep -E '\.(cpp|cxx)$' | grep -vE '/generate/|/wire/generated|idl_compiler' |
   xargs -P2 -n1 clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option -p "$dir" 2>/dev/null || exit 1
-echo "$sources" >"$dir/clean"
+echo "$stamp" >"$dir/clean"

@@ -8,22 +8,24 @@ import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { within } from "../tools/patience.mjs";
 import { ROBOTS, Tab } from "./tab.mjs";
 
 const GALILEAN = fileURLToPath(new URL("../../build/bin/galilean", import.meta.url));
 const tab = new Tab();
 const { at, row, until } = tab;
 const folder = mkdtempSync(join(tmpdir(), "galilean-recorded-"));
+const env = { ...process.env, ROS_DOMAIN_ID: String(Number(process.env.ROS_DOMAIN_ID) - 50) };
 const started = [];
 
 /** The first line of its output that has `pattern`. */
 function start(args, pattern) {
-  const child = spawn(GALILEAN, args, { env: { ...process.env, ROS_DOMAIN_ID: String(Number(process.env.ROS_DOMAIN_ID) - 50) }, cwd: folder });
+  const child = spawn(GALILEAN, args, { env, cwd: folder });
   started.push({ child, ended: new Promise((ended) => child.once("exit", ended)) });
-  return new Promise((found, failed) => {
+  return within(new Promise((found, failed) => {
     for (const stream of [child.stdout, child.stderr]) createInterface({ input: stream }).on("line", (line) => pattern.test(line) && found(pattern.exec(line)[0]));
     child.once("exit", () => failed(new Error(`galilean ${args[0]} ended`)));
-  });
+  }), () => `galilean ${args[0]} to say ${pattern}`);
 }
 
 before(async () => {
@@ -34,9 +36,9 @@ before(async () => {
   await row("io").getByRole("button").first().click();
 });
 after(async () => {
-  await tab.close();
   for (const { child } of started) child.kill("SIGINT");
-  await Promise.all(started.map(({ ended }) => ended));
+  await tab.close();
+  await within(Promise.all(started.map(({ ended }) => ended)), () => "monitor and replay to end");
   rmSync(folder, { recursive: true, force: true });
 });
 

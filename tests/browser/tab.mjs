@@ -1,20 +1,17 @@
 // A browser's tab with the page in it, for one file of tests: `liveTab()` shows the running team whose
 // link stands in GALILEAN_URL, `playedTab()` a team that web/tests/fixture plays.
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
-import { once } from "node:events";
 import { createRequire } from "node:module";
-import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
-import { fileURLToPath } from "node:url";
+import { startFixture as startFixtureAlone } from "../../web/tests/fixture/start.mjs";
+import { PATIENCE_MS, within } from "../tools/patience.mjs";
 
 const { chromium } = createRequire(new URL("../../web/package.json", import.meta.url))("playwright-core");
-const FIXTURE = fileURLToPath(new URL("../../web/tests/fixture/monitor.mjs", import.meta.url));
 
 export const ROBOTS = ["io", "ganymede", "callisto"];
 export const LAPTOP = { width: 1366, height: 768 };
 export const PHONE = { width: 390, height: 844 };
-export const PATIENCE_MS = 120_000;
+export { PATIENCE_MS };
 
 export class Tab {
   complaints = [];
@@ -29,7 +26,7 @@ export class Tab {
     await this.page.goto(url);
   }
 
-  close = () => this.browser?.close();
+  close = () => within(Promise.resolve(this.browser?.close()), () => "the browser's end");
 
   at = (testid) => this.page.getByTestId(testid);
   row = (robot) => this.at(`team-row-${robot}`);
@@ -48,7 +45,7 @@ export class Tab {
 
   api = async (path, body) => {
     const request = body && { method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify(body) };
-    return (await fetch(new URL(path, this.url), request)).json();
+    return (await fetch(new URL(path, this.url), { ...request, signal: AbortSignal.timeout(PATIENCE_MS) })).json();
   };
 
   /** The last test of a file: what the browser logged as an error is one. */
@@ -67,11 +64,9 @@ export function liveTab(options) {
 }
 
 /** A team that is played: `play` are the fixture's options, such as { robots: 30, silent: "callisto" }. */
-export async function startFixture(play = {}, port = 0) {
-  const options = Object.entries({ port, ...play }).flatMap(([name, value]) => (value === true ? [`--${name}`] : [`--${name}`, String(value)]));
-  const fixture = spawn(process.execPath, [FIXTURE, ...options], { stdio: ["ignore", "pipe", "inherit"] });
-  const [url] = await once(createInterface({ input: fixture.stdout }), "line");
-  return { url, stop: () => new Promise((ended) => (fixture.once("exit", ended), fixture.kill())) };
+export async function startFixture(play, port) {
+  const { url, stop } = await within(startFixtureAlone(play, port), () => "the fixture to listen");
+  return { url, stop: () => within(stop(), () => "the fixture's end") };
 }
 
 /** The page of a played team, for the tests of this file. */
@@ -82,8 +77,11 @@ export function playedTab(play, options) {
     await tab.open(tab.fixture.url, options);
   });
   after(async () => {
-    await tab.close();
-    await tab.fixture?.stop();
+    try {
+      await tab.close();
+    } finally {
+      await tab.fixture?.stop();
+    }
   });
   return tab;
 }

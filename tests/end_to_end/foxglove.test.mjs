@@ -5,6 +5,7 @@ import { spawn } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { test } from 'node:test';
+import { within } from '../tools/patience.mjs';
 import { eventually, getJson, root, startMonitor } from './tools.mjs';
 
 const require = createRequire(`${root}tests/node/`);
@@ -26,7 +27,7 @@ function connect(t, url, { token = '', protocol = 'foxglove.websocket.v1' } = {}
       (heard[event] ??= []).push(what);
       for (const look of waiting) look();
     });
-  const next = (event, suits = () => true) => new Promise((resolve) => {
+  const next = (event, suits = () => true) => within(new Promise((resolve) => {
     const look = () => {
       const found = (heard[event] ?? []).find(suits);
       if (found === undefined) return;
@@ -35,7 +36,7 @@ function connect(t, url, { token = '', protocol = 'foxglove.websocket.v1' } = {}
     };
     waiting.add(look);
     look();
-  });
+  }), () => `'${event}' with ${suits}; heard were ${Object.keys(heard)}`);
   const channel = async (topic) => (await next('advertise', (list) => list.some((each) => each.topic === topic))).find((each) => each.topic === topic);
   const service = async (name) => (await next('advertiseServices')).find((each) => each.name === name);
   return { client, socket, heard, next, channel, service };
@@ -135,7 +136,7 @@ test("the examples' programs as peers", async (t) => {
     const child = spawn(process.execPath, [examples, ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
     child.text = '';
     for (const stream of [child.stdout, child.stderr]) stream.on('data', (text) => { child.text += text; });
-    child.ended = new Promise((resolve) => child.on('exit', resolve));
+    child.ended = new Promise((resolve) => child.on('close', resolve));
     inner.after(() => child.kill('SIGKILL'));
     return child;
   };
@@ -143,10 +144,11 @@ test("the examples' programs as peers", async (t) => {
   await t.test('perf-test-client: every topic reaches it', async (inner) => {
     const peer = run(inner, ['perf-test-client', address]);
     const tick = async () => (await getJson(`${url}/api/status`)).robots[0].tick;
+    await eventually(async () => /^galilean_websocket_subscriptions [1-9]/m.test(await (await fetch(`${url}/metrics`)).text()));
     const began = await tick();
     await eventually(async () => await tick() > began + 60);
     peer.kill('SIGINT');
-    await peer.ended;
+    await within(peer.ended, () => `the client's end: ${peer.text}`);
     for (const topic of ['/io/state', '/io/program', '/io/catalog', '/tf', '/team/map', '/team/objects', '/team/markers'])
       assert.match(peer.text, new RegExp(`\\| ${topic} +\\| [1-9]`), peer.text);
   });

@@ -5,6 +5,7 @@ import { createRequire } from 'node:module';
 import { test } from 'node:test';
 import { gunzipSync } from 'node:zlib';
 import { description, lint, objections } from './openapi.mjs';
+import { within } from '../tools/patience.mjs';
 import { eventually, getJson, root, startMonitor } from './tools.mjs';
 
 const require = createRequire(`${root}tests/node/`);
@@ -122,8 +123,8 @@ test('the server answers as it is described', async (t) => {
 
 /** Without fetch, which unpacks by itself. */
 function raw(url, headers = {}) {
-  return new Promise((resolve, reject) => request(url, { headers }, (response) => {
+  return within(new Promise((resolve, reject) => request(url, { headers }, (response) => {
     const parts = [];
     response.on('data', (part) => parts.push(part)).on('end', () => resolve({ headers: response.headers, body: Buffer.concat(parts) }));
-  }).on('error', reject).end());
+  }).on('error', reject).end()), () => `an answer from ${url}`);
 }

@@ -5,6 +5,7 @@ import { copyFileSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { createRequire } from 'node:module';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { within } from '../tools/patience.mjs';
 import { galileanBinary, programs, root, scratchFolder } from './tools.mjs';
 
 const require = createRequire(`${root}tests/node/`);
@@ -26,7 +27,7 @@ class Editor {
     this.folder = scratchFolder(t);
     for (const name of readdirSync(programs)) copyFileSync(`${programs}/${name}`, `${this.folder}/${name}`);
     this.process = spawn(galileanBinary, ['bhdl', 'lsp'], { stdio: ['pipe', 'pipe', 'inherit'] });
-    this.exited = new Promise((resolve) => this.process.on('exit', resolve));
+    this.ended = new Promise((resolve) => this.process.on('exit', resolve));
     this.connection = createProtocolConnection(new StreamMessageReader(this.process.stdout), new StreamMessageWriter(this.process.stdin));
     this.published = new Map();
     this.waiting = [];
@@ -38,8 +39,16 @@ class Editor {
     t.after(() => this.process.kill());
   }
 
+  get exited() {
+    return within(this.ended, () => "the server's end");
+  }
+
+  request(method, params) {
+    return within(this.connection.sendRequest(method, params), () => `an answer to ${method}`);
+  }
+
   async start() {
-    const answer = await this.connection.sendRequest('initialize', { processId: process.pid, rootUri: null, capabilities });
+    const answer = await this.request('initialize', { processId: process.pid, rootUri: null, capabilities });
     await this.connection.sendNotification('initialized', {});
     return answer;
   }
@@ -66,7 +75,7 @@ class Editor {
   }
 
   ask(method, params = {}) {
-    return this.connection.sendRequest(`textDocument/${method}`, { textDocument: { uri: this.uri(this.name) }, ...params });
+    return this.request(`textDocument/${method}`, { textDocument: { uri: this.uri(this.name) }, ...params });
   }
 
   /** Puts `text` in before `here`, as typing does. */
@@ -84,7 +93,7 @@ class Editor {
 
   /** The diagnostics of a file's newest version, once they suit. */
   problems(name, suit) {
-    return new Promise((resolve) => {
+    return within(new Promise((resolve) => {
       const look = () => {
         const params = this.published.get(this.uri(name));
         const newest = params && (name !== this.name || params.version === this.version);
@@ -92,7 +101,7 @@ class Editor {
         return newest && suit(params.diagnostics);
       };
       if (!look()) this.waiting.push(look);
-    });
+    }), () => `problems of ${name} that suit; published were ${JSON.stringify(this.published.get(this.uri(name)))}`);
   }
 }
 
@@ -119,8 +128,8 @@ test('it says what it can, and ends as it should', async (t) => {
   const { capabilities: can } = await editor.start();
   assert.equal(can.positionEncoding, 'utf-16');
   assert.equal(can.textDocumentSync.change, 2);
-  await assert.rejects(editor.connection.sendRequest('textDocument/nonsense', {}), { code: -32601 });
-  await editor.connection.sendRequest('shutdown');
+  await assert.rejects(editor.request('textDocument/nonsense', {}), { code: -32601 });
+  await editor.request('shutdown');
   await editor.connection.sendNotification('exit');
   assert.equal(await editor.exited, 0);
 });

@@ -3,6 +3,9 @@ import { spawn, spawnSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { eventually, PATIENCE_MS, within } from '../tools/patience.mjs';
+
+export { eventually };
 
 export const root = new URL('../..', import.meta.url).pathname;
 export const galileanBinary = `${process.env.GALILEAN_BUILD ?? `${root}build`}/bin/galilean`;
@@ -21,24 +24,26 @@ export function scratchFolder(t) {
   return folder;
 }
 
-/** Runs a command to its end. */
-export function galilean(args, { domain, cwd, input, timeout = 120_000 } = {}) {
+/** Runs a command to its end, which it must come to by itself. */
+export function galilean(args, { domain, cwd, input, timeout = PATIENCE_MS } = {}) {
   const env = { ...process.env, ...(domain ? { ROS_DOMAIN_ID: domain } : {}) };
-  const done = spawnSync(galileanBinary, args, { env, cwd, input, timeout, encoding: 'utf8', maxBuffer: 1 << 28 });
-  return { status: done.status, stdout: done.stdout ?? '', stderr: done.stderr ?? '' };
+  const { status, signal, error, stdout, stderr } = spawnSync(galileanBinary, args, { env, cwd, input, timeout, encoding: 'utf8', maxBuffer: 1 << 28 });
+  if (status === null) throw new Error(`galilean ${args.join(' ')} ended by ${error ?? signal}:\n${stdout}${stderr}`, { cause: error });
+  return { status, stdout, stderr };
 }
 
 /** A running command: `line(pattern)` waits for output, `stop()` sends SIGINT and waits for the end. */
 export class Running {
   constructor(t, args, { domain, cwd, env = {} } = {}) {
+    this.name = `galilean ${args[0]}`;
     this.output = '';
     this.waiting = [];
     this.process = spawn(galileanBinary, args, {
       cwd, env: { ...process.env, ...(domain ? { ROS_DOMAIN_ID: domain } : {}), ...env },
     });
-    this.exited = new Promise((resolve) => this.process.on('exit', (code, signal) => resolve({ code, signal })));
+    // Not "exit": what it said last comes after that.
+    this.ended = new Promise((resolve) => this.process.on('close', (code, signal) => resolve({ code, signal })));
     for (const stream of [this.process.stdout, this.process.stderr]) stream.on('data', (text) => this.#heard(text));
-    this.exited.then(() => this.#heard(''));
     t.after(() => this.stop());
   }
 
@@ -47,21 +52,33 @@ export class Running {
     this.waiting = this.waiting.filter((look) => !look());
   }
 
+  /** How it ended, once it has: its exit code, or the signal that killed it. */
+  get exited() {
+    return within(this.ended, () => `the end of ${this.name}, which said:\n${this.output}`);
+  }
+
   line(pattern) {
-    return new Promise((resolve, reject) => {
+    const said = new Promise((resolve, reject) => {
       const look = () => {
         const match = this.output.match(pattern);
         if (match) resolve(match);
-        else if (this.process.exitCode !== null) reject(new Error(`ended before it said ${pattern}:\n${this.output}`));
-        return Boolean(match) || this.process.exitCode !== null;
+        return match;
       };
-      if (!look()) this.waiting.push(look);
+      if (look()) return;
+      this.waiting.push(look);
+      this.ended.then(({ code, signal }) => reject(new Error(`${this.name} ended (${signal ?? `exit code ${code}`}) before it said ${pattern}:\n${this.output}`)));
     });
+    return within(said, () => `${this.name} to say ${pattern}; it said:\n${this.output}`);
   }
 
   async stop(signal = 'SIGINT') {
     if (this.process.exitCode === null && this.process.signalCode === null) this.process.kill(signal);
-    return this.exited;
+    try {
+      return await this.exited;
+    } catch (late) {
+      this.process.kill('SIGKILL');
+      throw late;
+    }
   }
 }
 
@@ -89,15 +106,6 @@ export async function startMonitor(t, options = []) {
     return robots.length === 1 && robots[0].program_hash;
   });
   return { monitor, robot, domain, cwd, url, token };
-}
-
-/** Asks again until `question()` gives something truthy; the test's own limit ends it otherwise. */
-export async function eventually(question) {
-  for (;;) {
-    const answer = await question();
-    if (answer) return answer;
-    await new Promise((resolve) => setImmediate(resolve));
-  }
 }
 
 export const getJson = async (url, options) => (await fetch(url, options)).json();

@@ -8,7 +8,7 @@ import path from "node:path";
 import { after, before, describe, test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
 import {
-  McapIndexedReader, McapStreamReader, MessageReader, definitionsFor, domain, program, start, testTool, unzstd,
+  McapIndexedReader, McapStreamReader, MessageReader, definitionsFor, domain, limit, program, start, testTool, unzstd,
 } from "./tools.mjs";
 
 const decompressHandlers = { zstd: (bytes, size) => unzstd(bytes, new Uint8Array(Number(size))) };
@@ -35,7 +35,7 @@ function readStream(file) {
   return records;
 }
 
-const info = (file) => JSON.parse(execFileSync(program("galilean-log"), ["info", file, "--json"]).toString());
+const info = (file) => JSON.parse(execFileSync(program("galilean-log"), ["info", file, "--json"], limit).toString());
 
 describe("a recording", () => {
   const folder = mkdtempSync(path.join(tmpdir(), "galilean-logs-"));
@@ -138,7 +138,7 @@ describe("a recording", () => {
     const told = info(file("killed.mcap"));
     assert.equal(told.recovered, true);
     assert.ok(told.messages > 50);
-    const text = execFileSync(program("galilean-log"), ["info", file("killed.mcap")]).toString();
+    const text = execFileSync(program("galilean-log"), ["info", file("killed.mcap")], limit).toString();
     assert.match(text, /was not closed properly; recovered \d+ messages/);
     const messages = readStream(file("killed.mcap")).filter((record) => record.type === "Message");
     assert.equal(messages.length, told.messages);
@@ -176,13 +176,13 @@ describe("a recording", () => {
       [["--out", file("x.mcap"), "--topics", "("], /no regular expression/],
     ];
     for (const [options, reason] of cases) {
-      const ended = spawnSync(program("galilean-record"), [...options, "--domain", domain]);
+      const ended = spawnSync(program("galilean-record"), [...options, "--domain", domain], limit);
       assert.equal(ended.status, 1);
       assert.match(ended.stderr.toString(), reason);
       assert.equal(ended.stderr.toString().trim().split("\n").length, 1);
     }
     for (const none of ["/nonexistent.mcap", program("galilean-log")]) {
-      const ended = spawnSync(program("galilean-log"), ["info", none]);
+      const ended = spawnSync(program("galilean-log"), ["info", none], limit);
       assert.equal(ended.status, 1);
       assert.equal(ended.stderr.toString().trim().split("\n").length, 1);
     }

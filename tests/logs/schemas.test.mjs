@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { createInterface } from "node:readline";
 import { after, before, describe, test } from "node:test";
+import { within } from "../tools/patience.mjs";
 import { MessageReader, MessageWriter, definitionsFor, domain, schemas, start, testTool } from "./tools.mjs";
 
 // A small generator with a seed, so that a failure can be seen again.
@@ -69,7 +70,7 @@ describe("messages", () => {
 
   async function throughDds(rosType, bytes) {
     echo.stdin.write(`${rosType} ${Buffer.from(bytes).toString("hex")}\n`);
-    const { value: answer } = await answers.next();
+    const { value: answer } = await within(answers.next(), () => `${rosType} to come back`);
     return Buffer.from(answer, "hex");
   }
 

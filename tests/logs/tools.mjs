@@ -3,6 +3,7 @@ import { execFileSync, spawn } from "node:child_process";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+import { PATIENCE_MS, within } from "../tools/patience.mjs";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const require = createRequire(path.join(here, "../node/package.json"));
@@ -18,11 +19,13 @@ export const testTool = (name) => path.join(build, "tests", name);
 
 // A domain of our own, so that tests hear nobody else.
 export const domain = process.env.ROS_DOMAIN_ID ?? "44";
+/** For programs that are run to their end. */
+export const limit = { timeout: PATIENCE_MS };
 
 let schemaList;
 export function schemas() {
   schemaList ??= JSON.parse(
-    execFileSync(testTool("wire_echo"), ["--schemas"], { maxBuffer: 1 << 26 }).toString(),
+    execFileSync(testTool("wire_echo"), ["--schemas"], { maxBuffer: 1 << 26, ...limit }).toString(),
   );
   return schemaList;
 }
@@ -40,6 +43,8 @@ export function start(command, args, options = {}) {
   child.text = "";
   child.stdout?.on("data", (data) => (child.text += data));
   child.stderr?.on("data", (data) => (child.text += data));
-  child.ended = new Promise((resolve) => child.on("close", (code, signal) => resolve({ code, signal })));
+  const closed = new Promise((resolve) => child.on("close", (code, signal) => resolve({ code, signal })));
+  /** How it ended, once it has. */
+  Object.defineProperty(child, "ended", { get: () => within(closed, () => `the end of ${command} ${args.join(" ")}, which said:\n${child.text}`) });
   return child;
 }

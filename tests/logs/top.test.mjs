@@ -3,10 +3,10 @@ import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { after, before, describe, test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
-import { domain, program, start, testTool } from "./tools.mjs";
+import { domain, limit, program, start, testTool } from "./tools.mjs";
 
 const session = `galilean-top-${process.pid}`;
-const tmux = (...words) => execFileSync("tmux", ["-L", session, ...words], { env: { ...process.env, LC_ALL: "C.UTF-8" } }).toString();
+const tmux = (...words) => execFileSync("tmux", ["-L", session, ...words], { ...limit, env: { ...process.env, LC_ALL: "C.UTF-8" } }).toString();
 const screen = () => tmux("capture-pane", "-p", "-t", session);
 
 async function shows(pattern) {
@@ -23,7 +23,7 @@ describe("galilean-top", () => {
     for (const name of ["ganymede", "io"]) talkers.push(start(testTool("wire_talker"), [name, domain]));
   });
   after(async () => {
-    spawnSync("tmux", ["-L", session, "kill-server"]);
+    spawnSync("tmux", ["-L", session, "kill-server"], limit);
     for (const talker of talkers) {
       talker.stdin.end();
       await talker.ended;
@@ -31,7 +31,7 @@ describe("galilean-top", () => {
   });
 
   test("--once prints the team for scripts", () => {
-    const once = spawnSync(program("galilean-top"), ["--once", "--robot", "io", "--domain", domain]);
+    const once = spawnSync(program("galilean-top"), ["--once", "--robot", "io", "--domain", domain], limit);
     const text = once.stdout.toString();
     assert.equal(once.status, 0, once.stderr.toString());
     assert.match(text, /2 robots/);
@@ -43,7 +43,7 @@ describe("galilean-top", () => {
   });
 
   test("--once where nobody is heard says so after three seconds", () => {
-    const once = spawnSync(program("galilean-top"), ["--once", "--domain", "46"]);
+    const once = spawnSync(program("galilean-top"), ["--once", "--domain", "46"], limit);
     assert.equal(once.status, 1);
     assert.match(once.stdout.toString(), /No robot heard/);
   });
@@ -80,7 +80,7 @@ describe("galilean-top", () => {
   });
 
   test("refuses to draw where there is no terminal", () => {
-    const ended = spawnSync(program("galilean-top"), ["--domain", domain]);
+    const ended = spawnSync(program("galilean-top"), ["--domain", domain], limit);
     assert.equal(ended.status, 1);
     assert.match(ended.stderr.toString(), /no terminal.*--once/);
   });

@@ -3,14 +3,11 @@
 //   node scripts/performance.mjs [--robots 3,30] [--seconds 20] [--minutes 1] [--url LIVE] [--chromium PATH]
 // --minutes: watch memory for so long with each team; the page remembers ten minutes, so that only from then on
 // it tells of a leak. 0: not at all. Without it all takes about five minutes. Needs dist/.
-import { spawn } from "node:child_process";
-import { once } from "node:events";
 import { readdirSync, readFileSync } from "node:fs";
-import { createInterface } from "node:readline";
-import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import { gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
+import { startFixture } from "../tests/fixture/start.mjs";
 
 const { values } = parseArgs({
   options: {
@@ -18,17 +15,12 @@ const { values } = parseArgs({
     url: { type: "string" }, chromium: { type: "string", default: "/usr/bin/chromium" },
   },
 });
-const FIXTURE = fileURLToPath(new URL("../tests/fixture/monitor.mjs", import.meta.url));
 const ASSETS = new URL("../dist/assets/", import.meta.url);
 /** The page's history, with a minute to fill. */
 const REMEMBERED_MIN = 11;
 const LAPTOP = { width: 1366, height: 768 };
 
-async function play(robots, port = 0) {
-  const fixture = spawn(process.execPath, [FIXTURE, "--port", String(port), "--robots", String(robots), "--ahead", "60"], { stdio: ["ignore", "pipe", "inherit"] });
-  const [url] = await once(createInterface({ input: fixture.stdout }), "line");
-  return { url, stop: () => new Promise((ended) => (fixture.once("exit", ended), fixture.kill())) };
-}
+const play = (robots, port) => startFixture({ robots, ahead: 60 }, port);
 
 const sorted = (numbers) => [...numbers].sort((a, b) => a - b);
 const quantile = (numbers, share) => sorted(numbers)[Math.min(Math.floor(numbers.length * share), numbers.length - 1)];

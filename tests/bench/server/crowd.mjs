@@ -1,6 +1,7 @@
 // 100 WebSocket clients that read all of a team's topics but its pictures: how late, and at what cost to the monitor.
 //   node tests/bench/server/crowd.mjs [CLIENTS=100] [ROBOTS=3] [SECONDS=10]
 import { createRequire } from 'node:module';
+import { within } from '../../tools/patience.mjs';
 import { bench, freePort, line, output, processorSeconds, program, root, scratchFolder, start } from './tools.mjs';
 
 const require = createRequire(`${root}tests/node/`);
@@ -14,10 +15,10 @@ async function channels(port) {
   const socket = new WebSocket(`ws://127.0.0.1:${port}/ws`, ['foxglove.websocket.v1']);
   const client = new FoxgloveClient({ ws: socket });
   const found = new Map();
-  await new Promise((resolve) => client.on('advertise', (list) => {
+  await within(new Promise((resolve) => client.on('advertise', (list) => {
     for (const each of list) found.set(each.topic, each);
     if ([...found.keys()].filter((topic) => topic.endsWith('/sightings')).length === robots) setTimeout(resolve, 2000);
-  }));
+  })), () => `channels of ${robots} robots; there are ${[...found.keys()].join(' ')}`);
   socket.terminate();
   return [...found.values()].filter((each) => !costly.includes(each.schemaName)).map((each) => String(each.id));
 }

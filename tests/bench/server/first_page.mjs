@@ -2,6 +2,7 @@
 //   node tests/bench/server/first_page.mjs
 import { connect } from 'node:net';
 import { spawnSync } from 'node:child_process';
+import { within } from '../../tools/patience.mjs';
 import { bench, build, inTurns, monitorCommand, scratchFolder, start, startNginx } from './tools.mjs';
 
 const now = () => performance.now();
@@ -25,7 +26,7 @@ function firstByte(port) {
 const untilFirstPage = ({ command, args, port }) => async () => {
   const began = now();
   const child = start(command, args);
-  await firstByte(port);
+  await within(firstByte(port), () => `a page from ${command}`);
   const took = now() - began;
   await child.end('SIGTERM');
   return took;

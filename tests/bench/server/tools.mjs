@@ -4,6 +4,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:net';
 import { tmpdir, userInfo } from 'node:os';
 import { join } from 'node:path';
+import { PATIENCE_MS } from '../../tools/patience.mjs';
 
 export const root = new URL('../../..', import.meta.url).pathname;
 export const build = process.env.GALILEAN_BUILD ?? `${root}build`;
@@ -63,12 +64,13 @@ export function start(command, args, options = {}) {
 
 /** What `child` says on stdout that matches, as soon as it does. */
 export async function line(child, pattern) {
-  for (;;) {
+  for (const began = performance.now(); performance.now() - began < PATIENCE_MS;) {
     const match = child.text.match(pattern);
     if (match) return match;
-    if (child.exitCode !== null) throw new Error(`ended before it said ${pattern}: ${child.text}`);
+    if (child.exitCode !== null || child.signalCode !== null) throw new Error(`ended before it said ${pattern}: ${child.text}`);
     await new Promise((resolve) => setTimeout(resolve, 5));
   }
+  throw new Error(`waited ${PATIENCE_MS / 1000} s for ${pattern}: ${child.text}`);
 }
 
 /** Until the server says that all is well; it has ten seconds. */

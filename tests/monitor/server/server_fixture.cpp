@@ -28,7 +28,8 @@ Ran run_command(const std::string& command) {
   std::array<char, 4096> part;
   while (const auto size = fread(part.data(), 1, part.size(), pipe))
     result.output.append(part.data(), size);
-  result.exit_code = WEXITSTATUS(pclose(pipe));
+  const int status = pclose(pipe);
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return result;
 }
 

@@ -3,13 +3,14 @@
 # another on the page of one demo, which it starts and ends.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+[ -n "${GALILEAN_TEST_DOMAIN:-}" ] || exec node tests/tools/with_domain.mjs scripts/browser_tests.sh "$@"
 files=("$@")
 [ $# -gt 0 ] || files=(tests/browser/*.test.mjs)
-port=$((20000 + RANDOM % 20000))
+port=$(node --input-type=module -e 'console.log(await (await import("./tests/tools/port.mjs")).freePort())')
 folder=$(mktemp -d)
-export ROS_DOMAIN_ID=$((150 + RANDOM % 50))
+export XDG_STATE_HOME=$folder/state
 
-(cd "$folder" && exec "$OLDPWD/build/bin/galilean" demo --port $port --seed 3 >"$folder/demo.log" 2>&1) &
+(cd "$folder" && exec "$OLDPWD/build/bin/galilean" demo --port "$port" --seed 3 >"$folder/demo.log" 2>&1) &
 demo=$!
 leave() { kill -INT $demo 2>/dev/null || true; wait $demo 2>/dev/null || true; rm -rf "$folder"; }
 trap leave EXIT

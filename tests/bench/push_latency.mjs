@@ -5,12 +5,13 @@ import { spawn, spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { freshDomain } from '../tools/domain.mjs';
 
 const root = new URL('../..', import.meta.url).pathname;
 const binaries = `${process.env.GALILEAN_BUILD ?? `${root}build`}/bin`;
 const robots = Number(process.argv[2] ?? 3);
 const pushes = Number(process.argv[3] ?? 20);
-const env = { ...process.env, ROS_DOMAIN_ID: process.env.ROS_DOMAIN_ID ?? '99' };
+const env = { ...process.env, ROS_DOMAIN_ID: freshDomain() };
 const folder = mkdtempSync(join(tmpdir(), 'galilean-push-'));
 
 const program = (duration) => `variables: bits: name: "time" end

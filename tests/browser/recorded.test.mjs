@@ -8,6 +8,7 @@ import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { freshDomain } from "../tools/domain.mjs";
 import { within } from "../tools/patience.mjs";
 import { ROBOTS, Tab } from "./tab.mjs";
 
@@ -15,7 +16,7 @@ const GALILEAN = fileURLToPath(new URL("../../build/bin/galilean", import.meta.u
 const tab = new Tab();
 const { at, row, until } = tab;
 const folder = mkdtempSync(join(tmpdir(), "galilean-recorded-"));
-const env = { ...process.env, ROS_DOMAIN_ID: String(Number(process.env.ROS_DOMAIN_ID) - 50) };
+const env = { ...process.env, ROS_DOMAIN_ID: freshDomain() };
 const started = [];
 
 /** The first line of its output that has `pattern`. */

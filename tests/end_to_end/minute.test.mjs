@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { before, describe, test } from 'node:test';
 import { McapIndexedReader, MessageReader, definitionsFor, unzstd } from '../logs/tools.mjs';
-import { freshDomain, galilean, scratchFolder } from './tools.mjs';
+import { freePort, freshDomain, galilean, scratchFolder } from './tools.mjs';
 
 const robots = ['io', 'ganymede', 'callisto'];
 const decompressHandlers = { zstd: (bytes, size) => unzstd(bytes, new Uint8Array(Number(size))) };
@@ -32,7 +32,7 @@ describe('a headless minute', () => {
   let done, info, topics;
   before(async () => {
     const cwd = scratchFolder({ after: (leave) => process.on('exit', leave) }), domain = freshDomain();
-    done = galilean(['demo', '--port', '18999', '--headless-for', '60', '--record', 'run.mcap'], { domain, cwd, timeout: 180_000 });
+    done = galilean(['demo', '--port', String(await freePort()), '--headless-for', '60', '--record', 'run.mcap'], { domain, cwd, timeout: 180_000 });
     assert.equal(done.status, 0, done.stdout + done.stderr);
     info = JSON.parse(galilean(['log', 'info', 'run.mcap', '--json'], { cwd }).stdout);
     topics = await readLog(`${cwd}/run.mcap`);

@@ -3,7 +3,7 @@ import { createServer } from 'node:net';
 import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import {
-  eventually, freshDomain, galilean, getJson, processesIn, programs, Running, scratchFolder, sharedMemory, startTeam,
+  eventually, freePort, freshDomain, galilean, getJson, processesIn, programs, Running, scratchFolder, sharedMemory, startTeam,
 } from './tools.mjs';
 
 const status = (url) => getJson(`${url}/api/status`);
@@ -16,13 +16,13 @@ async function wholeTeam(url) {
   });
 }
 
-test('the demo without a browser: the team works, and nothing is left behind', (t) => {
+test('the demo without a browser: the team works, and nothing is left behind', async (t) => {
   const domain = freshDomain();
-  const before = sharedMemory();
-  const run = galilean(['demo', '--port', '18970', '--seed', '1', '--headless-for', '20'], { domain, cwd: scratchFolder(t) });
+  const run = galilean(['demo', '--port', String(await freePort()), '--seed', '1', '--headless-for', '20'], { domain, cwd: scratchFolder(t) });
   assert.equal(run.status, 0, run.stdout + run.stderr);
   assert.deepEqual(processesIn(domain), []);
-  assert.deepEqual(sharedMemory().filter((name) => !before.includes(name)), []);
+  const [, pid] = /logs in \.galilean\/run-(\d+);/.exec(run.stdout);
+  assert.deepEqual(sharedMemory().filter((name) => name.includes(`demo-${pid}`)), []);
 });
 
 test('another strategy while the team runs', async (t) => {
@@ -93,12 +93,11 @@ test('camera and serial line unplugged: the robot says which, and comes back', a
     '--autostart', '1', '--fault', 'camera:io@4-8', '--fault', 'serial:io@10-14'], { domain, cwd });
   const { robots } = JSON.parse((await sim.line(/^\{.*"ready".*\}$/m))[0]);
   new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', robots[0].serial, '--camera', robots[0].camera], { domain, cwd });
-  const port = 18900 + Number(domain) % 60;
-  const monitor = new Running(t, ['monitor', '--listen', `127.0.0.1:${port}`, '--data', cwd], { domain, cwd });
-  await monitor.line(/http:\/\//);
+  const monitor = new Running(t, ['monitor', '--listen', '127.0.0.1:0', '--data', cwd], { domain, cwd });
+  const [url] = await monitor.line(/http:\/\/127\.0\.0\.1:\d+/);
 
   const problem = (pattern) => eventually(async () => {
-    const io = (await status(`http://127.0.0.1:${port}`)).robots.find((robot) => robot.name === 'io');
+    const io = (await status(url)).robots.find((robot) => robot.name === 'io');
     return io && (pattern ? io.problems.find((text) => pattern.test(text)) : io.problems.length === 0 && io.state !== 'start');
   });
   t.diagnostic(await problem(/camera|frame|picture/i));

@@ -3,20 +3,19 @@ import { spawn, spawnSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { freshDomain } from '../tools/domain.mjs';
 import { eventually, PATIENCE_MS, within } from '../tools/patience.mjs';
+import { freePort } from '../tools/port.mjs';
 
-export { eventually };
+export { eventually, freePort, freshDomain };
 
 export const root = new URL('../..', import.meta.url).pathname;
 export const galileanBinary = `${process.env.GALILEAN_BUILD ?? `${root}build`}/bin/galilean`;
 export const programs = `${root}bhdl/programs`;
 
-let nextDomain = 100 + (process.pid % 50);
-
-/** A DDS domain that no other test of this process uses. */
-export function freshDomain() {
-  return String(nextDomain++);
-}
+// Tokens and histories of this file's monitors: neither the user's, nor another test's.
+process.env.XDG_STATE_HOME = mkdtempSync(join(tmpdir(), 'galilean-state-'));
+process.on('exit', () => rmSync(process.env.XDG_STATE_HOME, { recursive: true, force: true }));
 
 export function scratchFolder(t) {
   const folder = mkdtempSync(join(tmpdir(), 'galilean-test-'));
@@ -85,7 +84,7 @@ export class Running {
 /** A team that runs: simulator, robots and monitor, by `galilean demo`. */
 export async function startTeam(t, options = []) {
   const domain = freshDomain();
-  const port = 18000 + Number(domain) * 10 + Math.floor(Math.random() * 10);
+  const port = await freePort();
   const cwd = scratchFolder(t);
   const team = new Running(t, ['demo', '--port', String(port), '--seed', '1', ...options], { domain, cwd });
   await team.line(/http:\/\/127\.0\.0\.1:\d+/);

@@ -3,6 +3,7 @@ import { execFileSync, spawn } from "node:child_process";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+import { freshDomain } from "../tools/domain.mjs";
 import { PATIENCE_MS, within } from "../tools/patience.mjs";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
@@ -18,7 +19,7 @@ export const program = (name) => path.join(build, "bin", name);
 export const testTool = (name) => path.join(build, "tests", name);
 
 // A domain of our own, so that tests hear nobody else.
-export const domain = process.env.ROS_DOMAIN_ID ?? "44";
+export const domain = freshDomain();
 /** For programs that are run to their end. */
 export const limit = { timeout: PATIENCE_MS };
 

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { after, before, describe, test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
+import { freshDomain } from "../tools/domain.mjs";
 import { domain, limit, program, start, testTool } from "./tools.mjs";
 
 const session = `galilean-top-${process.pid}`;
@@ -43,7 +44,7 @@ describe("galilean-top", () => {
   });
 
   test("--once where nobody is heard says so after three seconds", () => {
-    const once = spawnSync(program("galilean-top"), ["--once", "--domain", "46"], limit);
+    const once = spawnSync(program("galilean-top"), ["--once", "--domain", freshDomain()], limit);
     assert.equal(once.status, 1);
     assert.match(once.stdout.toString(), /No robot heard/);
   });

@@ -1,15 +1,18 @@
 // What the server's benchmarks share: peers, free ports, ratios of runs that take turns.
 import { execFileSync, spawn, spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:net';
 import { tmpdir, userInfo } from 'node:os';
 import { join } from 'node:path';
+import { freshDomain } from '../../tools/domain.mjs';
 import { PATIENCE_MS } from '../../tools/patience.mjs';
+import { freePort } from '../../tools/port.mjs';
+
+export { freePort };
 
 export const root = new URL('../../..', import.meta.url).pathname;
 export const build = process.env.GALILEAN_BUILD ?? `${root}build`;
 export const program = (name) => `${build}/bin/${name}`;
-export const domain = process.env.ROS_DOMAIN_ID ?? '99';
+export const domain = freshDomain();
 
 const cleanUps = [];
 export const atTheEnd = (action) => cleanUps.unshift(action);
@@ -30,15 +33,6 @@ export function scratchFolder() {
   const folder = mkdtempSync(join(tmpdir(), 'galilean-bench-'));
   atTheEnd(() => rmSync(folder, { recursive: true, force: true }));
   return folder;
-}
-
-export function freePort() {
-  return new Promise((resolve) => {
-    const server = createServer().listen(0, '127.0.0.1', () => {
-      const { port } = server.address();
-      server.close(() => resolve(port));
-    });
-  });
 }
 
 /** A program that others wrote: by the variable that names it, or from the path. */

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "tests/free_domain.h"
+
 extern char** environ;
 
 namespace galilean::wire {
@@ -42,7 +44,8 @@ class Team {
 
  private:
   void spawn(std::string name, int size) {
-    std::string program = GALILEAN_BINARY_DIR "/tests/wire_neighbour", domain = "45";
+    std::string program = GALILEAN_BINARY_DIR "/tests/wire_neighbour",
+                domain = std::to_string(domain_);
     std::string count = std::to_string(size);
     std::array<char*, 5> arguments{program.data(), name.data(), count.data(), domain.data()};
     posix_spawn_file_actions_t actions;
@@ -57,6 +60,7 @@ class Team {
     posix_spawn_file_actions_destroy(&actions);
   }
 
+  const int domain_ = free_domain();
   std::array<int, 2> input_{}, output_{};
   std::vector<pid_t> pids_;
 };

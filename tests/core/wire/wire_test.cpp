@@ -13,11 +13,12 @@
 #include "core/wire/topic_names.h"
 #include "core/wire/writer.h"
 #include "tests/core/wire/wait_until.h"
+#include "tests/free_domain.h"
 
 namespace galilean::wire {
 namespace {
 
-constexpr int kDomain = 44;
+const int kDomain = free_domain();
 constexpr const char* kStateType = msg::RobotState::kRosType;
 
 std::unique_ptr<Participant> join(const std::string& name = "test") {

@@ -1,4 +1,5 @@
 // `galilean swap` and `galilean programs`, against a monitor and without one.
+#include "tests/free_domain.h"
 #include "tests/monitor/scripted_robot.h"
 #include "tests/monitor/server/server_fixture.h"
 
@@ -78,8 +79,9 @@ TEST_F(SwapCommandTest, SwapWithoutAMonitorPrintsEachRobotsAnswer) {
 }
 
 TEST_F(SwapCommandTest, SwapWithoutARobotSaysSoInOneLine) {
-  const auto alone = run_command(std::string(GALILEAN_SWAP) + " --direct --domain 230 --team " +
-                                 (folder / "good.bhdl").string());
+  const auto alone =
+      run_command(std::string(GALILEAN_SWAP) + " --direct --domain " +
+                  std::to_string(free_domain()) + " --team " + (folder / "good.bhdl").string());
   EXPECT_EQ(alone.exit_code, 2);
   EXPECT_EQ(std::ranges::count(alone.output, '\n'), 1);
 }

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "monitor/access/tokens.h"
+#include "tests/free_domain.h"
 
 namespace galilean::monitor {
 namespace {
@@ -18,7 +19,7 @@ namespace http = beast::http;
 }  // namespace
 
 int test_domain() {
-  static const int kDomain = 60 + getpid() % 150;
+  static const int kDomain = free_domain();
   return kDomain;
 }
 

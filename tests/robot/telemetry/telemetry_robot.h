@@ -4,12 +4,13 @@
 #include "core/wire/topic_names.h"
 #include "core/wire/writer.h"
 #include "robot/telemetry/telemetry.h"
+#include "tests/free_domain.h"
 #include "tests/robot/executive/test_robot.h"
 #include "tests/robot/telemetry/mailbox.h"
 
 namespace galilean::robot {
 
-inline constexpr int kDomain = 42;
+inline const int kDomain = free_domain();
 
 /// A scripted robot "io" on DDS, with somebody else in the same domain. Each robot has a name of
 /// its own, so that no test hears the one before.

@@ -10,13 +10,14 @@
 #include "robot/devices/microcontroller_link.h"
 #include "robot/devices/motor_drive.h"
 #include "robot/devices/serial_port.h"
+#include "tests/free_domain.h"
 
 namespace galilean::sim {
 namespace {
 
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
-constexpr int kDomain = 41;
+const int kDomain = free_domain();
 constexpr auto kTick = 5ms;  // the simulator runs in real time here, and so do its robots
 
 std::string own_run(const std::string& name) {

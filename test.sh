@@ -32,8 +32,8 @@ run() { if wanted "$1"; then suite "$@"; fi; }
 only=("$@")
 
 run unit ctest --test-dir build -j2 --output-on-failure
-run page scripts/in.sh web npm test
-run page-types scripts/in.sh web npm run check
+run page scripts/page.sh test
+run page-types scripts/page.sh check
 run node scripts/node_tests.sh tests/{logs,architecture,tools}/*.test.mjs
 run end-to-end scripts/node_tests.sh tests/end_to_end/*.test.mjs
 run browser scripts/browser_tests.sh

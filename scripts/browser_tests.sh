@@ -25,6 +25,4 @@ if [[ " ${files[*]} " == *recorded.test.mjs* ]]; then
   export GALILEAN_RECORDING=$folder/recorded.mcap
   build/bin/galilean record --out "$GALILEAN_RECORDING" --duration 15
 fi
-status=0
-for file in "${files[@]}"; do node --test "$file" || status=1; done
-exit $status
+scripts/node_tests.sh "${files[@]}"

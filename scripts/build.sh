@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # build.sh programs|all: builds the programs (and with "all" the tests) into build/, and the page
-# into build/share/galilean/web. Does only what changed.
+# into build/share/galilean/web, with "all" by Node 18. Does only what changed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -23,16 +23,19 @@ packages() {
   npm ci --no-audit --no-fund --silent || npm install --no-save --no-audit --no-fund --silent
 }
 
+stamp=build/share/galilean/web.stamp
 sources=$(find web bhdl/editors -path web/node_modules -prune -o -path web/dist -prune -o -type f -print0 | sort -z | xargs -0 sha256sum | sha256sum)
-if [ "$(cat build/share/galilean/web.stamp 2>/dev/null)" != "$sources" ]; then
+wanted=$sources shell=$(command -v bash)
+[ "${1:-programs}" = all ] && wanted="$sources by Node 18" shell=$PWD/scripts/node18.sh
+if [[ $(cat "$stamp" 2>/dev/null) != "$wanted"* ]]; then
   echo "Building the page …"
-  (cd web && { [ node_modules/.package-lock.json -nt package-lock.json ] || packages; } && npm run build --silent) \
-    >build/web.log 2>&1 || { tail -40 build/web.log >&2; exit 1; }
+  (cd web && { [ node_modules/.package-lock.json -nt package-lock.json ] || packages; } &&
+    npm run build --silent --script-shell "$shell") >build/web.log 2>&1 || { tail -40 build/web.log >&2; exit 1; }
   rm -rf build/share/galilean/web
   mkdir -p build/share/galilean
   cp -r web/dist build/share/galilean/web
   find build/share/galilean/web -type f -size +1k ! -name '*.png' ! -name '*.woff2' -exec gzip -9 -k -n {} +
   rm -rf build/share/galilean/vscode
-  node bhdl/editors/textmate.mjs build/share/galilean/vscode
-  echo "$sources" >build/share/galilean/web.stamp
+  "$shell" -c 'node bhdl/editors/textmate.mjs build/share/galilean/vscode'
+  echo "$wanted" >"$stamp"
 fi

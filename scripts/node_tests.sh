@@ -5,5 +5,5 @@ cd "$(dirname "$0")/.."
 [ tests/node/node_modules/.package-lock.json -nt tests/node/package-lock.json ] ||
   (cd tests/node && npm ci --no-audit --no-fund --silent)
 status=0
-for file in "$@"; do scripts/node18.sh -c 'node --test "$0"' "$file" || status=1; done
+for file in "$@"; do scripts/node18.sh scripts/node_test.sh "$file" || status=1; done
 exit $status

@@ -71,6 +71,8 @@ nlohmann::json attribute_to_json(const AttributeSpec& spec) {
   if (!spec.only_with.empty()) json["only_with"] = spec.only_with;
   if (!spec.only_without.empty()) json["only_without"] = spec.only_without;
   if (spec.access != Access::kNone) json["access"] = to_string(spec.access);
+  if (spec.role != Role::kNone) json["role"] = to_string(spec.role);
+  if (!spec.of.empty()) json["of"] = spec.of;
   return json;
 }
 
@@ -93,6 +95,8 @@ AttributeSpec attribute_from_json(const nlohmann::json& json) {
   spec.only_with = json.value("only_with", "");
   spec.only_without = json.value("only_without", "");
   spec.access = parse_word<Access>(kAccess, json.value("access", "none"));
+  spec.role = role_named(json.value("role", ""));
+  spec.of = json.value("of", "");
   spec.help = json.value("help", "");
   return spec;
 }
@@ -125,6 +129,11 @@ const AttributeSpec* ComponentSpec::find(std::string_view attribute) const noexc
     if (spec.name == attribute || std::ranges::find(spec.aliases, attribute) != spec.aliases.end())
       return &spec;
   return nullptr;
+}
+
+const AttributeSpec* ComponentSpec::find(Role role) const noexcept {
+  const auto found = std::ranges::find(attributes, role, &AttributeSpec::role);
+  return found == attributes.end() ? nullptr : &*found;
 }
 
 const ComponentSpec* Catalog::find(std::string_view component) const noexcept {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/catalog/role.h"
 #include "core/catalog/unit.h"
 #include "core/catalog/value.h"
 #include "core/result.h"
@@ -60,6 +61,8 @@ struct AttributeSpec {
   std::string only_with;  ///< name of an optional attribute without which nobody reads this one
   std::string only_without;  ///< the same of one with which nobody reads it
   Access access = Access::kNone;
+  Role role = Role::kNone;
+  std::string of;  ///< with a role: the attribute that it belongs to; of a channel: its name
   std::string help;
 
   [[nodiscard]] bool required() const noexcept { return !default_value.has_value(); }
@@ -78,6 +81,8 @@ struct ComponentSpec {
 
   [[nodiscard]] const AttributeSpec* find(
       std::string_view attribute) const noexcept;  ///< by name or alias
+  /// Returns the first attribute that has the role; nullptr if none has.
+  [[nodiscard]] const AttributeSpec* find(Role role) const noexcept;
 };
 
 /// What components exist and what they take: plain data, so that whoever checks a program needs no

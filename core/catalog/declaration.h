@@ -82,6 +82,12 @@ class Declaration {
       spec_.bit_of = std::move(attribute);
       return *this;
     }
+    /// What it is to others, which know no schema by name; see docs/ADD_A_SCHEMA.md.
+    Refinement& role(Role role, std::string of = {}) {
+      spec_.role = role;
+      spec_.of = std::move(of);
+      return *this;
+    }
 
    private:
     AttributeSpec& spec_;

@@ -24,6 +24,7 @@ class Registry {
     auto declaration = std::make_shared<Declaration<T>>(name, kind);
     T::describe(*declaration);
     if constexpr (kind == ComponentKind::kMotorSchema) declaration->takes_gain();
+    require_sound_roles(declaration->spec());
     catalog_.components.push_back(declaration->spec());
     factories_[std::move(name)] = [declaration](const AttributeValues& values,
                                                 const Wiring& wiring) {
@@ -37,6 +38,7 @@ class Registry {
   void add_settings(std::string name, ComponentKind kind) {
     Declaration<T> declaration(std::move(name), kind);
     T::describe(declaration);
+    require_sound_roles(declaration.spec());
     catalog_.components.push_back(declaration.spec());
   }
 

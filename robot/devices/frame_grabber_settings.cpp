@@ -13,10 +13,12 @@ void FrameGrabberSettings::describe(Declaration<FrameGrabberSettings>& is) {
   is.number(&S::view_angle_rad, "view_angle", unit::kDegree, 73.5, "horizontal field of view")
       .range(1, 170);
   is.number(&S::height_m, "camera_height", unit::kCentimetre, 20, "of the lens over the floor")
-      .range(1, 300);
+      .range(1, 300)
+      .role(Role::kCameraHeight);
   is.number(&S::forward_m, "camera_forward", unit::kCentimetre, 10,
             "of the lens in front of the robot's centre")
-      .range(-100, 100);
+      .range(-100, 100)
+      .role(Role::kCameraForward);
 }
 
 CameraGeometry FrameGrabberSettings::geometry() const noexcept {

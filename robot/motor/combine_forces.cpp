@@ -36,7 +36,8 @@ void CombineForces::describe(Declaration<CombineForces>& is) {
   is.numbers(&CombineForces::gains_, "gains", unit::kNone, {},
              "a gain for each force, in the same order; without any all are 1")
       .range(0, 1e6)
-      .one_for_each("inputs");
+      .one_for_each("inputs")
+      .role(Role::kGain, "inputs");
   is.choice(&CombineForces::mode_, "mode", {"sum", "average"}, "sum",
             "whether the sum is divided by the sum of the gains");
   is.number(&CombineForces::max_length_, "max_length", unit::kNone, 1,

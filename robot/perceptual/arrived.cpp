@@ -10,7 +10,8 @@ void Arrived::describe(Declaration<Arrived>& is) {
   is.reads(&Arrived::shaft_, "shaft_variable", "where the robot is").preset("shaft");
   is.number(&Arrived::radius_m_, "radius", unit::kCentimetre, 40,
             "distance from the robot's centre to the object's that counts as there")
-      .range(0, 10000);
+      .range(0, 10000)
+      .role(Role::kDistanceAtMost, "locate_variable");
   is.updates(&Arrived::bits_, "bits_variable", "holds the bit");
   is.number(&Arrived::bit_index_, "bit_index", unit::kNone, 0, "which bit")
       .range(0, 31)

@@ -68,7 +68,8 @@ void BlobDetector::describe_connections(Declaration<BlobDetector>& is) {
   is.reads(&BlobDetector::image_, "image_variable", "where to look");
   is.reads(&BlobDetector::shaft_, "shaft_variable", "where the robot is");
   is.updates(&BlobDetector::locate_, "locate_variable",
-             "the object: its class and radius say what is looked for");
+             "the object: its class and radius say what is looked for")
+      .role(Role::kSighting, "image_variable");
   is.reads(&BlobDetector::companion_, "companion_image",
            "image that is bright beside what must be rejected")
       .optional();
@@ -79,15 +80,18 @@ void BlobDetector::describe_connections(Declaration<BlobDetector>& is) {
 
 void BlobDetector::describe_appearance(Declaration<BlobDetector>& is) {
   is.choice(&BlobDetector::polarity_, "polarity", {"bright", "dark"}, "bright",
-            "whether the object's pixels are at least, or less than, the threshold");
+            "whether the object's pixels are at least, or less than, the threshold")
+      .role(Role::kPolarity, "image_variable");
   is.number(&BlobDetector::threshold_, "threshold", unit::kNone, 60, "brightness of a pixel")
-      .range(0, 255);
+      .range(0, 255)
+      .role(Role::kThreshold, "image_variable");
   is.choice(&BlobDetector::aim_, "aim", {"centroid", "lowest"}, "centroid",
             "which column tells the azimuth: the blob's mean, or that of its lowest pixels (for "
             "wide obstacles)");
   is.number(static_cast<Number>(&BlobGates::min_area_px), "min_area", unit::kSquarePixel, 12,
             "smallest blob")
-      .range(1, Image::kWidth * Image::kHeight);
+      .range(1, Image::kWidth * Image::kHeight)
+      .role(Role::kLeastArea, "image_variable");
   is.number(static_cast<Number>(&BlobGates::max_area_px), "max_area", unit::kSquarePixel,
             Image::kWidth * Image::kHeight, "largest blob")
       .range(1, Image::kWidth * Image::kHeight);

@@ -11,7 +11,8 @@ void BumperScanner::describe(Declaration<BumperScanner>& is) {
   is.number(&BumperScanner::bit_index_, "bit_index", unit::kNone, kAllBumpers,
             "the one bumper to scan; -1: all eight")
       .range(kAllBumpers, ControllerStatus::kBumpers - 1)
-      .bit_of("bits_variable");
+      .bit_of("bits_variable")
+      .role(Role::kBumper);
   is.uses_devices(&BumperScanner::devices_);
 }
 

@@ -11,7 +11,8 @@ void GripperScanner::describe(Declaration<GripperScanner>& is) {
   is.number(&GripperScanner::beam_index_, "beam_index", unit::kNone, 0,
             "the bit that is 1 while the infrared beam is broken")
       .range(0, 31)
-      .bit_of("bits_variable");
+      .bit_of("bits_variable")
+      .role(Role::kGripperBeam);
   is.number(&GripperScanner::closed_index_, "closed_index", unit::kNone, 1,
             "the bit that is 1 while the gripper is closed")
       .range(0, 31)

@@ -23,10 +23,18 @@ void stamp(Variable<Image>* image, const Frame& frame, const Tick& tick) noexcep
 
 void Look::describe(Declaration<Look>& is) {
   is.help("Takes a new camera picture apart into supercomponents and intensity.");
-  is.writes(&Look::red_, "red_variable", "red less green and blue").optional();
-  is.writes(&Look::green_, "green_variable", "green less red and blue").optional();
-  is.writes(&Look::blue_, "blue_variable", "blue less red and green").optional();
-  is.writes(&Look::dark_, "dark_variable", "intensity, for blobs of polarity dark").optional();
+  is.writes(&Look::red_, "red_variable", "red less green and blue")
+      .optional()
+      .role(Role::kChannel, "superred");
+  is.writes(&Look::green_, "green_variable", "green less red and blue")
+      .optional()
+      .role(Role::kChannel, "supergreen");
+  is.writes(&Look::blue_, "blue_variable", "blue less red and green")
+      .optional()
+      .role(Role::kChannel, "superblue");
+  is.writes(&Look::dark_, "dark_variable", "intensity, for blobs of polarity dark")
+      .optional()
+      .role(Role::kChannel, "dark");
   is.flag(&Look::normalise_, "normalise", true,
           "whether dim pictures are brought to full brightness first");
   is.uses_devices(&Look::devices_);

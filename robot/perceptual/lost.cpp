@@ -7,7 +7,8 @@ void Lost::describe(Declaration<Lost>& is) {
   is.reads(&Lost::object_, "locate_variable", "the object");
   is.number(&Lost::min_certainty_, "min_certainty", unit::kNone, 0.2,
             "certainty below which the object is lost")
-      .range(0, 1);
+      .range(0, 1)
+      .role(Role::kCertaintyBelow, "locate_variable");
   is.updates(&Lost::bits_, "bits_variable", "holds the bit");
   is.number(&Lost::bit_index_, "bit_index", unit::kNone, 0, "which bit")
       .range(0, 31)

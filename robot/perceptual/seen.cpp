@@ -9,7 +9,8 @@ void Seen::describe(Declaration<Seen>& is) {
   is.reads(&Seen::object_, "locate_variable", "the object");
   is.reads(&Seen::shaft_, "shaft_variable", "where the robot is").preset("shaft");
   is.number(&Seen::min_certainty_, "min_certainty", unit::kNone, 0.5, "how sure it must be")
-      .range(0, 1);
+      .range(0, 1)
+      .role(Role::kCertaintyAtLeast, "locate_variable");
   is.number(&Seen::max_range_m_, "max_range", unit::kCentimetre, 10000,
             "how far from the robot it may be")
       .range(0, 10000);

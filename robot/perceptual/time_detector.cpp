@@ -9,7 +9,8 @@ void TimeDetector::describe(Declaration<TimeDetector>& is) {
       .range(0, 31)
       .bit_of("bits_variable");
   is.required_number(&TimeDetector::duration_s_, "duration", unit::kSecond, "the time")
-      .range(0, 86400);
+      .range(0, 86400)
+      .role(Role::kTimeAtLeast);
 }
 
 void TimeDetector::activate(const Tick& tick) {

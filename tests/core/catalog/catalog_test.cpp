@@ -22,6 +22,8 @@ class Example final : public MotorSchema {
         .alias("raduis");
     is.pair(&Example::offset_m_, "offset", unit::kCentimetre, Vec2(0, 22), "a point");
     is.reads_all(&Example::inputs_, "inputs", "forces");
+    is.numbers(&Example::gains_, "gains", unit::kNone, {}, "of the forces")
+        .role(Role::kGain, "inputs");
     is.number(&Example::index_, "bit_index", unit::kNone, 0, "which").bit_of("bits_variable");
     is.choice(&Example::sum_, "mode", {"average", "sum"}, "average", "how");
   }
@@ -32,6 +34,7 @@ class Example final : public MotorSchema {
   double radius_m_ = 0;
   Vec2 offset_m_ = Vec2::Zero();
   std::vector<const Variable<Force>*> inputs_;
+  std::vector<double> gains_;
   int index_ = 0;
   bool sum_ = false;
 };
@@ -52,6 +55,79 @@ TEST(Catalog, SurvivesJson) {
   EXPECT_EQ(radius->maximum, 100);
   EXPECT_FALSE(radius->required());
   EXPECT_TRUE(read.value().find("example")->find("goal_variable")->required());
+}
+
+TEST(Catalog, CarriesRolesAsWords) {
+  Registry registry;
+  registry.add_schema<Example>("example");
+  const auto read = catalog_from_json(catalog_to_json(registry.catalog()));
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  const auto* gains = read.value().find("example")->find(Role::kGain);
+  ASSERT_NE(gains, nullptr);
+  EXPECT_EQ(gains->name, "gains");
+  EXPECT_EQ(gains->of, "inputs");
+  EXPECT_EQ(read.value().find("example")->find(Role::kChannel), nullptr);
+  for (int role = 0; role <= static_cast<int>(Role::kCameraForward); ++role)
+    EXPECT_EQ(role_named(to_string(static_cast<Role>(role))), static_cast<Role>(role)) << role;
+}
+
+TEST(Catalog, TakesARoleThatItDoesNotKnowForNone) {
+  const auto read = catalog_from_json(R"({"components":[{"name":"new","kind":"motor_schema",
+      "attributes":[{"name":"a","type":"number","role":"warp_factor","of":"b"}]}]})");
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read.value().find("new")->find("a")->role, Role::kNone);
+}
+
+/// Why a component with this attribute, a locate and a force is refused; empty if it is not.
+std::string refusal(AttributeSpec attribute) {
+  const AttributeSpec object{.name = "object",
+                             .type = AttributeType::kName,
+                             .refers_to = "locate",
+                             .access = Access::kWrite};
+  const AttributeSpec push{.name = "push", .type = AttributeType::kName, .refers_to = "force"};
+  try {
+    require_sound_roles({"example", ComponentKind::kMotorSchema, "", {attribute, object, push}});
+    return {};
+  } catch (const std::logic_error& problem) {
+    return problem.what();
+  }
+}
+
+TEST(Role, IsRefusedWhereTheAttributeCannotHaveIt) {
+  const auto number = AttributeType::kNumber;
+  const auto role = [](AttributeType type, Role of_attribute, std::string of) {
+    return refusal({.name = "odd", .type = type, .role = of_attribute, .of = std::move(of)});
+  };
+  EXPECT_EQ(role(number, Role::kGain, "push"), "");
+  EXPECT_EQ(role(number, Role::kCertaintyBelow, "object"), "");
+  EXPECT_EQ(role(number, Role::kTimeAtLeast, ""), "");
+  EXPECT_EQ(role(AttributeType::kText, Role::kGain, "push"),
+            "'odd' of 'example' cannot have the role gain: it is of type text");
+  EXPECT_EQ(
+      role(number, Role::kGain, "nobody"),
+      "'odd' of 'example' cannot have the role gain: it is of 'nobody', which is no attribute");
+  EXPECT_EQ(
+      role(number, Role::kGain, "object"),
+      "'odd' of 'example' cannot have the role gain: it is of 'object', which names no force");
+  EXPECT_EQ(role(AttributeType::kName, Role::kChannel, "red"),
+            "'odd' of 'example' cannot have the role channel: it writes no image");
+  EXPECT_EQ(role(AttributeType::kInteger, Role::kBumper, ""),
+            "'odd' of 'example' cannot have the role bumper: it is not the index of a bit");
+}
+
+TEST(Role, OfAChannelNamesThePicturesEachOnceInTheirOrder) {
+  const auto writes = [](std::string channel) {
+    return AttributeSpec{.name = channel,
+                         .type = AttributeType::kName,
+                         .refers_to = "image",
+                         .access = Access::kWrite,
+                         .role = Role::kChannel,
+                         .of = channel};
+  };
+  const Catalog catalog{
+      {{"one", ComponentKind::kPerceptualSchema, "", {writes("b"), writes("a")}},
+       {"two", ComponentKind::kPerceptualSchema, "", {writes("a"), writes("c")}}}};
+  EXPECT_EQ(picture_channels(catalog), (std::vector<std::string>{"b", "a", "c"}));
 }
 
 TEST(Catalog, SaysWhichComponentOfBrokenJsonItCouldNotRead) {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "bhdl/check/state_specs.h"
+#include "core/catalog/wiring.h"
 
 namespace galilean::bhdl {
 namespace {
@@ -85,14 +86,18 @@ ComponentSpec make_given() {
       .name = "given",
       .help = "Makes a variable what it says for as long as it says, whatever schemas write.",
       .attributes = {
-          optional_name("bits_variable", "bits", "the variable, if it holds bits"),
+          optional_name("bits_variable", variable_type_name<Bits>(),
+                        "the variable, if it holds bits"),
           of_variable(of_condition("bit_index", "which of its bits"), "bits_variable"),
           of_variable(of_condition("bit_value", "what the bit is"), "bits_variable"),
-          optional_name("locate_variable", "locate", "the variable, if it is a place"),
-          optional_name("shaft_variable", "shaft", "the variable, if it is where the robot is"),
+          optional_name("locate_variable", variable_type_name<Locate>(),
+                        "the variable, if it is a place"),
+          optional_name("shaft_variable", variable_type_name<Shaft>(),
+                        "the variable, if it is where the robot is"),
           position(),
           of_variable(heading(), "shaft_variable"),
-          optional_name("force_variable", "force", "the variable, if it is a force"),
+          optional_name("force_variable", variable_type_name<Force>(),
+                        "the variable, if it is a force"),
           of_variable(pair("value", unit::kNone, "of the force: right, forward"), "force_variable"),
           {.name = "status",
            .type = AttributeType::kChoice,

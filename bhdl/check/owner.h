@@ -13,7 +13,7 @@ struct Owner {
   const std::vector<AttributeNode>& attributes;
 };
 
-/// "avoid_obstacle 'aso0'", as messages call it.
+/// "locate 'trash'", as messages call it.
 [[nodiscard]] std::string label(const Owner& owner);
 /// The name that the attributes give, or nullptr.
 [[nodiscard]] const ValueNode* given_name(const std::vector<AttributeNode>& attributes) noexcept;

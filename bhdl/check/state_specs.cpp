@@ -1,6 +1,7 @@
 #include "bhdl/check/state_specs.h"
 
 #include "bhdl/program/program.h"
+#include "core/catalog/wiring.h"
 
 namespace galilean::bhdl {
 namespace {
@@ -45,7 +46,7 @@ ComponentSpec make_condition() {
       .attributes = {
           {.name = "bits_variable",
            .type = AttributeType::kName,
-           .refers_to = "bits",
+           .refers_to = variable_type_name<Bits>(),
            .access = Access::kUpdate,
            .help = "the variable whose bit is tested"},
           {.name = "bit_index",

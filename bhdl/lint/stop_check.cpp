@@ -3,15 +3,14 @@
 #include <algorithm>
 
 #include "bhdl/source/text.h"
+#include "core/device/device_names.h"
 
 namespace galilean::bhdl {
 namespace {
 
-constexpr std::string_view kMotors = "motor_drive";
-
 bool drives(const SchemaUses::Listed& listed) {
-  return std::ranges::any_of(listed.motor,
-                             [](const SchemaUse* use) { return use->spec->drives == kMotors; });
+  return std::ranges::any_of(
+      listed.motor, [](const SchemaUse* use) { return use->spec->drives == kMotorDriveName; });
 }
 
 /// Of each state, whether it or one that it can get to lets the motors stand.

@@ -4,6 +4,7 @@
 
 #include "bhdl/check/owner.h"
 #include "bhdl/source/text.h"
+#include "core/catalog/wiring.h"
 
 namespace galilean::bhdl::lsp {
 namespace {
@@ -18,7 +19,7 @@ const AttributeNode* find_given(const std::vector<AttributeNode>& given, const A
 
 const AttributeSpec* bits_attribute(const ComponentSpec& component) {
   for (const auto& attribute : component.attributes)
-    if (attribute.refers_to == "bits") return &attribute;
+    if (attribute.refers_to == variable_type_name<Bits>()) return &attribute;
   return nullptr;
 }
 
@@ -48,7 +49,7 @@ bool writes_bit(const Entity& entity, const AttributeSpec& target, const BitAt& 
 void add_writer(const Entity& entity, const BitAt& bit, std::set<std::string>& lines) {
   if (entity.spec == nullptr || !entity.space || *entity.space == NameSpace::kState) return;
   for (const auto& attribute : entity.spec->attributes)
-    if (attribute.refers_to == "bits" && writes(attribute.access) &&
+    if (attribute.refers_to == variable_type_name<Bits>() && writes(attribute.access) &&
         writes_bit(entity, attribute, bit))
       lines.insert("- written by " + label({entity.type, entity.attributes}) + ": " +
                    entity.spec->help + "\n");

@@ -15,7 +15,7 @@ namespace galilean::bhdl {
 
 /// An instance of a component of the catalog.
 struct Component {
-  std::string type;  ///< "avoid_obstacle"
+  std::string type;  ///< the component's name in the catalog
   std::string name;  ///< "aso0"; a device's is its type
   ComponentKind kind = ComponentKind::kVariable;
   AttributeValues attributes;  ///< SI, defaults filled in

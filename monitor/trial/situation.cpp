@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/catalog/wiring.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -13,15 +15,15 @@ std::string type_name(std::uint8_t type) {
   namespace types = msg::Variable_Constants;
   switch (type) {
     case types::SHAFT:
-      return "shaft";
+      return variable_type_name<Shaft>();
     case types::IMAGE:
-      return "image";
+      return variable_type_name<Image>();
     case types::LOCATE:
-      return "locate";
+      return variable_type_name<Locate>();
     case types::BITS:
-      return "bits";
+      return variable_type_name<Bits>();
     default:
-      return "force";
+      return variable_type_name<Force>();
   }
 }
 

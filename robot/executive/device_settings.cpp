@@ -2,6 +2,7 @@
 
 #include "core/catalog/registry.h"
 #include "core/device/comm_port.h"
+#include "core/device/device_names.h"
 #include "core/device/devices.h"
 #include "core/device/frame.h"
 #include "core/device/frame_grabber.h"
@@ -42,13 +43,13 @@ DeviceSettings DeviceSettings::of(const bhdl::Program& program) {
   const Wiring wiring{no_variables, no_devices, Random(0)};
   DeviceSettings result;
   for (const auto& device : program.devices) {
-    if (device.type == "motor_drive")
+    if (device.type == kMotorDriveName)
       result.motor_drive = settings<MotorDriveSettings>(device.attributes, wiring);
-    else if (device.type == "frame_grabber")
+    else if (device.type == kFrameGrabberName)
       result.frame_grabber = settings<FrameGrabberSettings>(device.attributes, wiring);
     else
       result.comm_port = settings<CommPortSettings>(device.attributes, wiring);
-    result.uses_camera |= device.type == "frame_grabber";
+    result.uses_camera |= device.type == kFrameGrabberName;
   }
   return result;
 }

@@ -1,5 +1,7 @@
 #include "robot/executive/probation.h"
 
+#include "core/device/device_names.h"
+
 namespace galilean::robot {
 
 void Probation::begin(Time now, const ProbationRules& rules, const DeviceHealth& health) noexcept {
@@ -32,9 +34,9 @@ void Probation::note_health(const DeviceHealth& health) noexcept {
   const auto lost = [this](bool before, bool now, std::string_view device) {
     if (before && !now) fail({.fault = Fault::kDeviceLost, .reason = ShortText(device)});
   };
-  lost(healthy_before_.comm_port, health.comm_port, "comm_port");
-  lost(healthy_before_.motor_drive, health.motor_drive, "motor_drive");
-  lost(healthy_before_.frame_grabber, health.frame_grabber, "frame_grabber");
+  lost(healthy_before_.comm_port, health.comm_port, kCommPortName);
+  lost(healthy_before_.motor_drive, health.motor_drive, kMotorDriveName);
+  lost(healthy_before_.frame_grabber, health.frame_grabber, kFrameGrabberName);
 }
 
 void Probation::note_tick(const DeviceHealth& health, bool overran) noexcept {

@@ -1,5 +1,6 @@
 #include "robot/motor/move_gripper.h"
 
+#include "core/device/device_names.h"
 #include "core/device/devices.h"
 
 namespace galilean::robot {
@@ -13,8 +14,9 @@ void MoveGripper::describe(Declaration<MoveGripper>& is) {
       .only_with("bits_variable");
   is.choice(&MoveGripper::command_, "command", {"open", "close"}, "close",
             "what to do where there is no bits_variable")
-      .only_without("bits_variable");
-  is.drives("gripper");
+      .only_without("bits_variable")
+      .role(Role::kGripperCommand);
+  is.drives(kGripperName);
   is.uses_devices(&MoveGripper::devices_);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/device/bumpers.h"
+#include "core/device/device_names.h"
 #include "core/device/devices.h"
 #include "robot/variables/relative.h"
 
@@ -45,7 +46,7 @@ void MoveRobot::describe(Declaration<MoveRobot>& is) {
       .range(1, 90);
   is.flag(&MoveRobot::reverse_, "reverse", false,
           "whether it drives backwards along a force that points backwards, instead of turning");
-  is.drives("motor_drive");
+  is.drives(kMotorDriveName);
   is.uses_devices(&MoveRobot::devices_);
 }
 

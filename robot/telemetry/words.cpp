@@ -1,6 +1,7 @@
 #include "robot/telemetry/words.h"
 
 #include "core/device/comm_port.h"
+#include "core/device/device_names.h"
 #include "core/device/devices.h"
 #include "core/device/frame_grabber.h"
 #include "core/device/motor_drive.h"
@@ -55,11 +56,11 @@ std::vector<Problem> problems_of(const Snapshot& snapshot, const Description* pr
   std::vector<Problem> problems;
   if (!program) problems.push_back({"executive", "No program runs."});
   if (!snapshot.health.comm_port)
-    problems.push_back(device_problem("comm_port", devices.comm_port));
+    problems.push_back(device_problem(kCommPortName, devices.comm_port));
   else if (!snapshot.health.motor_drive)
-    problems.push_back(device_problem("motor_drive", devices.motor_drive));
+    problems.push_back(device_problem(kMotorDriveName, devices.motor_drive));
   if (snapshot.uses_camera && !snapshot.health.frame_grabber)
-    problems.push_back(device_problem("frame_grabber", devices.frame_grabber));
+    problems.push_back(device_problem(kFrameGrabberName, devices.frame_grabber));
   if (!program) return problems;
   for (const auto& failure : snapshot.failures)
     problems.push_back(

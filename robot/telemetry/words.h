@@ -23,7 +23,7 @@ namespace galilean::robot {
 
 /// Something that is wrong.
 struct Problem {
-  std::string subject;   ///< "comm_port", or a schema's name
+  std::string subject;   ///< the name of a device or of a schema
   std::string sentence;  ///< what is wrong and what to do
 
   [[nodiscard]] std::string text() const { return subject + ": " + sentence; }

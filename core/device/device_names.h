@@ -1,0 +1,12 @@
+#pragma once
+
+namespace galilean {
+
+/// The robot's devices as programs, catalogs and reports call them.
+inline constexpr const char* kCommPortName = "comm_port";
+inline constexpr const char* kMotorDriveName = "motor_drive";
+inline constexpr const char* kFrameGrabberName = "frame_grabber";
+/// It hangs on the comm_port, and programs do not declare it.
+inline constexpr const char* kGripperName = "gripper";
+
+}  // namespace galilean

@@ -5,6 +5,7 @@
 
 #include "bhdl/program/initial_value.h"
 #include "bhdl/source/text.h"
+#include "core/catalog/wiring.h"
 
 namespace galilean::bhdl {
 namespace {
@@ -73,17 +74,26 @@ std::vector<bool> read_variables(const Program& program, const SchemaUses& uses)
 
 bool writes_a_force(const Program& program, const SchemaUse& use) {
   return std::ranges::any_of(use.written, [&](const WrittenBits& written) {
-    return program.variables[written.variable].type == "force";
+    return program.variables[written.variable].type == variable_type_name<Force>();
   });
+}
+
+// What makes somebody read a force: a schema that combines forces, if the robot has one.
+std::string way_to_be_read(const Vocabulary& vocabulary) {
+  for (const auto& component : vocabulary.components())
+    if (const auto* gains = component.find(Role::kGain))
+      return "add its force to the " + gains->of + " of " + component.name +
+             ", or take the gain away";
+  return "take the gain away";
 }
 
 // A schema's own gain, which the catalog gives every motor schema.
 void warn_of_idle_gain(const Program& program, const SchemaUse& use, const std::vector<bool>& read,
-                       Diagnostics& diagnostics) {
+                       const Vocabulary& vocabulary, Diagnostics& diagnostics) {
   const Value* value = use.component->attributes.find(kGainAttribute);
   if (use.component->kind != ComponentKind::kMotorSchema || value == nullptr) return;
   const double gain = std::get<double>(*value);
-  const auto warn = [&](const std::string& why, const char* hint) {
+  const auto warn = [&](const std::string& why, const std::string& hint) {
     diagnostics.warning(use.component->location, "value/no-effect",
                         "the gain of " + idle_schema_in_words(*use.component) + " " + why, hint);
   };
@@ -93,8 +103,7 @@ void warn_of_idle_gain(const Program& program, const SchemaUse& use, const std::
   if (!writes_a_force(program, use))
     warn("has no effect: it writes no force", "take it away");
   else if (!is_read)
-    warn("has no effect: no schema reads its force",
-         "add its force to the inputs of combine_forces, or take the gain away");
+    warn("has no effect: no schema reads its force", way_to_be_read(vocabulary));
   else if (gain == 0)
     warn("is 0, and so its force has no effect",
          "take the schema out of the states, or give it another gain");
@@ -134,11 +143,11 @@ void warn_of_unused_schemas(const Program& program, const SchemaUses& uses, cons
 }
 
 void warn_of_gains_without_effect(const Program& program, const SchemaUses& uses,
-                                  Diagnostics& diagnostics) {
+                                  const Vocabulary& vocabulary, Diagnostics& diagnostics) {
   const auto read = read_variables(program, uses);
   for (const auto& use : uses.all()) {
     warn_of_zero_gains(use, diagnostics);
-    warn_of_idle_gain(program, use, read, diagnostics);
+    warn_of_idle_gain(program, use, read, vocabulary, diagnostics);
   }
 }
 

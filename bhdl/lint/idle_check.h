@@ -18,6 +18,6 @@ void warn_of_unused_schemas(const Program& program, const SchemaUses& uses, cons
 
 /// Warns of gains of 0, and of gains of schemas whose force nobody reads.
 void warn_of_gains_without_effect(const Program& program, const SchemaUses& uses,
-                                  Diagnostics& diagnostics);
+                                  const Vocabulary& vocabulary, Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

@@ -21,7 +21,7 @@ void warn_of_suspects(const Program& program, const Vocabulary& vocabulary, cons
   warn_of_unwritten_variables(program, uses, vocabulary, diagnostics);
   warn_of_unused_constants(text.unused_constants, text.main_file, diagnostics);
   warn_of_unused_schemas(program, uses, text, diagnostics);
-  warn_of_gains_without_effect(program, uses, diagnostics);
+  warn_of_gains_without_effect(program, uses, vocabulary, diagnostics);
 }
 
 }  // namespace galilean::bhdl

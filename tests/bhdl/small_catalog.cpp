@@ -66,6 +66,8 @@ ComponentSpec combine_forces() {
                       .type = AttributeType::kNumbers,
                       .default_value = Value(std::vector<double>{}),
                       .one_for_each = "forces",
+                      .role = Role::kGain,
+                      .of = "forces",
                       .help = "the weight of each"};
   return {"combine_forces",
           ComponentKind::kMotorSchema,

@@ -69,7 +69,7 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
   const SteadyClock clock;
   RobotDevices devices(line, *camera.value(), settings);
   SnapshotTap tap;
-  ImageTap images;
+  ImageTap images(components.catalog());
   Wake wake;
   Executive executive({.components = components,
                        .devices = devices.devices(),

@@ -53,6 +53,13 @@ std::vector<std::string> names_in(const AttributeSpec& spec, const AttributeValu
   return {};
 }
 
+/// One gain for each input; a single number is the gain of all of them.
+std::vector<double> gains_in(const Value* value, std::size_t inputs) {
+  if (value == nullptr) return {};
+  if (const auto* one = std::get_if<double>(value)) return std::vector<double>(inputs, *one);
+  return std::get<std::vector<double>>(*value);
+}
+
 class Builder {
   using Indices = std::unordered_map<std::string_view, std::uint32_t>;
 
@@ -135,12 +142,11 @@ class Builder {
     const std::size_t runner = made_->schemas.size();
     if (const auto* force = std::get_if<Variable<Force>*>(&output))
       description_.forces.push_back({component.name, (*force)->name, 1, runner});
-    if (const auto* image = std::get_if<Variable<Image>*>(&output)) {
-      const auto& images = made_->variables.all<Image>();
-      const auto at = std::ranges::find(images, *image, [](const auto& each) { return &each; });
-      description_.images.push_back(
-          {attribute.name, static_cast<std::size_t>(at - images.begin())});
-    }
+    const auto* image = std::get_if<Variable<Image>*>(&output);
+    if (image == nullptr || attribute.role != Role::kChannel) return;
+    const auto& images = made_->variables.all<Image>();
+    const auto at = std::ranges::find(images, *image, [](const auto& each) { return &each; });
+    description_.images.push_back({attribute.of, static_cast<std::size_t>(at - images.begin())});
   }
 
   void make_state(const bhdl::State& state) {
@@ -186,16 +192,20 @@ class Builder {
     });
   }
 
-  /// combine_forces gives the gains; who watches wants them beside the force.
+  /// Copies the gains that schemas give to their inputs, so that viewers can draw each force as it
+  /// counts.
   void describe_gains() {
-    for (const auto& component : text().motor_schemas) {
-      if (component.type != "combine_forces") continue;
-      const auto& inputs = component.attributes.get<std::vector<std::string>>("inputs");
-      const auto& gains = component.attributes.get<std::vector<double>>("gains");
-      for (auto& force : description_.forces)
-        for (std::size_t i = 0; i < std::min(inputs.size(), gains.size()); ++i)
-          if (inputs[i] == force.variable) force.gain = gains[i];
-    }
+    for (const auto& component : text().motor_schemas)
+      for (const auto& attribute : material_.components.catalog().find(component.type)->attributes)
+        if (attribute.role == Role::kGain) describe_gains(component, attribute);
+  }
+  void describe_gains(const bhdl::Component& component, const AttributeSpec& attribute) {
+    const ComponentSpec& spec = *material_.components.catalog().find(component.type);
+    const auto inputs = names_in(*spec.find(attribute.of), component.attributes);
+    const auto gains = gains_in(component.attributes.find(attribute.name), inputs.size());
+    for (auto& force : description_.forces)
+      for (std::size_t i = 0; i < std::min(inputs.size(), gains.size()); ++i)
+        if (inputs[i] == force.variable) force.gain = gains[i];
   }
 
   void check_size() const {

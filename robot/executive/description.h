@@ -20,12 +20,12 @@ struct Description {
   struct ForceLabel {
     std::string schema;      ///< the motor schema's name
     std::string variable;    ///< the force that it writes
-    double gain = 1;         ///< that combine_forces gives to that force
+    double gain = 1;         ///< that the schema which combines forces gives to it
     std::size_t runner = 0;  ///< the schema, among all schemas
   };
   struct ImageLabel {
-    std::string role;   ///< the attribute of the schema that writes it
-    std::size_t index;  ///< the image, among the images
+    std::string channel;  ///< the name by which viewers get it
+    std::size_t index;    ///< the image, among the images
   };
 
   ProgramId id = 0;
@@ -34,7 +34,7 @@ struct Description {
   std::vector<VariableLabel> variables;  ///< in the order of the store
   std::vector<std::string> schemas;      ///< perceptual, then motor, in the order of the text
   std::vector<ForceLabel> forces;
-  std::vector<ImageLabel> images;
+  std::vector<ImageLabel> images;  ///< those that schemas show to viewers
 };
 
 /// Names of the variables that keep value, status and certainty when `to` takes over from `from`:

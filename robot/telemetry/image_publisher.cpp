@@ -2,7 +2,6 @@
 
 #include <array>
 #include <utility>
-
 #include "core/wire/topic_names.h"
 #include "core/wire/writer.h"
 #include "robot/telemetry/image_encoding.h"
@@ -13,21 +12,15 @@ namespace {
 constexpr Duration kPicturePause = std::chrono::milliseconds(10);
 constexpr int kLooksPerReaderCheck = 20;
 
-constexpr std::array<std::pair<ImageChannel, const char*>, kImageChannels> kTopics{{
-    {ImageChannel::kCamera, "camera/compressed"},
-    {ImageChannel::kSuperred, "superred/compressed"},
-    {ImageChannel::kSupergreen, "supergreen/compressed"},
-    {ImageChannel::kSuperblue, "superblue/compressed"},
-    {ImageChannel::kDark, "dark/compressed"},
-}};
-
 }  // namespace
 
 ImagePublisher::ImagePublisher(const TelemetrySource& source, ImageTap& tap)
     : tap_(tap), wall_(source.clock), frame_id_(source.robot + "/camera") {
-  for (const auto& [channel, leaf] : kTopics)
+  for (ImageChannel channel = 0; channel < tap.channels().size(); ++channel) {
+    const std::string leaf = tap.channels()[channel] + "/compressed";
     outputs_.push_back({channel, wire::Writer<msg::CompressedImage>(
                                      source.participant, wire::robot_topic(source.robot, leaf))});
+  }
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -47,7 +40,7 @@ void ImagePublisher::note_readers() {
 
 void ImagePublisher::show(Output& output) {
   const Picture& picture = tap_.newest(output.channel);
-  const bool camera = output.channel == ImageChannel::kCamera;
+  const bool camera = output.channel == kCameraChannel;
   message_.header.stamp = wall_.stamp(picture.captured);
   message_.header.frame_id = frame_id_;
   message_.format = camera ? "jpeg" : "png";

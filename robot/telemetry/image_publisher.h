@@ -9,7 +9,7 @@
 
 namespace galilean::robot {
 
-/// Shows the camera (JPEG) and what `look` makes of it (PNG), each only while somebody reads it.
+/// Shows the camera (JPEG) and what schemas make of it (PNG), each only while somebody reads it.
 class ImagePublisher {
  public:
   /// Throws std::runtime_error if DDS refuses a topic.

@@ -14,13 +14,9 @@ namespace {
 /// never quite regular, passes whole.
 constexpr Duration kLeastApart = std::chrono::milliseconds(90);
 
-/// The attributes of `look` that name the images.
-constexpr std::array<std::string_view, kImageChannels> kRoles{"", "red_variable", "green_variable",
-                                                              "blue_variable", "dark_variable"};
-
-const Variable<Image>* image_of(const RunningProgram& program, std::string_view role) noexcept {
+const Variable<Image>* image_of(const RunningProgram& program, std::string_view channel) noexcept {
   for (const auto& label : program.description->images)
-    if (label.role == role) return &program.variables.all<Image>()[label.index];
+    if (label.channel == channel) return &program.variables.all<Image>()[label.index];
   return nullptr;
 }
 
@@ -42,38 +38,35 @@ void ImageTap::Channel::offer(std::span<const std::uint8_t> pixels, std::uint64_
   pictures.publish();
 }
 
-ImageTap::ImageTap()
-    : channels_{Channel(Frame::kBytes), Channel(Image::kWidth * Image::kHeight),
-                Channel(Image::kWidth * Image::kHeight), Channel(Image::kWidth * Image::kHeight),
-                Channel(Image::kWidth * Image::kHeight)} {}
-
-ImageTap::Channel& ImageTap::of(ImageChannel channel) noexcept {
-  return channels_[static_cast<std::size_t>(channel)];
+ImageTap::ImageTap(const Catalog& catalog) : names_(picture_channels(catalog)) {
+  names_.insert(names_.begin() + kCameraChannel, "camera");
+  for (std::size_t i = 0; i < names_.size(); ++i)
+    channels_.emplace_back(i == kCameraChannel ? Frame::kBytes : Image::kWidth * Image::kHeight);
 }
 
 void ImageTap::on_tick(const TickView& view) noexcept {
-  Channel& camera = of(ImageChannel::kCamera);
+  Channel& camera = channels_[kCameraChannel];
   const Frame& frame = view.devices.frame_grabber.frame();
   if (camera.wanted.load(std::memory_order_relaxed))
     camera.offer(frame.rgb, frame.number, frame.captured);
   if (!view.program) return;
-  for (std::size_t i = 1; i < kImageChannels; ++i) {
+  for (std::size_t i = 1; i < channels_.size(); ++i) {
     if (!channels_[i].wanted.load(std::memory_order_relaxed)) continue;
-    if (const auto* image = image_of(*view.program, kRoles[i]))
+    if (const auto* image = image_of(*view.program, names_[i]))
       channels_[i].offer(image->value.pixels, image->value.frame, image->value.captured);
   }
 }
 
 void ImageTap::want(ImageChannel channel, bool wanted) noexcept {
-  of(channel).wanted.store(wanted, std::memory_order_relaxed);
+  channels_[channel].wanted.store(wanted, std::memory_order_relaxed);
 }
 
 bool ImageTap::take(ImageChannel channel) noexcept {
-  return of(channel).pictures.take();
+  return channels_[channel].pictures.take();
 }
 
 const Picture& ImageTap::newest(ImageChannel channel) const noexcept {
-  return channels_[static_cast<std::size_t>(channel)].pictures.reading();
+  return channels_[channel].pictures.reading();
 }
 
 }  // namespace galilean::robot

@@ -1,18 +1,21 @@
 #pragma once
 
-#include <array>
 #include <atomic>
+#include <deque>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "core/catalog/catalog.h"
 #include "core/latest.h"
 #include "robot/executive/tick_observer.h"
 
 namespace galilean::robot {
 
-/// The pictures of a robot that others may look at.
-enum class ImageChannel : std::uint8_t { kCamera, kSuperred, kSupergreen, kSuperblue, kDark };
-inline constexpr std::size_t kImageChannels = 5;
+/// The pictures of a robot that others may look at: the camera's, then those that the schemas of
+/// its catalog make.
+using ImageChannel = std::size_t;
+inline constexpr ImageChannel kCameraChannel = 0;
 
 /// One picture, out of the tick.
 struct Picture {
@@ -25,11 +28,13 @@ struct Picture {
 /// ten a second, by a copy into room made before. Wait-free on both sides.
 class ImageTap final : public TickObserver {
  public:
-  ImageTap();
+  explicit ImageTap(const Catalog& catalog);
 
   void on_event(const Event&) noexcept override {}
   void on_tick(const TickView& view) noexcept override;
 
+  /// Reader: the name of each channel.
+  [[nodiscard]] const std::vector<std::string>& channels() const noexcept { return names_; }
   /// Reader.
   void want(ImageChannel channel, bool wanted) noexcept;
   /// Reader: false if there was no new picture since.
@@ -47,9 +52,8 @@ class ImageTap final : public TickObserver {
     Time last_captured{};
   };
 
-  [[nodiscard]] Channel& of(ImageChannel channel) noexcept;
-
-  std::array<Channel, kImageChannels> channels_;
+  std::vector<std::string> names_;
+  std::deque<Channel> channels_;  ///< in the order of the names; they cannot be moved
 };
 
 }  // namespace galilean::robot

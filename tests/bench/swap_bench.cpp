@@ -42,7 +42,7 @@ class SwappedRobot {
 
  private:
   SnapshotTap snapshots_;
-  ImageTap images_;
+  ImageTap images_{test_components().catalog()};
   TestRobot robot_;
 };
 

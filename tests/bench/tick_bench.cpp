@@ -10,7 +10,7 @@ namespace {
 /// A tick of the whole office program while it wanders, with everything that observes it.
 void tick_of_the_office_program(benchmark::State& state, bool frames) {
   SnapshotTap snapshots;
-  ImageTap images;
+  ImageTap images(test_components().catalog());
   TestRobot robot(1, {&snapshots, &images});
   paint_office(robot.camera.picture);
   if (!robot.executive->load(shipped_program("office_cleanup.bhdl")))

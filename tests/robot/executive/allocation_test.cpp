@@ -9,7 +9,7 @@ namespace {
 class Allocations : public testing::Test {
  protected:
   Allocations() : robot(1, {&snapshots, &images}) {
-    for (const auto channel : {ImageChannel::kCamera, ImageChannel::kSuperred, ImageChannel::kDark})
+    for (ImageChannel channel = 0; channel < images.channels().size(); ++channel)
       images.want(channel, true);
   }
   /// Allocations and releases of so many ticks.
@@ -34,7 +34,7 @@ class Allocations : public testing::Test {
   }
 
   SnapshotTap snapshots;
-  ImageTap images;
+  ImageTap images{test_components().catalog()};
   TestRobot robot;
 };
 

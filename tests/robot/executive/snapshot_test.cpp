@@ -1,5 +1,7 @@
 #include "robot/executive/snapshot.h"
 
+#include <algorithm>
+
 #include "robot/telemetry/image_tap.h"
 #include "tests/robot/executive/office.h"
 
@@ -67,28 +69,40 @@ end
   EXPECT_EQ(tap.lost_events(), 0U);
 }
 
+ImageChannel channel_named(const ImageTap& images, const std::string& name) {
+  const auto& names = images.channels();
+  return static_cast<ImageChannel>(std::ranges::find(names, name) - names.begin());
+}
+
+TEST(ImageTap, HasTheCameraAndThePicturesThatTheCatalogNames) {
+  EXPECT_EQ(ImageTap(Catalog{}).channels(), std::vector<std::string>{"camera"});
+  EXPECT_EQ(ImageTap(test_components().catalog()).channels(),
+            (std::vector<std::string>{"camera", "superred", "supergreen", "superblue", "dark"}));
+}
+
 TEST(ImageTap, HandsOutOnlyWhatIsWantedAndTenASecond) {
-  ImageTap images;
+  ImageTap images(test_components().catalog());
+  const ImageChannel superred = channel_named(images, "superred");
   TestRobot robot(1, {&images});
   paint_office(robot.camera.picture);
   ASSERT_TRUE(robot.executive->load(shipped_program("office_cleanup.bhdl")));
   robot.tick(4);
-  EXPECT_FALSE(images.take(ImageChannel::kCamera));
-  images.want(ImageChannel::kCamera, true);
-  images.want(ImageChannel::kSuperred, true);
+  EXPECT_FALSE(images.take(kCameraChannel));
+  images.want(kCameraChannel, true);
+  images.want(superred, true);
   int cameras = 0;
   int reds = 0;
   for (int i = 0; i < 20; ++i) {
     ++robot.camera.picture.number;
     robot.tick();
-    cameras += images.take(ImageChannel::kCamera);
-    reds += images.take(ImageChannel::kSuperred);
+    cameras += images.take(kCameraChannel);
+    reds += images.take(superred);
   }
   EXPECT_EQ(cameras, 10);
   EXPECT_EQ(reds, 10);
-  EXPECT_FALSE(images.take(ImageChannel::kDark));
-  EXPECT_EQ(images.newest(ImageChannel::kCamera).pixels[0], 150);
-  const auto& red = images.newest(ImageChannel::kSuperred).pixels;
+  EXPECT_FALSE(images.take(channel_named(images, "dark")));
+  EXPECT_EQ(images.newest(kCameraChannel).pixels[0], 150);
+  const auto& red = images.newest(superred).pixels;
   EXPECT_GT(red[125 * Image::kWidth + 170], 100) << "the can";
   EXPECT_EQ(red[10], 0) << "the floor";
 }

@@ -42,8 +42,9 @@ inline const Registry& test_components() {
 }
 
 /// The program that a text says; the test fails if it says none.
-inline bhdl::Program program_of(const std::string& text) {
-  auto checked = bhdl::check({{"test.bhdl", text}}, test_components().catalog());
+inline bhdl::Program program_of(const std::string& text,
+                                const Registry& components = test_components()) {
+  auto checked = bhdl::check({{"test.bhdl", text}}, components.catalog());
   for (const auto& diagnostic : checked.diagnostics)
     if (diagnostic.severity == bhdl::Severity::kError) ADD_FAILURE() << format(diagnostic) << text;
   return checked.program.value();
@@ -53,9 +54,11 @@ inline bhdl::Program program_of(const std::string& text) {
 class TestRobot {
  public:
   explicit TestRobot(std::uint64_t seed = 1, std::vector<TickObserver*> more = {},
-                     const ProbationRules& probation = {}) {
+                     const ProbationRules& probation = {},
+                     const Registry& own_components = test_components())
+      : components(own_components) {
     more.push_back(&events);
-    executive = std::make_unique<Executive>(ExecutiveSetup{.components = test_components(),
+    executive = std::make_unique<Executive>(ExecutiveSetup{.components = components,
                                                            .devices = {port, drive, camera},
                                                            .clock = clock,
                                                            .stopwatch = stopwatch,
@@ -65,7 +68,9 @@ class TestRobot {
     journal.clear();
   }
 
-  Result<ProgramId> load(const std::string& text) { return executive->load(program_of(text)); }
+  Result<ProgramId> load(const std::string& text) {
+    return executive->load(program_of(text, components));
+  }
   void tick(int times = 1) {
     for (int i = 0; i < times; ++i) {
       clock.advance(std::chrono::milliseconds(50));
@@ -89,6 +94,7 @@ class TestRobot {
   }
   [[nodiscard]] Time now() const { return clock.now(); }
 
+  const Registry& components;
   SteppedClock clock;
   SteppedClock stopwatch;
   ScriptedPort port;

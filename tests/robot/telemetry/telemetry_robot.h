@@ -16,18 +16,19 @@ inline const int kDomain = free_domain();
 /// its own, so that no test hears the one before.
 class TelemetryRobot {
  public:
-  explicit TelemetryRobot(std::string robot_name)
+  explicit TelemetryRobot(std::string robot_name, const Registry& components = test_components())
       : name(std::move(robot_name)),
         participant(join(name)),
         other(join(wire::kMonitorName)),
-        robot(1, {&tap, &images}),
+        images(components.catalog()),
+        robot(1, {&tap, &images}, {}, components),
         telemetry(std::in_place,
                   TelemetrySource{.robot = name,
                                   .participant = *participant,
                                   .executive = *robot.executive,
                                   .tap = tap,
                                   .devices = {robot.port, robot.drive, robot.camera},
-                                  .catalog = test_components().catalog(),
+                                  .catalog = components.catalog(),
                                   .clock = robot.clock},
                   images) {}
 

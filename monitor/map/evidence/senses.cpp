@@ -16,10 +16,24 @@ std::set<std::string> names_of(const std::vector<bhdl::Component>& schemas, auto
   return names;
 }
 
-bool opens_gripper(const bhdl::Component& schema) {
-  const auto* command = schema.attributes.find("command");
+bool has_role(const bhdl::Component& schema, Role role, const Catalog& catalog) {
+  const ComponentSpec* spec = catalog.find(schema.type);
+  return spec != nullptr && spec->find(role) != nullptr;
+}
+
+bool opens_gripper(const bhdl::Component& schema, const Catalog& catalog) {
+  const ComponentSpec* spec = catalog.find(schema.type);
+  const AttributeSpec* attribute = spec ? spec->find(Role::kGripperCommand) : nullptr;
+  const auto* command = attribute ? schema.attributes.find(attribute->name) : nullptr;
   const auto* word = command ? std::get_if<std::string>(command) : nullptr;
-  return schema.type == "move_gripper" && word && *word == "open";
+  return word && *word == "open";
+}
+
+/// All bits where the index is less than 0; none where a robot's catalog lets it be too large.
+std::uint32_t mask_of(double index) {
+  constexpr double kLastBit = 31;
+  if (index < 0) return ~std::uint32_t{0};
+  return index > kLastBit ? 0 : std::uint32_t{1} << static_cast<unsigned>(index);
 }
 
 bool has_one_of(const std::vector<std::string>& list, const std::set<std::string>& names) {
@@ -29,29 +43,36 @@ bool has_one_of(const std::vector<std::string>& list, const std::set<std::string
 }  // namespace
 
 void Senses::note(const msg::Program& program, const Catalog& catalog) {
-  gripper_.reset();
+  beam_.clear();
   lets_go_.clear();
   bumpers_.clear();
   std::vector<bhdl::SourceFile> files;
   for (const auto& file : program.files) files.push_back({file.path, file.text});
   const auto checked = bhdl::check(std::move(files), catalog);
   if (!checked.program) return;
-  note_states(*checked.program);
-  for (const auto& schema : checked.program->perceptual_schemas) {
-    const auto* variable = schema.attributes.find("bits_variable");
-    if (!variable) continue;
-    const auto name = std::get<std::string>(*variable);
-    if (schema.type == "bumper_scanner") bumpers_ = name;
-    if (schema.type != "gripper_scanner") continue;
-    const auto* beam = schema.attributes.find("beam_index");
-    if (beam) gripper_ = GripperBits{name, static_cast<unsigned>(std::get<double>(*beam))};
+  note_states(*checked.program, catalog);
+  for (const auto& schema : checked.program->perceptual_schemas) note_bits(schema, catalog);
+}
+
+void Senses::note_bits(const bhdl::Component& schema, const Catalog& catalog) {
+  const ComponentSpec* spec = catalog.find(schema.type);
+  if (spec == nullptr) return;
+  for (const auto& attribute : spec->attributes) {
+    if (attribute.role != Role::kBumper && attribute.role != Role::kGripperBeam) continue;
+    const auto* variable = schema.attributes.find(attribute.bit_of);
+    const auto* index = schema.attributes.find(attribute.name);
+    if (variable == nullptr || index == nullptr) continue;
+    auto& sensors = attribute.role == Role::kBumper ? bumpers_ : beam_;
+    sensors.push_back({std::get<std::string>(*variable), mask_of(std::get<double>(*index))});
   }
 }
 
-void Senses::note_states(const bhdl::Program& program) {
-  const auto openers = names_of(program.motor_schemas, opens_gripper);
-  const auto scanners = names_of(program.perceptual_schemas, [](const bhdl::Component& schema) {
-    return schema.type == "gripper_scanner";
+void Senses::note_states(const bhdl::Program& program, const Catalog& catalog) {
+  const auto openers = names_of(program.motor_schemas, [&](const bhdl::Component& schema) {
+    return opens_gripper(schema, catalog);
+  });
+  const auto scanners = names_of(program.perceptual_schemas, [&](const bhdl::Component& schema) {
+    return has_role(schema, Role::kGripperBeam, catalog);
   });
   for (const auto& state : program.states)
     if (has_one_of(state.motor_schemas, openers) && !has_one_of(state.perceptual_schemas, scanners))
@@ -59,20 +80,18 @@ void Senses::note_states(const bhdl::Program& program) {
 }
 
 void Senses::note(const msg::Variables& variables, Time now) {
-  std::uint32_t gripper_bits = 0;
+  bool beam_broken = false;
   for (const auto& variable : variables.items) {
     if (variable.type != msg::Variable_Constants::BITS || !variable.valid ||
         variable.values.empty())
       continue;
     const auto bits = static_cast<std::uint32_t>(variable.values.front());
-    if (variable.name == bumpers_ && bits != 0) touched_ = now;
-    if (gripper_ && variable.name == gripper_->variable) gripper_bits = bits;
+    const auto is_set = [&](const SensorBits& sensor) {
+      return sensor.variable == variable.name && (bits & sensor.mask) != 0;
+    };
+    if (std::ranges::any_of(bumpers_, is_set)) touched_ = now;
+    beam_broken = beam_broken || std::ranges::any_of(beam_, is_set);
   }
-  note_gripper(gripper_bits, now);
-}
-
-void Senses::note_gripper(std::uint32_t bits, Time now) {
-  const bool beam_broken = gripper_ && (bits >> gripper_->beam & 1);
   if (beam_broken && !beam_broken_) since_ = now;
   beam_broken_ = beam_broken;
 }

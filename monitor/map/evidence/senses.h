@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "bhdl/program/program.h"
 #include "core/catalog/catalog.h"
@@ -12,8 +13,8 @@
 
 namespace galilean::monitor {
 
-/// Tells from a robot's variables what it feels: its program says in which bits its bumper_scanner
-/// puts the switches, and its gripper_scanner the beam and the servo. In a state that opens the
+/// Tells from a robot's variables what it feels: its catalog says which schemas write the bits of
+/// bumpers and of the gripper's beam, and its program in which variables. In a state that opens the
 /// gripper and does not look at the beam, what the robot had is put down.
 class Senses {
  public:
@@ -33,15 +34,15 @@ class Senses {
   [[nodiscard]] bool touches(Time now) const { return touched_ && now - *touched_ <= kLetGo; }
 
  private:
-  struct GripperBits {
+  struct SensorBits {
     std::string variable;
-    unsigned beam = 0;
+    std::uint32_t mask = 0;  ///< one bit of it, or all
   };
-  void note_gripper(std::uint32_t bits, Time now);
-  void note_states(const bhdl::Program& program);
+  void note_bits(const bhdl::Component& schema, const Catalog& catalog);
+  void note_states(const bhdl::Program& program, const Catalog& catalog);
 
-  std::optional<GripperBits> gripper_;
-  std::string bumpers_;
+  std::vector<SensorBits> beam_;
+  std::vector<SensorBits> bumpers_;
   std::set<std::string> lets_go_;  ///< states
   bool lets_go_now_ = false;
   bool beam_broken_ = false;

@@ -19,12 +19,16 @@ AttributeSpec own_name() {
 }
 
 Catalog gripping() {
-  const AttributeSpec beam{
-      .name = "beam_index", .type = AttributeType::kInteger, .default_value = Value(0.0)};
+  const AttributeSpec beam{.name = "beam_index",
+                           .type = AttributeType::kInteger,
+                           .default_value = Value(0.0),
+                           .bit_of = "bits_variable",
+                           .role = Role::kGripperBeam};
   const AttributeSpec command{.name = "command",
                               .type = AttributeType::kChoice,
                               .default_value = Value(std::string("close")),
-                              .choices = {"open", "close"}};
+                              .choices = {"open", "close"},
+                              .role = Role::kGripperCommand};
   return {{{"bits", ComponentKind::kVariable, "", {own_name()}},
            {"gripper_scanner", ComponentKind::kPerceptualSchema, "", {bits_variable(), beam}},
            {"move_gripper", ComponentKind::kMotorSchema, "", {command}}}};
@@ -73,6 +77,48 @@ class SensesTest : public testing::Test {
 TEST_F(SensesTest, WhatBreaksTheBeamIsHeldOrPushed) {
   EXPECT_TRUE(holds_in("push"));
   EXPECT_TRUE(holds_in("carry"));
+}
+
+msg::Variables bits(const std::string& name, std::uint32_t value) {
+  msg::Variables variables;
+  variables.items.push_back({.name = name,
+                             .type = msg::Variable_Constants::BITS,
+                             .valid = true,
+                             .values = {static_cast<double>(value)}});
+  return variables;
+}
+
+// The names are of no schema that ships: what counts is the role.
+TEST(Senses, KnowsBumpersByTheirRole) {
+  const AttributeSpec which{.name = "which",
+                            .type = AttributeType::kInteger,
+                            .default_value = Value(-1.0),
+                            .bit_of = "bits_variable",
+                            .role = Role::kBumper};
+  const Catalog catalog{{{"bits", ComponentKind::kVariable, "", {own_name()}},
+                         {"skin", ComponentKind::kPerceptualSchema, "", {bits_variable(), which}}}};
+  msg::Program program;
+  program.files.push_back({"skin.bhdl", R"(
+variables: bits: name: "all" end bits: name: "shared" end end
+perceptual_schemas:
+  skin: name: "whole" bits_variable: "all" end
+  skin: name: "tail" bits_variable: "shared" which: 4 end
+end
+state: name: "feel" perceptual_schemas: "whole" "tail" end end
+)"});
+  Senses senses;
+  senses.note(program, catalog);
+  Time now{1s};
+  const auto touches = [&](const msg::Variables& variables) {
+    now += 1s;
+    senses.note(variables, now);
+    return senses.touches(now);
+  };
+  EXPECT_TRUE(touches(bits("all", 1U << 31)));
+  EXPECT_FALSE(touches(bits("all", 0)));
+  EXPECT_TRUE(touches(bits("shared", 1U << 4)));
+  EXPECT_FALSE(touches(bits("shared", 1U << 3))) << "another's bit";
+  EXPECT_FALSE(touches(bits("elsewhere", 1)));
 }
 
 // Nobody looks at the beam there, and the variable says for ever what it said before.

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "robot/components.h"
 #include "sim/headless/headless.h"
 #include "sim/headless/programs.h"
 #include "sim/headless/report.h"
@@ -44,7 +45,7 @@ int run_headless(const Options& options, const Scenario& scenario) {
     how.start = &*start;
     how.robots = start->robots.size();
   }
-  auto contest = HeadlessContest::make(scenario, program.value(), how);
+  auto contest = HeadlessContest::make(scenario, components, program.value(), how);
   if (!contest) return complain(contest.error(), kBadInput);
   const auto began = std::chrono::steady_clock::now();
   if (const auto done = contest.value()->run(); !done) return complain(done.error(), kFailed);

@@ -17,6 +17,7 @@ constexpr std::uint8_t kPushedSwitches = 1;  // the front one
 }  // namespace
 
 Result<std::unique_ptr<HeadlessContest>> HeadlessContest::make(const Scenario& scenario,
+                                                               const Registry& components,
                                                                const bhdl::Program& program,
                                                                const HeadlessOptions& options) {
   Scenario timed = options.start ? scenario_of(scenario, *options.start) : scenario;
@@ -24,24 +25,22 @@ Result<std::unique_ptr<HeadlessContest>> HeadlessContest::make(const Scenario& s
   auto world = World::make(timed, options.robots, options.seed);
   if (!world) return world.error();
   std::unique_ptr<HeadlessContest> contest(
-      new HeadlessContest(timed, std::move(world).value(), options));
+      new HeadlessContest(timed, components, std::move(world).value(), options));
   if (const auto loaded = contest->load(program); !loaded) return loaded.error();
   return contest;
 }
 
-HeadlessContest::HeadlessContest(const Scenario& scenario, std::unique_ptr<World> world,
-                                 const HeadlessOptions& options)
+HeadlessContest::HeadlessContest(const Scenario& scenario, const Registry& components,
+                                 std::unique_ptr<World> world, const HeadlessOptions& options)
     : options_(options),
       world_(std::move(world)),
       scene_(scene_of(scenario)),
       renderer_({}, scenario.camera, Random(options.seed).child("camera")),
       picture_steps_(static_cast<std::uint64_t>(
           std::lround(static_cast<double>(kStepsASecond) / scenario.camera.rate_hz))) {
-  robot::add_components(components_);
   for (std::size_t i = 0; i < options.robots; ++i) {
     const std::uint64_t seed = Random(options.seed).child(robot_name(i)).child("executive").bits();
-    HeadlessRobot::Setup setup{*world_,     i,      scene_,     renderer_,
-                               components_, clock_, stopwatch_, seed};
+    HeadlessRobot::Setup setup{*world_, i, scene_, renderer_, components, clock_, stopwatch_, seed};
     if (i < options.observers.size()) setup.observer = options.observers[i];
     robots_.push_back(std::make_unique<HeadlessRobot>(setup));
   }

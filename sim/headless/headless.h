@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/catalog/registry.h"
 #include "core/clock.h"
 #include "core/result.h"
-#include "robot/components.h"
 #include "sim/headless/headless_robot.h"
 #include "sim/headless/situation.h"
 
@@ -33,8 +33,10 @@ struct HeadlessOptions {
 /// a situation says that its program was, and starts.
 class HeadlessContest {
  public:
+  /// `components` is what the program was checked against, and must outlive the contest.
   [[nodiscard]] static Result<std::unique_ptr<HeadlessContest>> make(
-      const Scenario& scenario, const bhdl::Program& program, const HeadlessOptions& options);
+      const Scenario& scenario, const Registry& components, const bhdl::Program& program,
+      const HeadlessOptions& options);
 
   /// Error: a robot never came up; the message is its own.
   Result<bool> run();
@@ -47,8 +49,8 @@ class HeadlessContest {
   [[nodiscard]] std::uint64_t hash() const;
 
  private:
-  HeadlessContest(const Scenario& scenario, std::unique_ptr<World> world,
-                  const HeadlessOptions& options);
+  HeadlessContest(const Scenario& scenario, const Registry& components,
+                  std::unique_ptr<World> world, const HeadlessOptions& options);
   Result<bool> load(const bhdl::Program& program);
   Result<bool> wait_for_robots();
   void start();
@@ -60,7 +62,6 @@ class HeadlessContest {
   std::unique_ptr<World> world_;
   SteppedClock clock_;
   SteppedClock stopwatch_;  ///< stands still: here no tick takes time
-  Registry components_;
   Scene scene_;
   Renderer renderer_;
   std::vector<std::unique_ptr<HeadlessRobot>> robots_;

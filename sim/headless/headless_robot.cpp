@@ -2,14 +2,17 @@
 
 #include <algorithm>
 
+#include "core/device/device_names.h"
+
 namespace galilean::sim {
 namespace {
 
 /// The state has a schema that drives the motors.
-bool drives(const bhdl::Program& program, const bhdl::State& state) {
+bool drives(const bhdl::Program& program, const bhdl::State& state, const Catalog& catalog) {
   const auto is_driver = [&](const bhdl::Component& schema) {
+    const ComponentSpec* spec = catalog.find(schema.type);
     const auto& listed = state.motor_schemas;
-    return schema.type == "move_robot" &&
+    return spec != nullptr && spec->drives == kMotorDriveName &&
            std::find(listed.begin(), listed.end(), schema.name) != listed.end();
   };
   return std::any_of(program.motor_schemas.begin(), program.motor_schemas.end(), is_driver);
@@ -33,6 +36,7 @@ HeadlessRobot::HeadlessRobot(const Setup& setup)
     : name_(robot_name(setup.index)),
       body_(setup.world.robot(setup.index)),
       start_(body_.pose()),
+      catalog_(setup.components.catalog()),
       line_(name_ + "'s serial line"),
       board_(body_, line_.board_end(), name_),
       camera_(setup.scene, setup.index, setup.renderer),
@@ -43,7 +47,8 @@ HeadlessRobot::HeadlessRobot(const Setup& setup)
       last_position_m_(start_.position_m) {}
 
 Result<robot::ProgramId> HeadlessRobot::load(bhdl::Program program) {
-  for (const auto& state : program.states) state_drives_[state.name] = drives(program, state);
+  for (const auto& state : program.states)
+    state_drives_[state.name] = drives(program, state, catalog_);
   return executive_.load(std::move(program));
 }
 

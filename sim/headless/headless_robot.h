@@ -71,6 +71,7 @@ class HeadlessRobot final : private robot::DeviceTuner {
   std::string name_;
   RobotBody& body_;
   Pose2 start_;
+  const Catalog& catalog_;
   std::optional<Pose2> first_belief_;
   robot::BytePipe line_;
   SimulatedBoard board_;

@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include "robot/components.h"
 #include "sim/headless/headless.h"
 #include "sim/headless/programs.h"
 
@@ -38,8 +39,8 @@ void contest(benchmark::State& state) {
   const Scenario office = load_scenario("office").value();
   constexpr double kSeconds = 60;
   for (auto _ : state) {
-    auto made =
-        HeadlessContest::make(office, program, {.robots = 3, .seed = 1, .duration_s = kSeconds});
+    auto made = HeadlessContest::make(office, components, program,
+                                      {.robots = 3, .seed = 1, .duration_s = kSeconds});
     benchmark::DoNotOptimize(made.value()->run().ok());
   }
   state.counters["simulated_seconds"] = benchmark::Counter(

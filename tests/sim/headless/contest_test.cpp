@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "robot/components.h"
 #include "sim/headless/headless.h"
 #include "sim/headless/programs.h"
 #include "sim/headless/report.h"
@@ -10,16 +11,24 @@
 namespace galilean::sim {
 namespace {
 
+const Registry& components() {
+  static const Registry registry = [] {
+    Registry made;
+    robot::add_components(made);
+    return made;
+  }();
+  return registry;
+}
+
 bhdl::Program program(const std::string& name = "office_cleanup") {
-  Registry components;
-  robot::add_components(components);
-  auto loaded = load_program(name, components.catalog());
+  auto loaded = load_program(name, components().catalog());
   if (!loaded) throw std::runtime_error(loaded.error().message);
   return std::move(loaded).value();
 }
 
 std::unique_ptr<HeadlessContest> contest(const std::string& scenario, HeadlessOptions options) {
-  auto made = HeadlessContest::make(load_scenario(scenario).value(), program(), options);
+  auto made =
+      HeadlessContest::make(load_scenario(scenario).value(), components(), program(), options);
   if (!made) throw std::runtime_error(made.error().message);
   const auto done = made.value()->run();
   if (!done) throw std::runtime_error(done.error().message);

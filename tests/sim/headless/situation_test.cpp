@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "robot/components.h"
 #include "sim/headless/headless.h"
 #include "sim/headless/programs.h"
 
@@ -44,7 +45,7 @@ TEST(Situation, BecomesAContestThatGoesOnFromThere) {
   const auto read = situation_from_json(situation_json(state).dump(), "start.json");
   ASSERT_TRUE(read) << read.error().message;
   auto made =
-      HeadlessContest::make(load_scenario("office").value(), program,
+      HeadlessContest::make(load_scenario("office").value(), components, program,
                             {.robots = 1, .seed = 1, .duration_s = 0.2, .start = &read.value()});
   ASSERT_TRUE(made) << made.error().message;
   const auto& contest = *made.value();

@@ -33,7 +33,7 @@ MappedContest::MappedContest(const Options& options)
   }
   const auto scenario = required(sim::load_scenario(options.scenario));
   const auto program = required(sim::load_program("office_cleanup", components_.catalog()));
-  contest_ = required(sim::HeadlessContest::make(scenario, program, how));
+  contest_ = required(sim::HeadlessContest::make(scenario, components_, program, how));
   for (std::size_t i = 0; i < options.robots; ++i)
     map_.start_at(sim::robot_name(i), options.starts == Starts::kMeasured
                                           ? contest_->world().robot(i).pose()

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "bhdl/lsp/uri.h"
-#include "tests/bhdl/small_catalog.h"
 
 namespace galilean::bhdl::lsp {
 namespace {
@@ -36,8 +35,8 @@ Marked marked(std::string text) {
   return {text, index.position(at, PositionEncoding::kUtf16)};
 }
 
-Editor::Editor(Files files, Json capabilities)
-    : server_(small_catalog(), std::make_unique<MemoryFolder>(std::move(files))) {
+Editor::Editor(Files files, Json capabilities, const Catalog& catalog)
+    : server_(catalog, std::make_unique<MemoryFolder>(std::move(files))) {
   const Json answer = send({{"jsonrpc", "2.0"},
                             {"id", 0},
                             {"method", "initialize"},

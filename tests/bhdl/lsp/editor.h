@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bhdl/lsp/server.h"
+#include "tests/bhdl/small_catalog.h"
 
 namespace galilean::bhdl::lsp {
 
@@ -34,7 +35,8 @@ struct Marked {
 /// What sits before the server: opens texts, asks, and keeps what is published.
 class Editor {
  public:
-  explicit Editor(Files files = {}, Json capabilities = {});
+  explicit Editor(Files files = {}, Json capabilities = {},
+                  const Catalog& catalog = small_catalog());
 
   /// Opens `/name` and moves the cursor to its `|`, if it has one.
   void open(const std::string& name, const std::string& text);

@@ -87,7 +87,7 @@ export const rooms = {
     lib: [],
     feed: [],
     bhdl: ['feed'],
-    model: ['lib', 'feed'],
+    model: ['lib', 'feed', 'bhdl'],
     parts: ['model'],
     layout: ['lib', 'parts'],
     graph: ['feed'],

@@ -44,8 +44,16 @@ function componentOf(node: SyntaxNode, text: string, file: number): ComponentTex
   return { file, type: text.slice(label.from, label.to), name: name?.value ?? "", attributes, insertAt };
 }
 
-/** All components of the files, in the order of the texts. */
-export function componentsOf(files: readonly SourceFile[]): ComponentText[] {
+const known = new WeakMap<readonly SourceFile[], readonly ComponentText[]>();
+
+/** All components of the files, in the order of the texts; the same files are read once. */
+export function componentsOf(files: readonly SourceFile[]): readonly ComponentText[] {
+  const components = known.get(files) ?? read(files);
+  known.set(files, components);
+  return components;
+}
+
+function read(files: readonly SourceFile[]): ComponentText[] {
   const components: ComponentText[] = [];
   files.forEach(({ text }, file) =>
     parser.parse(text).iterate({

@@ -163,6 +163,12 @@ export interface Program extends Machine {
   files: SourceFile[];
 }
 
+export interface Catalog {
+  robot: string;
+  hash: string;
+  json: string;
+}
+
 export interface ProgramPush {
   stamp: Time;
   id: string;

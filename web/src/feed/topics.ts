@@ -1,14 +1,15 @@
 // Which topics the page knows, and what a topic's name says.
 
-export const robotTopics = ["state", "transition", "variables", "sightings", "program", "program_reply"] as const;
+export const robotTopics = ["state", "transition", "variables", "sightings", "program", "program_reply", "catalog"] as const;
 /** Read only while a panel shows them. */
 export const watchedTopics = ["forces"] as const;
 export const teamTopics = ["/team/objects", "/team/map", "/team/program_push", "/team/push_progress", "/referee/score"] as const;
-export const pictures = ["camera", "superred", "supergreen", "superblue", "dark"] as const;
 
 export type RobotTopic = (typeof robotTopics | typeof watchedTopics)[number];
 export type TeamTopic = (typeof teamTopics)[number];
-export type Picture = (typeof pictures)[number];
+/** A robot's picture: its camera's own, or a channel that its catalog names. */
+export type Picture = string;
+export const CAMERA: Picture = "camera";
 
 const NOT_ROBOTS = new Set(["team", "referee"]);
 

@@ -1,14 +1,20 @@
 // How near a condition is to firing: told where the program says what sets its bit, by a measure that
 // runs towards a limit.
 
+import type { Catalog } from "../bhdl/catalog";
 import { type ComponentText, componentsOf } from "../bhdl/components";
-import type { MachineTransition, Program, SourceFile, Variable } from "../feed/messages";
+import { type MachineTransition, type Program, type SourceFile, type Variable, VariableType } from "../feed/messages";
 import { lasting, metres } from "../lib/format";
 import { certaintyAt } from "../model/certainty";
+import { typeWord } from "../model/variable_text";
+
+/** What a trigger holds against its limit: roles of the catalog. */
+const MEASURES = ["certainty_at_least", "certainty_below", "distance_at_most", "time_at_least"] as const;
+type Measure = (typeof MEASURES)[number];
 
 /** A schema that sets a bit when a measure passes a limit. */
 export interface Trigger {
-  readonly type: "seen" | "lost" | "arrived" | "time_detector";
+  readonly measure: Measure;
   readonly schema: string;
   readonly bits: string;
   readonly bit: number;
@@ -38,32 +44,31 @@ export interface Nearness {
 /** From here on a condition counts as near. */
 export const NEAR = 0.75;
 
-const LIMIT = { seen: "min_certainty", lost: "min_certainty", arrived: "radius", time_detector: "duration" } as const;
-
-type Units = { readonly bare: number; readonly [unit: string]: number };
-const LENGTHS: Units = { bare: 0.01, m: 1, cm: 0.01, mm: 0.001, in: 0.0254, ft: 0.3048 };
-const TIMES: Units = { bare: 1, s: 1, ms: 0.001, min: 60 };
-
-/** A number as a program writes it, in SI; not a number where it is none. */
-function quantity(text: string, units: Units): number {
-  const [, number = "", unit = ""] = /^([\d.]+)\s*(\w*)$/.exec(text) ?? [];
-  return Number.parseFloat(number) * (units[unit || "bare"] ?? Number.NaN);
+function triggerOf(component: ComponentText, catalog: Catalog): Trigger[] {
+  const { type, name } = component;
+  const attributes = catalog.attributes(type);
+  const limit = attributes.find(({ role }) => MEASURES.some((measure) => measure === role));
+  const bit = attributes.find(({ bit_of }) => bit_of);
+  if (!limit || !bit?.bit_of) return [];
+  const value = catalog.quantityOf(component, limit);
+  if (!Number.isFinite(value)) return [];
+  const shaft = attributes.find(({ refers_to }) => refers_to === typeWord(VariableType.shaft));
+  return [
+    {
+      measure: limit.role as Measure,
+      schema: name,
+      bits: catalog.valueOf(component, bit.bit_of),
+      bit: Number.parseInt(catalog.valueOf(component, bit.name), 10),
+      locate: limit.of ? catalog.valueOf(component, limit.of) : "",
+      shaft: shaft ? catalog.valueOf(component, shaft.name) : "",
+      limit: value,
+    },
+  ];
 }
 
-function triggerOf(component: ComponentText): Trigger[] {
-  const { type, name, attributes } = component;
-  if (!(type in LIMIT)) return [];
-  const kind = type as Trigger["type"];
-  const text = (attribute: string) => attributes.get(attribute)?.value ?? "";
-  const limit = quantity(text(LIMIT[kind]), kind === "arrived" ? LENGTHS : TIMES);
-  if (!Number.isFinite(limit)) return [];
-  const bit = Number.parseInt(text("bit_index") || "0", 10);
-  return [{ type: kind, schema: name, bits: text("bits_variable"), bit, locate: text("locate_variable"), shaft: text("shaft_variable"), limit }];
-}
-
-/** Those whose limit stands in the text as a number; constants and bases are not followed. */
-export function triggersOf(files: readonly SourceFile[]): Trigger[] {
-  return componentsOf(files).flatMap(triggerOf);
+/** Those whose limit stands in the text as a number or in the catalog; constants and bases are not followed. */
+export function triggersOf(files: readonly SourceFile[], catalog: Catalog | undefined): Trigger[] {
+  return catalog ? componentsOf(files).flatMap((component) => triggerOf(component, catalog)) : [];
 }
 
 const share = (value: number): number => Math.min(Math.max(value, 0), 1);
@@ -76,28 +81,28 @@ function certaintyOf(name: string, { variables, age_ms }: Situation): { certaint
 
 function distance_m(trigger: Trigger, { variables }: Situation): number | undefined {
   const object = variables.find(({ name }) => name === trigger.locate);
-  const shaft = variables.find(({ name, type }) => (trigger.shaft ? name === trigger.shaft : type === 1));
+  const shaft = variables.find(({ name, type }) => (trigger.shaft ? name === trigger.shaft : type === VariableType.shaft));
   if (!object?.valid || !shaft?.valid) return undefined;
   return Math.hypot(object.values[0]! - shaft.values[0]!, object.values[1]! - shaft.values[1]!);
 }
 
-const measures: Record<Trigger["type"], (trigger: Trigger, now: Situation) => Nearness | undefined> = {
-  time_detector: ({ limit }, { in_state_s }) => {
+const measures: Record<Measure, (trigger: Trigger, now: Situation) => Nearness | undefined> = {
+  time_at_least: ({ limit }, { in_state_s }) => {
     const left_s = Math.max(limit - in_state_s, 0);
     return { share: share(in_state_s / limit), words: `in ${lasting(left_s)}` };
   },
-  lost: ({ locate, limit }, now) => {
+  certainty_below: ({ locate, limit }, now) => {
     const { certainty, decay_per_s } = certaintyOf(locate, now);
     if (certainty <= limit) return { share: 1, words: `${locate} is not known` };
     const left_s = decay_per_s > 0 ? (certainty - limit) / decay_per_s : Number.POSITIVE_INFINITY;
     const when = Number.isFinite(left_s) ? `, in ${lasting(left_s)} unless it is seen again` : "";
     return { share: share((1 - certainty) / Math.max(1 - limit, 0.01)), words: `sure ${certainty.toFixed(2)}, lost below ${limit}${when}` };
   },
-  seen: ({ locate, limit }, now) => {
+  certainty_at_least: ({ locate, limit }, now) => {
     const { certainty } = certaintyOf(locate, now);
     return { share: share(certainty / limit), words: certainty > 0 ? `sure ${certainty.toFixed(2)}, needs ${limit}` : `${locate} is not known` };
   },
-  arrived: (trigger, now) => {
+  distance_at_most: (trigger, now) => {
     const away_m = distance_m(trigger, now);
     if (away_m === undefined) return { share: 0, words: `${trigger.locate} is not known` };
     return { share: share(trigger.limit / Math.max(away_m, 0.01)), words: `${metres(away_m)} away, fires at ${metres(trigger.limit)}` };
@@ -109,7 +114,7 @@ export function nearnessOf(condition: MachineTransition, triggers: readonly Trig
   if (!condition.bit_value) return undefined;
   const { bits_variable, bit_index } = condition;
   const trigger = triggers.find(({ bits, bit, schema }) => bits === bits_variable && bit === bit_index && now.schemas.includes(schema));
-  return trigger && measures[trigger.type](trigger, now);
+  return trigger && measures[trigger.measure](trigger, now);
 }
 
 /** The bit as it is now; undefined while its variable is invalid. */

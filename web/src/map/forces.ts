@@ -1,5 +1,6 @@
 // What pulls and pushes a robot, as vectors on the map.
 
+import type { Catalog } from "../bhdl/catalog";
 import { componentsOf } from "../bhdl/components";
 import type { Forces, Program, Variable } from "../feed/messages";
 
@@ -16,15 +17,11 @@ export interface DrawnForce {
 }
 
 const LEAST = 0.02;
-const combiners = new WeakMap<Program, ReadonlySet<string>>();
-
-function combinersOf(program: Program | undefined): ReadonlySet<string> {
-  if (!program) return new Set();
-  const known = combiners.get(program);
-  if (known) return known;
-  const names = new Set(componentsOf(program.files).flatMap(({ type, name }) => (type === "combine_forces" ? [name] : [])));
-  combiners.set(program, names);
-  return names;
+/** The schemas that add up what others suggest: they give gains. */
+function combinersOf(program: Program | undefined, catalog: Catalog | undefined): ReadonlySet<string> {
+  if (!program || !catalog) return new Set();
+  const combiners = componentsOf(program.files).filter(({ type }) => catalog.attribute(type, "gain"));
+  return new Set(combiners.map(({ name }) => name));
 }
 
 function turned(right: number, ahead: number, heading_rad: number): { x: number; y: number } {
@@ -38,9 +35,9 @@ export function drawnVariable({ name, values }: Variable, heading_rad: number): 
   return { schema: name, variable: name, ...turned(right, ahead, heading_rad), strength: Math.hypot(right, ahead), isSum: false };
 }
 
-/** The forces of the schemas that run, and their sum as the program's own combine_forces makes it, or plain without one. */
-export function drawnForces({ items }: Forces, program: Program | undefined, heading_rad: number): DrawnForce[] {
-  const sums = combinersOf(program);
+/** The forces of the schemas that run, and their sum as the program's own schema makes it, or plain without one. */
+export function drawnForces({ items }: Forces, program: Program | undefined, catalog: Catalog | undefined, heading_rad: number): DrawnForce[] {
+  const sums = combinersOf(program, catalog);
   const all = items
     .filter(({ active }) => active)
     .map(({ schema, variable, x, y, gain }): DrawnForce => {

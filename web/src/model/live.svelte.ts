@@ -85,7 +85,7 @@ class Live {
     return this.#history.earliest_ms ?? this.#now_ms;
   }
 
-  /** Tells `listener` of what is no part of the team (a picture, a catalog) until the returned function is called. */
+  /** Tells `listener` of what is no part of the team, such as a picture, until the returned function is called. */
   onMessage(topic: string, listener: (message: unknown) => void): () => void {
     const listeners = this.#listeners.get(topic) ?? new Set();
     this.#listeners.set(topic, listeners.add(listener));

@@ -15,6 +15,7 @@ import type {
   Transition,
   Variables,
 } from "../feed/messages";
+import type { Catalog } from "../bhdl/catalog";
 import type { Reply } from "../feed/api";
 import type { RobotEvent } from "./events";
 import type { Identity } from "./identity";
@@ -74,6 +75,8 @@ export interface Robot {
   /** Told only while somebody looks at them. */
   readonly forces?: Stamped<Forces>;
   readonly program?: Stamped<Program>;
+  /** What its programs may name, and what that is to the page. */
+  readonly catalog?: Catalog;
   readonly transitions: readonly Transition[];
   /** By the number of the transition, of those that happened while the page listened. */
   readonly moments: ReadonlyMap<bigint, Moment>;

@@ -1,3 +1,4 @@
+import { catalogOf } from "../bhdl/catalog";
 import type * as wire from "../feed/messages";
 import { type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
 import { contestBegan_ms, withEvents } from "./events";
@@ -78,6 +79,7 @@ const ofRobot: { [K in Exclude<RobotTopic, "program_reply">]: Reduce<Robot, neve
   sightings: (robot, value: wire.Sightings, received_ms) => ({ ...robot, sightings: { value, received_ms } }),
   forces: (robot, value: wire.Forces, received_ms) => ({ ...robot, forces: { value, received_ms } }),
   program: (robot, value: wire.Program, received_ms) => ({ ...robot, program: { value, received_ms } }),
+  catalog: (robot, { json }: wire.Catalog) => ({ ...robot, catalog: catalogOf(json) }),
 };
 
 function withObjects(team: Team, message: wire.ObjectMap, received_ms: number): Team {

@@ -3,8 +3,11 @@ import { degrees, metres, signed } from "../lib/format";
 
 const TYPE_NAMES = ["", "shaft", "image", "locate", "bits", "force"] as const;
 
+/** The word for a type of variable, as programs and catalogs have it. */
+export const typeWord = (type: number): string => TYPE_NAMES[type] ?? "unknown";
+
 export function typeName(variable: Variable): string {
-  const name = TYPE_NAMES[variable.type] ?? "unknown";
+  const name = typeWord(variable.type);
   return variable.object_class ? `${name} · ${variable.object_class}` : name;
 }
 

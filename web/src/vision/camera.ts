@@ -1,6 +1,7 @@
 // How a robot's camera looks at the floor, as its program says: robot/vision/camera_model.
 
-import { componentsOf } from "../bhdl/components";
+import type { AttributeSpec, Catalog, Role } from "../bhdl/catalog";
+import { type ComponentText, componentsOf } from "../bhdl/components";
 import type { Program } from "../feed/messages";
 
 export interface Camera {
@@ -9,22 +10,18 @@ export interface Camera {
   readonly forward_m: number;
 }
 
-/** Where the program does not say: robot/devices' own defaults. */
+/** Where neither the program nor the robot's catalog says anything that can be read. */
 const STANDARD: Camera = { height_m: 0.2, forward_m: 0.1 };
-const cameras = new WeakMap<Program, Camera>();
 
-export function cameraOf(program: Program | undefined): Camera {
-  if (!program) return STANDARD;
-  const known = cameras.get(program) ?? read(program);
-  cameras.set(program, known);
-  return known;
-}
-
-function read({ files }: Program): Camera {
-  const grabber = componentsOf(files).find(({ type }) => type === "frame_grabber");
-  const metres = (attribute: string, otherwise_m: number) => {
-    const value_cm = Number.parseFloat(grabber?.attributes.get(attribute)?.value ?? "");
-    return Number.isFinite(value_cm) ? value_cm / 100 : otherwise_m;
+export function cameraOf(program: Program | undefined, catalog: Catalog | undefined): Camera {
+  const type = catalog?.componentWith("camera_height");
+  if (!program || !catalog || !type) return STANDARD;
+  const undeclared: ComponentText = { file: 0, type, name: "", attributes: new Map(), insertAt: 0 };
+  const component = componentsOf(program.files).find((each) => each.type === type) ?? undeclared;
+  const metres = (role: Role, otherwise_m: number) => {
+    const attribute: AttributeSpec | undefined = catalog.attribute(type, role);
+    const value_m = attribute ? catalog.quantityOf(component, attribute) : Number.NaN;
+    return Number.isFinite(value_m) ? value_m : otherwise_m;
   };
   return { height_m: metres("camera_height", STANDARD.height_m), forward_m: metres("camera_forward", STANDARD.forward_m) };
 }

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { MachineTransition, Variable } from "../../src/feed/messages";
 import { bitNow, conditionNow, nearnessOf, schemasOf, type Situation, triggersOf } from "../../src/machine/nearness";
+import { catalog } from "../fixture/catalogs";
 import { T0_MS, time } from "../model/told";
 
 const TEXT = `perceptual_schemas:
@@ -11,7 +12,7 @@ const TEXT = `perceptual_schemas:
   time_detector: name: "short" duration: 4 bits_variable: "up" end
   time_detector: name: "long" duration: 2 min bits_variable: "up" end
 end`;
-const triggers = triggersOf([{ path: "a.bhdl", text: TEXT }]);
+const triggers = triggersOf([{ path: "a.bhdl", text: TEXT }], catalog);
 const variable = (name: string, type: number, values: number[], certainty = 1, decay_per_s = 0): Variable =>
   ({ name, type, object_class: "", valid: certainty > 0, certainty, decay_per_s, updated: time(T0_MS), values });
 const condition = (bits_variable: string, bit_index = 0, bit_value = true): MachineTransition =>
@@ -42,7 +43,7 @@ describe("how near a condition is to firing", () => {
   it("is measured from the variable that the trigger names, in both directions", () => {
     const [reach] = triggersOf([{ path: "a.bhdl", text: `perceptual_schemas:
   arrived: name: "reach" locate_variable: "trash" shaft_variable: "odometer" radius: 50 bits_variable: "reached" end
-end` }]);
+end` }], catalog);
     const variables = [variable("shaft", 1, [9, 9]), variable("odometer", 1, [1, 1]), variable("trash", 3, [1.6, 1.8])];
     expect(nearnessOf(condition("reached"), [reach!], now({ variables }))).toEqual({ share: 0.5, words: "1.00 m away, fires at 0.50 m" });
     const lost = [variable("odometer", 1, [1, 1], 0), variable("trash", 3, [1.6, 1.8])];
@@ -55,6 +56,13 @@ end` }]);
     expect(nearnessOf(condition("lost"), triggers, unknown)).toEqual({ share: 1, words: "trash is not known" });
     const forGood = now({ variables: [variable("trash", 3, [0, 1], 0.6, 0)] });
     expect(nearnessOf(condition("lost"), triggers, forGood)?.words).toBe("sure 0.60, lost below 0.2");
+  });
+  it("takes a limit that the program does not give from the catalog", () => {
+    const text = 'perceptual_schemas: arrived: name: "reach" locate_variable: "trash" bits_variable: "reached" end end';
+    expect(triggersOf([{ path: "a.bhdl", text }], catalog)[0]).toMatchObject({ limit: 0.4, bit: 0, shaft: "shaft" });
+  });
+  it("is not known while the robot's catalog is not", () => {
+    expect(triggersOf([{ path: "a.bhdl", text: TEXT }], undefined)).toEqual([]);
   });
   it("belongs to the bit, not only to its variable", () => {
     expect(nearnessOf(condition("reached", 0), triggers, now())).toBeUndefined();

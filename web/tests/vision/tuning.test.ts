@@ -1,17 +1,12 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
-import { Catalog } from "../../src/bhdl/catalog";
 import { componentsOf, withAttribute } from "../../src/bhdl/components";
 import { blobsOf, maskOf } from "../../src/vision/blobs";
-import { detectorsOf } from "../../src/vision/detectors";
+import { detectorsOf, picturesOf, pictureOfVariables } from "../../src/vision/detectors";
+import { catalog } from "../fixture/catalogs";
 
 const programs = new URL("../../../bhdl/programs/", import.meta.url);
 const office = ["office_cleanup.bhdl", "office_robot.bhdl"].map((path) => ({ path, text: readFileSync(new URL(path, programs), "utf8") }));
-const catalog = new Catalog(
-  JSON.stringify({
-    components: [{ name: "blob_detector", attributes: [{ name: "threshold", default: 60 }, { name: "min_area", default: 12 }, { name: "polarity", default: "bright" }] }],
-  }),
-);
 
 /** '#' is bright. */
 function picture(...rows: string[]): Uint8Array {
@@ -30,6 +25,15 @@ test("bright is at least the level, dark is below it", () => {
   const pixels = Uint8Array.of(59, 60, 61);
   expect([...maskOf(pixels, { level: 60, dark: false })]).toEqual([0, 1, 1]);
   expect([...maskOf(pixels, { level: 60, dark: true })]).toEqual([1, 0, 0]);
+});
+
+test("a robot's pictures are its camera's and those that its catalog names", () => {
+  expect(picturesOf(undefined)).toEqual(["camera"]);
+  expect(picturesOf(catalog)).toEqual(["camera", "superred", "supergreen", "superblue", "dark"]);
+});
+
+test("what is found belongs over the picture that it was found in", () => {
+  expect([...pictureOfVariables(office, catalog)]).toEqual([["trash", "superred"], ["robot", "supergreen"], ["basket", "dark"]]);
 });
 
 test("a program's detectors are found in the pictures that look writes", () => {

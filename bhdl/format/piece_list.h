@@ -10,7 +10,7 @@ namespace galilean::bhdl {
 class PieceList {
  public:
   PieceList(std::string_view file, std::string_view text)
-      : text_(text), tokens_(file, text, diagnostics_) {}
+      : text_(text), tree_{text, {}, {}}, tokens_(file, tree_, diagnostics_) {}
   PieceList(const PieceList&) = delete;
   PieceList& operator=(const PieceList&) = delete;
 
@@ -42,6 +42,7 @@ class PieceList {
 
   std::string_view text_;
   Diagnostics diagnostics_;  ///< stay empty: the parser took the text
+  ParseTree tree_;
   TokenStream tokens_;
   std::vector<Piece> pieces_;
   std::vector<Comment> pending_;  ///< for the next piece

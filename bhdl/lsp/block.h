@@ -49,7 +49,7 @@ class BlockScanner {
   };
 
   BlockScanner(std::string_view text, const Vocabulary& vocabulary)
-      : text_(text), vocabulary_(vocabulary), tokens_("", text, unheard_) {}
+      : text_(text), vocabulary_(vocabulary), tree_{text, {}, {}}, tokens_("", tree_, unheard_) {}
 
   /// Reads to the end of the text; what is not closed there stays open.
   void run();
@@ -91,6 +91,7 @@ class BlockScanner {
   std::string_view text_;
   const Vocabulary& vocabulary_;
   Diagnostics unheard_;
+  ParseTree tree_;
   TokenStream tokens_;
   std::vector<Block> blocks_;
   std::vector<Open> open_;

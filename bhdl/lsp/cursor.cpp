@@ -61,7 +61,8 @@ std::size_t word_begin(std::string_view text, std::size_t offset) {
 void add_given_behind(std::string_view rest, BlockKind kind, std::set<std::string_view>& given) {
   constexpr int kMostTokens = 400;
   Diagnostics unheard;
-  TokenStream tokens("", rest, unheard);
+  ParseTree tree{rest, {}, {}};
+  TokenStream tokens("", tree, unheard);
   int depth = 0;
   for (int i = 0; i < kMostTokens && !tokens.at_end_of_file(); ++i) {
     const bool part =

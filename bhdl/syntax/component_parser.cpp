@@ -7,7 +7,10 @@
 namespace galilean::bhdl {
 namespace {
 
-constexpr std::size_t kUsualAttributes = 4;
+NodeKind node_kind(Block block) {
+  if (block == Block::kCondition) return NodeKind::kCondition;
+  return block == Block::kStep ? NodeKind::kStep : NodeKind::kComponent;
+}
 
 bool is_over(const TokenStream& tokens, Block block) {
   if (tokens.at_end_of_file() || at_section(tokens) || tokens.at_unlabelled_block()) return true;
@@ -25,64 +28,67 @@ bool is_over(const TokenStream& tokens, Block block) {
 }
 
 void skip_to_word(TokenStream& tokens) {
+  if (tokens.at(TokenKind::kWord) || tokens.at_end_of_file()) return;
+  const NodeScope skipped(tokens, NodeKind::kError);
   while (!tokens.at(TokenKind::kWord) && !tokens.at_end_of_file()) tokens.take();
 }
 
 void refuse_missing_value(TokenStream& tokens, Diagnostics& diagnostics) {
-  const Word name = take_label(tokens);
-  diagnostics.error(name.at, "syntax/missing-value",
-                    in_quotes(name.text) + " has no value; found " + describe(tokens.peek()));
+  {
+    const NodeScope attribute(tokens, NodeKind::kAttribute);
+    const Token name = take_label(tokens);
+    diagnostics.error(tokens.position(name), "syntax/missing-value",
+                      in_quotes(name.text) + " has no value; found " + describe(tokens.peek()));
+  }
   skip_to_word(tokens);
 }
 
 }  // namespace
 
-Word take_label(TokenStream& tokens) {
+Token take_label(TokenStream& tokens) {
   const Token word = tokens.take();
   if (tokens.at(TokenKind::kColon)) tokens.take();
-  return {word.text, word.at};
+  return word;
 }
 
 void report_missing_colon(const TokenStream& tokens, Diagnostics& diagnostics) {
-  diagnostics.error(tokens.peek().at, "syntax/missing-colon",
+  diagnostics.error(tokens.position(), "syntax/missing-colon",
                     "':' is expected after " + describe(tokens.peek()));
 }
 
-void report_unclosed(const TokenStream& tokens, const Word& opened, Diagnostics& diagnostics) {
-  diagnostics.error(tokens.peek().at, "syntax/unclosed",
+void report_unclosed(const TokenStream& tokens, const Token& opened, Diagnostics& diagnostics) {
+  diagnostics.error(tokens.position(), "syntax/unclosed",
                     "'end' is expected before " + describe(tokens.peek()) + ": " +
                         in_quotes(opened.text) + " of line " + std::to_string(opened.at.line) +
                         " is still open");
 }
 
-void parse_attribute(TokenStream& tokens, std::vector<AttributeNode>& into,
-                     Diagnostics& diagnostics) {
+void parse_attribute(TokenStream& tokens, Diagnostics& diagnostics) {
   if (tokens.at_bare_label()) return refuse_missing_value(tokens, diagnostics);
   if (!tokens.at(TokenKind::kWord)) {
     diagnostics.error(
-        tokens.peek().at, "syntax/unexpected-token",
+        tokens.position(), "syntax/unexpected-token",
         "an attribute such as 'name:' or 'end' is expected, found " + describe(tokens.peek()));
     return skip_to_word(tokens);
   }
   if (!tokens.at_label()) report_missing_colon(tokens, diagnostics);
-  const Word name = take_label(tokens);
-  auto values = parse_values(tokens, diagnostics);
-  if (!values.empty()) into.push_back({name, std::move(values)});
+  const NodeScope attribute(tokens, NodeKind::kAttribute);
+  take_label(tokens);
+  parse_values(tokens, diagnostics);
 }
 
-ComponentNode parse_component(TokenStream& tokens, Block block, Diagnostics& diagnostics) {
+void parse_component(TokenStream& tokens, Block block, Diagnostics& diagnostics) {
   if (!tokens.at_label()) report_missing_colon(tokens, diagnostics);
-  ComponentNode component{take_label(tokens), {}};
-  component.attributes.reserve(kUsualAttributes);
+  const NodeScope component(tokens, node_kind(block));
+  const Token type = take_label(tokens);
   while (!tokens.at_word("end")) {
     if (is_over(tokens, block)) {
-      if (block != Block::kVariable) report_unclosed(tokens, component.type, diagnostics);
-      return component;
+      if (block != Block::kVariable) report_unclosed(tokens, type, diagnostics);
+      return;
     }
-    parse_attribute(tokens, component.attributes, diagnostics);
+    parse_attribute(tokens, diagnostics);
   }
   take_end(tokens);
-  return component;
 }
 
 }  // namespace galilean::bhdl

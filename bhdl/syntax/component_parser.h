@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "bhdl/syntax/token_stream.h"
 
 namespace galilean::bhdl {
@@ -15,20 +13,19 @@ enum class Block {
 };
 
 /// `type : { attribute } end`. The stream stands at the type.
-[[nodiscard]] ComponentNode parse_component(TokenStream& tokens, Block block,
-                                            Diagnostics& diagnostics);
+void parse_component(TokenStream& tokens, Block block, Diagnostics& diagnostics);
 
 /// `name : value …`, or a report of what stands in its place. Always takes at least a token.
-void parse_attribute(TokenStream& tokens, std::vector<AttributeNode>& into,
-                     Diagnostics& diagnostics);
+void parse_attribute(TokenStream& tokens, Diagnostics& diagnostics);
 
-/// Reports at the stream's place that `opened` should have been closed before.
-void report_unclosed(const TokenStream& tokens, const Word& opened, Diagnostics& diagnostics);
+/// Reports at the stream's place that the block of the label `opened` should have been closed
+/// before.
+void report_unclosed(const TokenStream& tokens, const Token& opened, Diagnostics& diagnostics);
 
 /// Reports that the word at the stream's place lacks its colon.
 void report_missing_colon(const TokenStream& tokens, Diagnostics& diagnostics);
 
-/// A word and its colon, if it has one.
-Word take_label(TokenStream& tokens);
+/// Takes a word and its colon, if it has one. Returns the word.
+Token take_label(TokenStream& tokens);
 
 }  // namespace galilean::bhdl

@@ -5,20 +5,20 @@
 
 namespace galilean::bhdl {
 
-ExpectNode parse_expectation(TokenStream& tokens, Diagnostics& diagnostics) {
-  ExpectNode expectation{take_label(tokens), {}, {}};
+void parse_expectation(TokenStream& tokens, Diagnostics& diagnostics) {
+  const NodeScope expectation(tokens, NodeKind::kExpect);
+  const Token keyword = take_label(tokens);
   while (!tokens.at_word("end")) {
     if (tokens.at_end_of_file() || at_section(tokens)) {
-      report_unclosed(tokens, expectation.keyword, diagnostics);
-      return expectation;
+      report_unclosed(tokens, keyword, diagnostics);
+      return;
     }
     if (tokens.at_bare_label())
-      expectation.steps.push_back(parse_component(tokens, Block::kStep, diagnostics));
+      parse_component(tokens, Block::kStep, diagnostics);
     else
-      parse_attribute(tokens, expectation.attributes, diagnostics);
+      parse_attribute(tokens, diagnostics);
   }
   take_end(tokens);
-  return expectation;
 }
 
 }  // namespace galilean::bhdl

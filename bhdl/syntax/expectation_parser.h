@@ -6,6 +6,6 @@ namespace galilean::bhdl {
 
 /// `expect: … end`. The stream stands at the word. Within, whatever label has no value begins a
 /// step.
-[[nodiscard]] ExpectNode parse_expectation(TokenStream& tokens, Diagnostics& diagnostics);
+void parse_expectation(TokenStream& tokens, Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

@@ -45,10 +45,19 @@ std::string describe(const Token& token) {
 }
 
 Lexer::Lexer(std::string_view file, std::string_view text, Diagnostics& diagnostics)
-    : rest_(text), at_{file, 1, 1}, diagnostics_(diagnostics) {
+    : file_(file), rest_(text), diagnostics_(diagnostics) {
   if (rest_.starts_with(kByteOrderMark)) step(kByteOrderMark.size());
   counted_ = rest_.data();
 }
+
+Lexer::Lexer(std::string_view file, std::string_view text, const Token& first, bool after_number,
+             Diagnostics& diagnostics)
+    : file_(file),
+      rest_(text.substr(static_cast<std::size_t>(first.whole().data() - text.data()))),
+      at_(first.at),
+      counted_(rest_.data()),
+      after_number_(after_number),
+      diagnostics_(diagnostics) {}
 
 Token Lexer::next() {
   const bool after_number = std::exchange(after_number_, false);
@@ -86,7 +95,7 @@ void Lexer::end_line(std::size_t bytes) noexcept {
 }
 
 // Every character is counted once, and none behind a line's last token.
-Position Lexer::position() noexcept {
+Place Lexer::place() noexcept {
   const auto bytes = static_cast<std::size_t>(rest_.data() - counted_);
   at_.column += static_cast<int>(character_count({counted_, bytes}));
   counted_ = rest_.data();
@@ -100,26 +109,32 @@ bool Lexer::starts_number() const noexcept {
 }
 
 Token Lexer::token(TokenKind kind, std::size_t bytes) {
-  const Token token{kind, rest_.substr(0, bytes), 0, position()};
+  Token token;
+  token.kind = kind;
+  token.at = place();
+  token.text = rest_.substr(0, bytes);
   step(bytes);
   return token;
 }
 
 Token Lexer::text() {
-  const Position at = position();
-  step(quote_size(rest_));
-  const Token token{TokenKind::kText, rest_.substr(0, quoted_size(rest_)), 0, at};
+  Token token;
+  token.kind = TokenKind::kText;
+  token.at = place();
+  token.open_quote = static_cast<std::uint8_t>(quote_size(rest_));
+  step(token.open_quote);
+  token.text = rest_.substr(0, quoted_size(rest_));
   step(token.text.size());
-  const auto closing = quote_size(rest_);
-  step(closing);
-  if (closing == 0)
-    diagnostics_.error(at, "syntax/unclosed-text", "this text has no closing quote on its line",
-                       "end it with \"");
+  token.close_quote = static_cast<std::uint8_t>(quote_size(rest_));
+  step(token.close_quote);
+  if (token.close_quote == 0)
+    diagnostics_.error(position(token.at), "syntax/unclosed-text",
+                       "this text has no closing quote on its line", "end it with \"");
   return token;
 }
 
 Token Lexer::number() {
-  const Position at = position();
+  const Place at = place();
   const std::string_view whole = rest_;
   const auto minus = minus_size(rest_);
   step(minus);
@@ -128,21 +143,26 @@ Token Lexer::number() {
   const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   step(digits.size());
   if (parsed.ec == std::errc::result_out_of_range || !std::isfinite(value)) {
-    diagnostics_.error(at, "syntax/number", "the number " + in_quotes(digits) + " cannot be held");
+    diagnostics_.error(position(at), "syntax/number",
+                       "the number " + in_quotes(digits) + " cannot be held");
     value = 0;
   }
   refuse_second_point(digits, at);
   after_number_ = true;
-  return {TokenKind::kNumber, whole.substr(0, whole.size() - rest_.size()),
-          minus > 0 ? -value : value, at};
+  Token token;
+  token.kind = TokenKind::kNumber;
+  token.at = at;
+  token.text = whole.substr(0, whole.size() - rest_.size());
+  token.number = minus > 0 ? -value : value;
+  return token;
 }
 
-void Lexer::refuse_second_point(std::string_view digits, const Position& at) {
+void Lexer::refuse_second_point(std::string_view digits, const Place& at) {
   if (!rest_.starts_with('.')) return;
   std::size_t size = 0;
   while (size < rest_.size() && (rest_[size] == '.' || is(rest_[size], kLetter | kDigit))) ++size;
   diagnostics_.error(
-      at, "syntax/number",
+      position(at), "syntax/number",
       in_quotes(std::string(digits) + std::string(rest_.substr(0, size))) + " is not a number",
       "a number has one decimal point");
   step(size);
@@ -155,11 +175,11 @@ bool Lexer::starts_token() const noexcept {
 }
 
 void Lexer::refuse_characters() {
-  const Position at = position();
+  const Place at = place();
   const auto first = rest_.substr(0, character_size(rest_));
   do step(1);
   while (!done() && !starts_token());
-  diagnostics_.error(at, "syntax/unexpected-character",
+  diagnostics_.error(position(at), "syntax/unexpected-character",
                      "the character " + in_quotes(first) + " has no meaning here",
                      "a comment begins with ; and a name stands in quotes");
 }

@@ -1,97 +1,94 @@
 #include "bhdl/syntax/parser.h"
 
+#include <algorithm>
+
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
 #include "bhdl/syntax/component_parser.h"
 #include "bhdl/syntax/expectation_parser.h"
 #include "bhdl/syntax/keywords.h"
+#include "bhdl/syntax/lowering.h"
 #include "bhdl/syntax/state_parser.h"
 #include "bhdl/syntax/token_stream.h"
 
 namespace galilean::bhdl {
 namespace {
 
+/// Of the ends of the file one stays.
+void drop_look_ahead(ParseTree& tree) {
+  const auto is_end = [](const Token& token) { return token.kind == TokenKind::kEndOfFile; };
+  tree.tokens.erase(std::ranges::find_if(tree.tokens, is_end) + 1, tree.tokens.end());
+}
+
 class FileParser {
  public:
-  FileParser(std::string_view file, std::string_view text, Diagnostics& diagnostics)
-      : tokens_(file, text, diagnostics), diagnostics_(diagnostics) {}
+  FileParser(std::string_view file, ParseTree& tree, Diagnostics& diagnostics)
+      : tokens_(file, tree, diagnostics), diagnostics_(diagnostics) {}
 
-  SyntaxTree parse() {
+  void parse() {
     while (!tokens_.at_end_of_file()) {
       if (at_section_word(tokens_))
         section(tokens_.peek().text);
       else
         refuse_outside();
     }
-    return std::move(tree_);
   }
 
  private:
   void section(std::string_view word) {
     if (const auto kind = section_kind(word)) return components(*kind);
     if (word == "states") return states();
-    if (word == "state") return state();
+    if (word == "state") return parse_state(tokens_, diagnostics_);
     if (word == "define") return define();
-    if (word == "expect") return expectation();
+    if (word == "expect") return parse_expectation(tokens_, diagnostics_);
     if (word == "include") return include();
     if (word == "start_state") return start_state();
     on_swap();
   }
 
   void components(ComponentKind kind) {
-    SectionNode section{take_label(tokens_), kind, {}};
+    const NodeScope section(tokens_, NodeKind::kSection, static_cast<std::uint8_t>(kind));
+    take_label(tokens_);
     const auto block = kind == ComponentKind::kVariable ? Block::kVariable : Block::kComponent;
     while (!section_is_over()) {
       if (tokens_.at_bare_label() || tokens_.at_unlabelled_block())
-        section.components.push_back(parse_component(tokens_, block, diagnostics_));
+        parse_component(tokens_, block, diagnostics_);
       else
         refuse_in_section("a component");
     }
     if (tokens_.at_word("end")) take_end(tokens_);
-    tree_.emplace_back(std::move(section));
   }
 
-  // Bare states and those in a section are the same to everybody else.
   void states() {
+    const NodeScope section(tokens_, NodeKind::kStates);
     take_label(tokens_);
     while (tokens_.at_label("state") || !section_is_over()) {
       if (tokens_.at_label("state") && tokens_.at_bare_label())
-        state();
+        parse_state(tokens_, diagnostics_);
       else
         refuse_in_section("'state:'");
     }
     if (tokens_.at_word("end")) take_end(tokens_);
   }
 
-  void state() { tree_.emplace_back(parse_state(tokens_, diagnostics_)); }
-
-  void expectation() { tree_.emplace_back(parse_expectation(tokens_, diagnostics_)); }
-
   void define() {
+    const NodeScope section(tokens_, NodeKind::kDefine);
     take_label(tokens_);
-    DefineNode node;
-    while (!section_is_over()) parse_attribute(tokens_, node.constants, diagnostics_);
+    while (!section_is_over()) parse_attribute(tokens_, diagnostics_);
     if (tokens_.at_word("end")) take_end(tokens_);
-    tree_.emplace_back(std::move(node));
   }
 
-  void include() {
-    take_label(tokens_);
-    if (const auto path = expect_text("the path of a file in quotes"))
-      tree_.emplace_back(IncludeNode{*path});
-    else
-      skip_to_section();
-  }
+  void include() { line(NodeKind::kInclude, "the path of a file in quotes"); }
+  void start_state() { line(NodeKind::kStartState, "the name of a state in quotes"); }
 
-  void start_state() {
+  void line(NodeKind kind, const std::string& expected) {
+    const NodeScope line(tokens_, kind);
     take_label(tokens_);
-    if (const auto name = expect_text("the name of a state in quotes"))
-      tree_.emplace_back(StartStateNode{*name});
-    else
-      skip_to_section();
+    if (!take_text(expected)) skip_to_section();
   }
 
   void on_swap() {
+    const NodeScope section(tokens_, NodeKind::kOnSwap);
     take_label(tokens_);
     while (tokens_.at(TokenKind::kText)) {
       if (!swap()) return skip_to_section();
@@ -102,15 +99,14 @@ class FileParser {
   }
 
   bool swap() {
-    const Token old_state = tokens_.take();
+    const NodeScope line(tokens_, NodeKind::kSwap);
+    tokens_.take();
     if (!tokens_.at(TokenKind::kColon)) {
       refuse("':' and the new state's name");
       return false;
     }
     tokens_.take();
-    const auto new_state = expect_text("the new state's name in quotes");
-    if (new_state) tree_.emplace_back(SwapNode{{old_state.text, old_state.at}, *new_state});
-    return new_state.has_value();
+    return take_text("the new state's name in quotes");
   }
 
   [[nodiscard]] bool section_is_over() const {
@@ -122,57 +118,72 @@ class FileParser {
   }
 
   void refuse(const std::string& expected) {
-    diagnostics_.error(tokens_.peek().at, "syntax/unexpected-token",
+    diagnostics_.error(tokens_.position(), "syntax/unexpected-token",
                        expected + " is expected, found " + describe(tokens_.peek()));
   }
 
   // Takes the ends on its way: how deep the lost text was is not known.
   void refuse_in_section(const std::string& expected) {
     refuse(expected);
+    const NodeScope lost(tokens_, NodeKind::kError);
     do tokens_.take();
     while (!tokens_.at_end_of_file() && !next_section_begins() && !tokens_.at_bare_label());
   }
 
   void refuse_outside() {
     if (tokens_.at_word("end")) {
-      diagnostics_.error(tokens_.peek().at, "syntax/unexpected-end", "this 'end' closes nothing");
+      diagnostics_.error(tokens_.position(), "syntax/unexpected-end", "this 'end' closes nothing");
+      const NodeScope lost(tokens_, NodeKind::kError);
       return take_end(tokens_);
     }
     if (const auto word = meant_section(tokens_); !word.empty()) {
-      diagnostics_.error(tokens_.peek().at, "syntax/unknown-word",
+      diagnostics_.error(tokens_.position(), "syntax/unknown-word",
                          in_quotes(tokens_.peek().text) + " is no section", did_you_mean(word));
       return section(word);
     }
-    diagnostics_.error(tokens_.peek().at, "syntax/unexpected-token",
+    diagnostics_.error(tokens_.position(), "syntax/unexpected-token",
                        describe(tokens_.peek()) + " stands outside every section",
                        "open one with 'variables:', 'motor_schemas:', 'states:' …, or take away "
                        "an 'end' before");
-    tokens_.take();
-    skip_to_section();
+    skip_to_section_behind();
   }
 
   void skip_to_section() {
+    if (tokens_.at_end_of_file() || next_section_begins()) return;
+    skip_to_section_behind();
+  }
+
+  /// Where the next section begins behind the token at hand.
+  void skip_to_section_behind() {
+    const NodeScope lost(tokens_, NodeKind::kError);
+    tokens_.take();
     while (!tokens_.at_end_of_file() && !next_section_begins()) tokens_.take();
   }
 
-  std::optional<Word> expect_text(const std::string& expected) {
-    if (tokens_.at(TokenKind::kText)) {
-      const Token text = tokens_.take();
-      return Word{text.text, text.at};
-    }
-    refuse(expected);
-    return std::nullopt;
+  bool take_text(const std::string& expected) {
+    const bool is_text = tokens_.at(TokenKind::kText);
+    if (is_text)
+      tokens_.take();
+    else
+      refuse(expected);
+    return is_text;
   }
 
   TokenStream tokens_;
   Diagnostics& diagnostics_;
-  SyntaxTree tree_;
 };
 
 }  // namespace
 
+ParseTree parse_tree(std::string_view file, std::string_view text, Diagnostics& diagnostics) {
+  ParseTree tree{text, {}, {}};
+  FileParser(file, tree, diagnostics).parse();
+  drop_look_ahead(tree);
+  return tree;
+}
+
 SyntaxTree parse(std::string_view file, std::string_view text, Diagnostics& diagnostics) {
-  return FileParser(file, text, diagnostics).parse();
+  return lowered(parse_tree(file, text, diagnostics), file);
 }
 
 }  // namespace galilean::bhdl

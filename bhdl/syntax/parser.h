@@ -3,15 +3,19 @@
 #include <string_view>
 
 #include "bhdl/source/diagnostic.h"
-#include "bhdl/syntax/syntax.h"
+#include "bhdl/syntax/parse_tree.h"
 
 namespace galilean::bhdl {
 
-/// Builds the tree of one file (GRAMMAR.md). It knows the language's own words and no component. It
-/// reports what it cannot read and goes on where the text makes sense again: at the next attribute,
-/// component or section. No nesting of the text makes it recurse.
+/// Reads one file (GRAMMAR.md): the only reader of the language. It knows the language's own words
+/// and no component. It reports what it cannot read and goes on where the text makes sense again:
+/// at the next attribute, component or section. No nesting of the text makes it recurse.
 ///
-/// The tree's views point into `file` and `text`.
+/// The tree's views point into `text`.
+[[nodiscard]] ParseTree parse_tree(std::string_view file, std::string_view text,
+                                   Diagnostics& diagnostics);
+
+/// The same, and of it what the checker needs. The tree's views point into `file` and `text`.
 [[nodiscard]] SyntaxTree parse(std::string_view file, std::string_view text,
                                Diagnostics& diagnostics);
 

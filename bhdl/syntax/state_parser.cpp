@@ -14,14 +14,15 @@ namespace {
 constexpr std::array<std::string_view, 3> kParts{"perceptual_schemas", "motor_schemas",
                                                  "condition"};
 
-AttributeNode parse_schema_list(TokenStream& tokens, Diagnostics& diagnostics) {
-  AttributeNode list{take_label(tokens), {}};
-  list.values = parse_values(tokens, diagnostics);
+// `kind`: what its schemas are, whatever the word.
+void parse_schema_list(TokenStream& tokens, ComponentKind kind, Diagnostics& diagnostics) {
+  const NodeScope list(tokens, NodeKind::kSchemaList, static_cast<std::uint8_t>(kind));
+  const Token name = take_label(tokens);
+  parse_values(tokens, diagnostics);
   if (tokens.at_word("end"))
     take_end(tokens);
   else
-    report_unclosed(tokens, list.name, diagnostics);
-  return list;
+    report_unclosed(tokens, name, diagnostics);
 }
 
 // A misspelt list must be read as a list all the same: its `end` would close the state.
@@ -31,44 +32,37 @@ std::string meant_part(const TokenStream& tokens) {
   return part == "condition" && tokens.value_at(2) ? std::string() : part;
 }
 
-void parse_misspelt_part(TokenStream& tokens, const std::string& part, StateNode& state,
-                         Diagnostics& diagnostics) {
-  diagnostics.error(tokens.peek().at, "syntax/unknown-word",
+void parse_misspelt_part(TokenStream& tokens, const std::string& part, Diagnostics& diagnostics) {
+  diagnostics.error(tokens.position(), "syntax/unknown-word",
                     in_quotes(tokens.peek().text) + " is no part of a state", did_you_mean(part));
-  if (part == "condition") {
-    state.conditions.push_back(parse_component(tokens, Block::kCondition, diagnostics));
-    return;
-  }
-  AttributeNode list = parse_schema_list(tokens, diagnostics);
-  list.name.text = *std::ranges::find(kParts, part);
-  state.attributes.push_back(std::move(list));
+  if (part == "condition")
+    parse_component(tokens, Block::kCondition, diagnostics);
+  else
+    parse_schema_list(tokens, *section_kind(part), diagnostics);
 }
 
-void parse_part(TokenStream& tokens, StateNode& state, Diagnostics& diagnostics) {
+void parse_part(TokenStream& tokens, Diagnostics& diagnostics) {
   if (tokens.at_label("condition"))
-    state.conditions.push_back(parse_component(tokens, Block::kCondition, diagnostics));
+    parse_component(tokens, Block::kCondition, diagnostics);
   else if (at_schema_list(tokens))
-    state.attributes.push_back(parse_schema_list(tokens, diagnostics));
+    parse_schema_list(tokens, *section_kind(tokens.peek().text), diagnostics);
   else if (const auto part = meant_part(tokens); !part.empty())
-    parse_misspelt_part(tokens, part, state, diagnostics);
+    parse_misspelt_part(tokens, part, diagnostics);
   else
-    parse_attribute(tokens, state.attributes, diagnostics);
+    parse_attribute(tokens, diagnostics);
 }
 
 }  // namespace
 
-StateNode parse_state(TokenStream& tokens, Diagnostics& diagnostics) {
-  StateNode state{take_label(tokens), {}, {}};
+void parse_state(TokenStream& tokens, Diagnostics& diagnostics) {
+  const NodeScope state(tokens, NodeKind::kState);
+  const Token keyword = take_label(tokens);
   while (!tokens.at_word("end")) {
     const bool over = tokens.at_end_of_file() || (at_section(tokens) && !at_schema_list(tokens));
-    if (over) {
-      report_unclosed(tokens, state.keyword, diagnostics);
-      return state;
-    }
-    parse_part(tokens, state, diagnostics);
+    if (over) return report_unclosed(tokens, keyword, diagnostics);
+    parse_part(tokens, diagnostics);
   }
   take_end(tokens);
-  return state;
 }
 
 }  // namespace galilean::bhdl

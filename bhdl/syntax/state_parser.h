@@ -6,6 +6,6 @@ namespace galilean::bhdl {
 
 /// `state : { attribute | list of schemas | condition } end`. The stream stands at `state`, or at a
 /// misspelling of it that the caller has reported.
-[[nodiscard]] StateNode parse_state(TokenStream& tokens, Diagnostics& diagnostics);
+void parse_state(TokenStream& tokens, Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

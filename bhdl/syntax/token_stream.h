@@ -1,30 +1,59 @@
 #pragma once
 
-#include <array>
 #include <string_view>
 
 #include "bhdl/syntax/lexer.h"
+#include "bhdl/syntax/parse_tree.h"
 
 namespace galilean::bhdl {
 
-/// The lexer's tokens with the look-ahead that the grammar needs: `word : word :` tells a component
-/// that begins from an attribute without a value.
+/// Fills a tree with the lexer's tokens and the parser's nodes. Looks ahead as far as the grammar
+/// needs it: `word : word :` tells a component that begins from an attribute without a value.
 class TokenStream {
  public:
-  TokenStream(std::string_view file, std::string_view text, Diagnostics& diagnostics)
-      : lexer_(file, text, diagnostics) {
-    for (auto& token : ahead_) token = lexer_.next();
+  TokenStream(std::string_view file, ParseTree& tree, Diagnostics& diagnostics)
+      : file_(file), tree_(tree), lexer_(file, tree.text, diagnostics) {
+    look_ahead();
+  }
+  /// Goes on behind the tokens that the tree has; the next one is `first`.
+  TokenStream(std::string_view file, ParseTree& tree, const Token& first, bool after_number,
+              Diagnostics& diagnostics)
+      : file_(file),
+        tree_(tree),
+        lexer_(file, tree.text, first, after_number, diagnostics),
+        next_(tree.tokens.size()) {
+    look_ahead();
   }
 
   [[nodiscard]] const Token& peek(std::size_t ahead = 0) const noexcept {
-    return ahead_[(first_ + ahead) % kAhead];
+    return tree_.tokens[next_ + ahead];
   }
+  /// The number of the token at hand.
+  [[nodiscard]] std::uint32_t next() const noexcept { return static_cast<std::uint32_t>(next_); }
+  [[nodiscard]] Position position(const Token& token) const noexcept {
+    return {file_, token.at.line, token.at.column};
+  }
+  [[nodiscard]] Position position() const noexcept { return position(peek()); }
+
+  /// The end of the file stays where it is.
   Token take() {
-    Token& slot = ahead_[first_];
-    const Token token = slot;
-    slot = lexer_.next();
-    first_ = (first_ + 1) % kAhead;
+    const Token token = peek();
+    if (token.kind == TokenKind::kEndOfFile) return token;
+    tree_.tokens.push_back(lexer_.next());
+    ++next_;
     return token;
+  }
+
+  std::uint32_t open(NodeKind kind, std::uint8_t sense = 0) {
+    tree_.nodes.push_back({kind, sense, next(), 0, 0});
+    return static_cast<std::uint32_t>(tree_.nodes.size() - 1);
+  }
+  void close(std::uint32_t node) noexcept {
+    tree_.nodes[node].end_token = next();
+    tree_.nodes[node].end_node = static_cast<std::uint32_t>(tree_.nodes.size());
+  }
+  void set_sense(std::uint32_t node, std::uint8_t sense) noexcept {
+    tree_.nodes[node].sense = sense;
   }
 
   [[nodiscard]] bool at(TokenKind kind) const noexcept { return peek().kind == kind; }
@@ -67,14 +96,34 @@ class TokenStream {
  private:
   static constexpr std::size_t kAhead = 4;
 
+  void look_ahead() {
+    for (std::size_t i = 0; i < kAhead; ++i) tree_.tokens.push_back(lexer_.next());
+  }
   [[nodiscard]] bool label_at(std::size_t ahead) const noexcept {
     return peek(ahead).kind == TokenKind::kWord && peek(ahead).text != "end" &&
            peek(ahead + 1).kind == TokenKind::kColon;
   }
 
+  std::string_view file_;
+  ParseTree& tree_;
   Lexer lexer_;
-  std::array<Token, kAhead> ahead_{};
-  std::size_t first_ = 0;
+  std::size_t next_ = 0;
+};
+
+/// A node that ends where its scope does.
+class NodeScope {
+ public:
+  NodeScope(TokenStream& tokens, NodeKind kind, std::uint8_t sense = 0)
+      : tokens_(tokens), node_(tokens.open(kind, sense)) {}
+  NodeScope(const NodeScope&) = delete;
+  NodeScope& operator=(const NodeScope&) = delete;
+  ~NodeScope() { tokens_.close(node_); }
+
+  void set_sense(std::uint8_t sense) noexcept { tokens_.set_sense(node_, sense); }
+
+ private:
+  TokenStream& tokens_;
+  std::uint32_t node_;
 };
 
 }  // namespace galilean::bhdl

@@ -8,25 +8,6 @@
 namespace galilean::bhdl {
 namespace {
 
-constexpr std::size_t kUsualList = 8;
-
-/// A number as it is written. `readable` is false where its unit is none.
-struct Quantity {
-  Token number;
-  const Unit* unit = nullptr;
-  bool readable = true;
-};
-
-ValueNode plain(ValueNode::Kind kind, const Token& token) {
-  return {kind, token.number, 0, token.text, token.at};
-}
-
-const Unit* known_unit(std::string_view symbol) {
-  const auto units = all_units();
-  const auto found = std::ranges::find(units, symbol, &Unit::symbol);
-  return found == units.end() ? nullptr : &*found;
-}
-
 // What follows a unit: the next value's comma, a pair's bracket, an attribute or an `end`. A word
 // before anything else is rather an attribute whose colon was forgotten.
 bool unit_may_end_at(const TokenStream& tokens, std::size_t ahead) {
@@ -53,7 +34,7 @@ bool at_unit(const TokenStream& tokens, const Token& number) {
   return touches || known_unit(word.text) != nullptr || unit_may_end_at(tokens, 1);
 }
 
-void refuse_unknown_unit(const Token& word, Diagnostics& diagnostics) {
+void refuse_unknown_unit(const Token& word, const Position& at, Diagnostics& diagnostics) {
   std::vector<std::string_view> symbols;
   std::string all = "units are";
   for (const auto& unit : all_units()) {
@@ -62,26 +43,18 @@ void refuse_unknown_unit(const Token& word, Diagnostics& diagnostics) {
     all.append(symbols.size() == 1 ? " " : ", ").append(unit.symbol);
   }
   const auto near = nearest(word.text, symbols);
-  diagnostics.error(word.at, "syntax/unknown-unit", "there is no unit " + in_quotes(word.text),
+  diagnostics.error(at, "syntax/unknown-unit", "there is no unit " + in_quotes(word.text),
                     near.empty() ? Hint(all) : did_you_mean(near));
 }
 
-Quantity parse_quantity(TokenStream& tokens, Diagnostics& diagnostics) {
-  Quantity quantity{tokens.take()};
-  if (!at_unit(tokens, quantity.number)) return quantity;
+/// Takes a number with its unit, if it has one. Whether it can be read.
+bool parse_quantity(TokenStream& tokens, Diagnostics& diagnostics) {
+  const Token number = tokens.take();
+  if (!at_unit(tokens, number)) return true;
   const Token word = tokens.take();
-  quantity.unit = known_unit(word.text);
-  quantity.readable = quantity.unit != nullptr;
-  if (!quantity.readable) refuse_unknown_unit(word, diagnostics);
-  return quantity;
-}
-
-ValueNode parse_number(TokenStream& tokens, Diagnostics& diagnostics) {
-  const Quantity quantity = parse_quantity(tokens, diagnostics);
-  using enum ValueNode::Kind;
-  ValueNode value = plain(quantity.readable ? kNumber : kBroken, quantity.number);
-  value.unit = quantity.unit;
-  return value;
+  if (known_unit(word.text) != nullptr) return true;
+  refuse_unknown_unit(word, tokens.position(word), diagnostics);
+  return false;
 }
 
 bool is_part_of_pair(const Token& token) {
@@ -89,78 +62,70 @@ bool is_part_of_pair(const Token& token) {
          token.kind == TokenKind::kColon;
 }
 
-ValueNode refuse_pair(TokenStream& tokens, const Token& open, std::string_view close,
-                      Diagnostics& diagnostics) {
-  diagnostics.error(tokens.peek().at, "syntax/pair",
+ValueSense refuse_pair(TokenStream& tokens, const Token& open, std::string_view close,
+                       Diagnostics& diagnostics) {
+  diagnostics.error(tokens.position(), "syntax/pair",
                     "a pair is two numbers between '" + std::string(open.text) + "' and '" +
                         std::string(close) + "'; found " + describe(tokens.peek()),
                     "write it as <0, 22>");
   while (is_part_of_pair(tokens.peek())) tokens.take();
   if (tokens.at(TokenKind::kGreater) || tokens.at(TokenKind::kRightParen)) tokens.take();
-  return {ValueNode::Kind::kBroken, 0, 0, open.text, open.at};
+  return ValueSense::kBroken;
 }
 
-ValueNode pair_of(const Token& open, const Quantity& first, const Quantity& second) {
-  const bool readable = first.readable && second.readable;
-  ValueNode pair{readable ? ValueNode::Kind::kPair : ValueNode::Kind::kBroken, first.number.number,
-                 second.number.number, open.text, open.at};
-  pair.unit = first.unit != nullptr ? first.unit : second.unit;
-  pair.second_unit = second.unit != nullptr ? second.unit : first.unit;
-  return pair;
-}
-
-ValueNode parse_pair(TokenStream& tokens, Diagnostics& diagnostics) {
+ValueSense parse_pair(TokenStream& tokens, Diagnostics& diagnostics) {
   const Token open = tokens.take();
   const bool angled = open.kind == TokenKind::kLess;
   const auto close = angled ? TokenKind::kGreater : TokenKind::kRightParen;
   const std::string_view close_text = angled ? ">" : ")";
   if (!tokens.at(TokenKind::kNumber)) return refuse_pair(tokens, open, close_text, diagnostics);
-  const Quantity first = parse_quantity(tokens, diagnostics);
+  parse_quantity(tokens, diagnostics);
   if (tokens.at(TokenKind::kComma)) tokens.take();
   if (!tokens.at(TokenKind::kNumber)) return refuse_pair(tokens, open, close_text, diagnostics);
-  const Quantity second = parse_quantity(tokens, diagnostics);
+  parse_quantity(tokens, diagnostics);
   if (!tokens.at(close)) return refuse_pair(tokens, open, close_text, diagnostics);
   tokens.take();
-  return pair_of(open, first, second);
+  return ValueSense::kPair;
 }
 
-ValueNode parse_value(TokenStream& tokens, Diagnostics& diagnostics) {
-  switch (tokens.peek().kind) {
-    case TokenKind::kNumber:
-      return parse_number(tokens, diagnostics);
-    case TokenKind::kText:
-      return plain(ValueNode::Kind::kText, tokens.take());
-    case TokenKind::kWord:
-      return plain(ValueNode::Kind::kBareWord, tokens.take());
-    default:
-      return parse_pair(tokens, diagnostics);
+/// Whether it was a bare word.
+bool parse_value(TokenStream& tokens, Diagnostics& diagnostics) {
+  NodeScope value(tokens, NodeKind::kValue);
+  const TokenKind kind = tokens.peek().kind;
+  ValueSense sense = ValueSense::kPlain;
+  if (kind == TokenKind::kNumber) {
+    if (!parse_quantity(tokens, diagnostics)) sense = ValueSense::kBroken;
+  } else if (kind == TokenKind::kText || kind == TokenKind::kWord) {
+    tokens.take();
+  } else {
+    sense = parse_pair(tokens, diagnostics);
   }
-}
-
-// `name: "a" min_sphere 30` lacks a colon: a bare word goes on a list of bare words alone, or
-// behind a comma.
-bool goes_on(const TokenStream& tokens, const std::vector<ValueNode>& values, bool after_comma) {
-  if (!tokens.value_at(0)) return false;
-  return !tokens.at(TokenKind::kWord) || values.empty() || after_comma ||
-         values.back().kind == ValueNode::Kind::kBareWord;
+  value.set_sense(static_cast<std::uint8_t>(sense));
+  return kind == TokenKind::kWord;
 }
 
 }  // namespace
 
-std::vector<ValueNode> parse_values(TokenStream& tokens, Diagnostics& diagnostics) {
-  std::vector<ValueNode> values;
-  if (tokens.peek(1).kind == TokenKind::kText) values.reserve(kUsualList);
-  bool after_comma = false;
-  while (goes_on(tokens, values, after_comma)) {
-    values.push_back(parse_value(tokens, diagnostics));
-    after_comma = tokens.at(TokenKind::kComma);
-    if (!after_comma) continue;
+const Unit* known_unit(std::string_view symbol) noexcept {
+  const auto units = all_units();
+  const auto found = std::ranges::find(units, symbol, &Unit::symbol);
+  return found == units.end() ? nullptr : &*found;
+}
+
+// `name: "a" min_sphere 30` lacks a colon: a bare word goes on a list of bare words alone, or
+// behind a comma.
+void parse_values(TokenStream& tokens, Diagnostics& diagnostics) {
+  bool word_may_follow = true;
+  while (tokens.value_at(0) && (!tokens.at(TokenKind::kWord) || word_may_follow)) {
+    const bool is_word = parse_value(tokens, diagnostics);
+    const bool has_comma = tokens.at(TokenKind::kComma);
+    word_may_follow = is_word || has_comma;
+    if (!has_comma) continue;
     const Token comma = tokens.take();
     if (!tokens.value_at(0))
-      diagnostics.error(comma.at, "syntax/unexpected-token",
+      diagnostics.error(tokens.position(comma), "syntax/unexpected-token",
                         "a value is expected after ',', found " + describe(tokens.peek()));
   }
-  return values;
 }
 
 }  // namespace galilean::bhdl

@@ -1,13 +1,14 @@
 #pragma once
 
-#include <vector>
-
 #include "bhdl/syntax/token_stream.h"
 
 namespace galilean::bhdl {
 
-/// value { [","] value }. A broken pair is reported and kept as kBroken, so that the attribute
-/// counts as given.
-[[nodiscard]] std::vector<ValueNode> parse_values(TokenStream& tokens, Diagnostics& diagnostics);
+/// value { [","] value }. What cannot be read is reported and kept as ValueSense::kBroken, so that
+/// the attribute counts as given.
+void parse_values(TokenStream& tokens, Diagnostics& diagnostics);
+
+/// nullptr: there is none of that symbol.
+[[nodiscard]] const Unit* known_unit(std::string_view symbol) noexcept;
 
 }  // namespace galilean::bhdl

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "bhdl/syntax/parse_tree.h"
+
+namespace galilean::bhdl {
+
+/// What a file says, without how it is written: no comments, no punctuation, nothing that is
+/// incomplete. The result's views point into `file` and into the tree's text.
+[[nodiscard]] SyntaxTree lowered(const ParseTree& tree, std::string_view file);
+
+}  // namespace galilean::bhdl

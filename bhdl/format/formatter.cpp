@@ -4,6 +4,7 @@
 #include "bhdl/format/same_meaning.h"
 #include "bhdl/source/readable.h"
 #include "bhdl/syntax/loader.h"
+#include "bhdl/syntax/lowering.h"
 #include "bhdl/syntax/parser.h"
 
 namespace galilean::bhdl {
@@ -26,12 +27,12 @@ bool means_the_same(const std::string& file, const SyntaxTree& tree, std::string
 std::optional<std::string> lay_out(const std::string& file, std::string_view text,
                                    Diagnostics& diagnostics) {
   if (!is_readable(file, text, diagnostics)) return std::nullopt;
-  const SyntaxTree tree = parse(file, text, diagnostics);
+  const ParseTree tree = parse_tree(file, text, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  std::string laid_out = in_columns(break_lines(read_pieces(file, text)));
+  std::string laid_out = in_columns(break_lines(pieces_of(tree)));
   if (laid_out.size() > kMostFileBytes)
     refuse_large(file, laid_out.size(), diagnostics);
-  else if (!means_the_same(file, tree, laid_out))
+  else if (!means_the_same(file, lowered(tree, file), laid_out))
     diagnostics.error({file, 1, 1}, "format/meaning",
                       "the layout would change what this file means, which is a fault of the "
                       "formatter: it is left as it is",

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bhdl/syntax/parse_tree.h"
+
 namespace galilean::bhdl {
 
 /// From its semicolon to the last character that can be seen.
@@ -29,9 +31,9 @@ struct Piece {
   [[nodiscard]] bool hidden() const noexcept { return text.empty(); }
 };
 
-/// The pieces of a text that the parser takes without an error; the last is the end of the file.
-/// The published listings' quirks are gone: quotes and minus signs are plain, `end` has no colon,
-/// every section is closed, a variable is closed by what follows it. The views point into `text`.
-[[nodiscard]] std::vector<Piece> read_pieces(std::string_view file, std::string_view text);
+/// The pieces of a text that has no mistake; the last is the end of the file. The published
+/// listings' quirks are gone: quotes and minus signs are plain, `end` has no colon, every section
+/// is closed, a variable is closed by what follows it. The views point into the tree's text.
+[[nodiscard]] std::vector<Piece> pieces_of(const ParseTree& tree);
 
 }  // namespace galilean::bhdl

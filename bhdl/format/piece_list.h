@@ -1,28 +1,28 @@
 #pragma once
 
+#include "bhdl/format/gap.h"
 #include "bhdl/format/piece.h"
-#include "bhdl/format/trivia.h"
-#include "bhdl/syntax/token_stream.h"
+#include "bhdl/syntax/parse_tree.h"
 
 namespace galilean::bhdl {
 
 /// Makes pieces of tokens and sees to it that no comment between two of these is lost.
 class PieceList {
  public:
-  PieceList(std::string_view file, std::string_view text)
-      : text_(text), tree_{text, {}, {}}, tokens_(file, tree_, diagnostics_) {}
-  PieceList(const PieceList&) = delete;
-  PieceList& operator=(const PieceList&) = delete;
+  /// `tree` must outlive this.
+  explicit PieceList(const ParseTree& tree) : tree_(tree) {}
 
-  [[nodiscard]] const TokenStream& tokens() const noexcept { return tokens_; }
+  /// The number of the token that is taken next.
+  [[nodiscard]] std::uint32_t next() const noexcept { return next_; }
+  [[nodiscard]] bool at(TokenKind kind) const noexcept { return tree_.tokens[next_].kind == kind; }
   [[nodiscard]] Piece& last() { return pieces_.back(); }
   [[nodiscard]] Piece& at(std::size_t i) { return pieces_[i]; }
   [[nodiscard]] std::vector<Piece> take() && { return std::move(pieces_); }
 
   /// Takes the first token of a piece.
-  Token begin(Piece::Role role);
+  const Token& begin(Piece::Role role);
   /// Takes a further token of the last piece; comments between the two go behind the whole.
-  Token more();
+  const Token& more();
 
   /// Takes a block's label and tells where its piece is.
   std::size_t open(const std::string& word);
@@ -36,18 +36,15 @@ class PieceList {
   void add_close(std::size_t opened, const std::string& end);
 
  private:
-  [[nodiscard]] Trivia trivia_before(const Token& token);
-  [[nodiscard]] std::size_t quote_size(std::size_t at) const;
+  [[nodiscard]] Gap gap() const { return read_gap(tree_.gap_before(next_)); }
   void add_remark(const Comment& comment);
+  void take_colon();
 
-  std::string_view text_;
-  Diagnostics diagnostics_;  ///< stay empty: the parser took the text
-  ParseTree tree_;
-  TokenStream tokens_;
+  const ParseTree& tree_;
+  std::uint32_t next_ = 0;
   std::vector<Piece> pieces_;
   std::vector<Comment> pending_;  ///< for the next piece
   std::size_t last_written_ = 0;  ///< the last piece that stands in the text and will stand there
-  std::size_t end_of_last_ = 0;   ///< token
 };
 
 }  // namespace galilean::bhdl

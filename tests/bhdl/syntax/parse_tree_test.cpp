@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "bhdl/syntax/parser.h"
+#include "bhdl/syntax/trivia.h"
 #include "tests/bhdl/random_program.h"
 
 // What must hold of the tree whatever the text.
@@ -16,11 +17,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The parts of what stands between two tokens.
+std::string written_again(std::string_view gap) {
+  std::string text;
+  while (!gap.empty()) {
+    const Trivia trivia = first_trivia(gap);
+    EXPECT_FALSE(trivia.text.empty());
+    text += trivia.text;
+    gap.remove_prefix(trivia.text.size());
+  }
+  return text;
+}
+
 /// Every token with what stands before it.
 std::string written_again(const ParseTree& tree) {
   std::string text;
   for (std::size_t i = 0; i < tree.tokens.size(); ++i)
-    text.append(tree.gap_before(i)).append(tree.tokens[i].whole());
+    text.append(written_again(tree.gap_before(i))).append(tree.tokens[i].whole());
   return text;
 }
 
@@ -110,6 +123,23 @@ TEST(ParseTree, LosesNothingOfAnyBytes) {
     expect_lossless(text);
     if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
   }
+}
+
+TEST(Trivia, AreBlanksLineEndsCommentsAndWhatIsNoToken) {
+  const std::vector<std::pair<std::string_view, Trivia::Kind>> parts{
+      {"\uFEFF \t", Trivia::Kind::kBlank}, {"; a “b” ", Trivia::Kind::kComment},
+      {"\r\n", Trivia::Kind::kLineEnd},    {"\n", Trivia::Kind::kLineEnd},
+      {"#=\xFF", Trivia::Kind::kSkipped},  {";", Trivia::Kind::kComment}};
+  std::string text;
+  for (const auto& part : parts) text += part.first;
+  std::string_view gap = text;
+  for (const auto& [part, kind] : parts) {
+    const Trivia trivia = first_trivia(gap);
+    EXPECT_EQ(trivia.text, part);
+    EXPECT_EQ(trivia.kind, kind);
+    gap.remove_prefix(trivia.text.size());
+  }
+  EXPECT_TRUE(gap.empty());
 }
 
 TEST(ParseTree, KeepsWhatHasNoPlaceAsAnError) {

@@ -7,8 +7,8 @@
 
 namespace galilean::bhdl {
 
-/// What stands between two tokens.
-struct Trivia {
+/// How the author wrote what stands between two tokens.
+struct Gap {
   std::vector<Comment> comments;
   bool first_is_remark = false;  ///< the first comment begins on the line of the token before
   bool begins_line = false;      ///< the token behind is the first of its line
@@ -16,6 +16,6 @@ struct Trivia {
 };
 
 /// `gap` holds blanks and comments alone.
-[[nodiscard]] Trivia read_trivia(std::string_view gap);
+[[nodiscard]] Gap read_gap(std::string_view gap);
 
 }  // namespace galilean::bhdl

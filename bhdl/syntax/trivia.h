@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string_view>
+
+namespace galilean::bhdl {
+
+/// What stands between two tokens and means nothing to the grammar.
+struct Trivia {
+  enum class Kind {
+    kBlank,    ///< blanks of every kind; a byte order mark is one
+    kLineEnd,  ///< one
+    kComment,  ///< from its semicolon to the end of its line
+    kSkipped   ///< what is no token, which the lexer reported
+  };
+  Kind kind = Kind::kBlank;
+  std::string_view text;
+};
+
+/// What the gap before a token begins with. Requires: the gap is not empty.
+[[nodiscard]] Trivia first_trivia(std::string_view gap) noexcept;
+
+}  // namespace galilean::bhdl

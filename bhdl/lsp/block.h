@@ -6,7 +6,7 @@
 
 #include "bhdl/check/vocabulary.h"
 #include "bhdl/lsp/text_index.h"
-#include "bhdl/syntax/token_stream.h"
+#include "bhdl/syntax/label_sense.h"
 
 namespace galilean::bhdl::lsp {
 
@@ -38,70 +38,27 @@ struct Block {
 /// nullptr of any other block and where nothing has such a name.
 [[nodiscard]] const ComponentSpec* spec_of(const Block& block, const Vocabulary& vocabulary);
 
-/// Finds the blocks of a text that need not parse: where the parser would have to know what was
-/// meant, this takes the likely. Goes token by token, so that its state at a cursor tells where the
-/// cursor is. The text must have passed find_bad_text.
-class BlockScanner {
+/// Answers what the parser asks from the catalog.
+class CatalogSense : public LabelSense {
  public:
-  struct Open {
-    std::size_t block = 0;
-    std::vector<std::string_view> given;  ///< labels of attributes so far
-  };
-
-  BlockScanner(std::string_view text, const Vocabulary& vocabulary)
-      : text_(text), vocabulary_(vocabulary), tree_{text, {}, {}}, tokens_("", tree_, unheard_) {}
-
-  /// Reads to the end of the text; what is not closed there stays open.
-  void run();
-  void close_all() { close_down_to(0); }
-
-  [[nodiscard]] const std::vector<Block>& blocks() const noexcept { return blocks_; }
-  /// Blocks that are still open, the innermost last.
-  [[nodiscard]] const std::vector<Open>& open() const noexcept { return open_; }
-  /// The attribute that was begun last in the innermost block, and its values so far.
-  [[nodiscard]] std::string_view attribute() const noexcept { return attribute_; }
-  [[nodiscard]] const std::vector<std::string_view>& values() const noexcept { return values_; }
-  /// The last token; kEndOfFile before the first.
-  [[nodiscard]] const Token& last() const noexcept { return last_; }
+  explicit CatalogSense(const Vocabulary& vocabulary) : vocabulary_(vocabulary) {}
+  [[nodiscard]] bool is_attribute(NodeKind block, std::string_view type,
+                                  std::string_view label) const override;
+  [[nodiscard]] bool is_component(std::string_view label) const override;
 
  private:
-  void step();
-  void label();
-  void component_label();
-  void value();
-  void begin_attribute();
-  void open_block(BlockKind kind);
-  void open_section();
-  void take_end_word();
-  void close_last();
-  void close_down_to(std::size_t depth);
-  Token take();
-  [[nodiscard]] bool inside(BlockKind kind) const noexcept { return depth_behind(kind) > 0; }
-  /// How many blocks are open from the outermost to the innermost of this kind; 0: none is.
-  [[nodiscard]] std::size_t depth_behind(BlockKind kind) const noexcept;
-  [[nodiscard]] const Block* innermost() const noexcept {
-    return open_.empty() ? nullptr : &blocks_[open_.back().block];
-  }
-  [[nodiscard]] bool is_attribute_of_innermost() const noexcept;
-  [[nodiscard]] bool begins_section() const noexcept;
-  [[nodiscard]] std::size_t offset_of(const Token& token) const noexcept {
-    return static_cast<std::size_t>(token.text.data() - text_.data());
-  }
-
-  std::string_view text_;
   const Vocabulary& vocabulary_;
-  Diagnostics unheard_;
-  ParseTree tree_;
-  TokenStream tokens_;
-  std::vector<Block> blocks_;
-  std::vector<Open> open_;
-  std::string_view attribute_;
-  std::vector<std::string_view> values_;
-  Token last_;
-  std::size_t last_end_ = 0;
 };
 
-/// All blocks of a text; the end of the text closes what is open.
-[[nodiscard]] std::vector<Block> blocks_of(std::string_view text, const Vocabulary& vocabulary);
+/// The block that a node is; nothing of an attribute, a value, a line or an error. `components`: of
+/// the block around it.
+[[nodiscard]] std::optional<Block> block_of(const ParseTree& tree, std::uint32_t node,
+                                            ComponentKind components);
+
+/// The number of the `end` that closes a node; nothing where something else does.
+[[nodiscard]] std::optional<std::uint32_t> end_word(const ParseTree& tree, std::uint32_t node);
+
+/// All blocks of a text, which need not be right.
+[[nodiscard]] std::vector<Block> blocks_of(const ParseTree& tree);
 
 }  // namespace galilean::bhdl::lsp

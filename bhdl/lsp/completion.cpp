@@ -253,7 +253,7 @@ Json completion(const Session& session, const Json& params) {
   const FilePointer file = session.file(params);
   const std::size_t offset = session.offset(*file, params);
   if (!file->is_readable) return nullptr;
-  const Cursor cursor = cursor_at(file->text, offset, session.vocabulary);
+  const Cursor cursor = cursor_at(file->parse_tree, offset, session.vocabulary);
   const Replaced replaced = replaced_by(*file, cursor, offset);
   return Completer(session, *file, cursor, replaced).run();
 }

@@ -1,20 +1,12 @@
 #include "bhdl/lsp/cursor.h"
 
 #include <algorithm>
-#include <array>
 
-#include "bhdl/syntax/keywords.h"
+#include "bhdl/source/lexeme.h"
+#include "bhdl/syntax/beginning.h"
 
 namespace galilean::bhdl::lsp {
 namespace {
-
-constexpr std::array<std::string_view, 5> kQuotes{"\"", "“", "”", "„", "‟"};
-
-std::size_t quote_size(std::string_view text) {
-  for (const auto quote : kQuotes)
-    if (text.starts_with(quote)) return quote.size();
-  return 0;
-}
 
 bool in_word(char c) noexcept {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -57,46 +49,119 @@ std::size_t word_begin(std::string_view text, std::size_t offset) {
   return digits;  // 30c: the unit begins behind the number
 }
 
-// Labels up to the block's end, or to where something else must begin.
-void add_given_behind(std::string_view rest, BlockKind kind, std::set<std::string_view>& given) {
-  constexpr int kMostTokens = 400;
-  Diagnostics unheard;
-  ParseTree tree{rest, {}, {}};
-  TokenStream tokens("", tree, unheard);
-  int depth = 0;
-  for (int i = 0; i < kMostTokens && !tokens.at_end_of_file(); ++i) {
-    const bool part =
-        kind == BlockKind::kState && (at_schema_list(tokens) || tokens.at_label("condition"));
-    if (tokens.at_word("end") && depth-- == 0) return;
-    if (!part && (at_section(tokens) || (depth == 0 && tokens.at_bare_label()))) return;
-    if (tokens.at_label() && depth == 0) given.insert(tokens.peek().text);
-    depth += part ? 1 : 0;
-    tokens.take();
-  }
+bool is_label(NodeKind kind) {
+  return kind == NodeKind::kAttribute || kind == NodeKind::kSchemaList;
 }
+
+/// Reads what is open where a text breaks off.
+class OpenEnd {
+ public:
+  OpenEnd(const ParseTree& whole, const Beginning& beginning, Cursor& cursor)
+      : whole_(whole), beginning_(beginning), tree_(beginning.tree), cursor_(cursor) {}
+
+  void read() {
+    read(tree_.roots());
+    const std::size_t tokens = tree_.tokens.size();
+    if (tokens > 1) cursor_.behind = tree_.tokens[tokens - 2].kind;
+  }
+
+  /// Labels of the innermost block that stand behind the cursor.
+  void add_given_behind(std::size_t offset) {
+    if (cursor_.around.empty()) return;
+    const auto begins_before = [&](const Node& node) {
+      return whole_.offset_of(whole_.first_token(node).text) < cursor_.around.back().range.begin;
+    };
+    const auto found = std::ranges::partition_point(whole_.nodes, begins_before);
+    const auto first = static_cast<std::uint32_t>(found - whole_.nodes.begin());
+    for (auto i = first; i < whole_.nodes.size(); ++i) {
+      const auto block = block_of(whole_, i, {});
+      if (!block || block->range.begin != cursor_.around.back().range.begin) return;
+      if (block->kind == cursor_.around.back().kind) return add_given(whole_, i, offset);
+    }
+  }
+
+ private:
+  // Recursion ends where the grammar does: sections, states, conditions.
+  void read(const NodeRange& nodes) {
+    std::optional<std::uint32_t> last;
+    std::optional<std::uint32_t> attribute;
+    for (const auto i : nodes) {
+      const NodeKind kind = tree_.nodes[i].kind;
+      if (kind == NodeKind::kError) continue;
+      last = i;
+      const bool is_line = kind == NodeKind::kAttribute || kind == NodeKind::kInclude ||
+                           kind == NodeKind::kStartState;
+      attribute = is_line ? std::optional(i) : std::nullopt;
+    }
+    if (attribute) {
+      cursor_.attribute = tree_.first_token(tree_.nodes[*attribute]).text;
+      add_values(tree_.nodes[*attribute].first_token + 1);
+    } else if (last) {
+      read_block(*last);
+    }
+  }
+
+  void read_block(std::uint32_t node) {
+    const bool open = tree_.nodes[node].end_token + 1 == tree_.tokens.size();
+    const ComponentKind components =
+        cursor_.around.empty() ? ComponentKind{} : cursor_.around.back().components;
+    auto block = block_of(tree_, node, components);
+    if (!block || !open || end_word(tree_, node)) return;
+    if (block->kind == BlockKind::kStates && beginning_.states)
+      block = block_of(whole_, *beginning_.states, {});
+    cursor_.around.push_back(*block);
+    cursor_.given.clear();
+    add_given(tree_, node, 0);
+    if (block->kind == BlockKind::kSchemaList) cursor_.attribute = block->word;
+    if (block->kind == BlockKind::kSchemaList || block->kind == BlockKind::kOnSwap)
+      add_values(tree_.nodes[node].first_token + 1);
+    else
+      read(tree_.children(node));
+  }
+
+  void add_given(const ParseTree& tree, std::uint32_t block, std::size_t offset) {
+    for (const auto i : tree.children(block)) {
+      const std::string_view label = tree.first_token(tree.nodes[i]).text;
+      if (is_label(tree.nodes[i].kind) && tree.offset_of(label) >= offset)
+        cursor_.given.insert(label);
+    }
+  }
+
+  /// From a token on, all that are values: behind a number a word is its unit.
+  void add_values(std::uint32_t first) {
+    for (auto i = first; i < tree_.tokens.size(); ++i) {
+      const TokenKind kind = tree_.tokens[i].kind;
+      const bool is_unit =
+          kind == TokenKind::kWord && tree_.tokens[i - 1].kind == TokenKind::kNumber;
+      if (kind == TokenKind::kText || kind == TokenKind::kNumber ||
+          (kind == TokenKind::kWord && !is_unit))
+        cursor_.values.push_back(tree_.tokens[i].text);
+    }
+  }
+
+  const ParseTree& whole_;
+  const Beginning& beginning_;
+  const ParseTree& tree_;
+  Cursor& cursor_;
+};
 
 }  // namespace
 
-Cursor cursor_at(std::string_view text, std::size_t offset, const Vocabulary& vocabulary) {
+Cursor cursor_at(const ParseTree& tree, std::size_t offset, const Vocabulary& vocabulary) {
   Cursor cursor;
+  const std::string_view text = tree.text;
   const OnLine line = read_line(text, offset);
   cursor.in_comment = line.in_comment;
   cursor.in_text = line.text_quote.has_value();
   cursor.word = {cursor.in_text ? line.text_begin : word_begin(text, offset), offset};
   const std::size_t before = cursor.in_text ? *line.text_quote : cursor.word.begin;
-  BlockScanner scanner(text.substr(0, before), vocabulary);
-  scanner.run();
-  for (const auto& open : scanner.open()) cursor.around.push_back(scanner.blocks()[open.block]);
-  cursor.attribute = scanner.attribute();
-  cursor.values = scanner.values();
-  cursor.behind = scanner.last().kind;
-  if (scanner.open().empty()) return cursor;
-  const auto& given = scanner.open().back().given;
-  cursor.given.insert(given.begin(), given.end());
+  const Beginning beginning = read_beginning(tree, before, CatalogSense(vocabulary));
+  OpenEnd open(tree, beginning, cursor);
+  open.read();
   std::size_t behind = offset;
   while (behind < text.size() && in_word(text[behind])) ++behind;
   behind += quote_size(text.substr(behind));
-  add_given_behind(text.substr(behind), cursor.around.back().kind, cursor.given);
+  open.add_given_behind(behind);
   return cursor;
 }
 

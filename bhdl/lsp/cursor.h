@@ -10,7 +10,7 @@
 
 namespace galilean::bhdl::lsp {
 
-/// Where in a program's structure a cursor is, read from the tokens before it, so that it is known
+/// Where in a program's structure a cursor is, as what stands before it tells, so that it is known
 /// in a text that does not parse.
 struct Cursor {
   /// What stands around the cursor, the innermost last; empty outside every section.
@@ -28,8 +28,8 @@ struct Cursor {
   }
 };
 
-/// The text must have passed find_bad_text.
-[[nodiscard]] Cursor cursor_at(std::string_view text, std::size_t offset,
+/// The cursor's views point into the tree's text.
+[[nodiscard]] Cursor cursor_at(const ParseTree& tree, std::size_t offset,
                                const Vocabulary& vocabulary);
 
 }  // namespace galilean::bhdl::lsp

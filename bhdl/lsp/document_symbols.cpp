@@ -110,14 +110,14 @@ void fold_comments(const TextIndex& index, Json& folds) {
 Json document_symbols(const Session& session, const Json& params) {
   const FilePointer file = session.file(params);
   if (!file->is_readable) return Json::array();
-  return SymbolTree(session, *file).of(blocks_of(file->text, session.vocabulary));
+  return SymbolTree(session, *file).of(blocks_of(file->parse_tree));
 }
 
 Json folding_ranges(const Session& session, const Json& params) {
   const FilePointer file = session.file(params);
   Json folds = Json::array();
   if (!file->is_readable) return folds;
-  for (const auto& block : blocks_of(file->text, session.vocabulary)) {
+  for (const auto& block : blocks_of(file->parse_tree)) {
     const std::size_t first = file->index.line_of(block.range.begin);
     const std::size_t last = file->index.line_of(block.range.end);
     if (last > first) folds.push_back({{"startLine", first}, {"endLine", last}});

@@ -25,11 +25,11 @@ std::string attribute_text(const ComponentSpec& component, const AttributeSpec& 
 }
 
 /// The whole lines of what declares a name, with the comments beside it and directly above.
-std::string declaration_lines(const Session& session, const Occurrence& declared) {
+std::string declaration_lines(const Occurrence& declared) {
   constexpr std::size_t kMostLines = 12;
   const ParsedFile& file = *declared.file;
   ByteRange range = declared.range;
-  for (const auto& block : blocks_of(file.text, session.vocabulary))
+  for (const auto& block : blocks_of(file.parse_tree))
     if (!block.name.empty() && file.index.range_of(block.name).begin == declared.range.begin)
       range = block.range;
   std::size_t first = file.index.line_of(range.begin);
@@ -66,7 +66,7 @@ std::string name_text(const Session& session, const std::string& path, const Nam
     const std::string type = declared.type.empty() ? "" : ", " + std::string(declared.type);
     const auto line = std::to_string(declared.file->index.line_of(declared.range.begin) + 1);
     text += "**" + escaped(name.text) + "**, " + std::string(in_words(name.space)) + type + "\n\n" +
-            code(declaration_lines(session, declared)) +
+            code(declaration_lines(declared)) +
             std::filesystem::path(declared.file->path).filename().string() + ":" + line + "\n\n";
   }
   return text;

@@ -2,6 +2,7 @@
 
 #include "bhdl/source/text.h"
 #include "bhdl/syntax/loader.h"
+#include "bhdl/syntax/lowering.h"
 #include "bhdl/syntax/parser.h"
 
 namespace galilean::bhdl::lsp {
@@ -13,7 +14,8 @@ ParsedFile::ParsedFile(std::string its_path, std::string its_text, const Vocabul
       is_readable(text.size() <= kMostFileBytes && !find_bad_text(text)) {
   if (!is_readable) return;
   Diagnostics told_by_the_check;
-  tree = parse(path, text, told_by_the_check);
+  parse_tree = bhdl::parse_tree(path, text, told_by_the_check);
+  tree = lowered(parse_tree, path);
   for (const auto& node : tree)
     if (const auto* include = std::get_if<IncludeNode>(&node))
       includes.push_back(included_path(path, include->path.text));

@@ -6,7 +6,7 @@
 
 #include "bhdl/lsp/mention.h"
 #include "bhdl/lsp/text_index.h"
-#include "bhdl/syntax/syntax.h"
+#include "bhdl/syntax/parse_tree.h"
 
 namespace galilean::bhdl::lsp {
 
@@ -22,7 +22,8 @@ struct ParsedFile {
   const std::string text;
   const TextIndex index;
   const bool is_readable;  ///< else it is no text that a lexer may see
-  SyntaxTree tree;
+  ParseTree parse_tree;  ///< as it is written
+  SyntaxTree tree;       ///< what it says
   std::vector<std::string> includes;  ///< paths, as the loader resolves them
   Mentions mentions;
 };

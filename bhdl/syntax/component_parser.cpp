@@ -12,17 +12,29 @@ NodeKind node_kind(Block block) {
   return block == Block::kStep ? NodeKind::kStep : NodeKind::kComponent;
 }
 
-bool is_over(const TokenStream& tokens, Block block) {
-  if (tokens.at_end_of_file() || at_section(tokens) || tokens.at_unlabelled_block()) return true;
+// Only a component is followed by its name: its predecessor's `end` was forgotten.
+bool at_next_component(const TokenStream& tokens) {
+  return tokens.at_label_before_label() && tokens.peek(2).text == "name";
+}
+
+// A section's word may be what this very component calls an attribute, which is being typed.
+bool at_next_section(const TokenStream& tokens, bool known) {
+  return at_section(tokens) && !(known && tokens.text_ends_at_label());
+}
+
+bool is_over(const TokenStream& tokens, Block block, std::string_view type) {
+  if (tokens.at_end_of_file() || tokens.at_unlabelled_block()) return true;
+  const bool known = tokens.at_known_attribute(node_kind(block), type);
+  if (at_next_section(tokens, known)) return true;
   switch (block) {
     case Block::kVariable:
+      return at_next_component(tokens) || (tokens.at_bare_label() && !known);
     case Block::kStep:
-      return tokens.at_bare_label();
+      return tokens.at_bare_label() && !known;
     case Block::kCondition:
       return at_next_part_of_state(tokens);
     case Block::kComponent:
-      // Only a component is followed by its name: its predecessor's `end` was forgotten.
-      return tokens.at_label_before_label() && tokens.peek(2).text == "name";
+      return at_next_component(tokens) || (tokens.at_known_component() && !known);
   }
   return false;
 }
@@ -82,7 +94,7 @@ void parse_component(TokenStream& tokens, Block block, Diagnostics& diagnostics)
   const NodeScope component(tokens, node_kind(block));
   const Token type = take_label(tokens);
   while (!tokens.at_word("end")) {
-    if (is_over(tokens, block)) {
+    if (is_over(tokens, block, type.text)) {
       if (block != Block::kVariable) report_unclosed(tokens, type, diagnostics);
       return;
     }

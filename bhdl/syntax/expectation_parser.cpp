@@ -13,7 +13,7 @@ void parse_expectation(TokenStream& tokens, Diagnostics& diagnostics) {
       report_unclosed(tokens, keyword, diagnostics);
       return;
     }
-    if (tokens.at_bare_label())
+    if (tokens.at_bare_label() && !tokens.at_known_attribute(NodeKind::kExpect, keyword.text))
       parse_component(tokens, Block::kStep, diagnostics);
     else
       parse_attribute(tokens, diagnostics);

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "bhdl/syntax/label_sense.h"
 #include "bhdl/syntax/lexer.h"
 #include "bhdl/syntax/parse_tree.h"
 
@@ -15,13 +16,14 @@ class TokenStream {
       : file_(file), tree_(tree), lexer_(file, tree.text, diagnostics) {
     look_ahead();
   }
-  /// Goes on behind the tokens that the tree has; the next one is `first`.
+  /// Goes on behind the tokens that the tree has: with `first`, a token of the tree's text.
   TokenStream(std::string_view file, ParseTree& tree, const Token& first, bool after_number,
-              Diagnostics& diagnostics)
+              Diagnostics& diagnostics, const LabelSense* sense = nullptr)
       : file_(file),
         tree_(tree),
         lexer_(file, tree.text, first, after_number, diagnostics),
-        next_(tree.tokens.size()) {
+        next_(tree.tokens.size()),
+        sense_(sense) {
     look_ahead();
   }
 
@@ -43,6 +45,9 @@ class TokenStream {
     ++next_;
     return token;
   }
+
+  /// Leaves the tree with the tokens that were taken and the end of the file, if it is at hand.
+  void drop_look_ahead() { tree_.tokens.resize(next_ + (at_end_of_file() ? 1 : 0)); }
 
   std::uint32_t open(NodeKind kind, std::uint8_t sense = 0) {
     tree_.nodes.push_back({kind, sense, next(), 0, 0});
@@ -70,6 +75,18 @@ class TokenStream {
   [[nodiscard]] bool at_bare_label() const noexcept { return at_label() && !value_at(2); }
   /// `word : word :`, so that the first word is a block's.
   [[nodiscard]] bool at_label_before_label() const noexcept { return at_label() && label_at(2); }
+
+  /// A label that stands bare and that the block at hand has as an attribute, as far as is known.
+  [[nodiscard]] bool at_known_attribute(NodeKind block, std::string_view type) const {
+    return sense_ != nullptr && at_bare_label() && sense_->is_attribute(block, type, peek().text);
+  }
+  [[nodiscard]] bool at_known_component() const {
+    return sense_ != nullptr && at_bare_label() && sense_->is_component(peek().text);
+  }
+  /// Nothing follows the label at hand.
+  [[nodiscard]] bool text_ends_at_label() const noexcept {
+    return peek(2).kind == TokenKind::kEndOfFile;
+  }
 
   /// `word name`: a block whose colon was forgotten, for a block begins with its name.
   [[nodiscard]] bool at_unlabelled_block() const noexcept {
@@ -108,6 +125,7 @@ class TokenStream {
   ParseTree& tree_;
   Lexer lexer_;
   std::size_t next_ = 0;
+  const LabelSense* sense_ = nullptr;
 };
 
 /// A node that ends where its scope does.

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "bhdl/syntax/parse_tree.h"
+
+namespace galilean::bhdl {
+
+/// What somebody who knows the catalog says of a label without a value. Where a text breaks off
+/// there, as it does while it is typed, the grammar alone cannot tell what was meant.
+class LabelSense {
+ public:
+  virtual ~LabelSense() = default;
+  /// Whether a block of this kind and type has an attribute of that name.
+  [[nodiscard]] virtual bool is_attribute(NodeKind block, std::string_view type,
+                                          std::string_view label) const = 0;
+  [[nodiscard]] virtual bool is_component(std::string_view label) const = 0;
+};
+
+}  // namespace galilean::bhdl

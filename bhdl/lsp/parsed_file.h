@@ -14,16 +14,19 @@ namespace galilean::bhdl::lsp {
 /// large) has an empty tree. Never changed, so that whoever holds it can read on while the editor
 /// goes on; never copied, since the tree points into the text.
 struct ParsedFile {
-  ParsedFile(std::string its_path, std::string its_text, const Vocabulary& vocabulary);
+  /// `before`: an earlier version, of which what has not changed is taken over; nullptr: none is
+  /// known.
+  ParsedFile(std::string its_path, std::string its_text, const Vocabulary& vocabulary,
+             const ParsedFile* before = nullptr);
   ParsedFile(const ParsedFile&) = delete;
   ParsedFile& operator=(const ParsedFile&) = delete;
 
   const std::string path;
   const std::string text;
   const TextIndex index;
-  const bool is_readable;  ///< else it is no text that a lexer may see
-  ParseTree parse_tree;  ///< as it is written
-  SyntaxTree tree;       ///< what it says
+  const bool is_readable;             ///< else it is no text that a lexer may see
+  ParseTree parse_tree;               ///< as it is written
+  SyntaxTree tree;                    ///< what it says
   std::vector<std::string> includes;  ///< paths, as the loader resolves them
   Mentions mentions;
 };

@@ -41,10 +41,11 @@ FilePointer Workspace::file(const std::string& path) const {
   auto text = read(path, kMostProgramBytes);
   if (!text) return nullptr;
   const auto found = parsed_.find(path);
-  if (found != parsed_.end() && found->second->text == text.value()) return found->second;
+  const FilePointer before = found == parsed_.end() ? nullptr : found->second;
+  if (before != nullptr && before->text == text.value()) return before;
   if (parsed_.size() >= kMostParsed) parsed_.clear();
-  return parsed_[path] =
-             std::make_shared<const ParsedFile>(path, std::move(text).value(), vocabulary_);
+  return parsed_[path] = std::make_shared<const ParsedFile>(path, std::move(text).value(),
+                                                            vocabulary_, before.get());
 }
 
 FilePointer Workspace::file(const std::string& path, Read& read_before) const {

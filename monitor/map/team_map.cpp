@@ -29,7 +29,7 @@ bool TeamMap::move(const std::string& robot, const Pose2& in_odom, Time now) {
   if (!in_odom.position_m.allFinite() || !std::isfinite(in_odom.heading_rad)) return false;
   Squad& squad = squads_.join(robot, in_odom);
   if (squad.poses.knows(robot))
-    squad.things.blur_around(robot, std::max(0.0, to_seconds(now - squad.poses.moved(robot))));
+    squad.landmarks.inflate_near(robot, std::max(0.0, to_seconds(now - squad.poses.moved(robot))));
   Heard& heard = heard_[robot];
   squad.poses.move(robot, in_odom, heard.senses.touches(now), now);
   heard.at = now;
@@ -51,17 +51,17 @@ void TeamMap::note(const msg::Sightings& frame, Time now) {
   Squad& squad = squads_.of(frame.robot);
   const Pose2 odom = squad.poses.frame(frame.robot);
   const auto grippers_m = carried_.grippers_m();
-  msg::Sightings things = frame;
-  std::erase_if(things.items, [&](const msg::Sighting& sighting) {
+  msg::Sightings landmarks = frame;
+  std::erase_if(landmarks.items, [&](const msg::Sighting& sighting) {
     return sighting.object_class == "trash" &&
            Carried::is_carried(in_map(odom, Vec2(sighting.x_m, sighting.y_m)), grippers_m);
   });
-  squad.orientation.look(things, now);
-  const Lookout from = squad.things.see(things, now);
+  squad.orientation.look(landmarks, now);
+  const Viewpoint from = squad.landmarks.update(landmarks, now);
   if (std::ranges::find(frame.items, "robot", &msg::Sighting::object_class) != frame.items.end())
     note_meetings(frame, squad.poses, squad.joint, robots_of_others(squad), now);
   for (Squad* other : squads_.others_near(squad, from.pose.position_m, kPlainViewTo_m))
-    other->things.miss(things, from);
+    other->landmarks.penalize_unseen(landmarks, from);
   look(frame);
 }
 
@@ -105,7 +105,7 @@ void TeamMap::touch(const std::string& robot, const msg::Variable& obstacle, Tim
   const Vec2 at_m = in_map(squad.poses.frame(robot), Vec2(obstacle.values[0], obstacle.values[1]));
   const Gaussian2 place{from_robot(squad.poses.pose(robot), at_m),
                         kTouchDeviation_m * kTouchDeviation_m * Mat2::Identity()};
-  squad.things.note("obstacle", robot, place, obstacle.certainty, now);
+  squad.landmarks.add_contact("obstacle", robot, place, obstacle.certainty, now);
   floor_.bumped(at_m);
 }
 
@@ -124,14 +124,14 @@ void TeamMap::note(const msg::Program& program, Time now) {
 }
 
 void TeamMap::update(Time now) {
-  for (const auto& squad : squads_.all()) squad->things.fade(now);
+  for (const auto& squad : squads_.all()) squad->landmarks.decay(now);
   align(now);
   for (const auto& squad : squads_.all()) {
-    squad->same_things.unite_neighbours();
-    squad->extent_m = squad->things.extent_m();
+    squad->same_things.merge_neighbours();
+    squad->extent_m = squad->landmarks.extent_m();
   }
   for (const auto& [name, squad] : squads_.robots()) {
-    clear_under(name);
+    clear_footprint(name);
     carried_.note(name, heard_[name].senses.holds(now), told_, now);
   }
   auto notes = squads_notes(squads_);
@@ -151,12 +151,12 @@ void TeamMap::align(Time now) {
   neighbours_.find_unplaced(told_);
 }
 
-void TeamMap::clear_under(const std::string& robot) {
+void TeamMap::clear_footprint(const std::string& robot) {
   Squad& squad = squads_.of(robot);
-  squad.things.clear_under(robot);
+  squad.landmarks.clear_footprint(robot);
   const Gaussian2 at = squad.poses.position(robot);
-  for (Squad* other : squads_.others_near(squad, at.mean_m, Things::kFootprint_m))
-    other->things.clear_under(at);
+  for (Squad* other : squads_.others_near(squad, at.mean_m, LandmarkMap::kFootprint_m))
+    other->landmarks.clear_footprint(at);
 }
 
 }  // namespace galilean::monitor

@@ -13,10 +13,9 @@
 
 namespace galilean::monitor {
 
-/// What the team knows together: the floor, the things on it and the robots, in one frame, "map".
-/// Robots and things are estimated together, a few robots at a time (Squad); the floor is drawn
-/// where they are now.
-/// Pure: messages and the time go in, messages come out.
+/// What the team knows together: the floor, the landmarks on it and the robots, in one frame,
+/// "map". Robots and landmarks are estimated together, a few robots at a time (Squad); the floor is
+/// drawn where they are now. Pure: messages and the time go in, messages come out.
 class TeamMap {
  public:
   /// `squad`: how many robots are estimated together at most.
@@ -34,7 +33,7 @@ class TeamMap {
   void note(const msg::Catalog& catalog, Time now);
   void note(const msg::Program& program, Time now);
 
-  /// Lets things be forgotten, be found to be the same, and be carried: before the messages are
+  /// Lets landmarks be forgotten, be found to be the same, and be carried: before the messages are
   /// asked for.
   void update(Time now);
   /// `stamp_ns`: the same instant as `now`, since the Unix epoch.
@@ -59,9 +58,9 @@ class TeamMap {
   void touch(const std::string& robot, const msg::Variable& obstacle, Time now);
   [[nodiscard]] std::vector<Gaussian2> robots_of_others(const Squad& squad) const;
   void align(Time now);
-  void clear_under(const std::string& robot);
+  void clear_footprint(const std::string& robot);
   [[nodiscard]] msg::MapRobot robot_message(const std::string& name, Time now) const;
-  void put_things(msg::ObjectMap& message, Time now, std::int64_t stamp_ns) const;
+  void put_landmarks(msg::ObjectMap& message, Time now, std::int64_t stamp_ns) const;
   void put_loads(msg::ObjectMap& message) const;
 
   Duration silent_after_;

@@ -33,16 +33,16 @@ msg::MapRobot TeamMap::robot_message(const std::string& name, Time now) const {
   return message;
 }
 
-void TeamMap::put_things(msg::ObjectMap& message, Time now, std::int64_t stamp_ns) const {
-  for (const auto& thing : told_) {
+void TeamMap::put_landmarks(msg::ObjectMap& message, Time now, std::int64_t stamp_ns) const {
+  for (const auto& landmark : told_) {
     msg::MapObject& item = message.objects.emplace_back();
-    item.id = static_cast<std::uint32_t>(thing.id);
-    item.object_class = thing.object_class;
-    put(thing.place, item);
-    item.certainty = static_cast<float>(thing.certainty);
-    item.decay_per_s = 1 / static_cast<float>(Thing::kMemory_s);
-    item.last_seen = wire::ros_time(stamp_ns - (now - thing.last_seen).count());
-    item.seen_by = latest_first(thing.seen_by);
+    item.id = static_cast<std::uint32_t>(landmark.id);
+    item.object_class = landmark.object_class;
+    put(landmark.place, item);
+    item.certainty = static_cast<float>(landmark.certainty);
+    item.decay_per_s = 1 / static_cast<float>(Landmark::kMemory_s);
+    item.last_seen = wire::ros_time(stamp_ns - (now - landmark.last_seen).count());
+    item.seen_by = latest_first(landmark.seen_by);
   }
 }
 
@@ -62,7 +62,7 @@ void TeamMap::put_loads(msg::ObjectMap& message) const {
 msg::ObjectMap TeamMap::objects(Time now, std::int64_t stamp_ns) const {
   msg::ObjectMap message;
   message.stamp = wire::ros_time(stamp_ns);
-  put_things(message, now, stamp_ns);
+  put_landmarks(message, now, stamp_ns);
   put_loads(message);
   for (const auto& [name, squad] : squads_.robots())
     message.robots.push_back(robot_message(name, now));

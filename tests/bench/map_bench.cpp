@@ -15,7 +15,7 @@ void print(const char* name, const Figures& f) {
       "precision %.2f recall %.2f | shown %4.1f of %4.1f | baskets %5.1f cm nees %5.1f shown %.1f, "
       "%.1f there\n",
       name, 100 * f.robot_m2.rms(), 100 * f.dead_reckoning_m2.rms(), f.robot_nees.mean(),
-      100 * f.thing_m2.rms(), f.thing_nees.mean(), f.precision(), f.recall(),
+      100 * f.trash_m2.rms(), f.trash_nees.mean(), f.precision(), f.recall(),
       double(f.all_told) / double(f.looks), double(f.all_real) / double(f.looks),
       100 * f.basket_m2.rms(), f.basket_nees.mean(), double(f.baskets_told) / double(f.looks),
       double(f.baskets_right) / double(f.looks));

@@ -14,21 +14,22 @@ using namespace galilean;
 using namespace galilean::monitor;
 using namespace std::chrono_literals;
 
-constexpr double kSquareMetresAThing = 1.6, kSight_m = 3, kView_rad = 73.5 * kPi / 180;
+constexpr double kSquareMetresALandmark = 1.6, kSight_m = 3, kView_rad = 73.5 * kPi / 180;
 constexpr double kTurn_rad = 0.35;
 constexpr int kFramesAnUpdate = 2;  ///< cameras at 10 Hz, the map at 5
 constexpr int kSlicesAnUpdate = 10;
 
 constexpr int kPeriodsATurn = 10;
 
-/// Robots that turn in place in a hall full of things, measured as a camera would with 3 cm of
+/// Robots that turn in place in a hall full of landmarks, measured as a camera would with 3 cm of
 /// error.
 class Hall {
  public:
-  Hall(int robots, int things) {
-    const double half_m = std::sqrt(kSquareMetresAThing * things) / 2;
+  Hall(int robots, int landmarks) {
+    const double half_m = std::sqrt(kSquareMetresALandmark * landmarks) / 2;
     std::uniform_real_distribution<double> anywhere(-half_m, half_m);
-    for (int i = 0; i < things; ++i) things_.emplace_back(anywhere(random_), anywhere(random_));
+    for (int i = 0; i < landmarks; ++i)
+      landmarks_.emplace_back(anywhere(random_), anywhere(random_));
     for (int i = 0; i < robots; ++i) {
       starts_.push_back({{anywhere(random_), anywhere(random_)}, anywhere(random_)});
       map_.start_at(name(i), starts_.back());
@@ -78,8 +79,8 @@ class Hall {
     frame.robot = name(robot);
     frame.heading_rad = turned_rad_[robot];
     frame.view_angle_rad = static_cast<float>(kView_rad);
-    for (const Vec2& thing : things_) {
-      const Vec2 in_odom = rotated(thing - start.position_m, -start.heading_rad);
+    for (const Vec2& landmark : landmarks_) {
+      const Vec2 in_odom = rotated(landmark - start.position_m, -start.heading_rad);
       const Vec2 towards = rotated(in_odom, -turned_rad_[robot]);
       const double azimuth_rad = std::atan2(towards.y(), towards.x());
       if (towards.norm() > kSight_m || std::abs(azimuth_rad) > kView_rad / 2) continue;
@@ -96,7 +97,7 @@ class Hall {
   }
 
   std::mt19937 random_{1};
-  std::vector<Vec2> things_;
+  std::vector<Vec2> landmarks_;
   std::vector<Pose2> starts_;
   std::vector<double> turned_rad_;  ///< by odometry
   TeamMap map_{2s};
@@ -138,9 +139,9 @@ BENCHMARK(update)
     ->UseManualTime()
     ->Iterations(20);
 
-msg::ObjectMap full_map(int robots, int things) {
+msg::ObjectMap full_map(int robots, int landmarks) {
   msg::ObjectMap map;
-  for (int i = 0; i < things; ++i) {
+  for (int i = 0; i < landmarks; ++i) {
     auto& item = map.objects.emplace_back();
     item.id = static_cast<std::uint32_t>(i);
     item.object_class = "trash";

@@ -14,7 +14,7 @@ struct Gaussian2 {
 [[nodiscard]] Mat2 rotation_by(double angle_rad);
 
 /// (a - b)ᵀ (A + B)⁻¹ (a - b): how far apart two estimates are, in the measure of what they do not
-/// know. Of the same thing it is below `same_thing_gate()` with a probability of 99 %.
+/// know. Of the same landmark it is below `same_thing_gate()` with a probability of 99 %.
 [[nodiscard]] double squared_mahalanobis(const Gaussian2& a, const Gaussian2& b);
 [[nodiscard]] double same_thing_gate();
 

@@ -8,8 +8,8 @@
 namespace galilean::monitor {
 
 /// One normal distribution over all that is estimated together, in parts that come and go: robots
-/// and things. It keeps what their errors have in common, so that whoever learns where it is tells
-/// all that hangs on it.
+/// and landmarks. It keeps what their errors have in common, so that whoever learns where it is
+/// tells all that hangs on it.
 ///   cost    of n numbers in all: n² for `correct` and `remove`, n for the rest. Room is made by
 ///           doubling, so that what comes and goes copies nothing
 ///   source  the extended Kalman filter for maps (Smith, Self, Cheeseman 1990)

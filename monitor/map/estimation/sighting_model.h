@@ -22,19 +22,19 @@ struct Bearing {
 
 /// What is expected of a sighting, and how it depends on what is estimated. In range and bearing,
 /// for a bearing is the heading's error and no more, however large that is; x and y bend with it.
-///   law     range = |thing - robot|, bearing = direction of (thing - robot) - heading
+///   law     range = |landmark - robot|, bearing = direction of (landmark - robot) - heading
 struct Expected {
   Vec2 from_robot_m;   ///< x forward, y left
   Vec2 range_bearing;  ///< [m, rad]
   JointGaussian::Part robot, seen;
-  /// Of range_bearing, by the robot's x, y, heading and by the thing's x, y.
+  /// Of range_bearing, by the robot's x, y, heading and by the landmark's x, y.
   Eigen::Matrix<double, 2, 3> of_pose;
   Mat2 of_place;
 
   /// What of it is not known.
   [[nodiscard]] Mat2 covariance(const JointGaussian& joint) const;
 };
-/// `seen`'s first two numbers are its place in the map frame: a thing or another robot.
+/// `seen`'s first two numbers are its place in the map frame: a landmark or another robot.
 [[nodiscard]] Expected expected_sighting(const JointGaussian& joint, JointGaussian::Part robot,
                                          JointGaussian::Part seen);
 

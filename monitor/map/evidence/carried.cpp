@@ -15,33 +15,33 @@ constexpr double kInGripper_m = 0.03;
 const Gaussian2 kInGripper{{kGripperAhead_m, 0}, kInGripper_m* kInGripper_m* Mat2::Identity()};
 
 /// As it is told; by itself if it is not.
-ToldThing known_as(const ToldThing& thing, const std::vector<ToldThing>& told) {
-  const ToldThing::Note& note = thing.notes.front();
+ToldThing known_as(const ToldThing& landmark, const std::vector<ToldThing>& told) {
+  const ToldThing::Note& note = landmark.notes.front();
   const auto found = std::ranges::find_if(
       told, [&](const ToldThing& other) { return other.has(*note.squad, note.id); });
-  return found == told.end() ? thing : *found;
+  return found == told.end() ? landmark : *found;
 }
 
 /// The nearest piece of trash that any squad noted there.
 std::optional<ToldThing> trash_at(const Vec2& at_m, double within_m, const Squads& squads) {
   std::optional<ToldThing> nearest;
   for (const auto& squad : squads.all())
-    for (const auto& thing : squad->things.all()) {
-      const double away_m = (squad->things.place(thing).mean_m - at_m).norm();
-      if (thing.object_class != "trash" || away_m >= within_m) continue;
+    for (const auto& landmark : squad->landmarks.all()) {
+      const double away_m = (squad->landmarks.place(landmark).mean_m - at_m).norm();
+      if (landmark.object_class != "trash" || away_m >= within_m) continue;
       within_m = away_m;
       nearest.emplace();
-      nearest->id = thing.id;
-      nearest->seen_by = thing.seen_by;
-      nearest->notes = {{squad.get(), thing.id}};
+      nearest->id = landmark.id;
+      nearest->seen_by = landmark.seen_by;
+      nearest->notes = {{squad.get(), landmark.id}};
     }
   return nearest;
 }
 
-bool basket_at(const Vec2& at_m, const Things& things) {
-  return std::ranges::any_of(things.all(), [&](const Thing& thing) {
-    return thing.object_class == "basket" && thing.told() &&
-           (things.place(thing).mean_m - at_m).norm() < kBasketReach_m;
+bool basket_at(const Vec2& at_m, const LandmarkMap& landmarks) {
+  return std::ranges::any_of(landmarks.all(), [&](const Landmark& landmark) {
+    return landmark.object_class == "basket" && landmark.is_publishable() &&
+           (landmarks.place(landmark).mean_m - at_m).norm() < kBasketReach_m;
   });
 }
 
@@ -70,18 +70,18 @@ void Carried::pick_up(const std::string& robot, const std::vector<ToldThing>& to
     loads_[robot] = {squads_.next_id(), {robot}, false};
     return;
   }
-  const ToldThing thing = known_as(*nearest, told);
-  loads_[robot] = {thing.id, latest_first(thing.seen_by), true};
-  for (const auto& note : thing.notes) note.squad->things.forget(note.id);
+  const ToldThing landmark = known_as(*nearest, told);
+  loads_[robot] = {landmark.id, latest_first(landmark.seen_by), true};
+  for (const auto& note : landmark.notes) note.squad->landmarks.remove(note.id);
 }
 
 void Carried::put_down(const std::string& robot, Time now) {
   const Load load = loads_.extract(robot).mapped();
   const Vec2 at_m = place(robot).mean_m;
   const bool in_basket = std::ranges::any_of(
-      squads_.all(), [&](const auto& squad) { return basket_at(at_m, squad->things); });
+      squads_.all(), [&](const auto& squad) { return basket_at(at_m, squad->landmarks); });
   if (!in_basket && load.was_known)
-    squads_.of(robot).things.note("trash", robot, kInGripper, 1, now, load.id);
+    squads_.of(robot).landmarks.add_contact("trash", robot, kInGripper, 1, now, load.id);
 }
 
 std::vector<Vec2> Carried::grippers_m() const {

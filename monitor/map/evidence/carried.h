@@ -8,7 +8,7 @@
 
 namespace galilean::monitor {
 
-/// What the robots have in their grippers. A thing that is picked up leaves the floor, whoever
+/// What the robots have in their grippers. A landmark that is picked up leaves the floor, whoever
 /// noted it, and goes with its robot; what is put down beside a basket is thrown away, elsewhere it
 /// stands there again.
 class Carried {
@@ -21,7 +21,7 @@ class Carried {
 
   explicit Carried(Squads& squads) : squads_(squads) {}
 
-  /// Whether `robot` holds something now. `told` knows which notes are of one thing.
+  /// Whether `robot` holds something now. `told` knows which notes are of one landmark.
   void note(const std::string& robot, bool holds, const std::vector<ToldThing>& told, Time now);
   /// Where something seen is one that a robot carries.
   [[nodiscard]] std::vector<Vec2> grippers_m() const;

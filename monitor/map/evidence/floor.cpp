@@ -21,7 +21,7 @@ constexpr double kStartAcross_m = 10;
 constexpr double kMargin_m = 1;
 constexpr double kChassisRadius_m = 0.16;  ///< half of its narrow side
 constexpr double kObstacleRadius_m = 0.08;
-constexpr double kThingRadius_m = 0.10;  ///< before it a sight line ends
+constexpr double kLandmarkRadius_m = 0.10;  ///< before it a sight line ends
 constexpr double kRay_rad = 0.04;
 
 }  // namespace
@@ -79,8 +79,8 @@ void Floor::looked(const View& view) {
     double range_m, azimuth_rad;
   };
   std::vector<Seen> seen;
-  for (const auto& thing : view.seen_m) {
-    const Vec2 at_m = rotated(thing - view.from_m, -view.heading_rad);
+  for (const auto& landmark : view.seen_m) {
+    const Vec2 at_m = rotated(landmark - view.from_m, -view.heading_rad);
     seen.push_back({at_m.norm(), std::atan2(at_m.y(), at_m.x())});
   }
   for (double off_rad = -view.angle_rad / 2; off_rad <= view.angle_rad / 2; off_rad += kRay_rad) {
@@ -90,7 +90,7 @@ void Floor::looked(const View& view) {
       if (std::abs(azimuth_rad - off_rad) < kRay_rad && (nearest_m == 0 || range_m < nearest_m))
         nearest_m = range_m;
     if (nearest_m > 0)
-      look_along(view.from_m, direction_rad, nearest_m - kThingRadius_m, kLookedAcross);
+      look_along(view.from_m, direction_rad, nearest_m - kLandmarkRadius_m, kLookedAcross);
     else
       look_along(view.from_m, direction_rad, kClear_m, kSawNothing);
   }

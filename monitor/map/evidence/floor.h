@@ -11,9 +11,9 @@ namespace galilean::monitor {
 /// Which floor is free and which is occupied, in the map frame (mrpt::maps::COccupancyGridMap2D:
 /// log-odds of a cell, added up). Grows as robots get further, up to kMostAcross.
 ///
-/// Free is where a robot stood and what its camera looked across: in the direction of a thing up to
-/// that thing, elsewhere in its field of view for kClear, since a camera that knows things by their
-/// colour sees no walls; never beyond what is occupied. Occupied is what was bumped into.
+/// Free is where a robot stood and what its camera looked across: in the direction of a landmark up
+/// to that landmark, elsewhere in its field of view for kClear, since a camera that knows landmarks
+/// by their colour sees no walls; never beyond what is occupied. Occupied is what was bumped into.
 class Floor {
  public:
   static constexpr double kCell_m = 0.05;
@@ -25,7 +25,7 @@ class Floor {
     Vec2 from_m = Vec2::Zero();
     double heading_rad = 0;
     double angle_rad = 0;      ///< horizontal field of view
-    std::vector<Vec2> seen_m;  ///< things
+    std::vector<Vec2> seen_m;  ///< landmarks
   };
 
   Floor();

@@ -4,8 +4,8 @@
 
 namespace galilean::monitor {
 
-/// How a thing or a robot looks in three dimensions: about its size, and a colour that people who
-/// are colour-blind tell from the others.
+/// How a landmark or a robot looks in three dimensions: about its size, and a colour that people
+/// who are colour-blind tell from the others.
 struct Look {
   double diameter_m;
   double height_m;

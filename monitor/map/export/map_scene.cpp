@@ -60,15 +60,15 @@ void add_ellipse(COpenGLScene& scene, const auto& at) {
   scene.insert(ellipse);
 }
 
-void add_thing(COpenGLScene& scene, const msg::MapObject& object) {
+void add_landmark(COpenGLScene& scene, const msg::MapObject& object) {
   const Look look = look_of(object.object_class);
   const auto radius_m = static_cast<float>(look.diameter_m / 2);
-  auto thing = mrpt::opengl::CCylinder::Create(radius_m, radius_m,
-                                               static_cast<float>(look.height_m), kSides);
-  thing->setName(object.object_class + " " + std::to_string(object.id));
-  thing->setLocation(object.x_m, object.y_m, 0);
-  thing->setColor(look.red, look.green, look.blue, std::max(object.certainty, kLeastOpacity));
-  scene.insert(thing);
+  auto landmark = mrpt::opengl::CCylinder::Create(radius_m, radius_m,
+                                                  static_cast<float>(look.height_m), kSides);
+  landmark->setName(object.object_class + " " + std::to_string(object.id));
+  landmark->setLocation(object.x_m, object.y_m, 0);
+  landmark->setColor(look.red, look.green, look.blue, std::max(object.certainty, kLeastOpacity));
+  scene.insert(landmark);
   add_ellipse(scene, object);
 }
 
@@ -91,7 +91,7 @@ void add_robot(COpenGLScene& scene, const msg::MapRobot& robot) {
 std::string map_scene(const msg::OccupancyGrid& grid, const msg::ObjectMap& map) {
   COpenGLScene scene;
   add_floor(scene, grid);
-  for (const auto& object : map.objects) add_thing(scene, object);
+  for (const auto& object : map.objects) add_landmark(scene, object);
   for (const auto& robot : map.robots) add_robot(scene, robot);
   scene.insert(mrpt::opengl::stock_objects::CornerXYZSimple(1));  // the map's origin, axes of 1 m
 

@@ -30,7 +30,7 @@ void turn(msg::Marker& marker, double by_rad) {
   marker.pose.orientation.w = std::cos(by_rad / 2);
 }
 
-/// Where the thing or robot is with a chance of 95 %: a disc that is drawn out to the ellipse.
+/// Where the landmark or robot is with a chance of 95 %: a disc that is drawn out to the ellipse.
 msg::Marker ellipse_marker(const msg::ObjectMap& map, const char* space, std::int32_t id,
                            const auto& at) {
   auto result = marker(map, space, id, kCylinder, at.x_m, at.y_m, kEllipseHeight_m / 2);

@@ -13,7 +13,7 @@ constexpr double kFarBetter = 2;  ///< variances
 constexpr double kHearsay_m = 0.05;
 /// A piece that lies so far from where another squad knows it was rather pushed since.
 constexpr double kPushedDistance = 4;
-/// Narrow, where all pairs are tried: two dozen things in a room agree by chance otherwise.
+/// Narrow, where all pairs are tried: two dozen landmarks in a room agree by chance otherwise.
 constexpr double kFoundDeviation_m = 0.06;
 constexpr double kLeastFoundSpread_m = 0.8;
 /// Pairs of pairs are tried.
@@ -23,18 +23,19 @@ void teach(const ToldThing& knows, const ToldThing& learns) {
   const Mat2 hearsay = knows.place.covariance_m2 + kHearsay_m * kHearsay_m * Mat2::Identity();
   if (learns.place.covariance_m2.trace() < kFarBetter * hearsay.trace()) return;
   const auto& [squad, id] = learns.notes.front();
-  const auto thing = std::ranges::find(squad->things.all(), id, &Thing::id);
-  const JointGaussian::Term itself[] = {{thing->part, Mat2::Identity()}};
-  const Vec2 apart = knows.place.mean_m - squad->joint.position(thing->part);
+  const auto landmark = std::ranges::find(squad->landmarks.all(), id, &Landmark::id);
+  const JointGaussian::Term itself[] = {{landmark->part, Mat2::Identity()}};
+  const Vec2 apart = knows.place.mean_m - squad->joint.position(landmark->part);
   squad->joint.correct(itself, apart, hearsay);
 }
 
 /// Of those that it saw well, so many.
 std::vector<Mark> own_marks(const Squad& squad) {
   std::vector<Mark> marks;
-  for (const auto& thing : squad.things.all())
-    if (thing.established() && thing.object_class != "obstacle" && marks.size() < kMostOwn)
-      marks.push_back({squad.joint.position(thing.part), mark_kind(thing.object_class), thing.id});
+  for (const auto& landmark : squad.landmarks.all())
+    if (landmark.is_confirmed() && landmark.object_class != "obstacle" && marks.size() < kMostOwn)
+      marks.push_back(
+          {squad.joint.position(landmark.part), mark_kind(landmark.object_class), landmark.id});
   return marks;
 }
 
@@ -60,7 +61,7 @@ std::vector<PointPair> all_pairs(const Squad& squad, const std::vector<ToldThing
 std::vector<JointGaussian::Part> parts_of(const Squad& squad) {
   std::vector<JointGaussian::Part> parts;
   for (const auto& [name, robot] : squad.poses.all()) parts.push_back(robot.part);
-  for (const auto& thing : squad.things.all()) parts.push_back(thing.part);
+  for (const auto& landmark : squad.landmarks.all()) parts.push_back(landmark.part);
   return parts;
 }
 

@@ -10,7 +10,8 @@ namespace galilean::monitor {
 
 /// What squads learn from one another, of which none knows what errors they have in common.
 ///
-///   law     where one knows the place of a thing far better than another, that one believes it, up
+///   law     where one knows the place of a landmark far better than another, that one believes it,
+///   up
 ///           to an error that cannot be told away. A squad that nobody placed is laid where most of
 ///           what it saw agrees with what the others know (fit_rigidly), if it is so twice running.
 class Neighbours {

@@ -11,7 +11,8 @@ namespace galilean::monitor {
 /// Its cost grows with the square of what is in it; therefore a large team has many, which learn
 /// from one another (neighbours.h).
 struct Squad {
-  Squad(const Starts& starts, ThingIds& ids) : poses(joint, starts), things(joint, poses, ids) {}
+  Squad(const Starts& starts, LandmarkIds& ids)
+      : poses(joint, starts), landmarks(joint, poses, ids) {}
   Squad(const Squad&) = delete;
   Squad& operator=(const Squad&) = delete;
 
@@ -22,10 +23,10 @@ struct Squad {
 
   JointGaussian joint;
   RobotPoses poses;
-  Things things;
-  Orientation orientation{joint, poses, things};
-  SameThings same_things{joint, poses, things};
-  Eigen::AlignedBox2d extent_m;  ///< of its things, at the last update
+  LandmarkMap landmarks;
+  Orientation orientation{joint, poses, landmarks};
+  SameThings same_things{joint, poses, landmarks};
+  Eigen::AlignedBox2d extent_m;  ///< of its landmarks, at the last update
   Time aligned{};
   /// Somebody said where one of its robots starts, or it was found: what it notes can be compared
   /// with what others do.

@@ -32,7 +32,7 @@ class Squads {
   /// Of one that believes to be at `in_odom`, and may be new.
   Squad& join(const std::string& robot, const Pose2& in_odom);
 
-  /// Those with things that may be so near; none where it cannot be told.
+  /// Those with landmarks that may be so near; none where it cannot be told.
   [[nodiscard]] std::vector<Squad*> others_near(const Squad& squad, const Vec2& at_m,
                                                 double within_m) const;
   [[nodiscard]] const std::vector<std::unique_ptr<Squad>>& all() const noexcept { return squads_; }
@@ -44,7 +44,7 @@ class Squads {
 
   std::size_t most_robots_;  ///< a squad
   Starts starts_;
-  ThingIds ids_;
+  LandmarkIds ids_;
   std::vector<std::unique_ptr<Squad>> squads_;
   std::map<std::string, Squad*> squad_of_;  ///< by robot
 };

@@ -7,14 +7,19 @@
 namespace galilean::monitor {
 namespace {
 
-constexpr double kWithin_m = 0.30;      ///< notes of one thing lie nearer to one another
+constexpr double kWithin_m = 0.30;      ///< notes of one landmark lie nearer to one another
 constexpr double kNotesApart_m = 0.05;  ///< by which either may err unbeknown
 /// Another pair that fits nearly as well, by squared Mahalanobis distance.
 constexpr double kNotesRivalMargin = 6;
 
-ToldThing told(Squad& squad, const Thing& thing) {
-  return {thing.id,        thing.object_class, squad.things.place(thing), thing.certainty,
-          thing.last_seen, thing.seen_by,      {{&squad, thing.id}}};
+ToldThing told(Squad& squad, const Landmark& landmark) {
+  return {landmark.id,
+          landmark.object_class,
+          squad.landmarks.place(landmark),
+          landmark.certainty,
+          landmark.last_seen,
+          landmark.seen_by,
+          {{&squad, landmark.id}}};
 }
 
 double squared_distance(const ToldThing& a, const ToldThing& b) {
@@ -52,31 +57,31 @@ bool share_a_squad(const ToldThing& a, const ToldThing& b) {
   });
 }
 
-void absorb(ToldThing& thing, const ToldThing& other) {
-  thing.id = std::min(thing.id, other.id);
-  if (other.place.covariance_m2.trace() < thing.place.covariance_m2.trace())
-    thing.place = other.place;
-  thing.certainty = std::max(thing.certainty, other.certainty);
-  thing.last_seen = std::max(thing.last_seen, other.last_seen);
-  thing.seen_by.insert(other.seen_by.begin(), other.seen_by.end());
-  thing.notes.insert(thing.notes.end(), other.notes.begin(), other.notes.end());
+void absorb(ToldThing& landmark, const ToldThing& other) {
+  landmark.id = std::min(landmark.id, other.id);
+  if (other.place.covariance_m2.trace() < landmark.place.covariance_m2.trace())
+    landmark.place = other.place;
+  landmark.certainty = std::max(landmark.certainty, other.certainty);
+  landmark.last_seen = std::max(landmark.last_seen, other.last_seen);
+  landmark.seen_by.insert(other.seen_by.begin(), other.seen_by.end());
+  landmark.notes.insert(landmark.notes.end(), other.notes.begin(), other.notes.end());
 }
 
 }  // namespace
 
-bool ToldThing::has(const Squad& squad, std::uint64_t thing) const {
+bool ToldThing::has(const Squad& squad, std::uint64_t landmark) const {
   return std::ranges::any_of(
-      notes, [&](const Note& note) { return note.squad == &squad && note.id == thing; });
+      notes, [&](const Note& note) { return note.squad == &squad && note.id == landmark; });
 }
 
 std::vector<Mark> known_to_others(const Squad& squad, const std::vector<ToldThing>& told) {
   std::vector<Mark> known;
-  for (const auto& thing : told) {
-    const bool others = std::ranges::any_of(thing.notes, [&](const ToldThing::Note& note) {
+  for (const auto& landmark : told) {
+    const bool others = std::ranges::any_of(landmark.notes, [&](const ToldThing::Note& note) {
       return note.squad != &squad && note.squad->placed;
     });
-    if (others && thing.object_class != "obstacle")
-      known.push_back({thing.place.mean_m, mark_kind(thing.object_class), thing.id});
+    if (others && landmark.object_class != "obstacle")
+      known.push_back({landmark.place.mean_m, mark_kind(landmark.object_class), landmark.id});
   }
   return known;
 }
@@ -84,8 +89,8 @@ std::vector<Mark> known_to_others(const Squad& squad, const std::vector<ToldThin
 std::vector<ToldThing> squads_notes(const Squads& squads) {
   std::vector<ToldThing> notes;
   for (const auto& squad : squads.all())
-    for (const auto& thing : squad->things.all())
-      if (squad->things.tell(thing)) notes.push_back(told(*squad, thing));
+    for (const auto& landmark : squad->landmarks.all())
+      if (squad->landmarks.is_published(landmark)) notes.push_back(told(*squad, landmark));
   return notes;
 }
 

@@ -8,11 +8,11 @@
 
 namespace galilean::monitor {
 
-/// A thing as the team tells it: what one squad noted of it, or several.
+/// A landmark as the team tells it: what one squad noted of it, or several.
 struct ToldThing {
   struct Note {
     Squad* squad;
-    std::uint64_t id;  ///< in its things
+    std::uint64_t id;  ///< in its landmarks
   };
 
   std::uint64_t id = 0;  ///< the lowest of its notes
@@ -23,10 +23,10 @@ struct ToldThing {
   std::map<std::string, Time> seen_by;  ///< robots, and when each saw it last
   std::vector<Note> notes;              ///< one a squad at most
 
-  [[nodiscard]] bool has(const Squad& squad, std::uint64_t thing) const;
+  [[nodiscard]] bool has(const Squad& squad, std::uint64_t landmark) const;
 };
 
-/// Two squads' notes that may be of one thing.
+/// Two squads' notes that may be of one landmark.
 struct SamePair {
   std::size_t a, b;
   double squared_distance;
@@ -42,8 +42,8 @@ struct SamePair {
 
 /// What each squad would tell by itself.
 [[nodiscard]] std::vector<ToldThing> squads_notes(const Squads& squads);
-/// Notes that are of one thing become one, the nearest first, no two of a squad: they saw those as
-/// two. It stands where it is known best; what they learnt of one another is not counted twice.
+/// Notes that are of one landmark become one, the nearest first, no two of a squad: they saw those
+/// as two. It stands where it is known best; what they learnt of one another is not counted twice.
 [[nodiscard]] std::vector<ToldThing> united(std::vector<ToldThing> notes,
                                             const std::vector<SamePair>& pairs);
 

@@ -36,8 +36,8 @@ Candidates candidates_within(double most_rad, double deviation_rad) {
   return candidates;
 }
 
-/// Lays `seen`, whose errors are so large, beside a thing that is known, by every turn that brings
-/// it near: both are from the robot, x forward, y left.
+/// Lays `seen`, whose errors are so large, beside a landmark that is known, by every turn that
+/// brings it near: both are from the robot, x forward, y left.
 struct Laid {
   double range_m, azimuth_rad, range_error_m, side_error_m;
 
@@ -64,7 +64,7 @@ struct Laid {
   }
 };
 
-/// Adds how well the nearest thing of its kind fits, 0 to 1.
+/// Adds how well the nearest landmark of its kind fits, 0 to 1.
 void add_fit(const Mark& seen, const std::vector<Mark>& known, Candidates& candidates) {
   const Laid laid(seen.in_map_m);
   for (auto& each : candidates) each.nearest = kFarthest * kFarthest;

@@ -20,35 +20,35 @@ void LostRobots::lay_back(const std::string& robot, Time now,
 }
 
 /// What stays where it is for a while, and was seen often enough.
-std::vector<const Thing*> LostRobots::landmarks() const {
-  std::vector<const Thing*> result;
-  for (const auto& thing : things_.all())
-    if (thing.established() && thing.object_class != "obstacle") result.push_back(&thing);
+std::vector<const Landmark*> LostRobots::landmarks() const {
+  std::vector<const Landmark*> result;
+  for (const auto& landmark : landmarks_.all())
+    if (landmark.is_confirmed() && landmark.object_class != "obstacle") result.push_back(&landmark);
   return result;
 }
 
-Mark LostRobots::mark_of(const Thing& thing) const {
-  return {joint_.position(thing.part), mark_kind(thing.object_class), thing.id};
+Mark LostRobots::mark_of(const Landmark& landmark) const {
+  return {joint_.position(landmark.part), mark_kind(landmark.object_class), landmark.id};
 }
 
 /// Of what it saw lately, nearly all is new, and nobody else saw it.
 bool LostRobots::recognises_nothing(const std::string& robot) const {
   std::size_t fresh = 0, known = 0;
-  for (const Thing* thing : landmarks())
-    if (thing->was_seen_by(robot, now_ - Thing::kLately))
-      ++(thing->is_new_of(robot, now_) ? fresh : known);
+  for (const Landmark* landmark : landmarks())
+    if (landmark->was_seen_by(robot, now_ - Landmark::kObservationWindow))
+      ++(landmark->is_recent_of(robot, now_) ? fresh : known);
   return fresh >= TurnedRobot::kLeastAgreeing && fresh > 2 * known;
 }
 
 void LostRobots::turn_back(const std::string& robot, const std::vector<Mark>& others_know) {
   std::vector<Mark> seen, known = others_know;
   std::vector<JointGaussian::Part> own{robots_.part(robot)};
-  for (const Thing* thing : landmarks()) {
-    if (thing->is_new_of(robot, now_)) {
-      seen.push_back(mark_of(*thing));
-      own.push_back(thing->part);
-    } else if (!thing->was_seen_by(robot, now_ - Thing::kLately)) {
-      known.push_back(mark_of(*thing));
+  for (const Landmark* landmark : landmarks()) {
+    if (landmark->is_recent_of(robot, now_)) {
+      seen.push_back(mark_of(*landmark));
+      own.push_back(landmark->part);
+    } else if (!landmark->was_seen_by(robot, now_ - Landmark::kObservationWindow)) {
+      known.push_back(mark_of(*landmark));
     }
   }
   const auto fit = find(robot, seen, known);
@@ -60,12 +60,12 @@ void LostRobots::turn_back(const std::string& robot, const std::vector<Mark>& ot
 void LostRobots::rejoin(const std::string& robot, const std::vector<Mark>& others_know) {
   std::vector<Mark> seen, known = others_know;
   std::vector<JointGaussian::Part> own{robots_.part(robot)};
-  for (const Thing* thing : landmarks()) {
-    const bool lately = thing->was_seen_by(robot, now_ - Thing::kLately);
-    const bool shared = thing->seen_by.size() > 1;
-    if (lately) seen.push_back(mark_of(*thing));
-    if (shared) known.push_back(mark_of(*thing));
-    if (lately && !shared) own.push_back(thing->part);
+  for (const Landmark* landmark : landmarks()) {
+    const bool lately = landmark->was_seen_by(robot, now_ - Landmark::kObservationWindow);
+    const bool shared = landmark->seen_by.size() > 1;
+    if (lately) seen.push_back(mark_of(*landmark));
+    if (shared) known.push_back(mark_of(*landmark));
+    if (lately && !shared) own.push_back(landmark->part);
   }
   const auto fit = find(robot, seen, known);
   if (fit && !is_there(robot, *fit)) lay(own, *fit);
@@ -86,7 +86,7 @@ bool LostRobots::is_there(const std::string& robot, const RigidFit& fit) const {
 
 void LostRobots::lay(const std::vector<JointGaussian::Part>& robot_and_own, const RigidFit& fit) {
   transport(joint_, robot_and_own, fit);
-  for (const auto& pair : fit.agreeing) things_.unite(pair.map_index, pair.other_index);
+  for (const auto& pair : fit.agreeing) landmarks_.merge(pair.map_index, pair.other_index);
 }
 
 }  // namespace galilean::monitor

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFreshPose_s = 0.3;
 constexpr double kVaguestMeeting_m = 0.6;
-/// A robot is too big and blurred a mark to tell more than things do.
+/// A robot is too big and blurred a mark to tell more than landmarks do.
 constexpr double kSurestMeeting_m = 0.15;
 constexpr double kNearer = 0.75;
 constexpr double kRangeError = 0.3;

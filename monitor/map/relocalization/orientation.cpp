@@ -34,7 +34,7 @@ std::vector<Mark> marks_in(const msg::Sightings& frame) {
   return marks;
 }
 
-/// Known things that ought to be in plain view from there, and none of their kind is about.
+/// Known landmarks that ought to be in plain view from there, and none of their kind is about.
 std::ptrdiff_t missed_from(const Pose2& pose, const msg::Sightings& frame,
                            const std::vector<Mark>& seen, const std::vector<Mark>& known) {
   return std::ranges::count_if(known, [&](const Mark& mark) {
@@ -84,10 +84,11 @@ bool Orientation::is_plausible(double turn_rad, const msg::Sightings& frame,
 std::vector<Mark> Orientation::known_to(const std::string& robot, Time now) const {
   const Vec2 robot_m = robots_.pose(robot).position_m;
   std::vector<Mark> known;
-  for (const auto& thing : things_.all())
-    if ((joint_.position(thing.part) - robot_m).norm() < kMostKnownRange_m && thing.established() &&
-        !thing.is_new_of(robot, now))
-      known.push_back({joint_.position(thing.part), mark_kind(thing.object_class), thing.id});
+  for (const auto& landmark : landmarks_.all())
+    if ((joint_.position(landmark.part) - robot_m).norm() < kMostKnownRange_m &&
+        landmark.is_confirmed() && !landmark.is_recent_of(robot, now))
+      known.push_back(
+          {joint_.position(landmark.part), mark_kind(landmark.object_class), landmark.id});
   return known;
 }
 
@@ -104,7 +105,7 @@ void Orientation::turn(const std::string& robot, double by_rad, double deviation
   RobotMatrix unsure = RobotMatrix::Zero();
   unsure(2, 2) = std::max(0.0, by_rad * by_rad - deviation_rad * deviation_rad);
   joint_.blur(part, unsure);
-  things_.forget_new_of(robot, now);
+  landmarks_.discard_recent(robot, now);
   const JointGaussian::Term heading[] = {{part, Eigen::RowVector3d(0, 0, 1)}};
   constexpr double kVariance = BearingsFit::kDeviation_rad * BearingsFit::kDeviation_rad;
   joint_.correct(heading, JointGaussian::Vector::Constant(1, by_rad),

@@ -9,36 +9,36 @@ namespace galilean::monitor {
 namespace {
 
 constexpr double kWellKnown_m = 0.10;   ///< standard deviation of a distance
-constexpr double kNeighbours_m = 0.30;  ///< things that two robots saw, if nearer, may be one
-constexpr double kTwins_m = 0.12;       ///< things that one robot saw, likewise
+constexpr double kNeighbours_m = 0.30;  ///< landmarks that two robots saw, if nearer, may be one
+constexpr double kTwins_m = 0.12;       ///< landmarks that one robot saw, likewise
 constexpr double kMatchedWithin_m = 1.2;
 constexpr double kPointDeviation_m = 0.08;
-/// Narrower where all pairs are tried: two dozen things in a room agree by chance otherwise.
+/// Narrower where all pairs are tried: two dozen landmarks in a room agree by chance otherwise.
 constexpr double kSearchDeviation_m = 0.06;
 constexpr double kLeastSpread_m = 0.8;
 
-bool share_an_observer(const Thing& a, const Thing& b) {
+bool share_an_observer(const Landmark& a, const Landmark& b) {
   return std::ranges::any_of(a.seen_by,
                              [&](const auto& seen) { return b.was_seen_by(seen.first); });
 }
 
-std::array<JointGaussian::Term, 2> difference(const Thing& a, const Thing& b) {
+std::array<JointGaussian::Term, 2> difference(const Landmark& a, const Landmark& b) {
   return {{{a.part, Mat2::Identity()}, {b.part, -Mat2::Identity()}}};
 }
 
 }  // namespace
 
-void SameThings::unite_neighbours() {
-  while (const auto pair = nearest_neighbours()) things_.unite(pair->kept, pair->same);
+void SameThings::merge_neighbours() {
+  while (const auto pair = nearest_neighbours()) landmarks_.merge(pair->kept, pair->same);
 }
 
 std::optional<SameThings::Pair> SameThings::nearest_neighbours() const {
   std::optional<Pair> best;
-  const auto& all = things_.all();
+  const auto& all = landmarks_.all();
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size(); ++j) {
       const Vec2 apart = joint_.position(all[i].part) - joint_.position(all[j].part);
-      if (apart.norm() > kNeighbours_m || !may_be_one(all[i], all[j])) continue;
+      if (apart.norm() > kNeighbours_m || !may_be_same(all[i], all[j])) continue;
       const double within_m = share_an_observer(all[i], all[j]) ? kTwins_m : kNeighbours_m;
       if (apart.norm() > within_m) continue;
       const Mat2 covariance = joint_.covariance(difference(all[i], all[j]));
@@ -57,19 +57,19 @@ void SameThings::align(Time now, const std::vector<Mark>& others_know) {
   auto next = robots.upper_bound(last_aligned_);
   if (next == robots.end()) next = robots.begin();
   last_aligned_ = next->first;
-  unite_agreeing(next->first);
+  merge_agreeing(next->first);
   lost_.lay_back(next->first, now, others_know);
-  if (next != robots.begin() && !shares_things(next->first)) search(next->first);
+  if (next != robots.begin() && !shares_landmarks(next->first)) search(next->first);
 }
 
 std::vector<PointPair> SameThings::pairs(const std::string& robot, bool inside_gate) const {
   std::vector<PointPair> result;
-  const auto& all = things_.all();
-  const Time since = inside_gate ? now_ - Thing::kLately : Time::min();
+  const auto& all = landmarks_.all();
+  const Time since = inside_gate ? now_ - Landmark::kObservationWindow : Time::min();
   for (const auto& own : all) {
-    if (!own.established() || !own.was_seen_by(robot, since)) continue;
+    if (!own.is_confirmed() || !own.was_seen_by(robot, since)) continue;
     for (const auto& other : all) {
-      if (!other.established() || other.was_seen_by(robot, since) || !may_be_one(own, other))
+      if (!other.is_confirmed() || other.was_seen_by(robot, since) || !may_be_same(own, other))
         continue;
       const Vec2 own_m = joint_.position(own.part), other_m = joint_.position(other.part);
       if (inside_gate) {
@@ -85,17 +85,17 @@ std::vector<PointPair> SameThings::pairs(const std::string& robot, bool inside_g
   return result;
 }
 
-void SameThings::unite_agreeing(const std::string& robot) {
+void SameThings::merge_agreeing(const std::string& robot) {
   const auto fit = fit_rigidly(pairs(robot, true), kPointDeviation_m, kLeastAgreeing);
   if (fit.agreeing.empty() || fit.spread_m < kLeastSpread_m) return;
   for (const auto& pair : fit.agreeing)
-    things_.unite(std::min(pair.map_index, pair.other_index),
-                  std::max(pair.map_index, pair.other_index));
+    landmarks_.merge(std::min(pair.map_index, pair.other_index),
+                     std::max(pair.map_index, pair.other_index));
 }
 
-bool SameThings::shares_things(const std::string& robot) const {
-  return std::ranges::any_of(things_.all(), [&](const Thing& thing) {
-    return thing.seen_by.size() > 1 && thing.was_seen_by(robot);
+bool SameThings::shares_landmarks(const std::string& robot) const {
+  return std::ranges::any_of(landmarks_.all(), [&](const Landmark& landmark) {
+    return landmark.seen_by.size() > 1 && landmark.was_seen_by(robot);
   });
 }
 
@@ -118,8 +118,8 @@ void SameThings::search(const std::string& robot) {
 
 std::vector<JointGaussian::Part> SameThings::robot_and_seen_alone(const std::string& robot) const {
   std::vector<JointGaussian::Part> parts{robots_.part(robot)};
-  for (const auto& thing : things_.all())
-    if (thing.seen_by.size() == 1 && thing.was_seen_by(robot)) parts.push_back(thing.part);
+  for (const auto& landmark : landmarks_.all())
+    if (landmark.seen_by.size() == 1 && landmark.was_seen_by(robot)) parts.push_back(landmark.part);
   return parts;
 }
 

@@ -4,20 +4,21 @@
 #include <optional>
 #include <string>
 
-#include "monitor/map/landmarks/things.h"
+#include "monitor/map/landmarks/landmark_map.h"
 #include "monitor/map/relocalization/lost_robots.h"
 #include "monitor/map/relocalization/rigid_fit.h"
 
 namespace galilean::monitor {
 
-/// Finds out which things were noted twice, by two robots that did not know well enough where they
-/// are, or by one that lost its way; and so where those robots are.
+/// Finds out which landmarks were noted twice, by two robots that did not know well enough where
+/// they are, or by one that lost its way; and so where those robots are.
 ///
-///   law     two things of a class near one another are one where their places are known well and
-///           nothing else comes into question. Where they are not, the things of a robot and those
-///           of the others are matched by the rigid transformation that most of them agree on.
-///           Where a robot shares nothing with the others, because it is not where it was said to
-///           be, all pairs of a class are tried; a transformation that at least kLeastForUnknown
+///   law     two landmarks of a class near one another are one where their places are known well
+///   and
+///           nothing else comes into question. Where they are not, the landmarks of a robot and
+///           those of the others are matched by the rigid transformation that most of them agree
+///           on. Where a robot shares nothing with the others, because it is not where it was said
+///           to be, all pairs of a class are tried; a transformation that at least kLeastForUnknown
 ///           agree on, twice running, moves the robot and what it alone saw. One that lost its way
 ///           is laid back (LostRobots).
 ///   source  mrpt::tfest
@@ -26,12 +27,12 @@ class SameThings {
   static constexpr std::size_t kLeastAgreeing = 5;
   static constexpr std::size_t kLeastForUnknown = 8;
 
-  SameThings(JointGaussian& joint, RobotPoses& robots, Things& things)
-      : joint_(joint), robots_(robots), things_(things) {}
+  SameThings(JointGaussian& joint, RobotPoses& robots, LandmarkMap& landmarks)
+      : joint_(joint), robots_(robots), landmarks_(landmarks) {}
 
-  void unite_neighbours();
-  /// Of one robot, another one with each call. `others_know`: things that robots saw which are not
-  /// of the joint distribution.
+  void merge_neighbours();
+  /// Of one robot, another one with each call. `others_know`: landmarks that robots saw which are
+  /// not of the joint distribution.
   void align(Time now, const std::vector<Mark>& others_know);
 
  private:
@@ -41,8 +42,8 @@ class SameThings {
   };
 
   [[nodiscard]] std::optional<Pair> nearest_neighbours() const;
-  void unite_agreeing(const std::string& robot);
-  [[nodiscard]] bool shares_things(const std::string& robot) const;
+  void merge_agreeing(const std::string& robot);
+  [[nodiscard]] bool shares_landmarks(const std::string& robot) const;
   void search(const std::string& robot);
   [[nodiscard]] std::vector<JointGaussian::Part> robot_and_seen_alone(
       const std::string& robot) const;
@@ -50,8 +51,8 @@ class SameThings {
 
   JointGaussian& joint_;
   RobotPoses& robots_;
-  Things& things_;
-  LostRobots lost_{joint_, robots_, things_};
+  LandmarkMap& landmarks_;
+  LostRobots lost_{joint_, robots_, landmarks_};
   Time now_{};
   std::map<std::string, RigidFit> candidates_;  ///< found once
   std::string last_aligned_;

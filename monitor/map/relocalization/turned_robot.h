@@ -31,7 +31,7 @@ struct TurnedRobot {
   static constexpr double kMostTurn_rad = 1.4;
   static constexpr double kMostShift_m = 1.2;
 
-  /// From where things were noted to where they are; `agreeing` says which. Nothing if it is not
+  /// From where landmarks were noted to where they are; `agreeing` says which. Nothing if it is not
   /// clear.
   [[nodiscard]] static std::optional<RigidFit> fit(const std::vector<Mark>& seen,
                                                    const std::vector<Mark>& known,

@@ -9,16 +9,16 @@ using namespace std::chrono_literals;
 
 constexpr double kView_rad = 73.5 * kPi / 180;
 
-/// What a camera at `from` sees of things, with 3 cm of error.
+/// What a camera at `from` sees of landmarks, with 3 cm of error.
 msg::Sightings frame(const std::string& robot, const Pose2& from,
-                     const std::vector<std::pair<std::string, Vec2>>& things) {
+                     const std::vector<std::pair<std::string, Vec2>>& landmarks) {
   msg::Sightings result;
   result.robot = robot;
   result.x_m = from.position_m.x();
   result.y_m = from.position_m.y();
   result.heading_rad = from.heading_rad;
   result.view_angle_rad = static_cast<float>(kView_rad);
-  for (const auto& [object_class, at] : things) {
+  for (const auto& [object_class, at] : landmarks) {
     const Vec2 towards = at - from.position_m;
     msg::Sighting& item = result.items.emplace_back();
     item.object_class = object_class;
@@ -52,9 +52,9 @@ class MapTest : public testing::Test {
   [[nodiscard]] std::int64_t to_ns() const { return now.time_since_epoch().count(); }
 
   /// Io stands there by its odometry, and sees these in so many frames.
-  void look(const Pose2& from, const std::vector<std::pair<std::string, Vec2>>& things,
+  void look(const Pose2& from, const std::vector<std::pair<std::string, Vec2>>& landmarks,
             int frames) {
-    for (int i = 0; i < frames; ++i, step()) map.note(frame("io", from, things), now);
+    for (int i = 0; i < frames; ++i, step()) map.note(frame("io", from, landmarks), now);
   }
 
   TeamMap map{2s};

@@ -37,7 +37,7 @@ TEST(Squads, ALargerTeamIsDividedByNearness) {
 /// Two robots, each a squad of its own: they share nothing but what they tell one another.
 class DividedTeamTest : public testing::Test {
  protected:
-  /// `robot` stands at `truly` and its odometer at 0: what it sees of the things, exactly.
+  /// `robot` stands at `truly` and its odometer at 0: what it sees of the landmarks, exactly.
   [[nodiscard]] static msg::Sightings frame(const std::string& robot, const Pose2& truly,
                                             const std::vector<Vec2>& trash,
                                             double view_rad = kCameraView_rad) {
@@ -158,8 +158,8 @@ class NeighboursTest : public testing::Test {
   void note(const std::string& robot, Squad& squad, const Vec2& stands_m) {
     squad.poses.move(robot, {}, false, now);
     for (const Vec2& at_m : {Vec2(1, 0.5), Vec2(1.2, -0.3), Vec2(0.8, 0.1)})
-      squad.things.note("trash", robot, {at_m - stands_m, 1e-4 * Mat2::Identity()}, 1, now,
-                        squads.next_id());
+      squad.landmarks.add_contact("trash", robot, {at_m - stands_m, 1e-4 * Mat2::Identity()}, 1,
+                                  now, squads.next_id());
   }
   void teach() {
     const auto notes = squads_notes(squads);
@@ -196,9 +196,9 @@ TEST(Carried, WhatIsPickedUpLeavesTheFloorWhoeverNotedIt) {
     Squad& squad = squads.join(robot, {});
     squad.poses.move(robot, {}, false, now);
     for (int i = 0; i < 3; ++i)
-      squad.things.note("trash", robot, {{0.3, 0}, kNear_m2 * Mat2::Identity()}, 1, now,
-                        squads.next_id());
-    for (int i = 0; i < 2; ++i) squad.things.forget(squad.things.all().front().id);
+      squad.landmarks.add_contact("trash", robot, {{0.3, 0}, kNear_m2 * Mat2::Identity()}, 1, now,
+                                  squads.next_id());
+    for (int i = 0; i < 2; ++i) squad.landmarks.remove(squad.landmarks.all().front().id);
   }
   auto notes = squads_notes(squads);
   const auto pairs = same_pairs(notes);
@@ -224,7 +224,7 @@ TEST(Carried, WhatBreaksTheBeamAndStoodOnNoMapIsNotPutDown) {
   EXPECT_EQ(carried.all().size(), 1U);
   carried.note("io", false, {}, now);
   EXPECT_TRUE(carried.all().empty());
-  EXPECT_TRUE(squads.of("io").things.all().empty());
+  EXPECT_TRUE(squads.of("io").landmarks.all().empty());
 }
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Things of an office, in the map frame; no two pairs are equally far apart.
-const std::vector<std::pair<std::string, Vec2>> kThings{
+/// Landmarks of an office, in the map frame; no two pairs are equally far apart.
+const std::vector<std::pair<std::string, Vec2>> kLandmarks{
     {"basket", {0.7, 4.2}}, {"basket", {3.6, 3.4}}, {"basket", {4.8, 0.6}}, {"basket", {7.4, 5.2}},
     {"trash", {1.3, 2.1}},  {"trash", {2.9, 1.2}},  {"trash", {5.5, 2.7}},  {"trash", {6.3, 4.4}},
     {"trash", {2.2, 5.1}},  {"trash", {4.1, 4.9}}};
@@ -18,15 +18,15 @@ const std::vector<std::pair<std::string, Vec2>> kThings{
 class SameThingsTest : public testing::Test {
  protected:
   /// `robot` stands at `truly`, its odometer at 0, and sees everything.
-  void look(const std::string& robot, const Pose2& truly, std::size_t things = kThings.size(),
+  void look(const std::string& robot, const Pose2& truly, std::size_t landmarks = kLandmarks.size(),
             std::size_t first = 0) {
     msg::Sightings frame;
     frame.robot = robot;
     frame.view_angle_rad = 7;
-    for (std::size_t i = first; i < things; ++i) {
-      const Vec2 at_m = rotated(kThings[i].second - truly.position_m, -truly.heading_rad);
+    for (std::size_t i = first; i < landmarks; ++i) {
+      const Vec2 at_m = rotated(kLandmarks[i].second - truly.position_m, -truly.heading_rad);
       msg::Sighting& item = frame.items.emplace_back();
-      item.object_class = kThings[i].first;
+      item.object_class = kLandmarks[i].first;
       item.x_m = at_m.x();
       item.y_m = at_m.y();
       item.variance_xx = item.variance_yy = 4e-4;
@@ -38,13 +38,13 @@ class SameThingsTest : public testing::Test {
     for (int i = 0; i < 5; ++i) {
       now += 100ms;
       robots.move(robot, {}, false, now);
-      seen.see(frame, now);
+      seen.update(frame, now);
     }
   }
   void align(int times) {
     for (int i = 0; i < times; ++i) {
       same.align(now, {});
-      same.unite_neighbours();
+      same.merge_neighbours();
     }
   }
   void expect_at(const std::string& robot, const Pose2& truly, double within_m, double within_rad) {
@@ -54,10 +54,10 @@ class SameThingsTest : public testing::Test {
   }
 
   Starts starts;
-  ThingIds ids;
+  LandmarkIds ids;
   JointGaussian joint;
   RobotPoses robots{joint, starts};
-  Things seen{joint, robots, ids};
+  LandmarkMap seen{joint, robots, ids};
   SameThings same{joint, robots, seen};
   Time now{1s};
 };
@@ -68,7 +68,7 @@ TEST_F(SameThingsTest, ARobotPlacedRoughlyIsPutRightByWhatOthersSaw) {
   look("ganymede", {});
   look("io", {});
   align(6);
-  EXPECT_EQ(seen.all().size(), kThings.size());
+  EXPECT_EQ(seen.all().size(), kLandmarks.size());
   const Pose2 ganymede = robots.pose("ganymede"), io = robots.pose("io");
   EXPECT_LT((ganymede.position_m - io.position_m).norm(), 0.03);
   EXPECT_LT(std::abs(wrap_angle(ganymede.heading_rad - io.heading_rad)), 0.01);
@@ -80,7 +80,7 @@ TEST_F(SameThingsTest, ARobotThatStandsQuiteElsewhereIsFound) {
   look("io", elsewhere);
   align(12);
   expect_at("io", elsewhere, 0.05, 0.02);
-  EXPECT_EQ(seen.all().size(), kThings.size());
+  EXPECT_EQ(seen.all().size(), kLandmarks.size());
 }
 
 TEST_F(SameThingsTest, TooFewThingsInCommonMoveNothing) {
@@ -106,20 +106,20 @@ TEST_F(SameThingsTest, WhatOneRobotSeesAtOnceStaysTwo) {
   for (int i = 0; i < 5; ++i) {
     now += 100ms;
     robots.move("io", {}, false, now);
-    seen.see(frame, now);
-    same.unite_neighbours();
+    seen.update(frame, now);
+    same.merge_neighbours();
   }
   EXPECT_EQ(seen.all().size(), 2U);
 }
 
-// Its things are no news any more, and so nothing but the others' map tells.
+// Its landmarks are no news any more, and so nothing but the others' map tells.
 TEST_F(SameThingsTest, ARobotThatMapsAllBesideTheOthersRejoinsThem) {
   const Pose2 stands{{2, 2}, 0.3}, believed{{2.5, 2.4}, 0.3};
   starts.give("callisto", believed);
   starts.give("ganymede", {{1, 1}, 0});
   starts.give("io", {});
   const auto look_at_trash = [this](const std::string& robot, const Pose2& truly) {
-    look(robot, truly, kThings.size(), 4);
+    look(robot, truly, kLandmarks.size(), 4);
   };
   for (int i = 0; i < 40; ++i) {
     look_at_trash("io", {});
@@ -129,7 +129,7 @@ TEST_F(SameThingsTest, ARobotThatMapsAllBesideTheOthersRejoinsThem) {
   expect_at("callisto", believed, 0.2, 0.1);
   align(6);
   expect_at("callisto", stands, 0.15, 0.1);
-  EXPECT_EQ(seen.all().size(), kThings.size() - 4);
+  EXPECT_EQ(seen.all().size(), kLandmarks.size() - 4);
 }
 
 // Until it is found out that they are one, there are two; a third robot may go by either.
@@ -142,12 +142,13 @@ TEST_F(SameThingsTest, WhatMayBeOneNotedTwiceIsNoRivalOfItself) {
     const double deviation_m = 0.12;
     for (const double x_m : {1.3, 1.5}) {
       if (!seen_as_two) now += 100ms;
-      seen.note("trash", "ganymede", {{x_m, 2.1}, deviation_m * deviation_m * Mat2::Identity()}, 1,
-                now, ids.next());
+      seen.add_contact("trash", "ganymede",
+                       {{x_m, 2.1}, deviation_m * deviation_m * Mat2::Identity()}, 1, now,
+                       ids.next());
     }
     look(io, beside, 5, 4);
     const double variance_m2 = robots.position(io).covariance_m2.trace();
-    while (!seen.all().empty()) seen.forget(seen.all().front().id);
+    while (!seen.all().empty()) seen.remove(seen.all().front().id);
     return variance_m2;
   };
   look("ganymede", {}, 0);
@@ -171,17 +172,18 @@ TEST_F(SameThingsTest, WhatMayBeOneIsToldOnceWhereItIsKnownBest) {
   const auto note = [this](const Vec2& at_m, double deviation_m, Duration after) {
     now += after;
     const auto id = ids.next();
-    seen.note("trash", "io", {at_m, deviation_m * deviation_m * Mat2::Identity()}, 1, now, id);
+    seen.add_contact("trash", "io", {at_m, deviation_m * deviation_m * Mat2::Identity()}, 1, now,
+                     id);
   };
   note({1, 0}, 0.02, 100ms);
   note({1.2, 0.1}, 0.20, 100ms);
   note({2.5, 0}, 0.20, 100ms);
   note({2.7, 0.1}, 0.25, 0ms);
   const auto& all = seen.all();
-  EXPECT_FALSE(seen.may_be_told_twice(all[0])) << "known best";
-  EXPECT_TRUE(seen.may_be_told_twice(all[1]));
-  EXPECT_FALSE(seen.may_be_told_twice(all[2])) << "too far from any other";
-  EXPECT_FALSE(seen.may_be_told_twice(all[3])) << "seen at once as two";
+  EXPECT_FALSE(seen.is_duplicate_candidate(all[0])) << "known best";
+  EXPECT_TRUE(seen.is_duplicate_candidate(all[1]));
+  EXPECT_FALSE(seen.is_duplicate_candidate(all[2])) << "too far from any other";
+  EXPECT_FALSE(seen.is_duplicate_candidate(all[3])) << "seen at once as two";
 }
 
 }  // namespace

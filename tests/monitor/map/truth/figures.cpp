@@ -43,15 +43,15 @@ struct Match {
   const Body* body;
 };
 
-/// Each told thing with one body at most, the nearest pairs first.
+/// Each told landmark with one body at most, the nearest pairs first.
 std::vector<Match> matched(const std::vector<const msg::MapObject*>& told,
                            const std::vector<Body>& bodies) {
   std::vector<Match> all, result;
-  for (const auto* thing : told)
+  for (const auto* landmark : told)
     for (const auto& body : bodies)
-      if (const double apart_m = (Vec2(thing->x_m, thing->y_m) - body.at_m).norm();
+      if (const double apart_m = (Vec2(landmark->x_m, landmark->y_m) - body.at_m).norm();
           apart_m < Figures::kSame_m)
-        all.push_back({apart_m, thing, &body});
+        all.push_back({apart_m, landmark, &body});
   std::ranges::sort(all, {}, &Match::distance_m);
   std::set<const void*> taken;
   for (const auto& match : all)
@@ -75,8 +75,8 @@ void Figures::add(const Figures& other) {
   robot_m2.add(other.robot_m2);
   robot_nees.add(other.robot_nees);
   dead_reckoning_m2.add(other.dead_reckoning_m2);
-  thing_m2.add(other.thing_m2);
-  thing_nees.add(other.thing_nees);
+  trash_m2.add(other.trash_m2);
+  trash_nees.add(other.trash_nees);
   basket_m2.add(other.basket_m2);
   basket_nees.add(other.basket_nees);
   told += other.told;
@@ -147,8 +147,8 @@ void TruthWatch::look_at_trash(const MappedContest& contest, const msg::ObjectMa
   for (const auto& pair : pairs) {
     if (!lately(pair.told)) continue;
     ++figures_.right;
-    figures_.thing_m2.add(pair.distance_m * pair.distance_m);
-    figures_.thing_nees.add(nees(*pair.told, pair.body->at_m));
+    figures_.trash_m2.add(pair.distance_m * pair.distance_m);
+    figures_.trash_nees.add(nees(*pair.told, pair.body->at_m));
   }
   for (const auto& body : bodies) {
     const auto seen = seen_.find(body.index);

@@ -20,7 +20,7 @@ TEST(MapTruth, AfterAMinuteTheMapIsRight) {
   const Figures figures = after(60, MappedContest::Starts::kMeasured);
   EXPECT_LT(figures.robot_m2.rms(), 0.15);
   EXPECT_LT(figures.robot_m2.rms(), figures.dead_reckoning_m2.rms() / 3);
-  EXPECT_LT(figures.thing_m2.rms(), 0.15);
+  EXPECT_LT(figures.trash_m2.rms(), 0.15);
   EXPECT_GT(figures.recall(), 0.8);
   EXPECT_LT(figures.basket_m2.rms(), 0.15);
 }
@@ -29,7 +29,7 @@ TEST(MapTruth, AfterThreeMinutesItIsFarBetterThanDeadReckoning) {
   const Figures figures = after(180, MappedContest::Starts::kMeasured);
   EXPECT_LT(figures.robot_m2.rms(), 0.10);
   EXPECT_LT(figures.robot_m2.rms(), figures.dead_reckoning_m2.rms() / 3);
-  EXPECT_LT(figures.thing_m2.rms(), 0.15);
+  EXPECT_LT(figures.trash_m2.rms(), 0.15);
   EXPECT_GT(figures.recall(), 0.8);
   EXPECT_GT(figures.precision(), 0.9);
 }

@@ -1,4 +1,4 @@
-#include "monitor/map/landmarks/thing.h"
+#include "monitor/map/landmarks/landmark.h"
 
 #include <algorithm>
 
@@ -12,31 +12,31 @@ double absence_noticed_s(const std::string& object_class) {
 
 }  // namespace
 
-void Thing::confirm(const std::string& robot, Time now) {
-  fade(now);
-  certainty = 1 - (1 - certainty) * kDoubtKept;
+void Landmark::observe(const std::string& robot, Time now) {
+  decay(now);
+  certainty = 1 - (1 - certainty) * kDoubtFactor;
   ++sightings;
   absent_s = 0;
   last_seen = seen_by[robot] = now;
 }
 
-void Thing::fade(Time now) {
-  certainty = std::max(0.0, certainty - to_seconds(now - faded) / kMemory_s);
-  faded = now;
+void Landmark::decay(Time now) {
+  certainty = std::max(0.0, certainty - to_seconds(now - decayed) / kMemory_s);
+  decayed = now;
 }
 
-void Thing::doubt(double for_s) {
+void Landmark::penalize(double for_s) {
   absent_s += for_s;
   certainty = std::max(0.0, certainty - for_s / absence_noticed_s(object_class));
 }
 
-bool Thing::forgotten(Time now) const noexcept {
+bool Landmark::is_expired(Time now) const noexcept {
   const bool kept =
-      established() && object_class != "obstacle" && to_seconds(now - last_seen) < kLandmark_s;
+      is_confirmed() && object_class != "obstacle" && to_seconds(now - last_seen) < kRetention_s;
   return absent_s > absence_noticed_s(object_class) || (certainty <= 0 && !kept);
 }
 
-void Thing::absorb(const Thing& other) {
+void Landmark::merge(const Landmark& other) {
   certainty = std::max(certainty, other.certainty);
   sightings += other.sightings;
   first_seen = std::min(first_seen, other.first_seen);
@@ -45,12 +45,12 @@ void Thing::absorb(const Thing& other) {
   for (const auto& [robot, at] : other.seen_by) seen_by[robot] = std::max(seen_by[robot], at);
 }
 
-bool Thing::was_seen_by(const std::string& robot, Time since) const {
+bool Landmark::was_seen_by(const std::string& robot, Time since) const {
   const auto seen = seen_by.find(robot);
   return seen != seen_by.end() && seen->second > since;
 }
 
-bool may_be_one(const Thing& a, const Thing& b) {
+bool may_be_same(const Landmark& a, const Landmark& b) {
   if (a.id == b.id || a.object_class != b.object_class || a.object_class == "obstacle")
     return false;
   return std::ranges::none_of(a.seen_by, [&](const auto& seen) {

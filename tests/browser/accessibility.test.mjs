@@ -36,7 +36,7 @@ for (const colorScheme of ["light", "dark"]) {
     }
     await page.getByTestId("map-robot-io").focus();
     await page.keyboard.press("Enter");
-    assert.deepEqual(await violations(page), [], "what is known of a thing");
+    assert.deepEqual(await violations(page), [], "what is known of an item on the map");
     await page.keyboard.press("?");
     assert.deepEqual(await violations(page), [], "keys");
     await page.keyboard.press("Escape");

@@ -1,4 +1,4 @@
-// The map of a played team: what is drawn of each thing, and going about on it by pointer and by keys.
+// The map of a played team: what is drawn of each item, and going about on it by pointer and by keys.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { playedTab } from "./tab.mjs";
@@ -20,7 +20,7 @@ test("objects have their class's shape, their certainty as opacity, and an ellip
 });
 
 test("no object is drawn twice", async () => {
-  const ids = await objects().evaluateAll((all) => all.map(({ dataset }) => dataset.thing));
+  const ids = await objects().evaluateAll((all) => all.map(({ dataset }) => dataset.item));
   assert.equal(new Set(ids).size, ids.length);
 });
 
@@ -61,7 +61,7 @@ test("the chosen robot's forces are drawn, each and their sum; of all robots whe
   await tab.page.keyboard.press("Escape");
 });
 
-test("a thing that is clicked tells all that is known of it", async () => {
+test("an item that is clicked tells all that is known of it", async () => {
   const { x, y, name } = await tab.page.evaluate(() => {
     for (const object of document.querySelectorAll("[data-testid^=map-object-]")) {
       const { left, top, width, height } = object.querySelector(".target").getBoundingClientRect();
@@ -77,18 +77,18 @@ test("a thing that is clicked tells all that is known of it", async () => {
   await detail.waitFor({ state: "detached" });
 });
 
-test("keys go from thing to thing, and choose one", async () => {
+test("keys go from item to item, and choose one", async () => {
   await at("map-robot-io").focus();
   await tab.page.keyboard.press("ArrowRight");
-  const on = () => tab.page.evaluate(() => document.activeElement?.dataset.thing);
-  let thing = await on();
-  if (thing === "robot io") {
+  const on = () => tab.page.evaluate(() => document.activeElement?.dataset.item);
+  let item = await on();
+  if (item === "robot io") {
     await tab.page.keyboard.press("ArrowLeft");
-    thing = await on();
+    item = await on();
   }
-  assert.notEqual(thing, "robot io");
+  assert.notEqual(item, "robot io");
   await tab.page.keyboard.press("Enter");
-  await at("map-detail").getByText(new RegExp(`(^| )${thing.split(" ")[1]}$`)).first().waitFor();
+  await at("map-detail").getByText(new RegExp(`(^| )${item.split(" ")[1]}$`)).first().waitFor();
   await tab.page.keyboard.press("Enter");
 });
 

@@ -24,8 +24,8 @@ const STANDARD: Kept = { layers: { trails: true, views: true, sightings: true, e
 class MapChoice {
   layers = $state({ ...STANDARD.layers });
   forces = $state<Forces>(STANDARD.forces);
-  /** The thing whose particulars are shown. */
-  thing = $state<string>();
+  /** The item whose particulars are shown. */
+  item = $state<string>();
   /** The map keeps the chosen robot in its middle. */
   follows = $state(false);
 

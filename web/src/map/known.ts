@@ -1,4 +1,4 @@
-// All that is known of a thing on the map, as an operator reads it.
+// All that is known of an item on the map, as an operator reads it.
 
 import { type MapObject, seconds } from "../feed/messages";
 import { degrees, lasting, metres, plural, signed } from "../lib/format";
@@ -6,7 +6,7 @@ import { certaintyAt, forgottenIn_s } from "../model/certainty";
 import { ellipseOf } from "../model/ellipse";
 import type { Robot, Team } from "../model/model";
 import { age_s, isSilent } from "../model/silence";
-import { keyOf } from "./things";
+import { keyOf } from "./items";
 
 export interface Known {
   readonly title: string;

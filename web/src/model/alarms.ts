@@ -43,7 +43,7 @@ const finders: Record<Exclude<AlarmKind, "silent" | "problem" | "push" | "drift"
   uncertain: ({ name, placed }) => {
     const radius_m = placed ? ellipseOf(placed).major_m : 0;
     if (!placed || placed.silent || radius_m < UNCERTAIN_M) return undefined;
-    return { kind: "uncertain", words: `${name} may be ${radius_m.toFixed(1)} m from where the map shows it.`, advice: "It comes right when it sees things that others saw, too." };
+    return { kind: "uncertain", words: `${name} may be ${radius_m.toFixed(1)} m from where the map shows it.`, advice: "It comes right when it sees objects that others saw, too." };
   },
 };
 

@@ -23,7 +23,7 @@ export const panels: readonly PanelKind[] = [
   {
     id: "map",
     title: "Map",
-    about: "Where every robot and thing is, as the team knows it together: fainter is less sure, the ellipse is where it may be.",
+    about: "Where every robot and object is, as the team knows it together: fainter is less sure, the ellipse is where it may be.",
     component: MapPanel,
   },
   {

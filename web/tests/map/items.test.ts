@@ -1,17 +1,17 @@
 import { describe, expect, it } from "vitest";
-import { nextThing, type Thing, thingsOn } from "../../src/map/things";
+import { nextItem, type MapItem, itemsOn } from "../../src/map/items";
 import { knownOf } from "../../src/map/known";
 import type { MapObject } from "../../src/feed/messages";
 import { mapRobot, state, T0_MS, time, told } from "../model/told";
 
-const thing = (key: string, x_m: number, y_m: number): Thing => ({ key, x_m, y_m });
+const item = (key: string, x_m: number, y_m: number): MapItem => ({ key, x_m, y_m });
 
-describe("going from thing to thing", () => {
-  const all = [thing("middle", 0, 0), thing("ahead", 0, 2), thing("askew", 1.5, 1), thing("right", 3, 0.2)];
+describe("going from item to item", () => {
+  const all = [item("middle", 0, 0), item("ahead", 0, 2), item("askew", 1.5, 1), item("right", 3, 0.2)];
   it("takes the nearest that lies that way, not one far aside", () => {
-    expect(nextThing(all, all[0]!, "up")?.key).toBe("ahead");
-    expect(nextThing(all, all[0]!, "right")?.key).toBe("right");
-    expect(nextThing(all, all[0]!, "left")).toBeUndefined();
+    expect(nextItem(all, all[0]!, "up")?.key).toBe("ahead");
+    expect(nextItem(all, all[0]!, "right")?.key).toBe("right");
+    expect(nextItem(all, all[0]!, "left")).toBeUndefined();
   });
 });
 
@@ -69,7 +69,7 @@ describe("what is known", () => {
     expect(knownOf("object 8", team, T0_MS)).toBeUndefined();
   });
 
-  it("can be chosen thing by thing", () => {
-    expect(thingsOn(team).map(({ key }) => key)).toEqual(["robot io", "object 7"]);
+  it("can be chosen item by item", () => {
+    expect(itemsOn(team).map(({ key }) => key)).toEqual(["robot io", "object 7"]);
   });
 });

@@ -12,28 +12,28 @@
 namespace galilean::monitor {
 namespace {
 
-/// Messages are taken in all along, so that little is left to do when it is time to publish.
+/// Messages are taken in every slice, so that little is left to do when it is time to publish.
 constexpr auto kSlice = std::chrono::milliseconds(20);
 constexpr int kSlicesAPeriod = 10;
-constexpr int kSlicesAFloor = 5 * kSlicesAPeriod;
+constexpr int kSlicesAGrid = 5 * kSlicesAPeriod;
 
 template <class M>
-void note_as(TeamMap& map, const std::vector<std::uint8_t>& cdr, Time at) {
+void add_as(TeamMap& map, const std::vector<std::uint8_t>& cdr, Time at) {
   M decoded;
-  if (msg::decode_cdr(cdr, decoded)) map.note(decoded, at);
+  if (msg::decode_cdr(cdr, decoded)) map.add(decoded, at);
 }
 
-constexpr std::array<std::pair<std::string_view, MapService::Note>, 5> kNotes{{
-    {msg::RobotState::kRosType, note_as<msg::RobotState>},
-    {msg::Sightings::kRosType, note_as<msg::Sightings>},
-    {msg::Variables::kRosType, note_as<msg::Variables>},
-    {msg::Catalog::kRosType, note_as<msg::Catalog>},
-    {msg::Program::kRosType, note_as<msg::Program>},
+constexpr std::array<std::pair<std::string_view, MapService::Handler>, 5> kHandlers{{
+    {msg::RobotState::kRosType, add_as<msg::RobotState>},
+    {msg::Sightings::kRosType, add_as<msg::Sightings>},
+    {msg::Variables::kRosType, add_as<msg::Variables>},
+    {msg::Catalog::kRosType, add_as<msg::Catalog>},
+    {msg::Program::kRosType, add_as<msg::Program>},
 }};
 
-MapService::Note note_for(const Message& message) {
-  for (const auto& [type, note] : kNotes)
-    if (type == message.channel.schema->ros_type) return note;
+MapService::Handler handler_for(const Message& message) {
+  for (const auto& [type, handler] : kHandlers)
+    if (type == message.channel.schema->ros_type) return handler;
   return nullptr;
 }
 
@@ -60,10 +60,10 @@ MapService::~MapService() {
 }
 
 void MapService::receive(const Message& message) {
-  const Note note = note_for(message);
-  if (!note) return;
+  const Handler handler = handler_for(message);
+  if (!handler) return;
   const std::lock_guard lock(mutex_);
-  if (waiting_.size() < kMostWaiting) waiting_.push_back({note, message.cdr, clock_.now()});
+  if (waiting_.size() < kMostWaiting) waiting_.push_back({handler, message.cdr, clock_.now()});
 }
 
 void MapService::run() {
@@ -76,7 +76,7 @@ void MapService::run() {
       const Time began = clock_.now();
       take_in(*arrived);
       if (slice % kSlicesAPeriod != 0) continue;
-      publish(clock_.now(), slice % kSlicesAFloor == 0);
+      publish(clock_.now(), slice % kSlicesAGrid == 0);
       update_s_ = to_seconds(clock_.now() - began);
     } catch (const std::exception& error) {
       std::clog << "galilean-monitor: the map lost an update: " << error.what() << '\n';
@@ -92,20 +92,20 @@ std::optional<std::vector<MapService::Arrived>> MapService::arrived_until(
 }
 
 void MapService::take_in(const std::vector<Arrived>& arrived) {
-  for (const auto& [note, cdr, at] : arrived) note(map_, *cdr, at);
+  for (const auto& [handler, cdr, at] : arrived) handler(map_, *cdr, at);
 }
 
-void MapService::publish(Time now, bool with_floor) {
+void MapService::publish(Time now, bool with_grid) {
   map_.update(now);
   const auto stamp_ns = wire::wall_clock_ns();
   auto objects = map_.objects(now, stamp_ns);
-  // What is not taken is superseded by the next.
+  // A message that DDS does not take is superseded by the next.
   (void)objects_.write(objects);
   if (const auto frames = map_.transforms(stamp_ns); !frames.transforms.empty())
     (void)tf_.write(frames);
   if (markers_.readers() > 0) (void)markers_.write(markers(objects));
   keep(std::move(objects));
-  if (with_floor && !map_.floor().empty()) publish_floor(stamp_ns);
+  if (with_grid && !map_.occupancy().empty()) publish_grid(stamp_ns);
 }
 
 void MapService::keep(msg::ObjectMap objects) {
@@ -113,8 +113,8 @@ void MapService::keep(msg::ObjectMap objects) {
   newest_.objects = std::move(objects);
 }
 
-void MapService::publish_floor(std::int64_t stamp_ns) {
-  auto grid = map_.floor().grid();
+void MapService::publish_grid(std::int64_t stamp_ns) {
+  auto grid = map_.occupancy().message();
   grid.header = {wire::ros_time(stamp_ns), "map"};
   grid.info.map_load_time = grid.header.stamp;
   (void)grid_.write(grid);

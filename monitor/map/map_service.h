@@ -18,51 +18,53 @@
 
 namespace galilean::monitor {
 
-/// Keeps the team's map on a thread of its own, and publishes it: objects and frames 5 times a
-/// second, the floor once a second, markers only while somebody reads them.
+/// Keeps the team's map on a thread of its own, and publishes it: objects and transforms 5 times a
+/// second, the occupancy grid once a second, markers only while somebody reads them.
 class MapService {
  public:
   struct Options {
-    std::map<std::string, Pose2> starts;  ///< origins of robots' odom frames in the map
+    std::map<std::string, Pose2> starts;  ///< poses of robots' odom frames in the map frame
     Duration silent_after = std::chrono::seconds(2);
   };
 
-  /// Tells the map what one type of message says.
-  using Note = void (*)(TeamMap&, const std::vector<std::uint8_t>& cdr, Time at);
+  /// Decodes a message of one type and adds it to the map.
+  using Handler = void (*)(TeamMap&, const std::vector<std::uint8_t>& cdr, Time at);
 
   MapService(wire::Participant& participant, const Clock& clock, const Options& options);
   ~MapService();
   MapService(const MapService&) = delete;
   MapService& operator=(const MapService&) = delete;
 
-  /// Takes any message; those that tell nothing of the map are let pass. Never waits for the map.
+  /// Takes a message in, and lets it pass if it says nothing of the map. Any thread may call it; it
+  /// never waits for the map. Where too many messages wait, the newest are dropped.
   void receive(const Message& message);
-  /// What was published last.
+  /// The grid and the objects that were published last.
   struct Newest {
     msg::OccupancyGrid grid;
     msg::ObjectMap objects;
   };
-  /// Nothing while no robot has told where it is.
+  /// Returns nothing until a robot has said where it is.
   [[nodiscard]] std::optional<Newest> newest() const;
-  /// What the last update took, with the messages of the 20 ms before it: what they are late by.
+  /// Returns how long the last update took, with the messages of the 20 ms before it [s]. By so
+  /// much what is published is late.
   [[nodiscard]] double update_s() const noexcept { return update_s_; }
 
  private:
-  /// Without the channel, which lives no longer than who reads it.
+  /// A message without its channel, which may not live as long as it waits.
   struct Arrived {
-    Note note;
+    Handler handler;
     Payload cdr;
     Time at;
   };
   static constexpr std::size_t kMostWaiting = 4096;
 
   void run();
-  /// Waits. Nothing: the service ends.
+  /// Waits until `end`, and returns what arrived. Returns nothing if the service ends.
   [[nodiscard]] std::optional<std::vector<Arrived>> arrived_until(
       std::chrono::steady_clock::time_point end);
   void take_in(const std::vector<Arrived>& arrived);
-  void publish(Time now, bool with_floor);
-  void publish_floor(std::int64_t stamp_ns);
+  void publish(Time now, bool with_grid);
+  void publish_grid(std::int64_t stamp_ns);
   void keep(msg::ObjectMap objects);
 
   const Clock& clock_;

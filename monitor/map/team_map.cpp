@@ -5,158 +5,129 @@
 #include <utility>
 
 #include "monitor/map/estimation/frames.h"
-#include "monitor/map/estimation/plain_view.h"
-#include "monitor/map/relocalization/meetings.h"
+#include "monitor/map/estimation/mutual_observations.h"
+#include "monitor/map/estimation/visible_area.h"
+#include "monitor/map/groups/share_landmarks.h"
+#include "monitor/map/map_messages.h"
 
 namespace galilean::monitor {
 namespace {
 
 constexpr double kAlignEvery_s = 0.5;
-constexpr double kFloorStep_m = 0.05;  ///< standing still is no new evidence
-constexpr double kFloorTurn_rad = 0.1;
-constexpr double kMostSightRange_m = 4;  ///< beyond, the end of a sight line is too unsure
 constexpr double kTouchDeviation_m = 0.05;
-
-bool is_obstacle(const msg::Variable& variable) {
-  return variable.type == msg::Variable_Constants::LOCATE && variable.valid &&
-         variable.object_class == "obstacle" && variable.values.size() >= 2 &&
-         std::isfinite(variable.values[0]) && std::isfinite(variable.values[1]);
-}
 
 }  // namespace
 
-bool TeamMap::move(const std::string& robot, const Pose2& in_odom, Time now) {
+bool TeamMap::predict(const std::string& robot, const Pose2& in_odom, Time now) {
   if (!in_odom.position_m.allFinite() || !std::isfinite(in_odom.heading_rad)) return false;
-  Squad& squad = squads_.join(robot, in_odom);
-  if (squad.poses.knows(robot))
-    squad.landmarks.inflate_near(robot, std::max(0.0, to_seconds(now - squad.poses.moved(robot))));
-  Heard& heard = heard_[robot];
-  squad.poses.move(robot, in_odom, heard.senses.touches(now), now);
-  heard.at = now;
+  RobotGroup& group = groups_.join(robot, in_odom);
+  if (group.poses.contains(robot))
+    group.landmarks.inflate_near(
+        robot, std::max(0.0, to_seconds(now - group.poses.last_predicted(robot))));
+  group.poses.predict(robot, in_odom, reports_.is_touching(robot, now), now);
+  reports_.hear(robot, now);
   return true;
 }
 
-void TeamMap::note(const msg::RobotState& state, Time now) {
-  if (!move(state.robot, {{state.x_m, state.y_m}, state.heading_rad}, now)) return;
-  const Vec2 at_m = squads_.of(state.robot).poses.pose(state.robot).position_m;
-  Heard& robot = heard_[state.robot];
-  robot.senses.note(state);
-  if ((at_m - robot.last_stood_m).norm() < kFloorStep_m) return;
-  robot.last_stood_m = at_m;
-  floor_.stood(at_m);
+void TeamMap::add(const msg::RobotState& state, Time now) {
+  if (!predict(state.robot, {{state.x_m, state.y_m}, state.heading_rad}, now)) return;
+  reports_.add(state);
+  occupancy_.add_robot(state.robot, groups_.of(state.robot).poses);
 }
 
-void TeamMap::note(const msg::Sightings& frame, Time now) {
-  if (!move(frame.robot, {{frame.x_m, frame.y_m}, frame.heading_rad}, now)) return;
-  Squad& squad = squads_.of(frame.robot);
-  const Pose2 odom = squad.poses.frame(frame.robot);
-  const auto grippers_m = carried_.grippers_m();
-  msg::Sightings landmarks = frame;
-  std::erase_if(landmarks.items, [&](const msg::Sighting& sighting) {
-    return sighting.object_class == "trash" &&
-           Carried::is_carried(in_map(odom, Vec2(sighting.x_m, sighting.y_m)), grippers_m);
-  });
-  squad.orientation.look(landmarks, now);
-  const Viewpoint from = squad.landmarks.update(landmarks, now);
+void TeamMap::add(const msg::Sightings& frame, Time now) {
+  if (!predict(frame.robot, {{frame.x_m, frame.y_m}, frame.heading_rad}, now)) return;
+  RobotGroup& group = groups_.of(frame.robot);
+  const msg::Sightings on_floor = without_carried(frame);
+  group.heading_recovery.update(on_floor, now);
+  const Viewpoint from = group.landmarks.update(on_floor, now);
   if (std::ranges::find(frame.items, "robot", &msg::Sighting::object_class) != frame.items.end())
-    note_meetings(frame, squad.poses, squad.joint, robots_of_others(squad), now);
-  for (Squad* other : squads_.others_near(squad, from.pose.position_m, kPlainViewTo_m))
-    other->landmarks.penalize_unseen(landmarks, from);
-  look(frame);
+    correct_by_mutual_observations(frame, group.poses, group.joint, robots_of_others(group), now);
+  for (RobotGroup* other : groups_.others_near(group, from.pose.position_m, kVisibleTo_m))
+    other->landmarks.penalize_unseen(on_floor, from);
+  occupancy_.add_frame(frame, group.poses);
 }
 
-std::vector<Gaussian2> TeamMap::robots_of_others(const Squad& squad) const {
+/// An object in a gripper moves with its robot, and is no landmark.
+msg::Sightings TeamMap::without_carried(const msg::Sightings& frame) const {
+  const Pose2 odom = groups_.of(frame.robot).poses.odom_frame(frame.robot);
+  const auto grippers_m = carried_.grippers_m();
+  msg::Sightings result = frame;
+  std::erase_if(result.items, [&](const msg::Sighting& sighting) {
+    return sighting.object_class == "trash" &&
+           CarriedObjects::is_carried(in_map(odom, Vec2(sighting.x_m, sighting.y_m)), grippers_m);
+  });
+  return result;
+}
+
+std::vector<Gaussian2> TeamMap::robots_of_others(const RobotGroup& group) const {
   std::vector<Gaussian2> others;
-  for (const auto& [name, its_squad] : squads_.robots())
-    if (its_squad != &squad) others.push_back(its_squad->poses.position(name));
+  for (const auto& [name, its_group] : groups_.robots())
+    if (its_group != &group) others.push_back(its_group->poses.position(name));
   return others;
 }
 
-void TeamMap::look(const msg::Sightings& frame) {
-  const RobotPoses& poses = squads_.of(frame.robot).poses;
-  const Pose2 pose = poses.pose(frame.robot), odom = poses.frame(frame.robot);
-  Pose2& last = heard_[frame.robot].last_looked;
-  if ((pose.position_m - last.position_m).norm() < kFloorStep_m &&
-      std::abs(wrap_angle(pose.heading_rad - last.heading_rad)) < kFloorTurn_rad)
-    return;
-  last = pose;
-  Floor::View view{pose.position_m, pose.heading_rad, frame.view_angle_rad, {}};
-  for (const auto& sighting : frame.items)
-    if (sighting.range_m < kMostSightRange_m)
-      view.seen_m.push_back(in_map(odom, Vec2(sighting.x_m, sighting.y_m)));
-  floor_.looked(view);
+void TeamMap::add(const msg::Variables& variables, Time now) {
+  reports_.add(variables, now);
+  if (!groups_.contains(variables.robot)) return;
+  for (const auto& obstacle : reports_.take_new_obstacles(variables))
+    add_obstacle(variables.robot, obstacle, now);
 }
 
-void TeamMap::note(const msg::Variables& variables, Time now) {
-  Heard& robot = heard_[variables.robot];
-  robot.at = now;
-  robot.senses.note(variables, now);
-  if (!squads_.know(variables.robot)) return;
-  for (const auto& variable : variables.items) {
-    if (!is_obstacle(variable)) continue;
-    const auto [touched, is_new] = robot.touched.try_emplace(variable.name, variable.updated);
-    if (is_new || std::exchange(touched->second, variable.updated) != variable.updated)
-      touch(variables.robot, variable, now);
-  }
-}
-
-void TeamMap::touch(const std::string& robot, const msg::Variable& obstacle, Time now) {
-  Squad& squad = squads_.of(robot);
-  const Vec2 at_m = in_map(squad.poses.frame(robot), Vec2(obstacle.values[0], obstacle.values[1]));
-  const Gaussian2 place{from_robot(squad.poses.pose(robot), at_m),
-                        kTouchDeviation_m * kTouchDeviation_m * Mat2::Identity()};
-  squad.landmarks.add_contact("obstacle", robot, place, obstacle.certainty, now);
-  floor_.bumped(at_m);
-}
-
-void TeamMap::note(const msg::Catalog& catalog, Time now) {
-  Heard& robot = heard_[catalog.robot];
-  robot.at = now;
-  if (auto read = catalog_from_json(catalog.json)) robot.catalog = std::move(read).value();
-  if (robot.program) robot.senses.note(*robot.program, robot.catalog);
-}
-
-void TeamMap::note(const msg::Program& program, Time now) {
-  Heard& robot = heard_[program.robot];
-  robot.at = now;
-  robot.program = program;
-  robot.senses.note(program, robot.catalog);
+void TeamMap::add_obstacle(const std::string& robot, const msg::Variable& obstacle, Time now) {
+  RobotGroup& group = groups_.of(robot);
+  const Vec2 at_m =
+      in_map(group.poses.odom_frame(robot), Vec2(obstacle.values[0], obstacle.values[1]));
+  const Gaussian2 position{in_robot(group.poses.pose(robot), at_m),
+                           kTouchDeviation_m * kTouchDeviation_m * Mat2::Identity()};
+  group.landmarks.add_contact("obstacle", robot, position, obstacle.certainty, now);
+  occupancy_.add_obstacle(at_m);
 }
 
 void TeamMap::update(Time now) {
-  for (const auto& squad : squads_.all()) squad->landmarks.decay(now);
+  for (const auto& group : groups_.all()) group->landmarks.decay(now);
   align(now);
-  for (const auto& squad : squads_.all()) {
-    squad->same_things.merge_neighbours();
-    squad->extent_m = squad->landmarks.extent_m();
+  for (const auto& group : groups_.all()) {
+    group->merger.merge_neighbours();
+    group->extent_m = group->landmarks.extent_m();
   }
-  for (const auto& [name, squad] : squads_.robots()) {
+  for (const auto& [name, group] : groups_.robots()) {
     clear_footprint(name);
-    carried_.note(name, heard_[name].senses.holds(now), told_, now);
+    carried_.update(name, reports_.is_holding(name, now), published_, now);
   }
-  auto notes = squads_notes(squads_);
-  const auto pairs = same_pairs(notes);
-  Neighbours::teach(notes, pairs);
-  told_ = united(std::move(notes), pairs);
+  auto landmarks = landmarks_by_group(groups_);
+  const auto pairs = duplicate_pairs(landmarks);
+  share_landmarks(landmarks, pairs);
+  published_ = merged(std::move(landmarks), pairs);
 }
 
-/// It is the dearest part: of many squads one is aligned at a time, and none is forgotten.
+/// Alignment costs most of an update. Therefore one group is aligned at a time, the one first whose
+/// turn is longest ago.
 void TeamMap::align(Time now) {
-  if (squads_.all().empty()) return;
-  const auto least = [](const auto& squad) { return squad->aligned; };
-  Squad& squad = **std::ranges::min_element(squads_.all(), {}, least);
-  if (to_seconds(now - squad.aligned) < kAlignEvery_s) return;
-  squad.aligned = now;
-  squad.same_things.align(now, squad.placed ? known_to_others(squad, told_) : std::vector<Mark>{});
-  neighbours_.find_unplaced(told_);
+  if (groups_.all().empty()) return;
+  const auto last_aligned = [](const auto& group) { return group->last_aligned; };
+  RobotGroup& group = **std::ranges::min_element(groups_.all(), {}, last_aligned);
+  if (to_seconds(now - group.last_aligned) < kAlignEvery_s) return;
+  group.last_aligned = now;
+  group.merger.align(
+      now, group.is_localized ? known_to_others(group, published_) : std::vector<LabelledPoint>{});
+  localizer_.localize_next(published_);
 }
 
 void TeamMap::clear_footprint(const std::string& robot) {
-  Squad& squad = squads_.of(robot);
-  squad.landmarks.clear_footprint(robot);
-  const Gaussian2 at = squad.poses.position(robot);
-  for (Squad* other : squads_.others_near(squad, at.mean_m, LandmarkMap::kFootprint_m))
+  RobotGroup& group = groups_.of(robot);
+  group.landmarks.clear_footprint(robot);
+  const Gaussian2 at = group.poses.position(robot);
+  for (RobotGroup* other : groups_.others_near(group, at.mean_m, LandmarkContacts::kFootprint_m))
     other->landmarks.clear_footprint(at);
+}
+
+msg::ObjectMap TeamMap::objects(Time now, std::int64_t stamp_ns) const {
+  return objects_message({groups_, published_, carried_, reports_}, silent_after_, now, stamp_ns);
+}
+
+msg::TFMessage TeamMap::transforms(std::int64_t stamp_ns) const {
+  return transforms_message(groups_, stamp_ns);
 }
 
 }  // namespace galilean::monitor

@@ -1,75 +1,65 @@
 #pragma once
 
-#include <map>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/clock.h"
 #include "core/wire/messages.h"
-#include "monitor/map/evidence/carried.h"
-#include "monitor/map/evidence/floor.h"
-#include "monitor/map/evidence/senses.h"
-#include "monitor/map/groups/neighbours.h"
+#include "monitor/map/evidence/carried_objects.h"
+#include "monitor/map/evidence/occupancy_mapper.h"
+#include "monitor/map/evidence/robot_reports.h"
+#include "monitor/map/groups/group_localizer.h"
 
 namespace galilean::monitor {
 
-/// What the team knows together: the floor, the landmarks on it and the robots, in one frame,
-/// "map". Robots and landmarks are estimated together, a few robots at a time (Squad); the floor is
-/// drawn where they are now. Pure: messages and the time go in, messages come out.
+/// What the team knows together: robots, landmarks and free floor, in one frame, "map". Robots and
+/// landmarks are estimated together, a few robots at a time (RobotGroup); the occupancy grid is
+/// drawn where they are estimated to be. docs/MAP.md tells how.
+///
+/// The map is a pure function of what it is given: messages and the time go in, messages come out.
 class TeamMap {
  public:
-  /// `squad`: how many robots are estimated together at most.
-  explicit TeamMap(Duration silent_after, std::size_t squad = Squads::kMostRobots)
-      : silent_after_(silent_after), squads_(squad) {}
+  /// `silent_after`: a robot that was not heard for so long is published as silent. `group_size`:
+  /// how many robots are estimated together at most.
+  explicit TeamMap(Duration silent_after, std::size_t group_size = RobotGroups::kMaxRobots)
+      : silent_after_(silent_after), groups_(group_size) {}
   TeamMap(const TeamMap&) = delete;
   TeamMap& operator=(const TeamMap&) = delete;
 
-  /// Where a robot's odom frame has its origin in the map frame.
-  void start_at(const std::string& robot, const Pose2& origin) { squads_.start_at(robot, origin); }
+  /// Sets the pose of a robot's odom frame in the map frame. Requires: before the robot is heard.
+  void start_at(const std::string& robot, const Pose2& origin) { groups_.start_at(robot, origin); }
 
-  void note(const msg::RobotState& state, Time now);
-  void note(const msg::Sightings& frame, Time now);
-  void note(const msg::Variables& variables, Time now);
-  void note(const msg::Catalog& catalog, Time now);
-  void note(const msg::Program& program, Time now);
+  /// Adds what a robot said at `now`. Poses that are not finite are let pass.
+  void add(const msg::RobotState& state, Time now);
+  void add(const msg::Sightings& frame, Time now);
+  void add(const msg::Variables& variables, Time now);
+  void add(const msg::Catalog& catalog, Time now) { reports_.add(catalog, now); }
+  void add(const msg::Program& program, Time now) { reports_.add(program, now); }
 
-  /// Lets landmarks be forgotten, be found to be the same, and be carried: before the messages are
-  /// asked for.
+  /// Lets certainties decay, merges duplicates, lets groups share landmarks and picks objects up
+  /// and puts them down. Call it before the messages are asked for.
   void update(Time now);
-  /// `stamp_ns`: the same instant as `now`, since the Unix epoch.
+  /// `stamp_ns` is the instant `now` since the Unix epoch.
   [[nodiscard]] msg::ObjectMap objects(Time now, std::int64_t stamp_ns) const;
   [[nodiscard]] msg::TFMessage transforms(std::int64_t stamp_ns) const;
-  [[nodiscard]] const Floor& floor() const noexcept { return floor_; }
+  [[nodiscard]] const OccupancyGridMap& occupancy() const noexcept { return occupancy_.grid(); }
 
  private:
-  struct Heard {
-    Time at{};
-    Vec2 last_stood_m = Vec2::Constant(1e9);
-    Pose2 last_looked{Vec2::Constant(1e9), 0};
-    Senses senses;
-    Catalog catalog;
-    std::optional<msg::Program> program;
-    std::map<std::string, msg::Time> touched;  ///< obstacle variables, when last written
-  };
-
-  /// False: the message says nothing that can be used.
-  bool move(const std::string& robot, const Pose2& in_odom, Time now);
-  void look(const msg::Sightings& frame);
-  void touch(const std::string& robot, const msg::Variable& obstacle, Time now);
-  [[nodiscard]] std::vector<Gaussian2> robots_of_others(const Squad& squad) const;
+  /// Predicts the robot's pose. Returns false if the message says nothing that can be used.
+  bool predict(const std::string& robot, const Pose2& in_odom, Time now);
+  void add_obstacle(const std::string& robot, const msg::Variable& obstacle, Time now);
+  [[nodiscard]] msg::Sightings without_carried(const msg::Sightings& frame) const;
+  [[nodiscard]] std::vector<Gaussian2> robots_of_others(const RobotGroup& group) const;
   void align(Time now);
   void clear_footprint(const std::string& robot);
-  [[nodiscard]] msg::MapRobot robot_message(const std::string& name, Time now) const;
-  void put_landmarks(msg::ObjectMap& message, Time now, std::int64_t stamp_ns) const;
-  void put_loads(msg::ObjectMap& message) const;
 
   Duration silent_after_;
-  std::map<std::string, Heard> heard_;
-  Squads squads_;
-  Neighbours neighbours_{squads_};
-  Carried carried_{squads_};
-  std::vector<ToldThing> told_;  ///< since the last update
-  Floor floor_;
+  RobotReports reports_;
+  RobotGroups groups_;
+  GroupLocalizer localizer_{groups_};
+  CarriedObjects carried_{groups_};
+  PublishedLandmarks published_;  ///< as of the last update
+  OccupancyMapper occupancy_;
 };
 
 }  // namespace galilean::monitor

@@ -152,18 +152,18 @@ Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) tr
   if (!tokens) return tokens.error();
   auto participant = wire::Participant::join(wire::kMonitorName, options.domain);
   if (!participant) return participant.error();
-  auto parts = std::make_unique<Parts>(options, std::move(participant).value(),
-                                       std::move(history).value(), tokens.value());
-  if (tokens.value().are_new) parts->new_operator_token = tokens.value().operator_;
-  const auto port = parts->server.listen(options.address, options.port);
+  auto blocks = std::make_unique<Parts>(options, std::move(participant).value(),
+                                        std::move(history).value(), tokens.value());
+  if (tokens.value().are_new) blocks->new_operator_token = tokens.value().operator_;
+  const auto port = blocks->server.listen(options.address, options.port);
   if (!port) return port.error();
-  parts->port = port.value();
-  return std::unique_ptr<Monitor>(new Monitor(std::move(parts)));
+  blocks->port = port.value();
+  return std::unique_ptr<Monitor>(new Monitor(std::move(blocks)));
 } catch (const std::exception& error) {
   return Error{std::string("DDS cannot be used: ") + error.what()};
 }
 
-Monitor::Monitor(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Monitor::Monitor(std::unique_ptr<Parts> blocks) : parts_(std::move(blocks)) {}
 Monitor::~Monitor() = default;
 
 std::uint16_t Monitor::port() const noexcept {

@@ -46,7 +46,7 @@ class Monitor {
 
  private:
   struct Parts;
-  explicit Monitor(std::unique_ptr<Parts> parts);
+  explicit Monitor(std::unique_ptr<Parts> blocks);
   std::unique_ptr<Parts> parts_;
 };
 

@@ -16,8 +16,8 @@ void print(const char* name, const Figures& f) {
       "%.1f there\n",
       name, 100 * f.robot_m2.rms(), 100 * f.dead_reckoning_m2.rms(), f.robot_nees.mean(),
       100 * f.trash_m2.rms(), f.trash_nees.mean(), f.precision(), f.recall(),
-      double(f.all_told) / double(f.looks), double(f.all_real) / double(f.looks),
-      100 * f.basket_m2.rms(), f.basket_nees.mean(), double(f.baskets_told) / double(f.looks),
+      double(f.all_published) / double(f.looks), double(f.all_real) / double(f.looks),
+      100 * f.basket_m2.rms(), f.basket_nees.mean(), double(f.baskets_published) / double(f.looks),
       double(f.baskets_right) / double(f.looks));
 }
 
@@ -34,7 +34,8 @@ int main(int count, char** arguments) try {
   app.add_option("--scenario", options.scenario, "one that ships, or a file")
       ->capture_default_str();
   app.add_option("--robots", options.robots, "how many")->capture_default_str();
-  app.add_option("--squad", options.squad, "robots estimated together")->capture_default_str();
+  app.add_option("--group-size,--squad", options.group_size, "robots estimated together")
+      ->capture_default_str();
   app.add_option("--seconds", to_s, "of each contest; its last 20 count")->capture_default_str();
   app.add_flag("--rough", rough, "starts as the scenario says, before the jitter");
   CLI11_PARSE(app, count, arguments);

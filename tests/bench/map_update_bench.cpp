@@ -37,25 +37,25 @@ class Hall {
     turned_rad_.resize(starts_.size());
   }
 
-  struct Told {
+  struct Report {
     msg::RobotState state;
     msg::Sightings sightings;
     Time at;
   };
   /// What robots tell between two updates.
-  [[nodiscard]] std::vector<Told> period() {
-    std::vector<Told> told;
+  [[nodiscard]] std::vector<Report> period() {
+    std::vector<Report> reports;
     for (int frame = 0; frame < kFramesAnUpdate; ++frame, now_ += 100ms)
       for (std::size_t i = 0; i < starts_.size(); ++i) {
         turned_rad_[i] = wrap_angle(turned_rad_[i] + kTurn_rad);
-        told.push_back({state(i), sightings(i), now_});
+        reports.push_back({state(i), sightings(i), now_});
       }
-    return told;
+    return reports;
   }
-  void note(std::span<const Told> some) {
-    for (const auto& told : some) {
-      map_.note(told.state, told.at);
-      map_.note(told.sightings, told.at);
+  void add(std::span<const Report> some) {
+    for (const auto& report : some) {
+      map_.add(report.state, report.at);
+      map_.add(report.sightings, report.at);
     }
   }
   [[nodiscard]] msg::ObjectMap update() {
@@ -110,25 +110,25 @@ class Hall {
 void update(benchmark::State& state) {
   Hall hall(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   for (int i = 0; i < kPeriodsATurn; ++i) {
-    hall.note(hall.period());
+    hall.add(hall.period());
     (void)hall.update();
   }
   std::size_t objects = 0;
-  double noting_s = 0;
+  double adding_s = 0;
   for (auto _ : state) {
-    const auto told = hall.period();
-    const auto last = told.size() / kSlicesAnUpdate + 1;
+    const auto reports = hall.period();
+    const auto last = reports.size() / kSlicesAnUpdate + 1;
     const auto began = std::chrono::steady_clock::now();
-    hall.note(std::span(told).first(told.size() - last));
+    hall.add(std::span(reports).first(reports.size() - last));
     const auto due = std::chrono::steady_clock::now();
-    hall.note(std::span(told).last(last));
-    const auto noted = std::chrono::steady_clock::now();
+    hall.add(std::span(reports).last(last));
+    const auto added = std::chrono::steady_clock::now();
     objects = hall.update().objects.size();
     state.SetIterationTime(to_seconds(std::chrono::steady_clock::now() - due));
-    noting_s += to_seconds(noted - began);
+    adding_s += to_seconds(added - began);
   }
   state.counters["objects"] = static_cast<double>(objects);
-  state.counters["messages_ms"] = 1e3 * noting_s / static_cast<double>(state.iterations());
+  state.counters["messages_ms"] = 1e3 * adding_s / static_cast<double>(state.iterations());
 }
 BENCHMARK(update)
     ->Unit(benchmark::kMillisecond)

@@ -7,7 +7,7 @@
 
 namespace galilean::monitor {
 
-Mat2 rotation_by(double angle_rad) {
+Mat2 rotation_matrix(double angle_rad) {
   return Eigen::Rotation2Dd(angle_rad).toRotationMatrix();
 }
 
@@ -17,7 +17,7 @@ double squared_mahalanobis(const Gaussian2& a, const Gaussian2& b) {
   return apart.dot(unsure.inverse() * apart);
 }
 
-double same_thing_gate() {
+double association_gate() {
   static const double kGate = mrpt::math::chi2inv(0.99, 2);
   return kGate;
 }

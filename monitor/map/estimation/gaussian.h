@@ -4,18 +4,21 @@
 
 namespace galilean::monitor {
 
-/// Where something is on the floor, as a normal distribution.
+/// A position on the floor as a normal distribution. The frame is said where one is used.
 struct Gaussian2 {
   Vec2 mean_m = Vec2::Zero();
   Mat2 covariance_m2 = Mat2::Identity();
 };
 
-/// Turns vectors counter-clockwise by so much.
-[[nodiscard]] Mat2 rotation_by(double angle_rad);
+/// Returns the matrix that turns vectors counter-clockwise by `angle_rad`.
+[[nodiscard]] Mat2 rotation_matrix(double angle_rad);
 
-/// (a - b)ᵀ (A + B)⁻¹ (a - b): how far apart two estimates are, in the measure of what they do not
-/// know. Of the same landmark it is below `same_thing_gate()` with a probability of 99 %.
+/// Returns (a - b)ᵀ (A + B)⁻¹ (a - b), the squared Mahalanobis distance between two independent
+/// estimates. It has no unit.
 [[nodiscard]] double squared_mahalanobis(const Gaussian2& a, const Gaussian2& b);
-[[nodiscard]] double same_thing_gate();
+
+/// Returns the gate of data association: the 99 % quantile of chi² with two degrees of freedom. The
+/// squared Mahalanobis distance of two estimates of one position is below it in 99 of 100 cases.
+[[nodiscard]] double association_gate();
 
 }  // namespace galilean::monitor

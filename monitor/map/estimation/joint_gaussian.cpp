@@ -5,47 +5,47 @@
 
 namespace galilean::monitor {
 
-void JointGaussian::make_room(Eigen::Index size) {
+void JointGaussian::reserve(Eigen::Index size) {
   if (size <= mean_.size()) return;
   const Eigen::Index room = std::max(size, 2 * mean_.size());
   mean_.conservativeResize(room);
   covariance_.conservativeResize(room, room);
 }
 
-JointGaussian::Part JointGaussian::append(const Vector& mean) {
-  const Place added{size_, mean.size()};
-  make_room(size_ + added.size);
+JointGaussian::Block JointGaussian::append(const Vector& mean) {
+  const Slice added{size_, mean.size()};
+  reserve(size_ + added.size);
   size_ += added.size;
   mean_.segment(added.at, added.size) = mean;
   covariance_.block(added.at, 0, added.size, size_).setZero();
   if (unused_.empty()) {
-    places_.push_back(added);
-    return static_cast<Part>(places_.size() - 1);
+    slices_.push_back(added);
+    return static_cast<Block>(slices_.size() - 1);
   }
-  const Part part = unused_.back();
+  const Block block = unused_.back();
   unused_.pop_back();
-  places_[part] = added;
-  return part;
+  slices_[block] = added;
+  return block;
 }
 
-JointGaussian::Part JointGaussian::add(const Vector& mean, const Matrix& covariance) {
-  const Part part = append(mean);
-  blur(part, covariance);
-  return part;
+JointGaussian::Block JointGaussian::add(const Vector& mean, const Matrix& covariance) {
+  const Block block = append(mean);
+  inflate(block, covariance);
+  return block;
 }
 
-JointGaussian::Part JointGaussian::add(const Vector& mean, Terms of, const Matrix& noise) {
+JointGaussian::Block JointGaussian::add(const Vector& mean, Terms of, const Matrix& noise) {
   const Cross cross = cross_covariance(of);
   const Matrix own = apply(of, cross);
-  const Part part = append(mean);
-  const auto [at, size] = place(part);
+  const Block block = append(mean);
+  const auto [at, size] = slice(block);
   covariance_.block(at, 0, size, at) = cross.transpose();
   covariance_.block(at, at, size, size) = own + noise;
-  return part;
+  return block;
 }
 
-void JointGaussian::remove(Part part) {
-  const auto [at, size] = place(part);
+void JointGaussian::remove(Block block) {
+  const auto [at, size] = slice(block);
   const Eigen::Index after = at + size;
   for (Eigen::Index to = at; to + size < size_; ++to) {
     mean_[to] = mean_[to + size];
@@ -56,23 +56,23 @@ void JointGaussian::remove(Part part) {
     double* numbers = covariance_.col(column).data();
     std::copy(numbers + after, numbers + size_ + size, numbers + at);
   }
-  for (Place& other : places_)
+  for (Slice& other : slices_)
     if (other.at > at) other.at -= size;
-  places_[part] = {};
-  unused_.push_back(part);
+  slices_[block] = {};
+  unused_.push_back(block);
 }
 
-JointGaussian::Vector JointGaussian::mean(Part part) const {
-  const auto [at, size] = place(part);
+JointGaussian::Vector JointGaussian::mean(Block block) const {
+  const auto [at, size] = slice(block);
   return mean_.segment(at, size);
 }
 
-Eigen::Vector2d JointGaussian::position(Part part) const {
-  return mean_.segment<2>(place(part).at);
+Eigen::Vector2d JointGaussian::position(Block block) const {
+  return mean_.segment<2>(slice(block).at);
 }
 
-JointGaussian::Matrix JointGaussian::covariance(Part part) const {
-  const auto [at, size] = place(part);
+JointGaussian::Matrix JointGaussian::covariance(Block block) const {
+  const auto [at, size] = slice(block);
   return covariance_.block(at, at, size, size);
 }
 
@@ -81,7 +81,7 @@ JointGaussian::Matrix JointGaussian::covariance(Terms terms) const {
   Matrix sum = Matrix::Zero(size, size);
   for (const auto& [row, of_row] : terms)
     for (const auto& [column, of_column] : terms) {
-      const Eigen::Index i = place(row).at, j = place(column).at;
+      const Eigen::Index i = slice(row).at, j = slice(column).at;
       if (i >= j)
         sum += of_row * covariance_.block(i, j, of_row.cols(), of_column.cols()) *
                of_column.transpose();
@@ -95,9 +95,9 @@ JointGaussian::Matrix JointGaussian::covariance(Terms terms) const {
 JointGaussian::Cross JointGaussian::cross_covariance(Terms terms) const {
   Cross cross = Cross::Zero(size_, terms.front().jacobian.rows());
   Eigen::Matrix<double, Eigen::Dynamic, 1> column(size_);
-  for (const auto& [part, jacobian] : terms)
+  for (const auto& [block, jacobian] : terms)
     for (Eigen::Index from = 0; from < jacobian.cols(); ++from) {
-      const auto [at, size] = place(part);
+      const auto [at, size] = slice(block);
       column.head(at) = covariance_.row(at + from).head(at);
       column.tail(size_ - at) = covariance_.col(at + from).segment(at, size_ - at);
       for (Eigen::Index to = 0; to < jacobian.rows(); ++to)
@@ -108,15 +108,15 @@ JointGaussian::Cross JointGaussian::cross_covariance(Terms terms) const {
 
 JointGaussian::Matrix JointGaussian::apply(Terms terms, const Cross& cross) const {
   Matrix sum = Matrix::Zero(cross.cols(), cross.cols());
-  for (const auto& [part, jacobian] : terms)
-    sum += jacobian * cross.middleRows(place(part).at, jacobian.cols());
+  for (const auto& [block, jacobian] : terms)
+    sum += jacobian * cross.middleRows(slice(block).at, jacobian.cols());
   return sum;
 }
 
-void JointGaussian::move(Part part, const Vector& mean, const Matrix& jacobian,
-                         const Matrix& noise) {
-  const auto [at, size] = place(part);
-  const Term itself[] = {{part, jacobian}};
+void JointGaussian::transform(Block block, const Vector& mean, const Matrix& jacobian,
+                              const Matrix& noise) {
+  const auto [at, size] = slice(block);
+  const Term itself[] = {{block, jacobian}};
   const Cross cross = cross_covariance(itself);
   const Matrix own = apply(itself, cross);
   mean_.segment(at, size) = mean;
@@ -125,8 +125,9 @@ void JointGaussian::move(Part part, const Vector& mean, const Matrix& jacobian,
   covariance_.block(at, at, size, size) = own + noise;
 }
 
-void JointGaussian::replace(Part part, Eigen::Index component, double mean, double variance) {
-  const auto [first, size] = place(part);
+void JointGaussian::reset_component(Block block, Eigen::Index component, double mean,
+                                    double variance) {
+  const auto [first, size] = slice(block);
   const Eigen::Index at = first + component;
   mean_[at] = mean;
   covariance_.row(at).head(first + size).setZero();
@@ -134,21 +135,22 @@ void JointGaussian::replace(Part part, Eigen::Index component, double mean, doub
   covariance_(at, at) = variance;
 }
 
-void JointGaussian::blur(Part part, const Matrix& noise) {
-  const auto [at, size] = place(part);
+void JointGaussian::inflate(Block block, const Matrix& noise) {
+  const auto [at, size] = slice(block);
   covariance_.block(at, at, size, size) += noise;
 }
 
-void JointGaussian::blur(Terms shared, const Matrix& covariance) {
+void JointGaussian::inflate(Terms shared, const Matrix& covariance) {
   for (const auto& [row, of_row] : shared)
     for (const auto& [column, of_column] : shared)
-      if (place(row).at >= place(column).at)
-        covariance_.block(place(row).at, place(column).at, of_row.rows(), of_column.rows()) +=
+      if (slice(row).at >= slice(column).at)
+        covariance_.block(slice(row).at, slice(column).at, of_row.rows(), of_column.rows()) +=
             of_row * covariance * of_column.transpose();
 }
 
-/// With the noise's root taken out of both sides, what goes off the covariance is a square, and
-/// stays symmetric to the last digit.
+/// Divides both sides by the Cholesky root of the innovation covariance. What is subtracted from
+/// the covariance is then a product of a matrix with its own transpose, and symmetric to the last
+/// digit.
 void JointGaussian::correct(Terms terms, const Vector& innovation, const Matrix& noise) {
   Cross cross = cross_covariance(terms);
   const Matrix sum = apply(terms, cross) + noise;
@@ -157,10 +159,10 @@ void JointGaussian::correct(Terms terms, const Vector& innovation, const Matrix&
   const Vector whitened = root.matrixL().solve(innovation);
   mean_.head(size_).noalias() += cross * whitened;
   for (Eigen::Index column = 0; column < size_; ++column) {
-    if (cross.row(column).isZero(0)) continue;  // it has nothing in common with these
-    const Eigen::Index from = std::max<Eigen::Index>(column - kMostNumbers + 1, 0);
+    if (cross.row(column).isZero(0)) continue;  // independent of the measurement
+    const Eigen::Index from = std::max<Eigen::Index>(column - kMaxSize + 1, 0);
     auto numbers = covariance_.col(column).segment(from, size_ - from);
-    if (cross.cols() == 2)  // nearly always: read and written once
+    if (cross.cols() == 2)  // nearly always so: one pass over the memory instead of two
       numbers = numbers - cross(column, 0) * cross.col(0).tail(size_ - from) -
                 cross(column, 1) * cross.col(1).tail(size_ - from);
     else

@@ -3,67 +3,73 @@
 #include <utility>
 
 #include "monitor/map/estimation/frames.h"
-#include "monitor/map/estimation/robot_motion.h"
+#include "monitor/map/estimation/motion_model.h"
 
 namespace galilean::monitor {
 namespace {
 
-/// Dead reckoning before it was first heard, a metre from its start.
+/// A robot that is heard late has driven from its start unheard. These standard deviations are
+/// added for each metre that it is away from its start.
 constexpr double kUnheard_mpm = 0.1;
 constexpr double kUnheard_radpm = 0.08;
 
+/// A step that is longer than a robot can drive is a leap of the odometer.
 constexpr double kFastest_mps = 1.5;
 constexpr double kJitter_m = 0.3;
-constexpr double kSetDown_m = 0.05;  ///< what a restart may have moved a robot
+/// How far a restart may have moved a robot (standard deviations).
+constexpr double kSetDown_m = 0.05;
 constexpr double kSetDown_rad = 0.1;
 
 }  // namespace
 
-void RobotPoses::place(const std::string& robot, const Pose2& in_odom, Time now) {
-  Starts::Start start = starts_.of(robot);
-  if (!start.is_reference) {
-    start.position_m += kUnheard_mpm * in_odom.position_m.norm();
-    start.heading_rad += kUnheard_radpm * in_odom.position_m.norm();
+void RobotPoses::add(const std::string& robot, const Pose2& in_odom, Time now) {
+  OdomOrigins::Origin origin = origins_.of(robot);
+  if (!origin.is_reference) {
+    origin.position_m += kUnheard_mpm * in_odom.position_m.norm();
+    origin.heading_rad += kUnheard_radpm * in_odom.position_m.norm();
   }
-  const Pose2 at = in_map(start.origin, in_odom);
+  const Pose2 at = in_map(origin.pose, in_odom);
   RobotVector mean = RobotVector::Zero();
   mean.head<3>() << at.position_m, at.heading_rad;
-  robots_[robot] = {joint_.add(mean, start_covariance(start.position_m, start.heading_rad)),
+  robots_[robot] = {joint_.add(mean, initial_covariance(origin.position_m, origin.heading_rad)),
                     in_odom, now};
 }
 
-void RobotPoses::move(const std::string& robot, const Pose2& in_odom, bool touching, Time now) {
+void RobotPoses::predict(const std::string& robot, const Pose2& in_odom, bool touching, Time now) {
   const auto known = robots_.find(robot);
-  if (known == robots_.end()) return place(robot, in_odom, now);
+  if (known == robots_.end()) return add(robot, in_odom, now);
   Robot& moving = known->second;
   OdometryStep step = step_between(moving.in_odom, in_odom);
   step.touching = touching;
   if (std::exchange(moving.touching, touching) != touching)
-    joint_.replace(moving.part, kSlip, touching ? kTouchingSlip : 0, touching ? kTouchingSlip2 : 0);
-  const double since_s = std::max(0.0, to_seconds(now - moving.moved));
+    joint_.reset_component(moving.block, kSlip, touching ? kTouchingSlip : 0,
+                           touching ? kTouchingSlipVariance : 0);
+  const double since_s = std::max(0.0, to_seconds(now - moving.last_predicted));
   moving.in_odom = in_odom;
-  moving.moved = now;
+  moving.last_predicted = now;
   if (step.by_m.norm() > kJitter_m + kFastest_mps * since_s) {
-    RobotMatrix noise = start_covariance(kSetDown_m, kSetDown_rad);
+    RobotMatrix noise = initial_covariance(kSetDown_m, kSetDown_rad);
     noise.bottomRightCorner<4, 4>().setZero();
-    joint_.blur(moving.part, noise);
+    joint_.inflate(moving.block, noise);
     return;
   }
-  if (!touching && step.by_m.isZero(0) && step.turn_rad == 0) return;  // neither moved nor unsurer
-  const Moved now_at = galilean::monitor::moved(joint_.mean(moving.part), step);
-  joint_.move(moving.part, now_at.mean, now_at.jacobian, now_at.noise);
+  // A robot that stands free and still is neither elsewhere nor less certain.
+  if (!touching && step.by_m.isZero(0) && step.turn_rad == 0) return;
+  const PredictedMotion predicted = predict_motion(joint_.mean(moving.block), step);
+  joint_.transform(moving.block, predicted.mean, predicted.jacobian, predicted.noise);
 }
 
 Pose2 RobotPoses::pose(const std::string& robot) const {
-  const auto mean = joint_.mean(part(robot));
+  const auto mean = joint_.mean(block(robot));
   return {{mean[0], mean[1]}, wrap_angle(mean[2])};
 }
 
 Gaussian2 RobotPoses::position(const std::string& robot) const {
-  return {joint_.mean(part(robot)).head<2>(), joint_.covariance(part(robot)).topLeftCorner<2, 2>()};
+  return {joint_.mean(block(robot)).head<2>(),
+          joint_.covariance(block(robot)).topLeftCorner<2, 2>()};
 }
 
-Pose2 RobotPoses::frame(const std::string& robot) const {
+Pose2 RobotPoses::odom_frame(const std::string& robot) const {
   const Pose2 in_map = pose(robot);
   const Pose2& in_odom = robots_.at(robot).in_odom;
   const double turn_rad = in_map.heading_rad - in_odom.heading_rad;

@@ -7,49 +7,56 @@
 #include "core/geometry.h"
 #include "monitor/map/estimation/gaussian.h"
 #include "monitor/map/estimation/joint_gaussian.h"
-#include "monitor/map/estimation/starts.h"
+#include "monitor/map/estimation/odom_origins.h"
 
 namespace galilean::monitor {
 
-/// Where the robots are in the map frame: parts of the joint distribution that dead reckoning moves
-/// (see RobotMotion) and sightings correct.
+/// The robots of a joint distribution. Dead reckoning predicts their poses (see motion_model.h),
+/// and measurements correct them. Poses are in the map frame unless the name says otherwise.
 ///
-///   start  as Starts says
-///   jumps  an odometer that leaps was set anew (a robot that restarted): the robot stays.
+///   start  A robot begins where OdomOrigins says
+///   jumps  An odometer that leaps was reset, because the robot was restarted. The robot then stays
+///          where it is on the map
 class RobotPoses {
  public:
-  RobotPoses(JointGaussian& joint, const Starts& starts) : joint_(joint), starts_(starts) {}
+  RobotPoses(JointGaussian& joint, const OdomOrigins& origins) : joint_(joint), origins_(origins) {}
 
-  /// The robot believes to be at `in_odom`; something is at its bumpers or not.
-  void move(const std::string& robot, const Pose2& in_odom, bool touching, Time now);
+  /// Predicts the robot's pose from its odometry. `in_odom` is its pose in its odom frame, and
+  /// `touching` tells whether something is at its bumpers. Adds a robot that is new.
+  void predict(const std::string& robot, const Pose2& in_odom, bool touching, Time now);
 
-  /// Somebody said where it starts, or its frame is the map's.
-  [[nodiscard]] bool was_placed(const std::string& robot) const {
-    return starts_.is_given(robot) || robots_.size() == 1;
+  [[nodiscard]] bool contains(const std::string& robot) const { return robots_.contains(robot); }
+  /// Returns whether somebody said where the robot starts, or its odom frame is the map frame.
+  [[nodiscard]] bool has_known_start(const std::string& robot) const {
+    return origins_.is_set(robot) || robots_.size() == 1;
   }
-  [[nodiscard]] bool knows(const std::string& robot) const { return robots_.contains(robot); }
-  [[nodiscard]] JointGaussian::Part part(const std::string& robot) const {
-    return robots_.at(robot).part;
+
+  // Requires for all of the following: contains(robot).
+  [[nodiscard]] JointGaussian::Block block(const std::string& robot) const {
+    return robots_.at(robot).block;
   }
   [[nodiscard]] Pose2 pose(const std::string& robot) const;
   [[nodiscard]] Gaussian2 position(const std::string& robot) const;
-  [[nodiscard]] Time moved(const std::string& robot) const { return robots_.at(robot).moved; }
-  /// Where the robot's odom frame lies in the map frame.
-  [[nodiscard]] Pose2 frame(const std::string& robot) const;
+  /// Returns when the robot's odometry was heard last.
+  [[nodiscard]] Time last_predicted(const std::string& robot) const {
+    return robots_.at(robot).last_predicted;
+  }
+  /// Returns the pose of the robot's odom frame in the map frame.
+  [[nodiscard]] Pose2 odom_frame(const std::string& robot) const;
 
   struct Robot {
-    JointGaussian::Part part = 0;
+    JointGaussian::Block block = 0;
     Pose2 in_odom;
-    Time moved{};
+    Time last_predicted{};
     bool touching = false;
   };
   [[nodiscard]] const std::map<std::string, Robot>& all() const noexcept { return robots_; }
 
  private:
-  void place(const std::string& robot, const Pose2& in_odom, Time now);
+  void add(const std::string& robot, const Pose2& in_odom, Time now);
 
   JointGaussian& joint_;
-  const Starts& starts_;
+  const OdomOrigins& origins_;
   std::map<std::string, Robot> robots_;
 };
 

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::uint8_t kFree = 254, kOccupied = 0, kUnknown = 205;
 constexpr int kOccupiedFrom_percent = 65, kFreeTo_percent = 25;
-/// What map_server reckons of a grey g is (255 - g) / 255: of kUnknown a little more than this.
+/// map_server takes (255 - g) / 255 of a grey g for its probability of being occupied. That of
+/// kUnknown is a little above this.
 constexpr double kFreeBelow = 0.196;
 
 std::uint8_t grey(std::int8_t occupied_percent) {
@@ -42,7 +43,7 @@ std::string deflated(const std::vector<std::uint8_t>& bytes) {
 
 }  // namespace
 
-/// PNG (ISO 15948) with one grey channel of 8 bits; every row begins with its filter, 0.
+/// Makes a PNG (ISO 15948) with one grey channel of 8 bits. Every row begins with its filter, 0.
 std::string map_png(const msg::OccupancyGrid& grid) {
   std::vector<std::uint8_t> rows;
   rows.reserve((grid.info.width + 1) * std::size_t{grid.info.height});

@@ -13,14 +13,14 @@
 #include <algorithm>
 
 #include "monitor/compression/gzip.h"
-#include "monitor/map/export/look.h"
+#include "monitor/map/export/appearance.h"
 
 namespace galilean::monitor {
 namespace {
 
 using mrpt::opengl::COpenGLScene;
 
-constexpr double kAboveFloor_m = 0.005;  ///< drawn on the floor, and not in it
+constexpr double kAboveFloor_m = 0.005;  ///< so that ellipses are not hidden by the floor
 constexpr int kSides = 24;
 constexpr float kOneHalf = 0.5F;
 
@@ -60,15 +60,16 @@ void add_ellipse(COpenGLScene& scene, const auto& at) {
   scene.insert(ellipse);
 }
 
-void add_landmark(COpenGLScene& scene, const msg::MapObject& object) {
-  const Look look = look_of(object.object_class);
-  const auto radius_m = static_cast<float>(look.diameter_m / 2);
-  auto landmark = mrpt::opengl::CCylinder::Create(radius_m, radius_m,
-                                                  static_cast<float>(look.height_m), kSides);
-  landmark->setName(object.object_class + " " + std::to_string(object.id));
-  landmark->setLocation(object.x_m, object.y_m, 0);
-  landmark->setColor(look.red, look.green, look.blue, std::max(object.certainty, kLeastOpacity));
-  scene.insert(landmark);
+void add_object(COpenGLScene& scene, const msg::MapObject& object) {
+  const Appearance appearance = appearance_of(object.object_class);
+  const auto radius_m = static_cast<float>(appearance.diameter_m / 2);
+  auto cylinder = mrpt::opengl::CCylinder::Create(radius_m, radius_m,
+                                                  static_cast<float>(appearance.height_m), kSides);
+  cylinder->setName(object.object_class + " " + std::to_string(object.id));
+  cylinder->setLocation(object.x_m, object.y_m, 0);
+  cylinder->setColor(appearance.red, appearance.green, appearance.blue,
+                     std::max(object.certainty, kLeastOpacity));
+  scene.insert(cylinder);
   add_ellipse(scene, object);
 }
 
@@ -91,9 +92,9 @@ void add_robot(COpenGLScene& scene, const msg::MapRobot& robot) {
 std::string map_scene(const msg::OccupancyGrid& grid, const msg::ObjectMap& map) {
   COpenGLScene scene;
   add_floor(scene, grid);
-  for (const auto& object : map.objects) add_landmark(scene, object);
+  for (const auto& object : map.objects) add_object(scene, object);
   for (const auto& robot : map.robots) add_robot(scene, robot);
-  scene.insert(mrpt::opengl::stock_objects::CornerXYZSimple(1));  // the map's origin, axes of 1 m
+  scene.insert(mrpt::opengl::stock_objects::CornerXYZSimple(1));  // the map frame, axes of 1 m
 
   mrpt::io::CMemoryStream file;
   mrpt::serialization::archiveFrom(file) << scene;

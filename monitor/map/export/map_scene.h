@@ -6,8 +6,9 @@
 
 namespace galilean::monitor {
 
-/// The map as a .3Dscene file, which MRPT's SceneViewer3D opens: the floor, each landmark as opaque
-/// as it is certain with its 95 % ellipse, each robot with its name. `grid` may be empty.
+/// Returns the map as a .3Dscene file, which MRPT's SceneViewer3D opens: the occupancy grid, each
+/// object as opaque as it is certain with its 95 % ellipse, and each robot with its name. `grid`
+/// may be empty.
 [[nodiscard]] std::string map_scene(const msg::OccupancyGrid& grid, const msg::ObjectMap& map);
 
 }  // namespace galilean::monitor

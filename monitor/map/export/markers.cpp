@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "monitor/map/export/look.h"
+#include "monitor/map/export/appearance.h"
 
 namespace galilean::monitor {
 namespace {
 
 enum MarkerType : std::int32_t { kCube = 1, kCylinder = 3, kText = 9 };
 constexpr double kEllipseHeight_m = 0.01;
-constexpr double kLeastVariance_m2 = 1e-6;  ///< viewers complain about what has no width
+constexpr double kLeastVariance_m2 = 1e-6;  ///< viewers complain about an ellipse without width
 
 msg::Marker marker(const msg::ObjectMap& map, const char* space, std::int32_t id, MarkerType type,
                    double x_m, double y_m, double z_m) {
@@ -30,7 +30,7 @@ void turn(msg::Marker& marker, double by_rad) {
   marker.pose.orientation.w = std::cos(by_rad / 2);
 }
 
-/// Where the landmark or robot is with a chance of 95 %: a disc that is drawn out to the ellipse.
+/// Makes the 95 % ellipse of an object or a robot: a flat cylinder, stretched.
 msg::Marker ellipse_marker(const msg::ObjectMap& map, const char* space, std::int32_t id,
                            const auto& at) {
   auto result = marker(map, space, id, kCylinder, at.x_m, at.y_m, kEllipseHeight_m / 2);
@@ -46,11 +46,12 @@ msg::Marker ellipse_marker(const msg::ObjectMap& map, const char* space, std::in
 }
 
 msg::Marker object_marker(const msg::ObjectMap& map, const msg::MapObject& object) {
-  const Look look = look_of(object.object_class);
+  const Appearance appearance = appearance_of(object.object_class);
   auto result = marker(map, "objects", static_cast<std::int32_t>(object.id), kCylinder, object.x_m,
-                       object.y_m, look.height_m / 2);
-  result.scale = {look.diameter_m, look.diameter_m, look.height_m};
-  result.color = {look.red, look.green, look.blue, std::max(object.certainty, kLeastOpacity)};
+                       object.y_m, appearance.height_m / 2);
+  result.scale = {appearance.diameter_m, appearance.diameter_m, appearance.height_m};
+  result.color = {appearance.red, appearance.green, appearance.blue,
+                  std::max(object.certainty, kLeastOpacity)};
   return result;
 }
 

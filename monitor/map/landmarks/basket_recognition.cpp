@@ -1,69 +1,74 @@
+#include "monitor/map/landmarks/basket_recognition.h"
+
 #include <algorithm>
 #include <limits>
 
-#include "monitor/map/estimation/robot_motion.h"
-#include "monitor/map/landmarks/landmark_map.h"
+#include "monitor/map/estimation/motion_model.h"
 
 namespace galilean::monitor {
 namespace {
 
-constexpr double kBasketsApart_m = 1.2;  ///< nearer to one another no two stand
-constexpr double kPlainBasket_m = 3;     ///< further away, its place is not to be relied upon
-constexpr int kStrangeFrames = 5;
-constexpr double kRelocated_rad = 0.3;
+constexpr double kReliableRange_m = 3;  ///< the position of a basket further away is not reliable
+constexpr double kRelocalized_rad = 0.3;
 
 }  // namespace
 
-void LandmarkMap::recognise_baskets(const std::string& robot, std::vector<Seen>& seen) {
+void BasketRecognition::recognize(const std::string& robot,
+                                  std::vector<Observation>& observations) {
   bool strange = false;
-  for (auto& each : seen) {
-    if (each.landmark || !each.bearing.whole || each.sighting->object_class != "basket") continue;
+  for (auto& each : observations) {
+    if (each.landmark || !each.measurement.complete || each.sighting->object_class != "basket")
+      continue;
     const auto known = basket_beside(each, robot);
-    const bool seen_as_two = known && std::ranges::find(seen, known, &Seen::landmark) != seen.end();
+    const bool seen_as_two =
+        known &&
+        std::ranges::find(observations, known, &Observation::landmark) != observations.end();
     if (!known || seen_as_two) continue;
     each.landmark = known;
-    if (each.bearing.from_robot.mean_m.norm() > kPlainBasket_m) continue;
+    if (each.measurement.in_robot.mean_m.norm() > kReliableRange_m) continue;
     strange = true;
     if (strange_frames_[robot] + 1 >= kStrangeFrames)
-      relocate(robot, landmarks_[*known], each.bearing);
+      relocalize(robot, landmarks_.all()[*known], each.measurement);
   }
   int& frames = strange_frames_[robot];
   frames = strange && frames + 1 < kStrangeFrames ? frames + 1 : 0;
 }
 
-std::optional<std::size_t> LandmarkMap::basket_beside(const Seen& basket,
-                                                      const std::string& robot) const {
-  const auto part = robots_.part(robot);
-  const Vec2 at_m = place_of(joint_, part, basket.bearing.from_robot).in_map_m;
+std::optional<std::size_t> BasketRecognition::basket_beside(const Observation& basket,
+                                                            const std::string& robot) const {
+  const auto block = robots_.block(robot);
+  const auto& landmarks = landmarks_.all();
+  const Vec2 at_m = inverse_measurement(joint_, block, basket.measurement.in_robot).in_map_m;
   std::optional<std::size_t> nearest;
   double nearest_m = std::numeric_limits<double>::infinity(), next_m = nearest_m;
-  for (std::size_t i = 0; i < landmarks_.size(); ++i) {
-    if (landmarks_[i].object_class != "basket" || !landmarks_[i].is_confirmed()) continue;
-    const double apart_m = (joint_.position(landmarks_[i].part) - at_m).norm();
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    if (landmarks[i].object_class != "basket" || !landmarks[i].is_confirmed()) continue;
+    const double apart_m = (joint_.position(landmarks[i].block) - at_m).norm();
     next_m = std::min(next_m, std::max(apart_m, nearest_m));
     if (apart_m >= nearest_m) continue;
     nearest = i;
     nearest_m = apart_m;
   }
   if (!nearest || nearest_m < kBasketsApart_m) return nearest;
-  // A robot that lost its way, and knows it, may be further off; then no other may come near.
-  const auto expected = expected_sighting(joint_, part, landmarks_[*nearest].part);
-  const double deviation_m = fit_of(joint_, expected, basket.bearing.from_robot).deviation_m;
+  const auto predicted = predict_measurement(joint_, block, landmarks[*nearest].block);
+  const double deviation_m =
+      compatibility_of(joint_, predicted, basket.measurement.in_robot).deviation_m;
   const bool lost = nearest_m < deviation_m && next_m > nearest_m + kBasketsApart_m;
   return lost ? nearest : std::nullopt;
 }
 
-/// The filter would not believe it: first it must learn that the robot may be anywhere near.
-void LandmarkMap::relocate(const std::string& robot, const Landmark& basket,
-                           const Bearing& bearing) {
-  const auto part = robots_.part(robot);
-  const auto expected = expected_sighting(joint_, part, basket.part);
-  const double apart_m = (expected.from_robot_m - bearing.from_robot.mean_m).norm();
-  RobotMatrix unsure = RobotMatrix::Zero();
-  unsure.diagonal().head<3>() << apart_m * apart_m, apart_m * apart_m,
-      kRelocated_rad * kRelocated_rad;
-  joint_.blur(part, unsure);
-  correct(basket, bearing, part);
+/// The filter would hold so large an innovation for impossible and believe it in part only.
+/// Therefore the robot's pose is made uncertain first.
+void BasketRecognition::relocalize(const std::string& robot, const Landmark& basket,
+                                   const Measurement& measurement) {
+  const auto block = robots_.block(robot);
+  const auto predicted = predict_measurement(joint_, block, basket.block);
+  const double apart_m = (predicted.in_robot_m - measurement.in_robot.mean_m).norm();
+  RobotMatrix noise = RobotMatrix::Zero();
+  noise.diagonal().head<3>() << apart_m * apart_m, apart_m * apart_m,
+      kRelocalized_rad * kRelocalized_rad;
+  joint_.inflate(block, noise);
+  correct_by(joint_, predicted, measurement.in_robot);
 }
 
 }  // namespace galilean::monitor

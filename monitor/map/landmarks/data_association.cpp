@@ -1,97 +1,108 @@
+#include "monitor/map/landmarks/data_association.h"
+
 #include <algorithm>
 #include <utility>
 
 #include "monitor/map/estimation/frames.h"
-#include "monitor/map/landmarks/landmark_map.h"
 
 namespace galilean::monitor {
 namespace {
 
-/// Where to look must be known so well that the nearest landmark can be the one meant: baskets
-/// stand metres apart.
-constexpr double kMostDeviation_m = 0.25;
-constexpr double kMostBasketDeviation_m = 0.9;
-/// Another landmark that fits nearly as well, by squared Mahalanobis distance.
+/// The prediction must be so certain that the nearest landmark can be the one that is seen. Baskets
+/// stand metres apart, and so may be predicted less well.
+constexpr double kMaxDeviation_m = 0.25;
+constexpr double kMaxBasketDeviation_m = 0.9;
+/// A rival fits worse than the best by less than this squared Mahalanobis distance.
 constexpr double kRivalMargin = 6;
 
-constexpr double kDuplicate_m = 0.30;  ///< two notes of one landmark may be so far apart
+constexpr double kDuplicate_m = 0.30;  ///< duplicates of one object are no further apart
 
-bool is_matched(std::size_t landmark, const auto& seen) {
-  return std::ranges::any_of(seen, [&](const auto& each) { return each.landmark == landmark; });
+bool is_matched(std::size_t landmark, const auto& observations) {
+  return std::ranges::any_of(observations,
+                             [&](const auto& each) { return each.landmark == landmark; });
 }
 
-/// `may_be_duplicates`: two landmarks that may be notes of one are no rivals; either tells the
-/// same.
-bool has_rival(const auto& matches, const auto& best, const auto& may_be_duplicates) {
-  return std::ranges::any_of(matches, [&](const auto& other) {
-    const bool same_sighting = other.seen == best.seen && other.landmark != best.landmark &&
-                               !may_be_duplicates(best.landmark, other.landmark);
-    const bool same_thing = other.landmark == best.landmark && other.seen != best.seen;
-    return (same_sighting || same_thing) &&
+/// Duplicates of one object are no rivals, because a correction by either says the same.
+bool has_rival(const auto& matches, const Match& best, const auto& may_be_duplicates) {
+  return std::ranges::any_of(matches, [&](const Match& other) {
+    const bool same_observation = other.observation == best.observation &&
+                                  other.landmark != best.landmark &&
+                                  !may_be_duplicates(best.landmark, other.landmark);
+    const bool same_landmark =
+        other.landmark == best.landmark && other.observation != best.observation;
+    return (same_observation || same_landmark) &&
            other.squared_distance < best.squared_distance + kRivalMargin;
   });
 }
 
-/// What lies further away fits by no means, and need not be reckoned. A bend of so much is allowed
-/// for: the gate is one of range and bearing.
-bool within_reach(const Vec2& thing_m, const Vec2& seen_m, const auto& seen) {
+/// A landmark that is further away cannot be inside the gate, and its prediction is not computed.
+/// The gate is one of range and azimuth, whose shape in x and y is bent; kBend allows for that.
+bool within_reach(const Vec2& landmark_m, const Vec2& seen_m, const Observation& observation) {
   constexpr double kBend = 4;
-  const bool basket = seen.sighting->object_class == "basket";
-  const double deviation_m = basket ? kMostBasketDeviation_m : kMostDeviation_m;
+  const bool basket = observation.sighting->object_class == "basket";
+  const double deviation_m = basket ? kMaxBasketDeviation_m : kMaxDeviation_m;
   const double variance_m2 =
-      deviation_m * deviation_m + seen.bearing.from_robot.covariance_m2.trace();
-  return (thing_m - seen_m).squaredNorm() < kBend * same_thing_gate() * variance_m2;
+      deviation_m * deviation_m + observation.measurement.in_robot.covariance_m2.trace();
+  return (landmark_m - seen_m).squaredNorm() < kBend * association_gate() * variance_m2;
 }
 
 }  // namespace
 
-/// One that has nothing in common with the others may stand anywhere: to take its baskets for
-/// theirs would be a guess.
-double LandmarkMap::max_deviation_m(const Landmark& landmark, const std::string& robot) const {
-  const bool placed = robots_.was_placed(robot) || among_others_.contains(robot);
-  return landmark.object_class == "basket" && placed ? kMostBasketDeviation_m : kMostDeviation_m;
+/// A robot that shares nothing with the others may stand anywhere. To take its baskets for theirs
+/// would be a guess.
+double DataAssociation::max_deviation_m(const Landmark& landmark, const std::string& robot) const {
+  const bool placed = robots_.has_known_start(robot) || share_landmarks_.contains(robot);
+  return landmark.object_class == "basket" && placed ? kMaxBasketDeviation_m : kMaxDeviation_m;
 }
 
-std::optional<LandmarkMap::Match> LandmarkMap::match(const std::vector<Seen>& seen,
-                                                     const std::string& observer) const {
-  const auto robot = robots_.part(observer);
+std::vector<Match> DataAssociation::matches(const std::vector<Observation>& observations,
+                                            const std::string& observer) const {
+  const auto robot = robots_.block(observer);
   const Pose2 pose = robots_.pose(observer);
+  const auto& landmarks = landmarks_.all();
   std::vector<Match> matches;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (seen[i].landmark) continue;
-    const Vec2 in_map_m =
-        pose.position_m + rotated(seen[i].bearing.from_robot.mean_m, pose.heading_rad);
-    for (std::size_t j = 0; j < landmarks_.size(); ++j) {
-      if (!within_reach(joint_.position(landmarks_[j].part), in_map_m, seen[i])) continue;
-      if (landmarks_[j].object_class != seen[i].sighting->object_class || is_matched(j, seen))
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const Observation& observation = observations[i];
+    if (observation.landmark) continue;
+    const Vec2 seen_m = in_map(pose, observation.measurement.in_robot.mean_m);
+    for (std::size_t j = 0; j < landmarks.size(); ++j) {
+      if (!within_reach(joint_.position(landmarks[j].block), seen_m, observation)) continue;
+      if (landmarks[j].object_class != observation.sighting->object_class ||
+          is_matched(j, observations))
         continue;
-      const auto expected = expected_sighting(joint_, robot, landmarks_[j].part);
-      const Fit fit = fit_of(joint_, expected, seen[i].bearing.from_robot);
-      if (fit.squared_distance < same_thing_gate() &&
-          fit.deviation_m < max_deviation_m(landmarks_[j], observer))
-        matches.push_back({fit.squared_distance, i, j});
+      const auto predicted = predict_measurement(joint_, robot, landmarks[j].block);
+      const Compatibility compatibility =
+          compatibility_of(joint_, predicted, observation.measurement.in_robot);
+      if (compatibility.squared_distance < association_gate() &&
+          compatibility.deviation_m < max_deviation_m(landmarks[j], observer))
+        matches.push_back({compatibility.squared_distance, i, j});
     }
   }
-  if (matches.empty()) return std::nullopt;
-  const auto may_be_duplicates = [&](std::size_t a, std::size_t b) {
-    const Vec2 apart = joint_.position(landmarks_[a].part) - joint_.position(landmarks_[b].part);
-    return apart.norm() < kDuplicate_m && may_be_same(landmarks_[a], landmarks_[b]);
-  };
-  for (auto& match : matches) match.is_sure = !has_rival(matches, match, may_be_duplicates);
-  return *std::ranges::min_element(matches, {}, [](const Match& match) {
+  return matches;
+}
+
+bool DataAssociation::may_be_duplicates(std::size_t a, std::size_t b) const {
+  const Landmark &first = landmarks_.all()[a], &second = landmarks_.all()[b];
+  const Vec2 apart = joint_.position(first.block) - joint_.position(second.block);
+  return apart.norm() < kDuplicate_m && may_be_same(first, second);
+}
+
+std::optional<Match> DataAssociation::next(const std::vector<Observation>& observations,
+                                           const std::string& observer) const {
+  std::vector<Match> all = matches(observations, observer);
+  if (all.empty()) return std::nullopt;
+  const auto duplicates = [this](std::size_t a, std::size_t b) { return may_be_duplicates(a, b); };
+  for (Match& match : all) match.is_sure = !has_rival(all, match, duplicates);
+  return *std::ranges::min_element(all, {}, [](const Match& match) {
     return std::pair(!match.is_sure, match.squared_distance);
   });
 }
 
-void LandmarkMap::note_recognition(const msg::Sightings& frame, const std::vector<Seen>& seen,
-                                   Time now) {
-  for (const auto& each : seen) {
-    if (!each.landmark) continue;
-    const Landmark& landmark = landmarks_[*each.landmark];
-    if (landmark.seen_by.size() > 1) among_others_.insert(frame.robot);
-    if (!landmark.is_recent_of(frame.robot, now) || robots_.all().size() == 1)
-      oriented_[frame.robot] = now;
-  }
+void DataAssociation::note(const std::vector<Observation>& observations,
+                           const std::string& observer) {
+  for (const Observation& each : observations)
+    if (each.landmark && landmarks_.all()[*each.landmark].seen_by.size() > 1)
+      share_landmarks_.insert(observer);
 }
 
 }  // namespace galilean::monitor

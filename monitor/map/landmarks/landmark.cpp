@@ -5,7 +5,7 @@
 namespace galilean::monitor {
 namespace {
 
-/// Trash is carried away; what else is missing is rather hidden.
+/// Trash that is missing was carried away. Other objects stay, so that they are more likely hidden.
 double absence_noticed_s(const std::string& object_class) {
   return object_class == "trash" ? 1.5 : 6;
 }
@@ -21,8 +21,8 @@ void Landmark::observe(const std::string& robot, Time now) {
 }
 
 void Landmark::decay(Time now) {
-  certainty = std::max(0.0, certainty - to_seconds(now - decayed) / kMemory_s);
-  decayed = now;
+  certainty = std::max(0.0, certainty - to_seconds(now - decayed_until) / kMemory_s);
+  decayed_until = now;
 }
 
 void Landmark::penalize(double for_s) {
@@ -31,9 +31,9 @@ void Landmark::penalize(double for_s) {
 }
 
 bool Landmark::is_expired(Time now) const noexcept {
-  const bool kept =
+  const bool retained =
       is_confirmed() && object_class != "obstacle" && to_seconds(now - last_seen) < kRetention_s;
-  return absent_s > absence_noticed_s(object_class) || (certainty <= 0 && !kept);
+  return absent_s > absence_noticed_s(object_class) || (certainty <= 0 && !retained);
 }
 
 void Landmark::merge(const Landmark& other) {

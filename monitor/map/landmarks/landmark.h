@@ -10,40 +10,45 @@
 
 namespace galilean::monitor {
 
-/// Something that stands on the floor, as the team remembers it. Its place is a part of the joint
-/// distribution.
+/// An object on the floor as the team remembers it. Its position is a block of the joint
+/// distribution; its certainty says how likely it is that the object is still there.
 ///
-///   law     certainty c becomes 1 - (1 - c) · kDoubtFactor with each sighting and falls by 1 in
-///           kMemory. At 0 it is told no more, but kept for kRetention as something to find one's
-///           way by. It is forgotten when somebody had its place in plain view for long enough and
-///           saw nothing. What was seen less than kConfirmingSightings times may be a trick of the
-///           light: it is not told, nor kept.
-///   source  the paper's minute of memory; the rest is ours
+///   law     Each sighting replaces the certainty c by 1 - (1 - c) · kDoubtFactor, and c falls by 1
+///           in kMemory_s. At 0 the landmark is no longer published, but it is kept for another
+///           while (kRetention_s), because a robot can still find its way by it. It expires when
+///           its position was in a camera's visible area for long enough and nothing was seen
+///           there. A landmark with fewer than kConfirmingSightings sightings may be a trick of the
+///           light, and is neither published nor kept
+///   source  the paper's minute of memory; the rest is ours. Confirmation after a number of
+///           sightings is track confirmation (Bar-Shalom, Li, Kirubarajan 2001)
 struct Landmark {
   static constexpr double kMemory_s = 60;
   static constexpr double kRetention_s = 900;
   static constexpr double kDoubtFactor = 0.6;
   static constexpr unsigned kConfirmingSightings = 3;
+  /// For so long after its first sighting a landmark that only one robot saw is recent.
   static constexpr Duration kRecent = std::chrono::seconds(12);
-  /// A robot that lost its way sees anew what it knew before.
+  /// What a robot saw within this time counts as what it sees now. It is shorter than kRecent,
+  /// because a robot that lost its way sees again what it knew before.
   static constexpr Duration kObservationWindow = std::chrono::seconds(10);
 
-  std::uint64_t id = 0;  ///< the same as long as it is remembered
+  std::uint64_t id = 0;  ///< stays the same for as long as the landmark is remembered
   std::string object_class;
-  JointGaussian::Part part = 0;
+  JointGaussian::Block block = 0;
   Time first_seen{};
   Time last_seen{};
-  Time decayed{};  ///< until when the decay is reckoned in
+  Time decayed_until{};  ///< the decay up to this time is in `certainty`
   double certainty = 0;
   unsigned sightings = 0;
-  double absent_s = 0;                  ///< its place was in plain view for so long, and empty
+  double absent_s = 0;                  ///< how long its position was visible and empty
   std::map<std::string, Time> seen_by;  ///< robots, and when each saw it last
 
+  /// Takes in that `robot` saw it.
   void observe(const std::string& robot, Time now);
   void decay(Time now);
-  /// Its place was in plain view for so long, and empty.
+  /// Takes in that its position was visible and empty for so long.
   void penalize(double for_s);
-  /// It is the same as `other`, which was noted twice.
+  /// Takes over what is known of `other`, which is the same object.
   void merge(const Landmark& other);
 
   [[nodiscard]] bool is_expired(Time now) const noexcept;
@@ -51,8 +56,8 @@ struct Landmark {
     return sightings >= kConfirmingSightings || object_class == "obstacle";
   }
   [[nodiscard]] bool is_publishable() const noexcept { return is_confirmed() && certainty > 0; }
-  /// Only this robot saw it, and not for long: it may be something older, seen by one that is not
-  /// where it is believed to be.
+  /// Returns whether `robot` alone saw it, and not for long. It may then be an older landmark, seen
+  /// by a robot that is not where it is believed to be.
   [[nodiscard]] bool is_recent_of(const std::string& robot, Time now) const {
     return now - first_seen < kRecent && seen_by.size() == 1 && was_seen_by(robot);
   }
@@ -60,10 +65,11 @@ struct Landmark {
   [[nodiscard]] bool was_seen_by(const std::string& robot, Time since) const;
 };
 
-/// Who saw it, the latest first.
+/// Returns the names in `seen_by`, the robot that saw it last first.
 [[nodiscard]] std::vector<std::string> latest_first(const std::map<std::string, Time>& seen_by);
 
-/// Of one class, and no robot saw them as two in the frame that it saw either in last.
+/// Returns whether two landmarks may be the same object: they have the same class, and no robot saw
+/// both in one frame.
 [[nodiscard]] bool may_be_same(const Landmark& a, const Landmark& b);
 
 }  // namespace galilean::monitor

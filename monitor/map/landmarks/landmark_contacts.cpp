@@ -1,53 +1,59 @@
-#include "monitor/map/landmarks/landmark_map.h"
+#include "monitor/map/landmarks/landmark_contacts.h"
+
+#include "monitor/map/estimation/measurement_model.h"
 
 namespace galilean::monitor {
 namespace {
 
-constexpr double kFootprintDeviation_m = 0.12;
+constexpr double kTouchedAgain_m = 0.20;  ///< obstacles that are nearer to one another are one
+/// Standard deviation up to which it is known that a landmark is under a robot.
+constexpr double kMaxDeviation_m = 0.12;
 constexpr double kPushedWithin_m = 0.42;
 constexpr double kPushed_m2ps = 4e-3;
 
 }  // namespace
 
-void LandmarkMap::replace(Landmark& landmark, const std::string& robot,
-                          const Gaussian2& from_robot) {
-  const auto placed = place_of(joint_, robots_.part(robot), from_robot);
-  joint_.remove(landmark.part);
-  landmark.part = joint_.add(placed.in_map_m, placed.of, placed.noise_m2);
+void LandmarkContacts::add_contact(const std::string& object_class, const std::string& robot,
+                                   const Gaussian2& in_robot, double certainty, Time now,
+                                   std::uint64_t id) {
+  const Vec2 at_m = inverse_measurement(joint_, robots_.block(robot), in_robot).in_map_m;
+  if (object_class == "obstacle")
+    for (auto& landmark : landmarks_.all())
+      if (landmark.object_class == object_class &&
+          (joint_.position(landmark.block) - at_m).norm() < kTouchedAgain_m) {
+        landmark.observe(robot, now);
+        return;
+      }
+  landmarks_.add(object_class, robot, in_robot, certainty, now, id);
 }
 
-void LandmarkMap::inflate_near(const std::string& robot, double for_s) {
+void LandmarkContacts::inflate_near(const std::string& robot, double for_s) {
   const Vec2 at_m = robots_.pose(robot).position_m;
-  for (const auto& landmark : landmarks_)
+  for (const auto& landmark : landmarks_.all())
     if (landmark.object_class != "obstacle" &&
-        (joint_.position(landmark.part) - at_m).norm() < kPushedWithin_m)
-      joint_.blur(landmark.part, kPushed_m2ps * for_s * Mat2::Identity());
+        (joint_.position(landmark.block) - at_m).norm() < kPushedWithin_m)
+      joint_.inflate(landmark.block, kPushed_m2ps * for_s * Mat2::Identity());
 }
 
-void LandmarkMap::clear_footprint(const std::string& robot) {
-  const auto part = robots_.part(robot);
-  const Vec2 robot_m = joint_.position(part);
-  std::vector<std::uint64_t> under;
-  for (const auto& landmark : landmarks_) {
-    if (landmark.object_class != "trash") continue;
-    if ((joint_.position(landmark.part) - robot_m).norm() > kFootprint_m) continue;
-    const auto expected = expected_sighting(joint_, part, landmark.part);
-    const Fit fit = fit_of(joint_, expected, {expected.from_robot_m, Mat2::Identity()});
-    if (fit.deviation_m < kFootprintDeviation_m) under.push_back(landmark.id);
-  }
-  for (const auto id : under) remove(id);
+void LandmarkContacts::clear_footprint(const std::string& robot) {
+  const auto block = robots_.block(robot);
+  const Vec2 robot_m = joint_.position(block);
+  landmarks_.remove_if([&](const Landmark& landmark) {
+    if (landmark.object_class != "trash") return false;
+    if ((joint_.position(landmark.block) - robot_m).norm() > kFootprint_m) return false;
+    const auto predicted = predict_measurement(joint_, block, landmark.block);
+    return compatibility_of(joint_, predicted, {predicted.in_robot_m, Mat2::Identity()})
+               .deviation_m < kMaxDeviation_m;
+  });
 }
 
-void LandmarkMap::clear_footprint(const Gaussian2& robot) {
-  std::vector<std::uint64_t> under;
-  for (const auto& landmark : landmarks_) {
-    if (landmark.object_class != "trash") continue;
-    if ((joint_.position(landmark.part) - robot.mean_m).norm() > kFootprint_m) continue;
-    const double variance_m2 = (joint_.covariance(landmark.part) + robot.covariance_m2).trace();
-    if (variance_m2 < 2 * kFootprintDeviation_m * kFootprintDeviation_m)
-      under.push_back(landmark.id);
-  }
-  for (const auto id : under) remove(id);
+void LandmarkContacts::clear_footprint(const Gaussian2& robot) {
+  landmarks_.remove_if([&](const Landmark& landmark) {
+    if (landmark.object_class != "trash") return false;
+    if ((joint_.position(landmark.block) - robot.mean_m).norm() > kFootprint_m) return false;
+    const double variance_m2 = (joint_.covariance(landmark.block) + robot.covariance_m2).trace();
+    return variance_m2 < 2 * kMaxDeviation_m * kMaxDeviation_m;
+  });
 }
 
 }  // namespace galilean::monitor

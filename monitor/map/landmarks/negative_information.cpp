@@ -1,64 +1,73 @@
+#include "monitor/map/landmarks/negative_information.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "monitor/map/estimation/frames.h"
-#include "monitor/map/estimation/plain_view.h"
-#include "monitor/map/landmarks/landmark_map.h"
+#include "monitor/map/estimation/visible_area.h"
 
 namespace galilean::monitor {
 namespace {
 
 constexpr double kLongestPeriod_s = 0.5;
-constexpr Duration kOrientedFor = std::chrono::seconds(3);
-constexpr double kPlainViewDeviation_m = 0.2;
+/// A robot that recognized something is where it is believed to be for so long.
+constexpr Duration kTrustedFor = std::chrono::seconds(3);
+/// Standard deviation up to which a predicted measurement is known to be in the visible area.
+constexpr double kMaxDeviation_m = 0.2;
+/// An object of a frame that is so near to the prediction may be the landmark.
+constexpr double kSameObject_m = 0.4;
 
-/// Something of its class is about there.
-bool is_seen(const msg::Sightings& frame, const Landmark& landmark, const Vec2& from_robot_m) {
-  constexpr double kAbout_m = 0.4;
+bool is_in_frame(const msg::Sightings& frame, const Landmark& landmark, const Vec2& in_robot_m) {
   return std::ranges::any_of(frame.items, [&](const auto& sighting) {
     const Vec2 at_m =
         rotated(Vec2(sighting.x_m - frame.x_m, sighting.y_m - frame.y_m), -frame.heading_rad);
     return sighting.object_class == landmark.object_class &&
-           (at_m - from_robot_m).norm() < kAbout_m;
+           (at_m - in_robot_m).norm() < kSameObject_m;
   });
 }
 
 }  // namespace
 
-// One that recognises nothing may be elsewhere than it is believed to be, and misses what is there.
-double LandmarkMap::looked_s(const std::string& robot, Time now) {
+double NegativeInformation::looked_s(const std::string& robot,
+                                     const std::vector<Observation>& observations, Time now) {
+  for (const Observation& each : observations)
+    if (each.landmark &&
+        (!landmarks_.all()[*each.landmark].is_recent_of(robot, now) || robots_.all().size() == 1))
+      recognized_[robot] = now;
   const auto before = std::exchange(last_frame_.try_emplace(robot, now).first->second, now);
-  if (now - oriented_.try_emplace(robot, now).first->second > kOrientedFor) return 0;
+  if (now - recognized_.try_emplace(robot, now).first->second > kTrustedFor) return 0;
   return std::min(to_seconds(now - before), kLongestPeriod_s);
 }
 
-void LandmarkMap::penalize_unseen(const msg::Sightings& frame, const std::vector<Seen>& seen,
-                                  double for_s) {
+void NegativeInformation::penalize_unseen(const msg::Sightings& frame,
+                                          const std::vector<Observation>& observations,
+                                          double for_s) {
   if (for_s <= 0) return;
-  const auto robot = robots_.part(frame.robot);
+  const auto robot = robots_.block(frame.robot);
   const Pose2 pose = robots_.pose(frame.robot);
-  for (std::size_t j = 0; j < landmarks_.size(); ++j) {
-    Landmark& landmark = landmarks_[j];
-    const auto is_it = [j](const Seen& each) { return each.landmark == j; };
-    if (landmark.object_class == "obstacle" || std::ranges::any_of(seen, is_it)) continue;
-    if (!in_plain_view(frame, from_robot(pose, joint_.position(landmark.part)))) continue;
-    const auto expected = expected_sighting(joint_, robot, landmark.part);
-    const Fit fit = fit_of(joint_, expected, {expected.from_robot_m, Mat2::Identity()});
-    if (fit.deviation_m < kPlainViewDeviation_m) landmark.penalize(for_s);
+  auto& landmarks = landmarks_.all();
+  for (std::size_t j = 0; j < landmarks.size(); ++j) {
+    Landmark& landmark = landmarks[j];
+    const auto is_it = [j](const Observation& each) { return each.landmark == j; };
+    if (landmark.object_class == "obstacle" || std::ranges::any_of(observations, is_it)) continue;
+    if (!in_visible_area(frame, in_robot(pose, joint_.position(landmark.block)))) continue;
+    const auto predicted = predict_measurement(joint_, robot, landmark.block);
+    const Compatibility compatibility =
+        compatibility_of(joint_, predicted, {predicted.in_robot_m, Mat2::Identity()});
+    if (compatibility.deviation_m < kMaxDeviation_m) landmark.penalize(for_s);
   }
 }
 
-void LandmarkMap::penalize_unseen(const msg::Sightings& frame, const Viewpoint& from) {
+void NegativeInformation::penalize_unseen(const msg::Sightings& frame, const Viewpoint& from) {
   if (from.for_s <= 0) return;
-  for (auto& landmark : landmarks_) {
-    const Vec2 at_m = from_robot(from.pose, joint_.position(landmark.part));
-    if (landmark.object_class == "obstacle" || !in_plain_view(frame, at_m)) continue;
-    const double variance_m2 = joint_.covariance(landmark.part).trace() +
+  for (auto& landmark : landmarks_.all()) {
+    const Vec2 at_m = in_robot(from.pose, joint_.position(landmark.block));
+    if (landmark.object_class == "obstacle" || !in_visible_area(frame, at_m)) continue;
+    const double variance_m2 = joint_.covariance(landmark.block).trace() +
                                from.covariance.topLeftCorner<2, 2>().trace() +
                                at_m.squaredNorm() * from.covariance(2, 2);
-    if (variance_m2 < 2 * kPlainViewDeviation_m * kPlainViewDeviation_m &&
-        !is_seen(frame, landmark, at_m))
+    if (variance_m2 < 2 * kMaxDeviation_m * kMaxDeviation_m && !is_in_frame(frame, landmark, at_m))
       landmark.penalize(from.for_s);
   }
 }

@@ -6,40 +6,46 @@
 
 namespace galilean::monitor {
 
-/// The same point in two frames.
-struct PointPair {
+/// One point in two frames: the map frame and another.
+struct Correspondence {
   Vec2 in_map_m;
   Vec2 in_other_m;
-  std::size_t map_index = 0;  ///< pairs that share an index exclude one another
+  std::size_t map_index = 0;  ///< correspondences that share an index exclude one another
   std::size_t other_index = 0;
 };
 
-/// The rigid transformation that a set of pairs agrees on: p_map = position + R(heading) p_other.
+/// The rigid transformation that a set of correspondences agrees on:
+/// p_map = position + R(heading) p_other.
 struct RigidFit {
   Pose2 transform;
-  std::vector<PointPair> agreeing;
-  double spread_m = 0;  ///< of the agreeing pairs: the largest distance between two
+  std::vector<Correspondence> agreeing;
+  double spread_m = 0;  ///< largest distance between two of the agreeing points
 
   [[nodiscard]] Vec2 to_map(const Vec2& in_other_m) const {
     return transform.position_m + rotated(in_other_m, transform.heading_rad);
   }
 };
 
-/// The largest distance between two of them, in the other frame.
-[[nodiscard]] double spread_of(const std::vector<PointPair>& pairs);
+/// Returns the largest distance between two of the points in the other frame [m].
+[[nodiscard]] double spread_of(const std::vector<Correspondence>& correspondences);
 
-/// Lays point a on one and turns b about it as near to the other as it comes.
-[[nodiscard]] Pose2 laid_on(const Vec2& a, const Vec2& b, const Vec2& on_a, const Vec2& on_b);
+/// Returns the transformation that lays segment a-b on segment on_a-on_b: their middles coincide,
+/// and so do their directions.
+[[nodiscard]] Pose2 align_segments(const Vec2& a, const Vec2& b, const Vec2& on_a,
+                                   const Vec2& on_b);
 
-/// The best in the sense of least squares (mrpt::tfest::se2_l2). At least two pairs.
-[[nodiscard]] Pose2 least_squares(const std::vector<PointPair>& pairs);
+/// Returns the transformation with the least sum of squared distances (mrpt::tfest::se2_l2).
+/// Requires: at least two correspondences.
+[[nodiscard]] Pose2 least_squares_fit(const std::vector<Correspondence>& correspondences);
 
-/// The transformation that most pairs agree on, false pairs and all.
-///   law     every two pairs that are as far apart in both frames are laid on one another; that on
-///           which most agree within kMostDeviations is refined by least squares. No draws by lot,
-///           as mrpt::tfest::se2_l2_robust makes them: the same pairs give the same fit
-///   units   `deviation_m`: of a point. `agreeing` is empty where fewer than `least` do
-[[nodiscard]] RigidFit fit_rigidly(const std::vector<PointPair>& pairs, double deviation_m,
-                                   std::size_t least);
+/// Returns the transformation that most correspondences agree on, although many may be false.
+///   law     Every two correspondences that are as far apart in both frames give a hypothesis. The
+///           one on which most agree within three times `deviation_m` is refined by least squares.
+///           All pairs are tried, where mrpt::tfest::se2_l2_robust draws them at random, so that
+///           the same correspondences always give the same fit
+///   units   `deviation_m` is the standard deviation of a point
+/// Errors: `agreeing` is empty where fewer than `least` correspondences agree.
+[[nodiscard]] RigidFit fit_rigid_transform(const std::vector<Correspondence>& correspondences,
+                                           double deviation_m, std::size_t least);
 
 }  // namespace galilean::monitor

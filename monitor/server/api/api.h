@@ -26,7 +26,7 @@ class Api {
     History& history;  ///< the worker's alone
   };
 
-  explicit Api(Parts parts);
+  explicit Api(Parts blocks);
 
   void answer(const HttpRequest& request, const Respond& respond);
   /// For /metrics; the server that counts is made after the API.

@@ -54,7 +54,7 @@ class MapTest : public testing::Test {
   /// Io stands there by its odometry, and sees these in so many frames.
   void look(const Pose2& from, const std::vector<std::pair<std::string, Vec2>>& landmarks,
             int frames) {
-    for (int i = 0; i < frames; ++i, step()) map.note(frame("io", from, landmarks), now);
+    for (int i = 0; i < frames; ++i, step()) map.add(frame("io", from, landmarks), now);
   }
 
   TeamMap map{2s};
@@ -70,8 +70,8 @@ class MapTest : public testing::Test {
 TEST_F(MapTest, TwoCansFifteenCentimetresApartStayTwo) {
   place_both();
   for (int i = 0; i < 50; ++i, step()) {
-    map.note(frame("io", io, {{"trash", {1, 0.075}}, {"trash", {1, -0.075}}}), now);
-    map.note(frame("ganymede", {}, {{"trash", {0.99, -0.085}}, {"trash", {1, 0.065}}}), now);
+    map.add(frame("io", io, {{"trash", {1, 0.075}}, {"trash", {1, -0.075}}}), now);
+    map.add(frame("ganymede", {}, {{"trash", {0.99, -0.085}}, {"trash", {1, 0.065}}}), now);
   }
   const auto seen = objects().objects;
   ASSERT_EQ(seen.size(), 2U);
@@ -81,8 +81,8 @@ TEST_F(MapTest, TwoCansFifteenCentimetresApartStayTwo) {
 TEST_F(MapTest, ACanThatTwoRobotsSeeIsOne) {
   place_both();
   for (int i = 0; i < 10; ++i, step()) {
-    map.note(frame("io", io, {{"trash", {1, 0}}}), now);
-    map.note(frame("ganymede", {}, {{"trash", {0.95, -0.03}}}), now + 10ms);
+    map.add(frame("io", io, {{"trash", {1, 0}}}), now);
+    map.add(frame("ganymede", {}, {{"trash", {0.95, -0.03}}}), now + 10ms);
   }
   const auto seen = objects().objects;
   ASSERT_EQ(seen.size(), 1U);
@@ -90,12 +90,12 @@ TEST_F(MapTest, ACanThatTwoRobotsSeeIsOne) {
   EXPECT_GT(seen[0].x_m, 1.0);
   EXPECT_LT(seen[0].x_m, 1.05);
   const auto id = seen[0].id;
-  map.note(frame("io", io, {{"trash", {1, 0}}}), now);
+  map.add(frame("io", io, {{"trash", {1, 0}}}), now);
   EXPECT_EQ(objects().objects[0].id, id);
 }
 
 TEST_F(MapTest, WhatIsNotSeenAnyMoreIsForgottenAfterAMinute) {
-  for (int i = 0; i < 30; ++i, step()) map.note(frame("io", io, {{"trash", {3, 0}}}), now);
+  for (int i = 0; i < 30; ++i, step()) map.add(frame("io", io, {{"trash", {3, 0}}}), now);
   EXPECT_NEAR(objects().objects[0].certainty, 1, 0.01);
   step(30s);
   EXPECT_NEAR(objects().objects[0].certainty, 0.5, 0.01);
@@ -103,20 +103,20 @@ TEST_F(MapTest, WhatIsNotSeenAnyMoreIsForgottenAfterAMinute) {
   EXPECT_TRUE(objects().objects.empty());
 }
 
-TEST_F(MapTest, WhatIsMissingInPlainViewIsForgottenSoon) {
-  for (int i = 0; i < 30; ++i, step()) map.note(frame("io", io, {{"trash", {1, 0}}}), now);
-  for (int i = 0; i < 35; ++i, step()) map.note(frame("io", io, {}), now);
+TEST_F(MapTest, WhatIsMissingInTheVisibleAreaIsForgottenSoon) {
+  for (int i = 0; i < 30; ++i, step()) map.add(frame("io", io, {{"trash", {1, 0}}}), now);
+  for (int i = 0; i < 35; ++i, step()) map.add(frame("io", io, {}), now);
   EXPECT_TRUE(objects().objects.empty());
 }
 
 TEST_F(MapTest, WhatSomethingNearerHidesIsNotMissing) {
-  for (int i = 0; i < 30; ++i, step()) map.note(frame("io", io, {{"trash", {1.2, 0}}}), now);
-  for (int i = 0; i < 35; ++i, step()) map.note(frame("io", io, {{"robot", {0.6, 0.02}}}), now);
+  for (int i = 0; i < 30; ++i, step()) map.add(frame("io", io, {{"trash", {1.2, 0}}}), now);
+  for (int i = 0; i < 35; ++i, step()) map.add(frame("io", io, {{"robot", {0.6, 0.02}}}), now);
   EXPECT_EQ(objects().objects.size(), 1U);
 }
 
 TEST_F(MapTest, ASilentRobotStaysWhereItWas) {
-  map.note(at("io", {{1, 2}, 0.5}), now);
+  map.add(at("io", {{1, 2}, 0.5}), now);
   step(10s);
   const auto robots = objects().robots;
   ASSERT_EQ(robots.size(), 1U);
@@ -127,7 +127,7 @@ TEST_F(MapTest, ASilentRobotStaysWhereItWas) {
 
 TEST_F(MapTest, AGivenStartPlacesTheRobotAndItsFrame) {
   map.start_at("io", {{3, 1}, kPi / 2});
-  map.note(at("io", {{1, 0}, 0}), now);
+  map.add(at("io", {{1, 0}, 0}), now);
   const auto robot = objects().robots.at(0);
   EXPECT_NEAR(robot.x_m, 3, 1e-9);
   EXPECT_NEAR(robot.y_m, 2, 1e-9);
@@ -147,9 +147,9 @@ TEST_F(MapTest, ARobotThatTurnedLessThanItsOdometerSaysIsTurnedBack) {
   auto counted = around;
   for (auto& [object_class, at_m] : counted) at_m = rotated(at_m, kSlip_rad);
   look({{0, 0}, kSlip_rad}, counted, 20);
-  const auto told = objects();
-  EXPECT_NEAR(told.robots.at(0).heading_rad, 0, 0.06);
-  EXPECT_EQ(told.objects.size(), around.size());
+  const auto published = objects();
+  EXPECT_NEAR(published.robots.at(0).heading_rad, 0, 0.06);
+  EXPECT_EQ(published.objects.size(), around.size());
 }
 
 TEST_F(MapTest, AStrangePlaceThatLooksLikeAKnownOneTurnsNobody) {
@@ -159,32 +159,31 @@ TEST_F(MapTest, AStrangePlaceThatLooksLikeAKnownOneTurnsNobody) {
   look(io, known, 150);
   constexpr double kTurned_rad = 1.2;
   for (double turned_rad = 0; turned_rad < kTurned_rad; turned_rad += 0.1, step())
-    map.note(at("io", {{0, 0}, turned_rad}), now);
+    map.add(at("io", {{0, 0}, turned_rad}), now);
   auto alike = known;
   for (auto& [object_class, at_m] : alike) at_m = rotated(at_m, kTurned_rad);
   look({{0, 0}, kTurned_rad}, alike, 20);
-  const auto told = objects();
-  EXPECT_NEAR(told.robots.at(0).heading_rad, kTurned_rad, 0.06);
-  EXPECT_EQ(told.objects.size(), known.size() + alike.size());
+  const auto published = objects();
+  EXPECT_NEAR(published.robots.at(0).heading_rad, kTurned_rad, 0.06);
+  EXPECT_EQ(published.objects.size(), known.size() + alike.size());
 }
 
 // Its treads slipped on: the odometer counts a way that it did not go.
 TEST_F(MapTest, ABasketBesideWhereItIsKnownPutsTheRobotBack) {
   map.start_at("io", io);
   const Vec2 basket_m(1.6, 0.5);
-  for (int i = 0; i < 50; ++i, step()) map.note(frame("io", io, {{"basket", basket_m}}), now);
+  for (int i = 0; i < 50; ++i, step()) map.add(frame("io", io, {{"basket", basket_m}}), now);
   Vec2 counted_m(0, 0);
-  for (; counted_m.x() < 0.65; counted_m.x() += 0.1, step())
-    map.note(at("io", {counted_m, 0}), now);
+  for (; counted_m.x() < 0.65; counted_m.x() += 0.1, step()) map.add(at("io", {counted_m, 0}), now);
   for (int i = 0; i < 20; ++i, step())
-    map.note(frame("io", {counted_m, 0}, {{"basket", basket_m + counted_m}}), now);
-  const auto told = objects();
-  EXPECT_NEAR(told.robots.at(0).x_m, 0, 0.2);
-  EXPECT_EQ(told.objects.size(), 1U);
+    map.add(frame("io", {counted_m, 0}, {{"basket", basket_m + counted_m}}), now);
+  const auto published = objects();
+  EXPECT_NEAR(published.robots.at(0).x_m, 0, 0.2);
+  EXPECT_EQ(published.objects.size(), 1U);
 }
 
 TEST_F(MapTest, TheFloorIsFreeWhereItWasCrossedAndOccupiedWhereItWasBumpedInto) {
-  for (double x = 0; x < 1; x += 0.05, step()) map.note(at("io", {{x, 0}, 0}), now);
+  for (double x = 0; x < 1; x += 0.05, step()) map.add(at("io", {{x, 0}, 0}), now);
   msg::Variables variables;
   variables.robot = "io";
   variables.items = {{.name = "wall",
@@ -193,8 +192,8 @@ TEST_F(MapTest, TheFloorIsFreeWhereItWasCrossedAndOccupiedWhereItWasBumpedInto) 
                       .valid = true,
                       .certainty = 1,
                       .values = {1.5, 0}}};
-  map.note(variables, now);
-  const auto grid = map.floor().grid();
+  map.add(variables, now);
+  const auto grid = map.occupancy().message();
   const auto cell = [&](double x_m, double y_m) {
     const auto column = static_cast<std::size_t>((x_m - grid.info.origin.position.x) / 0.05);
     const auto row = static_cast<std::size_t>((y_m - grid.info.origin.position.y) / 0.05);

@@ -35,7 +35,7 @@ TEST(JointGaussian, WhatComesAndGoesLeavesTheRestAsItWas) {
   JointGaussian joint;
   const auto kept = joint.add(Eigen::Vector3d(1, 2, 3), 0.3 * Eigen::Matrix3d::Identity());
   const JointGaussian::Term of_kept[] = {{kept, Eigen::Matrix<double, 2, 3>::Identity()}};
-  std::vector<JointGaussian::Part> others;
+  std::vector<JointGaussian::Block> others;
   for (int i = 0; i < 20; ++i)
     others.push_back(joint.add(Vector2d(i, -i), of_kept, 0.1 * i * kOne));
   const JointGaussian::Term apart[] = {{others[15], kOne}, {others[3], -kOne}};
@@ -48,7 +48,7 @@ TEST(JointGaussian, WhatComesAndGoesLeavesTheRestAsItWas) {
   EXPECT_TRUE(joint.covariance(apart).isApprox(before));
   const JointGaussian::Term of_both[] = {{fresh, kOne}, {others[15], kOne}};
   EXPECT_TRUE(joint.covariance(of_both).isApprox(joint.covariance(others[15]) + kOne))
-      << "the new part has nothing in common with those that went";
+      << "the new block has nothing in common with those that went";
 }
 
 TEST(JointGaussian, MovingAPartTurnsWhatItHasInCommonWithTheRest) {
@@ -57,7 +57,7 @@ TEST(JointGaussian, MovingAPartTurnsWhatItHasInCommonWithTheRest) {
   const JointGaussian::Term of_a[] = {{a, kOne}};
   const auto b = joint.add(Vector2d(2, 0), of_a, Matrix2d::Zero());
   const Matrix2d quarter_turn = (Matrix2d() << 0, -1, 1, 0).finished();
-  joint.move(a, Vector2d(0, 1), quarter_turn, 0.01 * kOne);
+  joint.transform(a, Vector2d(0, 1), quarter_turn, 0.01 * kOne);
 
   EXPECT_TRUE(joint.covariance(a).isApprox((Matrix2d() << 0.11, 0, 0, 0.41).finished()));
   const JointGaussian::Term turned_back[] = {{a, quarter_turn.transpose()}, {b, -kOne}};

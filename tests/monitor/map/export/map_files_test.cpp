@@ -95,7 +95,7 @@ TEST_F(MapFilesTest, ASceneWithoutAFloorIsOneToo) {
   EXPECT_TRUE(scene.loadFromFile(written("map.3Dscene", map_scene({}, map))));
 }
 
-TEST_F(MapFilesTest, MarkersShowEachThingAndRobotWithItsEllipse) {
+TEST_F(MapFilesTest, MarkersShowEachObjectAndRobotWithItsEllipse) {
   const auto shown = markers(map).markers;
   ASSERT_EQ(shown.size(), 5U);
   const auto& ellipse = shown[1];

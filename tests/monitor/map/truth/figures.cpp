@@ -26,10 +26,11 @@ std::vector<Body> baskets(const MappedContest& contest) {
   return result;
 }
 
-double nees(const auto& told, const Vec2& truth_m) {
+double nees(const auto& published, const Vec2& truth_m) {
   Mat2 covariance;
-  covariance << told.variance_xx, told.variance_xy, told.variance_xy, told.variance_yy;
-  const Vec2 apart = Vec2(told.x_m, told.y_m) - truth_m;
+  covariance << published.variance_xx, published.variance_xy, published.variance_xy,
+      published.variance_yy;
+  const Vec2 apart = Vec2(published.x_m, published.y_m) - truth_m;
   return apart.dot(covariance.inverse() * apart);
 }
 
@@ -39,15 +40,15 @@ double seconds(const msg::Time& time) {
 
 struct Match {
   double distance_m;
-  const msg::MapObject* told;
+  const msg::MapObject* published;
   const Body* body;
 };
 
-/// Each told landmark with one body at most, the nearest pairs first.
-std::vector<Match> matched(const std::vector<const msg::MapObject*>& told,
+/// Each published landmark with one body at most, the nearest pairs first.
+std::vector<Match> matched(const std::vector<const msg::MapObject*>& published,
                            const std::vector<Body>& bodies) {
   std::vector<Match> all, result;
-  for (const auto* landmark : told)
+  for (const auto* landmark : published)
     for (const auto& body : bodies)
       if (const double apart_m = (Vec2(landmark->x_m, landmark->y_m) - body.at_m).norm();
           apart_m < Figures::kSame_m)
@@ -55,8 +56,8 @@ std::vector<Match> matched(const std::vector<const msg::MapObject*>& told,
   std::ranges::sort(all, {}, &Match::distance_m);
   std::set<const void*> taken;
   for (const auto& match : all)
-    if (!taken.contains(match.told) && !taken.contains(match.body)) {
-      taken.insert({match.told, match.body});
+    if (!taken.contains(match.published) && !taken.contains(match.body)) {
+      taken.insert({match.published, match.body});
       result.push_back(match);
     }
   return result;
@@ -79,13 +80,13 @@ void Figures::add(const Figures& other) {
   trash_nees.add(other.trash_nees);
   basket_m2.add(other.basket_m2);
   basket_nees.add(other.basket_nees);
-  told += other.told;
+  published += other.published;
   right += other.right;
   real += other.real;
   found += other.found;
-  all_told += other.all_told;
+  all_published += other.all_published;
   all_real += other.all_real;
-  baskets_told += other.baskets_told;
+  baskets_published += other.baskets_published;
   baskets_right += other.baskets_right;
   looks += other.looks;
 }
@@ -103,9 +104,9 @@ void TruthWatch::note_seen(const MappedContest& contest, std::size_t robot,
   const auto bodies = pieces(contest);
   for (const auto& item : frame.items) {
     if (item.object_class != "trash") continue;
-    const Vec2 from_robot_m =
+    const Vec2 in_robot_m =
         rotated(Vec2(item.x_m - frame.x_m, item.y_m - frame.y_m), -frame.heading_rad);
-    const Vec2 at_m = pose.position_m + rotated(from_robot_m, pose.heading_rad);
+    const Vec2 at_m = pose.position_m + rotated(in_robot_m, pose.heading_rad);
     const auto nearest = std::ranges::min_element(
         bodies, {}, [&](const Body& body) { return (body.at_m - at_m).norm(); });
     if (nearest != bodies.end() && (nearest->at_m - at_m).norm() < Figures::kSame_m)
@@ -127,28 +128,28 @@ void TruthWatch::look_at_robots(const MappedContest& contest, const msg::ObjectM
     const auto& robot = contest.contest().robot(i);
     const Vec2 truth_m = robot.body().pose().position_m;
     figures_.dead_reckoning_m2.add((robot.believed_pose().position_m - truth_m).squaredNorm());
-    const auto told = std::ranges::find(map.robots, robot.name(), &msg::MapRobot::name);
-    if (told == map.robots.end()) continue;
-    figures_.robot_m2.add((Vec2(told->x_m, told->y_m) - truth_m).squaredNorm());
-    figures_.robot_nees.add(nees(*told, truth_m));
+    const auto published = std::ranges::find(map.robots, robot.name(), &msg::MapRobot::name);
+    if (published == map.robots.end()) continue;
+    figures_.robot_m2.add((Vec2(published->x_m, published->y_m) - truth_m).squaredNorm());
+    figures_.robot_nees.add(nees(*published, truth_m));
   }
 }
 
 void TruthWatch::look_at_trash(const MappedContest& contest, const msg::ObjectMap& map) {
   const auto bodies = pieces(contest);
   const auto all = of_class(map, "trash");
-  figures_.all_told += all.size();
+  figures_.all_published += all.size();
   figures_.all_real += bodies.size();
   const auto pairs = matched(all, bodies);
-  const auto lately = [&](const msg::MapObject* told) {
-    return seconds(map.stamp) - seconds(told->last_seen) < Figures::kLately_s;
+  const auto lately = [&](const msg::MapObject* published) {
+    return seconds(map.stamp) - seconds(published->last_seen) < Figures::kLately_s;
   };
-  figures_.told += static_cast<std::size_t>(std::ranges::count_if(all, lately));
+  figures_.published += static_cast<std::size_t>(std::ranges::count_if(all, lately));
   for (const auto& pair : pairs) {
-    if (!lately(pair.told)) continue;
+    if (!lately(pair.published)) continue;
     ++figures_.right;
     figures_.trash_m2.add(pair.distance_m * pair.distance_m);
-    figures_.trash_nees.add(nees(*pair.told, pair.body->at_m));
+    figures_.trash_nees.add(nees(*pair.published, pair.body->at_m));
   }
   for (const auto& body : bodies) {
     const auto seen = seen_.find(body.index);
@@ -161,12 +162,12 @@ void TruthWatch::look_at_trash(const MappedContest& contest, const msg::ObjectMa
 
 void TruthWatch::look_at_baskets(const MappedContest& contest, const msg::ObjectMap& map) {
   const auto bodies = baskets(contest);
-  const auto told = of_class(map, "basket");
-  figures_.baskets_told += told.size();
-  for (const auto& pair : matched(told, bodies)) {
+  const auto published = of_class(map, "basket");
+  figures_.baskets_published += published.size();
+  for (const auto& pair : matched(published, bodies)) {
     ++figures_.baskets_right;
     figures_.basket_m2.add(pair.distance_m * pair.distance_m);
-    figures_.basket_nees.add(nees(*pair.told, pair.body->at_m));
+    figures_.basket_nees.add(nees(*pair.published, pair.body->at_m));
   }
 }
 

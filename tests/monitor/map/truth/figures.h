@@ -30,19 +30,22 @@ struct Squares {
 /// between truth and estimate, 2 where covariances say what errors are.
 struct Figures {
   Squares robot_m2, robot_nees, dead_reckoning_m2;
-  Squares trash_m2, trash_nees;    ///< trash seen in the last kObservationWindow
-  Squares basket_m2, basket_nees;  ///< all that are told
-  std::size_t told = 0;   ///< trash in the map that was seen in the last kObservationWindow
-  std::size_t right = 0;  ///< of that, what is there
-  std::size_t real = 0;   ///< trash that robots truly saw in the last kObservationWindow
-  std::size_t found = 0;  ///< of that, what is in the map
-  std::size_t all_told = 0, all_real = 0, baskets_told = 0, baskets_right = 0, looks = 0;
+  Squares trash_m2, trash_nees;    ///< trash seen in the last kLately_s
+  Squares basket_m2, basket_nees;  ///< all that are published
+  std::size_t published = 0;       ///< trash in the map that was seen in the last kLately_s
+  std::size_t right = 0;           ///< of that, what is there
+  std::size_t real = 0;            ///< trash that robots truly saw in the last kLately_s
+  std::size_t found = 0;           ///< of that, what is in the map
+  std::size_t all_published = 0, all_real = 0, baskets_published = 0, baskets_right = 0, looks = 0;
 
   static constexpr double kLately_s = 10;
-  static constexpr double kSame_m = 0.30;  ///< a landmark told so near to one that is there, is it
+  static constexpr double kSame_m =
+      0.30;  ///< a landmark published so near to one that is there, is it
 
   void add(const Figures& other);
-  [[nodiscard]] double precision() const { return told ? double(right) / double(told) : 1; }
+  [[nodiscard]] double precision() const {
+    return published ? double(right) / double(published) : 1;
+  }
   [[nodiscard]] double recall() const { return real ? double(found) / double(real) : 1; }
 };
 

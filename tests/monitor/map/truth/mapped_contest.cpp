@@ -21,7 +21,7 @@ T required(Result<T> result) {
 }  // namespace
 
 MappedContest::MappedContest(const Options& options)
-    : map_(std::chrono::seconds(2), options.squad) {
+    : map_(std::chrono::seconds(2), options.group_size) {
   robot::add_components(components_);
   sim::HeadlessOptions how{
       .robots = options.robots, .seed = options.seed, .duration_s = options.duration_s};
@@ -48,7 +48,7 @@ void MappedContest::run(
 
 void MappedContest::after_step(Time now) {
   now_ = now;
-  for (std::size_t i = 0; i < telemetry_.size(); ++i) tell(i);
+  for (std::size_t i = 0; i < telemetry_.size(); ++i) report(i);
   if (now < next_update_) return;
   next_update_ = now + kUpdate;
   map_.update(now);
@@ -57,7 +57,7 @@ void MappedContest::after_step(Time now) {
   look_(*this, map_.objects(now, kEpoch_ns + now.time_since_epoch().count()));
 }
 
-void MappedContest::tell(std::size_t robot) {
+void MappedContest::report(std::size_t robot) {
   Telemetry& telemetry = *telemetry_[robot];
   while (telemetry.tap.next_event()) {
   }
@@ -66,21 +66,21 @@ void MappedContest::tell(std::size_t robot) {
   if (!snapshot.program) return;
   if (!telemetry.program) {
     telemetry.program = contest_->robot(robot).executive().description(snapshot.program);
-    map_.note(telemetry.compose->catalog(components_.catalog()), now_);
-    map_.note(telemetry.compose->program(*telemetry.program), now_);
+    map_.add(telemetry.compose->catalog(components_.catalog()), now_);
+    map_.add(telemetry.compose->program(*telemetry.program), now_);
   }
   if (snapshot.frame != std::exchange(telemetry.last_frame, snapshot.frame)) {
     const auto sightings = telemetry.compose->sightings(snapshot, *telemetry.program);
     if (on_sightings) on_sightings(robot, sightings);
-    map_.note(sightings, now_);
+    map_.add(sightings, now_);
   }
-  if (now_ >= telemetry.next_report) tell_regularly(telemetry, snapshot);
+  if (now_ >= telemetry.next_report) report_regularly(telemetry, snapshot);
 }
 
-void MappedContest::tell_regularly(Telemetry& telemetry, const robot::Snapshot& snapshot) {
+void MappedContest::report_regularly(Telemetry& telemetry, const robot::Snapshot& snapshot) {
   telemetry.next_report = now_ + kReport;
-  map_.note(telemetry.compose->state(snapshot, telemetry.program.get(), {}), now_);
-  map_.note(telemetry.compose->variables(snapshot, *telemetry.program), now_);
+  map_.add(telemetry.compose->state(snapshot, telemetry.program.get(), {}), now_);
+  map_.add(telemetry.compose->variables(snapshot, *telemetry.program), now_);
 }
 
 }  // namespace galilean::monitor

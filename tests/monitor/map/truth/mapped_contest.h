@@ -17,7 +17,7 @@ namespace galilean::monitor {
 class MappedContest {
  public:
   enum class Starts {
-    kMeasured,  ///< the map is told where robots truly stand
+    kMeasured,  ///< the map is given where robots truly stand
     kRough,     ///< where the scenario says, before the jitter
   };
   struct Options {
@@ -26,7 +26,7 @@ class MappedContest {
     Starts starts = Starts::kMeasured;
     std::string scenario = "office";  ///< one that ships, or a file
     std::size_t robots = 3;
-    std::size_t squad = Squads::kMostRobots;
+    std::size_t group_size = RobotGroups::kMaxRobots;
   };
 
   explicit MappedContest(const Options& options);
@@ -52,8 +52,8 @@ class MappedContest {
   };
 
   void after_step(Time now);
-  void tell(std::size_t robot);
-  void tell_regularly(Telemetry& telemetry, const robot::Snapshot& snapshot);
+  void report(std::size_t robot);
+  void report_regularly(Telemetry& telemetry, const robot::Snapshot& snapshot);
 
   TeamMap map_;
   SteppedClock stopped_;  ///< messages' own stamps are not what the map goes by

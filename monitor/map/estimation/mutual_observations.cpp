@@ -1,0 +1,75 @@
+#include "monitor/map/estimation/mutual_observations.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "monitor/map/estimation/measurement_model.h"
+
+namespace galilean::monitor {
+namespace {
+
+/// The pose of a robot that was not heard for longer is too old to compare a frame with.
+constexpr double kFreshPose_s = 0.3;
+constexpr double kMaxDeviation_m = 0.6;
+/// A robot is too large and blurred a target to tell more than landmarks do. Where the prediction
+/// is better than this, a sighting of a robot is not used.
+constexpr double kMinDeviation_m = 0.15;
+/// A robot's green begins above the floor, and so it seems further away than it is: ranges are
+/// shortened by this factor, and may still err by this share.
+constexpr double kRangeFactor = 0.75;
+constexpr double kRangeError = 0.3;
+/// Another robot at a squared Mahalanobis distance below this may have been meant as well.
+constexpr double kRivalGate = 25;
+
+/// Returns what is predicted of the only robot that can have been meant.
+std::optional<PredictedMeasurement> met(const std::string& observer, const Gaussian2& in_robot,
+                                        const RobotPoses& robots, const JointGaussian& joint,
+                                        Time now) {
+  std::optional<PredictedMeasurement> found;
+  for (const auto& [name, robot] : robots.all()) {
+    if (name == observer || to_seconds(now - robot.last_predicted) > kFreshPose_s) continue;
+    const auto predicted = predict_measurement(joint, robots.block(observer), robot.block);
+    const Compatibility compatibility = compatibility_of(joint, predicted, in_robot);
+    if (compatibility.squared_distance > kRivalGate) continue;
+    const bool compatible = compatibility.squared_distance < association_gate() &&
+                            compatibility.deviation_m < kMaxDeviation_m &&
+                            compatibility.deviation_m > kMinDeviation_m;
+    if (found || !compatible) return std::nullopt;
+    found = predicted;
+  }
+  return found;
+}
+
+Gaussian2 with_range_corrected(const Gaussian2& seen) {
+  const Vec2 error_m = kRangeError * seen.mean_m;
+  return {kRangeFactor * seen.mean_m, seen.covariance_m2 + error_m * error_m.transpose()};
+}
+
+Gaussian2 in_map(const JointGaussian& joint, JointGaussian::Block observer, const Gaussian2& seen) {
+  const auto inverse = inverse_measurement(joint, observer, seen);
+  return {inverse.in_map_m, joint.covariance(inverse.terms) + inverse.noise_m2};
+}
+
+bool may_be_any(const std::vector<Gaussian2>& robots, const Gaussian2& seen) {
+  return std::ranges::any_of(
+      robots, [&](const auto& robot) { return squared_mahalanobis(robot, seen) < kRivalGate; });
+}
+
+}  // namespace
+
+void correct_by_mutual_observations(const msg::Sightings& frame, const RobotPoses& robots,
+                                    JointGaussian& joint, const std::vector<Gaussian2>& others,
+                                    Time now) {
+  for (const auto& sighting : frame.items) {
+    if (sighting.object_class != "robot") continue;
+    const auto measurement = measurement_of(sighting, frame);
+    if (!measurement || !measurement->complete) continue;
+    const Gaussian2 seen = with_range_corrected(measurement->in_robot);
+    if (may_be_any(others, in_map(joint, robots.block(frame.robot), seen))) continue;
+    if (const auto predicted = met(frame.robot, seen, robots, joint, now))
+      correct_by(joint, *predicted, seen);
+  }
+}
+
+}  // namespace galilean::monitor

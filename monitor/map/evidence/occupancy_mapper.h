@@ -1,0 +1,36 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "core/wire/messages.h"
+#include "monitor/map/estimation/robot_poses.h"
+#include "monitor/map/evidence/occupancy_grid_map.h"
+
+namespace galilean::monitor {
+
+/// Draws into the occupancy grid what robots do and see, at the poses where they are estimated now.
+/// A robot that neither drives nor turns gives no new evidence.
+class OccupancyMapper {
+ public:
+  /// `robot` stands where `poses` says. Requires: poses.contains(robot).
+  void add_robot(const std::string& robot, const RobotPoses& poses);
+  /// Requires: poses.contains(frame.robot).
+  void add_frame(const msg::Sightings& frame, const RobotPoses& poses);
+  /// A robot touched something at `at_m` (map frame).
+  void add_obstacle(const Vec2& at_m) { grid_.add_obstacle(at_m); }
+
+  [[nodiscard]] const OccupancyGridMap& grid() const noexcept { return grid_; }
+
+ private:
+  /// Where a robot was when it last gave evidence.
+  struct Last {
+    Vec2 stood_m = Vec2::Constant(1e9);
+    Pose2 looked{Vec2::Constant(1e9), 0};
+  };
+
+  OccupancyGridMap grid_;
+  std::map<std::string, Last> last_;  ///< by robot
+};
+
+}  // namespace galilean::monitor

@@ -1,0 +1,49 @@
+#include "monitor/map/evidence/robot_reports.h"
+
+#include <cmath>
+#include <utility>
+
+namespace galilean::monitor {
+namespace {
+
+bool is_obstacle(const msg::Variable& variable) {
+  return variable.type == msg::Variable_Constants::LOCATE && variable.valid &&
+         variable.object_class == "obstacle" && variable.values.size() >= 2 &&
+         std::isfinite(variable.values[0]) && std::isfinite(variable.values[1]);
+}
+
+}  // namespace
+
+void RobotReports::add(const msg::Variables& variables, Time now) {
+  Robot& robot = robots_[variables.robot];
+  robot.heard = now;
+  robot.sensors.update(variables, now);
+}
+
+std::vector<msg::Variable> RobotReports::take_new_obstacles(const msg::Variables& variables) {
+  Robot& robot = robots_[variables.robot];
+  std::vector<msg::Variable> written;
+  for (const auto& variable : variables.items) {
+    if (!is_obstacle(variable)) continue;
+    const auto [touched, is_new] = robot.touched.try_emplace(variable.name, variable.updated);
+    if (is_new || std::exchange(touched->second, variable.updated) != variable.updated)
+      written.push_back(variable);
+  }
+  return written;
+}
+
+void RobotReports::add(const msg::Catalog& catalog, Time now) {
+  Robot& robot = robots_[catalog.robot];
+  robot.heard = now;
+  if (auto read = catalog_from_json(catalog.json)) robot.catalog = std::move(read).value();
+  if (robot.program) robot.sensors.set_program(*robot.program, robot.catalog);
+}
+
+void RobotReports::add(const msg::Program& program, Time now) {
+  Robot& robot = robots_[program.robot];
+  robot.heard = now;
+  robot.program = program;
+  robot.sensors.set_program(program, robot.catalog);
+}
+
+}  // namespace galilean::monitor

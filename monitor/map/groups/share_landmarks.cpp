@@ -1,0 +1,39 @@
+#include "monitor/map/groups/share_landmarks.h"
+
+#include <algorithm>
+
+namespace galilean::monitor {
+namespace {
+
+/// A group learns a position if its own estimate has more than so many times the variance.
+constexpr double kFarBetter = 2;
+/// Standard deviation of what another group says, beside its own covariance. Without it two groups
+/// that tell each other the same position would each become more certain of it every time.
+constexpr double kHearsay_m = 0.05;
+/// Trash at this squared Mahalanobis distance from where another group knows it was more likely
+/// pushed since.
+constexpr double kMovedDistance = 4;
+
+void teach(const PublishedLandmark& known, const PublishedLandmark& learned) {
+  const Mat2 hearsay = known.position.covariance_m2 + kHearsay_m * kHearsay_m * Mat2::Identity();
+  if (learned.position.covariance_m2.trace() < kFarBetter * hearsay.trace()) return;
+  const auto& [group, id] = learned.sources.front();
+  const auto landmark = std::ranges::find(group->landmarks.all(), id, &Landmark::id);
+  const JointGaussian::Term itself[] = {{landmark->block, Mat2::Identity()}};
+  const Vec2 innovation = known.position.mean_m - group->joint.position(landmark->block);
+  group->joint.correct(itself, innovation, hearsay);
+}
+
+}  // namespace
+
+void share_landmarks(const PublishedLandmarks& landmarks, const std::vector<DuplicatePair>& pairs) {
+  for (const auto& pair : pairs) {
+    const PublishedLandmark &a = landmarks[pair.a], &b = landmarks[pair.b];
+    const bool may_have_moved = a.object_class == "trash" && pair.squared_distance > kMovedDistance;
+    if (!pair.is_sure || may_have_moved || a.object_class == "obstacle") continue;
+    const bool a_knows = a.position.covariance_m2.trace() < b.position.covariance_m2.trace();
+    teach(a_knows ? a : b, a_knows ? b : a);
+  }
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/geometry.h"
+
+namespace galilean::monitor {
+
+/// From where a robot's camera looked, and for how long what it did not see counts as absent.
+struct Viewpoint {
+  Pose2 pose;                                            ///< in the map frame
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of x, y [m] and heading [rad]
+  double for_s = 0;  ///< 0: the robot recognizes nothing and may be elsewhere
+};
+
+}  // namespace galilean::monitor

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/wire/messages.h"
+#include "monitor/map/evidence/carried_objects.h"
+#include "monitor/map/evidence/robot_reports.h"
+
+namespace galilean::monitor {
+
+/// What the messages of the map are made of.
+struct MapContents {
+  const RobotGroups& groups;
+  const PublishedLandmarks& landmarks;
+  const CarriedObjects& carried;
+  const RobotReports& reports;
+};
+
+/// Returns published landmarks, carried objects and robots, in the map frame. A robot that was not
+/// heard for `silent_after` is silent. `stamp_ns` is the instant `now` since the Unix epoch.
+[[nodiscard]] msg::ObjectMap objects_message(const MapContents& map, Duration silent_after,
+                                             Time now, std::int64_t stamp_ns);
+/// Returns the pose of each robot's odom frame in the map frame.
+[[nodiscard]] msg::TFMessage transforms_message(const RobotGroups& groups, std::int64_t stamp_ns);
+
+}  // namespace galilean::monitor

@@ -4,6 +4,7 @@
 
 #include "bhdl/check/state_specs.h"
 #include "core/catalog/wiring.h"
+#include "core/variable/type_name.h"
 
 namespace galilean::bhdl {
 namespace {

@@ -2,6 +2,7 @@
 
 #include "bhdl/program/program.h"
 #include "core/catalog/wiring.h"
+#include "core/variable/type_name.h"
 
 namespace galilean::bhdl {
 namespace {

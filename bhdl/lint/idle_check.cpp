@@ -6,6 +6,7 @@
 #include "bhdl/program/initial_value.h"
 #include "bhdl/source/text.h"
 #include "core/catalog/wiring.h"
+#include "core/variable/type_name.h"
 
 namespace galilean::bhdl {
 namespace {

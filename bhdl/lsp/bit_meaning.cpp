@@ -5,6 +5,7 @@
 #include "bhdl/check/owner.h"
 #include "bhdl/source/text.h"
 #include "core/catalog/wiring.h"
+#include "core/variable/type_name.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "core/catalog/catalog.h"
 #include "core/catalog/wiring.h"
+#include "core/variable/type_name.h"
 
 namespace galilean {
 namespace {

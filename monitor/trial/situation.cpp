@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/catalog/wiring.h"
+#include "core/variable/type_name.h"
 
 namespace galilean::monitor {
 namespace {

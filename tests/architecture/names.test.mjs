@@ -14,7 +14,7 @@ const named = (kind) => [...textOf(LIST).matchAll(new RegExp(`add_${kind}<\\w+>\
 const [schemas, others] = [named('schema'), named('settings')];
 
 /** Where the words for devices and for types of variables stand, once for C++ and once for the page. */
-const VOCABULARY = ['core/device/device_names.h', 'core/catalog/wiring.h', 'web/src/model/variable_text.ts'];
+const VOCABULARY = ['core/device/device_names.h', 'core/variable/type_name.h', 'web/src/model/variable_text.ts'];
 /** The same word for something else. */
 const OTHER_MEANINGS = {
   lost: ['web/src/feed/feed.ts', 'web/src/model/live.svelte.ts', 'web/src/shell/Announcer.svelte', 'web/src/shell/Header.svelte'], // a connection

@@ -7,8 +7,8 @@ cd "$(dirname "$0")/.."
 tests=OFF
 [ "${1:-programs}" = all ] && tests=ON
 if [ ! -f build/build.ninja ] || { [ $tests = ON ] && ! grep -q 'GALILEAN_TESTS:BOOL=ON' build/CMakeCache.txt; }; then
-  # Several files at a time: a first build takes half as long. For work on one file, configure without.
-  cmake -S . -B build -G Ninja -DGALILEAN_TESTS=$tests -DCMAKE_UNITY_BUILD=ON >build.log 2>&1 || { cat build.log >&2; exit 1; }
+  # Several files at a time: a first build takes half as long. For work on one file there is preset dev.
+  cmake --preset release -DGALILEAN_TESTS=$tests >build.log 2>&1 || { cat build.log >&2; exit 1; }
   rm -f build.log
 fi
 target=programs

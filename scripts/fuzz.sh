@@ -9,11 +9,7 @@ fuzzers=(check format diff language_server)
 dir=build/fuzz
 
 mkdir -p "$dir"/{findings,found}
-cmake -S . -B "$dir" -G Ninja -DGALILEAN_FUZZ=ON -DGALILEAN_TESTS=OFF -DGALILEAN_PARTS="core;bhdl" \
-  -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang \
-  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" \
-  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 \
-  >"$dir/configure.log" 2>&1 || { cat "$dir/configure.log"; exit 1; }
+cmake --preset fuzz >"$dir/configure.log" 2>&1 || { cat "$dir/configure.log"; exit 1; }
 ninja -C "$dir" fuzzers >"$dir/build.log" 2>&1 || { grep -A20 -E 'FAILED|error' "$dir/build.log" | head -100; exit 1; }
 
 passed=0 failed=0

@@ -5,16 +5,13 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 kind=$1
-dir=build/sanitize-${kind%%,*}
+preset=asan
+[ "$kind" = thread ] && preset=tsan
+dir=build/$preset
 
-# Clang compiles the checks faster than g++, and is a second opinion. Under its ThreadSanitizer a test
-# could not count allocations: operator new is its own there.
-compilers=(-DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang)
-[ "$kind" = thread ] && compilers=()
-cmake -S . -B "$dir" -G Ninja -DGALILEAN_SANITIZE="$kind" "${compilers[@]}" \
-  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" \
-  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 \
-  >"$dir.log" 2>&1 || { cat "$dir.log"; exit 1; }
+# The preset asan takes clang, which compiles the checks faster than g++, and is a second opinion; tsan takes
+# g++, since under clang's ThreadSanitizer a test could not count allocations: operator new is its own there.
+cmake --preset $preset >"$dir.log" 2>&1 || { cat "$dir.log"; exit 1; }
 target=unit_tests
 [ "$kind" = thread ] && target=thread_tests
 ninja -C "$dir" $target >"$dir/build.log" 2>&1 || { grep -A20 -E 'FAILED|error' "$dir/build.log" | head -100; exit 1; }

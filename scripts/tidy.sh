@@ -10,13 +10,12 @@ mkdir -p "$dir"
 stamp=$({
   clang-tidy --version
   cat scripts/tidy.sh scripts/sources.sh
-  scripts/sources.sh '*.h' '*.cpp' '*.idl' CMakeLists.txt '*.cmake' .clang-tidy | xargs sha256sum
+  scripts/sources.sh '*.h' '*.cpp' '*.idl' CMakeLists.txt '*.cmake' CMakePresets.json .clang-tidy | xargs sha256sum
 } | sha256sum)
 [ "$(cat "$dir/clean" 2>/dev/null)" = "$stamp" ] && exit 0
 
 # clang cannot read what g++ precompiles.
-cmake -S . -B "$dir" -G Ninja -DGALILEAN_TESTS=OFF -DGALILEAN_PCH=OFF -DCMAKE_UNITY_BUILD=ON \
-  -DCMAKE_UNITY_BUILD_BATCH_SIZE=24 >"$dir/cmake.log" 2>&1 || { cat "$dir/cmake.log"; exit 1; }
+cmake --preset tidy >"$dir/cmake.log" 2>&1 || { cat "$dir/cmake.log"; exit 1; }
 ninja -C "$dir" galilean_wire >"$dir/build.log" 2>&1 || { tail -40 "$dir/build.log"; exit 1; }
 
 node -p 'JSON.parse(fs.readFileSync(process.argv[1])).map((entry) => entry.file).join("\n")' "$dir/compile_commands.json" |

@@ -9,11 +9,11 @@
 namespace galilean::bhdl {
 namespace {
 
-AttributeSpec seconds(std::string name, std::optional<Value> preset, std::string help) {
+AttributeSpec seconds(std::string name, std::optional<Value> default_value, std::string help) {
   return {.name = std::move(name),
           .type = AttributeType::kNumber,
           .unit = unit::kSecond,
-          .default_value = std::move(preset),
+          .default_value = std::move(default_value),
           .minimum = 0,
           .maximum = kLongestExpectation_s,
           .help = std::move(help)};

@@ -31,8 +31,9 @@ bool writes(Access access) {
 double number_given(const Entity& entity, const AttributeSpec& spec) {
   if (const AttributeNode* node = find_given(entity.attributes, spec, *entity.spec))
     return node->values.front().number;
-  const auto* preset = spec.default_value ? std::get_if<double>(&*spec.default_value) : nullptr;
-  return preset == nullptr ? -1 : *preset;
+  const auto* default_value =
+      spec.default_value ? std::get_if<double>(&*spec.default_value) : nullptr;
+  return default_value == nullptr ? -1 : *default_value;
 }
 
 // Without an attribute that says which, a schema writes all bits of its variable.

@@ -57,7 +57,7 @@ class Declaration {
     }
 
     /// Of a name: what it is when the program does not give it. It must exist all the same.
-    Refinement& preset(std::string name) {
+    Refinement& default_value(std::string name) {
       spec_.default_value = Value(std::move(name));
       return *this;
     }
@@ -103,57 +103,59 @@ class Declaration {
   /// The device that the schema commands. Two that drive one do not belong in one state.
   void drives(std::string device) { spec_.drives = std::move(device); }
 
-  Refinement flag(bool T::*member, std::string name, bool preset, std::string text) {
+  Refinement flag(bool T::*member, std::string name, bool default_value, std::string text) {
     return add({.name = std::move(name),
                 .type = AttributeType::kFlag,
-                .default_value = Value(preset),
+                .default_value = Value(default_value),
                 .help = std::move(text)},
                [member](T& t, const Value& v, const Wiring&) { t.*member = std::get<bool>(v); });
   }
   template <class N>
-  Refinement number(N T::*member, std::string name, Unit unit, double preset, std::string text) {
-    return number_attribute(member, std::move(name), unit, Value(preset), std::move(text));
+  Refinement number(N T::*member, std::string name, Unit unit, double default_value,
+                    std::string text) {
+    return number_attribute(member, std::move(name), unit, Value(default_value), std::move(text));
   }
   /// Must be given.
   template <class N>
   Refinement required_number(N T::*member, std::string name, Unit unit, std::string text) {
     return number_attribute(member, std::move(name), unit, std::nullopt, std::move(text));
   }
-  Refinement pair(Vec2 T::*member, std::string name, Unit unit, Vec2 preset, std::string text) {
+  Refinement pair(Vec2 T::*member, std::string name, Unit unit, Vec2 default_value,
+                  std::string text) {
     return add({.name = std::move(name),
                 .type = AttributeType::kPair,
                 .unit = unit,
-                .default_value = Value(preset),
+                .default_value = Value(default_value),
                 .help = std::move(text)},
                [member](T& t, const Value& v, const Wiring&) { t.*member = std::get<Vec2>(v); });
   }
   Refinement numbers(std::vector<double> T::*member, std::string name, Unit unit,
-                     std::vector<double> preset, std::string text) {
+                     std::vector<double> default_value, std::string text) {
     return add({.name = std::move(name),
                 .type = AttributeType::kNumbers,
                 .unit = unit,
-                .default_value = Value(std::move(preset)),
+                .default_value = Value(std::move(default_value)),
                 .help = std::move(text)},
                [member](T& t, const Value& v, const Wiring&) {
                  t.*member = std::get<std::vector<double>>(v);
                });
   }
-  Refinement text(std::string T::*member, std::string name, std::string preset,
+  Refinement text(std::string T::*member, std::string name, std::string default_value,
                   std::string help_text) {
     return add(
         {.name = std::move(name),
          .type = AttributeType::kText,
-         .default_value = Value(std::move(preset)),
+         .default_value = Value(std::move(default_value)),
          .help = std::move(help_text)},
         [member](T& t, const Value& v, const Wiring&) { t.*member = std::get<std::string>(v); });
   }
   /// The member is an enum whose values count up from 0 in the order of `choices`, or a bool.
   template <class E>
   Refinement choice(E T::*member, std::string name, std::vector<std::string> choices,
-                    std::string preset, std::string help_text) {
+                    std::string default_value, std::string help_text) {
     AttributeSpec spec{.name = std::move(name),
                        .type = AttributeType::kChoice,
-                       .default_value = Value(std::move(preset)),
+                       .default_value = Value(std::move(default_value)),
                        .choices = choices,
                        .help = std::move(help_text)};
     return add(std::move(spec),
@@ -241,13 +243,13 @@ class Declaration {
   }
   template <class N>
   Refinement number_attribute(N T::*member, std::string name, Unit unit,
-                              std::optional<Value> preset, std::string text) {
+                              std::optional<Value> default_value, std::string text) {
     constexpr auto type =
         std::is_floating_point_v<N> ? AttributeType::kNumber : AttributeType::kInteger;
     return add({.name = std::move(name),
                 .type = type,
                 .unit = unit,
-                .default_value = std::move(preset),
+                .default_value = std::move(default_value),
                 .help = std::move(text)},
                [member](T& t, const Value& v, const Wiring&) {
                  t.*member = static_cast<N>(std::get<double>(v));

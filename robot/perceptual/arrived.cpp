@@ -7,7 +7,7 @@ namespace galilean::robot {
 void Arrived::describe(Declaration<Arrived>& is) {
   is.help("Sets a bit while the robot is close to an object that it sees or remembers.");
   is.reads(&Arrived::object_, "locate_variable", "the object");
-  is.reads(&Arrived::shaft_, "shaft_variable", "where the robot is").preset("shaft");
+  is.reads(&Arrived::shaft_, "shaft_variable", "where the robot is").default_value("shaft");
   is.number(&Arrived::radius_m_, "radius", unit::kCentimetre, 40,
             "distance from the robot's centre to the object's that counts as there")
       .range(0, 10000)

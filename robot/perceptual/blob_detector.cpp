@@ -107,9 +107,9 @@ void BlobDetector::describe_appearance(Declaration<BlobDetector>& is) {
 }
 
 void BlobDetector::describe_rejections(Declaration<BlobDetector>& is) {
-  const auto length = [&is](double BlobGates::*member, const char* name, double preset_cm,
+  const auto length = [&is](double BlobGates::*member, const char* name, double default_cm,
                             const char* help) {
-    is.number(static_cast<Number>(member), name, unit::kCentimetre, preset_cm, help)
+    is.number(static_cast<Number>(member), name, unit::kCentimetre, default_cm, help)
         .range(0, 10000);
   };
   length(&BlobGates::min_width_m, "min_width", 0, "least width of the object");

@@ -10,7 +10,8 @@ void ObstacleDetector::describe(Declaration<ObstacleDetector>& is) {
   is.pair(
       &ObstacleDetector::translation_m_, "translation", unit::kCentimetre, {0, 22},
       "where the obstacle is when the bit is 1: to the right and forward of the robot's centre");
-  is.reads(&ObstacleDetector::shaft_, "shaft_variable", "where the robot is").preset("shaft");
+  is.reads(&ObstacleDetector::shaft_, "shaft_variable", "where the robot is")
+      .default_value("shaft");
   is.writes(&ObstacleDetector::obstacle_, "obstacle_variable", "where the obstacle is");
 }
 

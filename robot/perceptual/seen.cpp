@@ -7,7 +7,7 @@ namespace galilean::robot {
 void Seen::describe(Declaration<Seen>& is) {
   is.help("Sets a bit while the robot knows well enough where an object is.");
   is.reads(&Seen::object_, "locate_variable", "the object");
-  is.reads(&Seen::shaft_, "shaft_variable", "where the robot is").preset("shaft");
+  is.reads(&Seen::shaft_, "shaft_variable", "where the robot is").default_value("shaft");
   is.number(&Seen::min_certainty_, "min_certainty", unit::kNone, 0.5, "how sure it must be")
       .range(0, 1)
       .role(Role::kCertaintyAtLeast, "locate_variable");

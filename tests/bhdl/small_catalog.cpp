@@ -3,11 +3,12 @@
 namespace galilean::bhdl {
 namespace {
 
-AttributeSpec number(std::string name, Unit unit, double preset, double minimum, double maximum) {
+AttributeSpec number(std::string name, Unit unit, double default_value, double minimum,
+                     double maximum) {
   return {.name = std::move(name),
           .type = AttributeType::kNumber,
           .unit = unit,
-          .default_value = Value(preset),
+          .default_value = Value(default_value),
           .minimum = minimum,
           .maximum = maximum,
           .help = "a number"};

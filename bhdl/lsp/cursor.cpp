@@ -49,8 +49,16 @@ std::size_t word_begin(std::string_view text, std::size_t offset) {
   return digits;  // 30c: the unit begins behind the number
 }
 
-bool is_label(NodeKind kind) {
-  return kind == NodeKind::kAttribute || kind == NodeKind::kSchemaList;
+// A word without its colon may be anything yet.
+bool is_label(const ParseTree& tree, const Node& node) {
+  const bool labels = node.kind == NodeKind::kAttribute || node.kind == NodeKind::kSchemaList;
+  return labels && tree.tokens[node.first_token + 1].kind == TokenKind::kColon;
+}
+
+/// What has a value outside every block, too.
+bool takes_value(const ParseTree& tree, const Node& node) {
+  return is_label(tree, node) || node.kind == NodeKind::kInclude ||
+         node.kind == NodeKind::kStartState;
 }
 
 /// Reads what is open where a text breaks off.
@@ -86,12 +94,12 @@ class OpenEnd {
     std::optional<std::uint32_t> last;
     std::optional<std::uint32_t> attribute;
     for (const auto i : nodes) {
-      const NodeKind kind = tree_.nodes[i].kind;
-      if (kind == NodeKind::kError) continue;
+      const Node& node = tree_.nodes[i];
+      const bool is_value = takes_value(tree_, node) && node.kind != NodeKind::kSchemaList;
+      if (node.kind == NodeKind::kError || (node.kind == NodeKind::kAttribute && !is_value))
+        continue;
       last = i;
-      const bool is_line = kind == NodeKind::kAttribute || kind == NodeKind::kInclude ||
-                           kind == NodeKind::kStartState;
-      attribute = is_line ? std::optional(i) : std::nullopt;
+      attribute = is_value ? std::optional(i) : std::nullopt;
     }
     if (attribute) {
       cursor_.attribute = tree_.first_token(tree_.nodes[*attribute]).text;
@@ -122,7 +130,7 @@ class OpenEnd {
   void add_given(const ParseTree& tree, std::uint32_t block, std::size_t offset) {
     for (const auto i : tree.children(block)) {
       const std::string_view label = tree.first_token(tree.nodes[i]).text;
-      if (is_label(tree.nodes[i].kind) && tree.offset_of(label) >= offset)
+      if (is_label(tree, tree.nodes[i]) && tree.offset_of(label) >= offset)
         cursor_.given.insert(label);
     }
   }

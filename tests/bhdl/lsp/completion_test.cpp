@@ -137,6 +137,8 @@ TEST(Completion, IsSilentInCommentsAndOnNewNames) {
 TEST(Completion, WorksWhereTheTextDoesNotParse) {
   EXPECT_THAT(completions_in(")) \"open\nmotor_schemas: noise: name \"x\" 3 : :\n  |"),
               Contains("persistence"));
+  EXPECT_THAT(completions_in("motor_schemas: noise: name: \"n\" pers | : 3 end"),
+              Contains("persistence"));
   EXPECT_THAT(completions_in(kNames + "motor_schemas: noise: result: \"|\nstates: state: name:"),
               ElementsAre("ahead"));
 }

@@ -14,7 +14,19 @@ void FileParser::parse() {
 }
 
 void FileParser::item() {
-  if (states_) return item_of_states();
+  if (states_)
+    item_of_states();
+  else
+    item_outside();
+  if (states_) tokens_.close(*states_);
+}
+
+void FileParser::forget() {
+  tokens_.forget();
+  if (states_) states_ = tokens_.open(NodeKind::kStates);
+}
+
+void FileParser::item_outside() {
   if (at_section_word(tokens_)) return section(tokens_.peek().text);
   refuse_outside();
 }

@@ -17,8 +17,11 @@ class FileParser {
       : tokens_(tokens), states_(states), diagnostics_(diagnostics) {}
 
   [[nodiscard]] bool done() const noexcept { return !states_ && tokens_.at_end_of_file(); }
-  /// Requires: not done().
+  /// Reads one item. Afterwards the tree is whole, as far as it has been read. Requires: not
+  /// done().
   void item();
+  /// Takes the items that were read out of the tree.
+  void forget();
   /// All that are left.
   void parse();
   [[nodiscard]] std::optional<std::uint32_t> open_states() const noexcept { return states_; }
@@ -28,6 +31,7 @@ class FileParser {
   void components(ComponentKind kind);
   void states();
   void item_of_states();
+  void item_outside();
   void define();
   void include();
   void start_state();

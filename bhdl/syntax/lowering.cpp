@@ -10,13 +10,10 @@ namespace {
 
 class Lowering {
  public:
-  Lowering(const ParseTree& tree, std::string_view file) : tree_(tree), file_(file) {}
+  Lowering(SyntaxTree& result, const ParseTree& tree, std::string_view file)
+      : result_(result), tree_(tree), file_(file) {}
 
-  SyntaxTree run() {
-    result_.reserve(count(tree_.roots()) + count_inside());
-    add_all(tree_.roots());
-    return std::move(result_);
-  }
+  void run() { add_all(tree_.roots()); }
 
  private:
   // Bare states and those in a section are the same to the checker. Recursion ends there.
@@ -112,15 +109,6 @@ class Lowering {
     return {token.text, {file_, token.at.line, token.at.column}};
   }
 
-  /// In the sections whose parts stand in the result by themselves.
-  [[nodiscard]] std::size_t count_inside() const {
-    std::size_t found = 0;
-    for (const auto i : tree_.roots()) {
-      const NodeKind kind = tree_.nodes[i].kind;
-      if (kind == NodeKind::kStates || kind == NodeKind::kOnSwap) found += count(tree_.children(i));
-    }
-    return found;
-  }
   template <class Counts>
   [[nodiscard]] static std::size_t count(const NodeRange& nodes, Counts counts) {
     std::size_t found = 0;
@@ -131,15 +119,21 @@ class Lowering {
     return count(nodes, [](std::uint32_t) { return true; });
   }
 
+  SyntaxTree& result_;
   const ParseTree& tree_;
   std::string_view file_;
-  SyntaxTree result_;
 };
 
 }  // namespace
 
+void lower_into(SyntaxTree& result, const ParseTree& tree, std::string_view file) {
+  Lowering(result, tree, file).run();
+}
+
 SyntaxTree lowered(const ParseTree& tree, std::string_view file) {
-  return Lowering(tree, file).run();
+  SyntaxTree result;
+  lower_into(result, tree, file);
+  return result;
 }
 
 }  // namespace galilean::bhdl

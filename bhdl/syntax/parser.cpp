@@ -14,7 +14,16 @@ ParseTree parse_tree(std::string_view file, std::string_view text, Diagnostics& 
 }
 
 SyntaxTree parse(std::string_view file, std::string_view text, Diagnostics& diagnostics) {
-  return lowered(parse_tree(file, text, diagnostics), file);
+  ParseTree tree{text, {}, {}};
+  TokenStream tokens(file, tree, diagnostics);
+  FileParser parser(tokens, std::nullopt, diagnostics);
+  SyntaxTree result;
+  while (!parser.done()) {
+    parser.item();
+    lower_into(result, tree, file);
+    parser.forget();
+  }
+  return result;
 }
 
 }  // namespace galilean::bhdl

@@ -15,7 +15,8 @@ namespace galilean::bhdl {
 [[nodiscard]] ParseTree parse_tree(std::string_view file, std::string_view text,
                                    Diagnostics& diagnostics);
 
-/// The same, and of it what the checker needs. The tree's views point into `file` and `text`.
+/// The same, and of it what the checker needs; no more than an item is in memory otherwise. The
+/// tree's views point into `file` and `text`.
 [[nodiscard]] SyntaxTree parse(std::string_view file, std::string_view text,
                                Diagnostics& diagnostics);
 

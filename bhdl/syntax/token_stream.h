@@ -49,6 +49,14 @@ class TokenStream {
   /// Leaves the tree with the tokens that were taken and the end of the file, if it is at hand.
   void drop_look_ahead() { tree_.tokens.resize(next_ + (at_end_of_file() ? 1 : 0)); }
 
+  /// Takes the nodes, and the tokens that were taken, out of the tree.
+  void forget() {
+    const auto taken = static_cast<std::ptrdiff_t>(next_);
+    tree_.tokens.erase(tree_.tokens.begin(), tree_.tokens.begin() + taken);
+    tree_.nodes.clear();
+    next_ = 0;
+  }
+
   std::uint32_t open(NodeKind kind, std::uint8_t sense = 0) {
     tree_.nodes.push_back({kind, sense, next(), 0, 0});
     return static_cast<std::uint32_t>(tree_.nodes.size() - 1);

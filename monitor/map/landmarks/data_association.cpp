@@ -8,6 +8,8 @@
 namespace galilean::monitor {
 namespace {
 
+using Match = DataAssociation::Match;
+
 /// The prediction must be so certain that the nearest landmark can be the one that is seen. Baskets
 /// stand metres apart, and so may be predicted less well.
 constexpr double kMaxDeviation_m = 0.25;
@@ -55,8 +57,8 @@ double DataAssociation::max_deviation_m(const Landmark& landmark, const std::str
   return landmark.object_class == "basket" && placed ? kMaxBasketDeviation_m : kMaxDeviation_m;
 }
 
-std::vector<Match> DataAssociation::matches(const std::vector<Observation>& observations,
-                                            const std::string& observer) const {
+std::vector<DataAssociation::Match> DataAssociation::matches(
+    const std::vector<Observation>& observations, const std::string& observer) const {
   const auto robot = robots_.block(observer);
   const Pose2 pose = robots_.pose(observer);
   const auto& landmarks = landmarks_.all();
@@ -87,8 +89,8 @@ bool DataAssociation::may_be_duplicates(std::size_t a, std::size_t b) const {
   return apart.norm() < kDuplicate_m && may_be_same(first, second);
 }
 
-std::optional<Match> DataAssociation::next(const std::vector<Observation>& observations,
-                                           const std::string& observer) const {
+std::optional<DataAssociation::Match> DataAssociation::next(
+    const std::vector<Observation>& observations, const std::string& observer) const {
   std::vector<Match> all = matches(observations, observer);
   if (all.empty()) return std::nullopt;
   const auto duplicates = [this](std::size_t a, std::size_t b) { return may_be_duplicates(a, b); };

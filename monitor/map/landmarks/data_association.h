@@ -17,13 +17,6 @@ struct Observation {
   std::optional<std::size_t> landmark;  ///< index into LandmarkStore::all()
 };
 
-/// An association of an observation with a landmark.
-struct Match {
-  double squared_distance;  ///< squared Mahalanobis distance
-  std::size_t observation, landmark;
-  bool is_sure = false;  ///< nothing else comes into question
-};
-
 /// Decides which landmark an observation is of.
 ///
 ///   law     An observation is associated with the landmark of its class that is nearest by
@@ -36,6 +29,13 @@ struct Match {
 ///   source  gated nearest neighbour (Bar-Shalom, Li, Kirubarajan 2001)
 class DataAssociation {
  public:
+  /// An association of an observation with a landmark.
+  struct Match {
+    double squared_distance;  ///< squared Mahalanobis distance
+    std::size_t observation, landmark;
+    bool is_sure = false;  ///< nothing else comes into question
+  };
+
   DataAssociation(const JointGaussian& joint, const RobotPoses& robots,
                   const LandmarkStore& landmarks)
       : joint_(joint), robots_(robots), landmarks_(landmarks) {}

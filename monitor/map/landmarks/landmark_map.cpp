@@ -51,7 +51,7 @@ void LandmarkMap::associate(const std::string& robot, std::vector<Observation>& 
   }
 }
 
-void LandmarkMap::take_in(const Match& match, const std::string& robot,
+void LandmarkMap::take_in(const DataAssociation::Match& match, const std::string& robot,
                           const Measurement& measurement, Time now) {
   Landmark& landmark = store_.all()[match.landmark];
   landmark.observe(robot, now);

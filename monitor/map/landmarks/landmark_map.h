@@ -73,8 +73,8 @@ class LandmarkMap {
 
  private:
   void associate(const std::string& robot, std::vector<Observation>& observations, Time now);
-  void take_in(const Match& match, const std::string& robot, const Measurement& measurement,
-               Time now);
+  void take_in(const DataAssociation::Match& match, const std::string& robot,
+               const Measurement& measurement, Time now);
   [[nodiscard]] bool is_informative(const Landmark& landmark, const std::string& robot,
                                     Time now) const;
 

@@ -6,6 +6,7 @@
 #include "core/catalog/registry.h"
 #include "core/device/device_names.h"
 #include "core/device/devices.h"
+#include "core/device/frame_grabber.h"
 #include "core/device/motor_drive.h"
 #include "core/schema/schema.h"
 #include "core/variable/variable.h"

@@ -22,7 +22,7 @@ bool is_command(MessageType type) {
 
 Controller::Controller(Hardware& hardware, const Identity& identity)
     : hardware_(hardware), identity_(identity), inputs_(hardware.read()) {
-  drive_train_.start_at(inputs_);
+  drive_train_.start_at(inputs_, now_ms_);
 }
 
 void Controller::update(std::uint32_t now_ms) {
@@ -113,7 +113,8 @@ Result Controller::report(const Frame& frame) {
 }
 
 void Controller::control() {
-  const std::uint32_t elapsed_ms = std::min(now_ms_ - last_control_ms_, kStatusPeriod_ms);
+  // After a longer break profiles and servo go on from where they stood, without a leap.
+  const std::uint32_t elapsed_ms = std::min(now_ms_ - last_control_ms_, kLongestStep_ms);
   last_control_ms_ = now_ms_;
   inputs_ = hardware_.read();
   const auto bits = static_cast<std::uint16_t>(inputs_.bumpers | (inputs_.beam_broken << kBeam));

@@ -26,6 +26,7 @@ class Controller {
  public:
   static constexpr std::uint32_t kPeriod_ms = 2;
   static constexpr std::uint32_t kStatusPeriod_ms = 20;
+  static constexpr std::uint32_t kLongestStep_ms = 20;
 
   struct Identity {
     std::array<std::uint8_t, 16> name{};  ///< ASCII, filled up with zeros

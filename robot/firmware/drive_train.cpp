@@ -60,9 +60,9 @@ bool DriveTrain::set(const Parameters& parameters) {
   return true;
 }
 
-void DriveTrain::start_at(const Inputs& inputs) {
-  left_.start_at(inputs.left_encoder_counts);
-  right_.start_at(inputs.right_encoder_counts);
+void DriveTrain::start_at(const Inputs& inputs, std::uint32_t now_ms) {
+  left_.start_at(inputs.left_encoder_counts, now_ms);
+  right_.start_at(inputs.right_encoder_counts, now_ms);
 }
 
 void DriveTrain::drive(const Drive& command, std::uint32_t now_ms) {
@@ -88,6 +88,8 @@ void DriveTrain::cut() {
 
 void DriveTrain::step(const Inputs& inputs, std::uint32_t now_ms, float dt_s, Outputs& outputs) {
   watch(now_ms);
+  left_.measure(inputs.left_encoder_counts, now_ms);
+  right_.measure(inputs.right_encoder_counts, now_ms);
   const float turning = share_of_turning(left_.wanted_counts_s(), right_.wanted_counts_s());
   const DeadZones& straight = parameters_.straight_dead_zones;
   const DeadZones& turn = parameters_.turn_dead_zones;
@@ -95,8 +97,8 @@ void DriveTrain::step(const Inputs& inputs, std::uint32_t now_ms, float dt_s, Ou
                       between(straight.left_reverse, turn.left_reverse, turning)};
   const DeadZone right{between(straight.right_forward, turn.right_forward, turning),
                        between(straight.right_reverse, turn.right_reverse, turning)};
-  outputs.left_pwm = left_.step(inputs.left_encoder_counts, left, dt_s);
-  outputs.right_pwm = right_.step(inputs.right_encoder_counts, right, dt_s);
+  outputs.left_pwm = left_.step(left, dt_s);
+  outputs.right_pwm = right_.step(right, dt_s);
 }
 
 void DriveTrain::watch(std::uint32_t now_ms) {

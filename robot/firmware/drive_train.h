@@ -22,9 +22,10 @@ class DriveTrain {
   void drive(const Drive& command, std::uint32_t now_ms);
   /// Cuts both motors at once.
   void cut();
-  /// One period of the loops: writes both PWM.
+  /// One period of the loops: writes both PWM. Speeds are measured by `now_ms`; `dt_s` is by how
+  /// much profiles and loops go on.
   void step(const Inputs& inputs, std::uint32_t now_ms, float dt_s, Outputs& outputs);
-  void start_at(const Inputs& inputs);
+  void start_at(const Inputs& inputs, std::uint32_t now_ms);
 
   bool active() const { return left_.active() || right_.active(); }
   bool stopped_by_timeout() const { return stopped_by_timeout_; }

@@ -10,15 +10,13 @@ void Pid::set(const PidGains& gains, float output_limit) {
 }
 
 void Pid::reset() {
-  integral_ = last_measured_ = 0;
+  integral_ = 0;
 }
 
-float Pid::step(float wanted, float measured, float dt_s) {
-  const float error = wanted - measured;
-  const float change = (measured - last_measured_) / dt_s;
-  last_measured_ = measured;
+float Pid::step(float wanted, const Measured& measured, float dt_s) {
+  const float error = wanted - measured.value;
   const float summed = integral_ + gains_.integral * error * dt_s;
-  const float output = gains_.proportional * error + summed - gains_.derivative * change;
+  const float output = gains_.proportional * error + summed - gains_.derivative * measured.change_s;
   const bool further_into_limit = (output > limit_ && error > 0) || (output < -limit_ && error < 0);
   if (!further_into_limit) integral_ = summed;
   return std::clamp(output, -limit_, limit_);

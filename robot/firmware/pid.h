@@ -8,21 +8,27 @@ struct PidGains {
   float derivative = 0;    ///< output per unit of measured change a second
 };
 
+/// What is controlled, as it was measured.
+struct Measured {
+  float value = 0;
+  float change_s = 0;  ///< of the value a second
+};
+
 /// Textbook PID:  u = Kp·e + Ki·∫e dt − Kd·dm/dt,  e = wanted − measured m, clamped to ±limit.
 /// The derivative acts on what is measured, so that a new target gives no kick. The integral stands
 /// still while the output is at its limit and would be driven further into it.
 class Pid {
  public:
   void set(const PidGains& gains, float output_limit);
-  /// Forgets integral and derivative.
+  /// Forgets the integral.
   void reset();
-  float step(float wanted, float measured, float dt_s);
+  /// The output after `dt_s` more seconds.
+  float step(float wanted, const Measured& measured, float dt_s);
 
  private:
   PidGains gains_;
   float limit_ = 0;
   float integral_ = 0;
-  float last_measured_ = 0;
 };
 
 }  // namespace galilean::robot::firmware

@@ -1,17 +1,36 @@
 #include "robot/firmware/speedometer.h"
 
 namespace galilean::robot::firmware {
+namespace {
 
-void Speedometer::reset(std::int32_t counts) {
-  counts_.fill(counts);
-  speed_ = 0;
+constexpr float kMillisecondsASecond = 1000;
+
+}  // namespace
+
+void Speedometer::reset(std::int32_t counts, std::uint32_t now_ms) {
+  newest_ = {counts, now_ms};
+  samples_.fill(newest_);
+  begin_ms_ = now_ms;
+  speed_ = change_ = 0;
 }
 
-void Speedometer::sample(std::int32_t counts, float dt_s) {
+void Speedometer::sample(std::int32_t counts, std::uint32_t now_ms) {
+  const Sample begin = samples_[oldest_];
   const auto travelled =
-      static_cast<std::uint32_t>(counts) - static_cast<std::uint32_t>(counts_[oldest_]);
-  speed_ = static_cast<float>(static_cast<std::int32_t>(travelled)) / (kSamples * dt_s);
-  counts_[oldest_] = counts;
+      static_cast<std::uint32_t>(counts) - static_cast<std::uint32_t>(begin.counts);
+  // By way of the mean period: even periods then give the same speed to the last bit, whatever
+  // their sum rounds to.
+  const float period_s =
+      static_cast<float>(now_ms - begin.time_ms) / kSamples / kMillisecondsASecond;
+  const float speed =
+      static_cast<float>(static_cast<std::int32_t>(travelled)) / (kSamples * period_s);
+  // The speed is the one at the window's middle. A sample moves this by half of the newest period
+  // and half of the one that leaves the window.
+  const std::uint32_t moved_twice_ms = (now_ms - newest_.time_ms) + (begin.time_ms - begin_ms_);
+  change_ = (speed - speed_) / (static_cast<float>(moved_twice_ms) / (2 * kMillisecondsASecond));
+  speed_ = speed;
+  begin_ms_ = begin.time_ms;
+  newest_ = samples_[oldest_] = {counts, now_ms};
   oldest_ = (oldest_ + 1) % kSamples;
 }
 

@@ -6,22 +6,34 @@
 
 namespace galilean::robot::firmware {
 
-/// Speed from encoder counts: what was travelled over the last window of samples. A longer window
-/// resolves finer (one count in 20 ms is 50 counts/s) but tells it later, by half its length.
+/// Speed from encoder counts: what was travelled over the last window of samples, divided by the
+/// time that they took, whether or not they came at even times. A longer window resolves finer (one
+/// count in 20 ms is 50 counts/s) but tells it later, by half its length.
 class Speedometer {
  public:
-  /// Starts anew, standing at `counts`.
-  void reset(std::int32_t counts);
-  /// Takes the next sample, `dt_s` after the last; counts may wrap around.
-  void sample(std::int32_t counts, float dt_s);
+  /// Starts anew, standing at `counts`. The first windows begin here.
+  void reset(std::int32_t counts, std::uint32_t now_ms);
+  /// Takes the next sample; counts and milliseconds may wrap around. Requires: `now_ms` is later
+  /// than that of the sample before.
+  void sample(std::int32_t counts, std::uint32_t now_ms);
   float speed_counts_s() const { return speed_; }
+  /// How fast that speed changed with the last sample.
+  float change_counts_s2() const { return change_; }
 
  private:
   static constexpr std::size_t kSamples = 10;
 
-  std::array<std::int32_t, kSamples> counts_{};
+  struct Sample {
+    std::int32_t counts = 0;
+    std::uint32_t time_ms = 0;
+  };
+
+  std::array<Sample, kSamples> samples_{};
   std::size_t oldest_ = 0;
+  Sample newest_;
+  std::uint32_t begin_ms_ = 0;  ///< of the window
   float speed_ = 0;
+  float change_ = 0;
 };
 
 }  // namespace galilean::robot::firmware

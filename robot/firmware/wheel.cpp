@@ -39,15 +39,15 @@ void Wheel::cut() {
   active_ = false;
 }
 
-std::int16_t Wheel::step(std::int32_t encoder_counts, const DeadZone& dead_zone, float dt_s) {
-  speedometer_.sample(encoder_counts, dt_s);
+std::int16_t Wheel::step(const DeadZone& dead_zone, float dt_s) {
   if (!active_) return 0;
   const float wanted = profile_.step(dt_s);
   if (settled(dt_s)) {
     cut();
     return 0;
   }
-  const float output = feedforward_ * wanted + pid_.step(wanted, measured_counts_s(), dt_s);
+  const Measured measured{speedometer_.speed_counts_s(), speedometer_.change_counts_s2()};
+  const float output = feedforward_ * wanted + pid_.step(wanted, measured, dt_s);
   const float pwm = output + offset(dead_zone, wanted, output);
   return static_cast<std::int16_t>(std::clamp(pwm, -float{kFullPwm}, float{kFullPwm}));
 }

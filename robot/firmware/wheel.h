@@ -29,14 +29,20 @@ class Wheel {
   void aim(float speed_counts_s, float acceleration_counts_s2, float limit_counts);
   /// Profile and loop forget everything: no PWM from this moment on.
   void cut();
+  /// The encoder as it stands now, before each `step`. Requires: `now_ms` is later than before.
+  void measure(std::int32_t encoder_counts, std::uint32_t now_ms) {
+    speedometer_.sample(encoder_counts, now_ms);
+  }
   /// One period of the loop: the PWM to apply.
-  std::int16_t step(std::int32_t encoder_counts, const DeadZone& dead_zone, float dt_s);
+  std::int16_t step(const DeadZone& dead_zone, float dt_s);
 
   /// A motion is under way, or only just ended.
   bool active() const { return active_; }
   float wanted_counts_s() const { return profile_.speed(); }
   float measured_counts_s() const { return speedometer_.speed_counts_s(); }
-  void start_at(std::int32_t encoder_counts) { speedometer_.reset(encoder_counts); }
+  void start_at(std::int32_t encoder_counts, std::uint32_t now_ms) {
+    speedometer_.reset(encoder_counts, now_ms);
+  }
 
  private:
   bool settled(float dt_s);

@@ -12,6 +12,7 @@
 namespace galilean::robot::firmware {
 
 inline constexpr float kStep_s = 0.002f;
+inline constexpr std::uint32_t kStep_ms = 2;
 
 /// What a robot would give the board.
 inline Parameters bench_parameters(std::uint16_t timeout_ms) {

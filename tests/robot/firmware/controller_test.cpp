@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <optional>
+#include <random>
 
 #include "tests/robot/firmware/bench_board.h"
 
@@ -103,6 +104,23 @@ TEST_F(ControllerOnTheBench, DoesNotMoveBeforeItHasParameters) {
   ASSERT_TRUE(answer_);
   EXPECT_EQ(result(), Result::kNoParameters);
   EXPECT_EQ(board_.outputs.left_pwm, 0);
+}
+
+TEST_F(ControllerOnTheBench, TellsTheSpeedThatItHasWheneverItsLoopIsCalled) {
+  std::mt19937 random(6);
+  std::uniform_int_distribution<std::uint32_t> steps_ms(1, 60);
+  configure();
+  keep_driving({kSpeed, kSpeed, 0, 0}, 3000);
+  for (int i = 0; i < 200; ++i) {
+    send(Drive{kSpeed, kSpeed, 0, 0});
+    const std::uint32_t step_ms = steps_ms(random);
+    for (std::uint32_t each = 0; each < step_ms; ++each) board_.step(0.001);
+    now_ms_ += step_ms;
+    controller_.update(now_ms_);
+    listen();
+    ASSERT_NEAR(status_->left_speed_counts_s, kSpeed, 0.15 * kSpeed) << i;
+    ASSERT_NEAR(board_.left.speed_counts_s(), kSpeed, 0.15 * kSpeed) << i;
+  }
 }
 
 TEST_F(ControllerOnTheBench, RefusesParametersThatItCannotWorkWith) {

@@ -64,6 +64,27 @@ TEST(Trapezoid, StandsAtTheTravelLimitWithinTheLimitsOfSpeedAndAcceleration) {
   }
 }
 
+TEST(Trapezoid, StandsAtTheTravelLimitHoweverLongItsStepsAre) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> speeds(20, 8000), slopes(160, 16000), limits(1, 20000);
+  std::uniform_real_distribution<float> steps_s(0.001f, 0.02f);
+  for (int i = 0; i < 2000; ++i) {
+    const float speed = speeds(random), slope = slopes(random), limit = limits(random);
+    Trapezoid profile;
+    profile.aim(speed, slope, limit);
+    double travelled = 0, seconds = 0;
+    const double longest_s = 1 + limit / speed + 2 * speed / slope;
+    for (float before = 0; !profile.resting() && seconds < longest_s; before = profile.speed()) {
+      const float step_s = steps_s(random);
+      travelled += (before + profile.step(step_s)) / 2.0 * step_s;
+      seconds += step_s;
+      ASSERT_LE(std::fabs(profile.speed() - before), slope * step_s * 1.001f);
+    }
+    ASSERT_TRUE(profile.resting()) << speed << ' ' << slope << ' ' << limit;
+    EXPECT_NEAR(travelled, limit, 0.05 + 1e-4 * limit + slope * 0.02f * 0.02f);
+  }
+}
+
 TEST(Trapezoid, OverrunsALimitThatIsTooNearByTheBrakingDistanceAlone) {
   Trapezoid profile;
   profile.aim(1600, 3200, 0);

@@ -13,20 +13,23 @@ class GripperServo {
   /// From one end to the other.
   static constexpr std::int32_t kStroke_ms = 400;
 
-  void close() { wanted_permille_ = kClosed; }
-  void open() { wanted_permille_ = kOpen; }
-  /// Where the servo is to stand after the next `elapsed_ms`.
+  void close() { wanted_ms_ = kStroke_ms; }
+  void open() { wanted_ms_ = 0; }
+  /// In permille, where the servo is to stand after the next `elapsed_ms`.
   std::int16_t step(std::int32_t elapsed_ms);
 
   GripperState state() const;
-  std::uint8_t percent() const { return static_cast<std::uint8_t>(position_permille_ / 10); }
+  std::uint8_t percent() const {
+    return static_cast<std::uint8_t>(position_ms_ * kFull_percent / kStroke_ms);
+  }
 
  private:
-  static constexpr std::int32_t kOpen = 0;
-  static constexpr std::int32_t kClosed = 1000;
+  static constexpr std::int32_t kFull_permille = 1000;
+  static constexpr std::int32_t kFull_percent = 100;
 
-  std::int32_t position_permille_ = kOpen;
-  std::int32_t wanted_permille_ = kOpen;
+  /// Milliseconds of the stroke from open, so that no step's length loses a part of it.
+  std::int32_t position_ms_ = 0;
+  std::int32_t wanted_ms_ = 0;
 };
 
 }  // namespace galilean::robot::firmware

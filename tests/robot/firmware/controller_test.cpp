@@ -264,6 +264,18 @@ TEST_F(ControllerOnTheBench, TheStopTimerOutlivesTheMillisecondCountersWrap) {
   EXPECT_EQ(board.outputs.left_pwm, 0);
 }
 
+TEST(GripperServo, ClosesInItsTimeHoweverLongItsStepsAre) {
+  for (const std::int32_t step_ms : {1, 2, 3, 7, 13}) {
+    GripperServo servo;
+    servo.close();
+    std::int32_t taken_ms = 0;
+    for (; servo.state() == GripperState::kClosing; taken_ms += step_ms) servo.step(step_ms);
+    EXPECT_GE(taken_ms, GripperServo::kStroke_ms) << step_ms;
+    EXPECT_LT(taken_ms, GripperServo::kStroke_ms + step_ms) << step_ms;
+    EXPECT_EQ(servo.percent(), 100);
+  }
+}
+
 TEST_F(ControllerOnTheBench, GripperClosesAndOpensInItsTime) {
   send(Gripper{1});
   run(200);

@@ -24,7 +24,9 @@ packages() {
 }
 
 stamp=build/share/galilean/web.stamp
-sources=$(find web bhdl/editors -path web/node_modules -prune -o -path web/dist -prune -o -type f -print0 | sort -z | xargs -0 sha256sum | sha256sum)
+# What the page is made of; its message types are made of the IDL.
+sources=$(find web bhdl/editors core/wire/idl -path web/node_modules -prune -o -path web/dist -prune -o \
+  -path 'web/src/feed/messages.ts*' -prune -o -type f -print0 | sort -z | xargs -0 sha256sum | sha256sum)
 wanted=$sources shell=$(command -v bash)
 [ "${1:-programs}" = all ] && wanted="$sources by Node 18" shell=$PWD/scripts/node18.sh
 if [[ $(cat "$stamp" 2>/dev/null) != "$wanted"* ]]; then

@@ -1,9 +1,10 @@
 import { svelte } from "@sveltejs/vite-plugin-svelte";
 import { defineConfig } from "vitest/config";
 import { grammars } from "./grammar_plugin";
+import { messages } from "./messages_plugin";
 
 export default defineConfig({
-  plugins: [svelte(), grammars()],
+  plugins: [svelte(), grammars(), messages()],
   // What has Svelte's state in it is tested as a browser runs it.
   resolve: { conditions: ["browser"] },
   // By number: where /etc/hosts is missing nobody knows localhost.

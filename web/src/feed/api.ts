@@ -1,5 +1,7 @@
 // The monitor's HTTP operations. Every failure is an Error whose message can be shown as it stands.
 
+import type { Command_Constants, Diagnostic, PushStep, SourceFile } from "../feed/messages";
+import type { Machine } from "../feed/parts";
 import type { Diagnostic, Machine, ProgramReply, PushStep, SourceFile } from "./messages";
 import { credentials } from "./token";
 
@@ -91,7 +93,7 @@ interface Problem {
   diagnostics?: Diagnostic[];
 }
 
-export type CommandKind = "hold" | "resume" | "push_bumper" | "decommission" | "commission";
+export type CommandKind = Lowercase<keyof typeof Command_Constants>;
 
 async function call<T>(path: string, body?: unknown): Promise<T> {
   const headers = { ...credentials(), "content-type": "application/json" };

@@ -1,7 +1,8 @@
 // Where a machine's states and arrows are drawn: states in the cells of a grid that fills the room
 // there is, placed so that arrows are short.
 
-import type { Machine, MachineTransition } from "../feed/messages";
+import type { MachineTransition } from "../feed/messages";
+import type { Machine } from "../feed/parts";
 import { type Box, arrowPath } from "./machine_arrow";
 import { placed } from "./machine_places";
 

@@ -1,6 +1,7 @@
 // All that is known of an item on the map, as an operator reads it.
 
-import { type MapObject, seconds } from "../feed/messages";
+import type { MapObject } from "../feed/messages";
+import { seconds } from "../feed/parts";
 import { degrees, lasting, metres, plural, signed } from "../lib/format";
 import { certaintyAt, forgottenIn_s } from "../model/certainty";
 import { ellipseOf } from "../model/ellipse";

@@ -1,4 +1,4 @@
-import type { Covariance } from "../feed/messages";
+import type { Covariance } from "../feed/parts";
 
 export interface Ellipse {
   /** Half axes, two standard deviations long, in metres. */

@@ -65,8 +65,8 @@ class Live {
 
   /** What the push's own HTTP answer tells, ahead of or instead of the topics. */
   pushed({ id, hash, state, steps, replies }: PushResult, files: readonly SourceFile[], targets: readonly string[]): void {
-    const message = { stamp: { sec: 0, nsec: 0 }, id, hash, replaces_hash: "", author: "operator" };
-    let pushes = withPush(this.#team.pushes, { ...message, targets: [...targets], files: [...files] }, Date.now());
+    const begun = { id, hash, author: "operator", targets: [...targets], files: [...files] };
+    let pushes = withPush(this.#team.pushes, begun, Date.now());
     pushes = withProgress(pushes, id, { state, steps });
     for (const reply of replies) pushes = withReply(pushes, id, withDefaults(reply));
     this.#fold({ ...this.#team, pushes }, true);

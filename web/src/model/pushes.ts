@@ -1,15 +1,21 @@
-import { type ProgramPush, type ProgramReply, type PushProgress, replyStatuses } from "../feed/messages";
+import { type ProgramPush, type ProgramReply, ProgramReply_Constants, type PushProgress } from "../feed/messages";
+import { namesOf } from "../feed/parts";
 import type { Reply } from "../feed/api";
 import type { Push } from "./model";
 
 const KEPT = 8;
-const RANK: readonly string[] = replyStatuses;
+/** What a robot answers, as the monitor calls it; later answers say more. */
+const STATUSES = namesOf(ProgramReply_Constants);
+const RANK: readonly (string | undefined)[] = STATUSES;
 
 export function fileName(path: string): string {
   return path.split("/").at(-1) ?? path;
 }
 
-export function withPush(pushes: readonly Push[], { id, author, files, hash, targets }: ProgramPush, at_ms: number): readonly Push[] {
+/** What is told of a push as it begins. */
+type Begun = Pick<ProgramPush, "id" | "author" | "files" | "hash" | "targets">;
+
+export function withPush(pushes: readonly Push[], { id, author, files, hash, targets }: Begun, at_ms: number): readonly Push[] {
   const known = pushes.find((push) => push.id === id);
   const push: Push = {
     id,
@@ -32,9 +38,9 @@ export function withProgress(pushes: readonly Push[], id: string, { state, steps
 
 /** A push that the monitor tells of before its robots are sent anything. */
 export function withStep(pushes: readonly Push[], told: PushProgress, at_ms: number): readonly Push[] {
-  const { stamp, id, author, program: path, hash, targets } = told;
+  const { id, author, program: path, hash, targets } = told;
   const known = pushes.some((push) => push.id === id);
-  const all = known ? pushes : withPush(pushes, { stamp, id, author, hash, targets, replaces_hash: "", files: [{ path, text: "" }] }, at_ms);
+  const all = known ? pushes : withPush(pushes, { id, author, hash, targets, files: [{ path, text: "" }] }, at_ms);
   return withProgress(all, id, told);
 }
 
@@ -50,5 +56,5 @@ export function withReply(pushes: readonly Push[], id: string, reply: Reply): re
 }
 
 export function replyOf(message: ProgramReply): Reply {
-  return { ...message, status: replyStatuses[message.status] ?? "no_answer" };
+  return { ...message, status: STATUSES[message.status] ?? "no_answer" };
 }

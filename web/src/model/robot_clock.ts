@@ -1,4 +1,5 @@
-import { seconds, type Time } from "../feed/messages";
+import type { Time } from "../feed/messages";
+import { seconds } from "../feed/parts";
 import type { Robot } from "./model";
 
 const JUMP_MS = 5000;

@@ -1,7 +1,8 @@
-import { type Variable, VariableType } from "../feed/messages";
+import { type Variable, Variable_Constants } from "../feed/messages";
+import { namesOf } from "../feed/parts";
 import { degrees, metres, signed } from "../lib/format";
 
-const TYPE_NAMES = ["", "shaft", "image", "locate", "bits", "force"] as const;
+const TYPE_NAMES = namesOf(Variable_Constants);
 
 /** The word for a type of variable, as programs and catalogs have it. */
 export const typeWord = (type: number): string => TYPE_NAMES[type] ?? "unknown";
@@ -21,15 +22,15 @@ export function valueText({ type, valid, values }: Variable): string {
   const [a = 0, b = 0, c = 0, d = 0, e = 0] = values;
   if (!valid) return "";
   switch (type) {
-    case VariableType.shaft:
+    case Variable_Constants.SHAFT:
       return `${signed(a, 2)}, ${metres(b)}  ${degrees(c)}  ${signed(d, 2)} m/s`;
-    case VariableType.image:
+    case Variable_Constants.IMAGE:
       return `${a} × ${b} · frame ${c}`;
-    case VariableType.locate:
+    case Variable_Constants.LOCATE:
       return `${signed(a, 2)}, ${metres(b)} ± ${metres(Math.sqrt(Math.max(c, e)))}`;
-    case VariableType.bits:
+    case Variable_Constants.BITS:
       return bits(a);
-    case VariableType.force:
+    case Variable_Constants.FORCE:
       return `${Math.hypot(a, b).toFixed(2)} to ${degrees(Math.atan2(-a, b))}`;
     default:
       return [...values].join(", ");

@@ -1,6 +1,6 @@
 // The numbers of a variable, each with its name and unit, as the table shows them and plots draw them.
 
-import { type Variable, VariableType } from "../feed/messages";
+import { type Variable, Variable_Constants } from "../feed/messages";
 import { degrees, metres, signed } from "../lib/format";
 
 export interface Quantity {
@@ -18,23 +18,23 @@ const inDegrees = (key: string, value: number): Quantity => ({ key, unit: "°", 
 const bare = (key: string, value: number, digits = 2): Quantity => ({ key, unit: "", value, text: signed(value, digits) });
 
 const READERS: Readonly<Record<number, Read>> = {
-  [VariableType.shaft]: (v) => [
+  [Variable_Constants.SHAFT]: (v) => [
     inMetres("x", at(v, 0)),
     inMetres("y", at(v, 1)),
     inDegrees("heading", at(v, 2)),
     { key: "speed", unit: "m/s", value: at(v, 3), text: `${signed(at(v, 3), 2)} m/s` },
     { key: "turn rate", unit: "°/s", value: (at(v, 4) * 180) / Math.PI, text: `${signed((at(v, 4) * 180) / Math.PI, 0)}°/s` },
   ],
-  [VariableType.image]: (v) => [{ key: "frame", unit: "", value: at(v, 2), text: `frame ${at(v, 2)}` }],
-  [VariableType.locate]: (v) => {
+  [Variable_Constants.IMAGE]: (v) => [{ key: "frame", unit: "", value: at(v, 2), text: `frame ${at(v, 2)}` }],
+  [Variable_Constants.LOCATE]: (v) => {
     const deviation_m = Math.sqrt(Math.max(at(v, 2), at(v, 4), 0));
     return [inMetres("x", at(v, 0)), inMetres("y", at(v, 1)), { key: "deviation", unit: "m", value: deviation_m, text: `± ${metres(deviation_m)}` }];
   },
-  [VariableType.bits]: (v) => {
+  [Variable_Constants.BITS]: (v) => {
     const set = [...Array(32).keys()].filter((bit) => (Math.floor(at(v, 0) / 2 ** bit) & 1) === 1);
     return [{ key: "bits", unit: "", value: at(v, 0), text: set.length ? `${set.join(", ")} set` : "none set" }];
   },
-  [VariableType.force]: (v) => [
+  [Variable_Constants.FORCE]: (v) => [
     bare("length", Math.hypot(at(v, 0), at(v, 1))),
     inDegrees("angle", Math.atan2(-at(v, 0), at(v, 1))),
     bare("x", at(v, 0)),

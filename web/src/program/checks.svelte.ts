@@ -1,7 +1,8 @@
-import type { Diagnostic, Machine, Program } from "../feed/messages";
+import type { Diagnostic, Program } from "../feed/messages";
+import type { Machine } from "../feed/parts";
 import * as api from "../feed/api";
 import { Latest } from "../lib/latest";
-import { withKnownFixes } from "./editor/quick_fixes";
+import { type FixableDiagnostic, withKnownFixes } from "./editor/quick_fixes";
 import { live } from "../model/live.svelte";
 import type { Bench } from "./bench.svelte";
 import type { Draft } from "./draft";
@@ -28,10 +29,10 @@ export class Checks {
 
   readonly #current: Verdict | undefined = $derived.by(() => (this.#verdict?.draft === this.bench.draft ? this.#verdict : undefined));
   readonly #isComparedWithRunning: boolean = $derived(this.#current?.against?.hash === live.robot?.program?.value.hash);
-  readonly diagnostics: Diagnostic[] = $derived.by(() =>
+  readonly diagnostics: FixableDiagnostic[] = $derived.by(() =>
     this.verdict ? withKnownFixes(this.verdict.diagnostics, this.typed.problems) : this.typed.problems,
   );
-  readonly errors: Diagnostic[] = $derived(this.diagnostics.filter(({ severity }) => severity === "error"));
+  readonly errors: FixableDiagnostic[] = $derived(this.diagnostics.filter(({ severity }) => severity === "error"));
 
   /** What the monitor says of the text as it stands; undefined until it was asked. */
   get verdict(): api.CheckResult | undefined {

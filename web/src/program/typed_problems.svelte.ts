@@ -1,10 +1,10 @@
-import type { Diagnostic } from "../feed/messages";
+import type { FixableDiagnostic } from "./editor/quick_fixes";
 import type { Bench } from "./bench.svelte";
 
 interface Told {
   readonly generation: number;
   readonly text: string | undefined;
-  readonly problems: readonly Diagnostic[];
+  readonly problems: readonly FixableDiagnostic[];
 }
 
 /** What the language server says of each file on the bench as somebody types. */
@@ -13,9 +13,9 @@ export class TypedProblems {
 
   constructor(private readonly bench: Bench) {}
 
-  readonly problems: Diagnostic[] = $derived.by(() => this.bench.files.flatMap(({ path }) => this.#of(path)));
+  readonly problems: FixableDiagnostic[] = $derived.by(() => this.bench.files.flatMap(({ path }) => this.#of(path)));
 
-  note(path: string, problems: readonly Diagnostic[]): void {
+  note(path: string, problems: readonly FixableDiagnostic[]): void {
     this.#told = new Map(this.#told).set(path, { generation: this.bench.generation, text: this.#textOf(path), problems });
   }
 
@@ -24,7 +24,7 @@ export class TypedProblems {
   }
 
   /** While one types, the last ones stand until the next come; those of another program's file of that name do not. */
-  #of(path: string): readonly Diagnostic[] {
+  #of(path: string): readonly FixableDiagnostic[] {
     const told = this.#told.get(path);
     const applies = told?.generation === this.bench.generation || told?.text === this.#textOf(path);
     return told && applies ? told.problems : [];

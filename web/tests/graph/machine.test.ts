@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Machine } from "../../src/feed/messages";
+import type { Machine } from "../../src/feed/parts";
 import { labelLines, layOut } from "../../src/graph/machine_layout";
 
 function machine(...ways: [from: string, to: string, bits?: string][]): Machine {

@@ -13,8 +13,8 @@ const TEXT = `perceptual_schemas:
   time_detector: name: "long" duration: 2 min bits_variable: "up" end
 end`;
 const triggers = triggersOf([{ path: "a.bhdl", text: TEXT }], catalog);
-const variable = (name: string, type: number, values: number[], certainty = 1, decay_per_s = 0): Variable =>
-  ({ name, type, object_class: "", valid: certainty > 0, certainty, decay_per_s, updated: time(T0_MS), values });
+const variable = (name: string, type: Variable["type"], values: number[], certainty = 1, decay_per_s = 0): Variable =>
+  ({ name, type, object_class: "", valid: certainty > 0, certainty, decay_per_s, updated: time(T0_MS), values: Float64Array.from(values) });
 const condition = (bits_variable: string, bit_index = 0, bit_value = true): MachineTransition =>
   ({ from_state: "a", to_state: "b", file: "", line: 1, bits_variable, bit_index, bit_value, bit_update: "same", reset_variables: [] });
 const now = (changes: Partial<Situation> = {}): Situation => ({

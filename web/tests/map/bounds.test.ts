@@ -17,8 +17,9 @@ describe("an uncertainty ellipse", () => {
 it("shows the known floor without the unknown around it", () => {
   const data = new Int8Array(40).fill(-1);
   data.set([0, 0, 100], 13);
-  const origin = { position: { x: -1, y: -2 }, orientation: { z: 0, w: 1 } };
-  const grid = { header: { stamp: { sec: 0, nsec: 0 }, frame_id: "map" }, info: { resolution: 0.5, width: 10, height: 4, origin }, data };
+  const origin = { position: { x: -1, y: -2, z: 0 }, orientation: { x: 0, y: 0, z: 0, w: 1 } };
+  const stamp = { sec: 0, nsec: 0 };
+  const grid = { header: { stamp, frame_id: "map" }, info: { map_load_time: stamp, resolution: 0.5, width: 10, height: 4, origin }, data };
   expect(knownBounds(grid)).toEqual({ left_m: 0.5, bottom_m: -1.5, width_m: 1.5, height_m: 0.5 });
   expect(knownBounds({ ...grid, data: data.fill(-1) })).toBeUndefined();
 });

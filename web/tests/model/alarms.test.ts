@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { replyStatuses } from "../../src/feed/messages";
+import { ProgramReply_Constants } from "../../src/feed/messages";
 import { acknowledged, type Alarm, alarms, withAlarms } from "../../src/model/alarms";
 import { mapRobot, state, T0_MS, told } from "./told";
 
@@ -79,12 +79,11 @@ describe("alarms", () => {
     const push = { stamp, id: "p1", author: "operator", targets: [], replaces_hash: "", hash: "bbbb", files: [{ path: "sit_and_spin.bhdl", text: "" }] };
     const reply = (robot: string, status: number, message: string): Told =>
       [`/${robot}/program_reply`, { stamp, id: "p1", robot, hash: "bbbb", running_hash: "", status, message, tick: 0n, swap_tick_us: 8, kept_variables: [], diagnostics: [] }, T0_MS];
-    const status = (name: string) => replyStatuses.indexOf(name as never);
     const found = alarms(told([
       ["/team/program_push", push, T0_MS],
-      reply("io", status("confirmed"), ""),
-      reply("ganymede", status("rejected"), "no such schema"),
-      reply("callisto", status("rolled_back"), "overruns"),
+      reply("io", ProgramReply_Constants.CONFIRMED, ""),
+      reply("ganymede", ProgramReply_Constants.REJECTED, "no such schema"),
+      reply("callisto", ProgramReply_Constants.ROLLED_BACK, "overruns"),
     ]), T0_MS);
     expect(found.map(({ kind, words, advice }) => [kind, words, advice])).toEqual([
       ["push", "ganymede refused sit_and_spin.bhdl.", "no such schema"],

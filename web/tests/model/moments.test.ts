@@ -4,7 +4,7 @@ import { findings, valuesThen } from "../../src/model/moments";
 import { robotOf, state, T0_MS, time, told, transition } from "./told";
 
 function variable(name: string, value: number, valid = true): Variable {
-  return { name, type: 4, object_class: "", valid, certainty: 1, decay_per_s: 0, updated: time(T0_MS), values: [value] };
+  return { name, type: 4, object_class: "", valid, certainty: 1, decay_per_s: 0, updated: time(T0_MS), values: Float64Array.of(value) };
 }
 function variables(tick: number, ...items: Variable[]): Variables {
   return { stamp: time(T0_MS), robot: "io", tick: BigInt(tick), items };

@@ -6,7 +6,7 @@ const push = {
   stamp: { sec: 0, nsec: 0 }, id: "p1", author: "operator", targets: [], replaces_hash: "", hash: "bbbb",
   files: [{ path: "programs/sit_and_spin.bhdl", text: "" }],
 };
-function reply(robot: string, status: number, diagnostics: Diagnostic[] = []): ProgramReply {
+function reply(robot: string, status: ProgramReply["status"], diagnostics: Diagnostic[] = []): ProgramReply {
   return { stamp: { sec: 0, nsec: 0 }, id: "p1", robot, hash: "bbbb", running_hash: "", status, message: "", tick: 0n, swap_tick_us: 8, kept_variables: [], diagnostics };
 }
 

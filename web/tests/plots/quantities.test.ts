@@ -5,8 +5,8 @@ import { Samples } from "../../src/plots/samples";
 import { isShown, kindsOf } from "../../src/variables/variable_filter";
 import { T0_MS, time } from "../model/told";
 
-const variable = (name: string, type: number, values: number[], changes: Partial<Variable> = {}): Variable =>
-  ({ name, type, object_class: "", valid: true, certainty: 0.5, decay_per_s: 0.1, updated: time(T0_MS), values, ...changes });
+const variable = (name: string, type: Variable["type"], values: number[], changes: Partial<Variable> = {}): Variable =>
+  ({ name, type, object_class: "", valid: true, certainty: 0.5, decay_per_s: 0.1, updated: time(T0_MS), values: Float64Array.from(values), ...changes });
 
 describe("the numbers of a variable", () => {
   it("have units, and angles are counter-clockwise from straight ahead", () => {

@@ -1,6 +1,7 @@
 // The monitor answers when it likes, while somebody chooses, types and pushes.
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import type { Diagnostic, Machine } from "../../src/feed/messages";
+import type { Diagnostic } from "../../src/feed/messages";
+import type { Machine } from "../../src/feed/parts";
 import { Refusal } from "../../src/feed/api";
 import { Workshop } from "../../src/program/workshop.svelte";
 import { Questions } from "../fixture/answers";

@@ -5,9 +5,9 @@ import { bracketMatching, foldGutter, foldKeymap } from "@codemirror/language";
 import { type Action, type Diagnostic as Mark, lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { type Extension, StateEffect, StateField } from "@codemirror/state";
 import { Decoration, type DecorationSet, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
-import type { Diagnostic, Fix } from "../../feed/messages";
 import { bhdl } from "../../bhdl/language";
 import { changeOf, offsetOf } from "./fix_change";
+import type { Fix, FixableDiagnostic } from "./quick_fixes";
 
 const setRunningLine = StateEffect.define<number | undefined>();
 const runningLine = StateField.define<DecorationSet>({
@@ -69,7 +69,7 @@ export class Editor {
   }
 
   /** Marks problems of the file that is shown; lines and columns count from 1. */
-  mark(diagnostics: readonly Diagnostic[]): void {
+  mark(diagnostics: readonly FixableDiagnostic[]): void {
     const { doc } = this.#view.state;
     const marks = diagnostics.map(({ line, column, severity, message, hint, fix }): Mark => {
       const from = offsetOf(doc, { line, column });

@@ -1,5 +1,5 @@
 import type { ChangeSpec, Text } from "@codemirror/state";
-import type { Fix } from "../../feed/messages";
+import type { Fix } from "./quick_fixes";
 
 /** Where a place is in a text; the nearest that there is. Lines and columns count from 1. */
 export function offsetOf(doc: Text, { line, column }: { line: number; column: number }): number {

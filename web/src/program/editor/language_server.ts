@@ -7,17 +7,17 @@ import {
 } from "@codemirror/lsp-client";
 import type { Extension } from "@codemirror/state";
 import { keymap } from "@codemirror/view";
-import type { Diagnostic, SourceFile } from "../../feed/messages";
+import type { SourceFile } from "../feed/messages";
 import { BenchClient } from "./bench_client";
 import { type Bench, pathOf, uriOf } from "./bench_workspace";
 import { harmless } from "./harmless_html";
 import { problemsFrom, type PublishedProblems } from "./problems";
-import { type CodeAction, withFixes } from "./quick_fixes";
+import { type CodeAction, type FixableDiagnostic, withFixes } from "./quick_fixes";
 import { withToken } from "../../feed/token";
 
 export interface LanguageEvents extends Bench {
   /** What is wrong with a file, as of its newest text. */
-  problems(path: string, problems: Diagnostic[]): void;
+  problems(path: string, problems: FixableDiagnostic[]): void;
   /** There is no server any more; what it said of problems is out of date. */
   lost(): void;
 }

@@ -1,4 +1,17 @@
-import type { Diagnostic, Fix } from "../../feed/messages";
+import type { Diagnostic } from "../feed/messages";
+/** What would put a problem right: another text between two places of its file, counted from 1. */
+export interface Fix {
+  title: string;
+  from: { line: number; column: number };
+  to: { line: number; column: number };
+  text: string;
+  /** The text of the whole file that it puts right; in any other its places are others. */
+  of: string;
+}
+/** A mistake in a program, with what would put it right where the language server knows that. */
+export interface FixableDiagnostic extends Diagnostic {
+  fix?: Fix;
+}
 
 interface Place {
   line: number;
@@ -30,7 +43,7 @@ const placeOf = ({ line, character }: Place) => ({ line: line + 1, column: chara
 const key = (line: number, column: number, code: string) => `${line}:${column} ${code}`;
 
 /** The problems of a text, each with what would put it right, where the language server knows that. */
-export function withFixes(problems: readonly Diagnostic[], actions: readonly CodeAction[], text: string): Diagnostic[] {
+export function withFixes(problems: readonly Diagnostic[], actions: readonly CodeAction[], text: string): FixableDiagnostic[] {
   const fixes = new Map<string, Fix>();
   for (const action of actions) {
     const fix = fixOf(action, text);
@@ -44,7 +57,7 @@ export function withFixes(problems: readonly Diagnostic[], actions: readonly Cod
 }
 
 /** The monitor's own check knows no fixes: they are those that the language server had for the same problem. */
-export function withKnownFixes(problems: readonly Diagnostic[], known: readonly Diagnostic[]): Diagnostic[] {
+export function withKnownFixes(problems: readonly Diagnostic[], known: readonly FixableDiagnostic[]): FixableDiagnostic[] {
   return problems.map((problem) => {
     const same = known.find(
       ({ file, line, column, code }) => file === problem.file && line === problem.line && column === problem.column && code === problem.code,

@@ -1,0 +1,1 @@
+export function commentsOf(text: string): Map<string, string>;

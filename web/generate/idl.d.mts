@@ -1,0 +1,4 @@
+export const IDL_FOLDER: URL;
+export function schemaOf(type: string): string;
+export function packages(): string[];
+export function textOf(name: string): string;

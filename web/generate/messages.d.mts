@@ -1,0 +1,2 @@
+export function messagesModule(): string;
+export function writeMessages(): void;

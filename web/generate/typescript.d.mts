@@ -1,0 +1,1 @@
+export function moduleOf(files: readonly { name: string; schema: string; text: string }[]): string;

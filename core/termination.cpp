@@ -31,6 +31,8 @@ Termination::Termination() {
 }
 
 Termination::~Termination() {
+  // What is left would end the process by its signal as soon as that is let through.
+  static_cast<void>(asked());
   close(descriptor_);
   unblock();
 }

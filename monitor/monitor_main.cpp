@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <iostream>
 
+#include "core/broken_pipe.h"
 #include "monitor/access/tokens.h"
 #include "monitor/server/monitor.h"
 
@@ -62,7 +62,7 @@ int run(const monitor::MonitorOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);
+  galilean::ignore_broken_pipes();
   monitor::MonitorOptions options;
   options.data_folder = monitor::default_data_folder();
   double silent_after_s = 2;

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "bhdl/check.h"
+#include "core/broken_pipe.h"
 #include "core/termination.h"
 #include "robot/components.h"
 #include "robot/control_loop.h"
@@ -119,6 +120,7 @@ int run(int argc, const char* const* argv) {
     std::cout << catalog_to_json(components.catalog()) << "\n";
     return std::cout.flush() ? 0 : 1;
   }
+  ignore_broken_pipes();
   set_up_log(options);
   auto program = read_program(options.bhdl_file, components.catalog());
   if (!program) return 1;

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "core/broken_pipe.h"
 #include "robot/components.h"
 #include "sim/headless/headless.h"
 #include "sim/headless/programs.h"
@@ -88,6 +89,7 @@ int run_live(const Options& options, const Scenario& scenario) {
   if (!faults) return complain(faults.error(), kBadInput);
   Scenario timed = scenario;
   if (options.duration_s > 0) timed.rules.duration_s = options.duration_s;
+  ignore_broken_pipes();
   for (const int number : {SIGINT, SIGTERM, SIGHUP})
     std::signal(number, [](int) { ending = true; });
   auto contest =

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "core/broken_pipe.h"
 #include "core/clock.h"
 #include "core/termination.h"
 #include "core/wire/ros_time.h"
@@ -72,6 +73,7 @@ Recorder::Selection selection(const Options& options) {
 }
 
 int run(const Options& options) try {
+  ignore_broken_pipes();
   Termination termination;
   auto chosen = selection(options);
   const auto participant = wire::Participant::join("record", options.domain);

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "core/broken_pipe.h"
 #include "core/termination.h"
 #include "core/wire/discovery.h"
 #include "monitor/record/log_info.h"
@@ -135,6 +136,7 @@ class Replay {
 };
 
 int run(const Options& options) try {
+  ignore_broken_pipes();
   Termination termination;
   const auto file = mcap::FileSource::open(options.file);
   if (!file) return fail(file.error().message);

@@ -31,13 +31,22 @@ export function galilean(args, { domain, cwd, input, timeout = PATIENCE_MS } = {
   return { status, stdout, stderr };
 }
 
-/** A running command: `line(pattern)` waits for output, `stop()` sends SIGINT and waits for the end. */
+/** Becomes the command that is its arguments, whose output goes into a pipe that nobody reads any more. */
+const unheardScript = `
+  pipe=$(mktemp -u) && mkfifo "$pipe" && exec 3<> "$pipe" 4> "$pipe" 3<&- && rm "$pipe" || exit 125
+  exec "$@" >&4 2>&1 4>&-`;
+
+/**
+ * A running command: `line(pattern)` waits for output, `stop()` sends SIGINT and waits for the end. What is
+ * `unheard` writes into a pipe that has lost its reader.
+ */
 export class Running {
-  constructor(t, args, { domain, cwd, env = {} } = {}) {
+  constructor(t, args, { domain, cwd, env = {}, unheard = false } = {}) {
     this.name = `galilean ${args[0]}`;
     this.output = '';
     this.waiting = [];
-    this.process = spawn(galileanBinary, args, {
+    const [command, ...rest] = unheard ? ['bash', '-c', unheardScript, 'bash', galileanBinary, ...args] : [galileanBinary, ...args];
+    this.process = spawn(command, rest, {
       cwd, env: { ...process.env, ...(domain ? { ROS_DOMAIN_ID: domain } : {}), ...env },
     });
     // Not "exit": what it said last comes after that.

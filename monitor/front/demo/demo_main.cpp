@@ -4,6 +4,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "core/broken_pipe.h"
 #include "core/clock.h"
 #include "core/termination.h"
 #include "core/wake.h"
@@ -107,6 +108,7 @@ std::string list(const std::vector<std::string>& names) {
 }
 
 int run(const DemoOptions& options) try {
+  ignore_broken_pipes();
   Termination termination;
   Ensemble ensemble(options, termination);
   if (const auto failure = ensemble.start()) {

@@ -1,5 +1,7 @@
 #include "bhdl/lsp/json_rpc.h"
 
+#include "core/json_text.h"
+
 namespace galilean::bhdl::lsp {
 
 Json rpc_result(const Json& id, Json result) {
@@ -17,7 +19,7 @@ Json rpc_notification(std::string_view method, Json params) {
 }
 
 std::string dumped(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_text(json);
 }
 
 const Json* find_in(const Json& json, const Json::json_pointer& path) {

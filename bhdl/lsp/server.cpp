@@ -12,6 +12,7 @@
 #include "bhdl/lsp/quick_fix.h"
 #include "bhdl/lsp/rename.h"
 #include "bhdl/source/text.h"
+#include "core/json_text.h"
 
 namespace galilean::bhdl::lsp {
 namespace {
@@ -101,9 +102,9 @@ Server::Server(const Catalog& catalog, std::unique_ptr<ProgramFolder> folder)
 
 std::vector<std::string> Server::receive(std::string_view text) {
   std::vector<std::string> out;
-  const Json message = Json::parse(text, nullptr, false);
-  if (message.is_discarded())
-    return {dumped(rpc_error(nullptr, RpcError::kParse, "the message is no JSON"))};
+  const auto read = read_untrusted_json(text);
+  if (!read) return {dumped(rpc_error(nullptr, RpcError::kParse, read.error().message))};
+  const Json& message = read.value();
   if (is_response(message)) return out;
   if (const char* why = objection(message)) {
     const bool has_id = message.is_object() && is_request(message) && is_id(message["id"]);

@@ -3,14 +3,16 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/thread_pool.hpp>
-#include <exception>
-#include <iostream>
+#include <optional>
+#include <string>
 #include <utility>
+
+#include "monitor/background/guarded.h"
 
 namespace galilean::monitor {
 
 /// One thread for what may block: the disk, DDS writes, checking. One job after another; what a job
-/// throws is told on stderr, and its `then` is not called.
+/// throws is told on stderr.
 class Worker {
  public:
   explicit Worker(boost::asio::io_context& io) : io_(io) {}
@@ -19,28 +21,30 @@ class Worker {
   /// Waits until all jobs are done: before what they use goes.
   void finish() { pool_.join(); }
 
+  /// For jobs that nobody waits for.
   template <class Job>
   void run(Job job) {
-    boost::asio::post(pool_, [job = std::move(job)]() mutable { guarded(job); });
+    boost::asio::post(pool_, [job = std::move(job)]() mutable { guarded("a job", job); });
   }
-  /// Hands what `job` returns to `then`, on the io_context's thread.
-  template <class Job, class Then>
-  void run(Job job, Then then) {
-    run([this, job = std::move(job), then = std::move(then)]() mutable {
+  /// Hands what `job` returns to `then`, on the io_context's thread; where one of them throws, what
+  /// that says to `otherwise`, on the same thread.
+  template <class Job, class Then, class Otherwise>
+  void run(Job job, Then then, Otherwise otherwise) {
+    boost::asio::post(pool_, [this, job = std::move(job), then = std::move(then),
+                              otherwise = std::move(otherwise)]() mutable {
+      std::optional<decltype(job())> result;
+      auto failure = guarded("a job", [&] { result.emplace(job()); });
+      // The job, too, goes on the io_context's thread: it may be the last that holds a session.
       boost::asio::post(
-          io_, [then = std::move(then), result = job()]() mutable { then(std::move(result)); });
+          io_, [job = std::move(job), then = std::move(then), otherwise = std::move(otherwise),
+                result = std::move(result), failure = std::move(failure)]() mutable {
+            if (!failure) failure = guarded("a job's end", [&] { then(*std::move(result)); });
+            if (failure) guarded("a job's failure", [&] { otherwise(failure->message); });
+          });
     });
   }
 
  private:
-  static void guarded(auto& job) {
-    try {
-      job();
-    } catch (const std::exception& error) {
-      std::clog << "galilean-monitor: " << error.what() << std::endl;
-    }
-  }
-
   boost::asio::io_context& io_;
   boost::asio::thread_pool pool_{1};
 };

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <regex>
 
+#include "core/json_text.h"
 #include "monitor/access/access.h"
 
 namespace galilean::monitor {
@@ -94,7 +95,7 @@ Result<MonitorAnswer> MonitorClient::get(const std::string& path) const {
 
 Result<MonitorAnswer> MonitorClient::post(const std::string& path,
                                           const nlohmann::json& body) const {
-  return request("POST", path, body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  return request("POST", path, json_text(body));
 }
 
 Result<MonitorAnswer> MonitorClient::request(const std::string& method, const std::string& path,

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/json_text.h"
 #include "core/wire/messages.h"
 #include "core/wire/ros_time.h"
 #include "monitor/pushes/sql.h"
@@ -36,7 +37,7 @@ constexpr const char* kPushes =
 std::string steps_text(const std::vector<SwapStep>& steps) {
   auto json = nlohmann::json::array();
   for (const auto& step : steps) json.push_back({step.name, step.state, step.detail});
-  return json.dump();
+  return json_text(json);
 }
 
 std::vector<SwapStep> steps_of(const std::string& text) {
@@ -127,7 +128,7 @@ void History::add(const msg::ProgramPush& push, const SwapProgress& progress) {
       .bind(wire::since_epoch_ns(push.stamp))
       .bind(push.author)
       .bind(push.hash)
-      .bind(nlohmann::json(push.targets).dump())
+      .bind(json_text(push.targets))
       .run();
   put_progress(database_, push.id, progress);
   transaction.commit();

@@ -70,8 +70,9 @@ nlohmann::json to_json(const std::vector<bhdl::SourceFile>& files) {
   return json;
 }
 
-Result<std::vector<bhdl::SourceFile>> files_from_json(const nlohmann::json& json) {
-  const Error wrong{"'files' must be a list of {\"path\", \"text\"}, the main file first"};
+Result<std::vector<bhdl::SourceFile>> files_from_json(const nlohmann::json& json,
+                                                      const std::string& name) {
+  const Error wrong{"'" + name + "' must be a list of {\"path\", \"text\"}, the main file first"};
   if (!json.is_array() || json.empty()) return wrong;
   std::vector<bhdl::SourceFile> files;
   for (const auto& item : json) {

@@ -23,7 +23,8 @@ namespace galilean::monitor {
 [[nodiscard]] nlohmann::json to_json(const bhdl::CheckResult& check);
 [[nodiscard]] nlohmann::json to_json(const std::vector<bhdl::SourceFile>& files);
 
-/// Reads [{path, text}], at least one.
-[[nodiscard]] Result<std::vector<bhdl::SourceFile>> files_from_json(const nlohmann::json& json);
+/// Reads [{path, text}], at least one. The error calls the list `name`.
+[[nodiscard]] Result<std::vector<bhdl::SourceFile>> files_from_json(
+    const nlohmann::json& json, const std::string& name = "files");
 
 }  // namespace galilean::monitor

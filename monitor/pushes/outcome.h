@@ -3,6 +3,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 namespace galilean::monitor {
 
@@ -14,5 +15,12 @@ struct Outcome {
   std::string detail = {};
 };
 using Finish = std::function<void(Outcome)>;
+
+/// For a Worker's job that somebody waits for: 503 with what stood against it.
+[[nodiscard]] inline std::function<void(const std::string& why)> unable(Finish finish) {
+  return [finish = std::move(finish)](const std::string& why) {
+    finish({503, {}, "The monitor cannot do this now: " + why + "."});
+  };
+}
 
 }  // namespace galilean::monitor

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <utility>
 
+#include "core/json_text.h"
 #include "core/wire/ros_time.h"
 #include "monitor/pushes/json.h"
 #include "monitor/pushes/push_desk.h"
@@ -33,7 +34,8 @@ void PushDesk::check(const OpenPtr& open) {
       [open, &library = parts_.library] {
         return check_for(open->order.files, open->targets.awaited, library);
       },
-      [this, open](TargetCheck checked) { take_check(open, std::move(checked)); });
+      [this, open](TargetCheck checked) { take_check(open, std::move(checked)); },
+      [this, open](const std::string& why) { give_up(open, why + "; nothing was pushed"); });
 }
 
 void PushDesk::take_check(const OpenPtr& open, TargetCheck check) {
@@ -58,21 +60,17 @@ void PushDesk::take_check(const OpenPtr& open, TargetCheck check) {
 /// Before anything of it is sent: what reached a robot is never missing from the history.
 void PushDesk::write_down(const OpenPtr& open) {
   parts_.worker.run(
-      [this, message = open->message, progress = open->newest().progress]() -> std::string {
-        try {
-          parts_.history.add(message, progress);
-          return {};
-        } catch (const std::exception& error) {
-          return error.what();
-        }
+      [this, message = open->message, progress = open->newest().progress] {
+        parts_.history.add(message, progress);
+        return true;
       },
-      [this, open](const std::string& failure) {
-        if (!failure.empty()) open->answer({503, {}, failure + "; nothing was pushed."});
-        open->swap.checked(failure, parts_.clock.now());
+      [this, open](bool) {
+        open->swap.checked({}, parts_.clock.now());
         const bool takes_long = open->order.trial.wanted || !open->order.canary.empty();
         if (takes_long) open->answer({202, to_json(open->newest())});
         go_on(open);
-      });
+      },
+      [this, open](const std::string& why) { give_up(open, why + "; nothing was pushed"); });
 }
 
 void PushDesk::try_out(const OpenPtr& open) {
@@ -93,7 +91,7 @@ void PushDesk::take_trial(const OpenPtr& open, const Result<TrialFigures>& resul
     objection = result.error().message;
   } else {
     const auto& figures = result.value();
-    open->record.progress.trial_json = to_json(figures).dump();
+    open->record.progress.trial_json = json_text(to_json(figures));
     finding = in_words(figures);
     const bool decides = !open->order.trial.only && !open->order.trial.even_if_worse;
     if (decides && clearly_worse(figures)) objection = "in simulation it " + finding;
@@ -124,12 +122,15 @@ void PushDesk::take_back(const OpenPtr& open) {
   order.targets = {open->order.canary};
   order.hash = open->message.hash;
   order.reason = open->swap.steps()[SwapTransaction::kCanaryStep].detail;
+  const auto warn = [robot = open->order.canary] {
+    std::clog << "galilean-monitor: DDS did not take the order to " << robot
+              << " to go back; push what it is to run\n";
+  };
   parts_.worker.run([this, order] { return rollbacks_.write(order); },
-                    [robot = open->order.canary](bool taken) {
-                      if (!taken)
-                        std::clog << "galilean-monitor: DDS did not take the order to " << robot
-                                  << " to go back; push what it is to run\n";
-                    });
+                    [warn](bool taken) {
+                      if (!taken) warn();
+                    },
+                    [warn](const std::string&) { warn(); });
 }
 
 void PushDesk::send(const OpenPtr& open, const std::vector<std::string>& targets) {
@@ -137,11 +138,9 @@ void PushDesk::send(const OpenPtr& open, const std::vector<std::string>& targets
   message.targets = targets;
   parts_.worker.run([this, message = std::move(message)] { return pushes_.write(message); },
                     [this, open](bool taken) {
-                      if (taken) return;
-                      open->swap.fail("DDS did not take the program; try again");
-                      open->answer({503, {}, "DDS did not take the program; try again."});
-                      go_on(open);
-                    });
+                      if (!taken) give_up(open, "DDS did not take the program; try again");
+                    },
+                    [this, open](const std::string& why) { give_up(open, why); });
 }
 
 }  // namespace galilean::monitor

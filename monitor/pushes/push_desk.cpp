@@ -91,8 +91,10 @@ void PushDesk::order(PushOrder order, Finish finish) {
 void PushDesk::refuse_stale(const PushOrder& order, const Stale& stale, Finish finish) {
   parts_.worker.run(
       [this, hash = stale.hash] { return parts_.history.last_push_of(hash); },
-      [replaces = order.replaces, stale, finish = std::move(finish)](
-          const std::optional<PushRecord>& by) { finish(overtaken(replaces, stale, by)); });
+      [replaces = order.replaces, stale, finish](const std::optional<PushRecord>& by) {
+        finish(overtaken(replaces, stale, by));
+      },
+      unable(finish));
 }
 
 void PushDesk::cancel(const std::string& id, const std::string& who, Finish finish) {
@@ -107,18 +109,30 @@ void PushDesk::cancel(const std::string& id, const std::string& who, Finish fini
 void PushDesk::describe(const std::string& id, Finish finish) {
   if (const auto open = find(id)) return finish({200, to_json(open->newest())});
   parts_.worker.run([this, id] { return parts_.history.push(id); },
-                    [id, finish = std::move(finish)](const std::optional<PushRecord>& record) {
+                    [id, finish](const std::optional<PushRecord>& record) {
                       if (!record) return finish({404, {}, "There was no push '" + id + "'."});
                       finish({200, to_json(*record)});
-                    });
+                    },
+                    unable(finish));
 }
 
 /// After anything happened to it: does what it asks for, and tells what became of it.
 void PushDesk::go_on(const OpenPtr& open) {
-  for (auto acts = open->swap.take_acts(); !acts.empty(); acts = open->swap.take_acts())
-    for (const auto each : acts) act(open, each);
+  const auto failure = guarded("a push", [&] {
+    for (auto acts = open->swap.take_acts(); !acts.empty(); acts = open->swap.take_acts())
+      for (const auto each : acts) act(open, each);
+  });
+  if (failure) return give_up(open, failure->message);
   tell(open);
   if (open->swap.over()) open->answer({200, to_json(open->newest())});
+}
+
+/// This machine cannot go on with it. A canary is still taken back.
+void PushDesk::give_up(const OpenPtr& open, const std::string& why) {
+  open->answer({503, {}, why + "."});
+  const bool was_under_way = !open->swap.over();
+  open->swap.fail(why);
+  if (was_under_way) go_on(open);
 }
 
 void PushDesk::tell(const OpenPtr& open) {
@@ -133,19 +147,21 @@ void PushDesk::tell(const OpenPtr& open) {
 }
 
 void PushDesk::watch() {
-  for (const auto& open : std::deque(open_)) {
-    if (open->swap.over()) continue;
-    if (const Robot* canary = parts_.team.find(open->order.canary); canary && canary->state)
-      open->swap.see(canary->name, parts_.team.silent(*canary), canary->state->program_hash,
-                     parts_.clock.now());
-    if (open->trial) open->swap.describe(runs_words(*open->trial));
-    open->swap.update(parts_.clock.now());
-    go_on(open);
-  }
+  for (const auto& open : std::deque(open_))
+    if (!open->swap.over()) guarded("watching a push", [&] { look_after(open); });
   timer_.expires_after(kWatchEach);
   timer_.async_wait([this](boost::system::error_code error) {
     if (!error) watch();
   });
+}
+
+void PushDesk::look_after(const OpenPtr& open) {
+  if (const Robot* canary = parts_.team.find(open->order.canary); canary && canary->state)
+    open->swap.see(canary->name, parts_.team.silent(*canary), canary->state->program_hash,
+                   parts_.clock.now());
+  if (open->trial) open->swap.describe(runs_words(*open->trial));
+  open->swap.update(parts_.clock.now());
+  go_on(open);
 }
 
 void PushDesk::note(const msg::ProgramPush& push) {

@@ -63,6 +63,7 @@ class PushDesk {
   OpenPtr keep(OpenPush open);
   void refuse_stale(const PushOrder& order, const Stale& stale, Finish finish);
   void go_on(const OpenPtr& open);
+  void give_up(const OpenPtr& open, const std::string& why);
   void act(const OpenPtr& open, SwapTransaction::Act act);
   void check(const OpenPtr& open);
   void take_check(const OpenPtr& open, TargetCheck check);
@@ -75,6 +76,7 @@ class PushDesk {
   void send(const OpenPtr& open, const std::vector<std::string>& targets);
   void tell(const OpenPtr& open);
   void watch();
+  void look_after(const OpenPtr& open);
 
   Parts parts_;
   wire::Writer<msg::ProgramPush> pushes_;

@@ -9,6 +9,7 @@
 #include "bhdl/program/catalog_file.h"
 #include "core/installation.h"
 #include "core/wire/ros_time.h"
+#include "monitor/background/guarded.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/server/api/api.h"
 #include "monitor/server/api/team_parameters.h"
@@ -119,11 +120,13 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
 }
 
 Ingest::Callbacks Monitor::Parts::callbacks() {
-  return {[this](const Channel& channel) { hub.add_channel(channel); },
-          [this](const Message& message) { receive(message); },
-          [](const std::string& problem) {
-            std::clog << "galilean-monitor: " << problem << std::endl;
-          }};
+  // One topic's or message's misfortune is not that of those behind it.
+  return {
+      [this](const Channel& channel) { guarded(channel.topic, [&] { hub.add_channel(channel); }); },
+      [this](const Message& message) { guarded(message.channel.topic, [&] { receive(message); }); },
+      [](const std::string& problem) {
+        std::clog << "galilean-monitor: " << problem << std::endl;
+      }};
 }
 
 void Monitor::Parts::receive(const Message& message) {
@@ -136,9 +139,11 @@ void Monitor::Parts::receive(const Message& message) {
 }
 
 void Monitor::Parts::tell_regularly() {
-  hub.send_time(wire::wall_clock_ns());
-  hub.send_parameters(team_parameters(team));
-  if (hub.graph_is_watched()) hub.send_graph(connection_graph(graph.topics()));
+  guarded("telling the clients", [this] {
+    hub.send_time(wire::wall_clock_ns());
+    hub.send_parameters(team_parameters(team));
+    if (hub.graph_is_watched()) hub.send_graph(connection_graph(graph.topics()));
+  });
   tell_timer.expires_after(kTellPeriod);
   tell_timer.async_wait([this](boost::system::error_code error) {
     if (!error) tell_regularly();
@@ -175,12 +180,8 @@ std::string Monitor::new_operator_token() const {
 }
 
 void Monitor::run() {
-  while (!parts_->io.stopped()) try {
-      parts_->io.run();
-    } catch (const std::exception& error) {
-      // One request's misfortune is not the others'.
-      std::clog << "galilean-monitor: " << error.what() << std::endl;
-    }
+  // A handler whose exception comes this far has lost its session, and nobody else anything.
+  while (!parts_->io.stopped()) guarded("a handler", [this] { parts_->io.run(); });
 }
 
 void Monitor::stop() {

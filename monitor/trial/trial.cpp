@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "core/json_text.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -45,10 +47,20 @@ Trial::Trial(boost::asio::io_context& io, fs::path simulator, fs::path folder, T
   }
   all_ = waiting_.size();
   boost::asio::post(io_, [this, alive = alive_] {
-    if (!*alive) return;
-    if (auto failure = lay_out()) return fail(std::move(failure->message));
-    start_some();
+    if (*alive) attempt([this] { begin(); });
   });
+}
+
+template <class Work>
+void Trial::attempt(Work work) try {
+  work();
+} catch (const std::exception& error) {
+  fail(error.what());
+}
+
+void Trial::begin() {
+  if (auto failure = lay_out()) return fail(std::move(failure->message));
+  start_some();
 }
 
 Trial::~Trial() {
@@ -59,7 +71,7 @@ Trial::~Trial() {
 }
 
 std::optional<Error> Trial::lay_out() const {
-  bool written = write_file(folder_ / "start.json", order_.situation.dump());
+  bool written = write_file(folder_ / "start.json", json_text(order_.situation));
   for (const auto& file : order_.now)
     written = written && write_file(below(folder_ / "now", file.path), file.text);
   for (const auto& file : order_.next)
@@ -102,7 +114,7 @@ void Trial::start_some() {
                                        output(*run, ".err"), [this, run](int exit_code) {
                                          const Run over = std::move(*run);
                                          running_.erase(run);
-                                         take(over, exit_code);
+                                         attempt([&] { take(over, exit_code); });
                                        });
     if (!process) return fail(process.error().message);
     run->process = std::move(process).value();

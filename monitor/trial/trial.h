@@ -53,10 +53,14 @@ class Trial {
     std::unique_ptr<ChildProcess> process = nullptr;
   };
 
+  /// For what is called from outside: what throws ends the trial, and is why.
+  template <class Work>
+  void attempt(Work work);
   [[nodiscard]] std::optional<Error> lay_out() const;
   [[nodiscard]] std::filesystem::path program_file(bool is_next) const;
   [[nodiscard]] std::filesystem::path output(const Run& run, const char* extension) const;
   [[nodiscard]] std::vector<std::string> command(const Run& run) const;
+  void begin();
   void start_some();
   void take(const Run& run, int exit_code);
   void fail(std::string why);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/json_text.h"
 #include "monitor/pushes/json.h"
 #include "monitor/server/api/metrics.h"
 #include "monitor/server/api/team_json.h"
@@ -10,11 +11,6 @@
 
 namespace galilean::monitor {
 namespace {
-
-HttpResponse response_of(const Outcome& outcome) {
-  if (outcome.status < 400) return json_response(outcome.json, outcome.status);
-  return problem(outcome.status, outcome.detail, outcome.json);
-}
 
 std::string rest(const HttpRequest& request, std::string_view prefix) {
   return request.path.substr(prefix.size());
@@ -52,8 +48,7 @@ void Api::add_routes() {
       [this](auto& request, auto& respond) { program(rest(request, "/api/programs/"), respond); });
   get("/api/pushes", [this](auto&, auto& respond) { pushes(respond); });
   get("/api/pushes/", [this](auto& request, auto& respond) {
-    parts_.desk.describe(rest(request, "/api/pushes/"),
-                         [respond](const Outcome& outcome) { respond(response_of(outcome)); });
+    parts_.desk.describe(rest(request, "/api/pushes/"), finish_of(respond));
   });
   get("/api/pushed/", [this](auto& request, auto& respond) {
     pushed_program(rest(request, "/api/pushed/"), respond);
@@ -112,16 +107,18 @@ HttpResponse Api::not_allowed(const HttpRequest& request, const std::vector<cons
   return response;
 }
 
+Finish Api::finish_of(const Respond& respond) {
+  return [respond](const Outcome& outcome) {
+    if (outcome.status < 400) return respond(json_response(outcome.json, outcome.status));
+    respond(problem(outcome.status, outcome.detail, outcome.json));
+  };
+}
+
 Api::Handler Api::operation(void (Operations::*operate)(const nlohmann::json&, Finish)) {
   return [this, operate](const HttpRequest& request, const Respond& respond) {
-    const auto body = nlohmann::json::parse(request.body, nullptr, false);
-    if (!body.is_object()) return respond(problem(400, "The body must be a JSON object."));
-    try {
-      (parts_.operations.*operate)(
-          body, [respond](const Outcome& outcome) { respond(response_of(outcome)); });
-    } catch (const BadRequest& wrong) {
-      respond(problem(400, wrong.what()));
-    }
+    const auto body = read_untrusted_json(request.body);
+    if (!body) return respond(problem(400, body.error().message));
+    (parts_.operations.*operate)(body.value(), finish_of(respond));
   };
 }
 
@@ -145,7 +142,8 @@ void Api::pushes(const Respond& respond) {
                       auto list = nlohmann::json::array();
                       for (const auto& record : records) list.push_back(to_json(record));
                       respond(json_response({{"pushes", std::move(list)}}));
-                    });
+                    },
+                    unable(finish_of(respond)));
 }
 
 /// POST /api/pushes/ID/cancel; the body may name an author.
@@ -154,15 +152,10 @@ void Api::cancel_push(const HttpRequest& request, const Respond& respond) {
   auto id = rest(request, "/api/pushes/");
   if (!id.ends_with(kVerb)) return respond(problem(404, "There is no " + request.path + "."));
   id.resize(id.size() - kVerb.size());
-  auto body = nlohmann::json::parse(request.body.empty() ? "{}" : request.body, nullptr, false);
-  if (!body.is_object()) return respond(problem(400, "The body must be a JSON object."));
-  body["id"] = id;
-  try {
-    parts_.operations.cancel_push(
-        body, [respond](const Outcome& outcome) { respond(response_of(outcome)); });
-  } catch (const BadRequest& wrong) {
-    respond(problem(400, wrong.what()));
-  }
+  auto body = read_untrusted_json(request.body.empty() ? "{}" : request.body);
+  if (!body) return respond(problem(400, body.error().message));
+  if (body.value().is_object()) body.value()["id"] = id;
+  parts_.operations.cancel_push(body.value(), finish_of(respond));
 }
 
 void Api::pushed_program(const std::string& hash, const Respond& respond) {
@@ -171,7 +164,8 @@ void Api::pushed_program(const std::string& hash, const Respond& respond) {
                       if (!files)
                         return respond(problem(404, "No program '" + hash + "' was ever pushed."));
                       respond(json_response({{"hash", hash}, {"files", to_json(*files)}}));
-                    });
+                    },
+                    unable(finish_of(respond)));
 }
 
 void Api::status(const Respond& respond) const {

@@ -44,6 +44,7 @@ class Api {
   void add_routes();
   void add_map_routes();
   void post(std::string path, Right needs, Handler handler);
+  [[nodiscard]] static Finish finish_of(const Respond& respond);
   [[nodiscard]] Handler operation(void (Operations::*operate)(const nlohmann::json&, Finish));
   [[nodiscard]] std::vector<const Route*> routes_to(const std::string& path) const;
   [[nodiscard]] static bool takes(const Route& route, const std::string& method);

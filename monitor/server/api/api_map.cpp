@@ -18,7 +18,8 @@ void Api::add_map_routes() {
                [respond, type](std::string file) {
                  if (!file.empty()) return respond(text_response(std::move(file), type));
                  respond(problem(404, "There is no map yet: no robot has told where it is."));
-               });
+               },
+               unable(finish_of(respond)));
          }});
   };
   serve("/api/map.png", "image/png", [](const Newest& map) { return map_png(map.grid); });

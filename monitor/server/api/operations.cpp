@@ -23,11 +23,13 @@ const std::map<std::string, std::uint8_t>& command_kinds() {
   return kKinds;
 }
 
-std::vector<bhdl::SourceFile> files_field(const nlohmann::json& request,
-                                          const char* name = "files") {
-  auto files = files_from_json(request.value(name, nlohmann::json()));
-  if (!files) throw BadRequest(files.error().message + ".");
-  return std::move(files).value();
+std::vector<bhdl::SourceFile> files_field(RequestFields& fields, const char* name = "files") {
+  static const nlohmann::json kNone;
+  const nlohmann::json* value = fields.find(name);
+  auto files = files_from_json(value ? *value : kNone, name);
+  if (files) return std::move(files).value();
+  fields.refuse(files.error().message + ".");
+  return {};
 }
 
 /// What was found; and, where both are programs, what `files` tells a robot otherwise than
@@ -48,31 +50,41 @@ nlohmann::json checked(const std::vector<bhdl::SourceFile>& files,
 }
 
 /// `try` is true, or {only, even_if_worse, seeds, duration_s, scenario}.
-void read_trial(const nlohmann::json& request, PushOrder& order) {
-  if (!request.contains("try")) return;
-  const auto& trial = request["try"];
-  if (!trial.is_boolean() && !trial.is_object())
-    throw BadRequest("'try' must be true, false or an object.");
-  order.trial.wanted = trial.is_object() || trial.get<bool>();
-  if (!trial.is_object()) return;
-  order.trial.only = flag_field(trial, "only");
-  order.trial.even_if_worse = flag_field(trial, "even_if_worse");
-  order.trial.seeds = static_cast<int>(number_field(trial, "seeds", order.trial.seeds, 1, 64));
-  order.trial.duration_s = number_field(trial, "duration_s", order.trial.duration_s, 1, 3600);
-  order.trial.scenario = text_field(trial, "scenario");
+TrialWish trial_field(RequestFields& request) {
+  TrialWish trial;
+  const nlohmann::json* value = request.find("try");
+  if (!value) return trial;
+  if (value->is_boolean()) {
+    trial.wanted = value->get<bool>();
+    return trial;
+  }
+  if (!value->is_object()) return request.refuse("'try' must be true, false or an object."), trial;
+  RequestFields fields(*value);
+  trial.wanted = true;
+  trial.only = fields.flag("only");
+  trial.even_if_worse = fields.flag("even_if_worse");
+  trial.seeds = static_cast<int>(fields.number("seeds", trial.seeds, 1, 64));
+  trial.duration_s = fields.number("duration_s", trial.duration_s, 1, 3600);
+  trial.scenario = fields.text("scenario");
+  if (!fields.ok()) request.refuse(fields.objection());
+  return trial;
 }
 
-PushOrder order_of(const nlohmann::json& request) {
-  PushOrder order{.files = files_field(request),
-                  .targets = names_field(request, "targets"),
-                  .author = text_field(request, "author", "unnamed"),
-                  .replaces = text_field(request, "replaces")};
-  read_trial(request, order);
-  order.canary = text_field(request, "canary");
+PushOrder order_of(RequestFields& fields) {
+  PushOrder order{.files = files_field(fields),
+                  .targets = fields.names("targets"),
+                  .author = fields.text("author", "unnamed"),
+                  .replaces = fields.text("replaces"),
+                  .trial = trial_field(fields),
+                  .canary = fields.text("canary")};
   constexpr double kLongest_s = 3600;
-  if (request.contains("probation_s"))
-    order.probation = from_seconds(number_field(request, "probation_s", 0, 0, kLongest_s));
+  if (fields.find("probation_s"))
+    order.probation = from_seconds(fields.number("probation_s", 0, 0, kLongest_s));
   return order;
+}
+
+Outcome refused(const RequestFields& fields) {
+  return {400, {}, fields.objection()};
 }
 
 }  // namespace
@@ -86,11 +98,14 @@ Operations::Operations(Worker& worker, const Team& team, const ProgramLibrary& l
       commands_(participant, wire::kCommandTopic) {}
 
 void Operations::check(const nlohmann::json& request, Finish finish) {
-  auto files = files_field(request);
+  RequestFields fields(request);
+  auto files = files_field(fields);
   std::vector<bhdl::SourceFile> against;
-  if (request.contains("against")) against = files_field(request, "against");
+  if (fields.find("against")) against = files_field(fields, "against");
+  const auto name = fields.text("robot");
+  if (!fields.ok()) return finish(refused(fields));
   std::vector<Target> targets;
-  if (const auto name = text_field(request, "robot"); !name.empty()) {
+  if (!name.empty()) {
     const Robot* robot = team_.find(name);
     if (!robot) return finish({404, {}, "There is no robot '" + name + "'."});
     targets.push_back(target_of(*robot));
@@ -99,30 +114,38 @@ void Operations::check(const nlohmann::json& request, Finish finish) {
   }
   worker_.run([files = std::move(files), targets = std::move(targets), against = std::move(against),
                &library = library_] { return checked(files, targets, against, library); },
-              [finish = std::move(finish)](nlohmann::json json) {
+              [finish](nlohmann::json json) {
                 finish({200, std::move(json)});
-              });
+              },
+              unable(finish));
 }
 
 void Operations::push(const nlohmann::json& request, Finish finish) {
-  desk_.order(order_of(request), std::move(finish));
+  RequestFields fields(request);
+  auto order = order_of(fields);
+  if (!fields.ok()) return finish(refused(fields));
+  desk_.order(std::move(order), std::move(finish));
 }
 
 void Operations::cancel_push(const nlohmann::json& request, Finish finish) {
-  desk_.cancel(text_field(request, "id"), text_field(request, "author", "an operator"),
-               std::move(finish));
+  RequestFields fields(request);
+  const auto id = fields.text("id"), author = fields.text("author", "an operator");
+  if (!fields.ok()) return finish(refused(fields));
+  desk_.cancel(id, author, std::move(finish));
 }
 
 void Operations::command(const nlohmann::json& request, Finish finish) {
-  const auto kind = command_kinds().find(text_field(request, "kind"));
+  RequestFields fields(request);
+  const auto kind = command_kinds().find(fields.text("kind"));
   if (kind == command_kinds().end())
-    throw BadRequest("'kind' must be hold, resume, push_bumper, decommission or commission.");
+    fields.refuse("'kind' must be hold, resume, push_bumper, decommission or commission.");
   msg::Command command;
   command.id = new_id();
-  command.author = text_field(request, "author", "operator");
-  command.targets = names_field(request, "targets");
+  command.author = fields.text("author", "operator");
+  command.targets = fields.names("targets");
+  command.argument = fields.whole_number("argument", 0);
+  if (!fields.ok()) return finish(refused(fields));
   command.kind = kind->second;
-  command.argument = whole_number_field(request, "argument", 0);
   for (const auto& target : command.targets)
     if (!team_.find(target)) return finish({404, {}, "There is no robot '" + target + "'."});
   send(std::move(command), std::move(finish));
@@ -131,10 +154,11 @@ void Operations::command(const nlohmann::json& request, Finish finish) {
 void Operations::send(msg::Command command, Finish finish) {
   command.stamp = wire::ros_time(wire::wall_clock_ns());
   worker_.run([this, command] { return commands_.write(command); },
-              [finish = std::move(finish), id = command.id](bool taken) {
+              [finish, id = command.id](bool taken) {
                 finish(taken ? Outcome{200, {{"id", id}}}
                              : Outcome{503, {}, "DDS did not take the command; try again."});
-              });
+              },
+              unable(finish));
 }
 
 void Operations::offer(foxglove::Hub& hub) {
@@ -149,14 +173,10 @@ void Operations::offer(foxglove::Hub& hub) {
 
   const auto serve = [](auto operation) {
     return [operation](const nlohmann::json& request, foxglove::Hub::Answer answer) {
-      try {
-        operation(request, [answer](const Outcome& outcome) {
-          if (outcome.status < 400) return answer(outcome.json);
-          answer(Error{outcome.detail});
-        });
-      } catch (const BadRequest& wrong) {
-        answer(Error{wrong.what()});
-      }
+      operation(request, [answer = std::move(answer)](const Outcome& outcome) {
+        if (outcome.status < 400) return answer(outcome.json);
+        answer(Error{outcome.detail});
+      });
     };
   };
   hub.add_service({"/galilean/push", "galilean/Push",
@@ -182,8 +202,7 @@ void Operations::offer(foxglove::Hub& hub) {
                      object({{"targets", names}, {"author", text}, {"argument", number}}),
                      object({{"id", text}})},
                     serve([this, kind = kind](nlohmann::json request, Finish finish) {
-                      if (!request.is_object()) throw BadRequest("A call must be a JSON object.");
-                      request["kind"] = kind;
+                      if (request.is_object()) request["kind"] = kind;
                       command(request, std::move(finish));
                     }));
 }

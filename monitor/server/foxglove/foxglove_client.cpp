@@ -1,9 +1,10 @@
 #include <algorithm>
 
+#include "core/json_text.h"
 #include "monitor/access/access.h"
+#include "monitor/background/guarded.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
-#include "monitor/server/foxglove/foxglove_request.h"
-#include "monitor/server/text/json_text.h"
+#include "monitor/server/text/request_fields.h"
 
 namespace galilean::monitor::foxglove {
 namespace {
@@ -35,7 +36,7 @@ std::size_t lane_depth(wire::Delivery delivery) {
 
 }  // namespace
 
-using Request = const nlohmann::json&;
+using Request = RequestFields&;
 const std::map<std::string, void (*)(Hub::Client&, Request)> Hub::Client::kOperations{
     {"subscribe", [](Client& client, Request request) { client.subscribe(request); }},
     {"unsubscribe", [](Client& client, Request request) { client.unsubscribe(request); }},
@@ -61,20 +62,24 @@ Hub::Client::Client(Hub& hub, Link& link, bool may_call)
 
 Hub::Client::~Client() {
   while (!channel_of_.empty()) unsubscribe_one(channel_of_.begin()->first);
-  hub_.past_.superseded += outbox_.superseded();
+  hub_.past_.superseded += outbox_->superseded();
   std::erase(hub_.clients_, this);
   *alive_ = false;
 }
 
 void Hub::Client::receive_text(std::string_view text) {
-  const auto request = nlohmann::json::parse(text, nullptr, false);
-  const bool has_op = request.is_object() && request.contains("op") && request["op"].is_string();
-  if (!has_op) return refuse("A message must be a JSON object with a string \"op\".");
-  const auto op = request["op"].get<std::string>();
+  const auto request = read_untrusted_json(text);
+  if (!request) return refuse(request.error().message);
+  RequestFields fields(request.value());
+  const auto op = fields.text("op");
+  if (!fields.ok() || op.empty())
+    return refuse("A message must be a JSON object with a string \"op\".");
   const auto known = kOperations.find(op);
   if (known == kOperations.end())
     return refuse("This server does not know the operation \"" + op.substr(0, 40) + "\".");
-  known->second(*this, request);
+  const auto failure = guarded("a client's message", [&] { known->second(*this, fields); });
+  if (failure) return refuse("The monitor cannot do this now: " + failure->message + ".");
+  if (!fields.ok()) refuse(fields.objection());
 }
 
 void Hub::Client::receive_binary(std::span<const std::uint8_t> bytes) {
@@ -85,8 +90,8 @@ void Hub::Client::receive_binary(std::span<const std::uint8_t> bytes) {
     refuse("A binary message must be a service call.");
 }
 
-void Hub::Client::subscribe(const nlohmann::json& request) {
-  for (const auto& item : list_of(request, "subscriptions")) {
+void Hub::Client::subscribe(RequestFields& request) {
+  for (const auto& item : request.list("subscriptions")) {
     const auto id = id_of(item, "id");
     const auto channel_id = id_of(item, "channelId");
     if (id && channel_id)
@@ -106,8 +111,8 @@ void Hub::Client::subscribe_one(std::uint32_t subscription_id, std::uint32_t cha
   for (const auto& message : topic->kept) deliver(subscription_id, message);
 }
 
-void Hub::Client::unsubscribe(const nlohmann::json& request) {
-  for (const auto& item : list_of(request, "subscriptionIds")) {
+void Hub::Client::unsubscribe(RequestFields& request) {
+  for (const auto& item : request.list("subscriptionIds")) {
     const auto id = id_of(item);
     if (id && channel_of_.contains(*id))
       unsubscribe_one(*id);
@@ -119,7 +124,7 @@ void Hub::Client::unsubscribe(const nlohmann::json& request) {
 void Hub::Client::unsubscribe_one(std::uint32_t subscription_id) {
   const auto channel_id = channel_of_.at(subscription_id);
   channel_of_.erase(subscription_id);
-  outbox_.close_lane(subscription_id);
+  outbox_->close_lane(subscription_id);
   auto& subscribers = hub_.find(channel_id)->subscribers;
   std::erase_if(subscribers, [&](const Subscriber& subscriber) {
     return subscriber.client == this && subscriber.subscription_id == subscription_id;
@@ -134,13 +139,17 @@ void Hub::Client::call(const ServiceCall& call) {
     return answer(service_id, call_id,
                   Error{"There is no service " + std::to_string(service_id) + "."});
   if (!may_call_) return answer(service_id, call_id, Error{missing_right(Right::kOperate)});
-  const auto request = nlohmann::json::parse(call.request, nullptr, false);
-  if (call.encoding != "json" || request.is_discarded())
+  if (call.encoding != "json")
     return answer(service_id, call_id, Error{"A service call must be encoded as json."});
-  hub_.handlers_[service_id - 1](
-      request, [this, alive = alive_, service_id, call_id](const Result<nlohmann::json>& result) {
-        if (*alive) answer(service_id, call_id, result);
-      });
+  const auto request = read_untrusted_json(call.request);
+  if (!request) return answer(service_id, call_id, request.error());
+  const auto once = [this, alive = alive_, service_id, call_id,
+                     answered = std::make_shared<bool>()](const Result<nlohmann::json>& result) {
+    if (*alive && !std::exchange(*answered, true)) answer(service_id, call_id, result);
+  };
+  const auto failure =
+      guarded("a service call", [&] { hub_.handlers_[service_id - 1](request.value(), once); });
+  if (failure) once(Error{"The monitor cannot do this now: " + failure->message + "."});
 }
 
 void Hub::Client::answer(std::uint32_t service_id, std::uint32_t call_id,
@@ -157,17 +166,17 @@ void Hub::Client::deliver(std::uint32_t subscription_id, const Message& message)
   if (depth == 0) return push(message_frame(subscription_id, message));
   if (dismissed_) return;
   ++hub_.past_.frames;
-  outbox_.offer(subscription_id, message_frame(subscription_id, message), depth);
+  outbox_->offer(subscription_id, message_frame(subscription_id, message), depth);
   link_.flush();
 }
 
 void Hub::Client::push(Frame frame) {
   if (dismissed_) return;
   ++hub_.past_.frames;
-  if (outbox_.push(std::move(frame))) return link_.flush();
+  if (outbox_->push(std::move(frame))) return link_.flush();
   dismissed_ = true;
   ++hub_.past_.dismissed;
-  outbox_.clear();
+  outbox_->clear();
   link_.close("too slow: more events waited for this client than the server keeps");
 }
 

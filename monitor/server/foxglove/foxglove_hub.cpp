@@ -48,7 +48,7 @@ void Hub::send(const Message& message) {
 void Hub::send_time(std::int64_t since_epoch_ns) {
   constexpr std::uint32_t kTimeLane = 0xffffffff;
   for (Client* client : clients_) {
-    client->outbox_.offer(kTimeLane, time_frame(since_epoch_ns), 1);
+    client->outbox_->offer(kTimeLane, time_frame(since_epoch_ns), 1);
     client->link_.flush();
   }
 }
@@ -91,7 +91,7 @@ Hub::Counts Hub::counts() const {
   counts.clients = clients_.size();
   for (const Client* client : clients_) {
     counts.subscriptions += client->channel_of_.size();
-    counts.superseded += client->outbox_.superseded();
+    counts.superseded += client->outbox_->superseded();
   }
   return counts;
 }

@@ -15,6 +15,10 @@
 #include "monitor/server/foxglove/foxglove_messages.h"
 #include "monitor/server/websocket/outbox.h"
 
+namespace galilean::monitor {
+class RequestFields;
+}
+
 namespace galilean::monitor::foxglove {
 
 /// The way to one client, as the hub sees it.
@@ -109,21 +113,23 @@ class Hub::Client {
   /// What came from the client, as text or as binary message.
   void receive_text(std::string_view text);
   void receive_binary(std::span<const std::uint8_t> bytes);
-  [[nodiscard]] Outbox& outbox() noexcept { return outbox_; }
+  [[nodiscard]] Outbox& outbox() noexcept { return *outbox_; }
+  /// For who sends from it: it goes with the client.
+  [[nodiscard]] std::weak_ptr<Outbox> outbox_while_connected() const noexcept { return outbox_; }
 
  private:
   friend class Hub;
-  /// By "op" of a client's message.
-  static const std::map<std::string, void (*)(Client&, const nlohmann::json& request)> kOperations;
+  /// By "op" of a client's message. What is wrong with a request is told when they return.
+  static const std::map<std::string, void (*)(Client&, RequestFields& request)> kOperations;
 
-  void subscribe(const nlohmann::json& request);
+  void subscribe(RequestFields& request);
   void subscribe_one(std::uint32_t subscription_id, std::uint32_t channel_id);
-  void unsubscribe(const nlohmann::json& request);
+  void unsubscribe(RequestFields& request);
   void unsubscribe_one(std::uint32_t subscription_id);
-  void get_parameters(const nlohmann::json& request);
-  void set_parameters(const nlohmann::json& request);
+  void get_parameters(RequestFields& request);
+  void set_parameters(RequestFields& request);
   void set_parameter(const Parameter& wanted);
-  void watch_parameters(const nlohmann::json& request, bool wanted);
+  void watch_parameters(RequestFields& request, bool wanted);
   void tell_parameters(const ParameterValues& changed);
   void watch_graph(bool wanted);
   void call(const ServiceCall& call);
@@ -137,7 +143,7 @@ class Hub::Client {
   Hub& hub_;
   Link& link_;
   bool may_call_;
-  Outbox outbox_;
+  std::shared_ptr<Outbox> outbox_ = std::make_shared<Outbox>();
   bool dismissed_ = false;
   std::map<std::uint32_t, std::uint32_t> channel_of_;  ///< by subscription id
   std::set<std::string> watched_parameters_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "monitor/server/text/json_text.h"
+#include "core/json_text.h"
 
 namespace galilean::monitor::foxglove {
 namespace {

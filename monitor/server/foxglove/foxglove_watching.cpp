@@ -1,36 +1,34 @@
 // What a client watches besides channels: parameters and the connection graph.
 #include "monitor/access/access.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
-#include "monitor/server/foxglove/foxglove_request.h"
+#include "monitor/server/text/request_fields.h"
 
 namespace galilean::monitor::foxglove {
 namespace {
 
 /// Those of `all` that `names` lists; an empty list means all.
-ParameterValues named(const ParameterValues& all, const nlohmann::json& names) {
+ParameterValues named(const ParameterValues& all, const std::vector<std::string>& names) {
   if (names.empty()) return all;
   ParameterValues some;
   for (const auto& name : names)
-    if (name.is_string())
-      if (const auto found = all.find(name); found != all.end()) some.insert(*found);
+    if (const auto found = all.find(name); found != all.end()) some.insert(*found);
   return some;
-}
-
-std::string id_text(const nlohmann::json& request) {
-  if (!request.contains("id") || !request["id"].is_string()) return {};
-  return request["id"];
 }
 
 }  // namespace
 
-void Hub::Client::get_parameters(const nlohmann::json& request) {
-  tell(parameter_values(named(hub_.parameters_, list_of(request, "parameterNames")),
-                        id_text(request)));
+void Hub::Client::get_parameters(RequestFields& request) {
+  const auto names = request.names("parameterNames");
+  const auto id = request.text("id");
+  if (request.ok()) tell(parameter_values(named(hub_.parameters_, names), id));
 }
 
-void Hub::Client::set_parameters(const nlohmann::json& request) {
-  auto names = nlohmann::json::array();
-  for (const auto& item : list_of(request, "parameters")) {
+void Hub::Client::set_parameters(RequestFields& request) {
+  const auto id = request.text("id");
+  const auto& parameters = request.list("parameters");
+  if (!request.ok()) return;
+  std::vector<std::string> names;
+  for (const auto& item : parameters) {
     if (!item.is_object() || !item.contains("name") || !item["name"].is_string()) {
       refuse("A parameter must have a string \"name\".");
       continue;
@@ -38,7 +36,6 @@ void Hub::Client::set_parameters(const nlohmann::json& request) {
     names.push_back(item["name"]);
     set_parameter({item["name"], item.value("value", nlohmann::json())});
   }
-  const auto id = id_text(request);
   if (!id.empty() && !names.empty()) tell(parameter_values(named(hub_.parameters_, names), id));
 }
 
@@ -51,8 +48,10 @@ void Hub::Client::set_parameter(const Parameter& wanted) {
   });
 }
 
-void Hub::Client::watch_parameters(const nlohmann::json& request, bool wanted) {
-  for (const auto& [name, value] : named(hub_.parameters_, list_of(request, "parameterNames")))
+void Hub::Client::watch_parameters(RequestFields& request, bool wanted) {
+  const auto names = request.names("parameterNames");
+  if (!request.ok()) return;
+  for (const auto& [name, value] : named(hub_.parameters_, names))
     if (wanted)
       watched_parameters_.insert(name);
     else

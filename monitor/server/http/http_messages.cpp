@@ -3,7 +3,7 @@
 #include <boost/beast/http/status.hpp>
 #include <nlohmann/json.hpp>
 
-#include "monitor/server/text/json_text.h"
+#include "core/json_text.h"
 
 namespace galilean::monitor {
 namespace http = boost::beast::http;

@@ -2,6 +2,7 @@
 
 #include <boost/asio/steady_timer.hpp>
 
+#include "monitor/background/guarded.h"
 #include "monitor/server/http/http_session.h"
 
 namespace galilean::monitor {
@@ -50,7 +51,8 @@ void HttpServer::accept() {
       });
       return;
     }
-    if (site_->counts.connections < kMostConnections) serve_http(std::move(socket), site_);
+    if (site_->counts.connections < kMostConnections)
+      guarded("a new connection", [&] { serve_http(std::move(socket), site_); });
     accept();
   });
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "monitor/background/guarded.h"
 #include "monitor/server/http/websocket_session.h"
 #include "monitor/server/text/url_text.h"
 
@@ -64,7 +65,9 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     stream_.expires_after(kLongestRequest);
     http::async_read(stream_, buffer_, *parser_,
                      [self = shared_from_this()](error_code error, std::size_t) {
-                       error ? self->fail(error) : self->receive();
+                       if (error) return self->fail(error);
+                       const auto failure = guarded("a request", [&] { self->receive(); });
+                       if (failure) self->apologize(failure->message);
                      });
   }
 
@@ -83,6 +86,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
 
   void receive() {
     auto message = parser_->release();
+    awaits_answer_ = true;
     version_ = message.version();
     keep_alive_ = message.keep_alive();
     head_only_ = message.method() == http::verb::head;
@@ -101,9 +105,17 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     }
     stranger_ = site_->guard.is_allowed_stranger(request.origin) ? request.origin : std::string();
     stream_.expires_never();
-    site_->handler(request, [self = shared_from_this()](HttpResponse response) {
-      self->respond(std::move(response));
-    });
+    site_->handler(request,
+                   [self = shared_from_this(), number = ++handled_](HttpResponse response) {
+                     // The first answer to a request counts.
+                     if (self->awaits_answer_ && self->handled_ == number)
+                       self->respond(std::move(response));
+                   });
+  }
+
+  void apologize(const std::string& failure) {
+    if (awaits_answer_)
+      respond(problem(500, "The monitor failed at this request: " + failure + "."));
   }
 
   void become_websocket(http::request<http::string_body> message, Right right) {
@@ -117,6 +129,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   }
 
   void respond(HttpResponse response) {
+    awaits_answer_ = false;
     body_ = response.body ? std::move(response.body) : std::make_shared<const std::string>();
     write_head(response);
     const bool with_body = !head_only_ && response.status != 304;
@@ -166,6 +179,8 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   std::string head_;
   std::string stranger_;
   unsigned version_ = 11;
+  std::uint64_t handled_ = 0;  ///< requests that the handler was given
+  bool awaits_answer_ = false;
   bool keep_alive_ = false;
   bool head_only_ = false;
 };

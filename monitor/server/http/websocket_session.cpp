@@ -5,6 +5,7 @@
 #include <boost/beast/http/rfc7230.hpp>
 #include <boost/beast/websocket/stream.hpp>
 
+#include "monitor/background/guarded.h"
 #include "monitor/server/websocket/batching_socket.h"
 
 namespace galilean::monitor {
@@ -33,6 +34,7 @@ class WebSocketSession final : public foxglove::Link,
   WebSocketSession(boost::asio::ip::tcp::socket socket, foxglove::Hub& hub, SendRounds& rounds,
                    Right right)
       : stream_(std::move(socket), rounds), hub_(hub), right_(right) {}
+  ~WebSocketSession() override { stream_.next_layer().close(); }
 
   void start(const Upgrade& upgrade) {
     const auto subprotocol = subprotocol_for(upgrade);
@@ -47,8 +49,10 @@ class WebSocketSession final : public foxglove::Link,
     stream_.async_accept(
         upgrade, [self = shared_from_this(), understood = !subprotocol.empty()](error_code error) {
           if (error) return;
-          if (understood) return self->begin();
-          self->close("offer the subprotocol foxglove.sdk.v1 or foxglove.websocket.v1");
+          if (understood)
+            self->attempt([&] { self->begin(); });
+          else
+            self->close("offer the subprotocol foxglove.sdk.v1 or foxglove.websocket.v1");
           self->read();
         });
   }
@@ -56,24 +60,33 @@ class WebSocketSession final : public foxglove::Link,
   void flush() override { stream_.next_layer().flush(); }
 
   void close(const std::string& reason) override {
-    stream_.next_layer().send_from(nullptr);
-    if (std::exchange(closing_, true)) return;
-    stream_.async_close({websocket::close_code::policy_error, reason},
-                        [self = shared_from_this()](error_code) {});
+    close_with(websocket::close_code::policy_error, reason);
   }
 
  private:
+  void close_with(websocket::close_code code, const std::string& reason) {
+    stream_.next_layer().send_from({});
+    if (std::exchange(closing_, true)) return;
+    stream_.async_close({code, reason}, [self = shared_from_this()](error_code) {});
+  }
+
+  /// What throws ends the connection: it may have been done by half.
+  template <class Work>
+  void attempt(Work work) {
+    if (guarded("a client of /ws", work))
+      close_with(websocket::close_code::internal_error, "the monitor failed; its log says why");
+  }
+
   void begin() {
     client_ = hub_.connect(*this, right_ == Right::kOperate);
-    stream_.next_layer().send_from(&client_->outbox());
+    stream_.next_layer().send_from(client_->outbox_while_connected());
     flush();
-    read();
   }
 
   void read() {
     stream_.async_read(incoming_, [self = shared_from_this()](error_code error, std::size_t) {
-      if (error) return self->end();
-      self->receive();
+      if (error) return self->client_.reset();
+      self->attempt([&] { self->receive(); });
       self->incoming_.consume(self->incoming_.size());
       self->read();
     });
@@ -86,11 +99,6 @@ class WebSocketSession final : public foxglove::Link,
       client_->receive_text({reinterpret_cast<const char*>(bytes), incoming_.size()});
     else
       client_->receive_binary({bytes, incoming_.size()});
-  }
-
-  void end() {
-    stream_.next_layer().send_from(nullptr);
-    client_.reset();
   }
 
   websocket::stream<BatchingSocket> stream_;

@@ -102,14 +102,17 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
           turn.over = self->server_->exit_status().has_value();
           return turn;
         },
-        [self = shared_from_this()](Turn turn) { self->finish_turn(std::move(turn)); });
+        [self = shared_from_this()](Turn turn) { self->finish_turn(std::move(turn)); },
+        [self = shared_from_this()](const std::string&) {
+          self->close(websocket::close_code::internal_error);
+        });
   }
 
   void finish_turn(Turn turn) {
     busy_ = false;
     has_work_ = turn.has_work;
     for (auto& message : turn.messages) send(std::move(message));
-    if (turn.over || unsent_bytes_ > kMostUnsentBytes) return close();
+    if (turn.over || unsent_bytes_ > kMostUnsentBytes) return close(websocket::close_code::normal);
     take_turn();
   }
 
@@ -130,10 +133,9 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
                         });
   }
 
-  void close() {
+  void close(websocket::close_code code) {
     if (std::exchange(closed_, true)) return;
-    stream_.async_close(websocket::close_code::normal,
-                        [self = shared_from_this()](beast::error_code) {});
+    stream_.async_close(code, [self = shared_from_this()](beast::error_code) {});
   }
 
   void end() {

@@ -1,64 +1,37 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace galilean::monitor {
 
-/// A request that does not say what it must; what() tells its author.
-struct BadRequest : std::runtime_error {
-  using std::runtime_error::runtime_error;
+/// Reads the members of a request. One that is left out, or has the wrong type, is returned as its
+/// default. The first that is wrong is kept as the objection: ask for it when all are read.
+class RequestFields {
+ public:
+  /// `request` must outlive this; what is no object has no members and is wrong.
+  explicit RequestFields(const nlohmann::json& request);
+
+  [[nodiscard]] std::string text(const char* name, std::string absent = {});
+  [[nodiscard]] int whole_number(const char* name, int absent);
+  [[nodiscard]] double number(const char* name, double absent, double least, double most);
+  [[nodiscard]] bool flag(const char* name);
+  [[nodiscard]] std::vector<std::string> names(const char* name);
+  /// Must be there.
+  [[nodiscard]] const nlohmann::json& list(const char* name);
+  /// Returns nullptr where it is left out.
+  [[nodiscard]] const nlohmann::json* find(const char* name) const;
+
+  /// Keeps `why`, one sentence, unless something was wrong before.
+  void refuse(std::string why);
+  [[nodiscard]] bool ok() const noexcept { return objection_.empty(); }
+  /// One sentence for the request's author; empty if nothing is wrong.
+  [[nodiscard]] const std::string& objection() const noexcept { return objection_; }
+
+ private:
+  const nlohmann::json& request_;
+  std::string objection_;
 };
-
-/// The members of a request; those that are left out have the default. Throw BadRequest where one
-/// has the wrong type.
-[[nodiscard]] inline std::string text_field(const nlohmann::json& request, const char* name,
-                                            std::string absent = {}) {
-  if (!request.contains(name)) return absent;
-  if (!request[name].is_string()) throw BadRequest("'" + std::string(name) + "' must be a string.");
-  return request[name];
-}
-
-[[nodiscard]] inline int whole_number_field(const nlohmann::json& request, const char* name,
-                                            int absent) {
-  if (!request.contains(name)) return absent;
-  if (!request[name].is_number_integer())
-    throw BadRequest("'" + std::string(name) + "' must be a whole number.");
-  return request[name];
-}
-
-[[nodiscard]] inline double number_field(const nlohmann::json& request, const char* name,
-                                         double absent, double least, double most) {
-  if (!request.contains(name)) return absent;
-  const bool fits = request[name].is_number() && request[name].get<double>() >= least &&
-                    request[name].get<double>() <= most;
-  if (!fits)
-    throw BadRequest("'" + std::string(name) + "' must be a number from " +
-                     nlohmann::json(least).dump() + " to " + nlohmann::json(most).dump() + ".");
-  return request[name];
-}
-
-[[nodiscard]] inline bool flag_field(const nlohmann::json& request, const char* name) {
-  if (!request.contains(name)) return false;
-  if (!request[name].is_boolean())
-    throw BadRequest("'" + std::string(name) + "' must be true or false.");
-  return request[name];
-}
-
-[[nodiscard]] inline std::vector<std::string> names_field(const nlohmann::json& request,
-                                                          const char* name) {
-  std::vector<std::string> names;
-  if (!request.contains(name)) return names;
-  const auto wrong = "'" + std::string(name) + "' must be a list of strings.";
-  if (!request[name].is_array()) throw BadRequest(wrong);
-  for (const auto& item : request[name]) {
-    if (!item.is_string()) throw BadRequest(wrong);
-    names.push_back(item);
-  }
-  return names;
-}
 
 }  // namespace galilean::monitor

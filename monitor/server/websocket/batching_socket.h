@@ -13,6 +13,7 @@
 #include <memory>
 #include <vector>
 
+#include "monitor/background/guarded.h"
 #include "monitor/server/websocket/outbox.h"
 #include "monitor/server/websocket/send_rounds.h"
 
@@ -35,10 +36,12 @@ class BatchingSocket {
   [[nodiscard]] next_layer_type& next_layer() noexcept { return state_->socket; }
   [[nodiscard]] const next_layer_type& next_layer() const noexcept { return state_->socket; }
 
-  /// From now on frames are sent; nullptr: no more. The outbox must live until then.
-  void send_from(Outbox* outbox) { state_->outbox = outbox; }
+  /// From now on frames are sent, for as long as the outbox lives; of none: no more.
+  void send_from(std::weak_ptr<Outbox> outbox) { state_->outbox = std::move(outbox); }
   /// Sends what waits with the next round.
   void flush() { state_->join_round(); }
+  /// What is under way would otherwise keep the connection beyond its session.
+  void close() { state_->close(); }
 
   template <class Buffers, class Handler>
   auto async_read_some(const Buffers& buffers, Handler&& handler) {
@@ -67,7 +70,7 @@ class BatchingSocket {
   struct State final : SendRounds::Sender, std::enable_shared_from_this<State> {
     tcp::socket socket;
     SendRounds& rounds;
-    Outbox* outbox = nullptr;
+    std::weak_ptr<Outbox> outbox = {};
     std::vector<std::uint8_t> control = {};
     std::vector<std::uint8_t> control_in_flight = {};
     std::vector<Frame> frames_in_flight = {};
@@ -82,8 +85,12 @@ class BatchingSocket {
     }
     void send_waiting() override {
       if (writing || failed) return;
+      if (guarded("sending to a client", [this] { write_waiting(); })) close();
+    }
+    void write_waiting() {
+      const auto source = outbox.lock();
       control_in_flight = std::exchange(control, {});
-      frames_in_flight = outbox ? outbox->take(kFramesAtOnce) : std::vector<Frame>();
+      frames_in_flight = source ? source->take(kFramesAtOnce) : std::vector<Frame>();
       if (control_in_flight.empty() && frames_in_flight.empty()) return;
       writing = true;
       boost::asio::async_write(socket, gathered(),
@@ -96,7 +103,14 @@ class BatchingSocket {
       writing = false;
       failed = error;
       if (more_waits) return send_waiting();
-      if (outbox && !outbox->empty()) join_round();
+      if (const auto source = outbox.lock(); source && !source->empty()) join_round();
+    }
+    /// Whoever reads from the connection is told by that.
+    void close() {
+      failed = boost::asio::error::connection_aborted;
+      outbox.reset();
+      error_code ignored;
+      socket.close(ignored);
     }
 
     [[nodiscard]] std::vector<boost::asio::const_buffer> gathered() const {
@@ -111,7 +125,7 @@ class BatchingSocket {
     }
   };
 
-  std::shared_ptr<State> state_;  ///< writes in flight keep it
+  std::shared_ptr<State> state_;  ///< writes in flight and the next round keep it
 };
 
 /// How Beast ends a connection: as on a plain socket.

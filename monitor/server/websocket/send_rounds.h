@@ -19,6 +19,7 @@ class SendRounds {
   class Sender {
    public:
     virtual ~Sender() = default;
+    /// Throws nothing: there are others in the round.
     virtual void send_waiting() = 0;
 
    private:
@@ -28,7 +29,8 @@ class SendRounds {
 
   explicit SendRounds(boost::asio::io_context& io) : timer_(io) {}
 
-  /// `sender` takes part in the next round.
+  /// `sender` takes part in the next round, which keeps it until then. Whoever it sends for may be
+  /// gone by that time.
   void add(std::shared_ptr<Sender> sender) {
     if (std::exchange(sender->is_in_round_, true)) return;
     next_.push_back(std::move(sender));

@@ -20,8 +20,11 @@ Server fresh_server() {
 
 TEST(Lifecycle, WhatIsNoMessageIsToldSoWithTheRightCode) {
   Server server = fresh_server();
+  const std::string deep = R"({"jsonrpc":"2.0","id":1,"method":"initialize","params":)" +
+                           std::string(1'000'000, '[') + std::string(1'000'000, ']') + "}";
   EXPECT_EQ(error_code(server, "{"), -32700);
   EXPECT_EQ(error_code(server, "\xff"), -32700);
+  EXPECT_EQ(error_code(server, deep), -32700);
   EXPECT_EQ(error_code(server, "[]"), -32600);
   EXPECT_EQ(error_code(server, R"({"id":1,"method":"initialize"})"), -32600);
   EXPECT_EQ(error_code(server, R"({"jsonrpc":"2.0","id":[1],"method":"initialize"})"), -32600);

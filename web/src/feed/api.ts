@@ -1,6 +1,6 @@
 // The monitor's HTTP operations. Every failure is an Error whose message can be shown as it stands.
 
-import type { Command_Constants, Diagnostic, PushStep, SourceFile } from "../feed/messages";
+import type { Command_Constants, Diagnostic, PushStep, SourceFile } from "./messages";
 import type { Machine } from "../feed/parts";
 import type { Diagnostic, Machine, ProgramReply, PushStep, SourceFile } from "./messages";
 import { credentials } from "./token";

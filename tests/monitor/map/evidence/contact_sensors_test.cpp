@@ -89,7 +89,7 @@ msg::Variables bits(const std::string& name, std::uint32_t value) {
 }
 
 // The names are of no schema that ships: what counts is the role.
-TEST(Senses, KnowsBumpersByTheirRole) {
+TEST(ContactSensors, KnowsBumpersByTheirRole) {
   const AttributeSpec which{.name = "which",
                             .type = AttributeType::kInteger,
                             .default_value = Value(-1.0),
@@ -106,13 +106,13 @@ perceptual_schemas:
 end
 state: name: "feel" perceptual_schemas: "whole" "tail" end end
 )"});
-  Senses senses;
-  senses.note(program, catalog);
+  ContactSensors own;
+  own.set_program(program, catalog);
   Time now{1s};
   const auto touches = [&](const msg::Variables& variables) {
     now += 1s;
-    senses.note(variables, now);
-    return senses.touches(now);
+    own.update(variables, now);
+    return own.is_touching(now);
   };
   EXPECT_TRUE(touches(bits("all", 1U << 31)));
   EXPECT_FALSE(touches(bits("all", 0)));

@@ -9,6 +9,32 @@
 
 namespace galilean::monitor {
 
+/// `value`'s last `bytes` bytes, the highest first or last.
+inline std::string bytes_of(std::uint64_t value, int bytes, bool highest_first) {
+  std::string text;
+  for (int i = 0; i < bytes; ++i)
+    text += static_cast<char>(value >> (8 * (highest_first ? bytes - 1 - i : i)));
+  return text;
+}
+
+/// A message as a client's WebSocket frame (RFC 6455, 5.2), masked with zeros.
+inline std::string client_frame(bool is_text, const std::string& message) {
+  const auto size = message.size();
+  const int length_bytes = size < 126 ? 0 : size < 65536 ? 2 : 8;
+  std::string frame{static_cast<char>(is_text ? 0x81 : 0x82)};
+  frame += static_cast<char>(0x80 | (length_bytes == 0 ? size : length_bytes == 2 ? 126 : 127));
+  return frame + bytes_of(size, length_bytes, true) + std::string(4, '\0') + message;
+}
+
+/// A service call, in the protocol's binary message.
+inline std::string service_call(std::uint32_t service_id, std::uint32_t call_id,
+                                const std::string& body) {
+  std::string call{2};
+  for (const std::uint32_t number : {service_id, call_id, std::uint32_t{4}})
+    call += bytes_of(number, 4, false);
+  return call + "json" + body;
+}
+
 /// A browser: speaks the protocol byte by byte.
 class FoxgloveSocket {
  public:
@@ -35,6 +61,11 @@ class FoxgloveSocket {
     stream_.binary(true);
     stream_.write(boost::asio::buffer(bytes));
   }
+  /// As one write to the connection: frames that client_frame made.
+  void send_at_once(const std::string& frames) {
+    boost::asio::write(boost::beast::get_lowest_layer(stream_).socket(),
+                       boost::asio::buffer(frames));
+  }
   /// The next message that is not the server's clock.
   std::string read() {
     for (;;) {
@@ -58,6 +89,7 @@ class FoxgloveSocket {
           message.is_object() && message["op"] == op)
         return message;
   }
+  nlohmann::json services() { return read_op("advertiseServices")["services"]; }
   std::uint32_t channel(const std::string& topic) {
     for (;;) {
       const auto channels = read_op("advertise")["channels"];

@@ -7,7 +7,7 @@ import {
 } from "@codemirror/lsp-client";
 import type { Extension } from "@codemirror/state";
 import { keymap } from "@codemirror/view";
-import type { SourceFile } from "../feed/messages";
+import type { SourceFile } from "../../feed/messages";
 import { BenchClient } from "./bench_client";
 import { type Bench, pathOf, uriOf } from "./bench_workspace";
 import { harmless } from "./harmless_html";

@@ -1,4 +1,4 @@
-import type { Diagnostic } from "../feed/messages";
+import type { Diagnostic } from "../../feed/messages";
 /** What would put a problem right: another text between two places of its file, counted from 1. */
 export interface Fix {
   title: string;

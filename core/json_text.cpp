@@ -1,0 +1,39 @@
+#include "core/json_text.h"
+
+namespace galilean {
+namespace {
+
+/// Exact where the text is JSON. Looked for beforehand, so that a text of nothing but brackets
+/// costs next to nothing.
+bool nests_too_deep(std::string_view text) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char at = text[i];
+    if (at == '"')
+      in_string = !in_string;
+    else if (in_string && at == '\\')
+      ++i;
+    else if (!in_string && (at == '[' || at == '{') && ++depth > kDeepestJson)
+      return true;
+    else if (!in_string && (at == ']' || at == '}'))
+      --depth;
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<nlohmann::json> read_untrusted_json(std::string_view text) {
+  if (nests_too_deep(text))
+    return Error{"This JSON nests deeper than " + std::to_string(kDeepestJson) + " levels."};
+  auto json = nlohmann::json::parse(text, nullptr, false);
+  if (json.is_discarded()) return Error{"This is not JSON in UTF-8."};
+  return json;
+}
+
+std::string json_text(const nlohmann::json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace galilean

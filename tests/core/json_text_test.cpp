@@ -1,0 +1,50 @@
+#include "core/json_text.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+namespace galilean {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+std::string nested(std::size_t levels) {
+  return std::string(levels, '[') + std::string(levels, ']');
+}
+
+TEST(JsonText, WhatIsJsonIsReadAsItIs) {
+  for (const auto* text : {"null", "true", "3", "-0.5", "\"a\"", "[]", "{}",
+                           R"({"a":[1,{"b":"\u00e9"}]})", R"({"a":1,"a":2})", " [1 , 2] "}) {
+    const auto read = read_untrusted_json(text);
+    ASSERT_TRUE(read) << text << ": " << read.error().message;
+    EXPECT_EQ(read.value(), json::parse(text)) << text;
+  }
+}
+
+TEST(JsonText, WhatIsNoneIsRefusedInASentence) {
+  for (const std::string text :
+       {"", "{", "[1,]", "1e999", "nul", "\"\xff\"", "{\"a\":\"\xc3\"}", "[] []"})
+    EXPECT_THAT(read_untrusted_json(text).error().message, HasSubstr("not JSON")) << text;
+  EXPECT_THAT(read_untrusted_json(std::string_view("\0", 1)).error().message,
+              HasSubstr("not JSON"));
+}
+
+TEST(JsonText, NestingIsLimitedWhereverItIs) {
+  EXPECT_TRUE(read_untrusted_json(nested(kDeepestJson)));
+  const std::string one_more = nested(kDeepestJson + 1), far = nested(1'000'000);
+  for (const auto& text : {one_more, "[1,2," + one_more + "]", far, "{\"a\":" + far + "}",
+                           "[[]," + far + ",{\"b\":" + far + "}]", std::string(1'000'000, '[')})
+    EXPECT_THAT(read_untrusted_json(text).error().message, HasSubstr("deeper than 64"))
+        << text.substr(0, 20);
+  EXPECT_TRUE(read_untrusted_json("\"" + std::string(1000, '[') + "\"")) << "within a string";
+  EXPECT_TRUE(read_untrusted_json(R"(["\"", ")" + std::string(100, '[') + R"(\"\\"])"));
+}
+
+TEST(JsonText, AnythingCanBePrinted) {
+  EXPECT_EQ(json_text({{"a", "\xff"}, {"b", {1, 2}}}), "{\"a\":\"\xef\xbf\xbd\",\"b\":[1,2]}");
+}
+
+}  // namespace
+}  // namespace galilean

@@ -1,0 +1,184 @@
+// Faults of our own: what a handler throws ends in an answer or a closed connection, and the others
+// are served on.
+#include <gmock/gmock.h>
+
+#include <boost/asio/read.hpp>
+#include <boost/asio/read_until.hpp>
+#include <boost/asio/write.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "monitor/background/worker.h"
+#include "monitor/server/http/http_server.h"
+#include "monitor/server/websocket/batching_socket.h"
+
+namespace galilean::monitor {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using nlohmann::json;
+using testing::HasSubstr;
+
+TEST(FailingJob, WhatItThrowsGoesToWhoWaitsOnTheOwnersThread) {
+  asio::io_context io{1};
+  Worker worker(io);
+  std::vector<std::string> told;
+  const auto tell = [&](const std::string& text) { told.push_back(text); };
+  const auto tell_number = [&](int number) { tell(std::to_string(number)); };
+  worker.run([]() -> int { throw std::runtime_error("the disk is full"); }, tell_number, tell);
+  worker.run([] { return 3; }, tell_number, tell);
+  worker.run([] { return 4; }, [](int) { throw std::runtime_error("no"); }, tell);
+  worker.run([] { throw std::runtime_error("nobody waits"); });
+  worker.run([] { return 5; }, tell_number, [](const std::string&) {});
+  worker.finish();
+  EXPECT_TRUE(told.empty()) << "nothing is told on the worker's thread";
+  io.run();
+  EXPECT_EQ(told, (std::vector<std::string>{"the disk is full", "3", "no", "5"}));
+}
+
+class Link final : public foxglove::Link {
+ public:
+  void flush() override {}
+  void close(const std::string&) override {}
+};
+
+/// The messages that wait for a client.
+std::vector<json> texts(foxglove::Hub::Client& client) {
+  std::vector<json> list;
+  for (const auto& frame : client.outbox().take(1000))
+    list.push_back(json::parse(frame.payload->begin(), frame.payload->end(), nullptr, false));
+  return list;
+}
+
+TEST(FailingService, FailsTheCallAndNotTheClient) {
+  foxglove::Hub hub("monitor", [](std::uint32_t, bool) {});
+  hub.add_service({"/early", "t/T", json::object(), json::object()},
+                  [](const json&, const foxglove::Hub::Answer&) { throw std::runtime_error("a"); });
+  hub.add_service({"/late", "t/T", json::object(), json::object()},
+                  [](const json&, const foxglove::Hub::Answer& answer) {
+                    answer(Error{"refused"});
+                    throw std::runtime_error("b");
+                  });
+  hub.on_set_parameter([](const foxglove::Parameter&, const foxglove::Hub::Answer&) {
+    throw std::runtime_error("c");
+  });
+  hub.send_parameters({{"/io.held", false}});
+  Link link;
+  const auto client = hub.connect(link, true);
+  (void)texts(*client);
+  const auto call = [&](std::uint8_t service) {
+    const std::vector<std::uint8_t> bytes{2, service, 0, 0, 0,   7,   0,   0,   0,
+                                          4, 0,       0, 0, 'j', 's', 'o', 'n', '3'};
+    client->receive_binary(bytes);
+    return texts(*client);
+  };
+  const auto early = call(1), late = call(2);
+  ASSERT_EQ(early.size(), 2U);
+  EXPECT_EQ(early[0]["op"], "serviceCallFailure");
+  EXPECT_EQ(early[0]["message"], "The monitor cannot do this now: a.");
+  ASSERT_EQ(late.size(), 2U) << "one answer a call";
+  EXPECT_EQ(late[0]["message"], "refused");
+  client->receive_text(R"({"op":"setParameters","parameters":[{"name":"/io.held","value":true}]})");
+  EXPECT_THAT(texts(*client).at(0)["message"].get<std::string>(), HasSubstr("c"));
+}
+
+/// A server whose handler does what `handler` says, and a connection to it.
+class FailingHttpHandler : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto listening = server.listen("127.0.0.1", 0);
+    ASSERT_TRUE(listening);
+    socket.connect({asio::ip::address_v4::loopback(), listening.value()});
+    thread = std::thread([this] { io.run(); });
+  }
+  void TearDown() override {
+    io.stop();
+    thread.join();
+  }
+  /// The answer's head and body.
+  std::string ask() {
+    asio::write(socket, asio::buffer(std::string("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n")));
+    std::string answer;
+    const auto head = asio::read_until(socket, asio::dynamic_buffer(answer), "\r\n\r\n");
+    const auto length = answer.find("Content-Length: ");
+    const auto body = std::stoul(answer.substr(length + 16));
+    if (answer.size() < head + body)
+      asio::read(socket, asio::dynamic_buffer(answer),
+                 asio::transfer_exactly(head + body - answer.size()));
+    return answer;
+  }
+
+  HttpHandler handler;
+  SteadyClock clock;
+  Team team{clock};
+  const Catalog catalog;
+  foxglove::Hub hub{"monitor", [](std::uint32_t, bool) {}};
+  asio::io_context io{1};
+  SendRounds rounds{io};
+  Worker worker{io};
+  LanguageDesk language{worker, team, catalog, {}};
+  HttpServer server{
+      io,
+      {Guard("127.0.0.1", {}), Access({"viewer", "operator"}, true),
+       [this](const HttpRequest& request, const Respond& respond) { handler(request, respond); },
+       hub, rounds, language}};
+  std::thread thread;
+  asio::io_context mine;
+  tcp::socket socket{mine};
+};
+
+TEST_F(FailingHttpHandler, IsAnsweredOnceWith500AndTheConnectionServesOn) {
+  int requests = 0;
+  Respond kept;
+  handler = [&](const HttpRequest&, const Respond& respond) {
+    switch (++requests) {
+      case 1:
+        kept = respond;
+        throw std::runtime_error("out of order");
+      case 2:
+        kept(text_response("an answer to the first", "text/plain"));
+        respond(text_response("second", "text/plain"));
+        throw std::runtime_error("too late");
+      default:
+        respond(text_response("third", "text/plain"));
+    }
+  };
+  const auto first = ask();
+  EXPECT_THAT(first, HasSubstr("HTTP/1.1 500 "));
+  EXPECT_THAT(first, HasSubstr("out of order"));
+  EXPECT_THAT(ask(), testing::EndsWith("\r\n\r\nsecond"));
+  EXPECT_THAT(ask(), testing::EndsWith("\r\n\r\nthird"));
+}
+
+/// A connection's two ends.
+struct Connection {
+  explicit Connection(asio::io_context& io) : here(io), there(io) {
+    tcp::acceptor acceptor(io, {asio::ip::address_v4::loopback(), 0});
+    there.connect(acceptor.local_endpoint());
+    here = acceptor.accept();
+  }
+  tcp::socket here, there;
+};
+
+TEST(FailingSession, ItsOutboxMayGoBeforeTheRoundThatWasToSendIt) {
+  asio::io_context io{1};
+  SendRounds rounds(io);
+  Connection connection(io);
+  BatchingSocket socket(std::move(connection.here), rounds);
+  auto outbox = std::make_shared<Outbox>();
+  socket.send_from(outbox);
+  ASSERT_TRUE(outbox->push(text_frame("never sent")));
+  socket.flush();
+  outbox.reset();
+  io.run();
+  EXPECT_EQ(connection.there.available(), 0U);
+  socket.close();
+  char byte = 0;
+  boost::system::error_code error;
+  (void)connection.there.read_some(asio::buffer(&byte, 1), error);
+  EXPECT_EQ(error, asio::error::eof);
+}
+
+}  // namespace
+}  // namespace galilean::monitor

@@ -21,6 +21,9 @@ class RobotDevices final : public DeviceTuner {
 
   void pump_line(Time now) { link_.pump(now); }
   void pump_camera(Time now) { grabber_.pump(now); }
+  /// The pump threw: the device is missing until it works again.
+  void fail_line(const std::string& why) { link_.fail(why); }
+  void fail_camera(const std::string& why) { grabber_.fail(why); }
 
   [[nodiscard]] Devices devices() noexcept { return {link_, drive_, grabber_}; }
   void tune(const DeviceSettings& settings) noexcept override {

@@ -86,22 +86,29 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
   if (const auto loaded = executive.load(std::move(program)); !loaded)
     return refuse(loaded.error().message);
 
-  const PumpThread line_pump(clock, kLinePause, [&](Time now) { devices.pump_line(now); });
-  const PumpThread camera_pump(clock, kCameraPause, [&](Time now) { devices.pump_camera(now); });
-  const Telemetry telemetry({.robot = options.name,
-                             .participant = *participant.value(),
-                             .executive = executive,
-                             .tap = tap,
-                             .devices = devices.devices(),
-                             .catalog = components.catalog(),
-                             .clock = clock,
-                             .accepted_senders = accepted_senders(options)},
-                            images);
+  const PumpThread line_pump(
+      clock, kLinePause, [&](Time now) { devices.pump_line(now); },
+      [&](const std::string& why) { devices.fail_line(why); });
+  const PumpThread camera_pump(
+      clock, kCameraPause, [&](Time now) { devices.pump_camera(now); },
+      [&](const std::string& why) { devices.fail_camera(why); });
+  Telemetry telemetry({.robot = options.name,
+                       .participant = *participant.value(),
+                       .executive = executive,
+                       .tap = tap,
+                       .devices = devices.devices(),
+                       .catalog = components.catalog(),
+                       .clock = clock,
+                       .accepted_senders = accepted_senders(options)},
+                      images);
   {
-    const ControlLoop loop(from_seconds(1 / options.rate_hz), wake, [&] { executive.tick(); });
+    // Before the loop: where it cannot be had, nothing has moved yet.
     std::optional<ProgramWatch> watch;
     if (!options.watched_file.empty())
-      watch.emplace(options.watched_file, components.catalog(), executive);
+      watch.emplace(
+          options.watched_file, components.catalog(), executive,
+          [&](const std::string& problem) { telemetry.problems().note("watch", problem); });
+    const ControlLoop loop(from_seconds(1 / options.rate_hz), wake, [&] { executive.tick(); });
     wait_for(termination);
   }
   devices.devices().motor_drive.stop();

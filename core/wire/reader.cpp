@@ -1,6 +1,7 @@
 #include <dds/dds.h>
 #include <dds/ddsi/ddsi_serdata.h>
 
+#include <span>
 #include <vector>
 
 #include "core/wire/announced.h"
@@ -19,6 +20,15 @@ struct FreeEndpoint {
   }
 };
 using Endpoint = std::unique_ptr<dds_builtintopic_endpoint_t, FreeEndpoint>;
+
+/// Gives samples back, whatever becomes of them here.
+struct Taken {
+  std::span<ddsi_serdata*> samples;
+
+  ~Taken() {
+    for (ddsi_serdata* sample : samples) ddsi_serdata_unref(sample);
+  }
+};
 
 /// As discovery has it, in the domain of `member`.
 std::optional<std::string> participant_name(dds_entity_t member, dds_instance_handle_t who) {
@@ -56,13 +66,13 @@ void Reader::take(const std::function<void(const Received&)>& receive) {
   std::vector<std::uint8_t> bytes;
   for (int count;
        (count = dds_takecdr(entity_.handle(), samples, kAtOnce, infos, DDS_ANY_STATE)) > 0;) {
+    const Taken taken{{samples, static_cast<std::size_t>(count)}};
     for (int i = 0; i < count; ++i) {
       if (infos[i].valid_data) {
         bytes.resize(ddsi_serdata_size(samples[i]));
         ddsi_serdata_to_ser(samples[i], 0, bytes.size(), bytes.data());
         receive({bytes, infos[i].source_timestamp, infos[i].publication_handle});
       }
-      ddsi_serdata_unref(samples[i]);
     }
   }
 }

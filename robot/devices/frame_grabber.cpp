@@ -1,5 +1,7 @@
 #include "robot/devices/frame_grabber.h"
 
+#include <utility>
+
 namespace galilean::robot {
 
 CameraGrabber::CameraGrabber(FrameSource& source, const FrameGrabberSettings& settings)
@@ -19,14 +21,24 @@ void CameraGrabber::pump(Time now) {
     next.captured = now;
     frames_.publish();
   }
-  std::string problem = source_.problem();
+  note_problem(source_.problem());
+  failed_ = false;
+}
+
+void CameraGrabber::fail(const std::string& why) {
+  failed_ = true;
+  note_problem("The camera cannot be used (" + why +
+               "), which is tried again: check it, or name another one in frame_grabber.");
+}
+
+void CameraGrabber::note_problem(std::string problem) {
   const std::lock_guard lock(problem_mutex_);
-  problem_.swap(problem);
+  problem_ = std::move(problem);
 }
 
 void CameraGrabber::sense(Time now) noexcept {
   frames_.take();
-  healthy_ = frame().number > 0 && now - frame().captured <= timeout_;
+  healthy_ = !failed_ && frame().number > 0 && now - frame().captured <= timeout_;
 }
 
 std::string CameraGrabber::problem() const {

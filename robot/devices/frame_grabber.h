@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <mutex>
 #include <string>
 
@@ -21,6 +22,8 @@ class CameraGrabber final : public FrameGrabber {
 
   /// I/O side: takes the next picture, if there is one.
   void pump(Time now);
+  /// I/O side: `pump` threw. The camera is missing until a later one does not.
+  void fail(const std::string& why);
 
   /// Another program's settings, except for the device. Belongs to the control loop.
   void configure(const FrameGrabberSettings& settings) noexcept;
@@ -32,6 +35,8 @@ class CameraGrabber final : public FrameGrabber {
   [[nodiscard]] const CameraGeometry& geometry() const noexcept override { return geometry_; }
 
  private:
+  void note_problem(std::string problem);
+
   FrameSource& source_;
   Latest<Frame> frames_;
   std::uint64_t grabbed_ = 0;
@@ -39,6 +44,7 @@ class CameraGrabber final : public FrameGrabber {
   Duration timeout_{};
   CameraGeometry geometry_;
   bool healthy_ = false;
+  std::atomic<bool> failed_{false};
   mutable std::mutex problem_mutex_;
   std::string problem_;
 };

@@ -1,13 +1,16 @@
 #include "robot/devices/microcontroller_link.h"
 
+#include <utility>
+
 #include "robot/firmware/hardware.h"
 
 namespace galilean::robot {
 
 MicrocontrollerLink::MicrocontrollerLink(ByteStream& line, const CommPortSettings& settings)
     : timeout_(from_seconds(settings.timeout_s)),
+      line_name_(line.name()),
       session_(line, timeout_),
-      problem_("The serial line " + line.name() + " was not opened yet.") {}
+      problem_("The serial line " + line_name_ + " was not opened yet.") {}
 
 void MicrocontrollerLink::pump(Time now) {
   if (setup_.take()) {
@@ -17,7 +20,14 @@ void MicrocontrollerLink::pump(Time now) {
   forward_orders();
   const bool status_came = session_.pump(now);
   if (status_came || session_.ready() != newest_.ready) publish_report(now, status_came);
-  note_problem();
+  note_problem(session_.problem());
+  failed_ = false;
+}
+
+void MicrocontrollerLink::fail(const std::string& why) {
+  failed_ = true;
+  note_problem("The serial line " + line_name_ + " cannot be used (" + why +
+               "), which is tried again: check it, or name another one in comm_port.");
 }
 
 void MicrocontrollerLink::forward_orders() {
@@ -52,16 +62,15 @@ void MicrocontrollerLink::publish_report(Time now, bool status_came) {
   report_.publish(newest_);
 }
 
-void MicrocontrollerLink::note_problem() {
-  std::string problem = session_.problem();
+void MicrocontrollerLink::note_problem(std::string problem) {
   const std::lock_guard lock(problem_mutex_);
-  problem_.swap(problem);
+  problem_ = std::move(problem);
 }
 
 void MicrocontrollerLink::sense(Time now) noexcept {
   report_.take();
   const Report& report = report_.reading();
-  healthy_ = report.ready && now - report.status.received <= timeout_;
+  healthy_ = !failed_ && report.ready && now - report.status.received <= timeout_;
 }
 
 const ControllerStatus& MicrocontrollerLink::status() const noexcept {

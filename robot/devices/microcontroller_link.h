@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <mutex>
 #include <string>
 
@@ -27,6 +28,8 @@ class MicrocontrollerLink final : public CommPort {
 
   /// I/O side: all traffic of the line. Call it every few milliseconds.
   void pump(Time now);
+  /// I/O side: `pump` threw. The board is missing until a later one does not.
+  void fail(const std::string& why);
 
   void sense(Time now) noexcept override;
   [[nodiscard]] bool healthy() const noexcept override { return healthy_; }
@@ -51,9 +54,10 @@ class MicrocontrollerLink final : public CommPort {
 
   void forward_orders();
   void publish_report(Time now, bool status_came);
-  void note_problem();
+  void note_problem(std::string problem);
 
   Duration timeout_;
+  std::string line_name_;
   BoardSession session_;
   Odometer odometer_;
   double counts_per_m_ = 0;
@@ -65,6 +69,7 @@ class MicrocontrollerLink final : public CommPort {
   Latest<Report> report_;
 
   bool healthy_ = false;
+  std::atomic<bool> failed_{false};
   mutable std::mutex problem_mutex_;
   std::string problem_;
 };

@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace galilean::robot {
@@ -29,6 +30,12 @@ bool is_picture(const std::string& device) {
 
 bool is_camera(const std::string& device) {
   return device.starts_with("/dev/");
+}
+
+std::string advice(const std::error_code& error) {
+  return error == std::errc::permission_denied
+             ? "give this user access to its folder"
+             : "name another one in frame_grabber, or with --camera";
 }
 
 /// The paper's picture is a whole 4:3 one with its rows squeezed, and the camera's geometry counts
@@ -54,6 +61,17 @@ class OpencvSource final : public FrameSource {
       : device_(std::move(device)), problem_("The camera " + device_ + " was not opened yet.") {}
 
   bool grab(Frame& frame, Time now) override {
+    try {
+      return take(frame, now);
+    } catch (const cv::Exception& failure) {
+      return lose("cannot be used (" + failure.err + "): check it, or name another one");
+    }
+  }
+
+  [[nodiscard]] std::string problem() const override { return problem_; }
+
+ private:
+  bool take(Frame& frame, Time now) {
     if (!open_ && !open(now)) return false;
     if (!is_camera(device_) && now - last_frame_ < period_) return false;
     if (!next_picture()) return lose("gives no more pictures: check it and its cable");
@@ -62,15 +80,14 @@ class OpencvSource final : public FrameSource {
     return true;
   }
 
-  [[nodiscard]] std::string problem() const override { return problem_; }
-
- private:
   bool open(Time now) {
     if (attempted_ && now - last_attempt_ < kOpenAgain) return false;
     attempted_ = true;
     last_attempt_ = now;
-    if (!std::filesystem::exists(device_))
-      return lose("is not there: plug it in, or name another one in frame_grabber");
+    std::error_code unknown;
+    if (!std::filesystem::exists(device_, unknown))
+      return lose(unknown ? "cannot be looked for (" + unknown.message() + "): " + advice(unknown)
+                          : "is not there: plug it in, or name another one in frame_grabber");
     open_ = is_picture(device_) ? open_picture() : open_video();
     if (!open_) return lose("cannot be opened as a camera, video or picture");
     problem_.clear();

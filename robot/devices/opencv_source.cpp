@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <system_error>
 
 #include "core/installation.h"
 #include "robot/devices/opencv_module.h"
@@ -18,7 +19,8 @@ Result<std::filesystem::path> find_module() {
   const auto folder = program_folder();
   for (const auto* relative : kFolders) {
     const auto candidate = folder / relative / kOpencvModuleFile;
-    if (std::filesystem::exists(candidate)) return candidate;
+    std::error_code unknown;
+    if (std::filesystem::exists(candidate, unknown)) return candidate;
   }
   return Error{std::string("The module for cameras and videos, ") + kOpencvModuleFile +
                ", is not beside the executable in " + folder.string() + ": build or install it."};

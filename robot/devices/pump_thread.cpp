@@ -1,20 +1,18 @@
 #include "robot/devices/pump_thread.h"
 
-#include <condition_variable>
-#include <mutex>
 #include <utility>
 
 namespace galilean::robot {
 
-PumpThread::PumpThread(const Clock& clock, Duration pause, std::function<void(Time)> pump)
-    : thread_([&clock, pause, pump = std::move(pump)](const std::stop_token& stop) {
-        std::mutex mutex;
-        std::condition_variable_any wake;
-        std::unique_lock lock(mutex);
-        while (!stop.stop_requested()) {
-          pump(clock.now());
-          wake.wait_for(lock, stop, pause, [] { return false; });
-        }
-      }) {}
+PumpThread::PumpThread(const Clock& clock, Duration pause, std::function<void(Time)> pump,
+                       std::function<void(const std::string& why)> fail)
+    : worker_(
+          [&clock, pause, pump = std::move(pump)](const std::stop_token& stop) {
+            pump(clock.now());
+            sleep_for(pause, stop);
+          },
+          [fail = std::move(fail)](const std::string& failure) {
+            if (!failure.empty()) fail(failure);
+          }) {}
 
 }  // namespace galilean::robot

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <functional>
-#include <thread>
+#include <string>
 
 #include "core/clock.h"
+#include "core/worker.h"
 
 namespace galilean::robot {
 
@@ -11,10 +12,12 @@ namespace galilean::robot {
 /// own, with a pause between. Ends with its destructor.
 class PumpThread {
  public:
-  PumpThread(const Clock& clock, Duration pause, std::function<void(Time)> pump);
+  /// `fail` tells the device that `pump` threw, and why. The pump is tried again all the same.
+  PumpThread(const Clock& clock, Duration pause, std::function<void(Time)> pump,
+             std::function<void(const std::string& why)> fail);
 
  private:
-  std::jthread thread_;
+  Worker worker_;
 };
 
 }  // namespace galilean::robot

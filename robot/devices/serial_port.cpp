@@ -40,6 +40,9 @@ std::string advice(int error) {
     case EPERM:
       return "give this user access, as a rule by adding it to the group dialout";
     case ENOTTY:
+    case EISDIR:
+    case ENOTDIR:
+    case ENAMETOOLONG:
       return "name a serial device in comm_port";
     case EWOULDBLOCK:
       return "another process uses it: end that one first";

@@ -2,23 +2,29 @@
 
 #include <spdlog/spdlog.h>
 
+#include "core/failure.h"
 #include "core/wire/reader.h"
 #include "core/wire/topic_names.h"
 #include "robot/telemetry/targets.h"
 
 namespace galilean::robot {
 
-CommandReceiver::CommandReceiver(const TelemetrySource& source)
+CommandReceiver::CommandReceiver(const TelemetrySource& source, const Worker::Report& report)
     : source_(source), reader_(source.participant, wire::kCommandTopic, msg::Command::kRosType) {
-  const auto take = [this] {
-    const std::lock_guard lock(taking_);
-    reader_.take([this](const wire::Received& received) {
-      msg::Command command;
-      if (msg::decode_cdr(received.cdr, command)) obey(command);
-    });
+  // A thread of DDS calls it, from which an exception would end the process.
+  const auto take_or_report = [this, report] {
+    static_cast<void>(failure_of([&] { report(failure_of([&] { take(); })); }));
   };
-  reader_.on_data(take);
-  take();
+  reader_.on_data(take_or_report);
+  take_or_report();
+}
+
+void CommandReceiver::take() {
+  const std::lock_guard lock(taking_);
+  reader_.take([this](const wire::Received& received) {
+    msg::Command command;
+    if (msg::decode_cdr(received.cdr, command)) obey(command);
+  });
 }
 
 void CommandReceiver::obey(const msg::Command& command) {

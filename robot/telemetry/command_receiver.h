@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include "core/wire/reader.h"
+#include "core/worker.h"
 #include "robot/telemetry/publisher.h"
 
 namespace galilean::robot {
@@ -12,9 +13,10 @@ namespace galilean::robot {
 class CommandReceiver {
  public:
   /// Throws std::runtime_error if DDS refuses the topic.
-  explicit CommandReceiver(const TelemetrySource& source);
+  CommandReceiver(const TelemetrySource& source, const Worker::Report& report);
 
  private:
+  void take();
   void obey(const msg::Command& command);
 
   TelemetrySource source_;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <utility>
+
 #include "core/wire/topic_names.h"
 #include "core/wire/writer.h"
 #include "robot/telemetry/image_encoding.h"
@@ -14,23 +15,25 @@ constexpr int kLooksPerReaderCheck = 20;
 
 }  // namespace
 
-ImagePublisher::ImagePublisher(const TelemetrySource& source, ImageTap& tap)
+ImagePublisher::ImagePublisher(const TelemetrySource& source, ImageTap& tap, Worker::Report report)
     : tap_(tap), wall_(source.clock), frame_id_(source.robot + "/camera") {
   for (ImageChannel channel = 0; channel < tap.channels().size(); ++channel) {
     const std::string leaf = tap.channels()[channel] + "/compressed";
     outputs_.push_back({channel, wire::Writer<msg::CompressedImage>(
                                      source.participant, wire::robot_topic(source.robot, leaf))});
   }
-  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  worker_ = Worker(
+      [this](const std::stop_token& stop) {
+        look();
+        sleep_for(kPicturePause, stop);
+      },
+      std::move(report));
 }
 
-void ImagePublisher::run(const std::stop_token& stop) {
-  for (int look = 0; !stop.stop_requested(); ++look) {
-    if (look % kLooksPerReaderCheck == 0) note_readers();
-    for (Output& output : outputs_)
-      if (tap_.take(output.channel)) show(output);
-    std::this_thread::sleep_for(kPicturePause);
-  }
+void ImagePublisher::look() {
+  if (looks_++ % kLooksPerReaderCheck == 0) note_readers();
+  for (Output& output : outputs_)
+    if (tap_.take(output.channel)) show(output);
 }
 
 void ImagePublisher::note_readers() {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <thread>
 #include <vector>
 
 #include "core/wire/writer.h"
+#include "core/worker.h"
 #include "robot/telemetry/image_tap.h"
 #include "robot/telemetry/publisher.h"
 
@@ -13,7 +13,7 @@ namespace galilean::robot {
 class ImagePublisher {
  public:
   /// Throws std::runtime_error if DDS refuses a topic.
-  ImagePublisher(const TelemetrySource& source, ImageTap& tap);
+  ImagePublisher(const TelemetrySource& source, ImageTap& tap, Worker::Report report);
 
  private:
   struct Output {
@@ -21,7 +21,7 @@ class ImagePublisher {
     wire::Writer<msg::CompressedImage> writer;
   };
 
-  void run(const std::stop_token& stop);
+  void look();
   void note_readers();
   void show(Output& output);
 
@@ -30,7 +30,8 @@ class ImagePublisher {
   std::string frame_id_;
   std::vector<Output> outputs_;
   msg::CompressedImage message_;
-  std::jthread thread_;
+  int looks_ = 0;
+  Worker worker_;
 };
 
 }  // namespace galilean::robot

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bhdl/source/sha256.h"
+#include "core/failure.h"
 #include "core/wire/reader.h"
 #include "core/wire/topic_names.h"
 #include "robot/executive/turn.h"
@@ -58,7 +59,7 @@ ProbationRules rules_of(const msg::ProgramPush& push, ProbationRules rules) {
 
 }  // namespace
 
-ProgramReceiver::ProgramReceiver(const TelemetrySource& source)
+ProgramReceiver::ProgramReceiver(const TelemetrySource& source, Worker::Report report)
     : source_(source),
       vocabulary_(source.catalog),
       ledger_(source.executive),
@@ -72,20 +73,14 @@ ProgramReceiver::ProgramReceiver(const TelemetrySource& source)
   };
   pushes_.on_data(note_arrival);
   rollbacks_.on_data(note_arrival);
-  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  worker_ = Worker([this](const std::stop_token& stop) { wait_and_take(stop); }, std::move(report));
 }
 
-void ProgramReceiver::run(const std::stop_token& stop) {
-  while (true) {
-    {
-      std::unique_lock lock(mutex_);
-      if (!wake_.wait(lock, stop, [this] { return std::exchange(arrived_, false); })) return;
-    }
-    take();
+void ProgramReceiver::wait_and_take(const std::stop_token& stop) {
+  {
+    std::unique_lock lock(mutex_);
+    if (!wake_.wait(lock, stop, [this] { return std::exchange(arrived_, false); })) return;
   }
-}
-
-void ProgramReceiver::take() {
   // In this order: who cancels a push at once has sent its order behind it.
   take_from<msg::ProgramPush>(pushes_);
   take_from<msg::ProgramRollback>(rollbacks_);
@@ -99,9 +94,15 @@ void ProgramReceiver::take_from(wire::Reader& reader) {
     if (!is_meant(source_.robot, message.targets)) return;
     if (message.targets.empty() && !source_.executive.in_service()) return;
     std::string why = source_.accepted_senders.objection(reader.sender(received));
-    if (why.empty()) return handle(message);
-    reject({message.id, message.hash, {}}, std::move(why));
+    if (why.empty()) why = handle_or_fail(message);
+    if (!why.empty()) reject({message.id, message.hash, {}}, std::move(why));
   });
+}
+
+template <class M>
+std::string ProgramReceiver::handle_or_fail(const M& message) {
+  const std::string failure = failure_of([&] { handle(message); });
+  return failure.empty() ? "" : "this robot failed on it: " + failure;
 }
 
 void ProgramReceiver::handle(const msg::ProgramRollback& message) {

@@ -2,11 +2,11 @@
 
 #include <condition_variable>
 #include <mutex>
-#include <thread>
 
 #include "bhdl/check.h"
 #include "core/wire/reader.h"
 #include "core/wire/writer.h"
+#include "core/worker.h"
 #include "robot/telemetry/publisher.h"
 #include "robot/telemetry/push_ledger.h"
 
@@ -19,16 +19,18 @@ namespace galilean::robot {
 class ProgramReceiver {
  public:
   /// Throws std::runtime_error if DDS refuses a topic.
-  explicit ProgramReceiver(const TelemetrySource& source);
+  ProgramReceiver(const TelemetrySource& source, Worker::Report report);
 
   /// The publisher's thread: answers for programs that began to run, proved themselves or did not.
   void on_event(const Event& event);
 
  private:
-  void run(const std::stop_token& stop);
-  void take();
+  void wait_and_take(const std::stop_token& stop);
   template <class M>
   void take_from(wire::Reader& reader);
+  /// Returns why this robot failed on it; empty if it did not.
+  template <class M>
+  [[nodiscard]] std::string handle_or_fail(const M& message);
   void handle(const msg::ProgramPush& push);
   void handle(const msg::ProgramRollback& order);
   void wait_until_runs(const std::string& hash) const;
@@ -49,7 +51,7 @@ class ProgramReceiver {
   bool arrived_ = true;
   wire::Reader pushes_;
   wire::Reader rollbacks_;
-  std::jthread thread_;
+  Worker worker_;
 };
 
 }  // namespace galilean::robot

@@ -3,6 +3,8 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <iterator>
+#include <thread>
 #include <utility>
 
 #include "core/wire/topic_names.h"
@@ -30,6 +32,14 @@ bool contains(const std::vector<Problem>& list, const Problem& item) {
 template <class M>
 void write(wire::Writer<M>& writer, const M& message) {
   static_cast<void>(writer.write(message));
+}
+
+/// Whoever tells the problems of the other threads may not come to tell its own.
+void log_failure(const std::string& failure) {
+  if (failure.empty())
+    spdlog::info("telemetry works again");
+  else
+    spdlog::error("telemetry failed ({}) and is tried again", failure);
 }
 
 }  // namespace
@@ -61,22 +71,22 @@ struct Publisher::Writers {
   wire::Writer<msg::Log> log;
 };
 
-Publisher::Publisher(const TelemetrySource& source, LogQueue& log, EventListener listener)
+Publisher::Publisher(const TelemetrySource& source, LogQueue& log, const ThreadProblems& threads,
+                     EventListener listener)
     : source_(source),
       log_(log),
+      threads_(threads),
       listener_(std::move(listener)),
       compose_(source.robot, source.clock),
       writers_(std::make_shared<Writers>(source)) {
   write(writers_->catalog, compose_.catalog(source_.catalog));
-  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
-}
-
-void Publisher::run(const std::stop_token& stop) {
-  while (!stop.stop_requested()) {
-    step();
-    std::this_thread::sleep_for(kSnapshotPause);
-  }
-  step();
+  worker_ = Worker(
+      [this](const std::stop_token& stop) {
+        step();
+        std::this_thread::sleep_for(kSnapshotPause);
+        if (stop.stop_requested()) step();
+      },
+      log_failure);
 }
 
 void Publisher::step() {
@@ -150,6 +160,7 @@ std::vector<Problem> Publisher::problems() const {
   auto problems = problems_of(snapshot, described_.get(), source_.devices);
   if (source_.clock.now() - snapshot.now > kStandstill)
     problems.push_back({"executive", "The control loop stands still."});
+  std::ranges::move(threads_.all(), std::back_inserter(problems));
   return problems;
 }
 

@@ -3,13 +3,14 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <thread>
 
+#include "core/worker.h"
 #include "robot/executive/executive.h"
 #include "robot/executive/snapshot.h"
 #include "robot/telemetry/accepted_senders.h"
 #include "robot/telemetry/compose.h"
 #include "robot/telemetry/log_queue.h"
+#include "robot/telemetry/thread_problems.h"
 
 namespace galilean::robot {
 
@@ -35,12 +36,12 @@ class Publisher {
   using EventListener = std::function<void(const Event&)>;
 
   /// Throws std::runtime_error if DDS refuses a topic.
-  Publisher(const TelemetrySource& source, LogQueue& log, EventListener listener);
+  Publisher(const TelemetrySource& source, LogQueue& log, const ThreadProblems& threads,
+            EventListener listener);
 
  private:
   struct Writers;
 
-  void run(const std::stop_token& stop);
   void step();
   void tell(const Event& event);
   void tell_transition(const Event& event);
@@ -57,6 +58,7 @@ class Publisher {
 
   TelemetrySource source_;
   LogQueue& log_;
+  const ThreadProblems& threads_;
   EventListener listener_;
   Composer compose_;
   std::shared_ptr<Writers> writers_;
@@ -65,7 +67,7 @@ class Publisher {
   Time next_report_{};
   Time next_diagnosis_{};
   std::uint64_t last_frame_ = 0;
-  std::jthread thread_;
+  Worker worker_;
 };
 
 }  // namespace galilean::robot

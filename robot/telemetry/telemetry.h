@@ -5,6 +5,7 @@
 #include "robot/telemetry/log_queue.h"
 #include "robot/telemetry/program_receiver.h"
 #include "robot/telemetry/publisher.h"
+#include "robot/telemetry/thread_problems.h"
 
 namespace galilean::robot {
 
@@ -15,12 +16,17 @@ class Telemetry {
   /// Throws std::runtime_error if DDS refuses a topic.
   Telemetry(const TelemetrySource& source, ImageTap& images)
       : log_forwarding_(log_),
-        programs_(source),
-        publisher_(source, log_, [this](const Event& event) { programs_.on_event(event); }),
-        images_(source, images),
-        commands_(source) {}
+        programs_(source, problems_.reporter("program_receiver")),
+        publisher_(source, log_, problems_,
+                   [this](const Event& event) { programs_.on_event(event); }),
+        images_(source, images, problems_.reporter("image_publisher")),
+        commands_(source, problems_.reporter("command_receiver")) {}
+
+  /// Where threads beside these note what they cannot do, so that it is told too.
+  [[nodiscard]] ThreadProblems& problems() noexcept { return problems_; }
 
  private:
+  ThreadProblems problems_;
   LogQueue log_;
   LogForwarding log_forwarding_;
   ProgramReceiver programs_;

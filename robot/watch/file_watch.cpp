@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstring>
 #include <system_error>
 
 namespace galilean::robot {
@@ -23,6 +24,25 @@ bool is_link(const fs::path& file) {
   struct stat status {};
   if (lstat(file.c_str(), &status) != 0) return false;
   return S_ISLNK(status.st_mode) || status.st_nlink > 1;
+}
+
+bool is_there(const fs::path& file) {
+  std::error_code unknown;
+  return fs::exists(file, unknown);
+}
+
+std::string advice(int error) {
+  switch (error) {
+    case ENOENT:
+    case ENOTDIR:
+      return "make that folder again";
+    case EACCES:
+      return "give this user the right to read that folder";
+    case ENOSPC:
+      return "raise fs.inotify.max_user_watches";
+    default:
+      return "check that folder";
+  }
 }
 
 }  // namespace
@@ -51,18 +71,27 @@ void FileWatch::add_one(const fs::path& file) {
   if (folder == folders_.end()) {
     folders_.push_back({.path = path, .files = {}});
     folder = std::prev(folders_.end());
-    static_cast<void>(watch(*folder));
+    watch(*folder);
   }
   folder->files.insert(file.filename().string());
 }
 
 bool FileWatch::watch(Folder& folder) const {
   folder.watch = inotify_add_watch(inotify_, folder.path.c_str(), kLookedFor);
+  folder.why_not = folder.watch < 0 ? errno : 0;
   return folder.watch >= 0;
 }
 
 bool FileWatch::folder_missing() const noexcept {
   return std::ranges::any_of(folders_, [](const Folder& folder) { return folder.watch < 0; });
+}
+
+std::string FileWatch::problem() const {
+  for (const Folder& folder : folders_)
+    if (folder.watch < 0)
+      return "Saves in " + folder.path.string() + " are not noticed (" +
+             std::strerror(folder.why_not) + "): " + advice(folder.why_not) + '.';
+  return "";
 }
 
 bool FileWatch::take() {
@@ -76,7 +105,7 @@ bool FileWatch::find_again() {
   for (Folder& folder : folders_)
     if (folder.watch < 0 && watch(folder))
       found |= std::ranges::any_of(
-          folder.files, [&](const std::string& file) { return fs::exists(folder.path / file); });
+          folder.files, [&](const std::string& file) { return is_there(folder.path / file); });
   return found;
 }
 
@@ -100,6 +129,7 @@ bool FileWatch::is_save(int watch, unsigned mask, const char* name) {
     // One that was moved away would be followed to its new place.
     inotify_rm_watch(inotify_, watch);
     folder->watch = -1;
+    folder->why_not = ENOENT;
     return false;
   }
   if (!folder->files.contains(name)) return false;

@@ -25,6 +25,8 @@ class FileWatch {
   [[nodiscard]] int descriptor() const noexcept { return inotify_; }
   /// A folder is gone: take now and then, for nothing tells when it is back.
   [[nodiscard]] bool folder_missing() const noexcept;
+  /// One sentence on a folder that cannot be watched and what to do; empty if there is none.
+  [[nodiscard]] std::string problem() const;
   /// Whether one of the files was saved since the last call. Does not wait.
   [[nodiscard]] bool take();
 
@@ -32,11 +34,12 @@ class FileWatch {
   struct Folder {
     std::filesystem::path path;
     std::set<std::string, std::less<>> files;
-    int watch = -1;  ///< -1: it is not there
+    int watch = -1;   ///< -1: it cannot be watched
+    int why_not = 0;  ///< errno, where it cannot
   };
 
   void add_one(const std::filesystem::path& file);
-  [[nodiscard]] bool watch(Folder& folder) const;
+  bool watch(Folder& folder) const;
   [[nodiscard]] bool find_again();
   [[nodiscard]] bool read_events();
   [[nodiscard]] bool is_save(int watch, unsigned mask, const char* name);

@@ -14,19 +14,37 @@ constexpr int kLookAgain_ms = 50;
 
 }  // namespace
 
-ProgramWatch::ProgramWatch(std::filesystem::path file, const Catalog& catalog, Executive& executive)
-    : file_(std::move(file)), vocabulary_(catalog), executive_(executive) {
+ProgramWatch::ProgramWatch(std::filesystem::path file, const Catalog& catalog, Executive& executive,
+                           Tell tell)
+    : file_(std::move(file)), vocabulary_(catalog), executive_(executive), tell_(std::move(tell)) {
   files_.add(file_);
   watch(bhdl::check_file(file_, vocabulary_).files);
-  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  worker_ = Worker([this](const std::stop_token& stop) { look(stop); },
+                   [this](const std::string& failure) { note_failure(failure); });
 }
 
-void ProgramWatch::run(const std::stop_token& stop) {
+void ProgramWatch::look(const std::stop_token& stop) {
+  tell_problem();
   const std::stop_callback ring(stop, [this] { wake_.ring(); });
-  while (!stop.stop_requested()) {
-    wait();
-    if (files_.take()) reload();
-  }
+  if (!saved_) wait();
+  saved_ |= files_.take();
+  if (!saved_) return;
+  reload();
+  saved_ = false;
+}
+
+void ProgramWatch::note_failure(const std::string& failure) {
+  failure_ = failure.empty() ? ""
+                             : file_.string() + " was saved, but cannot be taken over (" + failure +
+                                   "), which is tried again: look into it.";
+  tell_problem();
+}
+
+void ProgramWatch::tell_problem() {
+  std::string problem = failure_.empty() ? files_.problem() : failure_;
+  if (problem == told_) return;
+  tell_(problem);
+  told_ = std::move(problem);
 }
 
 void ProgramWatch::wait() const {

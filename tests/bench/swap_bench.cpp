@@ -122,7 +122,7 @@ void save_until_in_effect(benchmark::State& state) {
     return state.SkipWithError("the program does not load");
   const ControlLoop loop(std::chrono::milliseconds(50), wake, [&] { executive.tick(); });
   while (executive.waiting()) std::this_thread::yield();
-  const ProgramWatch watch(file, test_components().catalog(), executive);
+  const ProgramWatch watch(file, test_components().catalog(), executive, [](const std::string&) {});
   std::vector<double> latencies_ms;
   for (int number = 1; auto _ : state) {
     std::this_thread::sleep_for(std::chrono::milliseconds(7));

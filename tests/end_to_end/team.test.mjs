@@ -106,6 +106,32 @@ test('camera and serial line unplugged: the robot says which, and comes back', a
   await problem(null);
 });
 
+test('a camera path that the system refuses: the robot runs on, says what to do, and its motors stand', { timeout: 120_000 }, async (t) => {
+  const domain = freshDomain();
+  const cwd = scratchFolder(t);
+  const sim = new Running(t, ['sim', '--live', '--scenario', 'office', '--robots', '1', '--run', `refused-${domain}`, '--autostart', '0.5'], { domain, cwd });
+  const { robots } = JSON.parse((await sim.line(/^\{.*"ready".*\}$/m))[0]);
+  const camera = 'x'.repeat(300);
+  const robot = new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', robots[0].serial, '--camera', camera], { domain, cwd });
+  const port = 18900 + Number(domain) % 60;
+  new Running(t, ['monitor', '--listen', `127.0.0.1:${port}`, '--data', cwd], { domain, cwd });
+
+  const io = () => status(`http://127.0.0.1:${port}`).then((answer) => answer.robots.find(({ name }) => name === 'io'), () => undefined);
+  const started = await eventually(async () => {
+    const now = await io();
+    return now?.problems.length === 1 && now.state !== 'start' && now;
+  });
+  const later = await eventually(async () => {
+    const now = await io();
+    return now.tick > started.tick + 40 && now;
+  });
+  const what = `frame_grabber: The camera ${camera} cannot be looked for (File name too long): name another one in frame_grabber, or with --camera.`;
+  assert.deepEqual(later.problems, [what]);
+  assert.ok(robot.output.includes(what), robot.output);
+  assert.ok(Math.hypot(later.x_m, later.y_m) < 0.001, `it drove to ${later.x_m} m, ${later.y_m} m`);
+  assert.deepEqual(await robot.stop(), { code: 0, signal: null });
+});
+
 test('a port that is taken, and an address of another machine, end with one clear line', async (t) => {
   const server = createServer().listen(0, '127.0.0.1');
   t.after(() => server.close());

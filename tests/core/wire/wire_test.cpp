@@ -56,6 +56,25 @@ TEST(Wire, ALateJoinerLearnsTheNewestStateAtOnce) {
   EXPECT_EQ(got, std::vector{state_of("io", 3)});
 }
 
+TEST(Wire, AReaderTakesOnAfterItsReceiverThrew) {
+  const auto robot = join("io");
+  Writer<msg::RobotState> writer(*robot, robot_topic("io", "state"));
+  Reader reader(*robot, robot_topic("io", "state"), kStateType);
+  ASSERT_TRUE(writer.write(state_of("io", 1)));
+  ASSERT_TRUE(wait_until([&] {
+    try {
+      reader.take([](const Received&) { throw std::runtime_error("no paper"); });
+      return false;
+    } catch (const std::runtime_error&) {
+      return true;
+    }
+  }));
+  ASSERT_TRUE(writer.write(state_of("io", 2)));
+  std::vector<msg::RobotState> got;
+  ASSERT_TRUE(wait_until([&] { return !(got = take(reader)).empty(); }));
+  EXPECT_EQ(got, std::vector{state_of("io", 2)});
+}
+
 TEST(Wire, ALateJoinerLearnsTheTransitionsBefore) {
   const auto robot = join("io");
   Writer<msg::Transition> writer(*robot, robot_topic("io", "transition"));

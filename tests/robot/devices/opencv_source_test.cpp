@@ -1,6 +1,6 @@
 #include "robot/devices/opencv_source.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <filesystem>
 #include <fstream>
@@ -13,6 +13,9 @@
 
 namespace galilean::robot {
 namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
 
 /// A portable pixmap of 4:3, of one colour, with a green column at each side that is cut off again
 /// when it is made wider than that.
@@ -85,6 +88,17 @@ TEST_F(OpencvSource, AMissingFileIsNamedAndFoundWhenItComes) {
   EXPECT_FALSE(source->grab(*frame, now + std::chrono::milliseconds(500)));
   EXPECT_TRUE(source->grab(*frame, now + std::chrono::milliseconds(1001)));
   EXPECT_EQ(source->problem(), "");
+}
+
+TEST_F(OpencvSource, APathThatCannotEvenBeLookedForIsNamedWithWhatToDo) {
+  fs::create_symlink("loop.ppm", folder / "loop.ppm");
+  for (const fs::path& bad : {fs::path(std::string(300, 'x')), folder / "loop.ppm"}) {
+    path = bad;
+    const auto source = make();
+    EXPECT_FALSE(source->grab(*frame, now));
+    EXPECT_THAT(source->problem(), HasSubstr(path.string() + " cannot be looked for ("));
+    EXPECT_THAT(source->problem(), HasSubstr("name another one in frame_grabber"));
+  }
 }
 
 TEST_F(OpencvSource, AFileThatIsNoPictureIsNamed) {

@@ -16,6 +16,7 @@ namespace galilean::robot {
 namespace {
 
 using std::chrono::milliseconds;
+using std::string_literals::operator""s;
 
 /// The other end of a serial line: the master of a pseudo-terminal, reached by a link that stays.
 class Board {
@@ -122,6 +123,16 @@ TEST_F(SerialLine, ALineThatAnotherRobotUsesIsLeftToIt) {
   second.maintain(now);
   EXPECT_FALSE(second.is_open());
   EXPECT_NE(second.problem().find("another process"), std::string::npos) << second.problem();
+}
+
+TEST_F(SerialLine, APathThatCanBeNoDeviceIsNamedWithWhatToDo) {
+  for (const std::string& bad :
+       {folder.path().string(), std::string(300, 'x'), "/dev/null/none"s}) {
+    SerialPort port(bad, 115200);
+    port.maintain(now);
+    EXPECT_NE(port.problem().find(bad + " cannot be opened"), std::string::npos) << port.problem();
+    EXPECT_NE(port.problem().find("name a serial device"), std::string::npos) << port.problem();
+  }
 }
 
 TEST_F(SerialLine, WhatIsNoSerialLineIsNamed) {

@@ -64,7 +64,8 @@ class TestRobot {
                                                            .stopwatch = stopwatch,
                                                            .seed = seed,
                                                            .probation = probation,
-                                                           .observers = std::move(more)});
+                                                           .observers = std::move(more),
+                                                           .on_waiting = [this] { on_waiting(); }});
     journal.clear();
   }
 
@@ -101,6 +102,7 @@ class TestRobot {
   ScriptedDrive drive;
   ScriptedCamera camera;
   EventList events;
+  std::function<void()> on_waiting = [] {};
   std::unique_ptr<Executive> executive;
 };
 

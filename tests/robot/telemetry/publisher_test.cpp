@@ -132,6 +132,56 @@ TEST(Publisher, AStalledControlLoopIsReported) {
   EXPECT_THAT(stalled->problems.back(), HasSubstr("stands still"));
 }
 
+TEST(Publisher, TellsWhatTheRobotsThreadsCannotDoUntilTheyCan) {
+  TelemetryRobot io("threads");
+  auto states = io.mailbox<msg::RobotState>("state");
+  ASSERT_TRUE(io.robot.load(kWaits));
+  auto& problems = io.telemetry->problems();
+  const auto report = problems.reporter("image_publisher");
+  problems.note("watch", "Saves are not noticed.");
+  report("no paper");
+  io.robot.tick(5);
+  const auto troubled = states.wait_for([](const auto& state) { return !state.problems.empty(); });
+  ASSERT_TRUE(troubled);
+  EXPECT_THAT(troubled->problems,
+              ElementsAre(HasSubstr("image_publisher: It failed (no paper) and is tried again"),
+                          "watch: Saves are not noticed."));
+  problems.note("watch", "");
+  report("");
+  io.robot.tick(5);
+  EXPECT_TRUE(states.wait_for(
+      [](const auto& state) { return state.tick == 10 && state.problems.empty(); }));
+}
+
+TEST(Publisher, PublishesOnAfterAFailure) {
+  TelemetryRobot io("failing");
+  io.telemetry.reset();
+  LogQueue log;
+  const LogForwarding forwarding(log);
+  const ThreadProblems threads;
+  bool failed = false;
+  const Publisher publisher({.robot = io.name,
+                             .participant = *io.participant,
+                             .executive = *io.robot.executive,
+                             .tap = io.tap,
+                             .devices = {io.robot.port, io.robot.drive, io.robot.camera},
+                             .catalog = test_components().catalog(),
+                             .clock = io.robot.clock},
+                            log, threads, [&](const Event&) {
+                              if (!std::exchange(failed, true))
+                                throw std::runtime_error("no paper");
+                            });
+  auto lines = Mailbox<msg::Log>(*io.other, wire::kLogTopic);
+  auto states = io.mailbox<msg::RobotState>("state");
+  ASSERT_TRUE(io.robot.load(kWaits));
+  io.robot.tick();
+  EXPECT_TRUE(lines.wait_for([](const msg::Log& line) {
+    return line.name == "failing" && line.msg == "telemetry failed (no paper) and is tried again";
+  }));
+  io.robot.tick(3);
+  EXPECT_TRUE(states.wait_for([](const msg::RobotState& state) { return state.tick == 4; }));
+}
+
 TEST(ImagePublisher, EncodesWhatSomebodyReads) {
   TelemetryRobot io("seen");
   auto pictures = io.mailbox<msg::CompressedImage>("camera/compressed");

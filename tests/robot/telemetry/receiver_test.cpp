@@ -75,6 +75,24 @@ TEST_F(ReceiverTest, ABrokenProgramChangesNothingAndShowsEveryError) {
   EXPECT_EQ(io.robot.events.count(Event::Kind::kSwapped), 0);
 }
 
+TEST_F(ReceiverTest, APushThatItFailsOnIsRejectedAndTheNextOneRuns) {
+  io.robot.on_waiting = [this] {
+    io.robot.on_waiting = [] {};
+    throw std::runtime_error("no room");
+  };
+  io.send(io.push(renamed(kWaits, "\"go\"", "\"move\"")));
+  const auto rejected = replies.wait_for(has_status(status::REJECTED));
+  ASSERT_TRUE(rejected);
+  EXPECT_EQ(rejected->message, "this robot failed on it: no room");
+  const auto next = io.push(renamed(kWaits, "\"go\"", "\"run\""));
+  io.send(next);
+  EXPECT_TRUE(io.tick_until([&] {
+    return std::ranges::any_of(replies.all(), [&](const msg::ProgramReply& reply) {
+      return reply.status == status::RUNNING && reply.hash == next.hash;
+    });
+  }));
+}
+
 TEST_F(ReceiverTest, AProgramThatFailsIsRolledBackAndSaysWhy) {
   const std::string before = running_hash();
   const auto push = io.push(renamed(kWaits,

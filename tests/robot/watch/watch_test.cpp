@@ -1,8 +1,11 @@
 #include <gmock/gmock.h>
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <fstream>
+#include <stdexcept>
 #include <thread>
 
 #include "robot/watch/program_watch.h"
@@ -53,7 +56,21 @@ class WatchTest : public testing::Test {
     ASSERT_TRUE(checked.program);
     ASSERT_TRUE(robot.executive->load(std::move(*checked.program)));
     robot.tick();
-    watch.emplace(file, test_components().catalog(), *robot.executive);
+    watch.emplace(file, test_components().catalog(), *robot.executive,
+                  [this](const std::string& problem) {
+                    const std::lock_guard lock(told_mutex);
+                    told_problem = problem;
+                  });
+  }
+  /// Waits until that was told last; an empty text: that all is well.
+  [[nodiscard]] bool comes_to_tell(const std::string& part) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    const auto is_told = [&] {
+      const std::lock_guard lock(told_mutex);
+      return part.empty() ? told_problem.empty() : told_problem.find(part) != std::string::npos;
+    };
+    while (!is_told() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    return is_told();
   }
   static void write(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
   static void write_aside_and_rename(const fs::path& path, const std::string& text) {
@@ -76,6 +93,8 @@ class WatchTest : public testing::Test {
   fs::path file;
   std::shared_ptr<Lines> log = std::make_shared<Lines>();
   TestRobot robot;
+  std::mutex told_mutex;
+  std::string told_problem;
   std::optional<ProgramWatch> watch;
 };
 
@@ -147,6 +166,81 @@ TEST_F(WatchTest, FindsAFolderAgainThatWasReplaced) {
   fs::create_directory(place);
   write(file, with_state("third"));
   EXPECT_TRUE(comes_to("third"));
+}
+
+TEST_F(WatchTest, TellsThatAFolderIsGoneAndWhenItIsBack) {
+  const fs::path place = folder / "place";
+  fs::create_directory(place);
+  file = place / "my.bhdl";
+  write(file, with_state("first"));
+  start();
+  fs::remove_all(place);
+  EXPECT_TRUE(comes_to_tell(place.string() + " are not noticed (No such file or directory): make"));
+  fs::create_directory(place);
+  EXPECT_TRUE(comes_to_tell(""));
+  write(file, with_state("second"));
+  EXPECT_TRUE(comes_to("second"));
+}
+
+TEST_F(WatchTest, OutlivesALinkToItselfWhereTheFileWas) {
+  const fs::path place = folder / "place";
+  fs::create_directory(place);
+  file = place / "my.bhdl";
+  write(file, with_state("first"));
+  start();
+  fs::rename(place, folder / "old place");
+  EXPECT_TRUE(comes_to_tell("are not noticed"));
+  fs::create_directory(folder / "new place");
+  fs::create_symlink("my.bhdl", folder / "new place/my.bhdl");
+  fs::rename(folder / "new place", place);
+  EXPECT_TRUE(comes_to_tell(""));
+  fs::remove(file);
+  write(file, with_state("second"));
+  EXPECT_TRUE(comes_to("second"));
+}
+
+/// As a user who is not root: root may read everything.
+struct OrdinaryUser {
+  OrdinaryUser() { change_to(kNobody); }
+  ~OrdinaryUser() { change_to(0); }
+  static void change_to(uid_t user) {
+    if (getuid() == 0 && seteuid(user) != 0) ADD_FAILURE() << "cannot become user " << user;
+  }
+  static constexpr uid_t kNobody = 65534;
+};
+
+TEST_F(WatchTest, TellsThatAFolderMayNotBeRead) {
+  const fs::path place = folder / "place";
+  fs::create_directory(place);
+  fs::permissions(folder.path(), fs::perms::all);
+  file = place / "my.bhdl";
+  write(file, with_state("first"));
+  start();
+  {
+    const OrdinaryUser user;
+    fs::rename(place, folder / "old place");
+    fs::create_directory(place);
+    fs::permissions(place, fs::perms::none);
+    EXPECT_TRUE(comes_to_tell("(Permission denied): give this user the right to read"));
+    fs::permissions(place, fs::perms::all);
+    EXPECT_TRUE(comes_to_tell(""));
+    write(file, with_state("second"));
+    EXPECT_TRUE(comes_to("second"));
+  }
+}
+
+TEST_F(WatchTest, TellsWhatItCannotDoAndDoesItLater) {
+  std::atomic<int> attempts{0};
+  robot.on_waiting = [&] {
+    if (++attempts == 2) throw std::runtime_error("no room");
+  };
+  start();
+  write(file, with_state("second"));
+  EXPECT_TRUE(comes_to_tell("my.bhdl was saved, but cannot be taken over (no room)"));
+  EXPECT_TRUE(comes_to("second"));
+  write(file, with_state("third"));
+  EXPECT_TRUE(comes_to("third"));
+  EXPECT_TRUE(comes_to_tell(""));
 }
 
 TEST_F(WatchTest, ABrokenSaveChangesNothingAndSaysWhy) {

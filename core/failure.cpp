@@ -1,0 +1,13 @@
+#include "core/failure.h"
+
+namespace galilean {
+
+std::string text_of(const char* text) noexcept {
+  try {
+    return *text ? text : "for an unknown reason";
+  } catch (...) {
+    return "out of memory";  // short enough to need none
+  }
+}
+
+}  // namespace galilean

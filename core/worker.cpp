@@ -1,0 +1,37 @@
+#include "core/worker.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <utility>
+
+#include "core/failure.h"
+
+namespace galilean {
+namespace {
+
+void work(const Worker::Round& round, const Worker::Report& report, const std::stop_token& stop) {
+  std::string told;
+  while (!stop.stop_requested()) {
+    std::string failure = failure_of([&] { round(stop); });
+    const bool failed = !failure.empty();
+    const bool is_told = failure == told || failure_of([&] { report(failure); }).empty();
+    if (is_told) told = std::move(failure);
+    if (failed) static_cast<void>(failure_of([&] { sleep_for(Worker::kTryAgain, stop); }));
+  }
+}
+
+}  // namespace
+
+Worker::Worker(Round round, Report report)
+    : thread_([round = std::move(round), report = std::move(report)](const std::stop_token& stop) {
+        work(round, report, stop);
+      }) {}
+
+void sleep_for(Duration duration, const std::stop_token& stop) {
+  std::mutex mutex;
+  std::condition_variable_any wake;
+  std::unique_lock lock(mutex);
+  wake.wait_for(lock, stop, duration, [] { return false; });
+}
+
+}  // namespace galilean

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/worker.h"
+#include "robot/telemetry/words.h"
+
+namespace galilean::robot {
+
+/// What the robot's own threads cannot do at the moment. Any thread but the control loop.
+class ThreadProblems {
+ public:
+  /// For the worker that the operator knows as `subject`. This must outlive it.
+  [[nodiscard]] Worker::Report reporter(std::string subject);
+  /// `sentence`: what is wrong and what to do; empty: nothing any more.
+  void note(const std::string& subject, std::string sentence);
+  [[nodiscard]] std::vector<Problem> all() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<std::string, std::string> sentences_;  ///< by subject
+};
+
+}  // namespace galilean::robot

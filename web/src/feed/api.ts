@@ -1,8 +1,7 @@
 // The monitor's HTTP operations. Every failure is an Error whose message can be shown as it stands.
 
-import type { Command_Constants, Diagnostic, PushStep, SourceFile } from "./messages";
-import type { Machine } from "../feed/parts";
-import type { Diagnostic, Machine, ProgramReply, PushStep, SourceFile } from "./messages";
+import type { Command_Constants, Diagnostic, ProgramReply, PushStep, SourceFile } from "./messages";
+import type { Machine } from "./parts";
 import { credentials } from "./token";
 
 /** What a robot answers to a push; `latency_ms` where the monitor measured it. */

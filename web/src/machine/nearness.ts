@@ -3,7 +3,7 @@
 
 import type { Catalog } from "../bhdl/catalog";
 import { type ComponentText, componentsOf } from "../bhdl/components";
-import { type MachineTransition, type Program, type SourceFile, type Variable, VariableType } from "../feed/messages";
+import { type MachineTransition, type Program, type SourceFile, type Variable, Variable_Constants } from "../feed/messages";
 import { lasting, metres } from "../lib/format";
 import { certaintyAt } from "../model/certainty";
 import { typeWord } from "../model/variable_text";
@@ -52,7 +52,7 @@ function triggerOf(component: ComponentText, catalog: Catalog): Trigger[] {
   if (!limit || !bit?.bit_of) return [];
   const value = catalog.quantityOf(component, limit);
   if (!Number.isFinite(value)) return [];
-  const shaft = attributes.find(({ refers_to }) => refers_to === typeWord(VariableType.shaft));
+  const shaft = attributes.find(({ refers_to }) => refers_to === typeWord(Variable_Constants.SHAFT));
   return [
     {
       measure: limit.role as Measure,
@@ -81,7 +81,7 @@ function certaintyOf(name: string, { variables, age_ms }: Situation): { certaint
 
 function distance_m(trigger: Trigger, { variables }: Situation): number | undefined {
   const object = variables.find(({ name }) => name === trigger.locate);
-  const shaft = variables.find(({ name, type }) => (trigger.shaft ? name === trigger.shaft : type === VariableType.shaft));
+  const shaft = variables.find(({ name, type }) => (trigger.shaft ? name === trigger.shaft : type === Variable_Constants.SHAFT));
   if (!object?.valid || !shaft?.valid) return undefined;
   return Math.hypot(object.values[0]! - shaft.values[0]!, object.values[1]! - shaft.values[1]!);
 }

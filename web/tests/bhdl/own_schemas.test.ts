@@ -32,8 +32,8 @@ describe("schemas of one's own", () => {
   });
 
   it("tell how near they are to firing, in their own unit and at their own bit", () => {
-    const variable = (name: string, type: number, values: number[]): Variable =>
-      ({ name, type, object_class: "", valid: true, certainty: 1, decay_per_s: 0, updated: time(T0_MS), values });
+    const variable = (name: string, type: Variable["type"], values: number[]): Variable =>
+      ({ name, type, object_class: "", valid: true, certainty: 1, decay_per_s: 0, updated: time(T0_MS), values: Float64Array.from(values) });
     const variables = [variable("shaft", 1, [9, 9]), variable("wheels", 1, [1, 1]), variable("lamp", 3, [1, 1.5])];
     const condition: MachineTransition =
       { from_state: "a", to_state: "b", file: "", line: 1, bits_variable: "near", bit_index: 3, bit_value: true, bit_update: "same", reset_variables: [] };

@@ -109,7 +109,9 @@ TEST_F(BadRequestTest, EveryOperationNamesTheFieldThatHasTheWrongType) {
   for (const auto& [op, its] : fields)
     for (const auto& [name, field] : its)
       for (const auto& wrong : values_that_are_no(field)) {
-        operator_socket->send({{"op", op}, {"parameters", json::array()}, {name, wrong}});
+        json message{{"op", op}, {"parameters", json::array()}};
+        message[name] = wrong;
+        operator_socket->send(message);
         const std::string told = operator_socket->read_op("status")["message"];
         const bool is_item = wrong.is_array() && !wrong.empty();
         EXPECT_THAT(told, HasSubstr(is_item ? "." : "'" + name + "'")) << op << wrong;

@@ -128,10 +128,11 @@ TEST_F(SerialLine, ALineThatAnotherRobotUsesIsLeftToIt) {
 TEST_F(SerialLine, APathThatCanBeNoDeviceIsNamedWithWhatToDo) {
   for (const std::string& bad :
        {folder.path().string(), std::string(300, 'x'), "/dev/null/none"s}) {
-    SerialPort port(bad, 115200);
-    port.maintain(now);
-    EXPECT_NE(port.problem().find(bad + " cannot be opened"), std::string::npos) << port.problem();
-    EXPECT_NE(port.problem().find("name a serial device"), std::string::npos) << port.problem();
+    SerialPort wrong(bad, 115200);
+    wrong.maintain(now);
+    EXPECT_NE(wrong.problem().find(bad + " cannot be opened"), std::string::npos)
+        << wrong.problem();
+    EXPECT_NE(wrong.problem().find("name a serial device"), std::string::npos) << wrong.problem();
   }
 }
 

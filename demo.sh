@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Three robots clean an office: installs what is missing, builds, starts the simulator, the robots
 # and the monitor, and prints the page's address. Ctrl-C ends all of it.
 #   ./demo.sh [--robots N] [--port P] [--scenario S] [--headless-for SECONDS] …  (./demo.sh --help)

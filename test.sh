@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs what is missing, builds, and runs every test: unit, language, wire, page, end to end, in
 # the browser, under sanitizers, fuzzed, format and lint. Ends with one line: N passed, N failed.
 #   ./test.sh [SUITE…]   only these (their names stand behind `run` below)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The ways in which a folder adds to the build. Sources are always listed, never globbed.
 
 # What demo.sh builds, and what the sanitizer builds build.

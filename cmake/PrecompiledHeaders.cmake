@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Eigen and the standard library are half of what a file costs to compile. Each set is precompiled once
 # and shared; all of it is compiled with the same flags, as GCC demands of whoever shares.
 # Only libraries are optimised in full: a test and a command line run once, and compile twice as fast.

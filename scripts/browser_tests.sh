@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # browser_tests.sh [FILE…]: runs the browser tests (all, or these of tests/browser) one file after
 # another. Those that want a live team come first, on the page of one demo that starts and ends with
 # them: its contest is soon over. How the demo fared is a test of its own.

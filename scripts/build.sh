@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # build.sh programs|all: builds the programs (and with "all" the tests) into build/, and the page
 # into build/share/galilean/web, with "all" by Node 18. Does only what changed.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # check_format.sh: every C++ file is as clang-format leaves it.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # count_tests.sh RUNNER LOG STATUS: prints "passed failed", of what a runner reported in LOG before it ended
 # with STATUS. RUNNER is ctest, gtest (GoogleTest, one program or several), vitest or tap (Node's runner);
 # `status` is for what tells no number: it is one test. A test that did not run, be it cancelled, skipped,

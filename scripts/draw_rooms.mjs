@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Draws the rooms of tests/architecture/rooms.mjs as docs/ARCHITECTURE.md shows them:
 //   node scripts/draw_rooms.mjs [--write]
 // A room stands above all rooms that it may include; the lowest floor includes none.

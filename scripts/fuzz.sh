@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # fuzz.sh [SECONDS]: builds the fuzzers with clang and runs them for SECONDS (600) in all, each from
 # the corpus in tests/fuzz, the cases and the programs that ship. What breaks one is left in
 # build/fuzz/findings; run the fuzzer with that file to see it again. Reports as TAP does.

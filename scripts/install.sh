@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # install.sh build|test: installs what packages.txt lists and this machine lacks. Root or sudo.
 set -euo pipefail
 cd "$(dirname "$0")/.."

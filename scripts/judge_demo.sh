@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # judge_demo.sh FOLDER ENDING: tells as TAP whether a demo, whose own log is FOLDER/demo.log, ran without a fault
 # until it was asked to end. ENDING is its exit code, with "early" before it if nobody had asked.
 set -uo pipefail

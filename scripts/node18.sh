@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # node18.sh SCRIPT [ARGUMENT…] | -c COMMANDS: bash, in which `node` is Node 18, as Debian 12 has it. Where PATH
 # has another, npm brings it: a test must not pass on what only a newer Node has. npm takes this file as the
 # --script-shell of what it runs.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # node_test.sh FILE: runs a file of Node tests, and reports as TAP does. Beside a test that fails, it is a
 # failure when the file registers no test, ends before its tests did, or has not ended after
 # GALILEAN_TEST_LIMIT seconds (900).

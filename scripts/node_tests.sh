@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # node_tests.sh FILE…: runs Node tests one file after another, by Node 18; their packages stand in tests/node.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # page.sh SCRIPT: runs a script of web/package.json, by Node 18.
 set -euo pipefail
 cd "$(dirname "$0")"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # suite.sh NAME RUNNER COMMAND…: runs a suite of tests, prints its line, and after a failure what failed. Leaves
 # what it said in build/test-logs/NAME.log, and "passed failed" in NAME.count beside it.
 set -uo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # test.sh NAME [OPTION…]: builds and runs one test in the dev preset, and no more than it needs. NAME:
 #   move_to_goal                 what tests a class or a schema: the tests' files that include its header
 #   tests/robot/motor/goal_test  a file of tests;  goal_test does as well

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # tidy.sh: clang-tidy over every C++ source outside of tests/. It spends most of its time in the
 # system's headers, so it gets many sources at a time, as a unity build batches them.
 set -euo pipefail

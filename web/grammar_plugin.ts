@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { lezer } from "@lezer/generator/rollup";
 import type { Plugin } from "vite";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { fileURLToPath } from "node:url";
 import type { Plugin } from "vite";
 import { IDL_FOLDER } from "./generate/idl.mjs";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/check/owner.h"
 
 #include "bhdl/source/text.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/check/state_specs.h"
 
 #include "bhdl/program/program.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/check/symbols.h"
 
 #include "bhdl/check/constants.h"

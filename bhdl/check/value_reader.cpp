@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/check/value_reader.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/commands/graph_command.h"
 
 #include <iostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/diff/diff.h"
 
 #include "bhdl/diff/parts.h"

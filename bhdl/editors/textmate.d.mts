@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 export interface Words {
   sections: string[];
   lists: string[];

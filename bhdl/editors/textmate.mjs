@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // textmate.mjs FOLDER: writes the extension that colours BHDL in VS Code, and in whatever else reads
 // TextMate grammars. Its words are those of words.json, as the page's are.
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/format/formatter.h"
 
 #include "bhdl/format/line.h"

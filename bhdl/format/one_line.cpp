@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/format/one_line.h"
 
 #include "bhdl/format/line.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/format/piece_list.h"
 #include "bhdl/syntax/keywords.h"
 

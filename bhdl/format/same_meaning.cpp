@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/format/same_meaning.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/lint/program_check.h"
 
 #include "bhdl/check/constants.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/lint/state_graph.h"
 
 #include <algorithm>

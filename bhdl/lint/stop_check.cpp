@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/lint/stop_check.h"
 
 #include <algorithm>

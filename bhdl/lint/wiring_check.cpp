@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/lint/wiring_check.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/lsp/completion_list.h"
 
 namespace galilean::bhdl::lsp {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/lsp/document_sync.h"
 
 #include "bhdl/lsp/uri.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/lsp/json_rpc.h"
 
 #include "core/json_text.h"

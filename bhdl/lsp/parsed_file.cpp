@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/lsp/parsed_file.h"
 
 #include "bhdl/source/text.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/source/replace_file.h"
 
 #include <sys/stat.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/source/source_provider.h"
 
 #include <algorithm>

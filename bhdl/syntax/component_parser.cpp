@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/syntax/component_parser.h"
 
 #include "bhdl/source/text.h"

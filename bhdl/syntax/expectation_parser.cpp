@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/syntax/expectation_parser.h"
 
 #include "bhdl/syntax/component_parser.h"

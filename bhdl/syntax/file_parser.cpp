@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/syntax/file_parser.h"
 
 #include "bhdl/source/names.h"

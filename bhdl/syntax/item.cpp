@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/syntax/item.h"
 
 namespace galilean::bhdl {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "core/wire/graph.h"
 
 #include "core/wire/announced.h"

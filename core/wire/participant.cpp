@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "core/wire/participant.h"
 #include "core/wire/discovery.h"
 #include "core/wire/entity.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "core/wire/ros_time.h"
 
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "core/wire/topic_names.h"
 
 namespace galilean::wire {

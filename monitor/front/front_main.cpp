@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // galilean VERB …: becomes the program of that verb, which lies beside this one.
 #include <unistd.h>
 

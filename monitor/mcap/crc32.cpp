@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/mcap/crc32.h"
 
 #include <zlib.h>

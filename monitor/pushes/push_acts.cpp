@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a transaction asks its desk to do.
 #include <boost/asio/post.hpp>
 #include <iostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/pushes/push_words.h"
 
 #include <ctime>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/record/qos_profile.h"
 
 namespace galilean::monitor {

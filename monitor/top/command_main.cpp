@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // galilean-command hold|resume|start: an operator's word to robots, and what became of it.
 #include <poll.h>
 

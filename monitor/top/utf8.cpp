@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/top/utf8.h"
 
 namespace galilean::monitor::top {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/trial/trial.h"
 
 #include <boost/asio/post.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/devices/byte_pipe.h"
 
 #include <algorithm>

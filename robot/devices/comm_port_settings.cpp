@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/devices/comm_port_settings.h"
 
 namespace galilean::robot {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/devices/frame_grabber_settings.h"
 
 namespace galilean::robot {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/devices/microcontroller_link.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/devices/motor_drive_settings.h"
 
 #include <cmath>

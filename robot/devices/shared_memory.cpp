@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/devices/shared_memory.h"
 
 #include <fcntl.h>

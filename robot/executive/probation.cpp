@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/executive/probation.h"
 
 #include "core/device/device_names.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/executive/pushable_port.h"
 
 namespace galilean::robot {

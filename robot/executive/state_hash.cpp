@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/executive/state_hash.h"
 
 #include "robot/executive/running_program.h"

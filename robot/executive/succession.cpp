@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/executive/succession.h"
 
 namespace galilean::robot {

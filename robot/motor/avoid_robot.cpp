@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/motor/avoid_robot.h"
 
 #include "robot/motor/potential.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/motor/combine_forces.h"
 
 #include "robot/variables/relative.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/motor/guarded_goal.h"
 
 #include "robot/variables/relative.h"

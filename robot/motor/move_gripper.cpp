@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/motor/move_gripper.h"
 
 #include "core/device/device_names.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/motor/move_to_goal.h"
 
 #include "robot/variables/relative.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/perceptual/arrived.h"
 
 #include "robot/variables/relative.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/perceptual/gripper_scanner.h"
 
 #include "core/device/comm_port.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/perceptual/seen.h"
 
 #include "robot/variables/relative.h"

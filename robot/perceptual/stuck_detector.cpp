@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/perceptual/stuck_detector.h"
 
 namespace galilean::robot {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/perceptual/time_detector.h"
 
 namespace galilean::robot {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/rehearsal/given_program.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/rehearsal/given_schemas.h"
 
 namespace galilean::robot {

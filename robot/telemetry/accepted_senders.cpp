@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/accepted_senders.h"
 
 #include <algorithm>

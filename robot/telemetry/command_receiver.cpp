@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/command_receiver.h"
 
 #include <spdlog/spdlog.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/source/sha256.h"
 #include "robot/telemetry/compose.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/image_encoding.h"
 
 #include <opencv2/core.hpp>

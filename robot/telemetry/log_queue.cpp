@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/log_queue.h"
 
 #include <spdlog/sinks/base_sink.h>

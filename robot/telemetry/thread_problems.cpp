@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/thread_problems.h"
 
 #include <utility>

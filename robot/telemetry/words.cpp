@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/words.h"
 
 #include "core/device/comm_port.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/vision/supercomponent.h"
 
 #include <algorithm>

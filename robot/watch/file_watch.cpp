@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/watch/file_watch.h"
 
 #include <sys/inotify.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/watch/program_watch.h"
 
 #include <poll.h>

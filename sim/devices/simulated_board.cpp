@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sim/devices/simulated_board.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sim/telemetry/score_publisher.h"
 
 #include <chrono>

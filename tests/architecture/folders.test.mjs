@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The folders are the architecture: who may include whom.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What one component is to others is told by its declaration, and not by its name: docs/ADD_A_SCHEMA.md.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';

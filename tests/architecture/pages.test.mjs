@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the pages say of the tree is true of it.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which rooms there are, and which rooms of its own top folder each may include. A new room is a line
 // here. Files that stand on top of a folder, such as bhdl/check.h, are the room '.'; they and programs'
 // entrances may include all rooms below them, so they are listed without an account of what.

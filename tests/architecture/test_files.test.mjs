@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A file of tests that nobody runs, or that holds none, would pass whatever happens.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';

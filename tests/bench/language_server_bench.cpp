@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What an operator waits for: a letter typed into a program of 1,000 states, and the names that
 // fit.
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From a push over DDS to the answer of the last robot that it runs, with the real executables:
 //   node tests/bench/push_latency.mjs [ROBOTS=3] [PUSHES=20]
 // The robots have no board and no camera, which changes nothing about how they take a program.

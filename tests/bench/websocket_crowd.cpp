@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/bench/websocket_crowd.h"
 
 #include <arpa/inet.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/bhdl/random_program.h"
 
 namespace galilean::bhdl {

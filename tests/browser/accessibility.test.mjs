@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // WCAG 2.2 AA as far as axe can tell: dark and light, laptop and phone, with everything open that can be opened;
 // the page by keys alone; with less motion; and on paper.
 import assert from "node:assert/strict";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Panels arranged by pointer and by keys, kept, shared and brought back; and one at a time on a phone.
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What only a live team can show: why a robot changed its state, what it knew then, the referee's sheet,
 // robots taken out of service, and what a program does otherwise in the monitor's own words.
 import assert from "node:assert/strict";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The map of a played team: what is drawn of each item, and going about on it by pointer and by keys.
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Programs on a live team: pushed, refused, put right, tried on one robot and taken back.
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The monitor goes away and comes back: the page says so, connects by itself, and shows what it did not hear.
 import assert from "node:assert/strict";
 import { test } from "node:test";

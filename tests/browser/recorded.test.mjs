@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A recorded team, played again into a monitor of its own: the page shows it as it shows a live one.
 // GALILEAN_RECORDING is a recording of the demo; see scripts/browser_tests.sh.
 import assert from "node:assert/strict";

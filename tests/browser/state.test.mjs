@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Why, state machine, variables, plots and timeline of a played team: what a robot does, and why.
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Team, alarms, programs, referee and help of a played team: what is to be done, and doing it.
 import assert from "node:assert/strict";
 import { test } from "node:test";

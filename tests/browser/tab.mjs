@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A browser's tab with the page in it, for one file of tests: `liveTab()` shows the running team whose
 // link stands in GALILEAN_URL, `playedTab()` a team that web/tests/fixture plays.
 import assert from "node:assert/strict";

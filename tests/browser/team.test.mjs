@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A live team: who is in it, where, what each does and why; and stopping it.
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the robots of a live team see, and trying other thresholds on it.
 import assert from "node:assert/strict";
 import { test } from "node:test";

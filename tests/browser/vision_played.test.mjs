@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the robots of a played team see.
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "core/json_text.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Programs whose output nobody reads any more, as behind `… | head -1`: those that do more than print go on.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

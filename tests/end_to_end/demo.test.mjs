@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `galilean demo` starts a team and ends it, whatever happens to it or to its parts.
 import assert from 'node:assert/strict';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';

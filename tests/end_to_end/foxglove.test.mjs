@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Foxglove's protocol, spoken with the peers that its authors wrote: @foxglove/ws-protocol's client,
 // and the programs in @foxglove/ws-protocol-examples.
 import assert from 'node:assert/strict';

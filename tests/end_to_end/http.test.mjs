@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The HTTP interface, held against its description and against readers that others wrote.
 import assert from 'node:assert/strict';
 import { request } from 'node:http';

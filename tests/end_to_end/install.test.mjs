@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An installed tree works where it was put: programs find what they read beside them.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The language server as an editor meets it: the real executable, spoken to by Microsoft's client library.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';

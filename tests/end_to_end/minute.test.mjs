@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One minute of a headless contest, recorded, and read back by MCAP's reference reader.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What docs/openapi.yaml promises, as checks of answers.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A recorded team, played again: the same bytes in the same order at the same times, no command twice, and
 // never beside live robots of the same names.
 import assert from 'node:assert/strict';

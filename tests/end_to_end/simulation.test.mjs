@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How a running robot comes by another program: from a file that is saved, and from whom it accepts one.
 import assert from 'node:assert/strict';
 import { renameSync, writeFileSync } from 'node:fs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/bhdl/small_catalog.h"
 #include "tests/fuzz/input.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What galilean-record writes, read by MCAP's own reference reader; and what is left of a recording
 // when things break.
 import assert from "node:assert/strict";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every message that leaves a robot must be readable by others from the IDL text that goes with it:
 // JavaScript's reference decoder and C++ each read what the other wrote, through DDS.
 import assert from "node:assert/strict";

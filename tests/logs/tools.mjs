@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the log and wire tests share: where the programs are, and the reference decoders.
 import { execFileSync, spawn } from "node:child_process";
 import { createRequire } from "node:module";

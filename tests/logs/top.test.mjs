@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // galilean-top as a person and as a script see it: on a real terminal (tmux's), and --once.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A schema of one's own is a class and a line in the list: everybody else knows it by its roles.
 #include "tests/robot/own_schemas.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The page's tests read the catalogs that these robots publish, as far as the page looks at them.
 #include <gtest/gtest.h>
 

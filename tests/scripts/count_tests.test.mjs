@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What each runner reports, and how many tests of it have passed and failed.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';

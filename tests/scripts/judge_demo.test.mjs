@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A demo has passed only if it ended when it was asked to, well, and nothing in it broke.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A file of Node tests is green only if it has tests, and all of them have run to their end.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';

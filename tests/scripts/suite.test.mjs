@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A suite is green only if it was counted and nothing of it failed.
 import assert from 'node:assert/strict';
 import { cpSync, readFileSync } from 'node:fs';

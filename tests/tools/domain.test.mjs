@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';

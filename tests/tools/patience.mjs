@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a test waits for has an end: nothing waits for longer than this, even on a slow machine.
 export const PATIENCE_MS = 120_000;
 

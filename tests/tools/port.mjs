@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { createServer } from 'node:net';
 
 /** A port of 127.0.0.1 at which nobody listens now. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // node with_domain.mjs COMMAND…: runs it with a ROS_DOMAIN_ID that no other test on this machine uses, and with
 // GALILEAN_TEST_DOMAIN, by which it knows that.
 import { spawn } from 'node:child_process';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the comments of an IDL file say of which type, field or constant. The parser of the types drops them.
 
 const BLOCK = /^(?:@final struct|module) (\w+) \{/;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The project's own IDL: its text as it comes with each channel, and its files one by one.
 import { readdirSync, readFileSync } from "node:fs";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // TypeScript of IDL types: what the page's decoder makes of their encoding.
 import { parseRos2idl } from "@foxglove/ros2idl-parser";
 import { commentsOf } from "./comments.mjs";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How fast the page is, on a team that tests/fixture plays (or a live one): first paint, size, frames a second,
 // memory, from a change of state to the pixel, and coming back after the monitor was gone.
 //   node scripts/performance.mjs [--robots 3,30] [--seconds 20] [--minutes 1] [--url LIVE] [--chromium PATH]

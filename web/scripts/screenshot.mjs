@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures of the page as it is: node scripts/screenshot.mjs URL FOLDER [--chromium PATH]
 // Light and dark, on a laptop, a large screen and a phone, with the team at work.
 import { mkdirSync } from "node:fs";

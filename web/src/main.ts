@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { mount } from "svelte";
 import "./app.css";
 import App from "./App.svelte";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // idl_compiler OUTPUT_DIR A.idl B.idl …: from the messages' IDL makes
 //   messages.h    plain C++ structs, with `decode` from CDR
 //   lending.{h,cpp}  each as the C struct that Cyclone writes, borrowing its memory

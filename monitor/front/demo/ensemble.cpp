@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/front/demo/ensemble.h"
 
 #include <sys/mman.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/estimation/gaussian.h"
 
 #include <mrpt/math/distributions.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/estimation/measurement_model.h"
 
 #include <Eigen/LU>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/estimation/odom_origins.h"
 
 namespace galilean::monitor {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/evidence/carried_objects.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/evidence/occupancy_grid_map.h"
 
 #include <mrpt/maps/COccupancyGridMap2D.h>

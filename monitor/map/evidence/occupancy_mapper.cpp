@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/evidence/occupancy_mapper.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/evidence/robot_reports.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/groups/group_localizer.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/groups/published_landmarks.h"
 
 #include <Eigen/LU>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/landmarks/basket_recognition.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/landmarks/data_association.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/landmarks/landmark_contacts.h"
 
 #include "monitor/map/estimation/measurement_model.h"

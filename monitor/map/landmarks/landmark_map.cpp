@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/landmarks/landmark_map.h"
 
 namespace galilean::monitor {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/relocalization/landmark_merger.h"
 
 #include <Eigen/LU>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/relocalization/local_rigid_fit.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/relocalization/rigid_fit.h"
 
 #include <mrpt/math/TPose2D.h>

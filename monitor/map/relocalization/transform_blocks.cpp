@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/relocalization/transform_blocks.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/export/map_files.h"
 #include "monitor/map/export/map_scene.h"
 #include "monitor/server/api/api.h"

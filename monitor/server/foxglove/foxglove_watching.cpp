@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a client watches besides channels: parameters and the connection graph.
 #include "monitor/access/access.h"
 #include "monitor/server/foxglove/foxglove_hub.h"

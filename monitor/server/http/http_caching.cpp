@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/http/http_caching.h"
 
 #include <algorithm>

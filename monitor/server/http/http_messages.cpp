@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/http/http_messages.h"
 
 #include <boost/beast/http/status.hpp>

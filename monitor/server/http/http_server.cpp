@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/http/http_server.h"
 
 #include <boost/asio/steady_timer.hpp>

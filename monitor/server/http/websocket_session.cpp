@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/http/websocket_session.h"
 
 #include <boost/beast/core/flat_buffer.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/lsp/language_session.h"
 
 #include <boost/beast/core/buffers_to_string.hpp>

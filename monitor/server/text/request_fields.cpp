@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/text/request_fields.h"
 
 #include <limits>

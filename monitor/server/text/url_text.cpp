@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/text/url_text.h"
 
 #include <charconv>

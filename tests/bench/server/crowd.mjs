@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // 100 WebSocket clients that read all of a team's topics but its pictures: how late, and at what cost to the monitor.
 //   node tests/bench/server/crowd.mjs [CLIENTS=100] [ROBOTS=3] [SECONDS=10]
 import { createRequire } from 'node:module';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // 1 KB from one client to 100, in messages a second, beside Beast's own example websocket/server/chat-multi:
 //   node tests/bench/server/fan_out.mjs
 // The example is built from the sources in Debian's libboost1.81-doc, or below BOOST_EXAMPLES.

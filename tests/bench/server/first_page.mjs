@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From the start of the program to the first page, beside nginx, and what loading MRPT's libraries alone takes:
 //   node tests/bench/server/first_page.mjs
 import { connect } from 'node:net';

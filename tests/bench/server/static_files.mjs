@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The page's files, 1 KB and 100 KB, to 64 connections, in requests a second beside nginx with one worker:
 //   node tests/bench/server/static_files.mjs
 import { randomBytes } from 'node:crypto';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The monitor with 30 robots that drive in simulation and one browser that shows them:
 //   node tests/bench/server/thirty_robots.mjs [ROBOTS=30] [SECONDS=20]
 import { writeFileSync } from 'node:fs';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/bhdl/lsp/editor.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // For tests in other languages. `wire_echo --schemas` prints every message type with its IDL as
 // JSON. `wire_echo DOMAIN` reads lines "TYPE HEX", HEX a message in CDR that somebody else encoded;
 // decodes it, publishes it on DDS, takes it off again and prints the bytes that came, as HEX.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // wire_neighbour NAME COUNT DOMAIN: one process of a team. Publishes its state, says "met" once it
 // has read the states of COUNT robots, and stays until its standard input ends.
 #include <iostream>

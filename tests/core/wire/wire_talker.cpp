@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // wire_talker NAME DOMAIN: a robot that only talks, for tests of those who listen. Its states are
 // numbered by their tick; with each go variables and a picture. Says "talking" once somebody reads
 // its states, and ends with its standard input.

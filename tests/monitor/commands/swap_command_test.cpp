@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `galilean swap` and `galilean programs`, against a monitor and without one.
 #include "tests/free_domain.h"
 #include "tests/monitor/scripted_robot.h"

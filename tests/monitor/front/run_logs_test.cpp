@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/front/demo/run_logs.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/front/verbs.h"
 
 #include <gmock/gmock.h>

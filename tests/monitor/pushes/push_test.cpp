@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/pushes/push.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pushes over HTTP, to robots that are scripted but speak real DDS.
 #include "tests/monitor/scripted_robot.h"
 #include "tests/monitor/server/server_fixture.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/pushes/swap_transaction.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What clients send that makes no sense: each gets a sentence, and nobody else notices.
 #include <fstream>
 

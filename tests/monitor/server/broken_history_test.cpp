@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A disk that fails: who asks is told so, and nothing is sent that would not be remembered.
 #include "monitor/pushes/sql.h"
 #include "tests/monitor/scripted_robot.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Faults of our own: what a handler throws ends in an answer or a closed connection, and the others
 // are served on.
 #include <gmock/gmock.h>

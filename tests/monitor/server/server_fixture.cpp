@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/monitor/server/server_fixture.h"
 
 #include <sys/wait.h>

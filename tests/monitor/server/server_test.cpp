@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The monitor as its users meet it: over HTTP and Foxglove's protocol, with robots that are
 // scripted but speak real DDS.
 #include "core/wire/messages.h"

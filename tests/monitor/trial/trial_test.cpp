@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Trials with the real simulator.
 #include "monitor/trial/trial.h"
 

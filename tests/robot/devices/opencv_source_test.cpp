@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/devices/opencv_source.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/devices/serial_port.h"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/executive/snapshot.h"
 #include "robot/telemetry/image_tap.h"
 #include "tests/robot/count_allocations.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/robot/executive/test_robot.h"
 
 namespace galilean::robot {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/robot/executive/random_robot_program.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "robot/firmware/trapezoid.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/robot/motor/force_test.h"
 
 namespace galilean::robot {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 export const End: number;
 export const SectionLabel: number;
 export const StatesLabel: number;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a robot says that its programs may name, and what that is to others: the catalog it publishes.
 
 import type { ComponentText } from "./components";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A program's components as they stand in its text, and the text with one of their attributes changed.
 
 import type { SyntaxNode } from "@lezer/common";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { foldNodeProp, HighlightStyle, indentNodeProp, LanguageSupport, LRLanguage, syntaxHighlighting } from "@codemirror/language";
 import type { EditorState } from "@codemirror/state";
 import type { SyntaxNode } from "@lezer/common";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Numbers with units, as programs write them: core/catalog/unit.h.
 
 const TO_SI: { readonly [unit: string]: number } = {

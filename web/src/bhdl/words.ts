@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // BHDL's words: what one is depends on the colon behind it, and on whether a value stands behind that.
 // `motor_schemas: "noise"` is a state's list, `motor_schemas: noise: …` a section.
 

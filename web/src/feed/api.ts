@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The monitor's HTTP operations. Every failure is an Error whose message can be shown as it stands.
 
 import type { Command_Constants, Diagnostic, ProgramReply, PushStep, SourceFile } from "./messages";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * How far the page's clock is ahead of the monitor's, so that ages are right where clocks differ.
  * The offset is the smallest (arrival − sending) seen: what exceeds it is delay or age.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { parseRos2idl } from "@foxglove/ros2idl-parser";
 import { MessageReader } from "@foxglove/rosmsg2-serialization";
 

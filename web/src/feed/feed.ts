@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { type Channel, FoxgloveClient, type MessageData, type SubscriptionId } from "@foxglove/ws-protocol";
 import { ClockOffset } from "./clock_offset";
 import { type Decode, decoderOf } from "./decoder";

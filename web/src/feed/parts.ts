@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Parts of messages that several share, or that are looked at alone.
 
 import type { MapObject, Program, Time } from "./messages";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Who the reader is. A link such as http://host:8080/#token=… brings the token; it is kept for this
 // tab alone, and leaves the address bar at once: the fragment is never sent, but would be copied.
 

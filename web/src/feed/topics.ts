@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which topics the page knows, and what a topic's name says.
 
 export const robotTopics = ["state", "transition", "variables", "sightings", "program", "program_reply", "catalog"] as const;

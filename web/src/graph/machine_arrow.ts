@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An arrow from one state to another, bent round the states between.
 
 export interface Box {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where a machine's states and arrows are drawn: states in the cells of a grid that fills the room
 // there is, placed so that arrows are short.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { LaidState } from "./machine_layout";
 
 const TOWARDS: Readonly<Record<string, readonly [number, number]>> = {

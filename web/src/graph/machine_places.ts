@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which cell of a grid each state of a machine stands in.
 
 export interface Place {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How the reader has arranged the panels: kept by the browser, shared by a link, and back to the standard at any time.
 
 import { ui } from "../lib/ui.svelte";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { arrangement } from "./arrangement.svelte";
 import { type Drop, dropAt, type PlacedStack } from "./places";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a reader does to the arrangement, each a function from a tree to the next.
 
 import { type Across, acrossOf, isFirst, isSplit, mapped, type Node, type Part, panelsIn, type Side, split, stackOf, stackWith } from "./tree";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { tick } from "svelte";
 import { arrangement } from "./arrangement.svelte";
 

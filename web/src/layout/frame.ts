@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { getContext, setContext } from "svelte";
 import type { Stack } from "./tree";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where an arrangement's stacks and the borders between them stand, in shares of the whole page.
 
 import { type Across, isSplit, type Node, panelsIn, type Side, type Stack } from "./tree";

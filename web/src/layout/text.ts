@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An arrangement as text, for the address and for what the browser keeps: r(30-c(50-team.50-program~referee).70-map)
 // is a row of a column and the map; a stack's tabs stand between "~", the one shown with "*" where it is not the
 // first. No character of it needs escaping in an address.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How panels share the page: rows and columns of stacks. Plain values, never changed in place.
 
 /** Panels in one place, one of them shown, the others a tab away. */

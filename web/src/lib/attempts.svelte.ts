@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** What the page does at somebody's word: whether something is under way, and what went wrong. */
 export class Attempts {
   /** No state, so that an effect may begin an attempt without waiting for others to end. */

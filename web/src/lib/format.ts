@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Numbers and times as an operator reads them: with units, and no more digits than they are good for.
 
 const MINUS = "−";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The page's keys. A panel declares its own while it is shown; `?` lists those that work now.
 
 import { SvelteMap } from "svelte/reactivity";

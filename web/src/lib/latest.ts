@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * Questions whose answers come in any order, of which only the newest still counts. One is out of date as soon as
  * another is asked or `supersede` is called; its answer, or its failure, then changes nothing.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // When the page is drawn anew: only where something asks for it, and so that drawing leaves the machine time for
 // what comes in meanwhile.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the reader chose about the page itself.
 
 export type Theme = "system" | "light" | "dark";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { Robot } from "../model/model";
 import { onPageClock_ms } from "../model/robot_clock";
 

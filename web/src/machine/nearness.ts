@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How near a condition is to firing: told where the program says what sets its bit, by a measure that
 // runs towards a limit.
 

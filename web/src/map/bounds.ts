@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { OccupancyGrid } from "../feed/messages";
 import type { Team } from "../model/model";
 

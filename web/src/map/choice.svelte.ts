@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the reader chose to see on the map; it stays so when the panel closes or the page is loaded anew.
 
 import { live } from "../model/live.svelte";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The floor and the trails on it, drawn on a canvas: there may be tens of thousands of points.
 
 import type { OccupancyGrid } from "../feed/messages";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the names of a robot's forces stand beside their arrows, in pixels from the robot, y down.
 
 export interface Arrow {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What pulls and pushes a robot, as vectors on the map.
 
 import type { Catalog } from "../bhdl/catalog";

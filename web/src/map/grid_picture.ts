@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { OccupancyGrid } from "../feed/messages";
 
 type Colour = readonly [red: number, green: number, blue: number];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The items of the map that can be chosen: every robot whose pose is known, and every object. An object is a
 // landmark of the team's map, as the monitor publishes it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // All that is known of an item on the map, as an operator reads it.
 
 import type { MapObject } from "../feed/messages";

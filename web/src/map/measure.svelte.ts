@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { metres, degrees } from "../lib/format";
 
 interface Place {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { select } from "d3-selection";
 import { type ZoomBehavior, zoom, zoomIdentity } from "d3-zoom";
 import type { Bounds } from "./bounds";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The alarms that somebody has yet to see, and those that last.
 
 import { live } from "./live.svelte";

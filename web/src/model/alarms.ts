@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What an operator must hear of.
 
 import { ellipseOf } from "./ellipse";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** Certainty now, of what was `certainty` when it was sampled and loses `decay_per_s` since. 0..1. */
 export function certaintyAt(certainty: number, decay_per_s: number, age_ms: number): number {
   const left = certainty - (Math.max(decay_per_s, 0) * Math.max(age_ms, 0)) / 1000;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { Robot } from "./model";
 
 export interface ProgramShare {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { Covariance } from "../feed/parts";
 
 export interface Ellipse {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What happened to a robot besides its changes of state, read from how its state differs from the one before.
 
 import type { RefereeCall, RobotState, Score } from "../feed/messages";

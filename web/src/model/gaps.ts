@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** A time in which the page heard nothing, on the page's clock. */
 export interface Gap {
   readonly from_ms: number;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { Team } from "./model";
 
 const STEP_MS = 500;

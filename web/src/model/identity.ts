@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A robot's letter, shape and colour, the same in every panel.
 
 /** Okabe and Ito's colours less black and vermillion (which is for alarms); told apart by the colour-blind. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the panels see: the team now or at a chosen instant, the robot chosen, and the page's clock.
 
 import { flushSync } from "svelte";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 const WINDOW_MS = 2000;
 
 /** Messages heard of a robot: those of the window that is under way, and how many a second came in the last. */

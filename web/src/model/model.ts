@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the page knows of the team. Plain values, never changed in place: a new one replaces the old,
 // so that an instant can be kept whole at little cost. Times in ms are the page's clock.
 

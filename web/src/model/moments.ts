@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A robot's variables as they were at each of its changes of state.
 
 import type { Transition, Variable, Variables } from "../feed/messages";

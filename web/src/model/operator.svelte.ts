@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the operator tells the robots.
 
 import { type CommandKind, command } from "../feed/api";

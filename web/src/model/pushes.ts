@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { type ProgramPush, type ProgramReply, ProgramReply_Constants, type PushProgress } from "../feed/messages";
 import { namesOf } from "../feed/parts";
 import type { Reply } from "../feed/api";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { catalogOf } from "../bhdl/catalog";
 import type * as wire from "../feed/messages";
 import { type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";

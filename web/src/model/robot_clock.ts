@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { Time } from "../feed/messages";
 import { seconds } from "../feed/parts";
 import type { Robot } from "./model";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { Robot } from "./model";
 
 /** State comes ten times a second: two seconds without any are no hiccup. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { RobotState } from "../feed/messages";
 
 /** Less than this is noise of standing. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The span of time that the timeline and every plot show, and the instant that the pointer is at in any of them.
 
 import { live } from "./live.svelte";

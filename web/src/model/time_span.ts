@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 export interface TimeSpan {
   readonly from_ms: number;
   readonly to_ms: number;

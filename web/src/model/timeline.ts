@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { shortened } from "../lib/format";
 import type { ProgramChange, StateBar } from "./model";
 

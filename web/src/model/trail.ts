@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { Pose, TrailPoint } from "./model";
 
 const STEP_M = 0.04;

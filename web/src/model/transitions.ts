@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { Transition } from "../feed/messages";
 
 const KEPT = 100;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { type Variable, Variable_Constants } from "../feed/messages";
 import { namesOf } from "../feed/parts";
 import { degrees, metres, signed } from "../lib/format";

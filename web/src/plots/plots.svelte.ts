@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The lines that are plotted, and their samples: the past that the page remembers, and then all that comes.
 
 import type { Variables } from "../feed/messages";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The numbers of a variable, each with its name and unit, as the table shows them and plots draw them.
 
 import { type Variable, Variable_Constants } from "../feed/messages";

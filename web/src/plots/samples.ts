@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** A line's samples in the order of time; the oldest give way. */
 export class Samples {
   readonly times_s: number[] = [];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { SourceFile } from "../feed/messages";
 import { Latest } from "../lib/latest";
 import { type Draft, emptyDraft, withText } from "./draft";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A line of the monitor's semantic diff: "+ state 'spin'", "- motor schema noise 'wander'", "~ …".
 
 export type Sort = "added" | "removed" | "changed";

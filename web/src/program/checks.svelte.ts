@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { Diagnostic, Program } from "../feed/messages";
 import type { Machine } from "../feed/parts";
 import * as api from "../feed/api";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { SourceFile } from "../feed/messages";
 
 /** A program on the bench. Its name and its text stand together and never change: what is edited is another draft. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { SourceFile } from "../feed/messages";
 import * as api from "../feed/api";
 import { Latest } from "../lib/latest";

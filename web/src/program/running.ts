@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the robots of a push run now. Empty `targets` mean the whole team.
 
 import type { Program } from "../feed/messages";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { FixableDiagnostic } from "./editor/quick_fixes";
 import type { Bench } from "./bench.svelte";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Programs as the page works on them: chosen or edited on the bench, checked by the monitor, pushed to robots.
 
 import type { SourceFile } from "../feed/messages";

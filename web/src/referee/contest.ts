@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { Strategy } from "../feed/api";
 import type { Score } from "../feed/messages";
 import type { Stamped } from "../model/model";

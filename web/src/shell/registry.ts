@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The panels that there are: a new one is one line. Phones show them as tabs in this order, and the keys
 // 1, 2, 3 … bring them into sight.
 

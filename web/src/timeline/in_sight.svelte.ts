@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /** Whether an element can be seen, so that no work is done for what is scrolled away. */
 export class InSight {
   now = $state(true);

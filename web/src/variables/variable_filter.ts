@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { Variable } from "../feed/messages";
 import { certaintyAt } from "../model/certainty";
 import { typeName } from "../model/variable_text";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a robot's blob detector would find in a picture, pixel for pixel: robot/vision/blobs.
 
 export interface Threshold {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How a robot's camera looks at the floor, as its program says: robot/vision/camera_model.
 
 import type { AttributeSpec, Catalog, Role } from "../bhdl/catalog";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { CAMERA, type Picture } from "../feed/topics";
 
 /** What the reader chose to see of the robots' pictures; it outlives the panel. */

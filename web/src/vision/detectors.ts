@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The schemas of a program that find things in pictures: in which picture each looks, and from which
 // brightness on.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { CompressedImage, Time } from "../feed/messages";
 import { type Picture, pictureTopic } from "../feed/topics";
 import { live } from "../model/live.svelte";

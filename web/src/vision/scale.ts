@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the floor's ranges lie in a camera's picture: robot/vision/camera_model, for a 4:3 sensor.
 
 import type { Camera } from "./camera";

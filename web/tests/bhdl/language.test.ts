@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { ensureSyntaxTree, foldable } from "@codemirror/language";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A robot may have schemas that the page has never heard of: what they are, their roles alone tell.
 import { describe, expect, it } from "vitest";
 import type { Forces, MachineTransition, Program, Variable } from "../../src/feed/messages";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The message types that are made of the project's own IDL, against what the page's decoder gives.
 import { readFileSync } from "node:fs";
 import { parseRos2idl } from "@foxglove/ros2idl-parser";

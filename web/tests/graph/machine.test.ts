@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import type { Machine } from "../../src/feed/parts";
 import { labelLines, layOut } from "../../src/graph/machine_layout";

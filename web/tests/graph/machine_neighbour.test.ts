@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import type { LaidState } from "../../src/graph/machine_layout";
 import { neighbour } from "../../src/graph/machine_neighbour";

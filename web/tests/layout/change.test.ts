@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { beside, grown, moved, opened, resized, stacked, without } from "../../src/layout/change";
 import { textOf, treeOf } from "../../src/layout/text";

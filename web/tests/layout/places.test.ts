@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { bordersOf, dropAt, placesOf } from "../../src/layout/places";
 import { treeOf } from "../../src/layout/text";

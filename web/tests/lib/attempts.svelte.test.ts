@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { flushSync } from "svelte";
 import { beforeEach, expect, it } from "vitest";
 import { Attempts } from "../../src/lib/attempts.svelte";

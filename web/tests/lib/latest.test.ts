@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { beforeEach, expect, it } from "vitest";
 import { Latest } from "../../src/lib/latest";
 import { Questions } from "../fixture/answers";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { beforeEach, expect, it } from "vitest";
 import { type Frames, Redraw } from "../../src/lib/redraw";
 

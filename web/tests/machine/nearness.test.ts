@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import type { MachineTransition, Variable } from "../../src/feed/messages";
 import { bitNow, conditionNow, nearnessOf, schemasOf, type Situation, triggersOf } from "../../src/machine/nearness";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { knownBounds } from "../../src/map/bounds";
 import { ellipseOf } from "../../src/model/ellipse";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import type { Forces, Program } from "../../src/feed/messages";
 import { drawnForces } from "../../src/map/forces";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { nextItem, type MapItem, itemsOn } from "../../src/map/items";
 import { knownOf } from "../../src/map/known";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { ProgramReply_Constants } from "../../src/feed/messages";
 import { acknowledged, type Alarm, alarms, withAlarms } from "../../src/model/alarms";

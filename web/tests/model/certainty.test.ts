@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { certaintyAt, forgottenIn_s } from "../../src/model/certainty";
 

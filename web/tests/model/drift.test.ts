@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { expect, it } from "vitest";
 import { drifts, programShares } from "../../src/model/drift";
 import { robotOf, state, T0_MS, told } from "./told";

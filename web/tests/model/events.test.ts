@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import type { Score } from "../../src/feed/messages";
 import { callsOn, contestBegan_ms } from "../../src/model/events";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { expect, it } from "vitest";
 import { History } from "../../src/model/history";
 import { emptyTeam } from "../../src/model/model";

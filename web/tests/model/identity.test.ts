@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { expect, it } from "vitest";
 import { type Identity, identityOf } from "../../src/model/identity";
 

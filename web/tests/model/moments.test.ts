@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import type { Transition, Variable, Variables } from "../../src/feed/messages";
 import { findings, valuesThen } from "../../src/model/moments";

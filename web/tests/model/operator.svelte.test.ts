@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { beforeEach, expect, it, vi } from "vitest";
 import { Operator } from "../../src/model/operator.svelte";
 import type { Questions } from "../fixture/answers";

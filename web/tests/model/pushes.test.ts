@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import type { Diagnostic, ProgramReply } from "../../src/feed/messages";
 import { T0_MS, told } from "./told";

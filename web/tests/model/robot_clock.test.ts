@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { expect, it } from "vitest";
 import { onPageClock_ms } from "../../src/model/robot_clock";
 import { robotOf, state, T0_MS, time, told, transition } from "./told";

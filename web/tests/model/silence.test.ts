@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { age_s, isSilent, SILENT_AFTER_S } from "../../src/model/silence";
 import { mapRobot, robotOf, state, T0_MS, told } from "./told";

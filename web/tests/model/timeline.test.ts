@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { drawnBars, labelled, withBar, withProgram } from "../../src/model/timeline";
 import { robotOf, state, T0_MS, told, transition } from "./told";

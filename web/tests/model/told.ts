@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Messages as a robot tells them, with what a test does not care about filled in.
 import type { MapRobot, RobotState, Transition } from "../../src/feed/messages";
 import { emptyTeam, type Robot, type Team } from "../../src/model/model";

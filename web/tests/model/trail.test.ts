@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { unwound, withPoint } from "../../src/model/trail";
 import type { TrailPoint } from "../../src/model/model";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { missedBetween, withTransition } from "../../src/model/transitions";
 import { T0_MS, transition } from "./told";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import type { Variable } from "../../src/feed/messages";
 import { quantitiesOf, valueOf } from "../../src/plots/quantities";

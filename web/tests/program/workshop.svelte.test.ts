@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The monitor answers when it likes, while somebody chooses, types and pushes.
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { Diagnostic } from "../../src/feed/messages";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { readFileSync } from "node:fs";
 import { expect, it } from "vitest";
 import type { Program } from "../../src/feed/messages";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { beforeEach, expect, it, vi } from "vitest";
 import type { Feed } from "../../src/feed/feed";
 import { PictureReader } from "../../src/vision/picture_reader.svelte";

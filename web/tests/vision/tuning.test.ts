@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { componentsOf, withAttribute } from "../../src/bhdl/components";

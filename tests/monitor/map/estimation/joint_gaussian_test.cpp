@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/estimation/joint_gaussian.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The map's files, read back by others' readers: MRPT, and the rule of ROS' map_server.
 #include <gtest/gtest.h>
 #include <mrpt/img/CImage.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/relocalization/heading_fit.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/monitor/map/truth/figures.h"
 
 #include <Eigen/LU>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/foxglove/foxglove_hub.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/http/guard.h"
 
 #include <gtest/gtest.h>

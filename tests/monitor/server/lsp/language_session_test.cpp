@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The language server in the monitor, as the page's editor meets it: over a WebSocket.
 #include "monitor/server/lsp/language_session.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { LSPClient, type LSPClientConfig } from "@codemirror/lsp-client";
 import { type Bench, BenchWorkspace } from "./bench_workspace";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // CodeMirror, as the page uses it. Loaded only when somebody edits.
 
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { ChangeSpec, Text } from "@codemirror/state";
 import type { Fix } from "./quick_fixes";
 

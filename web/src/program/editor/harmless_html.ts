@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 const KEPT = new Set(["P", "UL", "OL", "LI", "STRONG", "EM", "CODE", "PRE", "SPAN", "BR", "TABLE", "THEAD", "TBODY", "TR", "TH", "TD"]);
 
 /** HTML without whatever could do something: a program that somebody else wrote is shown in a hover. */

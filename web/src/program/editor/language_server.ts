@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The monitor's language server, as the editor uses it: completion, hover, definition, rename,
 // layout and problems as one types. Without it the editor still edits.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { Diagnostic } from "../../feed/messages";
 
 interface Problem {

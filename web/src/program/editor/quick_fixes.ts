@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { Diagnostic } from "../../feed/messages";
 /** What would put a problem right: another text between two places of its file, counted from 1. */
 export interface Fix {

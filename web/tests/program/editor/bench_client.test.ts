@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import type { Transport } from "@codemirror/lsp-client";
 import { beforeEach, expect, it } from "vitest";
 import { BenchClient } from "../../../src/program/editor/bench_client";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { LSPClient, type Transport } from "@codemirror/lsp-client";
 import { expect, it } from "vitest";
 import { BenchWorkspace, pathOf, uriOf } from "../../../src/program/editor/bench_workspace";

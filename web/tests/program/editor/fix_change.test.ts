@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { ChangeSet, Text } from "@codemirror/state";
 import { expect, it } from "vitest";
 import { changeOf, offsetOf } from "../../../src/program/editor/fix_change";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 import { expect, it } from "vitest";
 import { withFixes, withKnownFixes } from "../../../src/program/editor/quick_fixes";
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cassert>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -29,6 +30,21 @@ class [[nodiscard]] Result {
 
  private:
   std::variant<T, E> content_;
+};
+
+/// Success, which is `{}`, or the reason why it failed.
+template <class E>
+class [[nodiscard]] Result<void, E> {
+ public:
+  Result() = default;
+  Result(E error) : error_(std::move(error)) {}
+
+  [[nodiscard]] bool ok() const noexcept { return !error_; }
+  explicit operator bool() const noexcept { return ok(); }
+  [[nodiscard]] const E& error() const& { return assert(!ok()), *error_; }
+
+ private:
+  std::optional<E> error_;
 };
 
 }  // namespace galilean

@@ -12,7 +12,7 @@ namespace {
 
 /// The pose of a robot that was not heard for longer is too old to compare a frame with.
 constexpr double kFreshPose_s = 0.3;
-constexpr double kMaxDeviation_m = 0.6;
+constexpr double kMaxMutualDeviation_m = 0.6;
 /// A robot is too large and blurred a target to tell more than landmarks do. Where the prediction
 /// is better than this, a sighting of a robot is not used.
 constexpr double kMinDeviation_m = 0.15;
@@ -34,7 +34,7 @@ std::optional<PredictedMeasurement> met(const std::string& observer, const Gauss
     const Compatibility compatibility = compatibility_of(joint, predicted, in_robot);
     if (compatibility.squared_distance > kRivalGate) continue;
     const bool compatible = compatibility.squared_distance < association_gate() &&
-                            compatibility.deviation_m < kMaxDeviation_m &&
+                            compatibility.deviation_m < kMaxMutualDeviation_m &&
                             compatibility.deviation_m > kMinDeviation_m;
     if (found || !compatible) return std::nullopt;
     found = predicted;

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kStep_m = 0.05;
 constexpr double kTurn_rad = 0.1;
-constexpr double kMaxRange_m = 4;  ///< a line of sight to an object further away has no sure end
+constexpr double kMaxFloorRange_m =
+    4;  ///< a line of sight to an object further away has no sure end
 
 }  // namespace
 
@@ -31,7 +32,7 @@ void OccupancyMapper::add_frame(const msg::Sightings& frame, const RobotPoses& p
   last = pose;
   OccupancyGridMap::View view{pose.position_m, pose.heading_rad, frame.view_angle_rad, {}};
   for (const auto& sighting : frame.items)
-    if (sighting.range_m < kMaxRange_m)
+    if (sighting.range_m < kMaxFloorRange_m)
       view.objects_m.push_back(in_map(odom, Vec2(sighting.x_m, sighting.y_m)));
   grid_.add_view(view);
 }

@@ -11,7 +11,7 @@ namespace {
 /// Narrow, because all pairs of a class are tried: of two dozen landmarks in a room some agree by
 /// chance.
 constexpr double kDeviation_m = 0.06;
-constexpr double kLeastSpread_m = 0.8;
+constexpr double kLeastGroupSpread_m = 0.8;
 /// Every two correspondences are compared with all others, so that the cost grows fast with these.
 constexpr std::size_t kMaxOwn = 24, kMaxKnown = 48;
 
@@ -67,7 +67,7 @@ void GroupLocalizer::localize(RobotGroup& group, const PublishedLandmarks& publi
   const auto before = candidates_.find(&group);
   const bool again = before != candidates_.end() && are_similar(before->second, fit);
   candidates_.erase(&group);
-  if (fit.agreeing.empty() || fit.spread_m < kLeastSpread_m) return;
+  if (fit.agreeing.empty() || fit.spread_m < kLeastGroupSpread_m) return;
   if (!again) {
     candidates_[&group] = fit;
     return;

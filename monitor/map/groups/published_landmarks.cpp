@@ -8,11 +8,11 @@
 namespace galilean::monitor {
 namespace {
 
-constexpr double kDuplicate_m = 0.30;  ///< estimates of one object are no further apart
+constexpr double kUnionDuplicate_m = 0.30;  ///< estimates of one object are no further apart
 /// Standard deviation of an error between two groups' estimates that no covariance tells.
 constexpr double kUnmodelled_m = 0.05;
 /// A rival fits worse than a pair by less than this squared Mahalanobis distance.
-constexpr double kRivalMargin = 6;
+constexpr double kUnionRivalMargin = 6;
 
 PublishedLandmark published(RobotGroup& group, const Landmark& landmark) {
   return {landmark.id,
@@ -46,7 +46,7 @@ void mark_rivals(std::vector<DuplicatePair>& pairs) {
   for (std::size_t i = 0; i < pairs.size(); ++i)
     for (std::size_t j = 0; j < pairs.size() && pairs[i].is_sure; ++j)
       pairs[i].is_sure = i == j || !shares(pairs[i], pairs[j]) ||
-                         pairs[j].squared_distance > pairs[i].squared_distance + kRivalMargin;
+                         pairs[j].squared_distance > pairs[i].squared_distance + kUnionRivalMargin;
 }
 
 bool is_localized(const PublishedLandmark& landmark) {
@@ -93,9 +93,9 @@ std::vector<DuplicatePair> duplicate_pairs(const PublishedLandmarks& landmarks) 
     for (std::size_t j = i + 1; j < order.size(); ++j) {
       const PublishedLandmark &a = landmarks[order[i]], &b = landmarks[order[j]];
       const Vec2 apart = b.position.mean_m - a.position.mean_m;
-      if (apart.x() > kDuplicate_m) break;
-      if (apart.norm() > kDuplicate_m || a.object_class != b.object_class || share_a_group(a, b) ||
-          !is_localized(a) || !is_localized(b))
+      if (apart.x() > kUnionDuplicate_m) break;
+      if (apart.norm() > kUnionDuplicate_m || a.object_class != b.object_class ||
+          share_a_group(a, b) || !is_localized(a) || !is_localized(b))
         continue;
       const double distance = squared_distance(a, b);
       if (distance < association_gate()) pairs.push_back({order[i], order[j], distance, true});

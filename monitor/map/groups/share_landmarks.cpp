@@ -13,7 +13,7 @@ constexpr double kFarBetter = 2;
 constexpr double kHearsay_m = 0.05;
 /// Trash at this squared Mahalanobis distance from where another group knows it was more likely
 /// pushed since.
-constexpr double kMovedDistance = 4;
+constexpr double kSharedMovedDistance = 4;
 
 void teach(const PublishedLandmark& known, const PublishedLandmark& learned) {
   const Mat2 hearsay = known.position.covariance_m2 + kHearsay_m * kHearsay_m * Mat2::Identity();
@@ -30,7 +30,8 @@ void teach(const PublishedLandmark& known, const PublishedLandmark& learned) {
 void share_landmarks(const PublishedLandmarks& landmarks, const std::vector<DuplicatePair>& pairs) {
   for (const auto& pair : pairs) {
     const PublishedLandmark &a = landmarks[pair.a], &b = landmarks[pair.b];
-    const bool may_have_moved = a.object_class == "trash" && pair.squared_distance > kMovedDistance;
+    const bool may_have_moved =
+        a.object_class == "trash" && pair.squared_distance > kSharedMovedDistance;
     if (!pair.is_sure || may_have_moved || a.object_class == "obstacle") continue;
     const bool a_knows = a.position.covariance_m2.trace() < b.position.covariance_m2.trace();
     teach(a_knows ? a : b, a_knows ? b : a);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kTouchedAgain_m = 0.20;  ///< obstacles that are nearer to one another are one
 /// Standard deviation up to which it is known that a landmark is under a robot.
-constexpr double kMaxDeviation_m = 0.12;
+constexpr double kMaxContactDeviation_m = 0.12;
 constexpr double kPushedWithin_m = 0.42;
 constexpr double kPushed_m2ps = 4e-3;
 
@@ -44,7 +44,7 @@ void LandmarkContacts::clear_footprint(const std::string& robot) {
     if ((joint_.position(landmark.block) - robot_m).norm() > kFootprint_m) return false;
     const auto predicted = predict_measurement(joint_, block, landmark.block);
     return compatibility_of(joint_, predicted, {predicted.in_robot_m, Mat2::Identity()})
-               .deviation_m < kMaxDeviation_m;
+               .deviation_m < kMaxContactDeviation_m;
   });
 }
 
@@ -53,7 +53,7 @@ void LandmarkContacts::clear_footprint(const Gaussian2& robot) {
     if (landmark.object_class != "trash") return false;
     if ((joint_.position(landmark.block) - robot.mean_m).norm() > kFootprint_m) return false;
     const double variance_m2 = (joint_.covariance(landmark.block) + robot.covariance_m2).trace();
-    return variance_m2 < 2 * kMaxDeviation_m * kMaxDeviation_m;
+    return variance_m2 < 2 * kMaxContactDeviation_m * kMaxContactDeviation_m;
   });
 }
 

@@ -9,12 +9,12 @@
 namespace galilean::monitor {
 namespace {
 
-constexpr double kDuplicate_m = 0.25;  ///< duplicates of one object are no further apart
+constexpr double kPublishedDuplicate_m = 0.25;  ///< duplicates of one object are no further apart
 /// Standard deviation of an error between two estimates of one object that no covariance tells.
-constexpr double kUnmodelled_m = 0.05;
+constexpr double kPublishedUnmodelled_m = 0.05;
 /// An object that was seen from far away may stand anywhere within metres. Above this standard
 /// deviation its position is not published.
-constexpr double kMaxDeviation_m = 0.75;
+constexpr double kMaxPublishedDeviation_m = 0.75;
 
 }  // namespace
 
@@ -23,13 +23,14 @@ bool is_duplicate_candidate(const JointGaussian& joint, const LandmarkStore& lan
   const Gaussian2 at = landmarks.position(landmark);
   return std::ranges::any_of(landmarks.all(), [&](const Landmark& other) {
     const Vec2 apart = at.mean_m - joint.position(other.block);
-    if (apart.norm() > kDuplicate_m || !other.is_publishable() || !may_be_same(landmark, other))
+    if (apart.norm() > kPublishedDuplicate_m || !other.is_publishable() ||
+        !may_be_same(landmark, other))
       return false;
     if (joint.covariance(other.block).trace() >= at.covariance_m2.trace()) return false;
     const JointGaussian::Term difference[] = {{other.block, Mat2::Identity()},
                                               {landmark.block, -Mat2::Identity()}};
-    const Mat2 covariance =
-        joint.covariance(difference) + kUnmodelled_m * kUnmodelled_m * Mat2::Identity();
+    const Mat2 covariance = joint.covariance(difference) +
+                            kPublishedUnmodelled_m * kPublishedUnmodelled_m * Mat2::Identity();
     return apart.dot(covariance.inverse() * apart) < association_gate();
   });
 }
@@ -37,7 +38,8 @@ bool is_duplicate_candidate(const JointGaussian& joint, const LandmarkStore& lan
 bool is_published(const JointGaussian& joint, const LandmarkStore& landmarks,
                   const Landmark& landmark) {
   return landmark.is_publishable() &&
-         joint.covariance(landmark.block).trace() <= kMaxDeviation_m * kMaxDeviation_m &&
+         joint.covariance(landmark.block).trace() <=
+             kMaxPublishedDeviation_m * kMaxPublishedDeviation_m &&
          !is_duplicate_candidate(joint, landmarks, landmark);
 }
 

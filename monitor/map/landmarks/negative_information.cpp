@@ -15,7 +15,7 @@ constexpr double kLongestPeriod_s = 0.5;
 /// A robot that recognized something is where it is believed to be for so long.
 constexpr Duration kTrustedFor = std::chrono::seconds(3);
 /// Standard deviation up to which a predicted measurement is known to be in the visible area.
-constexpr double kMaxDeviation_m = 0.2;
+constexpr double kMaxObserverDeviation_m = 0.2;
 /// An object of a frame that is so near to the prediction may be the landmark.
 constexpr double kSameObject_m = 0.4;
 
@@ -56,7 +56,7 @@ void NegativeInformation::penalize_unseen(const msg::Sightings& frame,
     const auto predicted = predict_measurement(joint_, robot, landmark.block);
     const Compatibility compatibility =
         compatibility_of(joint_, predicted, {predicted.in_robot_m, Mat2::Identity()});
-    if (compatibility.deviation_m < kMaxDeviation_m) landmark.penalize(for_s);
+    if (compatibility.deviation_m < kMaxObserverDeviation_m) landmark.penalize(for_s);
   }
 }
 
@@ -68,7 +68,8 @@ void NegativeInformation::penalize_unseen(const msg::Sightings& frame, const Vie
     const double variance_m2 = joint_.covariance(landmark.block).trace() +
                                from.covariance.topLeftCorner<2, 2>().trace() +
                                at_m.squaredNorm() * from.covariance(2, 2);
-    if (variance_m2 < 2 * kMaxDeviation_m * kMaxDeviation_m && !is_in_frame(frame, landmark, at_m))
+    if (variance_m2 < 2 * kMaxObserverDeviation_m * kMaxObserverDeviation_m &&
+        !is_in_frame(frame, landmark, at_m))
       landmark.penalize(from.for_s);
   }
 }

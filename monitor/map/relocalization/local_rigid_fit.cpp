@@ -16,7 +16,7 @@ constexpr double kLeastTurnSpread_m = 0.8;
 /// This share of the seen points must be known. The others may be new.
 constexpr double kLeastShare = 0.6;
 /// On any other turn or shift at least so many fewer must agree.
-constexpr std::size_t kLead = 2;
+constexpr std::size_t kLeadInPairs = 2;
 constexpr double kOtherTurn_rad = 0.2, kOtherShift_m = 0.35;
 
 using LabelledPoints = std::vector<LabelledPoint>;
@@ -108,7 +108,7 @@ std::optional<RigidFit> LocalRigidFit::find(const LabelledPoints& seen,
     return std::nullopt;
   const Pose2 by = least_squares_fit(best.correspondences);
   for (const auto& other : all)
-    if (other.correspondences.size() + kLead > count && !is_same_turn(other.by, by, robot_m))
+    if (other.correspondences.size() + kLeadInPairs > count && !is_same_turn(other.by, by, robot_m))
       return std::nullopt;
   RigidFit fit{.transform = by, .agreeing = agreeing(seen, known, by)};
   fit.spread_m = spread_of(fit.agreeing);

@@ -11,7 +11,7 @@ namespace galilean::monitor {
 namespace {
 
 /// A robot may be this many standard deviations away from where it is believed to be.
-constexpr double kDeviations = 3;
+constexpr double kSearchDeviations = 3;
 constexpr double kMaxSearch_m = 6;
 
 }  // namespace
@@ -81,7 +81,7 @@ std::optional<RigidFit> Relocalizer::find(const std::string& robot,
                                           const std::vector<LabelledPoint>& seen,
                                           const std::vector<LabelledPoint>& known) const {
   const Gaussian2 at = robots_.position(robot);
-  const double shift_m = kDeviations * std::sqrt(at.covariance_m2.trace());
+  const double shift_m = kSearchDeviations * std::sqrt(at.covariance_m2.trace());
   return LocalRigidFit::find(seen, known, at.mean_m,
                              std::clamp(shift_m, LocalRigidFit::kMaxShift_m, kMaxSearch_m));
 }

@@ -74,7 +74,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-std::string contents(const fs::path& path) {
+std::string text_of_file(const fs::path& path) {
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
   return text.str();
@@ -94,7 +94,7 @@ TEST(FormattedFiles, AreStableAndKeepTheirComments) {
   for (const auto& folder : {root / "bhdl" / "programs", root / "tests" / "cases"})
     for (const auto& path : files_in(folder)) {
       SCOPED_TRACE(path);
-      const std::string text = contents(path);
+      const std::string text = text_of_file(path);
       const auto result = format_text(path.string(), text);
       EXPECT_EQ(result.text.has_value(), !any_error(result.diagnostics));
       if (!result.text) continue;
@@ -105,7 +105,7 @@ TEST(FormattedFiles, AreStableAndKeepTheirComments) {
 
 TEST(FormattedFiles, AreThoseThatShip) {
   for (const auto& path : files_in(fs::path(GALILEAN_SOURCE_DIR) / "bhdl" / "programs"))
-    EXPECT_EQ(format_text(path.string(), contents(path)).text, contents(path))
+    EXPECT_EQ(format_text(path.string(), text_of_file(path)).text, text_of_file(path))
         << "run galilean bhdl fmt " << path;
 }
 

@@ -74,8 +74,9 @@ TEST(OwnSchema, TellsItsGainsBesideTheForces) {
   auto forces = io.mailbox<msg::Forces>("forces");
   ASSERT_TRUE(io.robot.load(kOwnProgram));
   ASSERT_TRUE(io.tick_until([&] { return !forces.all().empty(); }));
+  const msg::Forces first = forces.all().front();
   std::map<std::string, float> gains;
-  for (const auto& force : forces.all().front().items) gains[force.variable] = force.gain;
+  for (const auto& force : first.items) gains[force.variable] = force.gain;
   EXPECT_THAT(gains, ElementsAre(std::pair("left", 2.0F), std::pair("right", 0.25F),
                                  std::pair("slow", 3.0F), std::pair("way", 1.0F)));
 }

@@ -113,7 +113,7 @@ class FailingHttpHandler : public testing::Test {
   HttpHandler handler;
   SteadyClock clock;
   Team team{clock};
-  const Catalog catalog;
+  const Catalog catalog{};
   foxglove::Hub hub{"monitor", [](std::uint32_t, bool) {}};
   asio::io_context io{1};
   SendRounds rounds{io};

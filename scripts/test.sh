@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # test.sh NAME [OPTION…]: builds and runs one test in the dev preset, and no more than it needs. NAME:
-#   move_to_goal                 what tests a class or a schema: the tests' files that include its header
+#   move_to_goal                 what tests a class or a schema: its suite, or the files that include its header
 #   tests/robot/motor/goal_test  a file of tests;  goal_test does as well
 #   motor_test                   a whole program of tests
-#   MoveToGoal.StopsAtTheGoal    tests by GoogleTest's names; * and ? stand for anything
+#   MoveToGoalTest.Is*           tests by GoogleTest's names; * and ? stand for anything
 # What follows goes to GoogleTest, such as --gtest_repeat=10. Node tests are run with
 # scripts/node_tests.sh FILE, those in the browser with scripts/browser_tests.sh FILE.
 set -euo pipefail
@@ -48,7 +48,14 @@ else
     files=$(grep -rlE "^(TYPED_)?TEST(_F|_P)?\(${suite//\*/.*}[,)]" tests --include='*.cpp' || true)
   else
     files=$(find tests -name "$name.cpp" -o -name "${name}_test.cpp")
+    class=$(sed -E 's/(^|_)([a-z0-9])/\U\2/g' <<<"$name")
+    suites="^(TYPED_)?TEST(_F|_P)?\\(${class}(Test)?,"
+    if [ -z "$files" ] && files=$(grep -rlE "$suites" tests --include='*_test.cpp'); then
+      filter="$class.*:${class}Test.*"
+    fi
     [ -n "$files" ] || files=$(grep -rlE "#include \".*/$name\.h\"" tests --include='*_test.cpp' || true)
+    # Schemas are tested by the name that programs call them by.
+    [ -n "$files" ] || files=$(grep -rl "\"$name\"" tests/robot/{motor,perceptual} --include='*_test.cpp' || true)
   fi
   [ -n "$files" ] || { echo "test.sh: there is no test called $name" >&2; usage; }
   programs=$(for file in $files; do program_of "$file"; done | sort -u)

@@ -23,8 +23,7 @@ if(GALILEAN_PCH)
   set(common <Eigen/Core> <algorithm> <array> <chrono> <functional> <map> <memory> <mutex> <optional>
              <span> <string> <string_view> <variant> <vector>)
   galilean_header_set(galilean_headers HEADERS ${common})
-  galilean_header_set(galilean_command_line_headers HEADERS ${common} <CLI/CLI.hpp>
-                      LINK CLI11::CLI11 galilean_runs_once)
+  galilean_header_set(galilean_cold_headers HEADERS ${common} LINK galilean_runs_once)
   if(GALILEAN_TESTS)
     galilean_header_set(galilean_test_headers HEADERS ${common} <gmock/gmock.h> <gtest/gtest.h>
                         LINK GTest::gtest GTest::gmock galilean_runs_once)

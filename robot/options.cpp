@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iostream>
 
+#include "core/command_line/command_line.h"
 #include "robot/executive/probation.h"
 
 namespace galilean::robot {
 namespace {
 
 /// A robot's name is part of its topics' names, as ROS 2 allows them.
-std::string check_name(const std::string& name) {
+Result<void> check_name(const std::string& name) {
   const auto is_allowed = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   };
   const bool good = !name.empty() && name.size() <= 64 && !(name[0] >= '0' && name[0] <= '9') &&
                     std::ranges::all_of(name, is_allowed);
-  return good ? "" : "a robot's name has letters, digits and _ only and begins with a letter";
+  if (good) return {};
+  return Error{"a robot's name has letters, digits and _ only and begins with a letter"};
 }
 
 /// The frame source calls the simulator's shared memory "ring:/name".
@@ -40,50 +42,41 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   Options options;
   std::string serial;
   std::string camera;
-  CLI::App app{"Runs one robot from a BHDL program."};
-  app.name("galilean-robot");
-  app.add_option("--name", options.name, "the robot's name, in its topics")
-      ->check(check_name)
-      ->capture_default_str();
-  app.add_option("--bhdl", options.bhdl_file, "the program");
-  const auto* watch =
-      app.add_option(
-             "--watch", options.watched_file,
-             "swap whenever this program, or one that it includes, is saved [the --bhdl one]")
-          ->expected(0, 1);
-  app.add_option("--serial", serial, "serial device of the microcontroller [the program's]");
-  app.add_option("--camera", camera,
-                 "shm:NAME for the simulator's, /dev/videoN, or a video or picture file "
-                 "[the program's]");
-  app.add_option("--domain", options.domain, "DDS domain [ROS_DOMAIN_ID, else 0]")
-      ->check(CLI::Range(0, 232));
-  app.add_option("--seed", options.seed, "for all that is random")->capture_default_str();
-  app.add_option("--rate", options.rate_hz, "ticks a second")
-      ->check(CLI::Range(1.0, 1000.0))
-      ->capture_default_str();
-  app.add_option("--probation", options.probation_s,
-                 "seconds in which a new program that fails is taken off again")
-      ->check(CLI::Range(0.0, 3600.0))
-      ->capture_default_str();
-  app.add_option("--max-transitions", options.most_transitions_per_s,
-                 "more changes of state within a second are such a failure")
-      ->check(CLI::Range(1, ProbationRules::kMostCounted))
-      ->capture_default_str();
-  app.add_option("--accept-swaps-from", options.accept_swaps_from,
-                 "whose programs to take over DDS: 'any', or names that processes join it with, "
-                 "such as monitor,swap [monitor]")
-      ->delimiter(',');
-  app.add_option("--log-level", options.log_level, "what is worth a line")
-      ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
-      ->capture_default_str();
-  app.add_flag("--print-catalog", options.print_catalog,
-               "print the components that a program may name, as JSON, and exit");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return {std::nullopt, app.exit(error) == 0 ? 0 : 1};
-  }
-  settle_files(options, watch->count() > 0);
+  CommandLine app("Runs one robot from a BHDL program.", "galilean-robot");
+  app.option("--name", options.name, "the robot's name, in its topics")
+      .check(check_name)
+      .show_default();
+  app.option("--bhdl", options.bhdl_file, "the program");
+  const auto watch =
+      app.option("--watch", options.watched_file,
+                 "swap whenever this program, or one that it includes, is saved [the --bhdl one]")
+          .takes(0, 1);
+  app.option("--serial", serial, "serial device of the microcontroller [the program's]");
+  app.option("--camera", camera,
+             "shm:NAME for the simulator's, /dev/videoN, or a video or picture file "
+             "[the program's]");
+  app.option("--domain", options.domain, "DDS domain [ROS_DOMAIN_ID, else 0]").between(0, 232);
+  app.option("--seed", options.seed, "for all that is random").show_default();
+  app.option("--rate", options.rate_hz, "ticks a second").between(1.0, 1000.0).show_default();
+  app.option("--probation", options.probation_s,
+             "seconds in which a new program that fails is taken off again")
+      .between(0.0, 3600.0)
+      .show_default();
+  app.option("--max-transitions", options.most_transitions_per_s,
+             "more changes of state within a second are such a failure")
+      .between(1, ProbationRules::kMostCounted)
+      .show_default();
+  app.option("--accept-swaps-from", options.accept_swaps_from,
+             "whose programs to take over DDS: 'any', or names that processes join it with, "
+             "such as monitor,swap [monitor]")
+      .divided_by(',');
+  app.option("--log-level", options.log_level, "what is worth a line")
+      .one_of({"debug", "info", "warning", "error", "off"})
+      .show_default();
+  app.flag("--print-catalog", options.print_catalog,
+           "print the components that a program may name, as JSON, and exit");
+  if (const auto code = app.parse(argc, argv)) return {std::nullopt, *code == 0 ? 0 : 1};
+  settle_files(options, watch.given());
   if (options.bhdl_file.empty() && !options.print_catalog) {
     std::cerr << "galilean-robot: --bhdl FILE is missing: name the program to run\n";
     return {std::nullopt, 1};

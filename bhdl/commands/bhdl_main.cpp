@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +12,7 @@
 #include "bhdl/lsp/standard_streams.h"
 #include "bhdl/program/catalog_file.h"
 #include "bhdl/program/machine.h"
+#include "core/command_line/command_line.h"
 
 namespace galilean::bhdl {
 namespace {
@@ -77,44 +77,41 @@ int run_describe(const Options& options, const Catalog& catalog) {
 
 /// The verbs of the command line.
 struct Commands {
-  CLI::App* check;
-  CLI::App* describe;
-  CLI::App* format;
-  CLI::App* diff;
-  CLI::App* graph;
-  CLI::App* language_server;
+  CommandLine check;
+  CommandLine describe;
+  CommandLine format;
+  CommandLine diff;
+  CommandLine graph;
+  CommandLine language_server;
 };
 
-Commands add_commands(CLI::App& app, Options& options) {
-  Commands commands{
-      app.add_subcommand("check", "Check programs; exits 0 if all of them are right"),
-      app.add_subcommand("describe", "Print what programs can name"),
-      app.add_subcommand("fmt", "Lay files out in the one way and name those that changed"),
-      app.add_subcommand("diff", "Print what one program does otherwise than another"),
-      app.add_subcommand("graph", "Print a program's state machine"),
-      app.add_subcommand("lsp",
-                         "Serve an editor over the Language Server Protocol, on stdin and "
-                         "stdout")};
-  commands.check->add_option("FILE", options.files, "programs")->required();
-  commands.describe->add_option("COMPONENT", options.component,
-                                "one component, or state or condition");
-  commands.format->add_option("FILE", options.files, "files, or - for standard input")->required();
-  commands.format->add_flag("--check", options.check_only,
-                            "Write nothing, name what would change and exit 1 if anything would");
-  commands.diff->add_option("FILE", options.files, "two programs")->required()->expected(2);
-  commands.diff->footer("Exits 0 if they do the same, 1 if not, 2 if one of them is no program.");
-  commands.graph->add_option("FILE", options.files, "a program")->required()->expected(1);
-  commands.graph->add_option("--format", options.graph_format, "What to print it as")
-      ->check(CLI::IsMember({"dot", "svg", "json"}))
-      ->capture_default_str();
-  for (auto* command : {commands.check, commands.describe, commands.diff})
-    command->add_flag("--json", options.json, "Print JSON");
-  for (auto* command :
-       {commands.check, commands.describe, commands.diff, commands.graph, commands.language_server})
-    command->add_option("--catalog", options.catalog_path,
-                        "What components there are (default: this build's robot)");
-  commands.language_server->add_flag("--stdio")->description(
-      "What it always does; some editors say so");
+Commands add_commands(CommandLine& app, Options& options) {
+  Commands commands{app.command("check", "Check programs; exits 0 if all of them are right"),
+                    app.command("describe", "Print what programs can name"),
+                    app.command("fmt", "Lay files out in the one way and name those that changed"),
+                    app.command("diff", "Print what one program does otherwise than another"),
+                    app.command("graph", "Print a program's state machine"),
+                    app.command("lsp",
+                                "Serve an editor over the Language Server Protocol, on stdin and "
+                                "stdout")};
+  commands.check.option("FILE", options.files, "programs").required();
+  commands.describe.option("COMPONENT", options.component, "one component, or state or condition");
+  commands.format.option("FILE", options.files, "files, or - for standard input").required();
+  commands.format.flag("--check", options.check_only,
+                       "Write nothing, name what would change and exit 1 if anything would");
+  commands.diff.option("FILE", options.files, "two programs").required().takes(2, 2);
+  commands.diff.footer("Exits 0 if they do the same, 1 if not, 2 if one of them is no program.");
+  commands.graph.option("FILE", options.files, "a program").required().takes(1, 1);
+  commands.graph.option("--format", options.graph_format, "What to print it as")
+      .one_of({"dot", "svg", "json"})
+      .show_default();
+  for (auto* command : {&commands.check, &commands.describe, &commands.diff})
+    command->flag("--json", options.json, "Print JSON");
+  for (auto* command : {&commands.check, &commands.describe, &commands.diff, &commands.graph,
+                        &commands.language_server})
+    command->option("--catalog", options.catalog_path,
+                    "What components there are (default: this build's robot)");
+  commands.language_server.flag("--stdio", "What it always does; some editors say so");
   return commands;
 }
 
@@ -125,29 +122,25 @@ int run_language_server(const Catalog& catalog) {
 
 int run(int argc, char** argv) {
   Options options;
-  CLI::App app("Checks, lays out, compares, draws and explains BHDL programs; serves editors.",
-               "galilean bhdl");
-  app.require_subcommand(1);
+  CommandLine app("Checks, lays out, compares, draws and explains BHDL programs; serves editors.",
+                  "galilean bhdl");
+  app.require_command();
   const Commands commands = add_commands(app, options);
-  const auto failure = [&] { return commands.diff->parsed() ? 2 : 1; };
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& problem) {
-    return app.exit(problem) == 0 ? 0 : failure();
-  }
-  if (commands.format->parsed()) return run_format(options.files, options.check_only);
+  const auto failure = [&] { return commands.diff.chosen() ? 2 : 1; };
+  if (const auto code = app.parse(argc, argv)) return *code == 0 ? 0 : failure();
+  if (commands.format.chosen()) return run_format(options.files, options.check_only);
   const auto catalog = load_catalog(options.catalog_path);
   if (!catalog) {
     std::cerr << "galilean-bhdl: " << catalog.error().message << '\n';
     return failure();
   }
-  if (commands.diff->parsed())
+  if (commands.diff.chosen())
     return run_diff(options.files[0], options.files[1], options.json, catalog.value());
-  if (commands.graph->parsed())
+  if (commands.graph.chosen())
     return run_graph(options.files[0], options.graph_format, catalog.value());
-  if (commands.language_server->parsed()) return run_language_server(catalog.value());
-  return commands.check->parsed() ? run_check(options, catalog.value())
-                                  : run_describe(options, catalog.value());
+  if (commands.language_server.chosen()) return run_language_server(catalog.value());
+  return commands.check.chosen() ? run_check(options, catalog.value())
+                                 : run_describe(options, catalog.value());
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CLI/CLI.hpp>
 #include <ctime>
 #include <iomanip>
 #include <iostream>
@@ -7,6 +6,7 @@
 #include "bhdl/check.h"
 #include "bhdl/diff/diff.h"
 #include "bhdl/program/catalog_file.h"
+#include "core/command_line/command_line.h"
 #include "monitor/commands/push_dialogue.h"
 #include "monitor/pushes/json.h"
 
@@ -134,34 +134,30 @@ int main(int argc, char** argv) {
   Comparison comparison;
   std::string hash;
   bool list_as_json = false;
-  CLI::App app("Programs that were pushed, as the monitor remembers them.", kCommand);
-  app.require_subcommand(1);
-  app.fallthrough();
+  galilean::CommandLine app("Programs that were pushed, as the monitor remembers them.", kCommand);
+  app.require_command();
+  app.share_options();
   add_monitor_option(app, options);
-  auto* listing =
-      app.add_subcommand("list", "the last pushes: when, what, by whom, what became of it");
-  listing->add_flag("--json", list_as_json, "as JSON");
-  auto* showing = app.add_subcommand("show", "a program's text");
-  showing->add_option("hash", hash, "its hash, or how it begins")->required();
-  auto* comparing = app.add_subcommand("diff", "what B tells robots otherwise than A");
-  comparing->add_option("A", comparison.from, "a hash, or a file")->required();
-  comparing->add_option("B", comparison.to, "a hash, or a file")->required();
-  comparing->add_option("--catalog", comparison.catalog_file,
-                        "what components there are, else the build's");
-  comparing->add_flag("--json", comparison.as_json, "as JSON");
-  auto* restoring = app.add_subcommand("restore", "push a program once more");
-  restoring->add_option("hash", hash, "its hash, or how it begins")->required();
-  add_push_options(*restoring, options);
-  try {
-    app.parse(argc, argv);
-    if (restoring->parsed()) require_targets(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? EXIT_SUCCESS : kCannotReach;
-  }
+  auto listing = app.command("list", "the last pushes: when, what, by whom, what became of it");
+  listing.flag("--json", list_as_json, "as JSON");
+  auto showing = app.command("show", "a program's text");
+  showing.option("hash", hash, "its hash, or how it begins").required();
+  auto comparing = app.command("diff", "what B tells robots otherwise than A");
+  comparing.option("A", comparison.from, "a hash, or a file").required();
+  comparing.option("B", comparison.to, "a hash, or a file").required();
+  comparing.option("--catalog", comparison.catalog_file,
+                   "what components there are, else the build's");
+  comparing.flag("--json", comparison.as_json, "as JSON");
+  auto restoring = app.command("restore", "push a program once more");
+  restoring.option("hash", hash, "its hash, or how it begins").required();
+  add_push_options(restoring, options);
+  if (const auto code = app.parse(argc, argv)) return *code == 0 ? EXIT_SUCCESS : kCannotReach;
+  if (const auto targets = check_targets(options); restoring.chosen() && !targets)
+    return app.refuse(targets.error().message), kCannotReach;
   const auto monitor = MonitorClient::at(options.monitor, options.token_file);
   if (!monitor) return fail(monitor.error().message);
-  if (listing->parsed()) return list(monitor.value(), list_as_json);
-  if (showing->parsed()) return show(monitor.value(), hash);
-  if (comparing->parsed()) return diff(monitor.value(), comparison);
+  if (listing.chosen()) return list(monitor.value(), list_as_json);
+  if (showing.chosen()) return show(monitor.value(), hash);
+  if (comparing.chosen()) return diff(monitor.value(), comparison);
   return restore(monitor.value(), hash, options);
 }

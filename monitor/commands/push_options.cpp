@@ -3,11 +3,13 @@
 
 #include <charconv>
 
+#include "core/command_line/command_line.h"
+
 namespace galilean::monitor {
 namespace {
 
 /// "10", "10s", "500ms" or "2min".
-double seconds_of(const std::string& text) {
+Result<double> seconds_of(const std::string& text) {
   double number = 0;
   const char* end = text.data() + text.size();
   const auto [rest, wrong] = std::from_chars(text.data(), end, number);
@@ -17,38 +19,43 @@ double seconds_of(const std::string& text) {
                         : unit.empty() || unit == "s" ? 1
                                                       : 0;
   if (wrong != std::errc() || factor == 0 || !(number >= 0))
-    throw CLI::ValidationError("--probation", "'" + text + "' is no time, such as 10s");
+    return Error{"'" + text + "' is no time, such as 10s"};
   return number * factor;
 }
 
 }  // namespace
 
-void add_monitor_option(CLI::App& app, PushOptions& options) {
-  app.add_option("--monitor", options.monitor, "the monitor to speak to")->capture_default_str();
-  app.add_option("--token-file", options.token_file,
-                 "the operator's token; of a monitor on this machine it is found");
+void add_monitor_option(CommandLine& app, PushOptions& options) {
+  app.option("--monitor", options.monitor, "the monitor to speak to").show_default();
+  app.option("--token-file", options.token_file,
+             "the operator's token; of a monitor on this machine it is found");
 }
 
-void add_push_options(CLI::App& app, PushOptions& options) {
-  auto* team = app.add_flag("--team", options.team, "to every robot that is heard");
-  app.add_option("--robot", options.robots, "to these robots")->excludes(team);
-  app.add_option("--author", options.author, "who pushes, for the history")->capture_default_str();
-  app.add_option("--replaces", options.replaces,
-                 "refuse where another program than this hash runs");
-  app.add_flag("--try", options.tries, "first in simulation, beside the program that runs");
-  app.add_flag("--try-only", options.tries_only, "in simulation alone: no robot is given it");
-  app.add_flag("--even-if-worse", options.even_if_worse,
-               "push it though it scores clearly less in simulation");
-  app.add_option("--canary", options.canary, "the robot that runs it first");
-  app.add_option_function<std::string>(
-      "--probation", [&](const std::string& text) { options.probation_s = seconds_of(text); },
+void add_push_options(CommandLine& app, PushOptions& options) {
+  const auto team = app.flag("--team", options.team, "to every robot that is heard");
+  app.option("--robot", options.robots, "to these robots").excludes(team);
+  app.option("--author", options.author, "who pushes, for the history").show_default();
+  app.option("--replaces", options.replaces, "refuse where another program than this hash runs");
+  app.flag("--try", options.tries, "first in simulation, beside the program that runs");
+  app.flag("--try-only", options.tries_only, "in simulation alone: no robot is given it");
+  app.flag("--even-if-worse", options.even_if_worse,
+           "push it though it scores clearly less in simulation");
+  app.option("--canary", options.canary, "the robot that runs it first");
+  app.option(
+      "--probation",
+      [&options](const std::string& text) -> Result<void> {
+        const auto seconds = seconds_of(text);
+        if (!seconds) return seconds.error();
+        options.probation_s = seconds.value();
+        return {};
+      },
       "for so long each robot may go back by itself, and a canary runs it alone; as 10s");
-  app.add_flag("--json", options.json, "what came of it as JSON");
+  app.flag("--json", options.json, "what came of it as JSON");
 }
 
-void require_targets(const PushOptions& options) {
-  if (!options.team && options.robots.empty())
-    throw CLI::ValidationError("say to whom: --team, or --robot NAME");
+Result<void> check_targets(const PushOptions& options) {
+  if (!options.team && options.robots.empty()) return Error{"say to whom: --team, or --robot NAME"};
+  return {};
 }
 
 }  // namespace galilean::monitor

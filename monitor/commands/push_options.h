@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/account.h"
+#include "core/result.h"
+
+namespace galilean {
+class CommandLine;
+}
 
 namespace galilean::monitor {
 
@@ -27,11 +31,11 @@ struct PushOptions {
 };
 
 /// --monitor, --token-file
-void add_monitor_option(CLI::App& app, PushOptions& options);
+void add_monitor_option(CommandLine& app, PushOptions& options);
 /// --team, --robot, --author, --replaces, --try, --try-only, --even-if-worse, --canary,
 /// --probation, --json
-void add_push_options(CLI::App& app, PushOptions& options);
-/// Throws CLI::ValidationError where nobody is named.
-void require_targets(const PushOptions& options);
+void add_push_options(CommandLine& app, PushOptions& options);
+/// Errors: nobody is named.
+[[nodiscard]] Result<void> check_targets(const PushOptions& options);
 
 }  // namespace galilean::monitor

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "bhdl/check.h"
+#include "core/command_line/command_line.h"
 #include "monitor/commands/direct_swap.h"
 #include "monitor/commands/push_dialogue.h"
 
@@ -30,24 +30,22 @@ int swap_through_monitor(const DirectSwapOptions& options) {
 int main(int argc, char** argv) {
   DirectSwapOptions options;
   bool direct = false;
-  CLI::App app("Swaps the program of running robots, without a stop.", "galilean swap");
-  app.add_option("file", options.file, "the program, a BHDL file")->required();
+  galilean::CommandLine app("Swaps the program of running robots, without a stop.",
+                            "galilean swap");
+  app.option("file", options.file, "the program, a BHDL file").required();
   add_push_options(app, options.push);
   add_monitor_option(app, options.push);
-  auto* directly = app.add_flag("--direct", direct,
-                                "over DDS, without a monitor: to robots that were started with "
-                                "--accept-swaps-from naming this program");
+  const auto directly = app.flag("--direct", direct,
+                                 "over DDS, without a monitor: to robots that were started with "
+                                 "--accept-swaps-from naming this program");
   for (const auto* other :
        {"--try", "--try-only", "--canary", "--probation", "--monitor", "--token-file"})
-    app.get_option(other)->excludes(directly);
-  app.add_option("--timeout", options.timeout_s, "seconds to wait for answers (with --direct)")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--domain", options.domain, "DDS domain (ROS_DOMAIN_ID, else 0; with --direct)");
-  try {
-    app.parse(argc, argv);
-    require_targets(options.push);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? EXIT_SUCCESS : kCannotReach;
-  }
+    app.find(other).excludes(directly);
+  app.option("--timeout", options.timeout_s, "seconds to wait for answers (with --direct)")
+      .positive();
+  app.option("--domain", options.domain, "DDS domain (ROS_DOMAIN_ID, else 0; with --direct)");
+  if (const auto code = app.parse(argc, argv)) return *code == 0 ? EXIT_SUCCESS : kCannotReach;
+  if (const auto targets = check_targets(options.push); !targets)
+    return app.refuse(targets.error().message), kCannotReach;
   return direct ? swap_directly(options) : swap_through_monitor(options);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "core/command_line/command_line.h"
 #include "monitor/record/log_info.h"
 
 namespace {
@@ -22,13 +22,13 @@ int info(const std::string& path, bool json) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Looks into recordings of the team."};
-  app.require_subcommand(1);
+  CommandLine app("Looks into recordings of the team.");
+  app.require_command();
   std::string path;
   bool json = false;
-  auto* command = app.add_subcommand("info", "What a recording contains");
-  command->add_option("file", path, "An MCAP file")->required();
-  command->add_flag("--json", json, "As JSON, for programs");
-  CLI11_PARSE(app, argc, argv);
+  auto command = app.command("info", "What a recording contains");
+  command.option("file", path, "An MCAP file").required();
+  command.flag("--json", json, "As JSON, for programs");
+  if (const auto code = app.parse(argc, argv)) return *code;
   return info(path, json);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <poll.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "core/broken_pipe.h"
 #include "core/clock.h"
+#include "core/command_line/command_line.h"
 #include "core/termination.h"
 #include "core/wire/ros_time.h"
 #include "monitor/record/recorder.h"
@@ -102,17 +102,16 @@ int run(const Options& options) try {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app{"Records every topic of the team as MCAP, to be opened by Foxglove or ROS 2."};
-  app.add_option("--out", options.out, "File to make, such as run.mcap")->required();
-  app.add_option("--duration", options.duration_s, "Seconds; without it until Ctrl-C")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--topics", options.topics,
-                 "Record only topics in whose names this regular expression is found, such as "
-                 "'^/io/|score'");
-  app.add_option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
-      ->check(CLI::Range(0, 232));
-  app.add_flag("--no-images", options.no_images, "Leave the cameras' pictures out");
-  app.add_flag("--replace", options.replace, "Write over the file if there is one");
-  CLI11_PARSE(app, argc, argv);
+  CommandLine app("Records every topic of the team as MCAP, to be opened by Foxglove or ROS 2.");
+  app.option("--out", options.out, "File to make, such as run.mcap").required();
+  app.option("--duration", options.duration_s, "Seconds; without it until Ctrl-C").positive();
+  app.option("--topics", options.topics,
+             "Record only topics in whose names this regular expression is found, such as "
+             "'^/io/|score'");
+  app.option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
+      .between(0, 232);
+  app.flag("--no-images", options.no_images, "Leave the cameras' pictures out");
+  app.flag("--replace", options.replace, "Write over the file if there is one");
+  if (const auto code = app.parse(argc, argv)) return *code;
   return run(options);
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <poll.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 
 #include "core/broken_pipe.h"
+#include "core/command_line/command_line.h"
 #include "core/termination.h"
 #include "core/wire/discovery.h"
 #include "monitor/record/log_info.h"
@@ -157,17 +157,16 @@ int run(const Options& options) try {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app{"Plays a recording of a team again, for the monitor, top, Foxglove or rviz2."};
-  app.add_option("file", options.file, "An MCAP file that galilean record made")->required();
-  app.add_option("--rate", options.rate, "How fast: 2 is twice as fast as it was")
-      ->check(CLI::Range(0.01, 100.0));
-  app.add_option("--from", options.from_s, "Seconds after the recording's start to begin at")
-      ->check(CLI::NonNegativeNumber);
-  app.add_flag("--loop", options.loop, "Begin again at the end, until Ctrl-C");
-  app.add_flag("--anyway", options.anyway,
-               "Play though robots of the same names are live in the domain");
-  app.add_option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
-      ->check(CLI::Range(0, 232));
-  CLI11_PARSE(app, argc, argv);
+  CommandLine app("Plays a recording of a team again, for the monitor, top, Foxglove or rviz2.");
+  app.option("file", options.file, "An MCAP file that galilean record made").required();
+  app.option("--rate", options.rate, "How fast: 2 is twice as fast as it was").between(0.01, 100.0);
+  app.option("--from", options.from_s, "Seconds after the recording's start to begin at")
+      .not_negative();
+  app.flag("--loop", options.loop, "Begin again at the end, until Ctrl-C");
+  app.flag("--anyway", options.anyway,
+           "Play though robots of the same names are live in the domain");
+  app.option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
+      .between(0, 232);
+  if (const auto code = app.parse(argc, argv)) return *code;
   return run(options);
 }

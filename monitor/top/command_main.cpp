@@ -2,10 +2,10 @@
 // galilean-command hold|resume|start: an operator's word to robots, and what became of it.
 #include <poll.h>
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <iostream>
 
+#include "core/command_line/command_line.h"
 #include "core/termination.h"
 #include "core/wake.h"
 #include "monitor/ingest/ingest.h"
@@ -130,28 +130,30 @@ int run(Operator::Word word, const Options& options) try {
   return std::cerr << "galilean-command: " << error.what() << '\n', 1;
 }
 
-void add(CLI::App& app, const char* name, const char* help, Options& options) {
-  auto* verb = app.add_subcommand(name, help);
-  auto* robots = verb->add_option("--robot", options.robots, "These robots");
-  auto* team = verb->add_flag("--team", options.team, "Every robot that is heard");
-  verb->add_option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
-      ->check(CLI::Range(0, 232));
-  robots->excludes(team);
+[[nodiscard]] CommandLine add(CommandLine& app, const char* name, const char* help,
+                              Options& options) {
+  auto verb = app.command(name, help);
+  auto robots = verb.option("--robot", options.robots, "These robots");
+  const auto team = verb.flag("--team", options.team, "Every robot that is heard");
+  verb.option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
+      .between(0, 232);
+  robots.excludes(team);
+  return verb;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app{"An operator's word to robots."};
-  app.require_subcommand(1);
-  add(app, "hold", "Stand still until resumed", options);
-  add(app, "resume", "Go on after a hold", options);
-  add(app, "start", "Push a bumper: what the start state waits for", options);
-  CLI11_PARSE(app, argc, argv);
+  CommandLine app("An operator's word to robots.");
+  app.require_command();
+  const auto hold = add(app, "hold", "Stand still until resumed", options);
+  const auto resume = add(app, "resume", "Go on after a hold", options);
+  const auto start = add(app, "start", "Push a bumper: what the start state waits for", options);
+  if (const auto code = app.parse(argc, argv)) return *code;
   if (!options.team && options.robots.empty())
     return std::cerr << "galilean-command: to whom? Give --team or --robot NAME\n", 2;
-  if (app.got_subcommand("hold")) return run(Operator::Word::kHold, options);
-  if (app.got_subcommand("resume")) return run(Operator::Word::kResume, options);
+  if (hold.chosen()) return run(Operator::Word::kHold, options);
+  if (resume.chosen()) return run(Operator::Word::kResume, options);
   return run(Operator::Word::kStart, options);
 }

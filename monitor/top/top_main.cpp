@@ -2,9 +2,9 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "core/command_line/command_line.h"
 #include "core/termination.h"
 #include "core/wake.h"
 #include "monitor/ingest/ingest.h"
@@ -115,12 +115,12 @@ int run(const Options& options) try {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app{
-      "The team in a terminal: who does what, where, and how sure of it. ? shows the keys."};
-  app.add_option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
-      ->check(CLI::Range(0, 232));
-  app.add_flag("--once", options.once, "Print one snapshot as plain text, for scripts");
-  app.add_option("--robot", options.robot, "The robot to show first");
-  CLI11_PARSE(app, argc, argv);
+  CommandLine app(
+      "The team in a terminal: who does what, where, and how sure of it. ? shows the keys.");
+  app.option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
+      .between(0, 232);
+  app.flag("--once", options.once, "Print one snapshot as plain text, for scripts");
+  app.option("--robot", options.robot, "The robot to show first");
+  if (const auto code = app.parse(argc, argv)) return *code;
   return run(options);
 }

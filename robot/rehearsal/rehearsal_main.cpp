@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "bhdl/check.h"
+#include "core/command_line/command_line.h"
 #include "robot/components.h"
 #include "robot/rehearsal/rehearsal.h"
 
@@ -39,17 +39,13 @@ void print(const std::string& file, const Outcome& outcome) {
 int run(int argc, char** argv) {
   std::vector<std::string> files;
   bool as_json = false;
-  CLI::App app(
+  CommandLine app(
       "Runs what programs expect of themselves, without a robot; exits 0 if all of it "
       "comes true.",
       "galilean bhdl test");
-  app.add_option("FILE", files, "programs")->required();
-  app.add_flag("--json", as_json, "Print JSON");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& problem) {
-    return app.exit(problem) == 0 ? 0 : 1;
-  }
+  app.option("FILE", files, "programs").required();
+  app.flag("--json", as_json, "Print JSON");
+  if (const auto code = app.parse(argc, argv)) return *code == 0 ? 0 : 1;
   Registry components;
   add_components(components);
   bool passed = true;

@@ -11,6 +11,7 @@ export const rooms = {
     device: ['.'],
     schema: ['.'],
     catalog: ['.', 'variable', 'device', 'schema'],
+    command_line: ['.'],
     wire: ['.'],
     'wire/generate': [],
   },

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <string>
 
+#include "core/command_line/command_line.h"
 #include "tests/monitor/map/truth/figures.h"
 
 namespace {
@@ -30,16 +30,16 @@ int main(int count, char** arguments) try {
   double to_s = 190;
   bool rough = false;
   MappedContest::Options options;
-  CLI::App app{"How right the map is after three minutes of a contest, against the world's truth."};
-  app.add_option("seeds", seeds, "from 1 on")->capture_default_str();
-  app.add_option("--scenario", options.scenario, "one that ships, or a file")
-      ->capture_default_str();
-  app.add_option("--robots", options.robots, "how many")->capture_default_str();
-  app.add_option("--group-size,--squad", options.group_size, "robots estimated together")
-      ->capture_default_str();
-  app.add_option("--seconds", to_s, "of each contest; its last 20 count")->capture_default_str();
-  app.add_flag("--rough", rough, "starts as the scenario says, before the jitter");
-  CLI11_PARSE(app, count, arguments);
+  CommandLine app(
+      "How right the map is after three minutes of a contest, against the world's truth.");
+  app.option("seeds", seeds, "from 1 on").show_default();
+  app.option("--scenario", options.scenario, "one that ships, or a file").show_default();
+  app.option("--robots", options.robots, "how many").show_default();
+  app.option("--group-size,--squad", options.group_size, "robots estimated together")
+      .show_default();
+  app.option("--seconds", to_s, "of each contest; its last 20 count").show_default();
+  app.flag("--rough", rough, "starts as the scenario says, before the jitter");
+  if (const auto code = app.parse(count, arguments)) return *code;
   options.starts = rough ? MappedContest::Starts::kRough : MappedContest::Starts::kMeasured;
   options.duration_s = to_s;
   Figures all;

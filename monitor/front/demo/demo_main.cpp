@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <poll.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <sstream>
 
 #include "core/broken_pipe.h"
 #include "core/clock.h"
+#include "core/command_line/command_line.h"
 #include "core/termination.h"
 #include "core/wake.h"
 #include "monitor/front/demo/ensemble.h"
@@ -147,28 +147,22 @@ int run(const DemoOptions& options) try {
 
 int main(int argc, char** argv) {
   DemoOptions options;
-  CLI::App app{"Starts the simulator, robots and the monitor on this machine; Ctrl-C ends all."};
-  app.add_option("--robots", options.robots, "How many")
-      ->check(CLI::Range(1, 16))
-      ->capture_default_str();
-  app.add_option("--port", options.port, "Of the page, on 127.0.0.1")
-      ->check(CLI::Range(1, 65535))
-      ->capture_default_str();
-  app.add_option("--scenario", options.scenario, "A scenario that ships, or a JSON file")
-      ->capture_default_str();
-  app.add_option("--bhdl", options.bhdl, "A program that ships, or a BHDL file")
-      ->capture_default_str();
-  app.add_flag("--watch", options.watch, "Swap the robots' program whenever it is saved");
-  app.add_option("--seed", options.seed, "All that is random descends from it")
-      ->capture_default_str();
-  app.add_option("--headless-for", options.headless_for_s,
-                 "End after so many seconds: exit code 0 if the team worked, else 1")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--record", options.record, "Record all topics to this file, as MCAP");
-  app.add_option("--allow-origin", options.allowed_origins,
-                 "Another page that may use the monitor, as https://host[:port]");
-  app.add_option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
-      ->check(CLI::Range(0, 232));
-  CLI11_PARSE(app, argc, argv);
+  CommandLine app("Starts the simulator, robots and the monitor on this machine; Ctrl-C ends all.");
+  app.option("--robots", options.robots, "How many").between(1, 16).show_default();
+  app.option("--port", options.port, "Of the page, on 127.0.0.1").between(1, 65535).show_default();
+  app.option("--scenario", options.scenario, "A scenario that ships, or a JSON file")
+      .show_default();
+  app.option("--bhdl", options.bhdl, "A program that ships, or a BHDL file").show_default();
+  app.flag("--watch", options.watch, "Swap the robots' program whenever it is saved");
+  app.option("--seed", options.seed, "All that is random descends from it").show_default();
+  app.option("--headless-for", options.headless_for_s,
+             "End after so many seconds: exit code 0 if the team worked, else 1")
+      .positive();
+  app.option("--record", options.record, "Record all topics to this file, as MCAP");
+  app.option("--allow-origin", options.allowed_origins,
+             "Another page that may use the monitor, as https://host[:port]");
+  app.option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
+      .between(0, 232);
+  if (const auto code = app.parse(argc, argv)) return *code;
   return run(options);
 }

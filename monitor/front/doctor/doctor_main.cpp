@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "core/command_line/command_line.h"
 #include "monitor/front/doctor/checks.h"
 
 namespace {
@@ -19,11 +19,10 @@ void tell(const Check& check) {
 int main(int argc, char** argv) {
   using namespace galilean::front;
   int port = 8080, domain = -1;
-  CLI::App app{"Checks what this machine lacks for a team; exit code 0 if nothing."};
-  app.add_option("--port", port, "The page's")->check(CLI::Range(1, 65535))->capture_default_str();
-  app.add_option("--domain", domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
-      ->check(CLI::Range(0, 232));
-  CLI11_PARSE(app, argc, argv);
+  galilean::CommandLine app("Checks what this machine lacks for a team; exit code 0 if nothing.");
+  app.option("--port", port, "The page's").between(1, 65535).show_default();
+  app.option("--domain", domain, "DDS domain; without it ROS_DOMAIN_ID, else 0").between(0, 232);
+  if (const auto code = app.parse(argc, argv)) return *code;
   bool well = true;
   for (const auto& check : {check_programs(), check_page(), check_pseudo_terminals(),
                             check_shared_memory(), check_port(port), check_loopback(),

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/command_line/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <utility>
+
+namespace galilean {
+namespace {
+
+/// Throws what CLI11 catches and tells where `read` refuses the text.
+void read_or_throw(const CommandLine::Reader& read, const std::string& names,
+                   const std::string& text) {
+  if (const auto done = read(text); !done) throw CLI::ValidationError(names, done.error().message);
+}
+
+}  // namespace
+
+CommandLine::CommandLine(const std::string& description, const std::string& name)
+    : app_(std::make_shared<CLI::App>(description, name)) {}
+
+CommandLine::CommandLine(std::shared_ptr<CLI::App> app) : app_(std::move(app)) {}
+CommandLine::~CommandLine() = default;
+CommandLine::CommandLine(CommandLine&&) noexcept = default;
+
+CommandLineOption CommandLine::option(const std::string& names, std::string& target,
+                                      const std::string& help) {
+  return CommandLineOption(app_->add_option(names, target, help));
+}
+
+CommandLineOption CommandLine::option(const std::string& names, int& target,
+                                      const std::string& help) {
+  return CommandLineOption(app_->add_option(names, target, help));
+}
+
+CommandLineOption CommandLine::option(const std::string& names, std::uint64_t& target,
+                                      const std::string& help) {
+  return CommandLineOption(app_->add_option(names, target, help));
+}
+
+CommandLineOption CommandLine::option(const std::string& names, double& target,
+                                      const std::string& help) {
+  return CommandLineOption(app_->add_option(names, target, help));
+}
+
+CommandLineOption CommandLine::option(const std::string& names, std::optional<double>& target,
+                                      const std::string& help) {
+  return CommandLineOption(app_->add_option(names, target, help));
+}
+
+CommandLineOption CommandLine::option(const std::string& names, std::filesystem::path& target,
+                                      const std::string& help) {
+  return CommandLineOption(app_->add_option(names, target, help));
+}
+
+CommandLineOption CommandLine::option(const std::string& names, std::vector<std::string>& target,
+                                      const std::string& help) {
+  return CommandLineOption(app_->add_option(names, target, help));
+}
+
+CommandLineOption CommandLine::option(const std::string& names, Reader read,
+                                      const std::string& help) {
+  return CommandLineOption(app_->add_option_function<std::string>(
+      names,
+      [read = std::move(read), names](const std::string& text) {
+        read_or_throw(read, names, text);
+      },
+      help));
+}
+
+CommandLineOption CommandLine::options(const std::string& names, Reader read,
+                                       const std::string& help) {
+  return CommandLineOption(app_->add_option_function<std::vector<std::string>>(
+      names,
+      [read = std::move(read), names](const std::vector<std::string>& texts) {
+        for (const auto& text : texts) read_or_throw(read, names, text);
+      },
+      help));
+}
+
+CommandLineOption CommandLine::flag(const std::string& names, bool& target,
+                                    const std::string& help) {
+  return CommandLineOption(app_->add_flag(names, target, help));
+}
+
+CommandLineOption CommandLine::flag(const std::string& names, const std::string& help) {
+  return CommandLineOption(app_->add_flag(names)->description(help));
+}
+
+CommandLineOption CommandLine::find(const std::string& name) {
+  return CommandLineOption(app_->get_option(name));
+}
+
+CommandLine CommandLine::command(const std::string& name, const std::string& help) {
+  return CommandLine(app_->get_subcommand_ptr(app_->add_subcommand(name, help)));
+}
+
+void CommandLine::require_command() {
+  app_->require_subcommand(1);
+}
+void CommandLine::share_options() {
+  app_->fallthrough();
+}
+void CommandLine::footer(const std::string& sentence) {
+  app_->footer(sentence);
+}
+
+std::optional<int> CommandLine::parse(int count, const char* const* arguments) {
+  try {
+    app_->parse(count, arguments);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    return app_->exit(error);
+  }
+}
+
+bool CommandLine::chosen() const {
+  return app_->parsed();
+}
+
+void CommandLine::refuse(const std::string& sentence) const {
+  app_->exit(CLI::ValidationError(sentence));
+}
+
+}  // namespace galilean

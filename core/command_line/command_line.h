@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/command_line/option.h"
+
+namespace CLI {
+class App;
+}
+
+namespace galilean {
+
+/// The options and commands of a program, and what its --help says. CLI11 reads them; its headers
+/// are included by this class's sources alone, because a file that includes them takes seconds to
+/// compile.
+///
+/// Names are as CLI11 writes them: "-v,--verbose" for an option, "file" for an argument by
+/// position. A target is written by parse() and must live until then. A default is what it holds
+/// before.
+class CommandLine {
+ public:
+  /// Reads an option's text. Errors: what is wrong with it, in one sentence.
+  using Reader = std::function<Result<void>(const std::string&)>;
+
+  /// `name` stands in --help; without it the file name that the program was started by.
+  explicit CommandLine(const std::string& description, const std::string& name = {});
+  ~CommandLine();
+  CommandLine(CommandLine&&) noexcept;
+  CommandLine& operator=(CommandLine&&) = delete;
+
+  CommandLineOption option(const std::string& names, std::string& target, const std::string& help);
+  CommandLineOption option(const std::string& names, int& target, const std::string& help);
+  CommandLineOption option(const std::string& names, std::uint64_t& target,
+                           const std::string& help);
+  CommandLineOption option(const std::string& names, double& target, const std::string& help);
+  CommandLineOption option(const std::string& names, std::optional<double>& target,
+                           const std::string& help);
+  CommandLineOption option(const std::string& names, std::filesystem::path& target,
+                           const std::string& help);
+  /// May be given more than once, and takes more than one value.
+  CommandLineOption option(const std::string& names, std::vector<std::string>& target,
+                           const std::string& help);
+  /// Calls `read` with the text. Requires: what `read` refers to lives until parse() returns.
+  CommandLineOption option(const std::string& names, Reader read, const std::string& help);
+  /// Calls `read` with each of the texts that are given.
+  CommandLineOption options(const std::string& names, Reader read, const std::string& help);
+  CommandLineOption flag(const std::string& names, bool& target, const std::string& help);
+  /// A flag that is understood and changes nothing.
+  CommandLineOption flag(const std::string& names, const std::string& help);
+  /// Returns the option of that name, such as "--try". Requires: it was added.
+  CommandLineOption find(const std::string& name);
+
+  /// Adds a command, such as `list` in `programs list`, with a command line of its own.
+  CommandLine command(const std::string& name, const std::string& help);
+  /// Demands that one of the commands is given.
+  void require_command();
+  /// Lets this command line's options stand behind a command, too.
+  void share_options();
+  /// Adds a sentence below --help.
+  void footer(const std::string& sentence);
+
+  /// Reads the arguments, of which the first is the program.
+  /// Returns nothing where the program is to go on, and otherwise the exit code: 0 where --help was
+  /// asked for and printed, another where the arguments are wrong and the reason was printed.
+  [[nodiscard]] std::optional<int> parse(int count, const char* const* arguments);
+  /// Whether this command was given.
+  [[nodiscard]] bool chosen() const;
+  /// Prints why the arguments are wrong, as parse() does.
+  void refuse(const std::string& sentence) const;
+
+ private:
+  explicit CommandLine(std::shared_ptr<CLI::App> app);
+
+  std::shared_ptr<CLI::App> app_;
+};
+
+}  // namespace galilean

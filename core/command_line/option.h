@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+
+namespace CLI {
+class Option;
+}
+
+namespace galilean {
+
+/// One option of a command line: what it demands of its text, and what --help says of it. Its
+/// functions return it, so that they can be chained. It belongs to the command line that made it.
+class CommandLineOption {
+ public:
+  explicit CommandLineOption(CLI::Option* option) : option_(option) {}
+
+  CommandLineOption required();
+  /// Demands a number from `least` to `most`.
+  CommandLineOption between(int least, int most);
+  CommandLineOption between(double least, double most);
+  /// Demands a number above 0.
+  CommandLineOption positive();
+  /// Demands a number of at least 0.
+  CommandLineOption not_negative();
+  /// Demands one of these words.
+  CommandLineOption one_of(std::vector<std::string> words);
+  /// Demands that `check` has nothing against the text.
+  CommandLineOption check(std::function<Result<void>(const std::string&)> check);
+  /// Refuses both on one command line.
+  CommandLineOption excludes(CommandLineOption other);
+  /// Takes from `least` to `most` texts.
+  CommandLineOption takes(int least, int most);
+  /// Divides a text at this character into several.
+  CommandLineOption divided_by(char character);
+  /// Shows what the target holds now as the default.
+  CommandLineOption show_default();
+  /// Whether it was given.
+  [[nodiscard]] bool given() const;
+
+ private:
+  CLI::Option* option_;
+};
+
+}  // namespace galilean

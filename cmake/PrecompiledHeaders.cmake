@@ -20,10 +20,15 @@ function(galilean_precompile target set)
 endfunction()
 
 if(GALILEAN_PCH)
-  set(common <Eigen/Core> <algorithm> <array> <chrono> <functional> <map> <memory> <mutex> <optional>
-             <span> <string> <string_view> <variant> <vector>)
+  set(common <Eigen/Core> <algorithm> <array> <chrono> <deque> <filesystem> <fstream> <functional> <iostream>
+             <map> <memory> <mutex> <nlohmann/json.hpp> <optional> <set> <span> <sstream> <string>
+             <string_view> <thread> <unordered_map> <variant> <vector>)
   galilean_header_set(galilean_headers HEADERS ${common})
   galilean_header_set(galilean_cold_headers HEADERS ${common} LINK galilean_runs_once)
+  galilean_header_set(galilean_web_headers LINK galilean_boost HEADERS ${common}
+    <boost/asio/io_context.hpp> <boost/asio/ip/tcp.hpp> <boost/asio/post.hpp>
+    <boost/asio/steady_timer.hpp> <boost/asio/write.hpp> <boost/beast/core/flat_buffer.hpp>
+    <boost/beast/http.hpp> <boost/beast/websocket/stream.hpp>)
   if(GALILEAN_TESTS)
     galilean_header_set(galilean_test_headers HEADERS ${common} <gmock/gmock.h> <gtest/gtest.h>
                         LINK GTest::gtest GTest::gmock galilean_runs_once)

@@ -40,14 +40,14 @@ nlohmann::json checked(const std::vector<bhdl::SourceFile>& files,
                        const std::vector<bhdl::SourceFile>& against,
                        const ProgramLibrary& library) {
   const auto found = check_for(files, targets, library).result;
-  auto json = to_json(found);
-  if (against.empty() || !found.program) return json;
+  auto answer = to_json(found);
+  if (against.empty() || !found.program) return answer;
   const auto runs = check_for(against, targets, library).result;
-  if (!runs.program) return json;
-  json["changes"] = nlohmann::json::array();
+  if (!runs.program) return answer;
+  answer["changes"] = nlohmann::json::array();
   for (const auto& change : bhdl::differences(*runs.program, *found.program, library.catalog()))
-    json["changes"].push_back(bhdl::in_words(change));
-  return json;
+    answer["changes"].push_back(bhdl::in_words(change));
+  return answer;
 }
 
 /// `try` is true, or {only, even_if_worse, seeds, duration_s, scenario}.

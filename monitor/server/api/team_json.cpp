@@ -5,28 +5,28 @@ namespace galilean::monitor {
 namespace {
 
 nlohmann::json variables_json(const Team& team, const Robot& robot) {
-  auto json = nlohmann::json::array();
+  auto variables = nlohmann::json::array();
   for (const auto& variable : robot.variables.items)
-    json.push_back({{"name", variable.name},
-                    {"type", variable.type},
-                    {"object_class", variable.object_class},
-                    {"valid", variable.valid},
-                    {"certainty", team.certainty_now(robot, variable)},
-                    {"decay_per_s", variable.decay_per_s},
-                    {"values", variable.values}});
-  return json;
+    variables.push_back({{"name", variable.name},
+                         {"type", variable.type},
+                         {"object_class", variable.object_class},
+                         {"valid", variable.valid},
+                         {"certainty", team.certainty_now(robot, variable)},
+                         {"decay_per_s", variable.decay_per_s},
+                         {"values", variable.values}});
+  return variables;
 }
 
 nlohmann::json transitions_json(const Robot& robot) {
-  auto json = nlohmann::json::array();
+  auto transitions = nlohmann::json::array();
   for (const auto& transition : robot.transitions)
-    json.push_back({{"number", transition.number},
-                    {"from_state", transition.from_state},
-                    {"to_state", transition.to_state},
-                    {"cause", transition.cause},
-                    {"file", transition.file},
-                    {"line", transition.line}});
-  return json;
+    transitions.push_back({{"number", transition.number},
+                           {"from_state", transition.from_state},
+                           {"to_state", transition.to_state},
+                           {"cause", transition.cause},
+                           {"file", transition.file},
+                           {"line", transition.line}});
+  return transitions;
 }
 
 }  // namespace

@@ -1,17 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# install.sh build|test: installs what packages.txt lists and this machine lacks. Root or sudo.
+# install.sh build|page|test: installs what packages.txt lists under this name, "test" everything, and
+# this machine lacks. Root or sudo.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-sections="[build]"
-[ "${1:-build}" = test ] && sections="[build] [test]"
+sections="[${1:-build}]"
+[ "$sections" = "[test]" ] && sections="[build] [page] [test]"
 wanted=$(awk -v sections="$sections" '/^\[/ {on = index(sections, $1)} /^[a-z]/ && on' packages.txt)
 
 # Another Node than Debian's serves as well, and would be broken by Debian's npm beside it.
 if command -v node >/dev/null && command -v npm >/dev/null; then
   major=$(node -p 'process.versions.node.split(".")[0]')
-  [ "$major" -ge 18 ] && wanted=$(grep -vxE 'nodejs|npm' <<<"$wanted")
+  [ "$major" -ge 18 ] && wanted=$(grep -vxE 'nodejs|npm' <<<"$wanted" || true)
 fi
 
 missing=$(for package in $wanted; do

@@ -18,7 +18,8 @@ configure() {
 compile() {
   ninja -C build -n "$what" | grep -q 'no work to do' && return
   echo "Building …"
-  ninja -C build "$what" >build/build.log 2>&1 && return
+  # The page waits for the network and for one core at most: it goes first.
+  nice ninja -C build "$what" >build/build.log 2>&1 && return
   grep -A20 -E 'FAILED|error' build/build.log | head -100 >&2
   return 1
 }

@@ -3,11 +3,12 @@
 // when things break.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, describe, test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
+import { crc32 } from "./crc32.mjs";
 import {
   McapIndexedReader, McapStreamReader, MessageReader, definitionsFor, domain, limit, program, start, testTool, unzstd,
 } from "./tools.mjs";
@@ -35,6 +36,11 @@ function readStream(file) {
   for (let record; (record = reader.nextRecord()); ) records.push(record);
   return records;
 }
+
+/** A record's opcode and length, and the one number in it. */
+const DATA_END_BYTES = 1 + 8 + 4;
+/** Behind a chunk's opcode, length, two times and uncompressed size. */
+const CHUNK_CRC_AT = 1 + 8 + 8 + 8 + 8;
 
 const info = (file) => JSON.parse(execFileSync(program("galilean-log"), ["info", file, "--json"], limit).toString());
 
@@ -115,8 +121,27 @@ describe("a recording", () => {
 
   test("has the data section's checksum right", async () => {
     const records = readStream(file("whole.mcap"));
-    assert.ok(records.some((record) => record.type === "DataEnd" && record.dataSectionCrc !== 0));
     assert.equal(records.at(-1).type, "Footer");
+    const bytes = readFileSync(file("whole.mcap"));
+    const end = Number(records.at(-1).summaryStart) - DATA_END_BYTES;
+    assert.equal(bytes[end], 0x0f, "DataEnd does not stand before the summary");
+    assert.equal(records.find((record) => record.type === "DataEnd").dataSectionCrc, crc32(bytes.subarray(0, end)));
+  });
+
+  test("that is damaged gives what is whole, and its damage is named", async () => {
+    const { reader, messages } = await readIndexed(file("whole.mcap"));
+    const [, chunk] = reader.chunkIndexes;
+    const at = Number(chunk.chunkStartOffset);
+    const bytes = readFileSync(file("whole.mcap"));
+    bytes[at + CHUNK_CRC_AT] ^= 0xff;
+    // Without its end, so that it must be read from the beginning.
+    writeFileSync(file("damaged.mcap"), bytes.subarray(0, bytes.length - 20));
+    const lost = messages.filter(({ logTime }) => logTime >= chunk.messageStartTime && logTime <= chunk.messageEndTime).length;
+    assert.ok(lost > 0 && lost < messages.length);
+    const told = info(file("damaged.mcap"));
+    assert.deepEqual(told.damage, [`the chunk at byte ${at} does not match its checksum`]);
+    assert.equal(told.recovered, true);
+    assert.equal(told.messages, messages.length - lost);
   });
 
   test("is closed properly when it is interrupted", async () => {

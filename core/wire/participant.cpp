@@ -19,8 +19,9 @@
 namespace galilean::wire {
 namespace {
 
-/// Cyclone's own default of MaxAutoParticipantIndex, 9, ends at ten processes a machine. The peer
-/// on loopback finds them where there is no multicast. Its shared-memory mode stays off.
+/// Processes of a machine are told apart by their participant index, from 0 on. Cyclone takes those
+/// below MaxAutoParticipantIndex, of which its own default, 9, is too few. The peer on loopback
+/// finds them where there is no multicast. Its shared-memory mode stays off.
 std::string configuration() {
   std::ostringstream peers;
   peers << "<Peer address=\"127.0.0.1\"/>";
@@ -31,7 +32,7 @@ std::string configuration() {
   }
   std::string xml =
       "<Domain id=\"any\"><Discovery><ParticipantIndex>auto</ParticipantIndex>"
-      "<MaxAutoParticipantIndex>99</MaxAutoParticipantIndex><Peers>" +
+      "<MaxAutoParticipantIndex>100</MaxAutoParticipantIndex><Peers>" +
       peers.str() +
       "</Peers></Discovery><SharedMemory><Enable>false</Enable></SharedMemory>"
       "</Domain>";

@@ -25,9 +25,9 @@ export function scratchFolder(t) {
 }
 
 /** Runs a command to its end, which it must come to by itself. */
-export function galilean(args, { domain, cwd, input, timeout = PATIENCE_MS } = {}) {
-  const env = { ...process.env, ...(domain ? { ROS_DOMAIN_ID: domain } : {}) };
-  const { status, signal, error, stdout, stderr } = spawnSync(galileanBinary, args, { env, cwd, input, timeout, encoding: 'utf8', maxBuffer: 1 << 28 });
+export function galilean(args, { domain, cwd, env = {}, input, timeout = PATIENCE_MS } = {}) {
+  const own = { ...process.env, ...(domain ? { ROS_DOMAIN_ID: domain } : {}), ...env };
+  const { status, signal, error, stdout, stderr } = spawnSync(galileanBinary, args, { env: own, cwd, input, timeout, encoding: 'utf8', maxBuffer: 1 << 28 });
   if (status === null) throw new Error(`galilean ${args.join(' ')} ended by ${error ?? signal}:\n${stdout}${stderr}`, { cause: error });
   return { status, stdout, stderr };
 }
@@ -102,16 +102,17 @@ export async function startTeam(t, options = []) {
 }
 
 /** A monitor and one robot that has neither board nor camera: all of the wire, quickly there. */
-export async function startMonitor(t, options = []) {
+export async function startMonitor(t, options = [], listen = '127.0.0.1:0') {
   const domain = freshDomain();
   const cwd = scratchFolder(t);
-  const monitor = new Running(t, ['monitor', '--listen', '127.0.0.1:0', '--data', cwd, ...options], { domain, cwd });
-  const [url] = await monitor.line(/http:\/\/127\.0\.0\.1:\d+/);
+  const monitor = new Running(t, ['monitor', '--listen', listen, '--data', cwd, ...options], { domain, cwd });
+  const [, port] = await monitor.line(/http:\/\/[0-9.]+:(\d+)/);
+  const url = `http://127.0.0.1:${port}`;
   const robot = new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', '/dev/null/none',
     '--camera', 'shm:none', '--log-level', 'off'], { domain, cwd });
   const token = (name) => readFileSync(join(cwd, `${name}.token`), 'utf8').trim();
   await eventually(async () => {
-    const { robots } = await getJson(`${url}/api/status`);
+    const { robots } = await getJson(`${url}/api/status`, { headers: { authorization: `Bearer ${token('operator')}` } });
     return robots.length === 1 && robots[0].program_hash;
   });
   return { monitor, robot, domain, cwd, url, token };

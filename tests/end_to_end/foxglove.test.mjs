@@ -7,47 +7,11 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { test } from 'node:test';
 import { within } from '../tools/patience.mjs';
+import { connect, readerOf } from './foxglove_client.mjs';
 import { eventually, getJson, root, startMonitor } from './tools.mjs';
 
 const require = createRequire(`${root}tests/node/`);
-const { FoxgloveClient } = require('@foxglove/ws-protocol');
-const { WebSocket } = require('ws');
-const { parseRos2idl } = require('@foxglove/ros2idl-parser');
-const { MessageReader } = require('@foxglove/rosmsg2-serialization');
 const examples = require.resolve('@foxglove/ws-protocol-examples/package.json').replace('package.json', 'dist/cjs/ws-protocol-examples/src/index.js');
-
-/** A client, with `next(event, suits)`: the first that came, or will come, and suits. */
-function connect(t, url, { token = '', protocol = 'foxglove.websocket.v1' } = {}) {
-  const socket = new WebSocket(`${url.replace('http', 'ws')}/ws${token && `?token=${token}`}`, [protocol]);
-  const client = new FoxgloveClient({ ws: socket });
-  t.after(() => socket.terminate());
-  const heard = {}, waiting = new Set();
-  for (const event of ['serverInfo', 'status', 'advertise', 'advertiseServices', 'message', 'time', 'parameterValues',
-    'connectionGraphUpdate', 'serviceCallResponse', 'serviceCallFailure', 'error'])
-    client.on(event, (what) => {
-      (heard[event] ??= []).push(what);
-      for (const look of waiting) look();
-    });
-  const next = (event, suits = () => true) => within(new Promise((resolve) => {
-    const look = () => {
-      const found = (heard[event] ?? []).find(suits);
-      if (found === undefined) return;
-      waiting.delete(look);
-      resolve(found);
-    };
-    waiting.add(look);
-    look();
-  }), () => `'${event}' with ${suits}; heard were ${Object.keys(heard)}`);
-  const channel = async (topic) => (await next('advertise', (list) => list.some((each) => each.topic === topic))).find((each) => each.topic === topic);
-  const service = async (name) => (await next('advertiseServices')).find((each) => each.name === name);
-  return { client, socket, heard, next, channel, service };
-}
-
-function readerOf(channel) {
-  const all = parseRos2idl(channel.schema);
-  const own = all.find((definition) => definition.name === channel.schemaName);
-  return new MessageReader([{ ...own, name: undefined }, ...all.filter((definition) => definition !== own)]);
-}
 
 const asJson = (value) => new TextEncoder().encode(JSON.stringify(value));
 
@@ -128,6 +92,21 @@ test("the protocol's own client", async (t) => {
     assert.deepEqual(ids(graph.subscribedTopics, '/io/state', 'subscriberIds'), ['monitor']);
     assert.ok(ids(graph.advertisedServices, '/galilean/push', 'providerIds').length === 1);
   });
+});
+
+test('a client that asks and does not read is closed with code 1008 and the reason', async (t) => {
+  const { url } = await startMonitor(t);
+  const { socket, client, next } = connect(t, url);
+  await next('serverInfo');
+  const closed = new Promise((resolve) => socket.on('close', (code, reason) => resolve([code, String(reason)])));
+  socket.pause();
+  const id = 'x'.repeat(256 << 10);  // comes back with each answer
+  for (let asked = 0; asked < 120; ++asked) client.getParameters([], id);  // more than 16 MB and what sockets take
+  await eventually(async () => /^galilean_websocket_dismissed_total 1$/m.test(await (await fetch(`${url}/metrics`)).text()));
+  socket.resume();
+  const [code, reason] = await within(closed, () => 'the end of the connection');
+  assert.equal(code, 1008);
+  assert.match(reason, /too slow/);
 });
 
 test("the examples' programs as peers", async (t) => {

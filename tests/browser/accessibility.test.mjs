@@ -50,6 +50,7 @@ for (const colorScheme of ["light", "dark"]) {
   test(`a phone's page, ${colorScheme}, has none in any of its panels`, async () => {
     const page = await opened({ colorScheme, viewport: PHONE });
     const tabs = await page.locator("footer [data-testid^=tab-]").evaluateAll((all) => all.map(({ dataset }) => dataset.testid));
+    assert.ok(tabs.length >= 8, tabs.join(" "));
     for (const each of tabs) {
       await page.getByTestId(each).click();
       assert.deepEqual(await violations(page), [], each);
@@ -73,6 +74,7 @@ test("Tab reaches every panel, its title shows the focus, and STOP ALL works by 
     assert.ok(outlined, await page.evaluate(() => document.activeElement.outerHTML.slice(0, 200)));
   }
   const all = await page.locator("[data-panel]").evaluateAll((places) => places.map(({ dataset }) => dataset.panel));
+  assert.ok(all.length >= 8, all.join(" "));
   assert.deepEqual([...reached].sort(), all.sort());
   await page.keyboard.press(".");
   await page.locator("[data-testid=team-row-io][data-held=true]").waitFor();

@@ -3,10 +3,11 @@
 // robots taken out of service, and what a program does otherwise in the monitor's own words.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { eventually } from "../tools/patience.mjs";
 import { liveTab } from "./tab.mjs";
 
 const tab = liveTab();
-const { at, until, untilRow, row } = tab;
+const { api, at, until, untilRow, row } = tab;
 
 test("a change of state tells each condition that was tested, and the variables of its tick", async () => {
   await row("io").getByRole("button").first().click();
@@ -29,8 +30,12 @@ test("a change of state tells each condition that was tested, and the variables 
 });
 
 test("a condition that is about to fire is told before it does", async () => {
-  await until(() => /^near /.test(document.querySelector("[data-testid=machine-nearest]")?.innerText ?? ""));
-  assert.match(await at("machine-nearest").innerText(), /in \d|away|sure|not known|No condition/);
+  await until(() => {
+    const states = [...document.querySelectorAll("[data-testid=machine] [data-state]")].map(({ dataset }) => dataset.state);
+    const said = document.querySelector("[data-testid=machine-nearest]")?.innerText ?? "";
+    const [, state] = /^near (\w+) (?:in \d+(?:\.\d)? (?:s|min)|sure \d\.\d\d, (?:lost below|needs) \d.*|\S+ c?m away, fires at \S+ c?m|\w+ is not known)$/.exec(said) ?? [];
+    return states.includes(state);
+  });
 });
 
 test("a robot that is decommissioned stands still whoever resumes, and takes no program that is pushed to all", async () => {
@@ -40,6 +45,20 @@ test("a robot that is decommissioned stands still whoever resumes, and takes no 
   await untilRow("callisto", "data-out-of-service", "true");
   await tab.page.keyboard.press("ArrowLeft");
   await tab.page.keyboard.press("l");
+  const [running, others] = [await row("callisto").getAttribute("data-hash"), await row("io").getAttribute("data-hash")];
+  const { files: [main, ...included] } = await api("/api/programs/office_cleanup.bhdl");
+  const { hash } = await api("/api/push", { files: [{ ...main, text: `${main.text}\n; of another text\n` }, ...included] });
+  assert.notEqual(hash, others);
+  await untilRow("io", "data-hash", hash);
+  await api("/api/command", { kind: "resume" });
+  const callisto = async () => (await api("/api/status")).robots.find(({ name }) => name === "callisto");
+  const stood = await callisto();
+  const later = await eventually(async () => {
+    const now = await callisto();
+    return now.tick > stood.tick + 50 && now;
+  });
+  assert.deepEqual([later.out_of_service, later.program_hash], [true, running]);
+  assert.ok(Math.hypot(later.x_m - stood.x_m, later.y_m - stood.y_m) < 0.02, "it drove");
   await at("commission-callisto").click();
   await untilRow("callisto", "data-out-of-service", "false");
 });

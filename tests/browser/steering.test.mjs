@@ -26,7 +26,7 @@ test("a robot's health is told: ticks, messages a second, when it was last heard
 test("a robot that falls silent raises an alarm, which stays until it is seen", async () => {
   const alarm = at("alarms").locator("[data-alarm=silent][data-robot=callisto]");
   await alarm.waitFor();
-  assert.match(await at("alarm-count").innerText(), /\d alarms?/);
+  assert.match(await at("alarm-count").innerText(), /^⚠ [1-9]\d* alarms?$/);
   await alarm.getByRole("button", { name: /^Seen/ }).click();
   await until(() => document.querySelector("[data-alarm=silent]")?.dataset.seen === "true");
   await tab.page.keyboard.press("a");
@@ -60,7 +60,8 @@ test("beside the text stands its graph, with the running state lit in both, and 
   await at("program-changes").locator("[data-sort=added]", { hasText: "move_at_random" }).waitFor();
   await until(() => {
     const lit = document.querySelector("[data-testid=editor-graph] [data-current=true]")?.dataset.state;
-    return document.querySelector("[data-testid=program-editor] .cm-running") !== null || lit === undefined;
+    const line = document.querySelector("[data-testid=program-editor] .cm-running");
+    return lit !== undefined && line !== null && line.nextElementSibling?.textContent.trim() === `name: "${lit}"`;
   });
 });
 
@@ -147,9 +148,14 @@ test("without a robot, each panel says what to do next", async () => {
   const nobody = await startFixture({ empty: true });
   const page = await tab.browser.newPage({ viewport: tab.page.viewportSize() });
   await page.goto(nobody.url);
-  for (const panel of ["Team", "State machine", "Why", "Timeline", "Variables"])
-    assert.match(await page.getByRole("region", { name: panel, exact: true }).locator(".empty").first().innerText(), /\. .*|start|Start|wait/i);
-  assert.match(await page.getByRole("region", { name: "Team", exact: true }).innerText(), /galilean robot --name/);
+  for (const [panel, words] of Object.entries({
+    Team: "Start one: galilean robot --name io --bhdl FILE.",
+    "State machine": "Start a robot, or wait for one.",
+    Why: "Start a robot in the Team panel",
+    Timeline: "Start a robot to see it.",
+    Variables: "start one to see them.",
+  }))
+    await page.getByRole("region", { name: panel, exact: true }).locator(".empty", { hasText: words }).first().waitFor();
   await page.close();
   await nobody.stop();
 });

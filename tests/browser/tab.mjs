@@ -19,6 +19,8 @@ export class Tab {
 
   async open(url, { viewport = LAPTOP, ...context } = {}) {
     this.url = url;
+    /** What lets the link's reader steer. */
+    this.token = new URLSearchParams(new URL(url).hash.slice(1)).get("token");
     this.browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu"] });
     this.page = await this.browser.newPage({ viewport, ...context });
     this.page.setDefaultTimeout(PATIENCE_MS);
@@ -45,7 +47,8 @@ export class Tab {
     this.until(([id, wanted]) => wanted.includes(document.querySelector(`[data-testid=${id}]`)?.dataset.status), [`reply-${robot}`, statuses]);
 
   api = async (path, body) => {
-    const request = body && { method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify(body) };
+    const headers = { "content-type": "application/json", ...(this.token && { authorization: `Bearer ${this.token}` }) };
+    const request = body && { method: "POST", headers, body: JSON.stringify(body) };
     return (await fetch(new URL(path, this.url), { ...request, signal: AbortSignal.timeout(PATIENCE_MS) })).json();
   };
 

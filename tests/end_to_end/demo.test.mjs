@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `galilean demo` starts a team and ends it, whatever happens to it or to its parts.
 import assert from 'node:assert/strict';
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { test } from 'node:test';
-import { eventually, freshDomain, galilean, processesIn, Running, scratchFolder, sharedMemory, startTeam } from './tools.mjs';
+import { eventually, freshDomain, getJson, processesIn, Running, scratchFolder, sharedMemory, startTeam } from './tools.mjs';
 
 const limit = { timeout: 120_000 };
 
@@ -59,6 +59,20 @@ test('when the simulator dies all ends, and what it left is swept up', limit, as
   assert.equal((await team.exited).code, 1);
   assert.match(team.output, /sim ended \(killed by signal 9 \(Killed\)\); without it nothing works/);
   await nothingIsLeft(domain, runOf(team));
+});
+
+test('a program that is saved while it is watched is taken by every robot', limit, async (t) => {
+  const file = `${scratchFolder(t)}/my.bhdl`;
+  writeFileSync(file, 'state: name: "first" end\n');
+  const { team, url } = await startTeam(t, ['--robots', '2', '--bhdl', file, '--watch']);
+  const everyOneIs = (state) => eventually(async () => {
+    const { robots } = await getJson(`${url}/api/status`);
+    return robots.length === 2 && robots.every((robot) => robot.state === state);
+  });
+  await everyOneIs('first');
+  writeFileSync(file, 'state: name: "second" end\n');
+  await everyOneIs('second');
+  assert.equal((await team.stop()).code, 0);
 });
 
 test('what cannot start says why in a line and leaves nothing', limit, async (t) => {

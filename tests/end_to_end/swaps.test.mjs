@@ -31,6 +31,15 @@ test('a robot swaps whenever the file that it watches is saved', { timeout: 60_0
   assert.match(robot.output, /stopped/);
 });
 
+test('a program that changes its state more often than --max-transitions allows is rolled back', { timeout: 60_000 }, async (t) => {
+  const file = join(scratchFolder(t), 'my.bhdl');
+  writeFileSync(file, withState('still'));
+  const { robot } = await startRobot(t, ['--bhdl', file, '--watch', '--max-transitions', '3']);
+  const leaves = (name, to) => `state: name: "${name}" condition: bits_variable: "always" bit_index: 0 bit_value: 1 new_state: "${to}" end end\n`;
+  writeFileSync(file, `variables: bits: name: "always" value: 1 status: "valid" end end\n${leaves('here', 'there')}${leaves('there', 'here')}`);
+  await robot.line(/rolled back to my\.bhdl \(\w+\): it changed its state more than 3 times within a second/);
+});
+
 test('a robot takes programs over DDS only from those that it was told to', { timeout: 60_000 }, async (t) => {
   const folder = scratchFolder(t);
   const file = join(folder, 'first.bhdl');

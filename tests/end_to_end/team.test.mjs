@@ -4,7 +4,7 @@ import { createServer } from 'node:net';
 import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import {
-  eventually, freePort, freshDomain, galilean, getJson, processesIn, programs, Running, scratchFolder, sharedMemory, startTeam,
+  childrenOf, eventually, freePort, freshDomain, galilean, getJson, processesIn, programs, Running, scratchFolder, sharedMemory, startTeam,
 } from './tools.mjs';
 
 const status = (url) => getJson(`${url}/api/status`);
@@ -27,8 +27,33 @@ test('the demo without a browser: the team works, and nothing is left behind', a
 });
 
 test('another strategy while the team runs', async (t) => {
-  const { team, domain, url } = await startTeam(t);
+  const { team, domain, url, link } = await startTeam(t);
   const before = await wholeTeam(url);
+
+  await t.test('a program that is tried scores, goes to nobody, and its simulators end', async (inner) => {
+    const headers = { authorization: `Bearer ${new URL(link).hash.replace('#token=', '')}` };
+    const { files } = await getJson(`${url}/api/programs/sit_and_spin.bhdl`);
+    const order = { files, try: { only: true, seeds: 2, duration_s: 120 } };
+    const { id } = await getJson(`${url}/api/push`, { method: 'POST', headers, body: JSON.stringify(order) });
+    const { pid } = processesIn(domain).find(({ command }) => command.includes('galilean-monitor'));
+    let simulators = 0;
+    const { state, steps, trial } = await eventually(async () => {
+      const push = await getJson(`${url}/api/pushes/${id}`);
+      simulators = Math.max(simulators, childrenOf(pid).length);
+      return push.state !== 'running' && push;
+    });
+    assert.equal(state, 'done', JSON.stringify(steps));
+    assert.deepEqual(steps.map(({ name, state: ended }) => `${name} ${ended}`), ['check done', 'try done', 'canary left_out', 'rest left_out']);
+    assert.equal(trial.runs, 2);
+    for (const side of [trial.now, trial.next]) {
+      inner.diagnostic(`scores ${side.score.mean} ± ${side.score.spread}, deposits ${side.deposited.mean}`);
+      assert.ok(side.score.mean > 0 && side.deposited.mean > 0, JSON.stringify(side));
+    }
+    assert.notDeepEqual(trial.now.seconds_in_state, trial.next.seconds_in_state);
+    assert.deepEqual((await status(url)).robots.map((robot) => robot.program_hash), before.robots.map((robot) => robot.program_hash));
+    assert.ok(simulators > 0);
+    await eventually(() => childrenOf(pid).length === 0);
+  });
 
   await t.test('a broken program shows its errors and changes nothing', async (inner) => {
     const broken = `${scratchFolder(inner)}/broken.bhdl`;

@@ -91,14 +91,14 @@ export class Running {
   }
 }
 
-/** A team that runs: simulator, robots and monitor, by `galilean demo`. */
+/** A team that runs: simulator, robots and monitor, by `galilean demo`, whose `link` lets its reader steer. */
 export async function startTeam(t, options = []) {
   const domain = freshDomain();
   const port = await freePort();
   const cwd = scratchFolder(t);
   const team = new Running(t, ['demo', '--port', String(port), '--seed', '1', ...options], { domain, cwd });
-  await team.line(/http:\/\/127\.0\.0\.1:\d+/);
-  return { team, domain, cwd, url: `http://127.0.0.1:${port}` };
+  const [link] = await team.line(/http:\/\/127\.0\.0\.1:\d+\S*\n/);
+  return { team, domain, cwd, url: `http://127.0.0.1:${port}`, link: link.trim() };
 }
 
 /** A monitor and one robot that has neither board nor camera: all of the wire, quickly there. */
@@ -128,6 +128,15 @@ export function processesIn(domain) {
       const command = readFileSync(`/proc/${pid}/cmdline`, 'utf8').replaceAll('\0', ' ');
       return inDomain && command ? [{ pid: Number(pid), command }] : [];
     } catch { return []; }
+  });
+}
+
+/** The processes that this one started and that have not ended, or for whose end it has not asked. */
+export function childrenOf(pid) {
+  return readdirSync('/proc').filter((each) => /^\d+$/.test(each)).map(Number).filter((each) => {
+    try {
+      return Number(readFileSync(`/proc/${each}/stat`, 'utf8').replace(/^.*\) \S /, '').split(' ')[0]) === pid;
+    } catch { return false; }
   });
 }
 

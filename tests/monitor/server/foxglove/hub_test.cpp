@@ -111,6 +111,19 @@ TEST_F(HubTest, ASlowClientGetsEveryEventButOnlyTheNewestState) {
   EXPECT_EQ(hub.counts().superseded, 199U);
 }
 
+TEST_F(HubTest, ASlowClientGetsTheNewestTenOfAFlow) {
+  const Channel frames_of_all = channel(4, "rt/tf", "tf2_msgs/msg/TFMessage");
+  hub.add_channel(frames_of_all);
+  subscribe(4, 4);
+  (void)sent();
+  for (std::uint8_t number = 0; number < 200; ++number) send(frames_of_all, number);
+  const auto frames = sent();
+  ASSERT_EQ(frames.size(), 10U);
+  EXPECT_EQ(frames.front().payload->front(), 190);
+  EXPECT_EQ(frames.back().payload->front(), 199);
+  EXPECT_EQ(hub.counts().superseded, 190U);
+}
+
 TEST_F(HubTest, AClientThatNeverReadsItsEventsIsClosedWithTheReason) {
   subscribe(2, 2);
   const auto large = std::make_shared<const std::vector<std::uint8_t>>(1 << 20);

@@ -15,7 +15,7 @@ std::string large_program() {
   std::string text = "variables:\n  bits: name: \"bumpers\"\nend\nstates:\n";
   for (int i = 0; i < kStates; ++i)
     text += "  state:\n    name: \"state_" + std::to_string(i) +
-            "\"\n    condition:\n      bits_variable: \"bumpers\"  bit_index: 0  bit_value: 1\n"
+            "\"\n    condition:\n      bits_variable: \"bumpers\"  bit_index: 1  bit_value: 1\n"
             "      new_state: \"state_" +
             std::to_string((i + 1) % kStates) + "\"\n    end\n  end\n";
   return text + "end\nstart_state: \"";
@@ -41,14 +41,11 @@ class Typing {
           {"method", "textDocument/didOpen"},
           {"params", {{"textDocument", {{"uri", kUri}, {"version", 1}, {"text", text}}}}}});
   }
-  void type(const std::string& letters) {
-    const Json here{{"line", last_line_}, {"character", 14}};
-    tell({{"jsonrpc", "2.0"},
-          {"method", "textDocument/didChange"},
-          {"params",
-           {{"textDocument", {{"uri", kUri}, {"version", 2}}},
-            {"contentChanges",
-             {{{"range", {{"start", here}, {"end", here}}}, {"text", letters}}}}}}});
+  void type(const std::string& letters) { change(last_line_, 14, 14, letters); }
+  /// Behind the bit of the condition in the middle: the program has no error before and after.
+  void type_and_take_back_a_digit() {
+    change(kMiddleLine, kBehindBit, kBehindBit + (has_digit_ ? 1 : 0), has_digit_ ? "" : "1");
+    has_digit_ = !has_digit_;
   }
   std::size_t completion_bytes() {
     return tell({{"jsonrpc", "2.0"},
@@ -66,7 +63,21 @@ class Typing {
 
  private:
   static constexpr const char* kUri = "file:///large.bhdl";
+  static constexpr std::size_t kMiddleLine = 4 + 7 * (kStates / 2) + 3;
+  static constexpr std::size_t kBehindBit =
+      std::string_view("      bits_variable: \"bumpers\"  bit_index: 1").size();
 
+  void change(std::size_t line, std::size_t begin, std::size_t end, const std::string& text) {
+    tell({{"jsonrpc", "2.0"},
+          {"method", "textDocument/didChange"},
+          {"params",
+           {{"textDocument", {{"uri", kUri}, {"version", 2}}},
+            {"contentChanges",
+             {{{"range",
+                {{"start", {{"line", line}, {"character", begin}}},
+                 {"end", {{"line", line}, {"character", end}}}}},
+               {"text", text}}}}}}});
+  }
   std::size_t tell(const Json& message) {
     std::size_t bytes = 0;
     for (const auto& answer : server_.receive(message.dump())) bytes += answer.size();
@@ -75,6 +86,7 @@ class Typing {
 
   Server server_;
   std::size_t last_line_ = 0;
+  bool has_digit_ = false;
 };
 
 void complete_after_a_letter(benchmark::State& state) {
@@ -94,6 +106,16 @@ void diagnose_after_a_letter(benchmark::State& state) {
   }
 }
 BENCHMARK(diagnose_after_a_letter)->Unit(benchmark::kMillisecond);
+
+void diagnose_after_a_digit_in_the_middle(benchmark::State& state) {
+  Typing typing;
+  typing.type("state_0\"");
+  for (auto _ : state) {
+    typing.type_and_take_back_a_digit();
+    benchmark::DoNotOptimize(typing.diagnostics_bytes());
+  }
+}
+BENCHMARK(diagnose_after_a_digit_in_the_middle)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace galilean::bhdl::lsp

@@ -144,6 +144,46 @@ TEST(Completion, WorksWhereTheTextDoesNotParse) {
               ElementsAre("ahead"));
 }
 
+TEST(Completion, OfAHalfTypedAttributeLeavesOutWhatStandsBehindIt) {
+  for (const auto* text :
+       {"motor_schemas:\n  noise: name: \"n\"\n    per|\n    steps: 2\n  end\nend",
+        "motor_schemas:\n  noise: name: \"n\"\n    per|:\n    steps: 2\n  end\nend",
+        "motor_schemas:\n  noise: name: \"n\"\n    per|\n    steps: 2\nstates: state:"}) {
+    const auto labels = completions_in(text);
+    EXPECT_THAT(labels, IsSupersetOf({"persistence", "result"})) << text;
+    EXPECT_THAT(labels, Not(Contains("name"))) << text;
+    EXPECT_THAT(labels, Not(Contains("steps"))) << text;
+  }
+}
+
+TEST(Completion, OfAHalfTypedAttributeOfAConditionLeavesOutTheConditionsOwn) {
+  const auto labels = completions_in(
+      "states:\n  state: name: \"s\"\n    condition: bits_variable: \"b\" bit_|\n"
+      "      new_state: \"s\" end\n    condition: bit_index: 2 end\n  end\nend");
+  EXPECT_THAT(labels, IsSupersetOf({"bit_index", "bit_value", "reset_variables"}));
+  EXPECT_THAT(labels, Not(Contains("new_state")));
+  EXPECT_THAT(labels, Not(Contains("bits_variable")));
+}
+
+TEST(Completion, OfAHalfTypedBlockAreTheBlocksThatMayStandThere) {
+  EXPECT_THAT(completions_in("states:\n  state: name: \"s\"\n    cond|\n  end\nend"),
+              Contains("condition"));
+  EXPECT_THAT(completions_in("states:\n  state: name: \"s\" end\n  sta|\n  state: name: \"t\" end"),
+              Contains("state"));
+  EXPECT_THAT(completions_in("motor_schemas:\n  noise: name: \"n\" end\n  mov|\n"
+                             "  noise: name: \"m\" end\nend"),
+              Contains("move_robot"));
+  EXPECT_THAT(completions_in("variables:\n  bits: name: \"b\"\nend\nmoto|\nstates:\n"),
+              Contains("motor_schemas"));
+}
+
+TEST(Completion, OfAMissingValueAreTheValuesThoughAnAttributeFollows) {
+  const auto labels = completions_in(
+      kNames +
+      "motor_schemas:\n  noise: name: \"m\"\n    result: |\n    persistence: 3\n  end\nend");
+  EXPECT_THAT(labels, ElementsAre("ahead"));
+}
+
 TEST(Completion, PutsQuotesWhereTheyAreMissing) {
   const std::string reads = kNames + "motor_schemas: move_robot: input_force: ";
   EXPECT_EQ(accepted(reads + "|", "ahead"), reads + "\"ahead\"");

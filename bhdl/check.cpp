@@ -4,7 +4,6 @@
 #include "bhdl/check/checker.h"
 #include "bhdl/lint/program_check.h"
 #include "bhdl/source/sha256.h"
-#include "bhdl/syntax/loader.h"
 
 namespace galilean::bhdl {
 namespace {
@@ -15,6 +14,16 @@ std::vector<std::string> shown_names(const std::deque<LoadedFile>& files) {
   return names;
 }
 
+CheckedTree check_loaded(SyntaxTree tree, const std::string& main_file,
+                         const Vocabulary& vocabulary, Depth depth, Diagnostics& diagnostics) {
+  CheckedTree checked = check_tree(std::move(tree), main_file, vocabulary, diagnostics);
+  if (depth == Depth::kErrorsAndWarnings && !diagnostics.has_errors())
+    warn_of_suspects(checked.program, vocabulary,
+                     {checked.tree, checked.bases, checked.unused_constants, main_file},
+                     diagnostics);
+  return checked;
+}
+
 }  // namespace
 
 CheckResult check(const std::string& main_path, const SourceProvider& sources,
@@ -22,12 +31,8 @@ CheckResult check(const std::string& main_path, const SourceProvider& sources,
   Diagnostics diagnostics;
   LoadedProgram loaded = load(main_path, sources, diagnostics);
   CheckResult result;
-  const std::string main_file = sources.shown(main_path);
-  CheckedTree checked = check_tree(std::move(loaded.tree), main_file, vocabulary, diagnostics);
-  if (depth == Depth::kErrorsAndWarnings && !diagnostics.has_errors())
-    warn_of_suspects(checked.program, vocabulary,
-                     {checked.tree, checked.bases, checked.unused_constants, main_file},
-                     diagnostics);
+  CheckedTree checked = check_loaded(std::move(loaded.tree), sources.shown(main_path), vocabulary,
+                                     depth, diagnostics);
   const bool usable = !diagnostics.has_errors();
   result.diagnostics = std::move(diagnostics).take(shown_names(loaded.files));
   for (auto& file : loaded.files)
@@ -44,6 +49,15 @@ CheckResult check(const std::string& main_path, const SourceProvider& sources,
 CheckResult check(const std::string& main_path, const SourceProvider& sources,
                   const Catalog& catalog) {
   return check(main_path, sources, Vocabulary(catalog));
+}
+
+std::vector<Diagnostic> diagnose(const std::string& main_path, const SourceProvider& sources,
+                                 const TreeReader& read, const Vocabulary& vocabulary) {
+  Diagnostics diagnostics;
+  LoadedProgram loaded = load(main_path, sources, diagnostics, read);
+  const CheckedTree checked = check_loaded(std::move(loaded.tree), sources.shown(main_path),
+                                           vocabulary, Depth::kErrorsAndWarnings, diagnostics);
+  return std::move(diagnostics).take(shown_names(loaded.files));
 }
 
 CheckResult check(std::vector<SourceFile> files, const Vocabulary& vocabulary) {

@@ -10,6 +10,7 @@
 #include "bhdl/source/diagnostic.h"
 #include "bhdl/source/source_file.h"
 #include "bhdl/source/source_provider.h"
+#include "bhdl/syntax/loader.h"
 
 namespace galilean::bhdl {
 
@@ -36,6 +37,12 @@ struct CheckResult {
                                 Depth depth = Depth::kErrorsAndWarnings);
 [[nodiscard]] CheckResult check(const std::string& main_path, const SourceProvider& sources,
                                 const Catalog& catalog);
+
+/// The errors and warnings alone. `read` gives the trees of files that have been read before.
+[[nodiscard]] std::vector<Diagnostic> diagnose(const std::string& main_path,
+                                               const SourceProvider& sources,
+                                               const TreeReader& read,
+                                               const Vocabulary& vocabulary);
 
 /// Checks a file on disk and what it includes. The paths in `files` are relative to the main file's
 /// folder, so that a program has the same hash wherever it lies; those in the diagnostics begin as

@@ -76,7 +76,7 @@ std::string writers_in_words(const Session& session, const std::string& path, co
   std::set<std::string> lines;
   for (const auto& program : session.workspace.programs_with(path))
     for (const auto& file : program)
-      for_each_entity(file->tree, session.vocabulary,
+      for_each_entity(file->tree(), session.vocabulary,
                       [&](const Entity& entity) { add_writer(entity, bit, lines); });
   std::string text;
   for (const auto& line : lines) text += line;

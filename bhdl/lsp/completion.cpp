@@ -142,7 +142,7 @@ class Completer {
     const auto programs = session_.workspace.programs_with(file_.path);
     for (const auto& program : programs)
       for (const auto& file : program)
-        for (const auto& mention : file->mentions.names)
+        for (const auto& mention : file->mentions().names)
           if (mention.declares && mention.space == space &&
               (type.empty() || mention.type == type) && left_out.insert(mention.name).second)
             text(std::string(mention.name), kind, std::string(mention.type));
@@ -154,7 +154,7 @@ class Completer {
     const auto programs = session_.workspace.programs_with(file_.path);
     for (const auto& program : programs)
       for (const auto& file : program)
-        for (const auto& mention : file->mentions.names)
+        for (const auto& mention : file->mentions().names)
           if (mention.declares && mention.space == NameSpace::kConstant &&
               seen.insert(mention.name).second)
             list_.add({std::string(mention.name), ItemKind::kConstant, "constant"});

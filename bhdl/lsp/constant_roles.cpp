@@ -5,7 +5,7 @@ namespace galilean::bhdl::lsp {
 namespace {
 
 void note_uses(const ParsedFile& file, ConstantRoles& roles) {
-  for (const auto& mention : file.mentions.names)
+  for (const auto& mention : file.mentions().names)
     if (mention.space == NameSpace::kConstant && mention.stands_for)
       roles[mention.name].set(static_cast<std::size_t>(*mention.stands_for));
 }
@@ -13,7 +13,7 @@ void note_uses(const ParsedFile& file, ConstantRoles& roles) {
 // A constant that stands in another's definition names what the other names.
 bool hand_down(const ParsedFile& file, ConstantRoles& roles) {
   bool changed = false;
-  for (const auto& defined : file.mentions.defined) {
+  for (const auto& defined : file.mentions().defined) {
     const auto user = roles.find(defined.constant);
     if (defined.is_text || user == roles.end()) continue;
     const Roles handed_down = user->second;

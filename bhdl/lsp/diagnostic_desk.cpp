@@ -6,6 +6,7 @@
 
 #include "bhdl/source/text.h"
 #include "bhdl/syntax/lexer.h"
+#include "bhdl/syntax/lowering.h"
 
 namespace galilean::bhdl::lsp {
 namespace {
@@ -30,6 +31,18 @@ Json related_to_json(const Session& session, const Diagnostic& diagnostic) {
         {{"location", session.location(*file, {at, at})}, {"message", place.message}});
   }
   return related;
+}
+
+/// Trees of files that the workspace has read already, and of others what their text says.
+TreeReader reader_of(const ProgramFiles& files) {
+  return [&files](const LoadedFile& wanted, Diagnostics& diagnostics) {
+    const auto found =
+        std::ranges::find(files, wanted.path, [](const FilePointer& file) { return file->path; });
+    if (found == files.end() || !(*found)->is_readable || (*found)->text != wanted.text)
+      return read_tree(wanted, diagnostics);
+    diagnostics.add((*found)->reading.faults);
+    return lowered((*found)->parse_tree, (*found)->path);
+  };
 }
 
 Json params_for(const Session& session, const std::string& path,
@@ -94,7 +107,8 @@ void DiagnosticDesk::check_programs(const Session& session) {
         continue;
       }
       now.files = std::move(files);
-      for (auto& each : check(main_path, session.workspace, session.vocabulary).diagnostics)
+      for (auto& each :
+           diagnose(main_path, session.workspace, reader_of(now.files), session.vocabulary))
         now.diagnostics[each.file].push_back(std::move(each));
     }
   checked_ = std::move(checked);

@@ -83,7 +83,7 @@ class SymbolTree {
   }
 
   void add_constants(Json& parent, const Block& define) {
-    for (const auto& mention : file_.mentions.names) {
+    for (const auto& mention : file_.mentions().names) {
       const ByteRange range = file_.index.range_of(mention.name);
       const bool here = define.range.begin <= range.begin && range.end <= define.range.end;
       if (here && mention.declares && mention.space == NameSpace::kConstant)

@@ -30,10 +30,10 @@ class Search {
     const bool may_be_constant = name_.space != NameSpace::kConstant;
     const ConstantRoles roles = may_be_constant ? constant_roles(program) : ConstantRoles();
     for (const auto& file : program) {
-      for (const auto& mention : file->mentions.names)
+      for (const auto& mention : file->mentions().names)
         if (mention.space == name_.space && mention.name == name_.text)
           add({file, file->index.range_of(mention.name), mention.declares, mention.type});
-      for (const auto& defined : file->mentions.defined)
+      for (const auto& defined : file->mentions().defined)
         if (defined.is_text && defined.value == name_.text &&
             has_role(roles, defined.constant, name_.space))
           add({file, file->index.range_of(defined.value), false, {}});
@@ -60,8 +60,8 @@ std::optional<NameAt> defined_name_at(const Workspace& workspace, const ParsedFi
   const auto touched = [&](const DefinedValue& each) {
     return each.is_text && file.index.range_of(each.value).touches(offset);
   };
-  const auto found = std::ranges::find_if(file.mentions.defined, touched);
-  if (found == file.mentions.defined.end()) return std::nullopt;
+  const auto found = std::ranges::find_if(file.mentions().defined, touched);
+  if (found == file.mentions().defined.end()) return std::nullopt;
   for (const auto& program : workspace.programs_with(file.path)) {
     const ConstantRoles roles = constant_roles(program);
     for (const auto space : {NameSpace::kVariable, NameSpace::kPerceptualSchema,
@@ -79,8 +79,8 @@ std::optional<NameAt> name_at(const Workspace& workspace, const ParsedFile& file
   const auto touched = [&](const Mention& each) {
     return file.index.range_of(each.name).touches(offset);
   };
-  const auto found = std::ranges::find_if(file.mentions.names, touched);
-  if (found == file.mentions.names.end()) return defined_name_at(workspace, file, offset);
+  const auto found = std::ranges::find_if(file.mentions().names, touched);
+  if (found == file.mentions().names.end()) return defined_name_at(workspace, file, offset);
   return NameAt{{found->space, std::string(found->name)}, file.index.range_of(found->name)};
 }
 
@@ -102,7 +102,7 @@ std::vector<Occurrence> declarations(const Workspace& workspace, const std::stri
   for (const auto& program : workspace.programs_with(path))
     for (const auto& file : program) {
       if (!searched.insert(file->path).second) continue;
-      for (const auto& mention : file->mentions.names)
+      for (const auto& mention : file->mentions().names)
         if (mention.declares && mention.space == name.space && mention.name == name.text)
           found.push_back({file, file->index.range_of(mention.name), true, mention.type});
     }

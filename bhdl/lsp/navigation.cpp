@@ -8,7 +8,7 @@ namespace galilean::bhdl::lsp {
 namespace {
 
 Json included_file(const Session& session, const ParsedFile& file, std::size_t offset) {
-  for (const auto& node : file.tree) {
+  for (const auto& node : file.tree()) {
     const auto* include = std::get_if<IncludeNode>(&node);
     if (include == nullptr || !file.index.range_of(include->path.text).touches(offset)) continue;
     const auto target = session.workspace.file(included_path(file.path, include->path.text));

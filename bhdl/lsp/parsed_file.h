@@ -2,12 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include "bhdl/lsp/mention.h"
 #include "bhdl/lsp/text_index.h"
-#include "bhdl/syntax/parse_tree.h"
+#include "bhdl/syntax/reading.h"
 
 namespace galilean::bhdl::lsp {
 
@@ -25,11 +26,27 @@ struct ParsedFile {
   const std::string path;
   const std::string text;
   const TextIndex index;
-  const bool is_readable;             ///< else it is no text that a lexer may see
-  ParseTree parse_tree;               ///< as it is written
-  SyntaxTree tree;                    ///< what it says
-  std::vector<std::string> includes;  ///< paths, as the loader resolves them
-  Mentions mentions;
+  const bool is_readable;  ///< else it is no text that a lexer may see
+  const Reading reading;
+  const ParseTree& parse_tree = reading.tree;  ///< as it is written
+  const std::vector<std::string> includes;     ///< paths, as the loader resolves them
+
+  /// What the file says. Most keys are typed without anybody asking, so that this and the names are
+  /// found when somebody does.
+  [[nodiscard]] const SyntaxTree& tree() const { return content().tree; }
+  [[nodiscard]] const Mentions& mentions() const { return content().mentions; }
+
+ private:
+  struct Content {
+    SyntaxTree tree;
+    Mentions mentions;
+  };
+
+  [[nodiscard]] const Content& content() const;
+
+  const Vocabulary& vocabulary_;
+  mutable std::once_flag is_asked_;
+  mutable Content content_;
 };
 
 using FilePointer = std::shared_ptr<const ParsedFile>;

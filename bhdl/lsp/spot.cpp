@@ -28,7 +28,7 @@ std::optional<Spot> spot_in(const Entity& entity, const TextIndex& index, std::s
 std::optional<Spot> spot_at(const ParsedFile& file, const Vocabulary& vocabulary,
                             std::size_t offset) {
   std::optional<Spot> found;
-  for_each_entity(file.tree, vocabulary, [&](const Entity& entity) {
+  for_each_entity(file.tree(), vocabulary, [&](const Entity& entity) {
     if (!found && entity.spec != nullptr) found = spot_in(entity, file.index, offset);
   });
   return found;

@@ -39,10 +39,12 @@ Result<std::string, ReadFailure> Workspace::read(const std::string& path,
 }
 
 FilePointer Workspace::file(const std::string& path) const {
-  auto text = read(path, kMostProgramBytes);
-  if (!text) return nullptr;
   const auto found = parsed_.find(path);
   const FilePointer before = found == parsed_.end() ? nullptr : found->second;
+  const auto open = open_.find(path);
+  if (before != nullptr && open != open_.end() && before->text == open->second.text) return before;
+  auto text = read(path, kMostProgramBytes);
+  if (!text) return nullptr;
   if (before != nullptr && before->text == text.value()) return before;
   if (parsed_.size() >= kMostParsed) parsed_.clear();
   return parsed_[path] = std::make_shared<const ParsedFile>(path, std::move(text).value(),

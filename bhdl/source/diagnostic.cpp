@@ -52,6 +52,12 @@ void Diagnostics::add(Diagnostic diagnostic) {
     kept_.push_back(std::move(diagnostic));
 }
 
+void Diagnostics::add(const Diagnostics& more) {
+  for (const auto& each : more.kept_) add(each);
+  left_off_ += more.left_off_;
+  errors_ += more.errors_;
+}
+
 std::vector<Diagnostic> Diagnostics::take(const std::vector<std::string>& files_in_order) && {
   const auto rank = [&](const Diagnostic& each) {
     const auto file = std::ranges::find(files_in_order, each.file) - files_in_order.begin();

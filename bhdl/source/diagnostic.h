@@ -65,6 +65,10 @@ class Diagnostics {
   /// The same of warnings, of which fewer are kept.
   [[nodiscard]] bool full_of_warnings() const noexcept { return kept_.size() >= kMost / 2; }
   [[nodiscard]] bool has_errors() const noexcept { return errors_ > 0; }
+  /// With those that were not kept.
+  [[nodiscard]] std::size_t count() const noexcept { return kept_.size() + left_off_; }
+  /// As if what `more` has had been found here.
+  void add(const Diagnostics& more);
 
   /// In the order of the files as read, then of lines; the last says how many more there were.
   [[nodiscard]] std::vector<Diagnostic> take(const std::vector<std::string>& files_in_order) &&;

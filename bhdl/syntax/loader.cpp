@@ -13,11 +13,16 @@ namespace {
 
 class Loader {
  public:
-  Loader(const SourceProvider& sources, Diagnostics& diagnostics)
-      : sources_(sources), diagnostics_(diagnostics) {}
+  Loader(const SourceProvider& sources, Diagnostics& diagnostics, const TreeReader& read)
+      : sources_(sources), diagnostics_(diagnostics), read_(read) {}
 
   std::string included_path(const std::string& from, std::string_view include) {
     return normal_path(std::filesystem::path(from).parent_path() / std::string(include));
+  }
+
+  SyntaxTree read_tree(const LoadedFile& file, Diagnostics& diagnostics) {
+    if (!is_readable(file.shown, file.text, diagnostics)) return {};
+    return parse(file.shown, file.text, diagnostics);
   }
 
   LoadedProgram load(const std::string& main_path) {
@@ -33,9 +38,8 @@ class Loader {
     bytes_ += text.value().size();
     program_.files.push_back({path, sources_.shown(path), std::move(text).value()});
     const LoadedFile& file = program_.files.back();
-    if (!is_readable(file.shown, file.text, diagnostics_)) return;
     being_read_.push_back(path);
-    for (auto& node : parse(file.shown, file.text, diagnostics_)) {
+    for (auto& node : read_(file, diagnostics_)) {
       if (const auto* inner = std::get_if<IncludeNode>(&node))
         follow(*inner, path);
       else
@@ -87,6 +91,7 @@ class Loader {
 
   const SourceProvider& sources_;
   Diagnostics& diagnostics_;
+  const TreeReader& read_;
   LoadedProgram program_;
   std::vector<std::string> being_read_;
   std::size_t bytes_ = 0;
@@ -99,9 +104,14 @@ std::string included_path(const std::string& from, std::string_view include) {
   return normal_path(std::filesystem::path(from).parent_path() / std::string(include));
 }
 
+SyntaxTree read_tree(const LoadedFile& file, Diagnostics& diagnostics) {
+  if (!is_readable(file.shown, file.text, diagnostics)) return {};
+  return parse(file.shown, file.text, diagnostics);
+}
+
 LoadedProgram load(const std::string& main_path, const SourceProvider& sources,
-                   Diagnostics& diagnostics) {
-  return Loader(sources, diagnostics).load(main_path);
+                   Diagnostics& diagnostics, const TreeReader& read) {
+  return Loader(sources, diagnostics, read).load(main_path);
 }
 
 }  // namespace galilean::bhdl

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <string>
 
 #include "bhdl/source/diagnostic.h"
@@ -32,9 +33,14 @@ struct LoadedProgram {
 /// The path that an `include` in the file at `from` names.
 [[nodiscard]] std::string included_path(const std::string& from, std::string_view include);
 
+/// Gives the tree of one file, its includes left as they are, and reports what is wrong with it.
+using TreeReader = std::function<SyntaxTree(const LoadedFile& file, Diagnostics& diagnostics)>;
+/// Reads the file's text; one that is no text has an empty tree.
+[[nodiscard]] SyntaxTree read_tree(const LoadedFile& file, Diagnostics& diagnostics);
+
 /// Reads the main file and what it includes, each once: a second `include` of a file adds nothing,
 /// one of a file that is still being read is a cycle and an error.
 [[nodiscard]] LoadedProgram load(const std::string& main_path, const SourceProvider& sources,
-                                 Diagnostics& diagnostics);
+                                 Diagnostics& diagnostics, const TreeReader& read = read_tree);
 
 }  // namespace galilean::bhdl

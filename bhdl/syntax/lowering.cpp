@@ -131,6 +131,17 @@ void lower_into(SyntaxTree& result, const ParseTree& tree, std::string_view file
   Lowering(result, tree, file).run();
 }
 
+std::vector<std::string_view> includes_of(const ParseTree& tree) {
+  std::vector<std::string_view> paths;
+  for (const auto root : tree.roots()) {
+    const Node& node = tree.nodes[root];
+    const Token& last = tree.tokens[node.end_token - 1];
+    if (node.kind == NodeKind::kInclude && last.kind == TokenKind::kText)
+      paths.push_back(last.text);
+  }
+  return paths;
+}
+
 SyntaxTree lowered(const ParseTree& tree, std::string_view file) {
   SyntaxTree result;
   lower_into(result, tree, file);

@@ -27,22 +27,31 @@ Edit edit_between(std::string_view before, std::string_view now) {
   return {begin, before.size() - same, now.size() - same};
 }
 
+/// The same with what was wrong before: a fault is found again, or it is gone.
+Edit with_faulty(Edit edit, const Reading& before) {
+  if (before.faults.count() == 0) return edit;
+  const std::size_t more =
+      before.faulty.end > edit.old_end ? before.faulty.end - edit.old_end : std::size_t{0};
+  return {std::min(edit.begin, before.faulty.begin), edit.old_end + more, edit.new_end + more};
+}
+
 class Reparser {
  public:
-  Reparser(const ParseTree& before, std::string_view text)
-      : before_(before),
-        items_(items_of(before)),
-        edit_(edit_between(before.text, text)),
-        tree_{text, {}, {}} {}
+  Reparser(const Reading& before, std::string_view file, std::string_view text)
+      : before_(before.tree),
+        file_(file),
+        items_(items_of(before.tree)),
+        edit_(with_faulty(edit_between(before.tree.text, text), before)),
+        reading_{{text, {}, {}}, {}, {}} {}
 
-  ParseTree run() {
+  Reading run() {
     tree_.tokens.reserve(before_.tokens.size() + kUsualGrowth);
     tree_.nodes.reserve(before_.nodes.size() + kUsualGrowth);
     const auto start = last_item_before_edit();
-    if (start == items_.end()) return read_from(nullptr);
+    if (start == items_.end()) return read_from_beginning();
     copy_up_to(*start);
     next_ = start;
-    return read_from(&*start);
+    return read_from(*start);
   }
 
  private:
@@ -75,32 +84,35 @@ class Reparser {
     tree_.nodes.assign(before_.nodes.begin(), before_.nodes.begin() + item.node);
   }
 
-  /// `start`: the item to begin with; nullptr: the text's beginning.
-  ParseTree read_from(const Item* start) {
-    Diagnostics unheard;
-    if (start == nullptr) {
-      TokenStream tokens({}, tree_, unheard);
-      return read(tokens, std::nullopt, unheard);
-    }
-    const std::uint32_t first = first_token(*start);
-    TokenStream tokens({}, tree_, moved(before_.tokens[first], 0), is_behind_number(before_, first),
-                       unheard);
-    return read(tokens, start->states, unheard);
+  Reading read_from_beginning() {
+    TokenStream tokens(file_, tree_, reading_.faults);
+    return read(tokens, std::nullopt);
   }
 
-  ParseTree read(TokenStream& tokens, std::optional<std::uint32_t> states, Diagnostics& unheard) {
-    FileParser parser(tokens, states, unheard);
+  Reading read_from(const Item& start) {
+    const std::uint32_t first = first_token(start);
+    TokenStream tokens(file_, tree_, moved(before_.tokens[first], 0),
+                       is_behind_number(before_, first), reading_.faults);
+    return read(tokens, start.states);
+  }
+
+  Reading read(TokenStream& tokens, std::optional<std::uint32_t> states) {
+    FileParser parser(tokens, states, reading_.faults);
+    FaultNote note(reading_);
+    note.end_item(tokens);
     while (!parser.done()) {
+      note.begin_item(tokens);
       parser.item();
+      note.end_item(tokens);
       if (const Item* same = same_item(tokens, parser)) {
         const Token at = tokens.peek();
         tokens.drop_look_ahead();
         take_over(*same, at, parser.open_states());
-        return std::move(tree_);
+        return std::move(reading_);
       }
     }
     tokens.drop_look_ahead();
-    return std::move(tree_);
+    return std::move(reading_);
   }
 
   /// The earlier item from which on the text and the parser's state are what they were.
@@ -157,16 +169,18 @@ class Reparser {
   }
 
   const ParseTree& before_;
+  std::string_view file_;
   Items items_;
   Edit edit_;
-  ParseTree tree_;
+  Reading reading_;
+  ParseTree& tree_ = reading_.tree;
   Items::const_iterator next_ = items_.begin();  ///< may be where the two texts meet again
 };
 
 }  // namespace
 
-ParseTree reparsed(const ParseTree& before, std::string_view text) {
-  return Reparser(before, text).run();
+Reading reread(const Reading& before, std::string_view file, std::string_view text) {
+  return Reparser(before, file, text).run();
 }
 
 }  // namespace galilean::bhdl

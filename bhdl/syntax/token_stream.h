@@ -31,6 +31,8 @@ class TokenStream {
   [[nodiscard]] const Token& peek(std::size_t ahead = 0) const noexcept {
     return tree_.tokens[next_ + ahead];
   }
+  /// The last that the lexer has read.
+  [[nodiscard]] const Token& farthest() const noexcept { return tree_.tokens.back(); }
   /// The number of the token at hand.
   [[nodiscard]] std::uint32_t next() const noexcept { return static_cast<std::uint32_t>(next_); }
   [[nodiscard]] Position position(const Token& token) const noexcept {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <array>
+
+#include "bhdl/source/text.h"
 #include "tests/bhdl/lsp/editor.h"
+#include "tests/bhdl/random_program.h"
 #include "tests/bhdl/small_catalog.h"
 
 namespace galilean::bhdl::lsp {
@@ -76,6 +80,44 @@ TEST(LspDiagnostics, NameTheOtherPlaceWhereTheClientShowsIt) {
   const Json related = published["diagnostics"].back()["relatedInformation"][0];
   EXPECT_EQ(related["location"]["range"]["start"]["line"], 1);
   EXPECT_EQ(related["message"], "the first");
+}
+
+std::string edited_somewhere(const std::string& text, RandomProgram& random) {
+  static const std::array<std::string, 8> kPieces{
+      "\"", "a", "end", ":", "€", "1.2.3", "include \"parts.bhdl\"\n", "states:\n"};
+  const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size() + 1)));
+  std::string next = text;
+  if (random.chance())
+    next.erase(at, static_cast<std::size_t>(random.below(12)));
+  else
+    next.insert(at, random.one_of(kPieces));
+  return find_bad_text(next) ? text : next;
+}
+
+Json heard_of(Editor& editor, const std::string& name) {
+  const Json published = editor.published(name);
+  return published.is_null() ? Json::array() : published["diagnostics"];
+}
+
+// Key by key, an editor hears what one hears that opens the text as it is then.
+TEST(LspDiagnostics, AfterAnyEditsAreThoseOfTheTextOpenedAnew) {
+  const Files parts{{"/parts.bhdl", "variables: bts: name: \"x\" end"}};
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    RandomProgram random(seed);
+    std::string text = random.program();
+    Editor typing(parts);
+    typing.open("a.bhdl", text);
+    for (int edit = 0; edit < 8; ++edit) {
+      text = edited_somewhere(text, random);
+      typing.change("a.bhdl", {{{"text", text}}});
+      Editor anew(parts);
+      anew.open("a.bhdl", text);
+      for (const char* name : {"a.bhdl", "parts.bhdl"})
+        ASSERT_EQ(heard_of(typing, name), heard_of(anew, name)) << "seed " << seed << '\n' << text;
+      ASSERT_EQ(typing.ask("textDocument/documentSymbol"), anew.ask("textDocument/documentSymbol"))
+          << text;
+    }
+  }
 }
 
 TEST(LspDiagnostics, OfABinaryAndOfAHugeTextAreOne) {

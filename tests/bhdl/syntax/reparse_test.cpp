@@ -5,15 +5,22 @@
 
 #include <array>
 
-#include "bhdl/syntax/parser.h"
 #include "tests/bhdl/random_program.h"
 
 namespace galilean::bhdl {
 namespace {
 
-ParseTree whole_tree(const std::string& text) {
-  Diagnostics unheard;
-  return parse_tree({}, text, unheard);
+constexpr std::string_view kFile = "program.bhdl";
+
+Reading whole(const std::string& text) {
+  return read_text(kFile, text);
+}
+
+std::string faults_of(Reading reading) {
+  std::string all;
+  for (const auto& each : std::move(reading.faults).take({std::string(kFile)}))
+    all += format(each) + '\n';
+  return all;
 }
 
 void expect_same(const Token& a, const ParseTree& in_a, const Token& b, const ParseTree& in_b) {
@@ -38,6 +45,11 @@ void expect_same(const ParseTree& a, const ParseTree& b) {
     EXPECT_EQ(a.nodes[i].end_token, b.nodes[i].end_token) << i;
     EXPECT_EQ(a.nodes[i].end_node, b.nodes[i].end_node) << i;
   }
+}
+
+void expect_same(const Reading& a, const Reading& b) {
+  expect_same(a.tree, b.tree);
+  EXPECT_EQ(faults_of(a), faults_of(b));
 }
 
 std::string states(int count, const std::string& between) {
@@ -69,21 +81,21 @@ std::string edited(std::string text, RandomProgram& random) {
   return text.insert(at, random.one_of(kPieces));
 }
 
-TEST(Reparse, GivesTheTreeOfTheWholeText) {
+TEST(Reparse, GivesTheTreeAndTheFaultsOfTheWholeText) {
   for (unsigned seed = 0; seed < 3000; ++seed) {
     RandomProgram random(seed);
     std::string text = seed % 3 == 0   ? random.program()
                        : seed % 3 == 1 ? states(12, seed % 2 == 0 ? "" : "; a comment\n")
                                        : damaged(states(8, ""), random);
-    ParseTree tree = whole_tree(text);
+    Reading reading = whole(text);
     for (int edit = 0; edit < 4; ++edit) {
       const std::string next = edited(text, random);
-      ParseTree next_tree = reparsed(tree, next);
-      expect_same(next_tree, whole_tree(next));
+      const Reading next_reading = reread(reading, kFile, next);
+      expect_same(next_reading, whole(next));
       if (testing::Test::HasFailure())
         FAIL() << "seed " << seed << '\n' << text << "\n---\n" << next;
       text = next;
-      tree = reparsed(next_tree, text);
+      reading = reread(next_reading, kFile, text);
     }
   }
 }
@@ -91,21 +103,40 @@ TEST(Reparse, GivesTheTreeOfTheWholeText) {
 // What is not read again is copied, word for word: the earlier tree is not what the text says here.
 TEST(Reparse, ReadsOnlyWhatTheEditTouches) {
   const std::string text = states(100, "");
-  ParseTree tree = whole_tree(text);
+  Reading reading = whole(text);
+  ParseTree& tree = reading.tree;
   for (const std::uint32_t node : {3u, static_cast<std::uint32_t>(tree.nodes.size() - 3)})
     tree.nodes[node].sense = 77;
   std::string next = text;
   next.insert(text.find("\"s50\""), "x ");
-  const ParseTree next_tree = reparsed(tree, next);
+  const Reading next_reading = reread(reading, kFile, next);
+  const ParseTree& next_tree = next_reading.tree;
   EXPECT_EQ(next_tree.nodes[3].sense, 77);
   EXPECT_EQ(next_tree.nodes[next_tree.nodes.size() - 3].sense, 77);
 }
 
+// Each letter of a word that is wrong until it is whole.
+TEST(Reparse, ReadsOnlyWhatIsWrongAgain) {
+  std::string text = states(100, "");
+  text.insert(text.find("condition", text.find("\"s50\"")), "x ");
+  Reading reading = whole(text);
+  ASSERT_GT(reading.faults.count(), 0u);
+  reading.tree.nodes[3].sense = 77;
+  const std::size_t last = reading.tree.nodes.size() - 3;
+  reading.tree.nodes[last].sense = 78;
+  std::string next = text;
+  next.erase(text.find("x condition"), 2);
+  const Reading corrected = reread(reading, kFile, next);
+  EXPECT_EQ(corrected.faults.count(), 0u);
+  EXPECT_EQ(corrected.tree.nodes[3].sense, 77);
+  EXPECT_EQ(corrected.tree.nodes[corrected.tree.nodes.size() - 3].sense, 78);
+}
+
 TEST(Reparse, OfTheSameTextAndOfNoneIsTheirTree) {
   const std::string text = states(3, "");
-  expect_same(reparsed(whole_tree(text), text), whole_tree(text));
-  expect_same(reparsed(whole_tree(text), ""), whole_tree(""));
-  expect_same(reparsed(whole_tree(""), text), whole_tree(text));
+  expect_same(reread(whole(text), kFile, text), whole(text));
+  expect_same(reread(whole(text), kFile, ""), whole(""));
+  expect_same(reread(whole(""), kFile, text), whole(text));
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bhdl/syntax/reading.h"
+
+#include <algorithm>
+
+#include "bhdl/syntax/file_parser.h"
+
+namespace galilean::bhdl {
+
+// What stands before the first token is the first item's.
+void FaultNote::begin_item(const TokenStream& tokens) {
+  begin_ = tokens.next() == 0 ? 0 : reading_.tree.offset_of(tokens.peek().whole());
+}
+
+// The lexer is ahead of the parser, and may have found what is wrong there.
+void FaultNote::end_item(const TokenStream& tokens) {
+  const std::size_t found = reading_.faults.count();
+  if (found == known_) return;
+  const std::string_view farthest = tokens.farthest().whole();
+  Reading::Bytes& faulty = reading_.faulty;
+  faulty.begin = known_ == 0 ? begin_ : std::min(faulty.begin, begin_);
+  faulty.end = std::max(faulty.end, reading_.tree.offset_of(farthest) + farthest.size());
+  known_ = found;
+}
+
+Reading read_text(std::string_view file, std::string_view text) {
+  Reading reading{{text, {}, {}}, {}, {}};
+  TokenStream tokens(file, reading.tree, reading.faults);
+  FileParser parser(tokens, std::nullopt, reading.faults);
+  FaultNote note(reading);
+  note.end_item(tokens);
+  while (!parser.done()) {
+    note.begin_item(tokens);
+    parser.item();
+    note.end_item(tokens);
+  }
+  tokens.drop_look_ahead();
+  return reading;
+}
+
+}  // namespace galilean::bhdl

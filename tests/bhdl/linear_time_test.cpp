@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Four times the text must cost about four times as much. What grows with the square of the text
+// costs sixteen times as much. Time is the processor's, so that a busy machine changes little.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ctime>
+#include <functional>
+
+#include "bhdl/syntax/parser.h"
+#include "tests/bhdl/small_catalog.h"
+
+namespace galilean::bhdl {
+namespace {
+
+constexpr int kSmall = 1000;
+constexpr double kMostGrowth = 6;
+
+/// The least of several runs, which others on the machine have disturbed the least.
+double least_processor_time(const std::function<void()>& work) {
+  constexpr int kRuns = 5;
+  std::clock_t least = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    const std::clock_t begin = std::clock();
+    work();
+    const std::clock_t taken = std::clock() - begin;
+    least = run == 0 ? taken : std::min(least, taken);
+  }
+  return static_cast<double>(std::max<std::clock_t>(least, 1));
+}
+
+/// How many times more four times the text costs. Where it seems too much it is measured again,
+/// because a busy machine disturbs a round; what grows with the square is too much in all of them.
+double growth(const std::function<std::string(int)>& text_of,
+              const std::function<void(const std::string&)>& work) {
+  constexpr int kRounds = 5;
+  const std::string small = text_of(kSmall);
+  const std::string large = text_of(4 * kSmall);
+  double least = 0;
+  for (int round = 0; round < kRounds && (round == 0 || least >= kMostGrowth); ++round) {
+    const double grown =
+        least_processor_time([&] { work(large); }) / least_processor_time([&] { work(small); });
+    least = round == 0 ? grown : std::min(least, grown);
+  }
+  return least;
+}
+
+std::string states(int count, const std::string& inside) {
+  std::string text;
+  for (int i = 0; i < count; ++i)
+    text += "state: name: \"s" + std::to_string(i) + "\" " + inside +
+            " condition: bits_variable: \"bumpers\" new_state: \"s" +
+            std::to_string((i + 1) % count) + "\" end end\n";
+  return program_with_states(text);
+}
+
+void parse_text(const std::string& text) {
+  Diagnostics unheard;
+  EXPECT_FALSE(parse("program.bhdl", text, unheard).empty());
+}
+
+void check_whole(const std::string& text) {
+  EXPECT_FALSE(check_text(text).files.empty());
+}
+
+TEST(LinearTime, OfParsing) {
+  EXPECT_LT(growth([](int count) { return states(count, ""); }, parse_text), kMostGrowth);
+}
+
+TEST(LinearTime, OfCheckingARightProgram) {
+  EXPECT_TRUE(check_text(states(4, "")).program);
+  EXPECT_LT(growth([](int count) { return states(count, ""); }, check_whole), kMostGrowth);
+}
+
+TEST(LinearTime, OfCheckingWrongNames) {
+  const auto wrong = [](int count) { return states(count, "motor_schemas: \"wandr\" end"); };
+  EXPECT_LT(growth(wrong, check_whole), kMostGrowth);
+}
+
+TEST(LinearTime, OfInheriting) {
+  const auto heirs = [](int count) { return states(count, "extends: \"s0\""); };
+  EXPECT_LT(growth(heirs, check_whole), kMostGrowth);
+}
+
+TEST(LinearTime, OfConstants) {
+  const auto constants = [](int count) {
+    std::string text = "define:\n";
+    for (int i = 0; i < count; ++i) text += "c" + std::to_string(i) + ": 1\n";
+    return text + "end\n" + program_with_states("state: name: \"s\" end\n");
+  };
+  EXPECT_LT(growth(constants, check_whole), kMostGrowth);
+}
+
+}  // namespace
+}  // namespace galilean::bhdl

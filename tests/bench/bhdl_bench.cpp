@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <benchmark/benchmark.h>
 
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "bhdl/check.h"
@@ -22,6 +23,11 @@ const Vocabulary& robot_vocabulary() {
 
 void count(benchmark::State& state, const std::string& text) {
   state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * text.size()));
+  // A second for a gigabyte is a nanosecond for a byte.
+  constexpr double kGigabyte = 1e9;
+  state.counters["a_gigabyte"] =
+      benchmark::Counter(static_cast<double>(state.iterations() * text.size()) / kGigabyte,
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 /// The limit: a look at every byte.
@@ -92,6 +98,42 @@ BENCHMARK(lex)->Apply(sizes);
 BENCHMARK(parse)->Apply(sizes);
 BENCHMARK(parse_and_check)->Apply(sizes);
 BENCHMARK(check_as_pushed)->ArgName("states")->Arg(1)->Arg(1000)->Unit(benchmark::kMicrosecond);
+
+void parse_once(const std::string& text) {
+  Diagnostics diagnostics;
+  benchmark::DoNotOptimize(parse("program.bhdl", text, diagnostics));
+}
+
+void parse_and_check_once(const std::string& text) {
+  Diagnostics diagnostics;
+  benchmark::DoNotOptimize(check_tree(parse("program.bhdl", text, diagnostics), "program.bhdl",
+                                      robot_vocabulary(), diagnostics));
+}
+
+/// What a byte of 10,000 states costs over one of 1,000: 1 is linear.
+void cost_of_a_byte_at_ten_times_the_states(benchmark::State& state,
+                                            void (*work)(const std::string&)) {
+  constexpr int kTimes = 10;
+  const auto small = generated_program(1000);
+  const auto large = generated_program(1000 * kTimes);
+  std::clock_t of_small = 0;
+  std::clock_t of_large = 0;
+  for (auto _ : state) {
+    const std::clock_t begin = std::clock();
+    for (int i = 0; i < kTimes; ++i) work(small);
+    const std::clock_t middle = std::clock();
+    work(large);
+    of_small += middle - begin;
+    of_large += std::clock() - middle;
+  }
+  const double bytes = static_cast<double>(large.size()) / static_cast<double>(small.size());
+  state.counters["ratio"] =
+      static_cast<double>(of_large) * kTimes / (static_cast<double>(of_small) * bytes);
+}
+BENCHMARK_CAPTURE(cost_of_a_byte_at_ten_times_the_states, parse, parse_once)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(cost_of_a_byte_at_ten_times_the_states, parse_and_check, parse_and_check_once)
+    ->Unit(benchmark::kMillisecond);
 
 /// From the text of fifteen components and two states to a program that can tick.
 void check_and_build(benchmark::State& state) {

@@ -157,6 +157,38 @@ TEST_F(ControllerOnTheBench, AnswersWhatItDoesNotUnderstand) {
   EXPECT_EQ(answer_->sequence, 5);
 }
 
+TEST_F(ControllerOnTheBench, AnswersThatAMessageOfAnotherLengthIsMalformed) {
+  configure();
+  const auto answer_to = [&](MessageType type, std::size_t length) {
+    const std::vector<std::uint8_t> payload(length);
+    std::array<std::uint8_t, kMaxEncoded> bytes;
+    const auto size = encode({static_cast<std::uint8_t>(type), 9, payload}, bytes);
+    board_.to_board.insert(board_.to_board.end(), bytes.begin(),
+                           bytes.begin() + static_cast<std::ptrdiff_t>(size));
+    answer_.reset();
+    run(2);
+    return answer_.value_or(Acknowledgement{});
+  };
+  const struct {
+    MessageType type;
+    std::size_t length;
+  } messages[] = {{MessageType::kHello, payload_size<Hello>()},
+                  {MessageType::kParameters, payload_size<Parameters>()},
+                  {MessageType::kDrive, payload_size<Drive>()},
+                  {MessageType::kStop, payload_size<Stop>()},
+                  {MessageType::kGripper, payload_size<Gripper>()},
+                  {MessageType::kStatusRequest, payload_size<StatusRequest>()}};
+  for (const auto& [type, length] : messages)
+    for (const std::size_t wrong : {length - 1, length + 1}) {
+      if (wrong > kMaxPayload) continue;
+      const Acknowledgement answer = answer_to(type, wrong);
+      EXPECT_EQ(answer.message, static_cast<std::uint8_t>(type));
+      EXPECT_EQ(answer.sequence, 9);
+      EXPECT_EQ(static_cast<Result>(answer.result), Result::kMalformed)
+          << static_cast<int>(type) << " of " << wrong << " bytes";
+    }
+}
+
 TEST_F(ControllerOnTheBench, DrivesAtTheSpeedAskedFor) {
   configure();
   keep_driving({kSpeed, kSpeed, 0, 0}, 2000);

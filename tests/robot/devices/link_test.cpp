@@ -23,11 +23,11 @@ TEST_F(Link, GreetsGivesParametersAndIsReadyWithinMilliseconds) {
 }
 
 TEST_F(Link, TellsSwitchesBeamAndGripper) {
-  robot.bench().bumpers = 0b10000001;
+  robot.bench().bumpers = 0b10000100;
   robot.bench().beam_broken = true;
   link.command_gripper(GripperCommand::kClose);
   robot.run(100);
-  EXPECT_EQ(link.status().bumpers, 0b10000001);
+  EXPECT_EQ(link.status().bumpers, 0b10000100);
   EXPECT_TRUE(link.status().beam_broken);
   EXPECT_FALSE(link.status().gripper_closed);
   robot.run(500);

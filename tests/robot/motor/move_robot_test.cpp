@@ -107,6 +107,21 @@ TEST_F(MoveRobotTest, TurnsAwayFromAPressedBumperAndStandsWhenWedged) {
   EXPECT_EQ(drive(*move, force(-20), 0xFF).turn_rate_radps, 0);
 }
 
+TEST_F(MoveRobotTest, ABumperOnTheLeftIsTheMirrorOfThatOnTheRight) {
+  const auto move = schema();
+  for (int left = 1; left < 4; ++left)
+    for (const double degrees : {-60.0, -40.0, -20.0, 0.0, 20.0, 40.0, 60.0}) {
+      const DriveCommand one = drive(*move, force(degrees), 1U << left);
+      const DriveCommand other = drive(*move, force(-degrees), 1U << (8 - left));
+      EXPECT_NEAR(one.speed_mps, other.speed_mps, kTolerance) << left << " at " << degrees;
+      EXPECT_NEAR(one.turn_rate_radps, -other.turn_rate_radps, 1e-6) << left << " at " << degrees;
+    }
+  EXPECT_LT(drive(*move, {0, 1}, 1U << 1).turn_rate_radps, 0) << "away from the front left";
+  EXPECT_GT(drive(*move, {0, 1}, 1U << 7).turn_rate_radps, 0) << "away from the front right";
+  EXPECT_LT(drive(*move, force(20), 1U << 2).turn_rate_radps, kTolerance) << "not to the left";
+  EXPECT_GT(drive(*move, force(20), 1U << 6).turn_rate_radps, 0) << "but to the left";
+}
+
 TEST_F(MoveRobotTest, StandsWithoutAForceThatActsOrAShaft) {
   const auto move = schema();
   EXPECT_GT(drive(*move, {0, 1}).speed_mps, 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -43,6 +44,17 @@ TEST(Contest, SameSeedSameHashAndAnotherSeedAnother) {
   const std::uint64_t first = hash(1);
   EXPECT_EQ(hash(1), first);
   EXPECT_NE(hash(2), first);
+}
+
+// Every compiler must agree on them: who changes what happens in a contest changes them on purpose.
+TEST(Contest, EndsInTheKnownStateWithEveryCompiler) {
+  constexpr std::array<std::uint64_t, 5> kKnown{0xe0d95485e16652a2, 0x05a77358f3f0fab1,
+                                                0xbb455675592dabf9, 0x29ff043663a9e091,
+                                                0xc3ee56fa2de62e72};
+  for (std::size_t i = 0; i < kKnown.size(); ++i) {
+    const auto done = contest("office", {.robots = 3, .seed = i + 1, .duration_s = 30});
+    EXPECT_EQ(done->hash(), kKnown[i]) << "seed " << i + 1 << std::hex << ": 0x" << done->hash();
+  }
 }
 
 TEST(Contest, ARobotCleansThePracticeRoom) {

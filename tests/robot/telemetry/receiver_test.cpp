@@ -304,5 +304,44 @@ TEST_F(ReceiverTest, ObeysOperators) {
   EXPECT_TRUE(io.tick_until([&] { return io.robot.drive.moving; }));
 }
 
+TEST_F(ReceiverTest, ADecommissionedRobotStandsStillWhoeverResumesUntilItIsCommissioned) {
+  io.robot.press(2);
+  io.robot.tick();
+  ASSERT_TRUE(io.robot.drive.moving);
+  io.send(msg::Command_Constants::DECOMMISSION, 0, io.name);
+  ASSERT_TRUE(io.tick_until([&] { return !io.robot.drive.moving; }));
+  io.send(msg::Command_Constants::HOLD, 0, io.name);
+  ASSERT_TRUE(io.tick_until([&] { return io.robot.executive->held(); }));
+  io.send(msg::Command_Constants::RESUME, 0, io.name);
+  ASSERT_TRUE(io.tick_until([&] { return !io.robot.executive->held(); }));
+  io.robot.tick(5);
+  EXPECT_EQ(io.robot.state(), "go");
+  EXPECT_FALSE(io.robot.drive.moving);
+  io.send(msg::Command_Constants::COMMISSION, 0, io.name);
+  EXPECT_TRUE(io.tick_until([&] { return io.robot.drive.moving; }));
+}
+
+TEST_F(ReceiverTest, ADecommissionedRobotTakesOnlyAProgramThatNamesIt) {
+  io.send(msg::Command_Constants::DECOMMISSION, 0, io.name);
+  ASSERT_TRUE(io.tick_until([&] { return !io.robot.executive->in_service(); }));
+  auto to_all = io.push(renamed(kWaits, "\"go\"", "\"move\""));
+  to_all.id = "to all";
+  to_all.targets.clear();
+  io.send(to_all);
+  // What names it comes after, on the same topic.
+  const auto to_it = io.push(renamed(kWaits, "\"go\"", "\"run\""));
+  io.send(to_it);
+  ASSERT_TRUE(io.tick_until([&] { return running_hash() == to_it.hash; }));
+  ASSERT_TRUE(replies.wait_for(has_status(status::RUNNING)));
+  for (const auto& reply : replies.all()) EXPECT_EQ(reply.id, to_it.id);
+  EXPECT_EQ(io.robot.events.count(Event::Kind::kSwapped), 1);
+
+  io.send(msg::Command_Constants::COMMISSION, 0, io.name);
+  ASSERT_TRUE(io.tick_until([&] { return io.robot.executive->in_service(); }));
+  to_all.id = "to all again";
+  io.send(to_all);
+  EXPECT_TRUE(io.tick_until([&] { return running_hash() == to_all.hash; }));
+}
+
 }  // namespace
 }  // namespace galilean::robot

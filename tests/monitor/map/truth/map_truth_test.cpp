@@ -17,8 +17,29 @@ Figures after(double to_s, MappedContest::Starts starts) {
   return all;
 }
 
+/// A mean of nothing is 0, and would be right whatever the map says.
+void expect_enough(const Figures& figures, std::size_t trash) {
+  constexpr std::size_t kContests = 3, kRobots = 3, kLooks = 20;
+  EXPECT_GE(figures.looks, kContests * kLooks);
+  EXPECT_EQ(figures.robot_m2.count, figures.looks * kRobots);
+  EXPECT_EQ(figures.dead_reckoning_m2.count, figures.looks * kRobots);
+  EXPECT_GE(figures.trash_m2.count, figures.looks * trash);
+  EXPECT_GE(figures.real, figures.looks * trash);
+  EXPECT_GE(figures.basket_m2.count, figures.looks * 3);
+  EXPECT_EQ(figures.baskets_published, figures.baskets_right);
+}
+
+/// The covariances say what the errors are: not far too little, and not anything.
+void expect_consistent(const Squares& nees) {
+  EXPECT_GT(nees.mean(), 0.2);
+  EXPECT_LT(nees.mean(), 3);
+}
+
 TEST(MapTruth, AfterAMinuteTheMapIsRight) {
   const Figures figures = after(60, MappedContest::Starts::kMeasured);
+  expect_enough(figures, 8);
+  expect_consistent(figures.robot_nees);
+  expect_consistent(figures.trash_nees);
   EXPECT_LT(figures.robot_m2.rms(), 0.15);
   EXPECT_LT(figures.robot_m2.rms(), figures.dead_reckoning_m2.rms() / 3);
   EXPECT_LT(figures.trash_m2.rms(), 0.15);
@@ -28,11 +49,16 @@ TEST(MapTruth, AfterAMinuteTheMapIsRight) {
 
 TEST(MapTruth, AfterThreeMinutesItIsFarBetterThanDeadReckoning) {
   const Figures figures = after(180, MappedContest::Starts::kMeasured);
+  expect_enough(figures, 2);
+  expect_consistent(figures.robot_nees);
+  expect_consistent(figures.trash_nees);
+  expect_consistent(figures.basket_nees);
   EXPECT_LT(figures.robot_m2.rms(), 0.10);
   EXPECT_LT(figures.robot_m2.rms(), figures.dead_reckoning_m2.rms() / 3);
   EXPECT_LT(figures.trash_m2.rms(), 0.15);
   EXPECT_GT(figures.recall(), 0.8);
   EXPECT_GT(figures.precision(), 0.9);
+  EXPECT_LT(figures.basket_m2.rms(), 0.15);
 }
 
 }  // namespace

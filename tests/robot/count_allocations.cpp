@@ -1,29 +1,86 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/robot/count_allocations.h"
 
-#include <cstdlib>
-#include <new>
+#include <cerrno>
+#include <cstddef>
+
+// Everything that takes memory comes down to malloc and its sisters: operator new, aligned or not,
+// and Eigen. So those are counted, and nothing above them.
 
 namespace {
 thread_local bool counting = false;
 thread_local long count = 0;
+
+void note() noexcept {
+  if (counting) ++count;
+}
 }  // namespace
 
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  if (counting) ++count;
-  return std::malloc(size);
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define GALILEAN_SANITIZER_ALLOCATES
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define GALILEAN_SANITIZER_ALLOCATES
+#endif
+
+#ifdef GALILEAN_SANITIZER_ALLOCATES
+
+// A sanitizer's allocator is its own, and tells of each call.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*,
+                                                                           std::size_t),
+                                                         void (*on_free)(const volatile void*));
+
+namespace {
+const int hooks =
+    __sanitizer_install_malloc_and_free_hooks([](const volatile void*, std::size_t) { note(); },
+                                              [](const volatile void* room) {
+                                                if (room) note();
+                                              });
+}  // namespace
+
+#else
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* room, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+void __libc_free(void* room);
+
+void* malloc(std::size_t size) noexcept {
+  note();
+  return __libc_malloc(size);
 }
-void* operator new(std::size_t size) {
-  if (void* room = operator new(size, std::nothrow)) return room;
-  throw std::bad_alloc();
+void* calloc(std::size_t each, std::size_t size) noexcept {
+  note();
+  return __libc_calloc(each, size);
 }
-void operator delete(void* room) noexcept {
-  if (counting && room) ++count;
-  std::free(room);
+void* realloc(void* room, std::size_t size) noexcept {
+  note();
+  return __libc_realloc(room, size);
 }
-void operator delete(void* room, std::size_t) noexcept {
-  operator delete(room);
+void* memalign(std::size_t alignment, std::size_t size) noexcept {
+  note();
+  return __libc_memalign(alignment, size);
 }
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  note();
+  return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** room, std::size_t alignment, std::size_t size) noexcept {
+  note();
+  *room = __libc_memalign(alignment, size);
+  return *room ? 0 : ENOMEM;
+}
+void free(void* room) noexcept {
+  if (room) note();
+  __libc_free(room);
+}
+}
+
+#endif
 
 namespace galilean::robot {
 

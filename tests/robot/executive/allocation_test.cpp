@@ -1,11 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Core>
+#include <cstdlib>
+#include <memory>
+
 #include "robot/executive/snapshot.h"
+#include "robot/robot_devices.h"
 #include "robot/telemetry/image_tap.h"
 #include "tests/robot/count_allocations.h"
+#include "tests/robot/devices/bench_robot.h"
 #include "tests/robot/executive/office.h"
 
 namespace galilean::robot {
 namespace {
+
+/// Keeps the compiler from leaving out what takes memory for nothing.
+void use(void* room) {
+  asm volatile("" : : "g"(room) : "memory");
+}
+
+template <class Work>
+long allocations_of(Work work) {
+  const AllocationCount count;
+  work();
+  return count.so_far();
+}
+
+TEST(AllocationCount, CountsWhateverTakesMemory) {
+  struct alignas(64) Wide {
+    double numbers[8];
+  };
+  EXPECT_EQ(allocations_of([] {}), 0);
+  EXPECT_EQ(allocations_of([] {
+              void* room = std::malloc(10);
+              use(room);
+              room = std::realloc(room, 100'000);
+              use(room);
+              std::free(room);
+            }),
+            3);
+  EXPECT_EQ(allocations_of([] { use(std::make_unique<int>(1).get()); }), 2);
+  EXPECT_EQ(allocations_of([] { use(std::make_unique<Wide>().get()); }), 2);
+  EXPECT_EQ(allocations_of([] { use(std::unique_ptr<int>(new (std::nothrow) int).get()); }), 2);
+  EXPECT_EQ(allocations_of([] { use(Eigen::VectorXd(100).data()); }), 2);
+}
 
 class Allocations : public testing::Test {
  protected:
@@ -55,6 +92,23 @@ TEST_F(Allocations, NoTickThatSwapsOrConfirmsAllocatesOrDestroys) {
         shipped_program(i % 2 ? "office_cleanup.bhdl" : "sit_and_spin.bhdl")));
     EXPECT_EQ(of_ticks(i % 3 ? 5 : 250), 0);
   }
+}
+
+TEST(AllocationsOfTheDevices, NoTickOverARealLineAndARingOfPicturesAllocates) {
+  BenchRobot robot;
+  ASSERT_TRUE(robot.executive.load(shipped_program("office_cleanup.bhdl")));
+  robot.run_ticks(10);
+  ASSERT_TRUE(robot.devices.devices().comm_port.healthy());
+  ASSERT_TRUE(robot.devices.devices().frame_grabber.healthy());
+  EXPECT_EQ(robot.run_ticks(500), 0);
+  ASSERT_TRUE(robot.executive.load(shipped_program("sit_and_spin.bhdl")));
+  EXPECT_EQ(robot.run_ticks(100), 0) << "takes another program's settings over";
+  robot.line.connect(false);
+  EXPECT_EQ(robot.run_ticks(60), 0) << "loses its board";
+  EXPECT_FALSE(robot.devices.devices().comm_port.healthy());
+  robot.line.connect(true);
+  EXPECT_EQ(robot.run_ticks(60), 0) << "finds it again";
+  EXPECT_TRUE(robot.devices.devices().comm_port.healthy());
 }
 
 }  // namespace

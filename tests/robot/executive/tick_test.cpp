@@ -60,6 +60,27 @@ TEST(Tick, ChangesTheStateAtMostOnce) {
   EXPECT_EQ(robot.executive->time_in_state(), Duration::zero());
 }
 
+TEST(Tick, OneThatBeginsLateByAWholePeriodIsAnOverrun) {
+  class Overruns final : public TickObserver {
+   public:
+    void on_event(const Event&) noexcept override {}
+    void on_tick(const TickView& view) noexcept override { count = view.overruns; }
+    std::uint32_t count = 0;
+  } overruns;
+  TestRobot robot(1, {&overruns});
+  ASSERT_TRUE(robot.load(kTwoStates));
+  robot.tick(100);
+  EXPECT_EQ(overruns.count, 0U) << "no tick missed";
+  robot.clock.advance(std::chrono::milliseconds(49));
+  robot.tick();
+  EXPECT_EQ(overruns.count, 0U) << "late by less than a period";
+  robot.clock.advance(std::chrono::milliseconds(50));
+  robot.tick();
+  EXPECT_EQ(overruns.count, 1U);
+  robot.tick(10);
+  EXPECT_EQ(overruns.count, 1U);
+}
+
 TEST(Tick, WithoutAProgramStandsStill) {
   TestRobot robot;
   robot.tick(3);

@@ -108,6 +108,24 @@ TEST(Include, HasALimitOfFilesAndSaysSoOnce) {
   EXPECT_EQ(result.files.size(), kMostFiles);
 }
 
+TEST(Include, NoFileIsReadOnceAProgramHasAMebibyte) {
+  const auto program_of = [](std::size_t second_file_bytes) {
+    std::vector<SourceFile> files{
+        {"main", kShared + "include \"1\" include \"2\" include \"3\"\n"}};
+    const std::size_t first_file_bytes = kMostFileBytes - files[0].text.size();
+    files.push_back({"1", std::string(first_file_bytes, ' ')});
+    files.push_back({"2", std::string(second_file_bytes, ' ')});
+    files.push_back({"3", ";"});
+    return check_files(files);
+  };
+  ASSERT_EQ(kMostProgramBytes, 1024U * 1024U);
+  const auto full = program_of(kMostFileBytes);
+  ASSERT_EQ(full.diagnostics.size(), 1u) << printed(full);
+  EXPECT_EQ(full.diagnostics[0].code, "include/too-many");
+  EXPECT_EQ(full.files.size(), 3U);
+  EXPECT_EQ(program_of(kMostFileBytes - 1).files.size(), 4U);
+}
+
 TEST_F(OnDisk, AProgramHasTheSameHashAsInMemory) {
   const std::string main_text = "include \"parts/shared.bhdl\"\n" + kOwnState;
   write("parts/shared.bhdl", kShared);

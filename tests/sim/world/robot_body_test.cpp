@@ -51,22 +51,25 @@ TEST(RobotBody, StallsAgainstAWallThatPressesItsFrontSwitches) {
 }
 
 TEST(RobotBody, SwitchesAreNumberedCounterClockwiseFromTheFront) {
-  // Backed against walls on its four sides in turn: front, left, back, right.
+  // Drives or backs into the wall in the east, which then lies in the direction of that switch.
   const struct {
-    double heading_rad;
+    double heading_deg;
     std::int16_t pwm;
     int number;
-  } cases[] = {{0, 500, 0}, {kPi, -500, 4}};
+  } cases[] = {{0, 500, 0}, {225, -500, 3}, {135, -500, 5}};
   for (const auto& expected : cases) {
     Scenario scenario = bare_floor();
-    scenario.starts = {{{5.6, 3}, expected.heading_rad}};
+    scenario.starts = {{{5.6, 3}, expected.heading_deg * kPi / 180}};
     const auto world = world_of(scenario);
-    run(*world, {expected.pwm, expected.pwm, 1000}, 2);
-    const int touched = world->robot(0).inputs().bumpers;
-    const int left = (expected.number + 1) % 8;
-    const int right = (expected.number + 7) % 8;
-    EXPECT_TRUE(touched & (1 << expected.number | 1 << left | 1 << right)) << touched;
-    EXPECT_FALSE(touched & ~(1 << expected.number | 1 << left | 1 << right)) << touched;
+    int touched = 0;
+    for (int i = 0; i < 400 && touched == 0; ++i) {
+      run(*world, {expected.pwm, expected.pwm, 1000}, World::kStep_s);
+      touched = world->robot(0).inputs().bumpers;
+    }
+    const auto is_pressed = [&](int number) { return (touched >> (number + 8) % 8 & 1) != 0; };
+    EXPECT_TRUE(is_pressed(expected.number)) << expected.number << ": " << touched;
+    for (int away = 2; away <= 6; ++away)
+      EXPECT_FALSE(is_pressed(expected.number + away)) << expected.number << ": " << touched;
   }
 }
 

@@ -43,10 +43,10 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   std::string serial;
   std::string camera;
   CommandLine app("Runs one robot from a BHDL program.", "galilean-robot");
-  app.option("--name", options.name, "the robot's name, in its topics")
+  app.option("--name", options.name, "the robot's name, which is part of its topics' names")
       .check(check_name)
       .show_default();
-  app.option("--bhdl", options.bhdl_file, "the program");
+  app.option("--bhdl", options.bhdl_file, "the BHDL program that the robot runs");
   const auto watch =
       app.option("--watch", options.watched_file,
                  "swap whenever this program, or one that it includes, is saved [the --bhdl one]")
@@ -56,21 +56,24 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
              "shm:NAME for the simulator's, /dev/videoN, or a video or picture file "
              "[the program's]");
   app.option("--domain", options.domain, "DDS domain [ROS_DOMAIN_ID, else 0]").between(0, 232);
-  app.option("--seed", options.seed, "for all that is random").show_default();
-  app.option("--rate", options.rate_hz, "ticks a second").between(1.0, 1000.0).show_default();
+  app.option("--seed", options.seed, "seed of the random number generators").show_default();
+  app.option("--rate", options.rate_hz, "ticks per second of the control loop")
+      .between(1.0, 1000.0)
+      .show_default();
   app.option("--probation", options.probation_s,
-             "seconds in which a new program that fails is taken off again")
+             "how many seconds a new program may still be rolled back if it fails")
       .between(0.0, 3600.0)
       .show_default();
-  app.option("--max-transitions", options.most_transitions_per_s,
-             "more changes of state within a second are such a failure")
+  app.option(
+         "--max-transitions", options.most_transitions_per_s,
+         "how many changes of state per second a new program may make before it counts as failed")
       .between(1, ProbationRules::kMostCounted)
       .show_default();
   app.option("--accept-swaps-from", options.accept_swaps_from,
-             "whose programs to take over DDS: 'any', or names that processes join it with, "
+             "which processes may send programs over DDS: 'any', or the names of DDS participants, "
              "such as monitor,swap [monitor]")
       .divided_by(',');
-  app.option("--log-level", options.log_level, "what is worth a line")
+  app.option("--log-level", options.log_level, "the least severe messages that are logged")
       .one_of({"debug", "info", "warning", "error", "off"})
       .show_default();
   app.flag("--print-catalog", options.print_catalog,

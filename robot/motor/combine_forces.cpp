@@ -35,7 +35,7 @@ void CombineForces::describe(Declaration<CombineForces>& is) {
   is.help("Adds up the forces of other motor schemas, each times its gain.");
   is.reads_all(&CombineForces::inputs_, "inputs", "the forces");
   is.numbers(&CombineForces::gains_, "gains", unit::kNone, {},
-             "a gain for each force, in the same order; without any all are 1")
+             "a gain for each force, in the same order; without gains all are 1")
       .range(0, 1e6)
       .one_for_each("inputs")
       .role(Role::kGain, "inputs");

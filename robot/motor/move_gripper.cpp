@@ -8,13 +8,14 @@ namespace galilean::robot {
 
 void MoveGripper::describe(Declaration<MoveGripper>& is) {
   is.help("Opens or closes the gripper, as a bit or as the program says.");
-  is.reads(&MoveGripper::bits_, "bits_variable", "decides, where given: 1 closes, 0 opens")
+  is.reads(&MoveGripper::bits_, "bits_variable",
+           "if given, its bit moves the gripper: 1 closes it, 0 opens it")
       .optional();
   is.number(&MoveGripper::bit_index_, "bit_index", unit::kNone, 0, "which bit of bits_variable")
       .range(0, 31)
       .only_with("bits_variable");
   is.choice(&MoveGripper::command_, "command", {"open", "close"}, "close",
-            "what to do where there is no bits_variable")
+            "what the gripper does if there is no bits_variable")
       .only_without("bits_variable")
       .role(Role::kGripperCommand);
   is.drives(kGripperName);

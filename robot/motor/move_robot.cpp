@@ -34,8 +34,10 @@ Vec2 along_pressed(Vec2 motion, std::uint32_t pressed) noexcept {
 
 void MoveRobot::describe(Declaration<MoveRobot>& is) {
   is.help("Drives the robot as a force says: turns towards it, then drives along it.");
-  is.reads(&MoveRobot::input_, "input_force", "where to, and how fast: length 1 is full speed");
-  is.reads(&MoveRobot::shaft_, "shaft_variable", "where the robot is; while invalid it stands");
+  is.reads(&MoveRobot::input_, "input_force",
+           "direction and speed of the motion: length 1 is full speed");
+  is.reads(&MoveRobot::shaft_, "shaft_variable",
+           "where the robot is; the robot stands still while this is invalid");
   is.reads(&MoveRobot::mask_, "mask_variable",
            "pressed bumpers, bit 0 front, then counter-clockwise: no motion to their side")
       .optional();

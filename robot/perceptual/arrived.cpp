@@ -10,7 +10,7 @@ void Arrived::describe(Declaration<Arrived>& is) {
   is.reads(&Arrived::object_, "locate_variable", "the object");
   is.reads(&Arrived::shaft_, "shaft_variable", "where the robot is").default_value("shaft");
   is.number(&Arrived::radius_m_, "radius", unit::kCentimetre, 40,
-            "distance from the robot's centre to the object's that counts as there")
+            "distance between the centres of robot and object within which the robot has arrived")
       .range(0, 10000)
       .role(Role::kDistanceAtMost, "locate_variable");
   is.updates(&Arrived::bits_, "bits_variable", "holds the bit");

@@ -57,7 +57,8 @@ void BlobDetector::describe(Declaration<BlobDetector>& is) {
   describe_appearance(is);
   describe_rejections(is);
   is.number(static_cast<Number>(&TargetMemory::switch_distance_m), "switch_distance",
-            unit::kCentimetre, 30, "so much nearer another object must be to be preferred")
+            unit::kCentimetre, 30,
+            "how much nearer another object must be before the detector switches to it")
       .range(0, 1000);
   is.number(static_cast<Number>(&TargetMemory::miss_penalty), "miss_penalty", unit::kNone, 0.1,
             "certainty lost with each picture in which a remembered place is in view and empty")
@@ -66,7 +67,7 @@ void BlobDetector::describe(Declaration<BlobDetector>& is) {
 }
 
 void BlobDetector::describe_connections(Declaration<BlobDetector>& is) {
-  is.reads(&BlobDetector::image_, "image_variable", "where to look");
+  is.reads(&BlobDetector::image_, "image_variable", "the image in which the object is looked for");
   is.reads(&BlobDetector::shaft_, "shaft_variable", "where the robot is");
   is.updates(&BlobDetector::locate_, "locate_variable",
              "the object: its class and radius say what is looked for")
@@ -83,7 +84,8 @@ void BlobDetector::describe_appearance(Declaration<BlobDetector>& is) {
   is.choice(&BlobDetector::polarity_, "polarity", {"bright", "dark"}, "bright",
             "whether the object's pixels are at least, or less than, the threshold")
       .role(Role::kPolarity, "image_variable");
-  is.number(&BlobDetector::threshold_, "threshold", unit::kNone, 60, "brightness of a pixel")
+  is.number(&BlobDetector::threshold_, "threshold", unit::kNone, 60,
+            "brightness from 0 to 255 that divides the object's pixels from the others")
       .range(0, 255)
       .role(Role::kThreshold, "image_variable");
   is.choice(&BlobDetector::aim_, "aim", {"centroid", "lowest"}, "centroid",
@@ -97,13 +99,13 @@ void BlobDetector::describe_appearance(Declaration<BlobDetector>& is) {
             Image::kWidth * Image::kHeight, "largest blob")
       .range(1, Image::kWidth * Image::kHeight);
   is.number(static_cast<Number>(&BlobGates::min_aspect), "min_aspect", unit::kNone, 0,
-            "least width for the height, as on the object")
+            "least ratio of the object's width to its height")
       .range(0, 1000);
   is.number(static_cast<Number>(&BlobGates::max_aspect), "max_aspect", unit::kNone, 1000,
-            "greatest width for the height, as on the object")
+            "greatest ratio of the object's width to its height")
       .range(0, 1000);
   is.number(static_cast<Number>(&BlobGates::min_fill), "min_fill", unit::kNone, 0,
-            "least part of its bounding box that a blob fills")
+            "least fraction of its bounding box that a blob must fill")
       .range(0, 1);
 }
 
@@ -116,14 +118,15 @@ void BlobDetector::describe_rejections(Declaration<BlobDetector>& is) {
   length(&BlobGates::min_width_m, "min_width", 0, "least width of the object");
   length(&BlobGates::max_width_m, "max_width", 10000, "greatest width of the object");
   length(&BlobGates::min_height_m, "min_height", 0, "least height of its top over the floor");
-  length(&BlobGates::max_height_m, "max_height", 10000, "greatest height of its top: no ceiling");
+  length(&BlobGates::max_height_m, "max_height", 10000,
+         "greatest height of its top over the floor, which excludes ceilings");
   length(&BlobGates::max_range_m, "max_range", 1000, "how far from the camera it may stand");
   is.number(&BlobDetector::companion_threshold_, "companion_threshold", unit::kNone, 40,
             "brightness of a pixel of companion_image that counts")
       .range(0, 255)
       .only_with("companion_image");
   is.number(&BlobDetector::companion_area_px_, "companion_area", unit::kSquarePixel, 10,
-            "so many of them around a blob reject it")
+            "how many such pixels around a blob reject it")
       .range(1, Image::kWidth * Image::kHeight)
       .only_with("companion_image");
   is.number(&BlobDetector::reject_radius_m_, "reject_radius", unit::kCentimetre, 40,

@@ -5,9 +5,9 @@ namespace galilean::robot {
 
 void Forget::describe(Declaration<Forget>& is) {
   is.help("Sets how fast the certainty of variables falls while no schema writes them.");
-  is.adjusts(&Forget::variables_, "variables", "what is forgotten, of whatever type");
+  is.adjusts(&Forget::variables_, "variables", "the variables, of any type, whose certainty falls");
   is.number(&Forget::time_s_, "time", unit::kSecond, 60,
-            "in which certainty falls from 1 to 0; 0: never")
+            "time in which certainty falls from 1 to 0; 0: it never falls")
       .range(0, 86400);
 }
 

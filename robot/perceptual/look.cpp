@@ -37,7 +37,7 @@ void Look::describe(Declaration<Look>& is) {
       .optional()
       .role(Role::kChannel, "dark");
   is.flag(&Look::normalise_, "normalise", true,
-          "whether dim pictures are brought to full brightness first");
+          "whether dim pictures are first scaled to full brightness");
   is.uses_devices(&Look::devices_);
 }
 

@@ -9,11 +9,12 @@ void Seen::describe(Declaration<Seen>& is) {
   is.help("Sets a bit while the robot knows well enough where an object is.");
   is.reads(&Seen::object_, "locate_variable", "the object");
   is.reads(&Seen::shaft_, "shaft_variable", "where the robot is").default_value("shaft");
-  is.number(&Seen::min_certainty_, "min_certainty", unit::kNone, 0.5, "how sure it must be")
+  is.number(&Seen::min_certainty_, "min_certainty", unit::kNone, 0.5,
+            "least certainty of the object that counts as seen")
       .range(0, 1)
       .role(Role::kCertaintyAtLeast, "locate_variable");
   is.number(&Seen::max_range_m_, "max_range", unit::kCentimetre, 10000,
-            "how far from the robot it may be")
+            "greatest distance from the robot at which the object counts as seen")
       .range(0, 10000);
   is.updates(&Seen::bits_, "bits_variable", "holds the bit");
   is.number(&Seen::bit_index_, "bit_index", unit::kNone, 0, "which bit")

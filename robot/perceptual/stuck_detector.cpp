@@ -6,7 +6,8 @@ namespace galilean::robot {
 void StuckDetector::describe(Declaration<StuckDetector>& is) {
   is.help("Sets a bit when something has been touched without a break for too long.");
   is.reads(&StuckDetector::contact_, "contact_variable", "the bumpers");
-  is.number(&StuckDetector::duration_s_, "duration", unit::kSecond, 3, "how long is too long")
+  is.number(&StuckDetector::duration_s_, "duration", unit::kSecond, 3,
+            "how long something must be touched without a break before the bit is set")
       .range(0, 86400);
   is.updates(&StuckDetector::bits_, "bits_variable", "holds the bit");
   is.number(&StuckDetector::bit_index_, "bit_index", unit::kNone, 0, "which bit")

@@ -10,10 +10,12 @@ using galilean::sim::Options;
 
 void declare_live(CommandLine& app, Options& options) {
   app.flag("--live", options.live,
-           "In real time, for robots in processes of their own; prints their devices as JSON");
-  app.option("--run", options.run, "Part of the names of lines and cameras (live)").show_default();
+           "Run in real time for robots in their own processes, and print their devices as JSON");
+  app.option("--run", options.run,
+             "Name of this run, which is part of the names of its serial lines and cameras (live)")
+      .show_default();
   app.option("--autostart", options.autostart_s,
-             "Push a bumper of each robot so many seconds after all are connected (live)")
+             "Seconds from when all robots are connected until a bumper of each is pushed (live)")
       .between(0.0, 3600.0);
   app.option("--fault", options.faults,
              "Unplug a device for a while, as camera:io@20-30 or serial:io@20-30 (live)");
@@ -23,21 +25,25 @@ void declare_live(CommandLine& app, Options& options) {
 
 void declare(CommandLine& app, Options& options) {
   app.flag("--headless", options.headless,
-           "One contest as fast as possible, then its result (the default)");
+           "Run one contest as fast as possible and print its result (the default)");
   app.flag("--json", options.json, "Print the result as one JSON object");
   app.option("--scenario", options.scenario, "A scenario that ships, or a JSON file")
       .show_default();
   app.option("--bhdl", options.bhdl, "A program that ships, or a BHDL file (headless)")
       .show_default();
-  app.option("--robots", options.robots, "How many").between(1, 64).show_default();
-  app.option("--seed", options.seed, "All that is random descends from it").show_default();
-  app.option("--duration", options.duration_s, "Seconds; the scenario's unless given")
+  app.option("--robots", options.robots, "Number of robots").between(1, 64).show_default();
+  app.option("--seed", options.seed, "Seed of the random number generators").show_default();
+  app.option("--duration", options.duration_s,
+             "Length of the contest in seconds; without it the scenario's")
       .between(0.1, 86400.0);
   app.option("--start", options.start,
-             "Go on from where a live team is: a JSON file as the monitor makes it (headless)");
-  app.option("--trace", options.trace, "Write poses and states, one JSON line a robot and second");
-  app.option("--snapshot", options.snapshot, "Write what a robot sees at the start as PNG");
-  app.option("--robot", options.snapshot_robot, "Whose eyes --snapshot uses").show_default();
+             "Start from the state of a live team: a JSON file that the monitor made (headless)");
+  app.option("--trace", options.trace,
+             "Write each robot's pose and state to this file once a second, as JSON lines");
+  app.option("--snapshot", options.snapshot,
+             "Write a robot's first camera picture to this file, as PNG");
+  app.option("--robot", options.snapshot_robot, "The robot whose camera takes the --snapshot")
+      .show_default();
 }
 
 }  // namespace

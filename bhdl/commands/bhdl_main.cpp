@@ -97,12 +97,13 @@ Commands add_commands(CommandLine& app, Options& options) {
   commands.check.option("FILE", options.files, "programs").required();
   commands.describe.option("COMPONENT", options.component, "one component, or state or condition");
   commands.format.option("FILE", options.files, "files, or - for standard input").required();
-  commands.format.flag("--check", options.check_only,
-                       "Write nothing, name what would change and exit 1 if anything would");
+  commands.format.flag(
+      "--check", options.check_only,
+      "Write nothing, list the files that would change, and exit with 1 if there are any");
   commands.diff.option("FILE", options.files, "two programs").required().takes(2, 2);
   commands.diff.footer("Exits 0 if they do the same, 1 if not, 2 if one of them is no program.");
   commands.graph.option("FILE", options.files, "a program").required().takes(1, 1);
-  commands.graph.option("--format", options.graph_format, "What to print it as")
+  commands.graph.option("--format", options.graph_format, "Format of the output")
       .one_of({"dot", "svg", "json"})
       .show_default();
   for (auto* command : {&commands.check, &commands.describe, &commands.diff})
@@ -110,8 +111,10 @@ Commands add_commands(CommandLine& app, Options& options) {
   for (auto* command : {&commands.check, &commands.describe, &commands.diff, &commands.graph,
                         &commands.language_server})
     command->option("--catalog", options.catalog_path,
-                    "What components there are (default: this build's robot)");
-  commands.language_server.flag("--stdio", "What it always does; some editors say so");
+                    "JSON file of the components (default: those of this build's robot)");
+  commands.language_server.flag(
+      "--stdio",
+      "Accepted because some editors pass it: the server always uses standard input and output");
   return commands;
 }
 

@@ -77,11 +77,14 @@ int main(int argc, char** argv) {
   app.option("--domain", options.domain, "DDS domain (ROS_DOMAIN_ID, else 0)");
   app.option("--web", options.page_folder, "folder of the built page");
   app.option("--programs", options.library_folder, "folder of the programs to choose from");
-  app.option("--catalog", options.catalog_file, "components, for where no robot is asked");
+  app.option("--catalog", options.catalog_file,
+             "JSON file of the components, used where no robot is asked for them");
   app.option("--data", options.data_folder,
              "folder that keeps the history of pushes and the tokens");
-  app.option("--simulator", options.simulator, "what tries programs, instead of galilean-sim");
-  app.option("--silent-after", silent_after_s, "seconds without a word before a robot is silent")
+  app.option("--simulator", options.simulator,
+             "simulator that tries programs, instead of galilean-sim");
+  app.option("--silent-after", silent_after_s,
+             "how many seconds a robot may send nothing before it counts as silent")
       .positive();
   app.options(
       "--start", [&](const std::string& text) { return read_start(text, options); },

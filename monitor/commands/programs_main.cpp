@@ -141,15 +141,15 @@ int main(int argc, char** argv) {
   auto listing = app.command("list", "the last pushes: when, what, by whom, what became of it");
   listing.flag("--json", list_as_json, "as JSON");
   auto showing = app.command("show", "a program's text");
-  showing.option("hash", hash, "its hash, or how it begins").required();
-  auto comparing = app.command("diff", "what B tells robots otherwise than A");
+  showing.option("hash", hash, "the program's hash, or the beginning of it").required();
+  auto comparing = app.command("diff", "what program B does differently from program A");
   comparing.option("A", comparison.from, "a hash, or a file").required();
   comparing.option("B", comparison.to, "a hash, or a file").required();
   comparing.option("--catalog", comparison.catalog_file,
-                   "what components there are, else the build's");
+                   "JSON file of the components; without it this build's");
   comparing.flag("--json", comparison.as_json, "as JSON");
   auto restoring = app.command("restore", "push a program once more");
-  restoring.option("hash", hash, "its hash, or how it begins").required();
+  restoring.option("hash", hash, "the program's hash, or the beginning of it").required();
   add_push_options(restoring, options);
   if (const auto code = app.parse(argc, argv)) return *code == 0 ? EXIT_SUCCESS : kCannotReach;
   if (const auto targets = check_targets(options); restoring.chosen() && !targets)

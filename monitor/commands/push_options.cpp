@@ -28,16 +28,17 @@ Result<double> seconds_of(const std::string& text) {
 void add_monitor_option(CommandLine& app, PushOptions& options) {
   app.option("--monitor", options.monitor, "the monitor to speak to").show_default();
   app.option("--token-file", options.token_file,
-             "the operator's token; of a monitor on this machine it is found");
+             "file of the operator's token; not needed for a monitor on this machine");
 }
 
 void add_push_options(CommandLine& app, PushOptions& options) {
   const auto team = app.flag("--team", options.team, "to every robot that is heard");
   app.option("--robot", options.robots, "to these robots").excludes(team);
-  app.option("--author", options.author, "who pushes, for the history").show_default();
-  app.option("--replaces", options.replaces, "refuse where another program than this hash runs");
-  app.flag("--try", options.tries, "first in simulation, beside the program that runs");
-  app.flag("--try-only", options.tries_only, "in simulation alone: no robot is given it");
+  app.option("--author", options.author, "who pushes, as the history shows it").show_default();
+  app.option("--replaces", options.replaces,
+             "refuse the push where a robot runs a program with another hash than this");
+  app.flag("--try", options.tries, "first compare it in simulation with the program that runs");
+  app.flag("--try-only", options.tries_only, "only try it in simulation and give it to no robot");
   app.flag("--even-if-worse", options.even_if_worse,
            "push it though it scores clearly less in simulation");
   app.option("--canary", options.canary, "the robot that runs it first");
@@ -49,8 +50,8 @@ void add_push_options(CommandLine& app, PushOptions& options) {
         options.probation_s = seconds.value();
         return {};
       },
-      "for so long each robot may go back by itself, and a canary runs it alone; as 10s");
-  app.flag("--json", options.json, "what came of it as JSON");
+      "how long each robot may roll back by itself, and a canary runs it alone, such as 10s");
+  app.flag("--json", options.json, "print the result of the push as JSON");
 }
 
 Result<void> check_targets(const PushOptions& options) {

@@ -103,15 +103,17 @@ int run(const Options& options) try {
 int main(int argc, char** argv) {
   Options options;
   CommandLine app("Records every topic of the team as MCAP, to be opened by Foxglove or ROS 2.");
-  app.option("--out", options.out, "File to make, such as run.mcap").required();
-  app.option("--duration", options.duration_s, "Seconds; without it until Ctrl-C").positive();
+  app.option("--out", options.out, "File to write, such as run.mcap").required();
+  app.option("--duration", options.duration_s,
+             "How many seconds to record; without it until Ctrl-C")
+      .positive();
   app.option("--topics", options.topics,
-             "Record only topics in whose names this regular expression is found, such as "
+             "Record only topics whose names match this regular expression somewhere, such as "
              "'^/io/|score'");
   app.option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
       .between(0, 232);
   app.flag("--no-images", options.no_images, "Leave the cameras' pictures out");
-  app.flag("--replace", options.replace, "Write over the file if there is one");
+  app.flag("--replace", options.replace, "Overwrite the file if it exists");
   if (const auto code = app.parse(argc, argv)) return *code;
   return run(options);
 }

@@ -159,12 +159,13 @@ int main(int argc, char** argv) {
   Options options;
   CommandLine app("Plays a recording of a team again, for the monitor, top, Foxglove or rviz2.");
   app.option("file", options.file, "An MCAP file that galilean record made").required();
-  app.option("--rate", options.rate, "How fast: 2 is twice as fast as it was").between(0.01, 100.0);
-  app.option("--from", options.from_s, "Seconds after the recording's start to begin at")
+  app.option("--rate", options.rate, "Speed of the replay: 2 is twice as fast as recorded")
+      .between(0.01, 100.0);
+  app.option("--from", options.from_s, "Where to begin, in seconds from the start of the recording")
       .not_negative();
   app.flag("--loop", options.loop, "Begin again at the end, until Ctrl-C");
   app.flag("--anyway", options.anyway,
-           "Play though robots of the same names are live in the domain");
+           "Play even if live robots in the domain have the same names");
   app.option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
       .between(0, 232);
   if (const auto code = app.parse(argc, argv)) return *code;

@@ -133,8 +133,8 @@ int run(Operator::Word word, const Options& options) try {
 [[nodiscard]] CommandLine add(CommandLine& app, const char* name, const char* help,
                               Options& options) {
   auto verb = app.command(name, help);
-  auto robots = verb.option("--robot", options.robots, "These robots");
-  const auto team = verb.flag("--team", options.team, "Every robot that is heard");
+  auto robots = verb.option("--robot", options.robots, "The robots to command");
+  const auto team = verb.flag("--team", options.team, "Command every robot that is heard");
   verb.option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
       .between(0, 232);
   robots.excludes(team);

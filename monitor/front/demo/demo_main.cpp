@@ -148,15 +148,17 @@ int run(const DemoOptions& options) try {
 int main(int argc, char** argv) {
   DemoOptions options;
   CommandLine app("Starts the simulator, robots and the monitor on this machine; Ctrl-C ends all.");
-  app.option("--robots", options.robots, "How many").between(1, 16).show_default();
-  app.option("--port", options.port, "Of the page, on 127.0.0.1").between(1, 65535).show_default();
+  app.option("--robots", options.robots, "Number of robots").between(1, 16).show_default();
+  app.option("--port", options.port, "Port of the page on 127.0.0.1")
+      .between(1, 65535)
+      .show_default();
   app.option("--scenario", options.scenario, "A scenario that ships, or a JSON file")
       .show_default();
   app.option("--bhdl", options.bhdl, "A program that ships, or a BHDL file").show_default();
   app.flag("--watch", options.watch, "Swap the robots' program whenever it is saved");
-  app.option("--seed", options.seed, "All that is random descends from it").show_default();
+  app.option("--seed", options.seed, "Seed of the random number generators").show_default();
   app.option("--headless-for", options.headless_for_s,
-             "End after so many seconds: exit code 0 if the team worked, else 1")
+             "End after this many seconds, with exit code 0 if the team worked, else 1")
       .positive();
   app.option("--record", options.record, "Record all topics to this file, as MCAP");
   app.option("--allow-origin", options.allowed_origins,

@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   using namespace galilean::front;
   int port = 8080, domain = -1;
   galilean::CommandLine app("Checks what this machine lacks for a team; exit code 0 if nothing.");
-  app.option("--port", port, "The page's").between(1, 65535).show_default();
+  app.option("--port", port, "Port of the page").between(1, 65535).show_default();
   app.option("--domain", domain, "DDS domain; without it ROS_DOMAIN_ID, else 0").between(0, 232);
   if (const auto code = app.parse(argc, argv)) return *code;
   bool well = true;

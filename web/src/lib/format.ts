@@ -33,6 +33,11 @@ export function lasting(duration_s: number): string {
   return whole < 7200 ? `${Math.round(whole / 60)} min` : `${Math.round(whole / 3600)} h`;
 }
 
+/** A delay: milliseconds below a second, then seconds and more: "85 ms", "1.4 s", "21 s". */
+export function delay(duration_ms: number): string {
+  return duration_ms < 999.5 ? `${duration_ms.toFixed(0)} ms` : lasting(duration_ms / 1000);
+}
+
 const RECENT_S = 60;
 
 /** Relative when recent, clock when old. */

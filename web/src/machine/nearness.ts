@@ -42,6 +42,8 @@ export interface Nearness {
   readonly words: string;
 }
 
+/** A time left that is shorter than this would be shown as 0.0 s. */
+const NOW_S = 0.05;
 /** From here on a condition counts as near. */
 export const NEAR = 0.75;
 
@@ -90,7 +92,7 @@ function distance_m(trigger: Trigger, { variables }: Situation): number | undefi
 const measures: Record<Measure, (trigger: Trigger, now: Situation) => Nearness | undefined> = {
   time_at_least: ({ limit }, { in_state_s }) => {
     const left_s = Math.max(limit - in_state_s, 0);
-    return { share: share(in_state_s / limit), words: `in ${lasting(left_s)}` };
+    return { share: share(in_state_s / limit), words: left_s < NOW_S ? "fires now" : `in ${lasting(left_s)}` };
   },
   certainty_below: ({ locate, limit }, now) => {
     const { certainty, decay_per_s } = certaintyOf(locate, now);

@@ -3,6 +3,7 @@
 
 import { ellipseOf } from "./ellipse";
 import { drifts, programShares } from "./drift";
+import { lasting } from "../lib/format";
 import type { Robot, Team } from "./model";
 import { isSilent } from "./silence";
 
@@ -15,6 +16,8 @@ export interface Alarm {
   readonly robot: string;
   /** One sentence. */
   readonly words: string;
+  /** The words once it is over, without how long it lasted; without them the alarm is called over. */
+  readonly past?: string;
   /** What to do about it. */
   readonly advice: string;
 }
@@ -50,7 +53,7 @@ const finders: Record<Exclude<AlarmKind, "silent" | "problem" | "push" | "drift"
 
 function ofRobot(robot: Robot, team: Team, now_ms: number): Alarm[] {
   const of = (kind: AlarmKind, words: string, advice: string, more = ""): Alarm => ({ key: `${kind} ${robot.name} ${more}`, kind, robot: robot.name, words, advice });
-  if (isSilent(robot, now_ms)) return [of("silent", `${robot.name} is silent.`, "Check its power and its network; it is shown where it was last heard.")];
+  if (isSilent(robot, now_ms)) return [{ ...of("silent", `${robot.name} is silent.`, "Check its power and its network; it is shown where it was last heard."), past: `${robot.name} was silent` }];
   const state = robot.state?.value;
   if (state?.out_of_service) return [];
   const found = Object.values(finders).flatMap((find) => find(robot, now_ms) ?? []);
@@ -81,6 +84,14 @@ export interface Posted {
   readonly since_ms: number;
   readonly over_ms?: number;
   readonly seen: boolean;
+}
+
+/** How long a posted alarm has lasted, or lasted until it was over, in words: "io is silent, for 12 s". */
+export function sentenceOf({ alarm, since_ms, over_ms }: Posted, now_ms: number): string {
+  const words = alarm.words.replace(/\.$/, "");
+  const lasted = lasting(((over_ms ?? now_ms) - since_ms) / 1000);
+  if (over_ms === undefined) return `${words}, for ${lasted}`;
+  return alarm.past ? `${alarm.past} for ${lasted}` : `${words}; over after ${lasted}`;
 }
 
 /** What was over sooner was none: a page that has just been opened hears one robot before the other. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
-import { clock, degrees, lasting, metres, shortened, when } from "../../src/lib/format";
+import { clock, degrees, delay, lasting, metres, shortened, when } from "../../src/lib/format";
 
 describe("numbers and times", () => {
   it("have units and a true minus", () => {
@@ -24,4 +24,8 @@ describe("numbers and times", () => {
 it("shortens a long name in its middle", () => {
   expect(shortened("wander_for_trashcan", 11)).toBe("wande…shcan");
   expect(shortened("start", 11)).toBe("start");
+});
+
+it("says a delay in milliseconds below a second, else in seconds and more", () => {
+  expect([85, 999, 1400, 20_830, 180_000].map(delay)).toEqual(["85 ms", "999 ms", "1.4 s", "21 s", "3 min"]);
 });

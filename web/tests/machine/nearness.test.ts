@@ -27,6 +27,9 @@ describe("how near a condition is to firing", () => {
   it("is the share of a clock's time that has passed", () => {
     expect(nearnessOf(condition("up"), triggers, now())).toEqual({ share: 0.75, words: "in 1.0 s" });
   });
+  it("says that a clock whose time has passed fires now", () => {
+    expect(nearnessOf(condition("up"), triggers, now({ in_state_s: 1000 }))).toEqual({ share: 1, words: "fires now" });
+  });
   it("counts only the trigger that the state runs", () => {
     expect(nearnessOf(condition("up"), triggers, now({ schemas: ["long"] }))?.share).toBeCloseTo(3 / 120);
     expect(nearnessOf(condition("up"), triggers, now({ schemas: [] }))).toBeUndefined();

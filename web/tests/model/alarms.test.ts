@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { ProgramReply_Constants } from "../../src/feed/messages";
-import { acknowledged, type Alarm, alarms, withAlarms } from "../../src/model/alarms";
+import { acknowledged, type Alarm, alarms, sentenceOf, withAlarms } from "../../src/model/alarms";
 import { mapRobot, state, T0_MS, told } from "./told";
 
 type Told = [string, unknown, number];
@@ -96,6 +96,19 @@ describe("alarms", () => {
     const away = state({ out_of_service: true, problems: ["motor: off"] });
     expect(kinds([["/io/state", away, T0_MS]], T0_MS)).toEqual([]);
     expect(kinds([["/io/state", away, T0_MS]], T0_MS + 9000)).toEqual(["io silent"]);
+  });
+});
+
+describe("the sentence of a posted alarm", () => {
+  const silent = alarms(told([["/io/state", state(), T0_MS]]), T0_MS + 9000)[0]!;
+
+  it("says how long it lasts, and in the past tense how long it lasted", () => {
+    expect(sentenceOf({ alarm: silent, since_ms: 1000, seen: false }, 13_000)).toBe("io is silent, for 12 s");
+    expect(sentenceOf({ alarm: silent, since_ms: 1000, over_ms: 13_000, seen: false }, 99_000)).toBe("io was silent for 12 s");
+  });
+  it("calls another alarm over", () => {
+    const alarm: Alarm = { key: "problem io", kind: "problem", robot: "io", words: "io: no picture", advice: "" };
+    expect(sentenceOf({ alarm, since_ms: 1000, over_ms: 13_000, seen: false }, 99_000)).toBe("io: no picture; over after 12 s");
   });
 });
 

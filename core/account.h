@@ -5,7 +5,8 @@
 
 namespace galilean {
 
-/// Who runs this process, for what it signs: $USER, else the account's name, else its number.
+/// Returns the name of the user who runs this process: $USER, else the account's name, else its
+/// number. Pushes and commands are signed with it.
 [[nodiscard]] std::string user_name();
 
 }  // namespace galilean

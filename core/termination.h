@@ -13,11 +13,12 @@ class Termination {
   Termination(const Termination&) = delete;
   Termination& operator=(const Termination&) = delete;
 
-  /// Readable once one of them came: for poll.
+  /// Returns a file descriptor for poll, which becomes readable once a signal came.
   [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
-  /// Whether one came. Never waits.
+  /// Returns whether a signal came. Never waits.
   [[nodiscard]] bool asked() noexcept;
-  /// For a process that was just forked, before it becomes another program. Safe there.
+  /// Unblocks the signals in a process that was just forked, so that the program that it executes
+  /// receives them. May be called between fork and exec.
   static void unblock() noexcept;
 
  private:

@@ -21,7 +21,7 @@ class AttributeValues {
       }
     values_.emplace_back(std::move(name), std::move(value));
   }
-  /// Of one that is not there yet.
+  /// Adds an attribute. Requires: no attribute of this name was added before.
   void add(std::string name, Value value) {
     values_.emplace_back(std::move(name), std::move(value));
   }

@@ -57,7 +57,8 @@ class Declaration {
       return *this;
     }
 
-    /// Of a name: what it is when the program does not give it. It must exist all the same.
+    /// Sets the variable's name for programs that do not give it. A variable of that name must
+    /// still exist.
     Refinement& default_value(std::string name) {
       spec_.default_value = Value(std::move(name));
       return *this;
@@ -83,7 +84,8 @@ class Declaration {
       spec_.bit_of = std::move(attribute);
       return *this;
     }
-    /// What it is to others, which know no schema by name; see docs/ADD_A_SCHEMA.md.
+    /// Sets what the attribute means to code that knows no schema by name; see
+    /// docs/ADD_A_SCHEMA.md.
     Refinement& role(Role role, std::string of = {}) {
       spec_.role = role;
       spec_.of = std::move(of);

@@ -28,7 +28,8 @@ enum class GripperCommand : std::uint8_t { kOpen, kClose };
 /// The paper's comm_port: the serial line to the microcontroller.
 class CommPort : public Device {
  public:
-  /// As of `sense`. Stays the last known while the line is down (see `healthy`).
+  /// Returns the status that the last `sense` took. While the line is down (see `healthy`) it stays
+  /// the last known one.
   [[nodiscard]] virtual const ControllerStatus& status() const noexcept = 0;
   virtual void command_gripper(GripperCommand command) noexcept = 0;
 };

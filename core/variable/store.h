@@ -41,7 +41,8 @@ class VariableStore {
     return std::get<std::deque<Variable<T>>>(variables_);
   }
 
-  /// Of the variable of that name, whatever its type; nullptr if there is none.
+  /// Returns the reliability of the variable of that name, whatever its type, or nullptr if there
+  /// is no such variable.
   [[nodiscard]] Reliability* find_reliability(std::string_view name) noexcept {
     Reliability* found = nullptr;
     for_each([&](auto& variable) {

@@ -109,7 +109,7 @@ struct Variable {
     return reliability.certainty_at(now);
   }
   [[nodiscard]] bool valid_at(Time now) const noexcept { return certainty_at(now) > 0; }
-  /// What a condition's reset_variables does.
+  /// Makes the variable invalid, as the reset_variables of a condition asks.
   void reset(Time now) noexcept {
     reliability.valid = false;
     reliability.certainty = 0;

@@ -17,12 +17,14 @@ class Graph {
     std::set<std::string> writers, readers;
     bool operator==(const Ends&) const = default;
   };
-  /// By topic, as on DDS: "rt/io/state". Topics of DDS itself are left out.
+  /// The writers and readers of each topic. The key is the topic's name on DDS, such as
+  /// "rt/io/state"; topics of DDS itself are left out.
   using Topics = std::map<std::string, Ends>;
 
   explicit Graph(Participant& participant);
   ~Graph();
-  /// As it is now. A process that is not known by name yet is called by its GUID.
+  /// Returns the topics as they are now. A process whose name is not known yet appears under its
+  /// GUID.
   [[nodiscard]] Topics topics();
 
  private:

@@ -9,7 +9,7 @@
 
 namespace galilean::wire {
 
-/// What the monitor joins as, by which robots know it.
+/// The name that the monitor joins the domain with; robots recognise the monitor by it.
 inline constexpr const char* kMonitorName = "monitor";
 
 /// A process's membership in a DDS domain. Must go before `main` returns (Cyclone's threads outlive

@@ -24,19 +24,22 @@ class BoardSession {
  public:
   BoardSession(ByteStream& line, Duration timeout);
 
-  /// Reads, answers, repeats what was not confirmed, writes. True if a status came.
+  /// Reads from the line, answers, repeats what the board has not confirmed, and writes. Returns
+  /// whether a status came.
   bool pump(Time now);
-  /// What the board is to work with from now on. Until the first one no session becomes ready.
+  /// Sets the parameters that the board works with from now on. No session becomes ready before the
+  /// first call.
   void configure(const firmware::Parameters& parameters);
 
   /// Commands are dropped unless the session is ready: an old one must not move a robot later.
   void drive(const firmware::Drive& command);
   void stop();
-  /// Repeated until the board does it, also after a reset of the board.
+  /// Orders the gripper to close or open. The order is repeated until the board carries it out,
+  /// also after a reset of the board.
   void grip(bool close);
 
   [[nodiscard]] bool ready() const { return stage_ == Stage::kReady; }
-  /// As it came last; the session was ready then.
+  /// Returns the last status that came while the session was ready.
   [[nodiscard]] const firmware::Status& status() const { return status_; }
   /// Counts the board's restarts as this side noticed them.
   [[nodiscard]] std::uint32_t epoch() const { return boot_.epoch(); }

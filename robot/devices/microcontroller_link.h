@@ -38,7 +38,8 @@ class MicrocontrollerLink final : public CommPort {
   [[nodiscard]] const ControllerStatus& status() const noexcept override;
   void command_gripper(GripperCommand command) noexcept override;
 
-  /// For motor_drive. Only the newest order of a tick reaches the board, and none while it is away.
+  /// Orders a movement, for motor_drive. Only the newest order of a tick reaches the board, and no
+  /// order does while the board is away.
   void drive(const firmware::Drive& command) noexcept;
   void stop() noexcept;
   void configure(const MotorSetup& setup) noexcept;

@@ -24,7 +24,7 @@ struct MotorDriveSettings {
   double timeout_s = 0.5;
 
   static void describe(Declaration<MotorDriveSettings>& is);
-  /// As the board takes them.
+  /// Returns the settings in the form that the board takes.
   [[nodiscard]] firmware::Parameters parameters() const noexcept;
 };
 

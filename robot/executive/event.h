@@ -36,7 +36,7 @@ class ShortText {
   std::uint8_t size_ = 0;
 };
 
-/// What a state's conditions were before one of them fired: bit i is condition i.
+/// The truth of a state's conditions before one of them fired: bit i is condition i.
 struct TestedConditions {
   static constexpr std::uint32_t kMost = 64;  ///< those beyond are not told
 

@@ -19,14 +19,15 @@ struct VariableSituation {
   std::vector<double> values;  ///< in the order of a snapshot's
 };
 
-/// What a robot's program had come to, in this process or another.
+/// The state and the variables of a program that ran before, in this process or another.
 struct Situation {
   std::string state;
   std::vector<VariableSituation> variables;
 };
 
-/// As a swap carries variables over: those of the same name and type keep value, status and
-/// certainty; constants are the program's own. What does not fit its type is left as it is.
+/// Gives the program's variables the values of `situation`, as a swap does: a variable of the same
+/// name and type keeps value, status and certainty. Constants stay the program's own, and a value
+/// that does not fit its variable's type is ignored.
 void restore_variables(const Situation& situation, RunningProgram& program, Time now);
 
 }  // namespace galilean::robot

@@ -24,7 +24,7 @@ class SchemaRunner {
   bool run(const Tick& tick) noexcept;
 
   [[nodiscard]] bool failed() const noexcept { return failed_; }
-  /// What it threw.
+  /// Returns the message of the exception that the schema threw.
   [[nodiscard]] const ShortText& failure() const noexcept { return failure_; }
   /// The tick in which it last ran; 0: never.
   [[nodiscard]] std::uint64_t last_run() const noexcept { return last_run_; }

@@ -10,7 +10,7 @@
 
 namespace galilean::robot {
 
-/// One program giving way to another, while it happens.
+/// The change from one program to another, while it is under way.
 struct Handover {
   Event::Kind kind = Event::Kind::kStarted;  ///< kStarted, kSwapped or kRolledBack
   RunningProgram* replaced = nullptr;        ///< null at the first program; lives until it is over

@@ -27,11 +27,11 @@ struct TickView {
 };
 
 /// Watches an executive from within its control loop: neither method allocates, waits or does I/O.
-/// What is seen is valid during the call only.
+/// Receives events and ticks from the executive. The arguments are valid during the call only.
 class TickObserver {
  public:
   virtual ~TickObserver() = default;
-  /// As it happens, before the end of its tick.
+  /// Is called when the event happens, before the end of its tick.
   virtual void on_event(const Event& event) noexcept = 0;
   virtual void on_tick(const TickView& view) noexcept = 0;
 };

@@ -34,7 +34,7 @@ class Wheel {
   void measure(std::int32_t encoder_counts, std::uint32_t now_ms) {
     speedometer_.sample(encoder_counts, now_ms);
   }
-  /// One period of the loop: the PWM to apply.
+  /// Runs one period of the loop, `dt_s` seconds long. Returns the PWM to apply.
   std::int16_t step(const DeadZone& dead_zone, float dt_s);
 
   /// A motion is under way, or only just ended.

@@ -7,7 +7,7 @@
 
 namespace galilean::robot {
 
-/// Trigger: the robot has leant against something for so long that it must be wedged.
+/// Trigger: the robot has touched something without a break for so long that it must be wedged.
 ///
 ///   reads   contact_variable (bits), such as the bumpers
 ///   writes  bits_variable: bit `bit_index` is 1 once some bit of contact_variable has been 1 in

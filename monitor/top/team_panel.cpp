@@ -109,7 +109,9 @@ void draw_title(const View& view, Canvas& canvas) {
       0, column,
       "  " + std::to_string(score.deposited) + " of " + std::to_string(score.pieces) + " pieces");
   column = canvas.put(0, column, "  " + one_decimal(score.points, " points"), Style::kBold);
-  canvas.put(0, column, "  " + std::to_string(score.collisions) + " collisions");
+  canvas.put(0, column,
+             "  " + std::to_string(score.collisions) +
+                 (score.collisions == 1 ? " collision" : " collisions"));
 }
 
 int draw_team(const View& view, const Area& area, Canvas& canvas) {

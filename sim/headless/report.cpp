@@ -71,11 +71,14 @@ std::string summary(const ordered_json& report) {
   std::ostringstream text;
   text << report["scenario"].get<std::string>() << ", " << report["program"].get<std::string>()
        << ", seed " << report["seed"] << ": " << report["deposited"] << " of " << report["pieces"]
-       << " pieces, " << report["collisions"] << " collisions, score " << report["score"] << "\n";
+       << " pieces, " << report["collisions"]
+       << (report["collisions"] == 1 ? " collision" : " collisions") << ", score "
+       << report["score"] << "\n";
   for (const auto& robot : report["robots"])
     text << "  " << robot["name"].get<std::string>() << ": " << robot["deposited"] << " pieces, "
-         << robot["collisions"] << " collisions, " << robot["distance_m"] << " m driven, stuck for "
-         << robot["longest_stuck_s"] << " s at most\n";
+         << robot["collisions"] << (robot["collisions"] == 1 ? " collision, " : " collisions, ")
+         << robot["distance_m"] << " m driven, stuck for " << robot["longest_stuck_s"]
+         << " s at most\n";
   text << report["simulated_seconds"] << " simulated seconds in " << report["wall_seconds"]
        << " s; final state " << report["hash"].get<std::string>() << "\n";
   return text.str();

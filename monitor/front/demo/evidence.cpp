@@ -58,7 +58,8 @@ std::string Evidence::summary() const {
         << " late ticks\n";
   out << "  referee     " << (score_.phase.empty() ? "not heard" : score_.phase) << ", "
       << score_.deposited << " of " << score_.pieces << " pieces, " << score_.collisions
-      << " collisions, " << score_.points << " points after " << score_.elapsed_s << " s\n";
+      << (score_.collisions == 1 ? " collision, " : " collisions, ") << score_.points
+      << " points after " << score_.elapsed_s << " s\n";
   return out.str();
 }
 

@@ -46,7 +46,7 @@ class HeadlessContest {
   [[nodiscard]] std::size_t robot_count() const noexcept { return robots_.size(); }
   [[nodiscard]] const HeadlessRobot& robot(std::size_t index) const { return *robots_[index]; }
   [[nodiscard]] double simulated_s() const noexcept { return world_->referee().elapsed_s(); }
-  /// Of the final state of all bodies, the referee's sheet and all executives.
+  /// Returns a hash of the state of all bodies, of the referee's sheet and of all executives.
   [[nodiscard]] std::uint64_t hash() const;
 
  private:

@@ -58,7 +58,7 @@ class Physics final : private b2ContactListener {
   [[nodiscard]] b2World& world() noexcept { return world_; }
   void step(double dt_s);
 
-  /// Of the last step, in Box2D's order, which is the same for the same history.
+  /// Returns the touches of the last step in Box2D's order, which is the same for the same history.
   [[nodiscard]] const std::vector<Touch>& touches() const noexcept { return touches_; }
   [[nodiscard]] const std::vector<Hit>& hits() const noexcept { return hits_; }
 

@@ -25,7 +25,7 @@ class Access {
   bool reads_freely_;
 };
 
-/// Whether an address can be reached from this machine alone.
+/// Returns whether an address can be reached from this machine only.
 [[nodiscard]] bool is_loopback(const std::string& address);
 
 /// What to tell those who may not, and what they can do about it.

@@ -19,10 +19,10 @@ class Worker {
   explicit Worker(boost::asio::io_context& io) : io_(io) {}
   ~Worker() { finish(); }
 
-  /// Waits until all jobs are done: before what they use goes.
+  /// Waits until all jobs are done. Call it before the objects that the jobs use are destroyed.
   void finish() { pool_.join(); }
 
-  /// For jobs that nobody waits for.
+  /// Runs a job whose result nobody waits for.
   template <class Job>
   void run(Job job) {
     boost::asio::post(pool_, [job = std::move(job)]() mutable { guarded("a job", job); });

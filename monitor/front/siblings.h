@@ -8,7 +8,7 @@ namespace galilean::front {
 
 /// The path of a program that lies beside this one.
 [[nodiscard]] std::string sibling(std::string_view program);
-/// Whether it is there and may be run.
+/// Returns whether the file exists and may be executed.
 [[nodiscard]] bool is_program(const std::string& path);
 
 }  // namespace galilean::front

@@ -13,15 +13,15 @@ class ChunkBuilder {
   void add(const Schema& schema) { append(records_, schema); }
   void add(const Channel& channel) { append(records_, channel); }
   void add(const Message& message);
-  /// For the next chunk; keeps the memory.
+  /// Empties the builder for the next chunk and keeps its memory.
   void clear();
 
   [[nodiscard]] bool empty() const noexcept { return records_.empty(); }
   [[nodiscard]] ByteView records() const noexcept { return records_; }
-  /// Of the messages' log times; 0 where there are none.
+  /// The earliest and the latest log time of the messages, in ns; 0 if there are no messages.
   [[nodiscard]] std::uint64_t start_ns() const noexcept { return start_ns_; }
   [[nodiscard]] std::uint64_t end_ns() const noexcept { return end_ns_; }
-  /// Of each channel, empty where it has no message here.
+  /// The message index of each channel, which is empty if the channel has no message in this chunk.
   [[nodiscard]] const std::map<std::uint16_t, MessageIndex>& indexes() const noexcept {
     return indexes_;
   }

@@ -9,9 +9,9 @@ namespace galilean::monitor {
 
 /// Seconds from the first message to the last.
 [[nodiscard]] double duration_s(const mcap::Summary& summary);
-/// For people, with a line for each channel.
+/// Returns a description of the file for people, with a line for each channel.
 [[nodiscard]] std::string describe(const std::string& path, const mcap::Summary& summary);
-/// The same as JSON, for programs.
+/// Returns the same description as JSON, for programs.
 [[nodiscard]] std::string describe_json(const std::string& path, const mcap::Summary& summary);
 
 }  // namespace galilean::monitor

@@ -28,9 +28,9 @@ struct Tracks {
 
 [[nodiscard]] Tracks tracks_of(const mcap::Summary& summary);
 
-/// Whether a monitor writes such a topic itself, from what it hears of the robots.
+/// Returns whether a monitor writes such a topic itself, from the robots' messages.
 [[nodiscard]] bool is_made_by_monitor(const Track& track);
-/// Whether several may write it at once, as ROS 2's own tools expect of it.
+/// Returns whether several processes may write the topic at once, as ROS 2's own tools expect.
 [[nodiscard]] bool is_shared(const Track& track);
 
 }  // namespace galilean::monitor

@@ -56,7 +56,7 @@ struct RobotStatus {
   double tick_time_max_us = 0;
   double tick_period_s = 0;
   std::uint32_t overruns = 0;
-  /// Of the valid variables, the one that is the least certain; empty where none is valid.
+  /// The name of the least certain valid variable; empty if no variable is valid.
   std::string least_certain;
   double lowest_certainty = 1;
   double x_m = 0, y_m = 0, heading_rad = 0;  ///< the robot's odom frame

@@ -32,7 +32,8 @@ struct TrialFigures {
   double duration_s = 0;
 };
 
-/// Whether the new program scores less, by more than twice the standard error of the difference.
+/// Returns whether the new program's score is lower by more than twice the standard error of the
+/// difference.
 [[nodiscard]] bool clearly_worse(const TrialFigures& figures);
 /// "scores 31 ± 6, the one that runs 28 ± 5 (8 runs of 120 s)"
 [[nodiscard]] std::string in_words(const TrialFigures& figures);

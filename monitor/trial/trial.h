@@ -54,7 +54,8 @@ class Trial {
     std::unique_ptr<ChildProcess> process = nullptr;
   };
 
-  /// For what is called from outside: what throws ends the trial, and is why.
+  /// Runs a handler that is called from outside. If it throws, the trial ends with the exception as
+  /// the reason.
   template <class Work>
   void attempt(Work work);
   [[nodiscard]] std::optional<Error> lay_out() const;

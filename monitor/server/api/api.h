@@ -30,7 +30,8 @@ class Api {
   explicit Api(Parts blocks);
 
   void answer(const HttpRequest& request, const Respond& respond);
-  /// For /metrics; the server that counts is made after the API.
+  /// Sets where /metrics gets its counts. It is not a constructor's argument because the server
+  /// that counts is made after the API.
   void set_counts(std::function<HttpServer::Counts()> counts) { counts_ = std::move(counts); }
 
  private:

@@ -36,7 +36,7 @@ class Link {
 /// their service calls. A new subscriber to what *is* gets the newest at once, one to what
 /// *happens* the last 64, as a late joiner on DDS does.
 ///
-/// For one thread. Knows no sockets: whoever has one opens a Client with it.
+/// For use by one thread. The hub knows no sockets: the owner of a socket opens a Client for it.
 class Hub {
  public:
   class Client;
@@ -59,7 +59,7 @@ class Hub {
   void on_set_parameter(SetParameter set) { set_parameter_ = std::move(set); }
   /// What the parameters are now: who watches one that changed is told.
   void send_parameters(ParameterValues now);
-  /// Who is connected to what now; the services are filled in.
+  /// Sends the connection graph; the hub adds the services to it.
   void send_graph(ConnectionGraph now);
   [[nodiscard]] bool graph_is_watched() const;
   /// Clients may go later than who listened to Demand.
@@ -115,12 +115,13 @@ class Hub::Client {
   void receive_text(std::string_view text);
   void receive_binary(std::span<const std::uint8_t> bytes);
   [[nodiscard]] Outbox& outbox() noexcept { return *outbox_; }
-  /// For who sends from it: it goes with the client.
+  /// Returns the outbox for the code that sends from it. It expires with the client.
   [[nodiscard]] std::weak_ptr<Outbox> outbox_while_connected() const noexcept { return outbox_; }
 
  private:
   friend class Hub;
-  /// By "op" of a client's message. What is wrong with a request is told when they return.
+  /// The operations by the "op" of a client's message. The client hears of errors in a request when
+  /// the operation returns.
   static const std::map<std::string, void (*)(Client&, RequestFields& request)> kOperations;
 
   void subscribe(RequestFields& request);

@@ -5,7 +5,7 @@
 
 namespace galilean::monitor {
 
-/// Whether If-None-Match names `etag`, or anything (RFC 9110, 13.1.2).
+/// Returns whether If-None-Match names `etag` or is `*` (RFC 9110, 13.1.2).
 [[nodiscard]] bool is_known(std::string_view if_none_match, std::string_view etag);
 
 /// What a client has already is not sent again, and what is large goes compressed: an answer that

@@ -4,6 +4,7 @@
 
 #include "core/broken_pipe.h"
 #include "core/command_line/command_line.h"
+#include "core/command_line/domain_option.h"
 #include "monitor/access/tokens.h"
 #include "monitor/server/monitor.h"
 
@@ -74,7 +75,7 @@ int main(int argc, char** argv) {
   app.option(
       "--listen", [&](const std::string& text) { return read_listen(text, options); },
       "where to serve, ADDRESS:PORT (127.0.0.1:8080)");
-  app.option("--domain", options.domain, "DDS domain (ROS_DOMAIN_ID, else 0)");
+  galilean::add_domain_option(app, options.domain);
   app.option("--web", options.page_folder, "folder of the built page");
   app.option("--programs", options.library_folder, "folder of the programs to choose from");
   app.option("--catalog", options.catalog_file,

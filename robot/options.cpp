@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "core/command_line/command_line.h"
+#include "core/command_line/domain_option.h"
 #include "robot/executive/probation.h"
 
 namespace galilean::robot {
@@ -55,7 +56,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   app.option("--camera", camera,
              "shm:NAME for the simulator's, /dev/videoN, or a video or picture file "
              "[the program's]");
-  app.option("--domain", options.domain, "DDS domain [ROS_DOMAIN_ID, else 0]").between(0, 232);
+  add_domain_option(app, options.domain);
   app.option("--seed", options.seed, "seed of the random number generators").show_default();
   app.option("--rate", options.rate_hz, "ticks per second of the control loop")
       .between(1.0, 1000.0)

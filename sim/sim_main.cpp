@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "core/command_line/command_line.h"
+#include "core/command_line/domain_option.h"
 #include "sim/commands.h"
 
 namespace {
@@ -19,8 +20,7 @@ void declare_live(CommandLine& app, Options& options) {
       .between(0.0, 3600.0);
   app.option("--fault", options.faults,
              "Unplug a device for a while, as camera:io@20-30 or serial:io@20-30 (live)");
-  app.option("--domain", options.domain, "DDS domain; ROS_DOMAIN_ID unless given (live)")
-      .between(0, 232);
+  galilean::add_domain_option(app, options.domain, "live");
 }
 
 void declare(CommandLine& app, Options& options) {

@@ -3,6 +3,7 @@
 
 #include "bhdl/check.h"
 #include "core/command_line/command_line.h"
+#include "core/command_line/domain_option.h"
 #include "monitor/commands/direct_swap.h"
 #include "monitor/commands/push_dialogue.h"
 
@@ -43,7 +44,7 @@ int main(int argc, char** argv) {
     app.find(other).excludes(directly);
   app.option("--timeout", options.timeout_s, "seconds to wait for answers (with --direct)")
       .positive();
-  app.option("--domain", options.domain, "DDS domain (ROS_DOMAIN_ID, else 0; with --direct)");
+  galilean::add_domain_option(app, options.domain, "with --direct");
   if (const auto code = app.parse(argc, argv)) return *code == 0 ? EXIT_SUCCESS : kCannotReach;
   if (const auto targets = check_targets(options.push); !targets)
     return app.refuse(targets.error().message), kCannotReach;

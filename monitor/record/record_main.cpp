@@ -6,6 +6,7 @@
 #include "core/broken_pipe.h"
 #include "core/clock.h"
 #include "core/command_line/command_line.h"
+#include "core/command_line/domain_option.h"
 #include "core/termination.h"
 #include "core/wire/ros_time.h"
 #include "monitor/record/recorder.h"
@@ -110,8 +111,7 @@ int main(int argc, char** argv) {
   app.option("--topics", options.topics,
              "Record only topics whose names match this regular expression somewhere, such as "
              "'^/io/|score'");
-  app.option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
-      .between(0, 232);
+  add_domain_option(app, options.domain);
   app.flag("--no-images", options.no_images, "Leave the cameras' pictures out");
   app.flag("--replace", options.replace, "Overwrite the file if it exists");
   if (const auto code = app.parse(argc, argv)) return *code;

@@ -8,6 +8,7 @@
 
 #include "core/broken_pipe.h"
 #include "core/command_line/command_line.h"
+#include "core/command_line/domain_option.h"
 #include "core/termination.h"
 #include "core/wire/discovery.h"
 #include "monitor/record/log_info.h"
@@ -166,8 +167,7 @@ int main(int argc, char** argv) {
   app.flag("--loop", options.loop, "Begin again at the end, until Ctrl-C");
   app.flag("--anyway", options.anyway,
            "Play even if live robots in the domain have the same names");
-  app.option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
-      .between(0, 232);
+  add_domain_option(app, options.domain);
   if (const auto code = app.parse(argc, argv)) return *code;
   return run(options);
 }

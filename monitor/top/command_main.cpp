@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "core/command_line/command_line.h"
+#include "core/command_line/domain_option.h"
 #include "core/termination.h"
 #include "core/wake.h"
 #include "monitor/ingest/ingest.h"
@@ -135,8 +136,7 @@ int run(Operator::Word word, const Options& options) try {
   auto verb = app.command(name, help);
   auto robots = verb.option("--robot", options.robots, "The robots to command");
   const auto team = verb.flag("--team", options.team, "Command every robot that is heard");
-  verb.option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
-      .between(0, 232);
+  add_domain_option(verb, options.domain);
   robots.excludes(team);
   return verb;
 }

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "core/command_line/command_line.h"
+#include "core/command_line/domain_option.h"
 #include "core/termination.h"
 #include "core/wake.h"
 #include "monitor/ingest/ingest.h"
@@ -117,8 +118,7 @@ int main(int argc, char** argv) {
   Options options;
   CommandLine app(
       "The team in a terminal: who does what, where, and how sure of it. ? shows the keys.");
-  app.option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
-      .between(0, 232);
+  add_domain_option(app, options.domain);
   app.flag("--once", options.once, "Print one snapshot as plain text, for scripts");
   app.option("--robot", options.robot, "The robot to show first");
   if (const auto code = app.parse(argc, argv)) return *code;

@@ -7,6 +7,7 @@
 #include "core/broken_pipe.h"
 #include "core/clock.h"
 #include "core/command_line/command_line.h"
+#include "core/command_line/domain_option.h"
 #include "core/termination.h"
 #include "core/wake.h"
 #include "monitor/front/demo/ensemble.h"
@@ -163,8 +164,7 @@ int main(int argc, char** argv) {
   app.option("--record", options.record, "Record all topics to this file, as MCAP");
   app.option("--allow-origin", options.allowed_origins,
              "Another page that may use the monitor, as https://host[:port]");
-  app.option("--domain", options.domain, "DDS domain; without it ROS_DOMAIN_ID, else 0")
-      .between(0, 232);
+  add_domain_option(app, options.domain);
   if (const auto code = app.parse(argc, argv)) return *code;
   return run(options);
 }

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "core/command_line/command_line.h"
+#include "core/command_line/domain_option.h"
 #include "monitor/front/doctor/checks.h"
 
 namespace {
@@ -21,7 +22,7 @@ int main(int argc, char** argv) {
   int port = 8080, domain = -1;
   galilean::CommandLine app("Checks what this machine lacks for a team; exit code 0 if nothing.");
   app.option("--port", port, "Port of the page").between(1, 65535).show_default();
-  app.option("--domain", domain, "DDS domain; without it ROS_DOMAIN_ID, else 0").between(0, 232);
+  galilean::add_domain_option(app, domain);
   if (const auto code = app.parse(argc, argv)) return *code;
   bool well = true;
   for (const auto& check : {check_programs(), check_page(), check_pseudo_terminals(),

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include "core/command_line/domain_option.h"
+
 namespace galilean {
 namespace {
 
@@ -130,6 +132,17 @@ TEST(CommandLine, OneCommandIsChosen) {
   EXPECT_FALSE(list.chosen());
   EXPECT_EQ(hash, "0123");
   EXPECT_GT(read(line, {}).code, 0);
+}
+
+TEST(CommandLine, ADomainIsOneThatPortsAllow) {
+  CommandLine line("A program.");
+  int domain = -1;
+  add_domain_option(line, domain);
+  EXPECT_EQ(read(line, {}).code, std::nullopt);
+  EXPECT_EQ(domain, -1);
+  EXPECT_EQ(read(line, {"--domain", "232"}).code, std::nullopt);
+  EXPECT_EQ(domain, 232);
+  EXPECT_THAT(read(line, {"--domain", "233"}).errors, HasSubstr("--domain"));
 }
 
 TEST(CommandLine, TellsWhetherAnOptionWasGiven) {

@@ -45,7 +45,7 @@ double growth(const std::function<std::string(int)>& text_of,
   return least;
 }
 
-std::string states(int count, const std::string& inside) {
+std::string ring_of_states(int count, const std::string& inside) {
   std::string text;
   for (int i = 0; i < count; ++i)
     text += "state: name: \"s" + std::to_string(i) + "\" " + inside +
@@ -54,7 +54,7 @@ std::string states(int count, const std::string& inside) {
   return program_with_states(text);
 }
 
-void parse_text(const std::string& text) {
+void parse_whole(const std::string& text) {
   Diagnostics unheard;
   EXPECT_FALSE(parse("program.bhdl", text, unheard).empty());
 }
@@ -64,21 +64,23 @@ void check_whole(const std::string& text) {
 }
 
 TEST(LinearTime, OfParsing) {
-  EXPECT_LT(growth([](int count) { return states(count, ""); }, parse_text), kMostGrowth);
+  EXPECT_LT(growth([](int count) { return ring_of_states(count, ""); }, parse_whole), kMostGrowth);
 }
 
 TEST(LinearTime, OfCheckingARightProgram) {
-  EXPECT_TRUE(check_text(states(4, "")).program);
-  EXPECT_LT(growth([](int count) { return states(count, ""); }, check_whole), kMostGrowth);
+  EXPECT_TRUE(check_text(ring_of_states(4, "")).program);
+  EXPECT_LT(growth([](int count) { return ring_of_states(count, ""); }, check_whole), kMostGrowth);
 }
 
 TEST(LinearTime, OfCheckingWrongNames) {
-  const auto wrong = [](int count) { return states(count, "motor_schemas: \"wandr\" end"); };
+  const auto wrong = [](int count) {
+    return ring_of_states(count, "motor_schemas: \"wandr\" end");
+  };
   EXPECT_LT(growth(wrong, check_whole), kMostGrowth);
 }
 
 TEST(LinearTime, OfInheriting) {
-  const auto heirs = [](int count) { return states(count, "extends: \"s0\""); };
+  const auto heirs = [](int count) { return ring_of_states(count, "extends: \"s0\""); };
   EXPECT_LT(growth(heirs, check_whole), kMostGrowth);
 }
 

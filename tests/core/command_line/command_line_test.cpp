@@ -35,13 +35,13 @@ TEST(CommandLine, WritesWhatIsGivenAndLeavesTheRest) {
   double rate_hz = 20;
   std::optional<double> duration_s;
   std::vector<std::string> names;
-  bool json = false, quiet = false;
+  bool as_json = false, quiet = false;
   line.option("file", file, "a file");
   line.option("--robots", robots, "how many");
   line.option("--rate", rate_hz, "ticks a second");
   line.option("--duration", duration_s, "seconds");
   line.option("--name", names, "names").divided_by(',');
-  line.flag("--json", json, "as JSON");
+  line.flag("--json", as_json, "as JSON");
   line.flag("--quiet", quiet, "say nothing");
 
   EXPECT_EQ(read(line, {"a.bhdl", "--robots", "5", "--name", "io,callisto", "--json"}).code,
@@ -51,7 +51,7 @@ TEST(CommandLine, WritesWhatIsGivenAndLeavesTheRest) {
   EXPECT_EQ(rate_hz, 20);
   EXPECT_EQ(duration_s, std::nullopt);
   EXPECT_THAT(names, ElementsAre("io", "callisto"));
-  EXPECT_TRUE(json);
+  EXPECT_TRUE(as_json);
   EXPECT_FALSE(quiet);
 }
 

@@ -60,7 +60,7 @@ void Trial::attempt(Work work) try {
 }
 
 void Trial::begin() {
-  if (auto failure = lay_out()) return fail(std::move(failure->message));
+  if (const auto laid_out = lay_out(); !laid_out) return fail(laid_out.error().message);
   start_some();
 }
 
@@ -71,7 +71,7 @@ Trial::~Trial() {
   fs::remove_all(folder_, ignored);
 }
 
-std::optional<Error> Trial::lay_out() const {
+Result<void> Trial::lay_out() const {
   bool written = write_file(folder_ / "start.json", json_text(order_.situation));
   for (const auto& file : order_.now)
     written = written && write_file(below(folder_ / "now", file.path), file.text);

@@ -8,7 +8,6 @@
 #include <list>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,7 +57,7 @@ class Trial {
   /// the reason.
   template <class Work>
   void attempt(Work work);
-  [[nodiscard]] std::optional<Error> lay_out() const;
+  [[nodiscard]] Result<void> lay_out() const;
   [[nodiscard]] std::filesystem::path program_file(bool is_next) const;
   [[nodiscard]] std::filesystem::path output(const Run& run, const char* extension) const;
   [[nodiscard]] std::vector<std::string> command(const Run& run) const;

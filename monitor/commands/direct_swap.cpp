@@ -10,6 +10,8 @@
 #include "core/wire/writer.h"
 #include "monitor/commands/push_dialogue.h"
 #include "monitor/pushes/json.h"
+#include "monitor/pushes/push_messages.h"
+#include "monitor/pushes/replies.h"
 #include "monitor/pushes/target_check.h"
 #include "monitor/pushes/team_listener.h"
 
@@ -36,34 +38,34 @@ int tell_broken(const TargetCheck& check, const DirectSwapOptions& options) {
   return kPushRefused;
 }
 
-int tell_answers(const Push& push, const msg::ProgramPush& message,
+int tell_replies(const Replies& replies, const msg::ProgramPush& message,
                  const DirectSwapOptions& options) {
-  const auto replies = to_json(push.answers());
+  const auto told = to_json(replies.all());
   if (options.push.json)
-    std::cout << nlohmann::json{{"ok", push.complete()},
+    std::cout << nlohmann::json{{"ok", replies.complete()},
                                 {"id", message.id},
                                 {"hash", message.hash},
-                                {"replies", replies}}
+                                {"replies", told}}
               << std::endl;
   else
-    for (const auto& reply : replies) print_reply(reply);
-  return push.taken_by_all() ? EXIT_SUCCESS : kPushRefused;
+    for (const auto& reply : told) print_reply(reply);
+  return replies.taken_by_all() ? EXIT_SUCCESS : kPushRefused;
 }
 
-/// Sends the message and waits for the answers.
+/// Sends the message and waits for the replies.
 int converse(TeamListener& listener, wire::Writer<msg::ProgramPush>& writer,
              const msg::ProgramPush& message, const std::vector<std::string>& robots,
              const DirectSwapOptions& options) {
-  Push push(message.id, robots, listener.now());
+  Replies replies(message.id, robots, listener.now());
   listener.on_message([&](const Message& received) {
     msg::ProgramReply reply;
     if (received.channel.schema->ros_type == msg::ProgramReply::kRosType &&
         msg::decode_cdr(*received.cdr, reply))
-      push.note(reply, listener.now());
+      replies.note(reply, listener.now());
   });
   if (!writer.write(message)) return fail("DDS did not take the program; try again");
-  listener.wait(from_seconds(options.timeout_s), [&] { return push.complete(); });
-  return tell_answers(push, message, options);
+  listener.wait(from_seconds(options.timeout_s), [&] { return replies.complete(); });
+  return tell_replies(replies, message, options);
 }
 
 }  // namespace

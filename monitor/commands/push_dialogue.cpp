@@ -7,9 +7,11 @@
 #include <iomanip>
 #include <iostream>
 #include <map>
+#include <optional>
 
 #include "core/termination.h"
 #include "monitor/pushes/json.h"
+#include "monitor/pushes/words.h"
 
 namespace galilean::monitor {
 namespace {
@@ -34,15 +36,21 @@ void print_diagnostic(const json& diagnostic, std::ostream& out) {
       << diagnostic.value("message", "") << '\n';
 }
 
+std::optional<PushState> state_of(const json& push) {
+  return push_state_of(push.value("state", ""));
+}
+
 /// Says what is new.
 class StepPrinter {
  public:
   void print(const json& push) {
     for (const auto& step : push.value("steps", json::array())) {
-      const auto name = step.value("name", ""), state = step.value("state", "");
+      const auto name = step.value("name", ""), word = step.value("state", "");
       const auto line =
-          state + (step.value("detail", "").empty() ? "" : "  ") + step.value("detail", "");
-      if (state == "waiting" || state == "left_out" || said_[name] == line) continue;
+          word + (step.value("detail", "").empty() ? "" : "  ") + step.value("detail", "");
+      const auto state = step_state_of(word);
+      const bool is_idle = state == StepState::kWaiting || state == StepState::kLeftOut;
+      if (is_idle || said_[name] == line) continue;
       said_[name] = line;
       std::cout << std::left << std::setw(8) << name << line << std::endl;
     }
@@ -62,7 +70,7 @@ class Dialogue {
     if (!answer) return fail(answer.error().message);
     if (!answer.value().ok()) return tell_refusal(answer.value());
     json push = answer.value().json;
-    for (show(push); push.value("state", "") == "running"; show(push)) {
+    for (show(push); state_of(push) == PushState::kRunning; show(push)) {
       if (is_interrupted()) cancel(push.value("id", ""));
       const auto now = monitor_.get("/api/pushes/" + push.value("id", ""));
       if (!now) return fail(now.error().message);
@@ -115,7 +123,7 @@ class Dialogue {
   }
 
   int tell_end(json push) const {
-    const bool is_done = push.value("state", "") == "done";
+    const bool is_done = state_of(push) == PushState::kDone;
     if (options_.json) {
       push["ok"] = is_done;
       std::cout << push.dump() << std::endl;
@@ -136,11 +144,12 @@ class Dialogue {
 }  // namespace
 
 void print_reply(const json& reply) {
-  const auto status = reply.value("status", "");
-  std::cout << std::left << std::setw(14) << reply.value("robot", "") << std::setw(12) << status;
-  if (status != "no_answer")
+  const auto word = reply.value("status", "");
+  const auto status = reply_status_of(word);
+  std::cout << std::left << std::setw(14) << reply.value("robot", "") << std::setw(12) << word;
+  if (status != ReplyStatus::kNoAnswer)
     std::cout << std::fixed << std::setprecision(1) << reply.value("latency_ms", 0.0) << " ms";
-  if (status == "running")
+  if (status == ReplyStatus::kRunning)
     std::cout << "  kept " << reply.value("kept_variables", json::array()).size()
               << " variables, swapped in a tick of " << reply.value("swap_tick_us", 0.0) << " us";
   if (const auto message = reply.value("message", ""); !message.empty())

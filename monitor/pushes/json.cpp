@@ -2,6 +2,7 @@
 #include "monitor/pushes/json.h"
 
 #include "bhdl/program/machine.h"
+#include "monitor/pushes/words.h"
 
 namespace galilean::monitor {
 namespace {
@@ -15,29 +16,28 @@ nlohmann::json to_json(const msg::Diagnostic& diagnostic) {
 
 }  // namespace
 
-nlohmann::json to_json(const PushAnswer& answer) {
+nlohmann::json to_json(const RobotReply& reply) {
   auto diagnostics = nlohmann::json::array();
-  for (const auto& diagnostic : answer.reply.diagnostics)
-    diagnostics.push_back(to_json(diagnostic));
-  return {{"robot", answer.robot},
-          {"status", answer.status},
-          {"message", answer.reply.message},
-          {"hash", answer.reply.hash},
-          {"running_hash", answer.reply.running_hash},
+  for (const auto& diagnostic : reply.reply.diagnostics) diagnostics.push_back(to_json(diagnostic));
+  return {{"robot", reply.robot},
+          {"status", to_text(reply.status)},
+          {"message", reply.reply.message},
+          {"hash", reply.reply.hash},
+          {"running_hash", reply.reply.running_hash},
           {"diagnostics", std::move(diagnostics)},
-          {"kept_variables", answer.reply.kept_variables},
-          {"swap_tick_us", answer.reply.swap_tick_us},
-          {"latency_ms", answer.latency_ms}};
+          {"kept_variables", reply.reply.kept_variables},
+          {"swap_tick_us", reply.reply.swap_tick_us},
+          {"latency_ms", reply.latency_ms}};
 }
 
-nlohmann::json to_json(const std::vector<PushAnswer>& answers) {
+nlohmann::json to_json(const std::vector<RobotReply>& replies) {
   auto json = nlohmann::json::array();
-  for (const auto& answer : answers) json.push_back(to_json(answer));
+  for (const auto& reply : replies) json.push_back(to_json(reply));
   return json;
 }
 
-nlohmann::json to_json(const SwapStep& step) {
-  return {{"name", step.name}, {"state", step.state}, {"detail", step.detail}};
+nlohmann::json to_json(const Step& step) {
+  return {{"name", to_text(step.kind)}, {"state", to_text(step.state)}, {"detail", step.detail}};
 }
 
 nlohmann::json to_json(const PushRecord& record) {
@@ -49,12 +49,10 @@ nlohmann::json to_json(const PushRecord& record) {
           {"program", record.program},
           {"hash", record.hash},
           {"targets", record.targets},
-          {"state", record.progress.state},
+          {"state", to_text(record.progress.state)},
           {"steps", std::move(steps)},
-          {"trial", record.progress.trial_json.empty()
-                        ? nlohmann::json()
-                        : nlohmann::json::parse(record.progress.trial_json, nullptr, false)},
-          {"replies", to_json(record.answers)}};
+          {"trial", record.progress.trial},
+          {"replies", to_json(record.replies)}};
 }
 
 nlohmann::json to_json(const bhdl::CheckResult& check) {

@@ -7,17 +7,16 @@
 
 #include "bhdl/check.h"
 #include "core/result.h"
-#include "monitor/pushes/history.h"
-#include "monitor/pushes/push.h"
+#include "monitor/pushes/push_record.h"
 
 namespace galilean::monitor {
 
 /// {robot, status, message, hash, running_hash, diagnostics, kept_variables, swap_tick_us,
 /// latency_ms}
-[[nodiscard]] nlohmann::json to_json(const PushAnswer& answer);
-[[nodiscard]] nlohmann::json to_json(const std::vector<PushAnswer>& answers);
+[[nodiscard]] nlohmann::json to_json(const RobotReply& reply);
+[[nodiscard]] nlohmann::json to_json(const std::vector<RobotReply>& replies);
 /// {name, state, detail}
-[[nodiscard]] nlohmann::json to_json(const SwapStep& step);
+[[nodiscard]] nlohmann::json to_json(const Step& step);
 /// {id, pushed_ns, author, program, hash, targets, state, steps, trial, replies}
 [[nodiscard]] nlohmann::json to_json(const PushRecord& record);
 /// {ok, hash, diagnostics, machine}

@@ -1,70 +1,156 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/pushes/push.h"
 
-#include <algorithm>
-#include <array>
+#include <utility>
 
 namespace galilean::monitor {
-namespace status = msg::ProgramReply_Constants;
 
-std::string push_status_name(std::uint8_t status) {
-  static constexpr std::array kNames{"no_answer", "received",  "rejected",
-                                     "running",   "confirmed", "rolled_back"};
-  return status < kNames.size() ? kNames[status] : "unknown";
+Push::Push(PushContent content, const OrderTargets& targets)
+    : content_(std::move(content)),
+      rollout_(content_.plan(targets)),
+      steps_(content_.steps(!rollout_.rest().empty())) {
+  steps_.begin_next();
 }
 
-Push::Push(std::string id, std::vector<std::string> awaited, Time sent)
-    : id_(std::move(id)), awaited_(std::move(awaited)), sent_(sent) {
-  for (const auto& robot : awaited_) list(robot);
+Push::Push(PushOrder order, OrderTargets targets, PushIdentity identity)
+    : Push(PushContent(std::move(order), std::move(identity)), targets) {
+  requests_.push_back(content_.check(std::move(targets.awaited)));
 }
 
-void Push::list(const std::string& robot) {
-  answers_[robot].robot = robot;
+Push Push::of_others(const msg::ProgramPush& message, const OrderTargets& targets, Time now) {
+  Push push(PushContent(message), targets);
+  push.is_answered_ = true;
+  push.finish_step({}, now);
+  push.requests_ = {RecordPush{message, {.state = PushState::kForeign}}};
+  return push;
 }
 
-bool Push::note(const msg::ProgramReply& reply, Time now) {
-  if (reply.id != id_) return false;
-  list(reply.robot);
-  PushAnswer& answer = answers_[reply.robot];
-  // The numbers rise in the order in which a robot says them; a repeat tells nothing new.
-  if (reply.status <= answer.reply.status) return false;
-  const bool first_outcome = answer.reply.status <= status::RECEIVED;
-  // Only the swap itself tells what was kept and how long it took.
-  auto kept = std::move(answer.reply.kept_variables);
-  const float swap_tick_us = answer.reply.swap_tick_us;
-  answer.reply = reply;
-  if (!first_outcome) {
-    answer.reply.kept_variables = std::move(kept);
-    answer.reply.swap_tick_us = swap_tick_us;
+std::vector<PushRequest> Push::take_requests() {
+  auto requests = std::exchange(requests_, {});
+  if (!requests.empty() || told_changes_ == steps_.changes()) return requests;
+  // Last, as what was asked for may have failed at once.
+  told_changes_ = steps_.changes();
+  if (is_ours() && content_.is_checked()) requests.push_back(TellProgress{record()});
+  return requests;
+}
+
+void Push::begin_next(Time now) {
+  if (const Step* next = steps_.begin_next()) return begin(next->kind, now);
+  answer(record());
+}
+
+void Push::begin(StepKind kind, Time now) {
+  switch (kind) {
+    case StepKind::kCheck:  // began with the push
+      return;
+    case StepKind::kTry:
+      return requests_.push_back(content_.trial(rollout_.plan().awaited));
+    case StepKind::kCanary:
+      rollout_.begin_canary(now);
+      return requests_.push_back(content_.to_canary());
+    case StepKind::kRest:
+      rollout_.begin_rest(now);
+      return requests_.push_back(content_.to_rest(rollout_.rest()));
   }
-  answer.status = push_status_name(reply.status);
-  if (first_outcome) answer.latency_ms = to_seconds(now - sent_) * 1e3;
-  return true;
 }
 
-bool Push::all_awaited(const std::function<bool(std::uint8_t)>& have) const {
-  return std::ranges::all_of(
-      awaited_, [&](const auto& robot) { return have(answers_.at(robot).reply.status); });
+void Push::finish_step(const std::string& detail, Time now) {
+  steps_.finish(detail);
+  begin_next(now);
 }
 
-bool Push::complete() const {
-  return all_awaited([](std::uint8_t said) { return said > status::RECEIVED; });
+void Push::end(StepState how, const std::string& detail) {
+  if (is_over()) return;
+  if (steps_.is_at(StepKind::kCanary) && rollout_.canary_may_run_it())
+    requests_.push_back(content_.rollback(detail));
+  if (steps_.is_at(StepKind::kTry)) requests_.push_back(EndTrial{});
+  steps_.end(how, detail);
+  answer(record());
 }
 
-bool Push::taken_by_all() const {
-  return all_awaited(
-      [](std::uint8_t said) { return said == status::RUNNING || said == status::CONFIRMED; });
+void Push::take(const PushResult& result, Time now) {
+  std::visit([&](const auto& each) { handle(each, now); }, result);
 }
 
-bool Push::settled() const {
-  return all_awaited(
-      [](std::uint8_t said) { return said == status::REJECTED || said > status::RUNNING; });
+void Push::handle(const ProgramChecked& checked, Time /*now*/) {
+  if (!checked.program) {
+    is_refused_ = true;
+    answer(broken(checked.program.error()));
+    return fail("the program has errors");
+  }
+  content_.set_program(checked.program.value());
+  if (!is_over()) requests_.push_back(content_.recording(progress()));
 }
 
-std::vector<PushAnswer> Push::answers() const {
-  std::vector<PushAnswer> result;
-  for (const auto& [robot, answer] : answers_) result.push_back(answer);
-  return result;
+void Push::handle(const PushRecorded& recorded, Time now) {
+  if (!steps_.is_at(StepKind::kCheck)) return;
+  if (!recorded.outcome) {
+    const auto& why = recorded.outcome.error().message;
+    answer(unavailable(why + "; nothing was pushed."));
+    return fail(why);
+  }
+  finish_step({}, now);
+  const bool takes_long = order().trial.wanted || !order().canary.empty();
+  if (takes_long) answer(record());
+}
+
+void Push::handle(const ProgramTried& tried, Time now) {
+  if (!steps_.is_at(StepKind::kTry)) return;
+  if (!tried.figures) return fail(tried.figures.error().message);
+  const auto& figures = tried.figures.value();
+  trial_ = to_json(figures);
+  const bool decides = !order().trial.only && !order().trial.even_if_worse;
+  if (decides && clearly_worse(figures)) return fail("in simulation it " + in_words(figures));
+  finish_step(in_words(figures), now);
+}
+
+void Push::handle(const SendFailed& /*failed*/, Time /*now*/) {
+  answer(unavailable("DDS did not take the program; try again."));
+  fail("DDS did not take the program; try again");
+}
+
+void Push::handle(const RequestFailed& failed, Time /*now*/) {
+  answer(unavailable(failed.why + "."));
+  fail(failed.why);
+}
+
+void Push::take_reply(const msg::ProgramReply& said, Time now) {
+  if (!is_meant_by(said)) return;
+  // A robot that was ordered back answers for the push that it goes back from.
+  auto reply = said;
+  reply.id = id();
+  const auto known = rollout_.note(reply, now);
+  if (!known) return;
+  requests_.push_back(RecordReply{*known});
+  reply.robot == order().canary ? judge_canary(now) : judge_rest(now);
+}
+
+void Push::see_canary(bool silent, const std::string& running_hash, Time now) {
+  if (steps_.is_at(StepKind::kCanary)) obey(rollout_.see_canary(silent, running_hash, now), now);
+}
+
+void Push::see_trial(std::size_t finished, std::size_t all) {
+  if (steps_.is_at(StepKind::kTry))
+    steps_.describe(std::to_string(finished) + " of " + std::to_string(all) + " runs are over");
+}
+
+void Push::obey(const Verdict& verdict, Time now) {
+  switch (verdict.kind) {
+    case Verdict::Kind::kPending:
+      return;
+    case Verdict::Kind::kUnderWay:
+      return steps_.describe(verdict.detail);
+    case Verdict::Kind::kDone:
+      return finish_step(verdict.detail, now);
+    case Verdict::Kind::kFailed:
+      return fail(verdict.detail);
+  }
+}
+
+Result<void, Refusal> Push::cancel(const std::string& who) {
+  if (is_over() || rollout_.has_reached_all()) return too_late(record());
+  end(StepState::kCancelled, "cancelled by " + who);
+  return {};
 }
 
 }  // namespace galilean::monitor

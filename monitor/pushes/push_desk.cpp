@@ -5,9 +5,7 @@
 #include <utility>
 
 #include "core/wire/ros_time.h"
-#include "core/wire/topic_names.h"
-#include "monitor/pushes/json.h"
-#include "monitor/pushes/push_words.h"
+#include "monitor/pushes/push_messages.h"
 
 namespace galilean::monitor {
 namespace {
@@ -16,188 +14,135 @@ namespace {
 constexpr std::size_t kMostOpen = 64;
 constexpr auto kWatchEach = std::chrono::milliseconds(50);
 
-SwapPlan plan_of(const PushOrder& order, const OrderTargets& targets) {
-  return {.id = new_id(),
-          .awaited = targets.names(),
-          .silent = targets.silent,
-          .tries = order.trial.wanted,
-          .tries_only = order.trial.only,
-          .canary = order.canary,
-          .probation = order.probation.value_or(SwapPlan().probation)};
-}
-
-std::string runs_words(const Trial& trial) {
-  return std::to_string(trial.finished_runs()) + " of " + std::to_string(trial.all_runs()) +
-         " runs are over";
-}
-
 }  // namespace
 
-PushDesk::PushDesk(const Parts& parts, wire::Participant& participant)
+PushDesk::PushDesk(const PushExecutor::Parts& parts, const Clock& clock,
+                   wire::Participant& participant)
     : parts_(parts),
-      pushes_(participant, wire::kProgramPushTopic),
-      rollbacks_(participant, wire::kProgramRollbackTopic),
-      progress_(participant, wire::kPushProgressTopic),
+      clock_(clock),
+      executor_(parts, participant,
+                [this](const std::string& id, const PushResult& result) { take(id, result); }),
       timer_(parts.io) {
   watch();
 }
 
 PushDesk::OpenPtr PushDesk::find(const std::string& id) const {
-  const auto found = std::ranges::find_if(open_, [&](auto& open) { return open->record.id == id; });
+  const auto found = std::ranges::find_if(open_, [&](auto& open) { return open->push.id() == id; });
   return found == open_.end() ? nullptr : *found;
-}
-
-PushDesk::OpenPtr PushDesk::taken_back_by(const std::string& order_id) const {
-  const auto found =
-      std::ranges::find_if(open_, [&](auto& open) { return open->take_back_id == order_id; });
-  return order_id.empty() || found == open_.end() ? nullptr : *found;
 }
 
 PushDesk::OpenPtr PushDesk::under_way_to(const std::vector<std::string>& targets) const {
   for (const auto& open : open_)
-    if (open->is_ours && !open->swap.over() && overlap(open->record.targets, targets)) return open;
+    if (open->push.is_ours() && !open->push.is_over() &&
+        overlap(open->push.order().targets, targets))
+      return open;
   return nullptr;
 }
 
-PushDesk::OpenPtr PushDesk::keep(OpenPush open) {
-  open_.push_back(std::make_shared<OpenPush>(std::move(open)));
+PushDesk::OpenPtr PushDesk::keep(Push push, Finish finish) {
+  open_.push_back(std::make_shared<Open>(Open{std::move(push), std::move(finish)}));
   const auto oldest_over =
-      std::ranges::find_if(open_, [](auto& each) { return each->swap.over(); });
+      std::ranges::find_if(open_, [](auto& each) { return each->push.is_over(); });
   if (open_.size() > kMostOpen && oldest_over != open_.end()) open_.erase(oldest_over);
   return open_.back();
 }
 
 void PushDesk::order(PushOrder order, Finish finish) {
-  auto targets = targets_of(order, parts_.team);
-  if (!targets.objection.empty()) return finish({targets.status, {}, targets.objection});
-  if (const auto other = under_way_to(order.targets)) return finish(conflict(other->newest()));
+  auto targets = targets_of(order.targets, parts_.team);
+  if (const auto there = require_targets(order, targets, parts_.team); !there)
+    return finish(there.error());
+  if (const auto other = under_way_to(order.targets))
+    return finish(under_way(other->push.record()));
   if (const auto other = stale(order, targets, parts_.team))
     return refuse_stale(order, *other, std::move(finish));
-  auto plan = plan_of(order, targets);
-  PushRecord record{.id = plan.id,
-                    .pushed_ns = wire::wall_clock_ns(),
-                    .author = order.author,
-                    .program = order.files.front().path,
-                    .hash = {},
-                    .targets = order.targets,
-                    .progress = {},
-                    .answers = {}};
-  go_on(keep({.record = std::move(record),
-              .swap = {std::move(plan), parts_.clock.now()},
-              .order = std::move(order),
-              .targets = std::move(targets),
-              .finish = std::move(finish)}));
+  const PushIdentity identity{
+      .id = new_id(), .rollback_id = new_id(), .pushed_ns = wire::wall_clock_ns()};
+  advance(*keep(Push(std::move(order), std::move(targets), identity), std::move(finish)));
 }
 
 void PushDesk::refuse_stale(const PushOrder& order, const Stale& stale, Finish finish) {
   parts_.worker.run(
       [this, hash = stale.hash] { return parts_.history.last_push_of(hash); },
-      [replaces = order.replaces, stale, finish](const std::optional<PushRecord>& by) {
-        finish(overtaken(replaces, stale, by));
+      [replaces = order.replaces, stale, finish](const auto& by) {
+        finish(by ? overtaken(replaces, stale, by.value()) : cannot_now(by.error().message));
       },
-      unable(finish));
+      [finish](const std::string& why) { finish(cannot_now(why)); });
 }
 
-void PushDesk::cancel(const std::string& id, const std::string& who, Finish finish) {
+void PushDesk::cancel(const std::string& id, const std::string& who, const Finish& finish) {
   const auto open = find(id);
-  if (!open) return finish({404, {}, "No push '" + id + "' is under way."});
-  if (!open->is_ours || !open->swap.cancel(who))
-    return finish({409, {{"pushed", to_json(open->newest())}}, too_late(open->newest())});
-  go_on(open);
-  finish({200, to_json(open->newest())});
+  if (!open) return finish(not_found("No push '" + id + "' is under way."));
+  if (const auto cancelled = open->push.cancel(who); !cancelled) return finish(cancelled.error());
+  advance(*open);
+  finish(open->push.record());
 }
 
 void PushDesk::describe(const std::string& id, Finish finish) {
-  if (const auto open = find(id)) return finish({200, to_json(open->newest())});
+  if (const auto open = find(id)) return finish(open->push.record());
   parts_.worker.run([this, id] { return parts_.history.push(id); },
-                    [id, finish](const std::optional<PushRecord>& record) {
-                      if (!record) return finish({404, {}, "There was no push '" + id + "'."});
-                      finish({200, to_json(*record)});
+                    [id, finish](const auto& found) {
+                      if (!found) return finish(cannot_now(found.error().message));
+                      if (found.value()) return finish(*found.value());
+                      finish(not_found("There was no push '" + id + "'."));
                     },
-                    unable(finish));
+                    [finish](const std::string& why) { finish(cannot_now(why)); });
 }
 
-/// After anything happened to it: does what it asks for, and tells what became of it.
-void PushDesk::go_on(const OpenPtr& open) {
-  const auto failure = guarded("a push", [&] {
-    for (auto acts = open->swap.take_acts(); !acts.empty(); acts = open->swap.take_acts())
-      for (const auto each : acts) act(open, each);
-  });
-  if (failure) return give_up(open, failure->message);
-  tell(open);
-  if (open->swap.over()) open->answer({200, to_json(open->newest())});
+void PushDesk::take(const std::string& id, const PushResult& result) {
+  const auto open = find(id);
+  if (!open) return;
+  open->push.take(result, clock_.now());
+  if (open->push.is_refused()) std::erase(open_, open);
+  advance(*open);
 }
 
-/// This machine cannot go on with it. A canary is still taken back.
-void PushDesk::give_up(const OpenPtr& open, const std::string& why) {
-  open->answer({503, {}, why + "."});
-  const bool was_under_way = !open->swap.over();
-  open->swap.fail(why);
-  if (was_under_way) go_on(open);
-}
-
-void PushDesk::tell(const OpenPtr& open) {
-  if (!open->is_ours || open->told_version == open->swap.version()) return;
-  open->told_version = open->swap.version();
-  const auto record = open->newest();
-  if (record.hash.empty()) return;  // nobody knows of it yet
-  parts_.worker.run([this, record, message = progress_message(record)] {
-    (void)progress_.write(message);
-    parts_.history.set_progress(record.id, record.progress);
-  });
+/// After anything happened to a push: what it asks for is carried out, and its answer is given.
+void PushDesk::advance(Open& open) {
+  auto& push = open.push;
+  for (auto asked = push.take_requests(); !asked.empty(); asked = push.take_requests())
+    for (auto& request : asked) {
+      Result<void> begun;
+      const auto thrown = guarded(
+          "a push", [&] { begun = executor_.carry_out(push.id(), std::move(request)); });
+      if (thrown) push.take(RequestFailed{thrown->message}, clock_.now());
+      if (!begun) push.fail(begun.error().message);
+    }
+  const auto answer = push.take_answer();
+  if (answer && open.finish) std::exchange(open.finish, nullptr)(*answer);
 }
 
 void PushDesk::watch() {
   for (const auto& open : std::deque(open_))
-    if (!open->swap.over()) guarded("watching a push", [&] { look_after(open); });
+    if (!open->push.is_over()) guarded("watching a push", [&] { watch(*open); });
   timer_.expires_after(kWatchEach);
   timer_.async_wait([this](boost::system::error_code error) {
     if (!error) watch();
   });
 }
 
-void PushDesk::look_after(const OpenPtr& open) {
-  if (const Robot* canary = parts_.team.find(open->order.canary); canary && canary->state)
-    open->swap.see(canary->name, parts_.team.silent(*canary), canary->state->program_hash,
-                   parts_.clock.now());
-  if (open->trial) open->swap.describe(runs_words(*open->trial));
-  open->swap.update(parts_.clock.now());
-  go_on(open);
+void PushDesk::watch(Open& open) {
+  auto& push = open.push;
+  if (const Robot* canary = parts_.team.find(push.order().canary); canary && canary->state)
+    push.see_canary(parts_.team.silent(*canary), canary->state->program_hash, clock_.now());
+  if (const Trial* trial = executor_.trial(push.id()))
+    push.see_trial(trial->finished_runs(), trial->all_runs());
+  push.update(clock_.now());
+  advance(open);
 }
 
-void PushDesk::note(const msg::ProgramPush& push) {
-  if (find(push.id)) return;
-  PushOrder order{.files = {}, .targets = push.targets, .author = push.author};
-  const auto targets = targets_of(order, parts_.team);
-  if (push.targets.empty()) parts_.team.note_push(push.hash);
-  SwapPlan plan{.id = push.id, .awaited = targets.names(), .silent = targets.silent};
-  keep({.record = {.id = push.id,
-                   .pushed_ns = wire::since_epoch_ns(push.stamp),
-                   .author = push.author,
-                   .program = push.files.empty() ? std::string() : push.files.front().path,
-                   .hash = push.hash,
-                   .targets = push.targets,
-                   .progress = {},
-                   .answers = {}},
-        .swap = SwapTransaction::of_others(std::move(plan), parts_.clock.now()),
-        .order = std::move(order),
-        .is_ours = false});
-  parts_.worker.run([this, push] { parts_.history.add(push, {.state = {}}); });
+void PushDesk::note(const msg::ProgramPush& message) {
+  if (find(message.id)) return;
+  const auto targets = targets_of(message.targets, parts_.team);
+  if (message.targets.empty()) parts_.team.note_push(message.hash);
+  advance(*keep(Push::of_others(message, targets, clock_.now()), nullptr));
 }
 
-/// A robot that was ordered back answers for the push that it goes back from.
-void PushDesk::note(const msg::ProgramReply& said) {
-  auto open = find(said.id);
-  msg::ProgramReply reply = said;
-  if (!open && said.status == msg::ProgramReply_Constants::ROLLED_BACK) {
-    open = taken_back_by(said.id);
-    if (open) reply.id = open->record.id;
-  }
-  if (!open || !open->swap.note(reply, parts_.clock.now())) return;
-  for (const auto& answer : open->swap.answers())
-    if (answer.robot == reply.robot)
-      parts_.worker.run([this, id = reply.id, answer] { parts_.history.add_answer(id, answer); });
-  go_on(open);
+void PushDesk::note(const msg::ProgramReply& reply) {
+  const auto open =
+      std::ranges::find_if(open_, [&](const auto& each) { return each->push.is_meant_by(reply); });
+  if (open == open_.end()) return;
+  (*open)->push.take_reply(reply, clock_.now());
+  advance(**open);
 }
 
 }  // namespace galilean::monitor

@@ -2,6 +2,7 @@
 #include "monitor/pushes/push_order.h"
 
 #include <algorithm>
+#include <ranges>
 
 namespace galilean::monitor {
 namespace {
@@ -29,11 +30,6 @@ bool out_of_service(const Robot& robot) {
   return robot.state && robot.state->out_of_service;
 }
 
-void object(OrderTargets& targets, int status, std::string why) {
-  targets.status = status;
-  targets.objection = std::move(why);
-}
-
 }  // namespace
 
 std::vector<std::string> OrderTargets::names() const {
@@ -42,21 +38,25 @@ std::vector<std::string> OrderTargets::names() const {
   return result;
 }
 
-OrderTargets targets_of(const PushOrder& order, const Team& team) {
+OrderTargets targets_of(const std::vector<std::string>& named, const Team& team) {
   OrderTargets targets;
-  for (const auto& name : order.targets)
-    if (!team.find(name))
-      object(targets, 404, "There is no robot '" + name + "'; " + known_robots(team) + ".");
   for (const auto& [name, robot] : team.robots())
-    if (order.targets.empty() ? !out_of_service(robot) : contains(order.targets, name))
-      add(robot, !order.targets.empty(), team, targets);
-  if (!targets.objection.empty()) return targets;
-  if (targets.awaited.empty()) object(targets, 409, "No robot is heard; nothing was pushed.");
-  if (!order.canary.empty() && !contains(targets.names(), order.canary))
-    object(targets, 409,
-           "The canary '" + order.canary + "' is none of the robots that are to run the program, " +
-               "or it is silent; " + known_robots(team) + ".");
+    if (named.empty() ? !out_of_service(robot) : contains(named, name))
+      add(robot, !named.empty(), team, targets);
   return targets;
+}
+
+Result<void, Refusal> require_targets(const PushOrder& order, const OrderTargets& targets,
+                                      const Team& team) {
+  for (const auto& name : order.targets | std::views::reverse)
+    if (!team.find(name))
+      return not_found("There is no robot '" + name + "'; " + known_robots(team) + ".");
+  if (!order.canary.empty() && !contains(targets.names(), order.canary))
+    return conflict("The canary '" + order.canary +
+                    "' is none of the robots that are to run the program, or it is silent; " +
+                    known_robots(team) + ".");
+  if (targets.awaited.empty()) return conflict("No robot is heard; nothing was pushed.");
+  return {};
 }
 
 std::optional<Stale> stale(const PushOrder& order, const OrderTargets& targets, const Team& team) {
@@ -75,13 +75,13 @@ std::optional<Stale> stale(const PushOrder& order, const OrderTargets& targets, 
   return std::nullopt;
 }
 
-std::string replaced_by_each(const PushOrder& order, const OrderTargets& targets,
+std::string replaced_by_each(const std::string& replaces, const std::vector<Target>& robots,
                              const Team& team) {
-  const bool all_run_it = std::ranges::all_of(targets.awaited, [&](const Target& target) {
+  const bool all_run_it = std::ranges::all_of(robots, [&](const Target& target) {
     const Robot* robot = team.find(target.robot);
-    return robot && robot->state && robot->state->program_hash == order.replaces;
+    return robot && robot->state && robot->state->program_hash == replaces;
   });
-  return all_run_it ? order.replaces : std::string();
+  return all_run_it ? replaces : std::string();
 }
 
 bool overlap(const std::vector<std::string>& targets, const std::vector<std::string>& others) {

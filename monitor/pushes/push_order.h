@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bhdl/program/program.h"
 #include "core/clock.h"
+#include "core/result.h"
+#include "monitor/pushes/refusal.h"
 #include "monitor/pushes/target_check.h"
 #include "monitor/team/team.h"
 
@@ -16,8 +18,8 @@ namespace galilean::monitor {
 /// How a program is to be tried in simulation.
 struct TrialWish {
   bool wanted = false;
-  bool only = false;           ///< and then pushed to nobody
-  bool even_if_worse = false;  ///< push it though it scores clearly less
+  bool only = false;           ///< the program is tried and pushed to nobody
+  bool even_if_worse = false;  ///< the program is pushed though it scores clearly less
   int seeds = 8;
   double duration_s = 120;  ///< simulated
   std::string scenario;     ///< the arena; empty: that of the referee who is heard
@@ -28,36 +30,44 @@ struct PushOrder {
   std::vector<bhdl::SourceFile> files;  ///< the main file first
   std::vector<std::string> targets;     ///< empty: the team
   std::string author;
-  std::string replaces;  ///< refuse where another program than this hash runs; empty: whatever runs
+  std::string replaces =
+      {};  ///< refuse where another program than this hash runs; empty: whatever runs
   TrialWish trial = {};
-  std::string canary;                      ///< the robot that runs it first; empty: all at once
+  std::string canary = {};                 ///< the robot that runs it first; empty: all at once
   std::optional<Duration> probation = {};  ///< of each robot, and of the canary before the others
 };
 
-/// The robots that an order means, and what may stand against it.
+/// What tells one push from all others.
+struct PushIdentity {
+  std::string id;
+  std::string rollback_id = {};  ///< of the order that takes it off the canary again
+  std::int64_t pushed_ns = 0;    ///< since the Unix epoch
+};
+
+/// The robots that an order means.
 struct OrderTargets {
   std::vector<Target> awaited;      ///< with what their programs may name
   std::vector<std::string> silent;  ///< of the team, but not heard for a while
-  int status = 200;                 ///< else 404 or 409, with `objection`
-  std::string objection;            ///< one sentence
 
   [[nodiscard]] std::vector<std::string> names() const;  ///< of `awaited`
 };
-[[nodiscard]] OrderTargets targets_of(const PushOrder& order, const Team& team);
+/// `named`: robots' names; empty: the team.
+[[nodiscard]] OrderTargets targets_of(const std::vector<std::string>& named, const Team& team);
+/// Errors: a robot that is named is unknown (kNotFound); nobody is there to take the program, or
+/// the canary is none of those who are (kConflict).
+[[nodiscard]] Result<void, Refusal> require_targets(const PushOrder& order,
+                                                    const OrderTargets& targets, const Team& team);
 
-/// Another program than the one that the order is to replace, where one runs.
-struct Stale {
-  std::string robot;  ///< that runs it; empty: the team as a whole
-  std::string hash;
-};
+/// Returns the program that runs where it is another one than the order is to replace.
 [[nodiscard]] std::optional<Stale> stale(const PushOrder& order, const OrderTargets& targets,
                                          const Team& team);
 
-/// What each robot is told that it replaces: nothing where one of them drifts, which would refuse.
-[[nodiscard]] std::string replaced_by_each(const PushOrder& order, const OrderTargets& targets,
-                                           const Team& team);
+/// Returns the hash that each of `robots` is told that it replaces: none where one of them drifts,
+/// which would refuse.
+[[nodiscard]] std::string replaced_by_each(const std::string& replaces,
+                                           const std::vector<Target>& robots, const Team& team);
 
-/// Whether two orders mean a robot in common.
+/// Returns whether two orders mean a robot in common.
 [[nodiscard]] bool overlap(const std::vector<std::string>& targets,
                            const std::vector<std::string>& others);
 

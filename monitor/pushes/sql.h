@@ -8,11 +8,27 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
+
+#include "core/result.h"
 
 namespace galilean::monitor::sql {
 
 [[noreturn]] inline void fail(sqlite3* database) {
   throw std::runtime_error(std::string("the history of pushes: ") + sqlite3_errmsg(database));
+}
+
+/// Runs `job`. Returns what it returns, or what it threw.
+template <class Job>
+auto attempt(Job job) -> Result<decltype(job())> try {
+  if constexpr (std::is_void_v<decltype(job())>) {
+    job();
+    return {};
+  } else {
+    return job();
+  }
+} catch (const std::exception& error) {
+  return Error{error.what()};
 }
 
 inline void execute(sqlite3* database, const char* text) {

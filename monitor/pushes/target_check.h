@@ -35,12 +35,4 @@ struct TargetCheck {
                                     const std::vector<Target>& targets,
                                     const ProgramLibrary& library);
 
-/// The message that pushes a checked program. Its id is new.
-[[nodiscard]] msg::ProgramPush make_push(const bhdl::Program& program, const std::string& author,
-                                         const std::vector<std::string>& targets,
-                                         const std::string& replaces_hash = {});
-
-/// Names one push or command: nobody else's has it.
-[[nodiscard]] std::string new_id();
-
 }  // namespace galilean::monitor

@@ -17,9 +17,9 @@ std::optional<msg::ObjectMap> TrialRoom::map() const {
   return map;
 }
 
-std::vector<bhdl::SourceFile> TrialRoom::running(const OrderTargets& targets) const {
-  for (const auto& target : targets.awaited) {
-    const Robot* robot = team_.find(target.robot);
+std::vector<bhdl::SourceFile> TrialRoom::running(const std::vector<std::string>& robots) const {
+  for (const auto& name : robots) {
+    const Robot* robot = team_.find(name);
     if (!robot || !robot->program) continue;
     std::vector<bhdl::SourceFile> files;
     for (const auto& file : robot->program->files) files.push_back({file.path, file.text});
@@ -28,26 +28,24 @@ std::vector<bhdl::SourceFile> TrialRoom::running(const OrderTargets& targets) co
   return {};
 }
 
-Result<std::unique_ptr<Trial>> TrialRoom::begin(const std::string& id, const PushOrder& order,
-                                                const std::vector<bhdl::SourceFile>& files,
-                                                const OrderTargets& targets,
+Result<std::unique_ptr<Trial>> TrialRoom::begin(const std::string& id, const TryProgram& what,
                                                 Trial::Done done) const {
   if (access(simulator_.c_str(), X_OK) != 0)
     return Error{"the simulator " + simulator_.string() +
                  " is not there; install it, or push without a trial"};
   auto situation = situation_of(team_, map());
   if (!situation) return situation.error();
-  std::string scenario = order.trial.scenario;
+  std::string scenario = what.wish.scenario;
   if (scenario.empty() && team_.score()) scenario = team_.score()->scenario;
   if (scenario.empty())
     return Error{"no referee tells in which arena the team is; name its scenario"};
   return std::make_unique<Trial>(io_, simulator_, folder_ / id,
-                                 TrialOrder{.next = files,
-                                            .now = running(targets),
+                                 TrialOrder{.next = what.files,
+                                            .now = running(what.robots),
                                             .situation = std::move(situation).value(),
                                             .scenario = std::move(scenario),
-                                            .seeds = order.trial.seeds,
-                                            .duration_s = order.trial.duration_s},
+                                            .seeds = what.wish.seeds,
+                                            .duration_s = what.wish.duration_s},
                                  std::move(done));
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "monitor/ingest/channel.h"
-#include "monitor/pushes/push_order.h"
+#include "monitor/pushes/push_requests.h"
 #include "monitor/team/team.h"
 #include "monitor/trial/trial.h"
 
@@ -24,16 +24,14 @@ class TrialRoom {
 
   /// Takes any message; keeps the newest map.
   void receive(const Message& message);
-  /// Tries what `order` says beside what the first of the robots that it means runs now. The error
-  /// says what is missing.
-  [[nodiscard]] Result<std::unique_ptr<Trial>> begin(const std::string& id, const PushOrder& order,
-                                                     const std::vector<bhdl::SourceFile>& files,
-                                                     const OrderTargets& targets,
+  /// Tries the program beside what the first of the robots runs now. `id`: of the push. Errors:
+  /// what is missing.
+  [[nodiscard]] Result<std::unique_ptr<Trial>> begin(const std::string& id, const TryProgram& what,
                                                      Trial::Done done) const;
 
  private:
   [[nodiscard]] std::optional<msg::ObjectMap> map() const;
-  [[nodiscard]] std::vector<bhdl::SourceFile> running(const OrderTargets& targets) const;
+  [[nodiscard]] std::vector<bhdl::SourceFile> running(const std::vector<std::string>& robots) const;
 
   boost::asio::io_context& io_;
   const Team& team_;

@@ -98,7 +98,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
       trials(io, team,
              options.simulator.empty() ? program_folder() / "galilean-sim" : options.simulator,
              options.data_folder / "trials"),
-      desk({io, worker, clock, team, library, *history, trials}, *participant),
+      desk({io, worker, team, library, *history, trials}, clock, *participant),
       operations(worker, team, library, desk, *participant),
       api({page, team, library, map, hub, operations, desk, worker, *history}),
       server(io, {Guard(options.address, options.allowed_origins),

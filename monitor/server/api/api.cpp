@@ -49,7 +49,9 @@ void Api::add_routes() {
       [this](auto& request, auto& respond) { program(rest(request, "/api/programs/"), respond); });
   get("/api/pushes", [this](auto&, auto& respond) { pushes(respond); });
   get("/api/pushes/", [this](auto& request, auto& respond) {
-    parts_.desk.describe(rest(request, "/api/pushes/"), finish_of(respond));
+    parts_.desk.describe(rest(request, "/api/pushes/"), [respond](const PushAnswer& answer) {
+      respond(response_of(outcome_of(answer)));
+    });
   });
   get("/api/pushed/", [this](auto& request, auto& respond) {
     pushed_program(rest(request, "/api/pushed/"), respond);
@@ -139,9 +141,10 @@ void Api::program(const std::string& name, const Respond& respond) const {
 void Api::pushes(const Respond& respond) {
   constexpr int kMost = 200;
   parts_.worker.run([this] { return parts_.history.pushes(kMost); },
-                    [respond](const std::vector<PushRecord>& records) {
+                    [respond](const auto& records) {
+                      if (!records) return respond(problem(503, "The monitor cannot do this now: " + records.error().message + "."));
                       auto list = nlohmann::json::array();
-                      for (const auto& record : records) list.push_back(to_json(record));
+                      for (const auto& record : records.value()) list.push_back(to_json(record));
                       respond(json_response({{"pushes", std::move(list)}}));
                     },
                     unable(finish_of(respond)));
@@ -161,7 +164,9 @@ void Api::cancel_push(const HttpRequest& request, const Respond& respond) {
 
 void Api::pushed_program(const std::string& hash, const Respond& respond) {
   parts_.worker.run([this, hash] { return parts_.history.program(hash); },
-                    [respond, hash](const auto& files) {
+                    [respond, hash](const auto& found) {
+                      if (!found) return respond(problem(503, found.error().message + "."));
+                      const auto& files = found.value();
                       if (!files)
                         return respond(problem(404, "No program '" + hash + "' was ever pushed."));
                       respond(json_response({{"hash", hash}, {"files", to_json(*files)}}));

@@ -9,6 +9,7 @@
 #include "core/wire/ros_time.h"
 #include "core/wire/topic_names.h"
 #include "monitor/pushes/json.h"
+#include "monitor/pushes/push_messages.h"
 #include "monitor/server/text/request_fields.h"
 
 namespace galilean::monitor {
@@ -125,14 +126,18 @@ void Operations::push(const nlohmann::json& request, Finish finish) {
   RequestFields fields(request);
   auto order = order_of(fields);
   if (!fields.ok()) return finish(refused(fields));
-  desk_.order(std::move(order), std::move(finish));
+  desk_.order(std::move(order), [finish = std::move(finish)](const PushAnswer& answer) {
+    finish(outcome_of_order(answer));
+  });
 }
 
 void Operations::cancel_push(const nlohmann::json& request, Finish finish) {
   RequestFields fields(request);
   const auto id = fields.text("id"), author = fields.text("author", "an operator");
   if (!fields.ok()) return finish(refused(fields));
-  desk_.cancel(id, author, std::move(finish));
+  desk_.cancel(id, author, [finish = std::move(finish)](const PushAnswer& answer) {
+    finish(outcome_of(answer));
+  });
 }
 
 void Operations::command(const nlohmann::json& request, Finish finish) {

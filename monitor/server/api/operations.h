@@ -5,8 +5,8 @@
 #include <string>
 
 #include "monitor/programs/library.h"
-#include "monitor/pushes/outcome.h"
 #include "monitor/pushes/push_desk.h"
+#include "monitor/server/api/outcome.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/team/team.h"
 

@@ -41,26 +41,29 @@ TEST_F(HistoryTest, RemembersWhoPushedWhatToWhomAndWhatBecameOfIt) {
   {
     auto history = History::open(file);
     ASSERT_TRUE(history);
-    history.value()->add(push(1));
-    history.value()->add(push(2));
-    PushAnswer answer{.robot = "io", .status = "running", .latency_ms = 12.5};
-    history.value()->add_answer("2", answer);
-    answer.status = "rolled_back";
-    answer.reply.message = "overran its ticks";
-    history.value()->add_answer("2", answer);
+    EXPECT_TRUE(history.value()->add(push(1)));
+    EXPECT_TRUE(history.value()->add(push(2)));
+    RobotReply reply{.robot = "io", .status = ReplyStatus::kRunning, .latency_ms = 12.5};
+    EXPECT_TRUE(history.value()->add_reply("2", reply));
+    reply.status = ReplyStatus::kRolledBack;
+    reply.reply.message = "overran its ticks";
+    EXPECT_TRUE(history.value()->add_reply("2", reply));
   }
   auto history = History::open(file);
   ASSERT_TRUE(history);
-  const auto records = history.value()->pushes(10);
+  const auto found = history.value()->pushes(10);
+  ASSERT_TRUE(found);
+  const auto& records = found.value();
   ASSERT_EQ(records.size(), 2U);
   EXPECT_EQ(records[0].id, "2");
   EXPECT_EQ(records[0].program, "main.bhdl");
   EXPECT_EQ(records[0].targets, (std::vector<std::string>{"io", "ganymede"}));
-  ASSERT_EQ(records[0].answers.size(), 1U);
-  EXPECT_EQ(records[0].answers[0].status, "rolled_back");
-  EXPECT_EQ(records[0].answers[0].reply.message, "overran its ticks");
-  EXPECT_EQ(history.value()->program("hash2")->at(0).text, "text 2");
-  EXPECT_FALSE(history.value()->program("hash9"));
+  ASSERT_EQ(records[0].replies.size(), 1U);
+  EXPECT_EQ(records[0].replies[0].status, ReplyStatus::kRolledBack);
+  EXPECT_EQ(records[0].replies[0].reply.message, "overran its ticks");
+  EXPECT_EQ(records[0].replies[0].latency_ms, 12.5);
+  EXPECT_EQ(history.value()->program("hash2").value()->at(0).text, "text 2");
+  EXPECT_FALSE(history.value()->program("hash9").value());
 }
 
 /// Adds pushes, their outcome and their end, and tells each number once all has returned.
@@ -68,9 +71,10 @@ TEST_F(HistoryTest, RemembersWhoPushedWhatToWhomAndWhatBecameOfIt) {
   auto history = History::open(file);
   for (int number = first; history; ++number) {
     const auto id = std::to_string(number);
-    history.value()->add(push(number));
-    history.value()->add_answer(id, {.robot = "io", .status = "running"});
-    history.value()->set_progress(id, {.state = "done", .trial_json = "{}"});
+    if (!history.value()->add(push(number))) _exit(1);
+    if (!history.value()->add_reply(id, {.robot = "io", .status = ReplyStatus::kRunning})) _exit(1);
+    const Progress done{.state = PushState::kDone, .trial = nlohmann::json::object()};
+    if (!history.value()->set_progress(id, done)) _exit(1);
     if (::write(channel, &number, sizeof number) < 0) _exit(1);
   }
   _exit(1);
@@ -119,11 +123,13 @@ TEST_F(HistoryTest, WhatItReturnedFromSurvivesKill9AtAnyInstant) {
     auto history = History::open(file);
     ASSERT_TRUE(history);
     for (int number = first; number <= told; ++number) {
-      const auto record = history.value()->push(std::to_string(number));
+      const auto found = history.value()->push(std::to_string(number));
+      ASSERT_TRUE(found);
+      const auto& record = found.value();
       ASSERT_TRUE(record) << number;
-      EXPECT_EQ(record->progress.state, "done");
-      EXPECT_EQ(record->answers.size(), 1U);
-      EXPECT_TRUE(history.value()->program(record->hash));
+      EXPECT_EQ(record->progress.state, PushState::kDone);
+      EXPECT_EQ(record->replies.size(), 1U);
+      EXPECT_TRUE(history.value()->program(record->hash).value());
     }
   }
 }
@@ -131,31 +137,88 @@ TEST_F(HistoryTest, WhatItReturnedFromSurvivesKill9AtAnyInstant) {
 TEST_F(HistoryTest, RemembersHowFarAPushCameAndThatItWasInterrupted) {
   {
     auto history = History::open(file);
-    SwapProgress progress{.state = "running", .steps = {{"check", "done", ""}}, .trial_json = ""};
-    history.value()->add(push(1), progress);
-    history.value()->add(push(2), progress);
-    progress = {.state = "cancelled",
-                .steps = {{"check", "done", ""}, {"canary", "cancelled", "cancelled by balch"}},
-                .trial_json = R"({"runs":8})"};
-    history.value()->set_progress("2", progress);
+    Progress progress{.state = PushState::kRunning,
+                      .steps = {{StepKind::kCheck, StepState::kDone}}};
+    EXPECT_TRUE(history.value()->add(push(1), progress));
+    EXPECT_TRUE(history.value()->add(push(2), progress));
+    progress = {.state = PushState::kCancelled,
+                .steps = {{StepKind::kCheck, StepState::kDone},
+                          {StepKind::kCanary, StepState::kCancelled, "cancelled by balch"}},
+                .trial = {{"runs", 8}}};
+    EXPECT_TRUE(history.value()->set_progress("2", progress));
   }
   auto history = History::open(file);
-  EXPECT_EQ(history.value()->push("1")->progress.state, "interrupted") << "its monitor ended";
-  const auto cancelled = history.value()->push("2");
-  EXPECT_EQ(cancelled->progress.state, "cancelled");
+  EXPECT_EQ(history.value()->push("1").value()->progress.state, PushState::kInterrupted)
+      << "its monitor ended";
+  const auto cancelled = history.value()->push("2").value();
+  EXPECT_EQ(cancelled->progress.state, PushState::kCancelled);
+  EXPECT_EQ(cancelled->progress.steps[1].kind, StepKind::kCanary);
+  EXPECT_EQ(cancelled->progress.steps[1].state, StepState::kCancelled);
   EXPECT_EQ(cancelled->progress.steps[1].detail, "cancelled by balch");
-  EXPECT_EQ(cancelled->progress.trial_json, R"({"runs":8})");
-  EXPECT_EQ(history.value()->last_push_of("hash2")->id, "2");
-  EXPECT_FALSE(history.value()->push("3"));
+  EXPECT_EQ(cancelled->progress.trial, (nlohmann::json{{"runs", 8}}));
+  EXPECT_EQ(history.value()->last_push_of("hash2").value()->id, "2");
+  EXPECT_FALSE(history.value()->push("3").value());
+}
+
+std::vector<std::string> row_of(const fs::path& file, const char* question, int columns) {
+  sqlite3* database = nullptr;
+  sqlite3_open(file.c_str(), &database);
+  std::vector<std::string> row;
+  {
+    sql::Statement found(database, question);
+    if (found.step())
+      for (int column = 0; column < columns; ++column) row.push_back(found.text(column));
+  }
+  sqlite3_close(database);
+  return row;
+}
+
+TEST_F(HistoryTest, TheWordsInTheFileNeverChange) {
+  {
+    auto history = History::open(file);
+    EXPECT_TRUE(
+        history.value()->add(push(1), {.steps = {{StepKind::kCheck, StepState::kRunning}}}));
+    EXPECT_TRUE(history.value()->set_progress(
+        "1",
+        {.state = PushState::kDone,
+         .steps = {{StepKind::kTry, StepState::kLeftOut}, {StepKind::kRest, StepState::kDone, "x"}},
+         .trial = {{"runs", 8}}}));
+    EXPECT_TRUE(
+        history.value()->add_reply("1", {.robot = "io", .status = ReplyStatus::kRolledBack}));
+    EXPECT_TRUE(history.value()->add(push(2), {.state = PushState::kForeign}));
+  }
+  EXPECT_EQ(row_of(file, "SELECT state, steps, trial FROM progress WHERE push_id = '1'", 3),
+            (std::vector<std::string>{"done", R"([["try","left_out",""],["rest","done","x"]])",
+                                      R"({"runs":8})"}));
+  EXPECT_EQ(row_of(file, "SELECT status FROM answer", 1), std::vector<std::string>{"rolled_back"});
+  EXPECT_EQ(row_of(file, "SELECT state, steps, trial FROM progress WHERE push_id = '2'", 3),
+            (std::vector<std::string>{"", "[]", ""}));
+}
+
+TEST_F(HistoryTest, AFileThatBreaksIsAnErrorOfTheCallAndNoException) {
+  auto history = History::open(file);
+  EXPECT_TRUE(history.value()->add(push(1)));
+  sqlite3* other = nullptr;
+  sqlite3_open(file.c_str(), &other);
+  sql::execute(other, "DROP TABLE answer; DROP TABLE progress;");
+  sqlite3_close(other);
+  const auto added = history.value()->add(push(2));
+  ASSERT_FALSE(added);
+  EXPECT_NE(added.error().message.find("the history of pushes: "), std::string::npos);
+  EXPECT_FALSE(history.value()->set_progress("1", {}));
+  EXPECT_FALSE(history.value()->add_reply("1", {.robot = "io"}));
+  EXPECT_FALSE(history.value()->pushes(10));
+  EXPECT_FALSE(history.value()->push("1"));
+  EXPECT_FALSE(history.value()->last_push_of("hash1"));
 }
 
 TEST_F(HistoryTest, TheBeginningOfAHashWillDoWhereItIsTheOnlyOne) {
   auto history = History::open(file);
-  history.value()->add(push(1));
-  EXPECT_TRUE(history.value()->program("ha"));
-  history.value()->add(push(2));
-  EXPECT_FALSE(history.value()->program("ha")) << "hash1 or hash2?";
-  EXPECT_TRUE(history.value()->program("hash2"));
+  EXPECT_TRUE(history.value()->add(push(1)));
+  EXPECT_TRUE(history.value()->program("ha").value());
+  EXPECT_TRUE(history.value()->add(push(2)));
+  EXPECT_FALSE(history.value()->program("ha").value()) << "hash1 or hash2?";
+  EXPECT_TRUE(history.value()->program("hash2").value());
 }
 
 TEST_F(HistoryTest, AFolderThatCannotBeWrittenIsAnErrorThatSaysWhatToDo) {

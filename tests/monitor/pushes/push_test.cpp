@@ -1,78 +1,355 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/pushes/push.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
-#include <fstream>
-
-#include "monitor/programs/library.h"
-#include "tests/temporary_folder.h"
+#include "tests/monitor/pushes/push_fixture.h"
 
 namespace galilean::monitor {
 namespace {
 
 using namespace std::chrono_literals;
-namespace status = msg::ProgramReply_Constants;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using enum ReplyStatus;
 
-msg::ProgramReply reply(const std::string& robot, std::uint8_t said) {
-  msg::ProgramReply result;
-  result.id = "1";
-  result.robot = robot;
-  result.status = said;
+std::vector<StepState> states(const Push& push) {
+  std::vector<StepState> result;
+  for (const auto& step : push.record().progress.steps) result.push_back(step.state);
   return result;
 }
 
-Push push_to(std::vector<std::string> robots) {
-  return {"1", std::move(robots), Time{}};
+std::string detail(const Push& push, StepKind kind) {
+  for (const auto& step : push.record().progress.steps)
+    if (step.kind == kind) return step.detail;
+  return "no such step";
 }
 
-TEST(Push, IsCompleteWhenEachRunsOrRefuses) {
-  auto push = push_to({"io", "ganymede"});
-  EXPECT_TRUE(push.note(reply("io", status::RECEIVED), Time{5ms}));
-  EXPECT_TRUE(push.note(reply("io", status::RUNNING), Time{20ms}));
-  EXPECT_FALSE(push.complete());
-  EXPECT_TRUE(push.note(reply("ganymede", status::REJECTED), Time{30ms}));
-  EXPECT_TRUE(push.complete());
-  EXPECT_FALSE(push.settled()) << "io is in its probation";
-  push.note(reply("io", status::CONFIRMED), Time{9s});
-  EXPECT_TRUE(push.settled());
-  EXPECT_EQ(push.answers()[1].status, "confirmed");
-  EXPECT_EQ(push.answers()[1].latency_ms, 20) << "of the swap, not of what followed";
+PushState state(const Push& push) {
+  return push.record().progress.state;
 }
 
-TEST(Push, HearsNeitherOthersRepliesNorRepeats) {
-  auto push = push_to({"io"});
-  auto other = reply("io", status::RUNNING);
-  other.id = "2";
-  EXPECT_FALSE(push.note(other, Time{}));
-  EXPECT_TRUE(push.note(reply("io", status::RUNNING), Time{}));
-  EXPECT_FALSE(push.note(reply("io", status::RECEIVED), Time{}));
-  EXPECT_EQ(push.answers()[0].status, "running");
+/// It has checked and is recorded; what it asked for so far is done.
+void pass_check(Push& push, Time now = {}) {
+  push.take(checks(), now);
+  push.take(PushRecorded{}, now);
 }
 
-TEST(Push, ListsARobotThatNobodyWaitsFor) {
-  auto push = push_to({"io"});
-  push.list("callisto");
-  push.note(reply("io", status::RUNNING), Time{});
-  EXPECT_TRUE(push.complete());
-  EXPECT_EQ(push.answers()[0].status, "no_answer");
+/// What it does to robots and trials, once it is checked.
+std::vector<std::string> acts(Push& push) {
+  auto words = words_of(push);
+  std::erase_if(words, [](const auto& each) {
+    return each == "tell" || each == "check" || each.starts_with("record");
+  });
+  return words;
 }
 
-TEST(Library, TakesMissingIncludesFromItsFolderAndNothingFromElsewhere) {
-  const TemporaryFolder parent;
-  const auto folder = parent / "programs";
-  std::filesystem::create_directory(folder);
-  std::ofstream(folder / "parts.bhdl") << "variables:\n";
-  std::ofstream(folder / "whole.bhdl") << "include \"parts.bhdl\"\n";
-  std::ofstream(parent / "secret.bhdl") << "variables:\n";
-  const ProgramLibrary library(folder, {});
-  const auto checked = library.check({{"edited.bhdl", "include \"parts.bhdl\"\n"}}, {});
-  ASSERT_EQ(checked.files.size(), 2U);
-  EXPECT_EQ(checked.files[1].path, "parts.bhdl");
-  EXPECT_EQ(library.read("whole.bhdl")->size(), 2U);
-  EXPECT_FALSE(library.read("../secret.bhdl"));
-  const auto escaping = library.check({{"edited.bhdl", "include \"../secret.bhdl\"\n"}}, {});
-  EXPECT_EQ(escaping.files.size(), 1U);
+/// The canary runs it since `now`, and it was told so.
+Push on_probation(Time now) {
+  Push push = ordered(order_for("io"));
+  pass_check(push, now);
+  push.take_reply(said("io", kRunning), now);
+  (void)requests_of(push);
+  return push;
+}
+
+TrialFigures figures(double now, double next) {
+  const auto side = [](double score) {
+    TrialSide result;
+    result.runs = 8;
+    result.score.mean = score;
+    return result;
+  };
+  return {.now = side(now), .next = side(next), .duration_s = 120};
+}
+
+Push on_trial(const PushOrder& order) {
+  Push push = ordered(order);
+  pass_check(push);
+  (void)requests_of(push);
+  return push;
+}
+
+TEST(Push, WithoutTrialAndCanaryAllAreAskedAtOnce) {
+  Push push = ordered(order_for());
+  EXPECT_THAT(words_of(push), ElementsAre("check"));
+  push.take(checks(), Time{});
+  EXPECT_THAT(words_of(push), ElementsAre("record")) << "before anything of it is sent";
+  push.take(PushRecorded{}, Time{});
+  EXPECT_THAT(words_of(push), ElementsAre("send to the team", "tell"));
+  EXPECT_FALSE(push.take_answer()) << "who ordered it waits for the robots";
+  for (const auto* robot : {"io", "ganymede", "callisto"})
+    push.take_reply(said(robot, kRunning), Time{20ms});
+  EXPECT_EQ(state(push), PushState::kDone);
+  EXPECT_THAT(states(push), ElementsAre(StepState::kDone, StepState::kLeftOut, StepState::kLeftOut,
+                                        StepState::kDone));
+  EXPECT_EQ(push.take_answer()->value().replies.size(), 3U);
+}
+
+TEST(Push, WhatDoesNotCheckIsSentToNobodyAndWasNeverThere) {
+  Push push = ordered(order_for("io", true));
+  EXPECT_FALSE(push.is_refused());
+  push.take(does_not_check(), Time{});
+  EXPECT_TRUE(push.is_refused());
+  EXPECT_TRUE(push.is_over());
+  EXPECT_THAT(words_of(push), ElementsAre("check")) << "it is neither recorded nor told";
+  const auto answer = push.take_answer();
+  EXPECT_EQ(answer->error().reason, Refusal::Reason::kBroken);
+  EXPECT_EQ(answer->error().check->refused_by, "io");
+}
+
+TEST(Push, WhatCannotBeRecordedIsSentToNobody) {
+  Push push = ordered(order_for("io", true));
+  push.take(checks(), Time{});
+  (void)requests_of(push);
+  push.take(PushRecorded{Error{"the history of pushes: the disk is full"}}, Time{});
+  EXPECT_EQ(state(push), PushState::kFailed);
+  EXPECT_THAT(words_of(push), ElementsAre("tell"));
+  EXPECT_EQ(detail(push, StepKind::kCheck), "the history of pushes: the disk is full");
+  const auto answer = push.take_answer();
+  EXPECT_EQ(answer->error().reason, Refusal::Reason::kUnavailable);
+  EXPECT_EQ(answer->error().message,
+            "the history of pushes: the disk is full; nothing was pushed.");
+  EXPECT_FALSE(push.take_answer()) << "it is told once";
+}
+
+TEST(Push, WhatDdsDoesNotTakeHasFailed) {
+  Push push = ordered(order_for());
+  pass_check(push);
+  push.take(SendFailed{}, Time{});
+  EXPECT_EQ(state(push), PushState::kFailed);
+  EXPECT_EQ(detail(push, StepKind::kRest), "DDS did not take the program; try again");
+  EXPECT_EQ(push.take_answer()->error().reason, Refusal::Reason::kUnavailable);
+}
+
+TEST(Push, TheMessageToRobotsHasWhatTheOrderSays) {
+  auto order = order_for("io");
+  order.targets = {"io", "ganymede", "callisto"};
+  order.probation = 3s;
+  Push push = ordered(order);
+  push.take(ProgramChecked{CheckedProgram{kNewHash, {{"main.bhdl", "text"}}, "old"}}, Time{});
+  push.take(PushRecorded{}, Time{});
+  auto requests = requests_of(push);
+  const auto* recorded = std::get_if<RecordPush>(&requests.at(1));
+  ASSERT_TRUE(recorded);
+  EXPECT_EQ(recorded->push.targets, order.targets) << "the history has whom it was meant for";
+  const auto* sent = std::get_if<SendProgram>(&requests.at(2));
+  ASSERT_TRUE(sent);
+  EXPECT_EQ(sent->push.id, kPushId);
+  EXPECT_EQ(sent->push.author, "balch");
+  EXPECT_EQ(sent->push.hash, kNewHash);
+  EXPECT_EQ(sent->push.replaces_hash, "old");
+  EXPECT_EQ(sent->push.stamp.nanosec, 7U);
+  EXPECT_EQ(sent->push.files.at(0).path, "main.bhdl");
+  EXPECT_FLOAT_EQ(sent->push.probation_s, 5) << "for as long as it may be taken back";
+  EXPECT_FALSE(sent->is_for_team);
+}
+
+TEST(Push, TheOthersWaitUntilTheCanaryHasProvedTheProgram) {
+  auto push = on_probation(Time{1s});
+  push.update(Time{10s});
+  EXPECT_THAT(acts(push), IsEmpty());
+  push.update(Time{11s});
+  EXPECT_THAT(acts(push), ElementsAre("send to callisto ganymede"));
+  push.take_reply(said("callisto", kRunning), Time{11s});
+  EXPECT_EQ(state(push), PushState::kRunning);
+  push.take_reply(said("ganymede", kRunning), Time{11s});
+  EXPECT_EQ(state(push), PushState::kDone);
+}
+
+TEST(Push, WhoOrdersOneThatTakesLongIsToldThatItIsAccepted) {
+  auto push = on_probation(Time{});
+  const auto answer = push.take_answer();
+  ASSERT_TRUE(answer && *answer);
+  EXPECT_EQ(answer->value().progress.state, PushState::kRunning);
+  EXPECT_TRUE(push.cancel("balch"));
+  EXPECT_FALSE(push.take_answer()) << "it is told once";
+}
+
+TEST(Push, ACanaryThatGoesBackKeepsTheProgramFromTheOthers) {
+  auto push = on_probation(Time{});
+  push.take_reply(said("io", kRolledBack, "it overran its ticks"), Time{3s});
+  EXPECT_EQ(state(push), PushState::kFailed);
+  EXPECT_THAT(acts(push), IsEmpty()) << "it went back by itself";
+  EXPECT_EQ(detail(push, StepKind::kCanary), "io went back: it overran its ticks");
+  push.update(Time{1h});
+  EXPECT_THAT(acts(push), IsEmpty());
+}
+
+TEST(Push, ACanaryThatRefusesIsNotTakenBack) {
+  Push push = ordered(order_for("io"));
+  pass_check(push);
+  (void)requests_of(push);
+  push.take_reply(said("io", kRejected, "the serial line is down"), Time{});
+  EXPECT_EQ(state(push), PushState::kFailed);
+  EXPECT_THAT(acts(push), IsEmpty());
+}
+
+TEST(Push, ACanaryThatDoesNotAnswerOrFallsSilentIsTakenBack) {
+  Push mute = ordered(order_for("io"));
+  pass_check(mute);
+  (void)requests_of(mute);
+  mute.update(Time{kReplyPatience});
+  EXPECT_EQ(state(mute), PushState::kFailed);
+  EXPECT_THAT(acts(mute), ElementsAre("roll back io"));
+
+  auto lost = on_probation(Time{});
+  lost.see_canary(true, kNewHash, Time{4s});
+  EXPECT_THAT(detail(lost, StepKind::kCanary), HasSubstr("fell silent"));
+  EXPECT_THAT(acts(lost), ElementsAre("roll back io"));
+}
+
+TEST(Push, SomebodyElsesProgramOnTheCanaryEndsIt) {
+  auto push = on_probation(Time{});
+  push.see_canary(false, "old", Time{100ms});
+  EXPECT_FALSE(push.is_over()) << "that state was on its way already";
+  push.see_canary(false, "theirs", Time{3s});
+  EXPECT_EQ(state(push), PushState::kFailed);
+}
+
+TEST(Push, CancellingTakesTheCanaryBackAndBeginsNothingMore) {
+  auto push = on_probation(Time{});
+  EXPECT_TRUE(push.cancel("balch"));
+  EXPECT_EQ(state(push), PushState::kCancelled);
+  EXPECT_THAT(states(push), ElementsAre(StepState::kDone, StepState::kLeftOut,
+                                        StepState::kCancelled, StepState::kLeftOut));
+  EXPECT_EQ(detail(push, StepKind::kCanary), "cancelled by balch");
+  const auto asked = requests_of(push);
+  const auto* back = std::get_if<RollBack>(&asked.at(0));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->order_id, kRollbackId);
+  EXPECT_EQ(back->robot, "io");
+  EXPECT_EQ(back->hash, kNewHash);
+  EXPECT_EQ(back->reason, "cancelled by balch");
+  const auto again = push.cancel("balch");
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().message, "This push is over: it is cancelled.");
+  push.update(Time{1h});
+  EXPECT_THAT(acts(push), IsEmpty());
+}
+
+TEST(Push, TheRobotThatWasOrderedBackAnswersForThePush) {
+  auto push = on_probation(Time{});
+  EXPECT_TRUE(push.cancel("balch"));
+  (void)requests_of(push);
+  auto back = said("io", kRolledBack, "cancelled by balch");
+  back.id = kRollbackId;
+  EXPECT_TRUE(push.is_meant_by(back));
+  push.take_reply(back, Time{1s});
+  EXPECT_THAT(words_of(push), ElementsAre("record reply of io"));
+  EXPECT_EQ(push.record().replies.at(0).status, kRolledBack);
+  back.status = static_cast<std::uint8_t>(kRejected);
+  EXPECT_FALSE(push.is_meant_by(back)) << "it refuses the order, not the push";
+}
+
+TEST(Push, CancellingATrialEndsIt) {
+  Push push = ordered(order_for("io", true));
+  pass_check(push);
+  EXPECT_THAT(acts(push), ElementsAre("try"));
+  EXPECT_TRUE(push.cancel("balch"));
+  EXPECT_THAT(acts(push), ElementsAre("end trial"));
+  push.take(ProgramTried{figures(0, 10)}, Time{});
+  EXPECT_THAT(acts(push), IsEmpty());
+}
+
+TEST(Push, CancellingWhileItIsCheckedSendsNothing) {
+  Push push = ordered(order_for());
+  EXPECT_TRUE(push.cancel("balch"));
+  push.take(checks(), Time{});
+  EXPECT_THAT(words_of(push), ElementsAre("check"));
+  EXPECT_EQ(push.take_answer()->value().progress.state, PushState::kCancelled);
+}
+
+TEST(Push, WhenAllWereAskedItIsTooLateToCancel) {
+  Push push = ordered(order_for());
+  pass_check(push);
+  const auto cancelled = push.cancel("balch");
+  ASSERT_FALSE(cancelled);
+  EXPECT_EQ(cancelled.error().reason, Refusal::Reason::kConflict);
+  EXPECT_EQ(cancelled.error().message,
+            "Every robot has been sent main.bhdl (new) already; push the program before it to go "
+            "back.");
+  EXPECT_EQ(state(push), PushState::kRunning);
+}
+
+TEST(Push, OnlyTryingPushesNothing) {
+  auto order = order_for("io", true);
+  order.trial.only = true;
+  auto push = on_trial(order);
+  push.see_trial(3, 16);
+  EXPECT_EQ(detail(push, StepKind::kTry), "3 of 16 runs are over");
+  push.take(ProgramTried{figures(0, 3)}, Time{});
+  EXPECT_EQ(state(push), PushState::kDone);
+  EXPECT_THAT(acts(push), IsEmpty());
+  EXPECT_THAT(detail(push, StepKind::kTry), HasSubstr("scores 3 ± 0, the one that runs 0 ± 0"));
+  EXPECT_EQ(push.record().progress.trial["next"]["score"]["mean"], 3.0);
+}
+
+TEST(Push, AProgramThatScoresWorseIsNotPushed) {
+  auto push = on_trial(order_for("io", true));
+  push.take(ProgramTried{figures(30, 20)}, Time{});
+  EXPECT_EQ(state(push), PushState::kFailed);
+  EXPECT_THAT(acts(push), IsEmpty());
+  EXPECT_THAT(detail(push, StepKind::kTry), HasSubstr("in simulation it scores 20"));
+  EXPECT_FALSE(push.record().progress.trial.is_null()) << "the figures are kept";
+}
+
+TEST(Push, AProgramThatScoresWorseIsPushedWhereTheOrderSaysSo) {
+  auto order = order_for("io", true);
+  order.trial.even_if_worse = true;
+  auto push = on_trial(order);
+  push.take(ProgramTried{figures(30, 20)}, Time{});
+  EXPECT_THAT(acts(push), ElementsAre("send to io"));
+}
+
+TEST(Push, WhatOnlyIsTriedMayScoreWorse) {
+  auto order = order_for({}, true);
+  order.trial.only = true;
+  auto push = on_trial(order);
+  push.take(ProgramTried{figures(30, 20)}, Time{});
+  EXPECT_EQ(state(push), PushState::kDone);
+  EXPECT_THAT(acts(push), IsEmpty());
+}
+
+TEST(Push, ATrialThatCannotBeHeldEndsIt) {
+  auto push = on_trial(order_for("io", true));
+  push.take(ProgramTried{Error{"no referee tells in which arena the team is"}}, Time{});
+  EXPECT_EQ(state(push), PushState::kFailed);
+  EXPECT_THAT(acts(push), ElementsAre("end trial"));
+  EXPECT_EQ(detail(push, StepKind::kTry), "no referee tells in which arena the team is");
+}
+
+TEST(Push, SaysWhoRefusedAndWhoDidNotAnswer) {
+  Push push = ordered(order_for(), {"europa"});
+  pass_check(push);
+  push.take_reply(said("io", kRunning), Time{});
+  push.take_reply(said("ganymede", kRejected, "no camera"), Time{});
+  push.update(Time{kReplyPatience});
+  EXPECT_EQ(state(push), PushState::kFailed);
+  EXPECT_EQ(detail(push, StepKind::kRest),
+            "callisto has not answered; ganymede refused it: no camera");
+  ASSERT_EQ(push.record().replies.size(), 4U) << "the silent one is listed";
+  push.take_reply(said("io", kRolledBack), Time{9s});
+  EXPECT_EQ(push.record().replies[3].status, kRolledBack) << "late words are heard";
+}
+
+TEST(Push, OthersPushesAreAnsweredForAndCannotBeCancelled) {
+  msg::ProgramPush message;
+  message.id = kPushId;
+  message.author = "collins";
+  message.hash = kNewHash;
+  message.files = {{"theirs.bhdl", "text"}};
+  auto push = Push::of_others(message, targets_of({"callisto", "ganymede", "io"}), Time{});
+  auto requests = requests_of(push);
+  ASSERT_EQ(requests.size(), 1U) << "it is neither checked nor sent, and nobody is told";
+  EXPECT_EQ(std::get<RecordPush>(requests[0]).progress.state, PushState::kForeign);
+  EXPECT_EQ(std::get<RecordPush>(requests[0]).push.files[0].text, "text");
+  push.take_reply(said("io", kRunning), Time{});
+  EXPECT_THAT(words_of(push), ElementsAre("record reply of io"));
+  EXPECT_FALSE(push.cancel("balch"));
+  EXPECT_EQ(push.record().program, "theirs.bhdl");
+  EXPECT_FALSE(push.is_ours());
 }
 
 }  // namespace

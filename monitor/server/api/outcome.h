@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "monitor/pushes/refusal.h"
+
 namespace galilean::monitor {
 
 /// What an operation comes to: an HTTP status and its JSON; of a failure, `detail` says why in one
@@ -23,5 +25,11 @@ using Finish = std::function<void(Outcome)>;
     finish({503, {}, "The monitor cannot do this now: " + why + "."});
   };
 }
+
+[[nodiscard]] Outcome outcome_of(const Refusal& refusal);
+/// Of an order: 202 while the push is under way.
+[[nodiscard]] Outcome outcome_of_order(const PushAnswer& answer);
+/// Of a question about a push that there is.
+[[nodiscard]] Outcome outcome_of(const PushAnswer& answer);
 
 }  // namespace galilean::monitor

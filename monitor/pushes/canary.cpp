@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/pushes/canary.h"
+
+#include <array>
+#include <cstdio>
+#include <utility>
+
+namespace galilean::monitor {
+namespace {
+
+using Kind = Verdict::Kind;
+
+std::string seconds_text(Duration duration) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.3g s", to_seconds(duration));
+  return text.data();
+}
+
+}  // namespace
+
+Canary::Canary(const std::string& push_id, std::string robot, Duration probation, Time sent)
+    : robot_(std::move(robot)),
+      probation_(probation),
+      sent_(sent),
+      replies_(push_id, {robot_}, sent) {}
+
+bool Canary::may_run_it() const {
+  const auto status = reply().status;
+  return status != ReplyStatus::kRejected && status != ReplyStatus::kRolledBack;
+}
+
+Verdict Canary::judge(Time now) {
+  if (!may_run_it()) return {Kind::kFailed, why_not(reply())};
+  if (!replies_.taken_by_all()) {
+    if (now - sent_ < kReplyPatience) return {};
+    return {Kind::kFailed, robot_ + " did not answer within " + seconds_text(kReplyPatience)};
+  }
+  if (!runs_since_) runs_since_ = now;
+  if (now - *runs_since_ < probation_)
+    return {Kind::kUnderWay, robot_ + " runs it, on probation for " + seconds_text(probation_)};
+  return {Kind::kDone, robot_ + " ran it for " + seconds_text(probation_)};
+}
+
+Verdict Canary::see(bool silent, const std::string& running_hash, Time now) const {
+  if (!runs_since_) return {};
+  if (silent) return {Kind::kFailed, robot_ + " fell silent on its probation"};
+  // A state that was under way when the program was swapped still names the one before.
+  const bool settled = now - *runs_since_ >= kReplyPatience / 2;
+  const std::string pushed = reply().reply.hash;
+  if (settled && !pushed.empty() && running_hash != pushed)
+    return {Kind::kFailed, robot_ + " runs another program now: " + running_hash.substr(0, 8)};
+  return {};
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/pushes/history_rows.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/json_text.h"
+#include "core/wire/ros_time.h"
+#include "monitor/pushes/words.h"
+
+namespace galilean::monitor::rows {
+namespace {
+
+constexpr const char* kSchema = R"(
+  CREATE TABLE IF NOT EXISTS program_file(
+    hash TEXT NOT NULL, position INTEGER NOT NULL, path TEXT NOT NULL, text TEXT NOT NULL,
+    PRIMARY KEY(hash, position)) WITHOUT ROWID;
+  CREATE TABLE IF NOT EXISTS push(
+    id TEXT PRIMARY KEY, pushed_ns INTEGER NOT NULL, author TEXT NOT NULL, hash TEXT NOT NULL,
+    targets TEXT NOT NULL) WITHOUT ROWID;
+  CREATE INDEX IF NOT EXISTS push_by_time ON push(pushed_ns);
+  CREATE TABLE IF NOT EXISTS answer(
+    push_id TEXT NOT NULL REFERENCES push(id), robot TEXT NOT NULL, status TEXT NOT NULL,
+    message TEXT NOT NULL, running_hash TEXT NOT NULL, latency_ms REAL NOT NULL,
+    PRIMARY KEY(push_id, robot)) WITHOUT ROWID;
+  CREATE TABLE IF NOT EXISTS progress(
+    push_id TEXT PRIMARY KEY REFERENCES push(id), state TEXT NOT NULL, steps TEXT NOT NULL,
+    trial TEXT NOT NULL) WITHOUT ROWID;
+)";
+
+std::string steps_text(const std::vector<Step>& steps) {
+  auto json = nlohmann::json::array();
+  for (const auto& step : steps)
+    json.push_back({to_text(step.kind), to_text(step.state), step.detail});
+  return json_text(json);
+}
+
+std::vector<Step> steps_of(const std::string& text) {
+  std::vector<Step> steps;
+  for (const auto& step : nlohmann::json::parse(text.empty() ? "[]" : text)) {
+    const auto kind = step_kind_of(step.at(0).get<std::string>());
+    const auto state = step_state_of(step.at(1).get<std::string>());
+    if (kind && state) steps.push_back({*kind, *state, step.at(2)});
+  }
+  return steps;
+}
+
+Progress progress_of(const std::string& state, const std::string& steps, const std::string& trial) {
+  Progress progress{.state = push_state_of(state).value_or(PushState::kForeign),
+                    .steps = steps_of(steps)};
+  if (!trial.empty()) progress.trial = nlohmann::json::parse(trial, nullptr, false);
+  if (progress.trial.is_discarded()) progress.trial = nullptr;  // damaged
+  return progress;
+}
+
+std::vector<RobotReply> replies_to(sqlite3* database, const std::string& push_id) {
+  sql::Statement rows(database,
+                      "SELECT robot, status, message, running_hash, latency_ms FROM answer "
+                      "WHERE push_id = ? ORDER BY robot");
+  rows.bind(push_id);
+  std::vector<RobotReply> replies;
+  while (rows.step()) {
+    RobotReply& reply = replies.emplace_back();
+    reply.robot = reply.reply.robot = rows.text(0);
+    reply.status = reply_status_of(rows.text(1)).value_or(ReplyStatus::kUnknown);
+    reply.reply.message = rows.text(2);
+    reply.reply.running_hash = rows.text(3);
+    reply.latency_ms = rows.number(4);
+  }
+  return replies;
+}
+
+}  // namespace
+
+void create_tables(sqlite3* database) {
+  sql::execute(database, kSchema);
+  sql::Statement(database, "UPDATE progress SET state = ? WHERE state = ?")
+      .bind(to_text(PushState::kInterrupted))
+      .bind(to_text(PushState::kRunning))
+      .run();
+}
+
+void put_files(sqlite3* database, const msg::ProgramPush& push) {
+  for (std::size_t i = 0; i < push.files.size(); ++i)
+    sql::Statement(database, "INSERT OR IGNORE INTO program_file VALUES(?, ?, ?, ?)")
+        .bind(push.hash)
+        .bind(static_cast<std::int64_t>(i))
+        .bind(push.files[i].path)
+        .bind(push.files[i].text)
+        .run();
+}
+
+void put_push(sqlite3* database, const msg::ProgramPush& push) {
+  sql::Statement(database, "INSERT OR IGNORE INTO push VALUES(?, ?, ?, ?, ?)")
+      .bind(push.id)
+      .bind(wire::since_epoch_ns(push.stamp))
+      .bind(push.author)
+      .bind(push.hash)
+      .bind(json_text(push.targets))
+      .run();
+}
+
+void put_progress(sqlite3* database, const std::string& push_id, const Progress& progress) {
+  sql::Statement(database, "INSERT OR REPLACE INTO progress VALUES(?, ?, ?, ?)")
+      .bind(push_id)
+      .bind(to_text(progress.state))
+      .bind(steps_text(progress.steps))
+      .bind(progress.trial.is_null() ? std::string() : progress.trial.dump())
+      .run();
+}
+
+void put_reply(sqlite3* database, const std::string& push_id, const RobotReply& reply) {
+  sql::Statement(database, "INSERT OR REPLACE INTO answer VALUES(?, ?, ?, ?, ?, ?)")
+      .bind(push_id)
+      .bind(reply.robot)
+      .bind(to_text(reply.status))
+      .bind(reply.reply.message)
+      .bind(reply.reply.running_hash)
+      .bind(reply.latency_ms)
+      .run();
+}
+
+sql::Statement select_pushes(sqlite3* database, const std::string& condition) {
+  return {database,
+          "SELECT id, pushed_ns, author, path, push.hash, targets, state, steps, trial FROM push "
+          "JOIN program_file ON program_file.hash = push.hash AND position = 0 "
+          "LEFT JOIN progress ON progress.push_id = push.id " +
+              condition};
+}
+
+std::vector<PushRecord> records_of(sqlite3* database, sql::Statement& rows) {
+  std::vector<PushRecord> records;
+  while (rows.step())
+    records.push_back(
+        {.id = rows.text(0),
+         .pushed_ns = rows.integer(1),
+         .author = rows.text(2),
+         .program = rows.text(3),
+         .hash = rows.text(4),
+         .targets = nlohmann::json::parse(rows.text(5)).get<std::vector<std::string>>(),
+         .progress = progress_of(rows.text(6), rows.text(7), rows.text(8)),
+         .replies = replies_to(database, rows.text(0))});
+  return records;
+}
+
+std::optional<PushRecord> record_of(sqlite3* database, sql::Statement& rows) {
+  auto records = records_of(database, rows);
+  if (records.empty()) return std::nullopt;
+  return std::move(records.front());
+}
+
+std::optional<std::vector<bhdl::SourceFile>> files_of(sqlite3* database, const std::string& hash) {
+  // A hash is ASCII: all that begin so lie below what DEL follows.
+  sql::Statement rows(database,
+                      "SELECT path, text, hash FROM program_file WHERE hash >= ? AND hash < ? "
+                      "ORDER BY hash, position");
+  rows.bind(hash).bind(hash + "\x7f");
+  std::vector<bhdl::SourceFile> files;
+  std::string found;
+  while (rows.step()) {
+    if (!found.empty() && found != rows.text(2)) return std::nullopt;
+    found = rows.text(2);
+    files.push_back({rows.text(0), rows.text(1)});
+  }
+  if (files.empty()) return std::nullopt;
+  return files;
+}
+
+}  // namespace galilean::monitor::rows

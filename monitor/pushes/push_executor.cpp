@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/pushes/push_executor.h"
+
+#include <boost/asio/post.hpp>
+#include <iostream>
+#include <utility>
+
+#include "core/wire/ros_time.h"
+#include "core/wire/topic_names.h"
+#include "monitor/pushes/push_messages.h"
+
+namespace galilean::monitor {
+namespace {
+
+void log_failure(const Result<void>& outcome) {
+  if (!outcome) std::clog << "galilean-monitor: " << outcome.error().message << std::endl;
+}
+
+}  // namespace
+
+PushExecutor::PushExecutor(const Parts& parts, wire::Participant& participant, Report report)
+    : parts_(parts),
+      report_(std::move(report)),
+      pushes_(participant, wire::kProgramPushTopic),
+      rollbacks_(participant, wire::kProgramRollbackTopic),
+      progress_(participant, wire::kPushProgressTopic) {}
+
+Result<void> PushExecutor::carry_out(const std::string& push_id, PushRequest request) {
+  return std::visit([&](auto& each) { return carry_out(push_id, std::move(each)); }, request);
+}
+
+Result<void> PushExecutor::carry_out(const std::string& push_id, CheckProgram request) {
+  const auto asked = std::make_shared<const CheckProgram>(std::move(request));
+  parts_.worker.run(
+      [asked, &library = parts_.library] {
+        return check_for(asked->files, asked->robots, library);
+      },
+      [this, push_id, asked](TargetCheck check) {
+        if (!check.result.program) return report_(push_id, ProgramChecked{std::move(check)});
+        auto& program = *check.result.program;
+        report_(push_id, ProgramChecked{CheckedProgram{
+                             std::move(program.hash), std::move(program.files),
+                             replaced_by_each(asked->replaces, asked->robots, parts_.team)}});
+      },
+      [this, push_id](const std::string& why) {
+        report_(push_id, RequestFailed{why + "; nothing was pushed"});
+      });
+  return {};
+}
+
+Result<void> PushExecutor::carry_out(const std::string& push_id, RecordPush request) {
+  parts_.worker.run(
+      [this, request = std::move(request)] {
+        return parts_.history.add(request.push, request.progress);
+      },
+      [this, push_id](Result<void> outcome) {
+        log_failure(outcome);
+        report_(push_id, PushRecorded{std::move(outcome)});
+      },
+      [this, push_id](const std::string& why) {
+        report_(push_id, RequestFailed{why + "; nothing was pushed"});
+      });
+  return {};
+}
+
+Result<void> PushExecutor::carry_out(const std::string& push_id, TryProgram request) {
+  auto trial = parts_.trials.begin(
+      push_id, request, [this, push_id](const auto& figures) { finish_trial(push_id, figures); });
+  if (!trial) return trial.error();
+  trials_[push_id] = std::move(trial).value();
+  return {};
+}
+
+void PushExecutor::finish_trial(const std::string& push_id, const Result<TrialFigures>& figures) {
+  auto over = trials_.extract(push_id);
+  // Not from within its own last word.
+  boost::asio::post(parts_.io, [trial = std::shared_ptr<Trial>(std::move(over.mapped()))] {});
+  report_(push_id, ProgramTried{figures});
+}
+
+Result<void> PushExecutor::carry_out(const std::string& push_id, EndTrial /*request*/) {
+  trials_.erase(push_id);
+  return {};
+}
+
+const Trial* PushExecutor::trial(const std::string& push_id) const {
+  const auto found = trials_.find(push_id);
+  return found == trials_.end() ? nullptr : found->second.get();
+}
+
+Result<void> PushExecutor::carry_out(const std::string& push_id, SendProgram request) {
+  if (request.is_for_team) parts_.team.note_push(request.push.hash);
+  parts_.worker.run([this, push = std::move(request.push)] { return pushes_.write(push); },
+                    [this, push_id](bool taken) {
+                      if (!taken) report_(push_id, SendFailed{});
+                    },
+                    [this, push_id](const std::string& why) {
+                      report_(push_id, RequestFailed{why});
+                    });
+  return {};
+}
+
+/// The robot has kept the program that it ran before, and says what became of the order.
+Result<void> PushExecutor::carry_out(const std::string& /*push_id*/, RollBack request) {
+  msg::ProgramRollback order;
+  order.stamp = wire::ros_time(wire::wall_clock_ns());
+  order.id = request.order_id;
+  order.author = request.author;
+  order.targets = {request.robot};
+  order.hash = request.hash;
+  order.reason = request.reason;
+  const auto warn = [robot = request.robot] {
+    std::clog << "galilean-monitor: DDS did not take the order to " << robot
+              << " to go back; push what it is to run\n";
+  };
+  parts_.worker.run([this, order] { return rollbacks_.write(order); },
+                    [warn](bool taken) {
+                      if (!taken) warn();
+                    },
+                    [warn](const std::string& /*why*/) { warn(); });
+  return {};
+}
+
+Result<void> PushExecutor::carry_out(const std::string& push_id, RecordReply request) {
+  parts_.worker.run([this, push_id, reply = std::move(request.reply)] {
+    log_failure(parts_.history.add_reply(push_id, reply));
+  });
+  return {};
+}
+
+Result<void> PushExecutor::carry_out(const std::string& push_id, TellProgress request) {
+  parts_.worker.run([this, push_id, message = progress_message(request.push),
+                     progress = std::move(request.push.progress)] {
+    (void)progress_.write(message);
+    log_failure(parts_.history.set_progress(push_id, progress));
+  });
+  return {};
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bhdl/program/program.h"
+#include "core/wire/messages.h"
+#include "monitor/pushes/push_record.h"
+
+namespace galilean::monitor {
+
+/// Returns a name for one push or command that nobody else's has.
+[[nodiscard]] std::string new_id();
+
+/// The message that pushes a checked program. Its id is new.
+[[nodiscard]] msg::ProgramPush make_push(const bhdl::Program& program, const std::string& author,
+                                         const std::vector<std::string>& targets,
+                                         const std::string& replaces_hash = {});
+/// The message that tells how far a push is, stamped now.
+[[nodiscard]] msg::PushProgress progress_message(const PushRecord& push);
+
+}  // namespace galilean::monitor

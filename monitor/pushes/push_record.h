@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "monitor/pushes/replies.h"
+#include "monitor/pushes/step.h"
+
+namespace galilean::monitor {
+
+/// A push as it is told and remembered.
+struct PushRecord {
+  std::string id;
+  std::int64_t pushed_ns = 0;  ///< since the Unix epoch
+  std::string author;
+  std::string program;               ///< the main file's name
+  std::string hash;                  ///< empty until the program was checked
+  std::vector<std::string> targets;  ///< empty: the team
+  Progress progress = {};
+  std::vector<RobotReply> replies = {};
+};
+
+}  // namespace galilean::monitor

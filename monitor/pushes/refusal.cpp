@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/pushes/refusal.h"
+
+#include <ctime>
+#include <utility>
+
+#include "monitor/pushes/json.h"
+#include "monitor/pushes/words.h"
+
+namespace galilean::monitor {
+namespace {
+
+std::string short_hash(const std::string& hash) {
+  return hash.substr(0, 8);
+}
+
+std::string clock_time(std::int64_t since_epoch_ns) {
+  const std::time_t seconds = since_epoch_ns / 1'000'000'000;
+  std::tm local{};
+  localtime_r(&seconds, &local);
+  char text[16];
+  return std::string(text, std::strftime(text, sizeof text, "%H:%M:%S", &local));
+}
+
+std::string audience(const PushRecord& push) {
+  if (push.targets.empty()) return "the team";
+  std::string names;
+  for (const auto& name : push.targets) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+/// "office_cleanup.bhdl (1a2b3c4d)"
+std::string program_words(const PushRecord& push) {
+  return push.program + (push.hash.empty() ? "" : " (" + short_hash(push.hash) + ")");
+}
+
+}  // namespace
+
+Refusal not_found(std::string message) {
+  return {.reason = Refusal::Reason::kNotFound, .message = std::move(message)};
+}
+
+Refusal conflict(std::string message) {
+  return {.reason = Refusal::Reason::kConflict, .message = std::move(message)};
+}
+
+Refusal unavailable(std::string message) {
+  return {.reason = Refusal::Reason::kUnavailable, .message = std::move(message)};
+}
+
+Refusal cannot_now(const std::string& why) {
+  return unavailable("The monitor cannot do this now: " + why + ".");
+}
+
+Refusal under_way(const PushRecord& other) {
+  auto refusal =
+      conflict(other.author + " is pushing " + program_words(other) + " to " + audience(other) +
+               " since " + clock_time(other.pushed_ns) + "; wait for its end, or cancel it.");
+  refusal.pushed = other;
+  return refusal;
+}
+
+Refusal overtaken(const std::string& replaces, const Stale& stale,
+                  const std::optional<PushRecord>& by) {
+  const std::string who = stale.robot.empty() ? "the team" : stale.robot;
+  const std::string from =
+      by ? program_words(*by) + ", which " + by->author + " pushed at " + clock_time(by->pushed_ns)
+         : short_hash(stale.hash) + ", which was not pushed through this monitor";
+  auto refusal = conflict("It is to replace " + short_hash(replaces) + ", but " + who + " runs " +
+                          from + "; look at it before you replace it.");
+  refusal.running_hash = stale.hash;
+  refusal.pushed = by;
+  return refusal;
+}
+
+Refusal broken(TargetCheck check) {
+  return {.reason = Refusal::Reason::kBroken,
+          .message = "The program has errors; nothing was pushed.",
+          .check = std::move(check)};
+}
+
+Refusal too_late(const PushRecord& push) {
+  const bool is_over = push.progress.state != PushState::kRunning;
+  auto refusal = conflict(is_over ? "This push is over: it is " + to_text(push.progress.state) + "."
+                                  : "Every robot has been sent " + program_words(push) +
+                                        " already; push the program before it to go back.");
+  refusal.pushed = push;
+  return refusal;
+}
+
+nlohmann::json to_json(const Refusal& refusal) {
+  auto json = nlohmann::json::object();
+  if (refusal.running_hash) json["running_hash"] = *refusal.running_hash;
+  if (refusal.pushed) json["pushed"] = to_json(*refusal.pushed);
+  if (refusal.check) {
+    json["robot"] = refusal.check->refused_by;
+    json["diagnostics"] = refusal.check->result.diagnostics;
+  }
+  return json;
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "monitor/pushes/canary.h"
+#include "monitor/pushes/replies.h"
+#include "monitor/pushes/verdict.h"
+
+namespace galilean::monitor {
+
+/// To whom a program goes.
+struct RolloutPlan {
+  std::string push_id;
+  std::vector<std::string> awaited;  ///< targets that are there to reply
+  std::vector<std::string> silent;   ///< targets that are asked, but not waited for
+  std::string canary;                ///< one of `awaited`, which runs it first; or empty
+  Duration probation = std::chrono::seconds(10);  ///< that the canary must run it for
+};
+
+/// How a program comes to its robots: to the canary first, if there is one, then to the rest. Pure:
+/// whoever owns it sends the program, and brings replies and time.
+class Rollout {
+ public:
+  explicit Rollout(RolloutPlan plan) : plan_(std::move(plan)) {}
+
+  /// The program is being sent to the canary. Requires: there is one.
+  void begin_canary(Time now);
+  /// The program is being sent to all the others.
+  void begin_rest(Time now);
+
+  /// Returns what is known of the robot now; nothing if the reply is to another push, tells nothing
+  /// new, or comes of a robot that was not sent the program.
+  std::optional<RobotReply> note(const msg::ProgramReply& reply, Time now);
+  /// Requires: begin_canary.
+  [[nodiscard]] Verdict judge_canary(Time now) { return canary_->judge(now); }
+  [[nodiscard]] Verdict see_canary(bool silent, const std::string& running_hash, Time now) const {
+    return canary_->see(silent, running_hash, now);
+  }
+  [[nodiscard]] bool canary_may_run_it() const { return canary_->may_run_it(); }
+  /// Requires: begin_rest.
+  [[nodiscard]] Verdict judge_rest(Time now) const;
+
+  /// Returns whether no target is left that was not sent the program.
+  [[nodiscard]] bool has_reached_all() const noexcept { return rest_.has_value(); }
+  [[nodiscard]] const RolloutPlan& plan() const noexcept { return plan_; }
+  /// Returns the targets without the canary.
+  [[nodiscard]] std::vector<std::string> rest() const;
+  /// Returns what each robot that was sent the program has replied, in the order of their names.
+  [[nodiscard]] std::vector<RobotReply> replies() const;
+
+ private:
+  [[nodiscard]] std::string shortcomings() const;
+
+  RolloutPlan plan_;
+  std::optional<Canary> canary_;
+  std::optional<Replies> rest_;
+  Time rest_sent_{};
+};
+
+}  // namespace galilean::monitor

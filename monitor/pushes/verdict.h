@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace galilean::monitor {
+
+/// How a step stands, by what robots did and by the time.
+struct Verdict {
+  enum class Kind { kPending, kUnderWay, kDone, kFailed };
+  Kind kind = Kind::kPending;
+  std::string detail = {};  ///< one sentence; empty where there is nothing to say
+};
+
+}  // namespace galilean::monitor

@@ -3,9 +3,11 @@
 #include "monitor/trial/trial.h"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "core/wire/messages.h"
 #include "monitor/trial/situation.h"
@@ -16,6 +18,8 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
 
 json report(double score, double seconds) {
   return {
@@ -84,6 +88,22 @@ std::string text_of(const char* program) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Processes that this one has started and not waited for.
+std::vector<pid_t> children() {
+  std::vector<pid_t> found;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    std::ifstream stat(entry.path() / "stat");
+    std::string line;
+    if (!std::getline(stat, line)) continue;  // no process, or one that has just gone
+    // "pid (name) state parent …"
+    std::istringstream rest(line.substr(line.rfind(')') + 1));
+    char state = 0;
+    pid_t parent = 0;
+    if (rest >> state >> parent && parent == getpid()) found.push_back(std::stoi(line));
+  }
+  return found;
+}
+
 class TrialTest : public testing::Test {
  protected:
   [[nodiscard]] TrialOrder order(std::vector<bhdl::SourceFile> next) const {
@@ -119,6 +139,27 @@ TEST_F(TrialTest, TheSameProgramComesToTheSameTwice) {
   EXPECT_EQ(figures.value().next.score.mean, figures.value().now.score.mean);
   EXPECT_FALSE(figures.value().next.seconds_in_state.empty());
   EXPECT_FALSE(std::filesystem::exists(folder / "trial")) << "it cleans up";
+  EXPECT_THAT(children(), IsEmpty());
+}
+
+TEST_F(TrialTest, GoesOnFromWhereTheTeamIsAndScoresForTheProgramThatDoes) {
+  std::vector<bhdl::SourceFile> cleanup;
+  for (const auto* name : {"office_cleanup.bhdl", "office_states.bhdl", "office_robot.bhdl"})
+    cleanup.push_back({name, text_of(name)});
+  auto before_a_basket = order(std::move(cleanup));
+  before_a_basket.duration_s = 5;
+  before_a_basket.situation["objects"] = {{{"class", "basket"}, {"x_m", 0.7}, {"y_m", 4.2}}};
+  before_a_basket.situation["robots"][0].update({{"x_m", 0.7},
+                                                 {"y_m", 3.4},
+                                                 {"heading_rad", 1.57},
+                                                 {"state", "move_to_trashcan"},
+                                                 {"holds", "trash"}});
+  const auto figures = outcome(std::move(before_a_basket), GALILEAN_SIM);
+  ASSERT_TRUE(figures) << figures.error().message;
+  EXPECT_EQ(figures.value().next.score.mean, 10) << "it drops what it held into the basket";
+  EXPECT_EQ(figures.value().next.deposited.mean, 1);
+  EXPECT_EQ(figures.value().now.deposited.mean, 0) << "whoever wanders does not";
+  EXPECT_FALSE(clearly_worse(figures.value()));
 }
 
 TEST_F(TrialTest, WhatCannotBeTriedIsSaidInWords) {
@@ -135,12 +176,16 @@ TEST_F(TrialTest, LettingGoOfItEndsItsSimulators) {
   auto long_order = order({{"wander.bhdl", text_of("wander.bhdl")}});
   long_order.duration_s = 3600;
   bool heard = false;
-  const auto began = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point began;
   {
     Trial trial(io, GALILEAN_SIM, folder / "trial", std::move(long_order),
                 [&](const Result<TrialFigures>&) { heard = true; });
     io.poll();
+    EXPECT_THAT(children(), SizeIs(2)) << "it runs two at a time";
+    began = std::chrono::steady_clock::now();
   }
+  EXPECT_THAT(children(), IsEmpty());
+  EXPECT_FALSE(std::filesystem::exists(folder / "trial"));
   io.restart();
   io.run();
   EXPECT_FALSE(heard);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `galilean swap` and `galilean programs`, against a monitor and without one.
+#include <csignal>
+
+#include "monitor/front/process.h"
 #include "tests/free_domain.h"
 #include "tests/monitor/scripted_robot.h"
 #include "tests/monitor/server/server_fixture.h"
@@ -43,6 +46,27 @@ TEST_F(SwapCommandTest, SwapPrintsEachStepAndProgramsRemembersThem) {
   EXPECT_EQ(run_command(programs + "restore " + first_hash + " --robot io").exit_code, 0);
   EXPECT_EQ(io.running_hash(), first_hash);
   EXPECT_EQ(run_command(programs + "show 0123").exit_code, 2);
+}
+
+TEST_F(SwapCommandTest, CtrlCCancelsWhatHasNotBegunAndTakesTheCanaryBack) {
+  ScriptedRobot io("io", test_domain(), catalog), ganymede("ganymede", test_domain(), catalog);
+  wait_for_robots(2);
+  auto swap = front::Process::start(
+      "swap",
+      {GALILEAN_SWAP, "--monitor", "http://" + host(), "--token-file",
+       (folder / "operator.token").string(), "--team", "--author", "balch", "--canary", "io",
+       "--probation", "10min", (folder / "good.bhdl").string()},
+      folder / "swap.log");
+  ASSERT_TRUE(swap) << swap.error().message;
+  ASSERT_TRUE(becomes_true([&] { return io.running_hash() != "first"; }));
+  ASSERT_EQ(kill(swap.value().pid(), SIGINT), 0);
+  ASSERT_TRUE(becomes_true([&] { return !swap.value().running(); }));
+  EXPECT_EQ(swap.value().ending(), "exit code 1");
+  EXPECT_THAT(front::last_lines(folder / "swap.log", 10),
+              HasSubstr("canary  cancelled  cancelled by balch\n"));
+  EXPECT_TRUE(becomes_true([&] { return io.running_hash() == "first"; }));
+  EXPECT_EQ(ganymede.running_hash(), "first");
+  EXPECT_EQ(get("/api/pushes").as_json()["pushes"][0]["state"], "cancelled");
 }
 
 TEST_F(SwapCommandTest, SwapWithoutAMonitorThereSaysSoInOneLine) {

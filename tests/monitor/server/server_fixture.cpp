@@ -48,6 +48,7 @@ void ServerFixture::SetUp() {
   options.library_folder = folder / "programs";
   options.catalog_file = folder / "catalog.json";
   write("catalog.json", catalog_to_json({}));
+  change(options);
   auto made = Monitor::make(options);
   ASSERT_TRUE(made) << made.error().message;
   monitor = std::move(made).value();
@@ -98,10 +99,12 @@ nlohmann::json ServerFixture::files(const char* text) {
   return nlohmann::json::array({{{"path", "pushed.bhdl"}, {"text", text}}});
 }
 
-bool ServerFixture::becomes_true(const std::function<bool()>& condition) {
-  for (int i = 0; i < 250; ++i) {
+bool ServerFixture::becomes_true(const std::function<bool()>& condition,
+                                 std::chrono::seconds patience) {
+  constexpr auto kPause = std::chrono::milliseconds(20);
+  for (auto waited = kPause; waited <= patience; waited += kPause) {
     if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    std::this_thread::sleep_for(kPause);
   }
   return false;
 }

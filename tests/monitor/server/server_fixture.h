@@ -44,6 +44,8 @@ class ServerFixture : public testing::Test {
 
   void SetUp() override;
   void TearDown() override;
+  /// How the monitor of this test is started otherwise.
+  virtual void change(MonitorOptions& /*options*/) {}
 
   void write(const std::string& name, const std::string& text) const;
   [[nodiscard]] std::string host() const { return "127.0.0.1:" + std::to_string(monitor->port()); }
@@ -56,8 +58,9 @@ class ServerFixture : public testing::Test {
   [[nodiscard]] Headers bearer(const std::string& file) const;
   nlohmann::json push_named(const std::string& id) { return get("/api/pushes/" + id).as_json(); }
   [[nodiscard]] static nlohmann::json files(const char* text);
-  /// Asks until the answer suits, for at most five seconds.
-  [[nodiscard]] bool becomes_true(const std::function<bool()>& condition);
+  /// Asks until the answer suits, for so long at most.
+  [[nodiscard]] bool becomes_true(const std::function<bool()>& condition,
+                                  std::chrono::seconds patience = std::chrono::seconds(5));
   void wait_for_robots(std::size_t count);
 
   const TemporaryFolder folder;

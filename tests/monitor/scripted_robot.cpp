@@ -89,7 +89,7 @@ bool ScriptedRobot::is_meant(const std::vector<std::string>& targets) const {
 }
 
 void ScriptedRobot::take_push(const msg::ProgramPush& push) {
-  if (!is_meant(push.targets)) return;
+  if (!is_meant(push.targets) || (push.targets.empty() && out_of_service())) return;
   using namespace msg::ProgramReply_Constants;
   reply(push.id, push.hash, RECEIVED);
   const std::lock_guard lock(mutex_);
@@ -134,6 +134,8 @@ void ScriptedRobot::take_command(const msg::Command& command) {
   const std::lock_guard lock(mutex_);
   if (command.kind == msg::Command_Constants::HOLD) state_.held = true;
   if (command.kind == msg::Command_Constants::RESUME) state_.held = false;
+  if (command.kind == msg::Command_Constants::DECOMMISSION) state_.out_of_service = true;
+  if (command.kind == msg::Command_Constants::COMMISSION) state_.out_of_service = false;
 }
 
 void ScriptedRobot::refuse_pushes(const std::string& why) {
@@ -149,6 +151,11 @@ std::string ScriptedRobot::running_hash() {
 bool ScriptedRobot::held() {
   const std::lock_guard lock(mutex_);
   return state_.held;
+}
+
+bool ScriptedRobot::out_of_service() {
+  const std::lock_guard lock(mutex_);
+  return state_.out_of_service;
 }
 
 void ScriptedRobot::change_state(const std::string& to) {

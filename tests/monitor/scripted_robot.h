@@ -25,6 +25,7 @@ class ScriptedRobot {
   void refuse_pushes(const std::string& why);
   [[nodiscard]] std::string running_hash();
   [[nodiscard]] bool held();
+  [[nodiscard]] bool out_of_service();
   void change_state(const std::string& to);
   [[nodiscard]] std::string name() const { return name_; }
 

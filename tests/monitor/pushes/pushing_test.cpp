@@ -101,6 +101,28 @@ TEST_F(PushingTest, WhileOnePushesTheOtherIsToldWhoAndWhat) {
   }));
 }
 
+TEST_F(PushingTest, ARobotOutOfServiceIsPushedToOnlyByItsName) {
+  ScriptedRobot io("io", test_domain(), catalog), callisto("callisto", test_domain(), catalog);
+  wait_for_robots(2);
+  ASSERT_EQ(post("/api/command", {{"kind", "decommission"}, {"targets", {"callisto"}}}).status,
+            200U);
+  ASSERT_TRUE(becomes_true(
+      [&] { return get("/api/status").as_json()["robots"][0]["out_of_service"].get<bool>(); }));
+  const auto to_all = post("/api/push", {{"files", files(kProgram)}});
+  ASSERT_EQ(to_all.status, 200U) << to_all.body;
+  EXPECT_EQ(to_all.as_json()["state"], "done") << "nobody waits for it";
+  ASSERT_EQ(to_all.as_json()["replies"].size(), 1U);
+  EXPECT_EQ(to_all.as_json()["replies"][0]["robot"], "io");
+  EXPECT_EQ(callisto.running_hash(), "first");
+  EXPECT_FALSE(get("/api/status").as_json()["robots"][0]["drifting"].get<bool>());
+
+  const auto by_name = post("/api/push", {{"files", files(kProgram)}, {"targets", {"callisto"}}});
+  ASSERT_EQ(by_name.status, 200U) << by_name.body;
+  EXPECT_EQ(callisto.running_hash(), by_name.as_json()["hash"]);
+  ASSERT_EQ(post("/api/command", {{"kind", "commission"}}).status, 200U);
+  EXPECT_TRUE(becomes_true([&] { return !callisto.out_of_service(); }));
+}
+
 TEST_F(PushingTest, AStalePageIsToldWhoPushedWhat) {
   ScriptedRobot io("io", test_domain(), catalog);
   wait_for_robots(1);

@@ -105,7 +105,7 @@ void put_progress(sqlite3* database, const std::string& push_id, const Progress&
       .bind(push_id)
       .bind(to_text(progress.state))
       .bind(steps_text(progress.steps))
-      .bind(progress.trial.is_null() ? std::string() : progress.trial.dump())
+      .bind(progress.trial.is_null() ? std::string() : json_text(progress.trial))
       .run();
 }
 

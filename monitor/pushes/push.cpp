@@ -30,7 +30,7 @@ std::vector<PushRequest> Push::take_requests() {
   if (!requests.empty() || told_changes_ == steps_.changes()) return requests;
   // Last, as what was asked for may have failed at once.
   told_changes_ = steps_.changes();
-  if (is_ours() && content_.is_checked()) requests.push_back(TellProgress{record()});
+  if (is_recording_asked_) requests.push_back(TellProgress{record()});
   return requests;
 }
 
@@ -44,6 +44,7 @@ void Push::begin(StepKind kind, Time now) {
     case StepKind::kCheck:  // began with the push
       return;
     case StepKind::kTry:
+      is_trial_under_way_ = true;
       return requests_.push_back(content_.trial(rollout_.plan().awaited));
     case StepKind::kCanary:
       rollout_.begin_canary(now);
@@ -63,7 +64,7 @@ void Push::end(StepState how, const std::string& detail) {
   if (is_over()) return;
   if (steps_.is_at(StepKind::kCanary) && rollout_.canary_may_run_it())
     requests_.push_back(content_.rollback(detail));
-  if (steps_.is_at(StepKind::kTry)) requests_.push_back(EndTrial{});
+  if (std::exchange(is_trial_under_way_, false)) requests_.push_back(EndTrial{});
   steps_.end(how, detail);
   answer(record());
 }
@@ -79,7 +80,9 @@ void Push::handle(const ProgramChecked& checked, Time /*now*/) {
     return fail("the program has errors");
   }
   content_.set_program(checked.program.value());
-  if (!is_over()) requests_.push_back(content_.recording(progress()));
+  if (is_over()) return;
+  requests_.push_back(content_.recording(progress()));
+  is_recording_asked_ = true;
 }
 
 void Push::handle(const PushRecorded& recorded, Time now) {
@@ -96,6 +99,7 @@ void Push::handle(const PushRecorded& recorded, Time now) {
 
 void Push::handle(const ProgramTried& tried, Time now) {
   if (!steps_.is_at(StepKind::kTry)) return;
+  is_trial_under_way_ = false;
   if (!tried.figures) return fail(tried.figures.error().message);
   const auto& figures = tried.figures.value();
   trial_ = to_json(figures);

@@ -96,6 +96,8 @@ class Push {
   Steps steps_;
   nlohmann::json trial_ = nullptr;  ///< what it found
   bool is_refused_ = false;
+  bool is_recording_asked_ = false;  ///< before that nobody is told of it
+  bool is_trial_under_way_ = false;
 
   std::vector<PushRequest> requests_;
   std::optional<PushAnswer> answer_;

@@ -43,7 +43,6 @@ class PushContent {
   /// The order that takes the program off the canary is replied to as well.
   [[nodiscard]] bool is_meant_by(const msg::ProgramReply& reply) const;
   [[nodiscard]] bool is_ours() const noexcept { return is_ours_; }
-  [[nodiscard]] bool is_checked() const noexcept { return !message_.hash.empty(); }
 
  private:
   [[nodiscard]] SendProgram sending(std::vector<std::string> robots) const;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/wire/ros_time.h"
+#include "monitor/background/guarded.h"
 #include "monitor/pushes/push_messages.h"
 
 namespace galilean::monitor {
@@ -102,8 +103,8 @@ void PushDesk::advance(Open& open) {
   for (auto asked = push.take_requests(); !asked.empty(); asked = push.take_requests())
     for (auto& request : asked) {
       Result<void> begun;
-      const auto thrown = guarded(
-          "a push", [&] { begun = executor_.carry_out(push.id(), std::move(request)); });
+      const auto thrown =
+          guarded("a push", [&] { begun = executor_.carry_out(push.id(), std::move(request)); });
       if (thrown) push.take(RequestFailed{thrown->message}, clock_.now());
       if (!begun) push.fail(begun.error().message);
     }

@@ -90,13 +90,12 @@ const Trial* PushExecutor::trial(const std::string& push_id) const {
 
 Result<void> PushExecutor::carry_out(const std::string& push_id, SendProgram request) {
   if (request.is_for_team) parts_.team.note_push(request.push.hash);
-  parts_.worker.run([this, push = std::move(request.push)] { return pushes_.write(push); },
-                    [this, push_id](bool taken) {
-                      if (!taken) report_(push_id, SendFailed{});
-                    },
-                    [this, push_id](const std::string& why) {
-                      report_(push_id, RequestFailed{why});
-                    });
+  parts_.worker.run(
+      [this, push = std::move(request.push)] { return pushes_.write(push); },
+      [this, push_id](bool taken) {
+        if (!taken) report_(push_id, SendFailed{});
+      },
+      [this, push_id](const std::string& why) { report_(push_id, RequestFailed{why}); });
   return {};
 }
 

@@ -49,9 +49,9 @@ void Api::add_routes() {
       [this](auto& request, auto& respond) { program(rest(request, "/api/programs/"), respond); });
   get("/api/pushes", [this](auto&, auto& respond) { pushes(respond); });
   get("/api/pushes/", [this](auto& request, auto& respond) {
-    parts_.desk.describe(rest(request, "/api/pushes/"), [respond](const PushAnswer& answer) {
-      respond(response_of(outcome_of(answer)));
-    });
+    parts_.desk.describe(
+        rest(request, "/api/pushes/"),
+        [finish = finish_of(respond)](const PushAnswer& answer) { finish(outcome_of(answer)); });
   });
   get("/api/pushed/", [this](auto& request, auto& respond) {
     pushed_program(rest(request, "/api/pushed/"), respond);
@@ -142,7 +142,9 @@ void Api::pushes(const Respond& respond) {
   constexpr int kMost = 200;
   parts_.worker.run([this] { return parts_.history.pushes(kMost); },
                     [respond](const auto& records) {
-                      if (!records) return respond(problem(503, "The monitor cannot do this now: " + records.error().message + "."));
+                      if (!records)
+                        return respond(problem(503, "The monitor cannot do this now: " +
+                                                        records.error().message + "."));
                       auto list = nlohmann::json::array();
                       for (const auto& record : records.value()) list.push_back(to_json(record));
                       respond(json_response({{"pushes", std::move(list)}}));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pushes over HTTP that the simulator tries first: the real one, with the components that ship.
 #include <fstream>
 #include <iterator>

@@ -11,8 +11,8 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string error_of(const std::string& json) {
-  const auto scenario = scenario_from_json(json, "mine.json");
+std::string error_of(const std::string& text) {
+  const auto scenario = scenario_from_json(text, "mine.text");
   return scenario ? "no error" : scenario.error().message;
 }
 

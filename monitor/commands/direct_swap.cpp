@@ -9,11 +9,11 @@
 #include "core/wire/topic_names.h"
 #include "core/wire/writer.h"
 #include "monitor/commands/push_dialogue.h"
+#include "monitor/commands/team_listener.h"
 #include "monitor/pushes/json.h"
 #include "monitor/pushes/push_messages.h"
 #include "monitor/pushes/replies.h"
 #include "monitor/pushes/target_check.h"
-#include "monitor/pushes/team_listener.h"
 
 namespace galilean::monitor {
 namespace {

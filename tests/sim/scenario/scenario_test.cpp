@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string error_of(const std::string& text) {
-  const auto scenario = scenario_from_json(text, "mine.text");
+  const auto scenario = scenario_from_json(text, "mine.json");
   return scenario ? "no error" : scenario.error().message;
 }
 

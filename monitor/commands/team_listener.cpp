@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/pushes/team_listener.h"
+#include "monitor/commands/team_listener.h"
 
 #include <algorithm>
 

@@ -30,7 +30,7 @@ int main(int count, char** arguments) try {
   double to_s = 190;
   bool rough = false;
   MappedContest::Options options;
-  CommandLine app(
+  galilean::CommandLine app(
       "How right the map is after three minutes of a contest, against the world's truth.");
   app.option("seeds", seeds, "from 1 on").show_default();
   app.option("--scenario", options.scenario, "one that ships, or a file").show_default();

@@ -16,15 +16,6 @@ class Loader {
   Loader(const SourceProvider& sources, Diagnostics& diagnostics, const TreeReader& read)
       : sources_(sources), diagnostics_(diagnostics), read_(read) {}
 
-  std::string included_path(const std::string& from, std::string_view include) {
-    return normal_path(std::filesystem::path(from).parent_path() / std::string(include));
-  }
-
-  SyntaxTree read_tree(const LoadedFile& file, Diagnostics& diagnostics) {
-    if (!is_readable(file.shown, file.text, diagnostics)) return {};
-    return parse(file.shown, file.text, diagnostics);
-  }
-
   LoadedProgram load(const std::string& main_path) {
     add_file(normal_path(main_path), std::nullopt);
     return std::move(program_);

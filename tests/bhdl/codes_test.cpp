@@ -50,7 +50,7 @@ std::vector<SourceFile> many_includes() {
   return files;
 }
 
-std::string repeated(const std::string& word, int times) {
+std::string word_times(const std::string& word, int times) {
   std::string all;
   for (int i = 0; i < times; ++i) all += word;
   return all;
@@ -69,7 +69,7 @@ std::string growing_constants() {
 /// Ten schemas, each with the many attributes of the one before it.
 std::string growing_bases() {
   std::string all = "variables: bits: name: \"b\" end motor_schemas:\n";
-  all += "noise: name: \"n0\" " + repeated("persistence: 1 ", 30'000) + " end\n";
+  all += "noise: name: \"n0\" " + word_times("persistence: 1 ", 30'000) + " end\n";
   for (int i = 1; i < 10; ++i)
     all += "noise: name: \"n" + std::to_string(i) + "\" extends: \"n" + std::to_string(i - 1) +
            "\" end\n";
@@ -194,7 +194,7 @@ std::vector<CodeCase> cases() {
            "\"f\" variables: \"can\" time: 2 radius: 30 end end state: name: "
            "\"s\" perceptual_schemas: \"f\" end end"),
       text("expect/nothing", with_state("expect: name: \"e\" end ")),
-      text("too-many", with_state("motor_schemas: " + repeated("x: end ", 150) + "end ")),
+      text("too-many", with_state("motor_schemas: " + word_times("x: end ", 150) + "end ")),
   };
 }
 

@@ -79,7 +79,7 @@ export const rooms = {
     record: ['mcap'],
     replay: ['mcap', 'record'],
     top: ['ingest', 'team'],
-    commands: ['access', 'pushes'],
+    commands: ['access', 'ingest', 'pushes', 'team'],
     front: [],
     'front/demo': ['access', 'ingest', 'front'],
     'front/doctor': ['front'],

@@ -13,6 +13,7 @@
 #include "bhdl/program/catalog_file.h"
 #include "bhdl/program/machine.h"
 #include "core/command_line/command_line.h"
+#include "core/plural.h"
 
 namespace galilean::bhdl {
 namespace {
@@ -36,7 +37,7 @@ nlohmann::json check_to_json(const std::string& file, const CheckResult& result)
 void print_check(const std::string& file, const CheckResult& result) {
   for (const auto& diagnostic : result.diagnostics) std::cerr << format(diagnostic) << '\n';
   if (result.program)
-    std::cout << file << ": ok, " << result.program->states.size() << " states, "
+    std::cout << file << ": ok, " << plural(result.program->states.size(), "state") << ", "
               << result.program->hash.substr(0, 12) << '\n';
 }
 

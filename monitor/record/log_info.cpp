@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/plural.h"
 #include "monitor/record/times.h"
 
 namespace galilean::monitor {
@@ -60,7 +61,8 @@ std::string describe(const std::string& path, const mcap::Summary& summary) {
   std::ostringstream out;
   out << std::fixed << std::setprecision(1);
   if (summary.recovered)
-    out << path << " was not closed properly; recovered " << statistics.messages << " messages\n";
+    out << path << " was not closed properly; recovered " << plural(statistics.messages, "message")
+        << "\n";
   for (const auto& damage : summary.damage) out << "damage: " << damage << '\n';
   out << "file:      " << path << ", " << static_cast<double>(summary.bytes) * 1e-6 << " MB\n"
       << "by:        " << summary.header.library << ", profile " << summary.header.profile << '\n';

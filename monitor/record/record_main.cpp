@@ -7,6 +7,7 @@
 #include "core/clock.h"
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "core/plural.h"
 #include "core/termination.h"
 #include "core/wire/ros_time.h"
 #include "monitor/record/recorder.h"
@@ -59,10 +60,11 @@ mcap::Failure end(mcap::Writer& writer, mcap::FileSink& file) {
 void tell(const Options& options, const mcap::Writer& writer, std::size_t topics) {
   const auto& statistics = writer.statistics();
   if (statistics.messages == 0)
-    std::cerr << "galilean-record: no robot was heard; check that they run, and in the same domain "
-                 "(--domain or ROS_DOMAIN_ID)\n";
-  std::printf("%s: %llu messages of %zu topics in %.1f s, %.1f MB\n", options.out.c_str(),
-              static_cast<unsigned long long>(statistics.messages), topics,
+    std::cerr
+        << "galilean-record: no robot was heard; check that robots run, in the same DDS domain "
+           "(--domain or ROS_DOMAIN_ID)\n";
+  std::printf("%s: %s of %s in %.1f s, %.1f MB\n", options.out.c_str(),
+              plural(statistics.messages, "message").c_str(), plural(topics, "topic").c_str(),
               static_cast<double>(statistics.end_ns - statistics.start_ns) * 1e-9,
               static_cast<double>(writer.bytes_written()) * 1e-6);
 }

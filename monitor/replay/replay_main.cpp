@@ -9,6 +9,7 @@
 #include "core/broken_pipe.h"
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "core/plural.h"
 #include "core/termination.h"
 #include "core/wire/discovery.h"
 #include "monitor/record/log_info.h"
@@ -121,11 +122,11 @@ class Replay {
         [&](Time due) { return to_its_end = waiting_.until(due, [&] { stage.look(); }); });
     const Time began = clock_.now();
     (void)player.play(recording_, summary_.statistics.start_ns);
-    std::cout << "played " << player.sent() << " messages in "
+    std::cout << "played " << plural(player.sent(), "message") << " in "
               << seconds(to_seconds(clock_.now() - began)) << std::endl;
     if (stage.lost() > 0)
-      std::cerr << "galilean-replay: " << stage.lost()
-                << " messages were not sent: damaged, or not taken in time\n";
+      std::cerr << "galilean-replay: could not send " << plural(stage.lost(), "message")
+                << "; a message is left out if it is damaged or DDS does not take it in time\n";
     return to_its_end;
   }
 

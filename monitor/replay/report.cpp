@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "core/plural.h"
 #include "monitor/record/log_info.h"
 #include "monitor/record/times.h"
 
@@ -21,17 +22,16 @@ std::string before_playing(const std::string& path, const mcap::Summary& summary
   std::ostringstream out;
   out << std::fixed << std::setprecision(1);
   if (summary.recovered)
-    out << path << " was not closed properly: the " << summary.statistics.messages
-        << " messages that are whole are played\n";
+    out << path << " was not closed properly; plays the "
+        << plural(summary.statistics.messages, "message") << " that could be recovered\n";
   for (const auto& damage : summary.damage) out << "damage: " << damage << '\n';
-  out << path << ": " << tracks.played.size() << " topics, " << duration_s(summary) << " s, from "
-      << iso_time(static_cast<std::int64_t>(summary.statistics.start_ns)) << '\n';
+  out << path << ": " << plural(tracks.played.size(), "topic") << ", " << duration_s(summary)
+      << " s, from " << iso_time(static_cast<std::int64_t>(summary.statistics.start_ns)) << '\n';
   if (!tracks.commands.empty())
-    out << "not played: " << listed(tracks.commands)
-        << "; what robots were told then is not said again\n";
+    out << "not played: " << listed(tracks.commands) << "; a replay gives robots no commands\n";
   if (!tracks.foreign.empty())
     out << "not played: " << listed(tracks.foreign)
-        << "; this release has no such type, or another of that name\n";
+        << "; this release does not know their types, or defines them otherwise\n";
   return out.str();
 }
 

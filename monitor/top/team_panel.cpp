@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/plural.h"
 #include "monitor/top/panels.h"
 
 namespace galilean::monitor::top {
@@ -98,20 +99,15 @@ void draw_heads(int row, int width, Canvas& canvas) {
 }  // namespace
 
 void draw_title(const View& view, Canvas& canvas) {
-  const std::size_t count = view.robots.size();
-  int column =
-      canvas.put(0, 0, std::to_string(count) + (count == 1 ? " robot" : " robots"), Style::kBold);
+  int column = canvas.put(0, 0, plural(view.robots.size(), "robot"), Style::kBold);
   if (!view.score) return;
   const msg::Score& score = *view.score;
   column = canvas.put(0, column, "  " + score.scenario + " " + score.phase, Style::kPlain);
   column = canvas.put(0, column, "  " + clock_text(score.remaining_s) + " left", Style::kBold);
   column = canvas.put(
-      0, column,
-      "  " + std::to_string(score.deposited) + " of " + std::to_string(score.pieces) + " pieces");
+      0, column, "  " + std::to_string(score.deposited) + " of " + plural(score.pieces, "piece"));
   column = canvas.put(0, column, "  " + one_decimal(score.points, " points"), Style::kBold);
-  canvas.put(0, column,
-             "  " + std::to_string(score.collisions) +
-                 (score.collisions == 1 ? " collision" : " collisions"));
+  canvas.put(0, column, "  " + plural(score.collisions, "collision"));
 }
 
 int draw_team(const View& view, const Area& area, Canvas& canvas) {

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <set>
 
+#include "core/plural.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -90,7 +92,8 @@ bool clearly_worse(const TrialFigures& figures) {
 
 std::string in_words(const TrialFigures& figures) {
   char runs[64];
-  std::snprintf(runs, sizeof runs, " (%zu runs of %g s)", figures.next.runs, figures.duration_s);
+  std::snprintf(runs, sizeof runs, " (%s of %g s)", plural(figures.next.runs, "run").c_str(),
+                figures.duration_s);
   std::string text = "scores " + text_of(figures.next.score);
   if (figures.now.runs > 0) text += ", the one that runs " + text_of(figures.now.score);
   return text + runs;

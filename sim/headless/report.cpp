@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/plural.h"
+
 namespace galilean::sim {
 namespace {
 
@@ -22,6 +24,11 @@ std::string hexadecimal(std::uint64_t number) {
   text.fill('0');
   text << number;
   return text.str();
+}
+
+/// Returns what the report counts under the key, with its noun.
+std::string counted(const ordered_json& report, const char* key, const char* noun) {
+  return plural(report[key].get<std::uint64_t>(), noun);
 }
 
 ordered_json report_robot(const HeadlessContest& contest, std::size_t index) {
@@ -70,15 +77,13 @@ ordered_json report(const HeadlessContest& contest, const HeadlessOptions& optio
 std::string summary(const ordered_json& report) {
   std::ostringstream text;
   text << report["scenario"].get<std::string>() << ", " << report["program"].get<std::string>()
-       << ", seed " << report["seed"] << ": " << report["deposited"] << " of " << report["pieces"]
-       << " pieces, " << report["collisions"]
-       << (report["collisions"] == 1 ? " collision" : " collisions") << ", score "
-       << report["score"] << "\n";
+       << ", seed " << report["seed"] << ": " << report["deposited"] << " of "
+       << counted(report, "pieces", "piece") << ", " << counted(report, "collisions", "collision")
+       << ", score " << report["score"] << "\n";
   for (const auto& robot : report["robots"])
-    text << "  " << robot["name"].get<std::string>() << ": " << robot["deposited"] << " pieces, "
-         << robot["collisions"] << (robot["collisions"] == 1 ? " collision, " : " collisions, ")
-         << robot["distance_m"] << " m driven, stuck for " << robot["longest_stuck_s"]
-         << " s at most\n";
+    text << "  " << robot["name"].get<std::string>() << ": " << counted(robot, "deposited", "piece")
+         << ", " << counted(robot, "collisions", "collision") << ", " << robot["distance_m"]
+         << " m driven, stuck for " << robot["longest_stuck_s"] << " s at most\n";
   text << report["simulated_seconds"] << " simulated seconds in " << report["wall_seconds"]
        << " s; final state " << report["hash"].get<std::string>() << "\n";
   return text.str();

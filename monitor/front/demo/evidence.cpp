@@ -4,6 +4,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "core/plural.h"
+
 namespace galilean::front {
 namespace {
 constexpr double kEnough_m = 1;
@@ -53,13 +55,13 @@ std::string Evidence::summary() const {
   out << std::fixed << std::setprecision(1);
   for (const auto& [robot, deeds] : deeds_)
     out << "  " << std::left << std::setw(12) << robot << deeds.program_name << ", in '"
-        << deeds.state << "' after " << deeds.transitions << " transitions; drove "
-        << deeds.driven_m << " m, threw away " << deposited_by(robot) << ", " << deeds.overruns
-        << " late ticks\n";
+        << deeds.state << "' after " << plural(deeds.transitions, "transition") << "; drove "
+        << deeds.driven_m << " m, threw away " << plural(deposited_by(robot), "piece") << ", "
+        << plural(deeds.overruns, "late tick") << "\n";
   out << "  referee     " << (score_.phase.empty() ? "not heard" : score_.phase) << ", "
-      << score_.deposited << " of " << score_.pieces << " pieces, " << score_.collisions
-      << (score_.collisions == 1 ? " collision, " : " collisions, ") << score_.points
-      << " points after " << score_.elapsed_s << " s\n";
+      << score_.deposited << " of " << plural(score_.pieces, "piece") << ", "
+      << plural(score_.collisions, "collision") << ", " << score_.points << " points after "
+      << score_.elapsed_s << " s\n";
   return out.str();
 }
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/plural.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+namespace galilean {
+namespace {
+
+TEST(Plural, OneAloneIsSingular) {
+  EXPECT_EQ(plural(std::size_t{0}, "state"), "0 states");
+  EXPECT_EQ(plural(std::size_t{1}, "state"), "1 state");
+  EXPECT_EQ(plural(2, "late tick"), "2 late ticks");
+  EXPECT_EQ(plural(-1, "point"), "-1 points");
+}
+
+}  // namespace
+}  // namespace galilean

@@ -56,8 +56,8 @@ int run(const monitor::MonitorOptions& options) {
                            (is_ipv6 ? "]:" : ":") + std::to_string(running->port());
   std::cout << "galilean-monitor: " << link << std::endl;
   if (const auto token = running->new_operator_token(); !token.empty())
-    std::cout << "  who opens " << link << "/#token=" << token
-              << " may steer the team; this is said once, the token is in "
+    std::cout << "  Open " << link << "/#token=" << token << " to steer the team.\n"
+              << "  This link is printed only once. The token is kept in "
               << monitor::operator_token_file(options.data_folder).string() << std::endl;
   running->run();
   return EXIT_SUCCESS;

@@ -114,7 +114,7 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
   }
   devices.devices().motor_drive.stop();
   std::this_thread::sleep_for(kFarewell);
-  spdlog::info("stopped");
+  spdlog::info("the robot has stopped");
   return 0;
 }
 

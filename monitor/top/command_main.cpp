@@ -145,7 +145,7 @@ int run(Operator::Word word, const Options& options) try {
 
 int main(int argc, char** argv) {
   Options options;
-  CommandLine app("An operator's word to robots.");
+  CommandLine app("Gives robots an operator's command.");
   app.require_command();
   const auto hold = add(app, "hold", "Stand still until resumed", options);
   const auto resume = add(app, "resume", "Go on after a hold", options);

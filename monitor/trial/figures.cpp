@@ -95,7 +95,8 @@ std::string in_words(const TrialFigures& figures) {
   std::snprintf(runs, sizeof runs, " (%s of %g s)", plural(figures.next.runs, "run").c_str(),
                 figures.duration_s);
   std::string text = "scores " + text_of(figures.next.score);
-  if (figures.now.runs > 0) text += ", the one that runs " + text_of(figures.now.score);
+  if (figures.now.runs > 0)
+    text += "; the program that runs now scores " + text_of(figures.now.score);
   return text + runs;
 }
 

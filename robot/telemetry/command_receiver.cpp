@@ -32,19 +32,19 @@ void CommandReceiver::obey(const msg::Command& command) {
   if (!is_meant(source_.robot, command.targets)) return;
   switch (command.kind) {
     case msg::Command_Constants::HOLD:
-      spdlog::info("held by {}", command.author);
+      spdlog::info("{} holds this robot", command.author);
       return source_.executive.hold();
     case msg::Command_Constants::RESUME:
-      spdlog::info("resumed by {}", command.author);
+      spdlog::info("{} lets this robot go on", command.author);
       return source_.executive.resume();
     case msg::Command_Constants::DECOMMISSION:
-      spdlog::info("decommissioned by {}", command.author);
+      spdlog::info("{} took this robot out of service", command.author);
       return source_.executive.decommission();
     case msg::Command_Constants::COMMISSION:
-      spdlog::info("commissioned by {}", command.author);
+      spdlog::info("{} put this robot into service", command.author);
       return source_.executive.commission();
     case msg::Command_Constants::PUSH_BUMPER:
-      spdlog::info("bumper {} pushed by {}", command.argument, command.author);
+      spdlog::info("{} pushed bumper {}", command.author, command.argument);
       return source_.executive.push_bumper(command.argument);
     default:
       spdlog::warn("{} sent a command of unknown kind {}", command.author, command.kind);

@@ -82,7 +82,7 @@ void ProgramReceiver::wait_and_take(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     if (!wake_.wait(lock, stop, [this] { return std::exchange(arrived_, false); })) return;
   }
-  // In this order: who cancels a push at once has sent its order behind it.
+  // In this order, because a push that is cancelled at once is followed by its rollback.
   take_from<msg::ProgramPush>(pushes_);
   take_from<msg::ProgramRollback>(rollbacks_);
 }
@@ -108,7 +108,7 @@ std::string ProgramReceiver::handle_or_fail(const M& message) {
 
 void ProgramReceiver::handle(const msg::ProgramRollback& message) {
   const PushLedger::Push order{message.id, message.hash, {}};
-  spdlog::info("program {:.8} ordered off by {}", message.hash, message.author);
+  spdlog::info("{} ordered a rollback of program {:.8}", message.author, message.hash);
   wait_until_runs(message.hash);
   if (auto why = ledger_.roll_back(order, "by " + message.author + ": " + message.reason))
     reject(order, std::move(*why));
@@ -128,7 +128,7 @@ void ProgramReceiver::handle(const msg::ProgramPush& message) {
   auto files = files_of(message);
   if (std::string why = objection(message, files); !why.empty())
     return reject(push, std::move(why));
-  spdlog::info("program {} ({:.8}) pushed by {}", files.front().path, push.hash, message.author);
+  spdlog::info("{} pushed program {} ({:.8})", message.author, files.front().path, push.hash);
   send({.id = push.id,
         .hash = push.hash,
         .running_hash = ledger_.running().hash(),
@@ -169,7 +169,7 @@ void ProgramReceiver::on_event(const Event& event) {
 
 void ProgramReceiver::reject(const PushLedger::Push& push, std::string why,
                              std::vector<msg::Diagnostic> diagnostics) {
-  spdlog::warn("program {:.8} rejected: {}", push.hash, why);
+  spdlog::warn("program {:.8} was rejected: {}", push.hash, why);
   send({.id = push.id,
         .hash = push.hash,
         .running_hash = ledger_.running().hash(),
@@ -182,7 +182,7 @@ void ProgramReceiver::send(msg::ProgramReply reply) {
   reply.stamp = WallTime::now();
   reply.robot = source_.robot;
   if (!replies_.write(reply))
-    spdlog::warn("the answer to push {} could not be sent: the network stalls", reply.id);
+    spdlog::warn("the answer to push {} could not be sent: the network does not take it", reply.id);
 }
 
 }  // namespace galilean::robot

@@ -129,7 +129,7 @@ void Publisher::log_rollback(const Event& event) {
   const auto failed = source_.executive.description(event.from_program);
   const auto runs = source_.executive.description(event.program);
   if (failed && runs)
-    spdlog::warn("program {} ({:.8}) rolled back to {} ({:.8}): {}", failed->program.name,
+    spdlog::warn("program {} ({:.8}) was rolled back to {} ({:.8}): {}", failed->program.name,
                  failed->program.hash, runs->program.name, runs->program.hash,
                  fault_of(event, *failed));
 }
@@ -200,7 +200,7 @@ void Publisher::log_changes(const std::vector<Problem>& problems) {
   for (const Problem& problem : problems)
     if (!contains(problems_, problem)) spdlog::warn("{}", problem.text());
   for (const Problem& problem : problems_)
-    if (!contains(problems, problem)) spdlog::info("No more: {}", problem.text());
+    if (!contains(problems, problem)) spdlog::info("This problem is over: {}", problem.text());
 }
 
 }  // namespace galilean::robot

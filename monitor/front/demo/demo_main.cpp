@@ -126,7 +126,8 @@ int run(const DemoOptions& options) try {
             << options.bhdl << " in scenario " << options.scenario << "; logs in "
             << ensemble.logs().string() << "; Ctrl-C ends all" << std::endl;
   if (options.watch)
-    std::cout << "  Save " << options.bhdl << " and they swap; what is wrong with it stands in "
+    std::cout << "  Save " << options.bhdl
+              << " and the robots swap to it. Its errors are written to "
               << (ensemble.logs() / (ensemble.robots().front() + ".log")).string() << std::endl;
   Evidence evidence(ensemble.robots());
   Outcome outcome;

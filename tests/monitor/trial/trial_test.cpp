@@ -52,7 +52,7 @@ TEST(TrialFigures, WorseIsWhatChanceDoesNotExplain) {
   EXPECT_FALSE(clearly_worse({.now = side(30, 0), .next = side(40, 0)}));
   EXPECT_FALSE(clearly_worse({.now = {}, .next = side(-5, 0)})) << "nothing to compare with";
   EXPECT_EQ(in_words({.now = side(30, 5), .next = side(20, 5), .duration_s = 120}),
-            "scores 20 ± 5, the one that runs 30 ± 5 (8 runs of 120 s)");
+            "scores 20 ± 5; the program that runs now scores 30 ± 5 (8 runs of 120 s)");
 }
 
 TEST(Situation, IsWhatTheTeamAndItsMapKnow) {

@@ -10,14 +10,15 @@ namespace galilean::monitor {
 
 enum class Right { kNone, kRead, kOperate };
 
-/// Who may do what: the operator's token lets its bearer read and steer, the viewer's read. Where
-/// nobody but this machine's users can reach the monitor, reading needs no token.
+/// Decides what the bearer of a token may do: the operator's token gives the right to read and to
+/// steer, the viewer's token the right to read. With `reads_freely`, reading needs no token.
 class Access {
  public:
   Access(Tokens tokens, bool reads_freely)
       : tokens_(std::move(tokens)), reads_freely_(reads_freely) {}
 
-  /// Takes as long for a wrong token as for a right one.
+  /// Returns the right that a token gives; an empty one stands for none. The time that this takes
+  /// does not tell how much of a wrong token is right.
   [[nodiscard]] Right right_of(std::string_view token) const noexcept;
 
  private:
@@ -28,7 +29,7 @@ class Access {
 /// Returns whether an address can be reached from this machine only.
 [[nodiscard]] bool is_loopback(const std::string& address);
 
-/// What to tell those who may not, and what they can do about it.
+/// Returns the sentence for a request that lacks a right: which token it needs, and how to send it.
 [[nodiscard]] std::string missing_right(Right needed);
 
 }  // namespace galilean::monitor

@@ -8,22 +8,25 @@
 
 namespace galilean::monitor {
 
-/// What lets its bearer watch a team, or watch and steer it.
+/// The secrets that a client sends: `viewer` lets it watch a team, `operator_` watch and steer it.
 struct Tokens {
   std::string viewer;
   std::string operator_;
-  bool are_new = false;  ///< nobody has them yet
+  bool are_new = false;  ///< at least one of them was made just now
 };
 
-/// The user's state folder, as the XDG base directory specification has it: where a monitor keeps
-/// what must survive it.
+/// Returns the folder "galilean" in the user's state folder, as the XDG base directory
+/// specification defines that. A monitor keeps its tokens and its history of pushes there.
 [[nodiscard]] std::filesystem::path default_data_folder();
+/// Returns the path of the operator's token in a data folder.
 [[nodiscard]] std::filesystem::path operator_token_file(const std::filesystem::path& data_folder);
 
-/// Reads viewer.token and operator.token; makes those that are missing, for the owner's eyes alone
-/// (mode 0600). The error says what to do.
+/// Reads viewer.token and operator.token, and makes those that are missing, readable by their owner
+/// only (mode 0600).
+/// Errors: a file cannot be written or read, or holds no token. The sentence says why.
 [[nodiscard]] Result<Tokens> open_tokens(const std::filesystem::path& data_folder);
-/// One token; the error says what to do.
+/// Reads one token.
+/// Errors: the file cannot be read, or holds fewer than 16 characters.
 [[nodiscard]] Result<std::string> read_token(const std::filesystem::path& file);
 
 }  // namespace galilean::monitor

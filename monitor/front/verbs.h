@@ -8,8 +8,8 @@
 
 namespace galilean::front {
 
-/// One thing that `galilean` does, in one word or two: a program beside it, with what goes before
-/// the user's words.
+/// One verb of `galilean`, of one word or two: the program that it starts, and the argument that
+/// goes before the user's arguments.
 struct Verb {
   std::string_view name;
   std::string_view program;
@@ -18,11 +18,11 @@ struct Verb {
 };
 
 [[nodiscard]] std::span<const Verb> verbs() noexcept;
-/// nullptr if there is none of that name.
+/// Returns the verb of that name, or nullptr if there is none.
 [[nodiscard]] const Verb* find_verb(std::string_view name) noexcept;
-/// What an unknown verb is answered with.
+/// Returns the message for an unknown verb.
 [[nodiscard]] std::string unknown_verb(std::string_view name);
-/// The list of all.
+/// Returns the help text, which lists all verbs.
 [[nodiscard]] std::string usage();
 
 }  // namespace galilean::front

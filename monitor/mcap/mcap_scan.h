@@ -8,7 +8,8 @@
 
 namespace galilean::mcap {
 
-/// What a scan tells of, in the order of the file. Any may be empty.
+/// The functions that a scan calls for the records that it finds, in the order of the file. Any may
+/// be empty.
 struct Visitor {
   std::function<void(const Header&)> header;
   std::function<void(const Schema&)> schema;
@@ -16,7 +17,7 @@ struct Visitor {
   std::function<void(const Message&)> message;  ///< its bytes are valid during the call only
   std::function<void(const Chunk&)> chunk;      ///< one that was whole, before what it contains
   std::function<void(const Metadata&)> metadata;
-  std::function<bool()> enough;  ///< asked before each record; the scan ends where it says true
+  std::function<bool()> enough;  ///< called before each record; true ends the scan
 };
 
 /// How far a scan came.
@@ -27,13 +28,13 @@ struct ScanEnd {
   std::vector<std::string> damage;
 };
 
-/// Reads the data section from its start, without the summary: what is there of a file whose
-/// recorder was killed. A damaged chunk is left out; after a record that ends too early nothing
-/// follows. Never throws for what is in the file.
+/// Reads the data section from its start, without the summary, so that a file whose recorder was
+/// killed can be read. A damaged chunk or record is left out; a record that ends too early ends the
+/// scan. Never throws because of the file's content.
 [[nodiscard]] ScanEnd scan(const ByteSource& source, const Visitor& visitor);
 
-/// Reads one record at `offset`: its opcode, and its content into `content`. False if it does not
-/// end within the file.
+/// Reads the record at `offset` (bytes from the start of the file) into `opcode` and `content`.
+/// Returns false if the record does not end within the file.
 [[nodiscard]] bool read_record(const ByteSource& source, std::uint64_t offset, Opcode& opcode,
                                Bytes& content);
 

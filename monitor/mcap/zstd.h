@@ -10,14 +10,14 @@ struct ZSTD_CCtx_s;
 
 namespace galilean::mcap {
 
-/// Keeps zstd's working memory from one chunk to the next.
+/// Compresses chunks with zstd, and keeps its working memory from one chunk to the next.
 class Compressor {
  public:
   Compressor();
   ~Compressor();
   Compressor(const Compressor&) = delete;
   Compressor& operator=(const Compressor&) = delete;
-  /// One zstd frame of `bytes`, valid until the next call.
+  /// Returns `bytes` as one zstd frame, valid until the next call.
   [[nodiscard]] std::span<const std::uint8_t> compress(std::span<const std::uint8_t> bytes);
 
  private:
@@ -25,7 +25,8 @@ class Compressor {
   std::vector<std::uint8_t> frame_;
 };
 
-/// False if `frame` is not one whole zstd frame of exactly `to.size()` bytes.
+/// Decompresses `frame` into `to`.
+/// Returns false if `frame` is not one whole zstd frame that holds exactly `to.size()` bytes.
 [[nodiscard]] bool decompress(std::span<const std::uint8_t> frame, std::span<std::uint8_t> to);
 
 }  // namespace galilean::mcap

@@ -7,11 +7,11 @@
 
 namespace galilean::monitor {
 
-/// What is about to be played of the recording `path`, and what is not, in lines for its reader.
+/// Returns lines that say what is about to be played of the recording `path`, and what is not.
 [[nodiscard]] std::string before_playing(const std::string& path, const mcap::Summary& summary,
                                          const Tracks& tracks);
 
-/// "io", "io and callisto", "io, ganymede and callisto".
+/// Returns the names as a list: "io", "io and callisto", "io, ganymede and callisto".
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
 }  // namespace galilean::monitor

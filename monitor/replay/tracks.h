@@ -17,15 +17,16 @@ struct Track {
   wire::Delivery delivery = wire::Delivery::kStream;
 };
 
-/// What of a recording is sent again, and what is not. Topics of the latter as ROS 2 names them:
-/// "/team/command".
+/// The topics of a recording that are sent again, and those that are not. The latter are named as
+/// ROS 2 names them: "/team/command".
 struct Tracks {
   std::map<std::uint16_t, Track> played;  ///< by channel
-  std::vector<std::string> commands;      ///< nobody is told a second time what to do
+  std::vector<std::string> commands;      ///< orders to robots, which are never sent again
   std::vector<std::string> foreign;       ///< of a type that this release does not know, or knows
                                           ///< otherwise
 };
 
+/// Sorts the channels of a recording into these three kinds.
 [[nodiscard]] Tracks tracks_of(const mcap::Summary& summary);
 
 /// Returns whether a monitor writes such a topic itself, from the robots' messages.

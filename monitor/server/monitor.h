@@ -27,22 +27,22 @@ struct MonitorOptions {
   MapService::Options map;
 };
 
-/// The whole monitor: what DDS brings goes to the clients, the model of the team and the map; what
-/// operators ask goes to the robots.
+/// The whole monitor. It passes messages from DDS to its clients, to the model of the team and to
+/// the map, and operators' orders to the robots.
 class Monitor {
  public:
-  /// What stands in the way is told in one sentence: a port that is taken, DDS, a folder.
+  /// Errors: the port is taken, DDS does not start, or a folder cannot be used; in one sentence.
   [[nodiscard]] static Result<std::unique_ptr<Monitor>> make(const MonitorOptions& options);
   ~Monitor();
   Monitor(const Monitor&) = delete;
   Monitor& operator=(const Monitor&) = delete;
 
   [[nodiscard]] std::uint16_t port() const noexcept;
-  /// The operator's token where it was made just now: to be told once. Else empty.
+  /// Returns the operator's token if tokens were made at this start, else an empty string.
   [[nodiscard]] std::string new_operator_token() const;
   /// Serves until `stop`, or SIGINT or SIGTERM.
   void run();
-  /// From any thread.
+  /// Ends `run`. May be called from any thread.
   void stop();
 
  private:

@@ -10,7 +10,7 @@
 
 namespace galilean::monitor::top {
 
-/// All that the dashboard shows: the team, and what is known of the floor.
+/// Keeps what the dashboard shows: the team, the map's objects, the floor and robots' sightings.
 class Knowledge {
  public:
   explicit Knowledge(const Clock& clock) : clock_(clock), team_(clock) {}
@@ -18,13 +18,14 @@ class Knowledge {
   void receive(const Message& message);
 
   [[nodiscard]] const Team& team() const noexcept { return team_; }
-  /// What the team knows together, as long as a monitor goes on telling it; nullptr otherwise.
+  /// Returns the team's objects; nullptr if none came in the last 5 s.
   [[nodiscard]] const msg::ObjectMap* objects() const noexcept;
   [[nodiscard]] Time objects_received() const noexcept {
     return objects_ ? objects_->received : Time{};
   }
+  /// Returns the newest occupancy grid; nullptr before the first.
   [[nodiscard]] const msg::OccupancyGrid* floor() const noexcept;
-  /// What one robot sees, as long as it goes on telling; nullptr otherwise.
+  /// Returns what one robot sees; nullptr if it sent nothing in the last 5 s.
   [[nodiscard]] const msg::Sightings* sightings(const std::string& robot) const noexcept;
 
  private:

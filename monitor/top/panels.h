@@ -10,9 +10,10 @@ namespace galilean::monitor::top {
 
 /// Scenario, clock, pieces and points; in one line.
 void draw_title(const View& view, Canvas& canvas);
-/// A line for each robot under a heading; those that do not fit are counted. Gives the rows used.
+/// A line for each robot under a heading; a last line counts those that do not fit. Returns the
+/// number of rows used.
 int draw_team(const View& view, const Area& area, Canvas& canvas);
-/// What the chosen robot complains of, a line each.
+/// The problems of the chosen robot, a line each. Returns the number of rows used.
 int draw_problems(const View& view, const Area& area, Canvas& canvas);
 /// Floor, objects and robots from above, north up.
 void draw_map(const View& view, const Area& area, Canvas& canvas);

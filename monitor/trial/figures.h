@@ -35,8 +35,8 @@ struct TrialFigures {
 /// Returns whether the new program's score is lower by more than twice the standard error of the
 /// difference.
 [[nodiscard]] bool clearly_worse(const TrialFigures& figures);
-/// Returns one line, such as "scores 31 ± 6; the program that runs now scores 28 ± 5 (8 runs of 120
-/// s)".
+/// Returns the score in one line, such as
+/// "scores 31 ± 6; the program that runs now scores 28 ± 5 (8 runs of 120 s)".
 [[nodiscard]] std::string in_words(const TrialFigures& figures);
 /// {runs, duration_s, now, next}; each side has score, deposited, collisions and seconds_in_state,
 /// each figure {mean, spread}.

@@ -22,19 +22,20 @@ class RequestFields;
 
 namespace galilean::monitor::foxglove {
 
-/// The way to one client, as the hub sees it.
+/// The connection to one client, as the hub uses it.
 class Link {
  public:
   virtual ~Link() = default;
-  /// Something waits in the outbox.
+  /// Called when something waits in the client's outbox.
   virtual void flush() = 0;
-  /// Says goodbye; nothing more is sent. `reason` is at most 123 bytes.
+  /// Closes the connection; nothing more is sent.
+  /// Requires: `reason` has at most 123 bytes.
   virtual void close(const std::string& reason) = 0;
 };
 
 /// Fans the team's messages out to clients of Foxglove's protocol, ws-protocol version 1, and takes
-/// their service calls. A new subscriber to what *is* gets the newest at once, one to what
-/// *happens* the last 64, as a late joiner on DDS does.
+/// their service calls. A new subscriber to a *state* gets the newest message at once, one to an
+/// *event* the last 64, as a late joiner on DDS does.
 ///
 /// For use by one thread. The hub knows no sockets: the owner of a socket opens a Client for it.
 class Hub {
@@ -57,15 +58,16 @@ class Hub {
   void send(const Message& message);
   void send_time(std::int64_t since_epoch_ns);
   void on_set_parameter(SetParameter set) { set_parameter_ = std::move(set); }
-  /// What the parameters are now: who watches one that changed is told.
+  /// Takes the parameters' present values, and sends each client those that changed and that it
+  /// watches.
   void send_parameters(ParameterValues now);
   /// Sends the connection graph; the hub adds the services to it.
   void send_graph(ConnectionGraph now);
   [[nodiscard]] bool graph_is_watched() const;
-  /// Clients may go later than who listened to Demand.
+  /// Calls Demand no more. Needed where clients outlive the object that Demand calls.
   void forget_demand() { demand_ = nullptr; }
 
-  /// The client is served until the pointer goes. `may_call`: the services, too.
+  /// Returns a client that is served until it is destroyed. `may_call`: it may call services.
   [[nodiscard]] std::unique_ptr<Client> connect(Link& link, bool may_call);
 
   struct Counts {
@@ -85,7 +87,7 @@ class Hub {
   struct Topic {
     const Channel* channel;
     std::vector<Subscriber> subscribers;
-    std::deque<Message> kept;  ///< for those who subscribe later
+    std::deque<Message> kept;  ///< for clients that subscribe later
   };
 
   [[nodiscard]] Topic* find(std::uint32_t channel_id);
@@ -111,7 +113,7 @@ class Hub::Client {
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
 
-  /// What came from the client, as text or as binary message.
+  /// Handles a message from the client, which came as text or as binary message.
   void receive_text(std::string_view text);
   void receive_binary(std::span<const std::uint8_t> bytes);
   [[nodiscard]] Outbox& outbox() noexcept { return *outbox_; }

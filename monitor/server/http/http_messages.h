@@ -12,7 +12,7 @@
 
 namespace galilean::monitor {
 
-/// What a request says, as far as anybody here asks.
+/// The parts of an HTTP request that the monitor uses.
 struct HttpRequest {
   std::string method;
   std::string path;  ///< without query, percent-decoded
@@ -36,15 +36,17 @@ using Respond = std::function<void(HttpResponse)>;
 /// Answers a request, at once or later, exactly once.
 using HttpHandler = std::function<void(const HttpRequest&, Respond)>;
 
+/// Returns an answer with this JSON as its body.
 [[nodiscard]] HttpResponse json_response(const nlohmann::json& json, int status = 200);
 [[nodiscard]] HttpResponse text_response(std::string text, std::string content_type,
                                          int status = 200);
-/// An error as problem+json (RFC 9457): {title, status, detail} and the members of `more`.
+/// Returns an error as problem+json (RFC 9457): {title, status, detail} and the members of `more`.
 [[nodiscard]] HttpResponse problem(int status, const std::string& detail);
 [[nodiscard]] HttpResponse problem(int status, const std::string& detail,
                                    const nlohmann::json& more);
 
-/// 401 where nothing is known of who asks, else 403: this needs a right that `has` is not.
+/// Returns the answer to a request that has the right `has` and needs `needs`: 401 if it has none,
+/// else 403.
 [[nodiscard]] HttpResponse refusal(Right has, Right needs);
 
 }  // namespace galilean::monitor

@@ -10,8 +10,8 @@
 
 namespace galilean::monitor {
 
-/// One WebSocket frame as it leaves the server. The payload is shared by all who are sent it; what
-/// differs from client to client (the subscription's id) stands in the head.
+/// One WebSocket frame as it leaves the server. The payload is shared by all clients that get
+/// it; the subscription's id, which differs from client to client, stands in the head.
 struct Frame {
   std::array<std::uint8_t, 10 + 13> head{};
   std::uint8_t head_size = 0;
@@ -31,14 +31,15 @@ struct Frame {
 [[nodiscard]] Frame service_response_frame(std::uint32_t service_id, std::uint32_t call_id,
                                            std::string_view encoding, std::string_view answer);
 
-/// What a client asks of a service; valid as long as the bytes that it was read from.
+/// A client's call of a service. Valid as long as the bytes that it was read from.
 struct ServiceCall {
   std::uint32_t service_id = 0;
   std::uint32_t call_id = 0;
   std::string_view encoding;
   std::string_view request;
 };
-/// False if the bytes are no service call.
+/// Reads a service call from a client's binary message into `call`.
+/// Returns false if the bytes are no service call.
 [[nodiscard]] bool read_service_call(std::span<const std::uint8_t> bytes, ServiceCall& call);
 
 }  // namespace galilean::monitor

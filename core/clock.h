@@ -8,7 +8,7 @@ namespace galilean {
 
 using Duration = std::chrono::nanoseconds;
 
-/// Tag of the one time line that a process lives on; its zero is when the clock was made.
+/// The tag of the time line that a process uses. Its zero is the moment when the clock was made.
 struct ProcessTime {};
 using Time = std::chrono::time_point<ProcessTime, Duration>;
 
@@ -37,7 +37,8 @@ class SteadyClock final : public Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Moves only when told to: for tests and for the headless simulator. Readable from any thread.
+/// A clock that moves only when `advance` is called. Tests and the headless simulator use it. Any
+/// thread may read it.
 class SteppedClock final : public Clock {
  public:
   [[nodiscard]] Time now() const noexcept override { return Time{Duration{elapsed_ns_.load()}}; }

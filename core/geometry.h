@@ -18,26 +18,28 @@ struct Pose2 {
   double heading_rad = 0;
 };
 
-/// The same angle in (-pi, pi].
+/// Returns the same angle in (-pi, pi] [rad].
 [[nodiscard]] double wrap_angle(double angle_rad) noexcept;
 
-/// Unit vector at `angle_rad` counter-clockwise from x.
+/// Returns the unit vector at `angle_rad` counter-clockwise from x.
 [[nodiscard]] Vec2 unit_vector(double angle_rad) noexcept;
 
-/// `vector` turned counter-clockwise by `angle_rad`.
+/// Returns `vector` turned counter-clockwise by `angle_rad`.
 [[nodiscard]] Vec2 rotated(const Vec2& vector, double angle_rad) noexcept;
 
-/// `vector`, shortened to `max_length` if it is longer; its direction stays.
+/// Returns `vector`, shortened to `max_length` if it is longer. Its direction stays.
 [[nodiscard]] Vec2 clipped(const Vec2& vector, double max_length) noexcept;
 
-/// The paper's robot frame has x to the right and y forward: these four are the only place that
-/// knows it. Directions turn only; points also move with the robot's position (metres).
+/// These four functions convert between the paper's robot frame (x right, y forward) and the global
+/// frame of the pose `robot`. Directions are only turned. Points [m] are also moved by the robot's
+/// position.
 [[nodiscard]] Vec2 direction_to_global(const Pose2& robot, const Vec2& in_robot) noexcept;
 [[nodiscard]] Vec2 direction_to_robot(const Pose2& robot, const Vec2& in_global) noexcept;
 [[nodiscard]] Vec2 point_to_global(const Pose2& robot, const Vec2& in_robot_m) noexcept;
 [[nodiscard]] Vec2 point_to_robot(const Pose2& robot, const Vec2& in_global_m) noexcept;
 
-/// Counter-clockwise angle from straight ahead to a direction in the robot frame, in (-pi, pi].
+/// Returns the counter-clockwise angle [rad] from straight ahead to a direction in the robot frame
+/// (x right, y forward), in (-pi, pi].
 [[nodiscard]] double bearing_rad(const Vec2& in_robot) noexcept;
 
 }  // namespace galilean

@@ -6,11 +6,12 @@
 
 namespace galilean {
 
-/// The folder of the running executable, where its siblings are; the current one if the system does
-/// not tell.
+/// Returns the folder of the running executable, where the other programs are too. Returns the
+/// current folder if the system does not tell.
 [[nodiscard]] std::filesystem::path program_folder();
 
-/// What the build installs beside the programs: ../share/galilean/<name>, seen from their folder.
+/// Returns the path of a file or folder that is installed with the programs:
+/// ../share/galilean/<name>, seen from their folder.
 [[nodiscard]] std::filesystem::path shipped(const std::string& name);
 
 /// A file as people name it: a bare name ("office") is one that ships in `room`; anything with a

@@ -7,16 +7,17 @@
 
 namespace galilean {
 
-/// Hands the newest T from one writer thread to one reader thread, wait-free on both sides:
-/// three places, of which the writer owns one, the reader one, and the third is exchanged.
-/// Places are made once; write into `writing()` in place where T is large.
+/// Hands the newest T from one writer thread to one reader thread. Neither thread waits. There are
+/// three places: the writer owns one, the reader owns one, and both exchange theirs for the third
+/// (triple buffering). The places are made once. A large T is best written in place, in
+/// `writing()`.
 template <class T>
 class Latest {
  public:
   Latest() = default;
   explicit Latest(const T& initial) { places_.fill(initial); }
 
-  /// Writer: the place to fill; holds an older value.
+  /// Writer: returns the place to fill. It holds an older value.
   [[nodiscard]] T& writing() noexcept { return places_[writing_]; }
   /// Writer: makes what stands in `writing()` the newest.
   void publish() noexcept {
@@ -29,13 +30,14 @@ class Latest {
     publish();
   }
 
-  /// Reader: takes the newest over; false if there was nothing new since the last call.
+  /// Reader: takes the newest value over. Returns false if nothing was published since the last
+  /// call.
   bool take() noexcept {
     if (!(exchanged_.load(std::memory_order_relaxed) & kFresh)) return false;
     reading_ = exchanged_.exchange(reading_, std::memory_order_acq_rel) & kIndex;
     return true;
   }
-  /// Reader: what was taken last.
+  /// Reader: returns the value that was taken last.
   [[nodiscard]] const T& reading() const noexcept { return places_[reading_]; }
 
  private:

@@ -15,19 +15,19 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) noexcept;
 
-  /// A stream of its own for `name`, independent of how much was drawn here.
+  /// Returns a new stream for `name`. It does not depend on how much was drawn from this one.
   [[nodiscard]] Random child(std::string_view name) const noexcept;
 
   [[nodiscard]] std::uint64_t bits() noexcept;
-  /// In [0, 1).
+  /// Returns a number in [0, 1).
   [[nodiscard]] double uniform() noexcept;
-  /// In [low, high).
+  /// Returns a number in [low, high).
   [[nodiscard]] double uniform(double low, double high) noexcept;
-  /// In [0, count).
+  /// Returns a whole number in [0, count).
   [[nodiscard]] std::uint32_t below(std::uint32_t count) noexcept;
-  /// Mean 0, standard deviation 1.
+  /// Returns a normally distributed number with mean 0 and standard deviation 1.
   [[nodiscard]] double normal() noexcept;
-  /// Unit vector, every heading alike.
+  /// Returns a unit vector. Every heading is equally likely.
   [[nodiscard]] Vec2 heading() noexcept;
 
  private:

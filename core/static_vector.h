@@ -7,11 +7,12 @@
 
 namespace galilean {
 
-/// A vector with its room inside: no allocation, so that the tick may fill it.
+/// A vector that stores its elements inside itself. It never allocates, so that the control loop
+/// may fill it.
 template <class T, std::size_t Capacity>
 class StaticVector {
  public:
-  /// False, and nothing added, when it is full.
+  /// Adds a copy of `item`. Returns false, and adds nothing, when the vector is full.
   bool push_back(const T& item) {
     if (size_ == Capacity) return false;
     items_[size_++] = item;

@@ -3,7 +3,7 @@
 
 namespace galilean {
 
-/// Lets other threads wake one that polls.
+/// Lets other threads wake a thread that waits in poll.
 class Wake {
  public:
   Wake();
@@ -13,7 +13,7 @@ class Wake {
 
   void ring() noexcept;   ///< from any thread
   void clear() noexcept;  ///< before looking for what it was rung for
-  /// Readable while rung.
+  /// Returns a file descriptor for poll. It is readable from `ring` until `clear`.
   [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
 
  private:

@@ -10,9 +10,8 @@
 
 namespace galilean {
 
-/// A thread that does its rounds over and over, until this is destroyed. What a round throws ends
-/// neither the thread nor the process: it is reported, and after a pause the next round tries
-/// again.
+/// A thread that repeats a round until this object is destroyed. An exception from a round ends
+/// neither the thread nor the process. It is reported, and the next round begins after a pause.
 class Worker {
  public:
   /// Waits by itself for what it works on, at most until `stop` is requested.
@@ -31,7 +30,7 @@ class Worker {
   std::jthread thread_;
 };
 
-/// Sleeps; not on when `stop` is requested.
+/// Sleeps for `duration`, or until `stop` is requested.
 void sleep_for(Duration duration, const std::stop_token& stop);
 
 }  // namespace galilean

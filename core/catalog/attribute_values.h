@@ -10,7 +10,8 @@
 
 namespace galilean {
 
-/// One component's attributes as the loader leaves them: SI, defaults filled in.
+/// The attributes of one component. The checker has converted the numbers to SI units and has
+/// filled in the defaults.
 class AttributeValues {
  public:
   void set(std::string name, Value value) {
@@ -26,7 +27,7 @@ class AttributeValues {
     values_.emplace_back(std::move(name), std::move(value));
   }
   void reserve(std::size_t count) { values_.reserve(count); }
-  /// nullptr if it was neither given nor has a default.
+  /// Returns the value, or nullptr if the attribute was neither given nor has a default.
   [[nodiscard]] const Value* find(std::string_view name) const noexcept {
     for (const auto& [known, value] : values_)
       if (known == name) return &value;

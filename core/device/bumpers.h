@@ -8,12 +8,13 @@ namespace galilean {
 
 /// The eight switches stand around the chassis at 45 degrees from one another, counter-clockwise:
 /// 0 front, 1 front left, 2 left, 3 rear left, 4 rear, 5 rear right, 6 right, 7 front right.
-/// Counter-clockwise angle from straight ahead to bumper `index`.
+/// Returns the counter-clockwise angle [rad] from straight ahead to bumper `index`.
 [[nodiscard]] constexpr double bumper_angle_rad(int index) noexcept {
   return index * 2 * kPi / ControllerStatus::kBumpers;
 }
 
-/// The side that a bumper guards: unit vector in the robot frame (x right, y forward).
+/// Returns the direction in which a bumper lies, as a unit vector in the robot frame (x right, y
+/// forward).
 [[nodiscard]] inline Vec2 bumper_direction(int index) noexcept {
   return unit_vector(kPi / 2 + bumper_angle_rad(index));
 }

@@ -8,7 +8,7 @@
 
 namespace galilean {
 
-/// What the microcontroller last said.
+/// The last status that the microcontroller reported.
 struct ControllerStatus {
   static constexpr int kBumpers = 8;
 

@@ -12,12 +12,12 @@ namespace galilean {
 class Device {
  public:
   virtual ~Device() = default;
-  /// Start of a tick: takes over the newest that arrived.
+  /// Takes over the newest data that arrived. It is called at the start of each tick.
   virtual void sense(Time now) noexcept = 0;
-  /// False while it is missing or silent for longer than its timeout.
+  /// Returns false while the device is missing or has been silent for longer than its timeout.
   [[nodiscard]] virtual bool healthy() const noexcept = 0;
-  /// One sentence on what is missing and what to do; empty when well. Any thread but the control
-  /// loop.
+  /// Returns one sentence on what is missing and what to do, or an empty text when the device is
+  /// well. Requires: the caller is not the control loop.
   [[nodiscard]] virtual std::string problem() const = 0;
 };
 

@@ -7,7 +7,7 @@ class CommPort;
 class MotorDrive;
 class FrameGrabber;
 
-/// What a robot has. Outlives every program that it runs.
+/// The devices of a robot. They outlive every program that the robot runs.
 struct Devices {
   CommPort& comm_port;
   MotorDrive& motor_drive;

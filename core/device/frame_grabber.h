@@ -7,10 +7,10 @@
 
 namespace galilean {
 
-/// The paper's frame_grabber.
+/// The paper's frame_grabber: the camera.
 class FrameGrabber : public Device {
  public:
-  /// The newest frame as of `sense`, never null; its number is 0 before the first one.
+  /// Returns the frame that the last `sense` took over. Its number is 0 before the first frame.
   [[nodiscard]] virtual const Frame& frame() const noexcept = 0;
   [[nodiscard]] virtual const CameraGeometry& geometry() const noexcept = 0;
 };

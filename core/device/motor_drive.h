@@ -5,7 +5,8 @@
 
 namespace galilean {
 
-/// One movement. The wheels stop by themselves after the limits, or when commands cease.
+/// One movement of the robot. The wheels stop by themselves when a limit is reached, or when no
+/// more commands come.
 struct DriveCommand {
   double speed_mps = 0;         ///< forward positive
   double turn_rate_radps = 0;   ///< counter-clockwise positive
@@ -18,10 +19,11 @@ class MotorDrive : public Device {
  public:
   virtual void drive(const DriveCommand& command) noexcept = 0;
   virtual void stop() noexcept = 0;
-  /// Speeds that the program asks for: what a schema drives and turns with.
+  /// The two speeds that the program sets in its motor_drive. Schemas drive and turn with them.
   [[nodiscard]] virtual double forward_speed_mps() const noexcept = 0;
   [[nodiscard]] virtual double turning_speed_radps() const noexcept = 0;
-  /// Half the track: metres of wheel travel a radian of turning in place.
+  /// Returns half the distance between the wheels [m]. A wheel travels this far for each radian
+  /// that the robot turns in place.
   [[nodiscard]] virtual double turn_radius_m() const noexcept = 0;
 };
 

@@ -20,15 +20,16 @@ struct Tick {
 class Schema {
  public:
   virtual ~Schema() = default;
-  /// A state that lists this schema is entered: timers start, noise draws anew.
+  /// Is called when the program enters a state that lists this schema. A timer starts here, for
+  /// example.
   virtual void activate(const Tick&) {}
   virtual void run(const Tick& tick) = 0;
 };
 
-/// Reads devices and variables, writes what it perceived into variables.
+/// A schema that reads devices and variables, and writes what it perceived into variables.
 class PerceptualSchema : public Schema {};
 
-/// Suggests a motion, or commands a device.
+/// A schema that suggests a motion or commands a device.
 class MotorSchema : public Schema {};
 
 }  // namespace galilean

@@ -24,7 +24,7 @@ class VariableStore {
     return variable;
   }
 
-  /// nullptr if there is no variable of that name and type.
+  /// Returns nullptr if there is no variable of that name and type.
   template <class T>
   [[nodiscard]] Variable<T>* find(std::string_view name) noexcept {
     for (auto& variable : all<T>())

@@ -5,7 +5,7 @@
 
 namespace galilean {
 
-/// The word that BHDL calls a variable's type by.
+/// Returns the word that BHDL uses for the type of a Variable<T>.
 template <class T>
 [[nodiscard]] constexpr const char* variable_type_name() noexcept;
 template <>

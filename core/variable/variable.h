@@ -62,8 +62,8 @@ struct Locate {
   Vec2 position_m = Vec2::Zero();
   Mat2 covariance_m2 = Mat2::Identity();
   double radius_m = 0;
-  /// All that the newest frame showed of this class, nearest first: for those who watch, not for
-  /// schemas.
+  /// All objects of this class in the newest frame, the nearest first. They are for viewers.
+  /// Schemas do not read them.
   StaticVector<Sighting, kMaxSightings> sightings;
   std::uint64_t sightings_frame = 0;
 };
@@ -78,7 +78,8 @@ struct Bits {
   }
 };
 
-/// A motor schema's vector in the robot's frame (x right, y forward), without unit.
+/// The vector that a motor schema suggests, in the robot frame (x right, y forward). It has no
+/// unit.
 struct Force {
   Vec2 value = Vec2::Zero();
 };
@@ -96,14 +97,15 @@ struct Variable {
     value = new_value;
     mark_written(certainty, now, tick);
   }
-  /// After writing into `value` in place.
+  /// Notes that a schema has written into `value` in place.
   void mark_written(double certainty, Time now, std::uint64_t tick) noexcept {
     reliability.valid = true;
     reliability.certainty = certainty;
     reliability.stamp = now;
     written_tick = tick;
   }
-  /// A constant does not fade: nobody could write it anew.
+  /// Returns the certainty at `now`. That of a constant does not decay, because no schema could
+  /// write the constant again.
   [[nodiscard]] double certainty_at(Time now) const noexcept {
     if (constant) return reliability.valid ? reliability.certainty : 0;
     return reliability.certainty_at(now);

@@ -17,7 +17,7 @@ namespace galilean::wire {
   return text;
 }
 
-/// The name that an entity announced; empty where it announced none.
+/// Returns the name that an entity announced, or an empty text if it announced none.
 [[nodiscard]] inline std::string announced_name(const dds_qos_t* qos) {
   char* name = nullptr;
   if (!dds_qget_entity_name(qos, &name) || !name) return {};

@@ -9,11 +9,12 @@
 
 namespace galilean::wire {
 
-/// Writes messages that are bytes already, as Reader takes them, to one topic.
+/// Writes messages that are already encoded as CDR bytes, the form in which Reader gives them, to
+/// one topic.
 class ByteWriter {
  public:
-  /// Throws std::runtime_error if Cyclone refuses the topic, or if `ros_type` is none of the
-  /// messages.
+  /// Errors: throws std::runtime_error if Cyclone refuses the topic, or if `ros_type` is not one of
+  /// the messages.
   ByteWriter(Participant& participant, const std::string& topic, const std::string& ros_type);
   /// `cdr` with its four-byte header. False if that is no message of the type, or if Cyclone did
   /// not take it in time; it is then not sent.

@@ -82,7 +82,7 @@ class CdrReader {
   bool swap_ = false;
 };
 
-/// False if the bytes are not a whole message of this type.
+/// Decodes `bytes` into `message`. Returns false if they are not a whole message of this type.
 template <class M>
 [[nodiscard]] bool decode_cdr(std::span<const std::uint8_t> bytes, M& message) {
   CdrReader reader(bytes);

@@ -5,7 +5,7 @@
 
 namespace galilean::wire {
 
-/// How a kind of message travels; decided once, by its type, in qos.cpp.
+/// How a kind of message travels. The type of the message decides it, in qos.cpp.
 enum class Delivery {
   kState,    ///< what is: reliable, transient-local, keep-last 1; a late joiner knows at once
   kEvent,    ///< what happens: reliable, transient-local, keep-last 64; numbered, so that receivers
@@ -15,6 +15,7 @@ enum class Delivery {
              ///< diagnostics
   kStream    ///< best effort, volatile, keep-last 1
 };
+/// Returns the delivery of a message type. A type that is not in the list is a stream.
 [[nodiscard]] Delivery delivery_of(std::string_view ros_type) noexcept;
 
 }  // namespace galilean::wire

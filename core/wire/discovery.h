@@ -19,12 +19,12 @@ struct Publication {
   bool operator==(const Publication&) const = default;
 };
 
-/// Sees which topics are written in the domain, by anybody.
+/// Finds which topics are written in the domain, by any process.
 class Discovery {
  public:
   explicit Discovery(Participant& participant);
   ~Discovery();
-  /// All that are there now.
+  /// Returns the publications that are known now.
   [[nodiscard]] std::vector<Publication> publications() const;
   /// Called on a thread of Cyclone's whenever that changes. Set once, right after construction.
   void on_change(std::function<void()> callback);

@@ -6,7 +6,7 @@
 
 namespace galilean::wire {
 
-/// An entity of Cyclone's, deleted with this object.
+/// Owns an entity of Cyclone. The entity is deleted with this object.
 class Entity {
  public:
   Entity() = default;

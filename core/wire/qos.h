@@ -16,7 +16,7 @@ using Qos = std::unique_ptr<dds_qos_t, DeleteQos>;
 
 [[nodiscard]] Qos make_qos(Delivery delivery);
 
-/// Throws std::runtime_error "what: Cyclone's reason" where `result` is negative; else returns it.
+/// Returns `result`. Errors: throws std::runtime_error "what: Cyclone's reason" if it is negative.
 std::int32_t checked(std::int32_t result, const std::string& what);
 
 }  // namespace galilean::wire

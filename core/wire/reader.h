@@ -14,14 +14,14 @@ namespace galilean::wire {
 
 class Participant;
 
-/// One message as it came: valid during the callback only.
+/// One message as it was received. It is valid during the callback only.
 struct Received {
   std::span<const std::uint8_t> cdr;  ///< with its four-byte header
   std::int64_t sent_ns;               ///< by its writer's clock, since the Unix epoch
   std::uint64_t writer;               ///< for Reader::sender
 };
 
-/// Takes messages off one topic as bytes; msg::decode_cdr makes structs of them.
+/// Receives the messages of one topic as bytes. msg::decode_cdr turns them into structs.
 class Reader {
  public:
   /// `depth`: messages of each writer kept between two calls of `take`; 0: as the type's delivery
@@ -29,15 +29,17 @@ class Reader {
   Reader(Participant& participant, const std::string& topic, const std::string& ros_type,
          int depth = 0);
   ~Reader();
-  /// Calls `receive` for each message that came since, oldest first, in the calling thread.
+  /// Calls `receive` for each message that came since the last call. It does so in the calling
+  /// thread.
   void take(const std::function<void(const Received&)>& receive);
-  /// Called on a thread of Cyclone's when there is something to take. Set once.
+  /// Sets the callback that Cyclone calls, on a thread of its own, when there is a message to take.
+  /// Requires: no callback was set before.
   void on_data(std::function<void()> callback);
-  /// Writers matched now.
+  /// Returns the number of writers that are matched now.
   [[nodiscard]] int writers() const;
-  /// The name that the process which wrote a message has joined the domain with. It is what that
-  /// process announced to everybody, not a field of the message; DDS without its security does not
-  /// prove it. Nothing if the writer has left.
+  /// Returns the name with which the writer's process joined the domain, or nothing if the writer
+  /// has left or announced no name. The process announces this name to the whole domain. It is not
+  /// a field of the message. Without DDS security nothing proves that it is true.
   [[nodiscard]] std::optional<std::string> sender(const Received& received) const;
 
  private:

@@ -7,7 +7,8 @@
 
 namespace galilean::wire {
 
-/// Nanoseconds since the Unix epoch, in the message form; and now, for stamps alone.
+/// These convert between nanoseconds since the Unix epoch and the message form. wall_clock_ns
+/// returns the present time in the same unit. It is for stamps only.
 [[nodiscard]] msg::Time ros_time(std::int64_t since_epoch_ns) noexcept;
 [[nodiscard]] std::int64_t since_epoch_ns(const msg::Time& time) noexcept;
 [[nodiscard]] std::int64_t wall_clock_ns() noexcept;

@@ -14,7 +14,7 @@ struct Schema {
 };
 
 [[nodiscard]] std::span<const Schema> schemas() noexcept;
-/// nullptr if no message has that name.
+/// Both return nullptr if no message has that name.
 [[nodiscard]] const Schema* find_schema_by_ros_type(std::string_view ros_type) noexcept;
 [[nodiscard]] const Schema* find_schema_by_dds_type(std::string_view dds_type) noexcept;
 

@@ -6,7 +6,8 @@
 
 namespace galilean::wire {
 
-/// "rt/io/state" for ("io", "state"): ROS 2's name for topic /io/state.
+/// Returns the DDS name of a robot's topic: "rt/io/state" for ("io", "state"), as ROS 2 names its
+/// topic /io/state on DDS.
 [[nodiscard]] std::string robot_topic(std::string_view robot, std::string_view leaf);
 inline constexpr const char* kProgramPushTopic = "rt/team/program_push";
 inline constexpr const char* kProgramRollbackTopic = "rt/team/program_rollback";

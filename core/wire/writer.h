@@ -15,9 +15,10 @@ template <class M>
 class Writer {
  public:
   Writer(Participant& participant, const std::string& topic);
-  /// False if Cyclone did not take it in time; the message is then lost.
+  /// Returns false if Cyclone did not take the message in time. The message is then lost.
   [[nodiscard]] bool write(const M& message);
-  /// Readers matched now: what is costly to make is made only for somebody.
+  /// Returns the number of readers that are matched now. A message that is costly to make need not
+  /// be made when there is none.
   [[nodiscard]] int readers() const;
 
  private:

@@ -36,14 +36,16 @@ struct File {
   std::map<std::string, std::string> group_text;  ///< of "Variable_Constants", as Struct::text
 };
 
-/// Throws std::runtime_error with file and line if the text is not of the subset.
+/// Parses one IDL file. Errors: throws std::runtime_error with file and line if the text is not in
+/// the subset.
 [[nodiscard]] File parse(const std::string& name, const std::string& text);
 
-/// C++ type and CDR size of a basic type; nullptr if `type` names a struct or a string.
+/// The C++ type of a basic type, and its size in CDR in bytes.
 struct Basic {
   std::string_view cpp;
   int size;
 };
+/// Returns nullptr if `type` names a struct or a string.
 [[nodiscard]] const Basic* basic_type(std::string_view type);
 
 }  // namespace galilean::idl

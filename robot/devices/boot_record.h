@@ -5,7 +5,8 @@
 
 namespace galilean::robot {
 
-/// Notices that a board was reset: another boot count, or less uptime than before.
+/// Notices when a board was reset. After a reset its boot count differs, or its uptime is less than
+/// before.
 class BootRecord {
  public:
   [[nodiscard]] bool differs(std::uint16_t boot_count, std::uint32_t uptime_ms) const {

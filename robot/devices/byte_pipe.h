@@ -10,8 +10,9 @@
 
 namespace galilean::robot {
 
-/// A serial line inside one process, for the headless simulator: two ends with fixed buffers
-/// between them. One thread, no system calls, and so the same bytes on every run.
+/// A serial line inside one process, for the headless simulator. It has two ends with a buffer of
+/// fixed size for each direction. It runs in one thread without system calls, so that every run
+/// sees the same bytes.
 class BytePipe {
  public:
   explicit BytePipe(std::string name);
@@ -20,7 +21,7 @@ class BytePipe {
 
   [[nodiscard]] ByteStream& robot_end() { return robot_end_; }
   [[nodiscard]] ByteStream& board_end() { return board_end_; }
-  /// Pulls the plug, or puts it back. What was on its way is lost.
+  /// Unplugs the line or plugs it in again. Bytes that were on their way are lost.
   void connect(bool connected);
 
  private:

@@ -10,20 +10,23 @@
 
 namespace galilean::robot {
 
-/// One end of a line that carries bytes both ways. Nothing here blocks. All calls from one thread.
+/// One end of a line that carries bytes in both directions. No method blocks. Requires: all calls
+/// come from one thread.
 class ByteStream {
  public:
   virtual ~ByteStream() = default;
-  /// Takes bytes that came; the number taken, 0 when none wait or the line is lost.
+  /// Reads bytes that arrived. Returns how many. That is 0 when none wait or the line is lost.
   virtual std::size_t read(std::span<std::uint8_t> bytes) = 0;
-  /// Hands bytes over; the number taken, 0 when the line is full or lost.
+  /// Writes bytes. Returns how many the line took. That is 0 when it is full or lost.
   virtual std::size_t write(std::span<const std::uint8_t> bytes) = 0;
-  /// Opens what is closed, now and then, so that a lost line comes back. Call it often.
+  /// Tries from time to time to open a closed line, so that a lost line comes back. Requires: it is
+  /// called often.
   virtual void maintain(Time now) = 0;
   [[nodiscard]] virtual bool is_open() const = 0;
-  /// One sentence on why the line is not open and what to do; empty while it is.
+  /// Returns one sentence on why the line is not open and what to do, or an empty text while it is
+  /// open.
   [[nodiscard]] virtual std::string problem() const = 0;
-  /// What the line is called where a person looks for it: a device's path, say.
+  /// Returns the name by which a person finds the line, such as the path of a device.
   [[nodiscard]] virtual const std::string& name() const = 0;
 };
 

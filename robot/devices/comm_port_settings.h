@@ -7,7 +7,7 @@
 
 namespace galilean::robot {
 
-/// What a program says of the serial line (BHDL: comm_port).
+/// A program's settings for the serial line (BHDL: comm_port).
 struct CommPortSettings {
   std::string device;
   int baud = 115200;

@@ -14,19 +14,19 @@
 
 namespace galilean::robot {
 
-/// The frame_grabber of a robot. `pump` belongs to one I/O thread (or stands between ticks); all
-/// else to the control loop, which finds the newest whole picture without waiting. Pictures live in
-/// three places that are made once.
+/// The frame_grabber of a robot. One I/O thread calls `pump` and `fail`; the headless simulator
+/// calls `pump` between ticks. The control loop calls the other methods and finds the newest whole
+/// picture without waiting. Pictures are stored in three places that are made once.
 class CameraGrabber final : public FrameGrabber {
  public:
   CameraGrabber(FrameSource& source, const FrameGrabberSettings& settings);
 
   /// I/O side: takes the next picture, if there is one.
   void pump(Time now);
-  /// I/O side: `pump` threw. The camera is missing until a later one does not.
+  /// I/O side: reports that `pump` threw. The camera counts as missing until `pump` succeeds again.
   void fail(const std::string& why);
 
-  /// Another program's settings, except for the device. Belongs to the control loop.
+  /// Applies another program's settings, except for the device. Belongs to the control loop.
   void configure(const FrameGrabberSettings& settings) noexcept;
 
   void sense(Time now) noexcept override;

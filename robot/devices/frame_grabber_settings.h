@@ -8,7 +8,7 @@
 
 namespace galilean::robot {
 
-/// What a program says of the camera (BHDL: frame_grabber).
+/// A program's settings for the camera (BHDL: frame_grabber).
 struct FrameGrabberSettings {
   std::string device;
   double timeout_s = 1;

@@ -9,9 +9,9 @@
 
 namespace galilean::robot {
 
-/// The source that a frame_grabber's device names: "ring:/name" is the simulator's camera, all else
-/// a camera's device or a file. What is missing is looked for again and again, and is no error
-/// here.
+/// Makes the source that a frame_grabber's `device` names. "ring:/name" is the simulator's camera.
+/// Any other text is the device of a camera or a file. A missing camera is no error here, because
+/// the source tries again to open it. Errors: OpenCV's module is not beside the executable.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> make_frame_source(const std::string& device);
 
 }  // namespace galilean::robot

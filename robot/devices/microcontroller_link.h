@@ -29,7 +29,7 @@ class MicrocontrollerLink final : public CommPort {
 
   /// I/O side: all traffic of the line. Call it every few milliseconds.
   void pump(Time now);
-  /// I/O side: `pump` threw. The board is missing until a later one does not.
+  /// I/O side: reports that `pump` threw. The board counts as missing until `pump` succeeds again.
   void fail(const std::string& why);
 
   void sense(Time now) noexcept override;

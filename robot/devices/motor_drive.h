@@ -17,7 +17,8 @@ class WheelDrive final : public MotorDrive {
  public:
   WheelDrive(MicrocontrollerLink& link, const MotorDriveSettings& settings);
 
-  /// Another program's settings. Belongs to the control loop; neither allocates nor waits.
+  /// Applies another program's settings. Belongs to the control loop. It neither allocates nor
+  /// waits.
   void configure(const MotorDriveSettings& settings) noexcept;
 
   void sense(Time) noexcept override {}

@@ -8,7 +8,7 @@
 
 namespace galilean::robot {
 
-/// What a program says of the motors (BHDL: motor_drive). Speeds are those of a wheel.
+/// A program's settings for the motors (BHDL: motor_drive). Speeds are those of a wheel.
 struct MotorDriveSettings {
   double forward_velocity_ticks_s = 100;
   double turning_velocity_ticks_s = 100;

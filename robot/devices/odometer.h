@@ -5,11 +5,11 @@
 
 namespace galilean::robot {
 
-/// Travel of both wheels in metres from encoder counts that wrap around. It sums differences, so
-/// that a change of the scale does not make what was travelled before jump.
+/// Computes the travel of both wheels [m] from encoder counts that wrap around. It sums up
+/// differences, so that a change of the scale does not change the travel so far.
 class Odometer {
  public:
-  /// A board that just started: its counts are all that was travelled.
+  /// Begins anew with a board that has just started. Its counts are the whole travel.
   void restart(std::int32_t left_counts, std::int32_t right_counts, double counts_per_m) {
     left_ = {left_counts, left_counts / counts_per_m};
     right_ = {right_counts, right_counts / counts_per_m};

@@ -7,7 +7,8 @@
 
 namespace galilean::robot {
 
-/// A serial device or pseudo-terminal, raw and non-blocking. Opens again by itself after a loss.
+/// A serial device or pseudo-terminal in raw, non-blocking mode. It opens again by itself after a
+/// loss.
 class SerialPort final : public ByteStream {
  public:
   SerialPort(std::string device, int baud);

@@ -10,7 +10,7 @@
 
 namespace galilean::robot {
 
-/// A named piece of memory that processes share, mapped as long as this lives.
+/// A named piece of memory that processes share. It is mapped as long as this object lives.
 class SharedMemory {
  public:
   /// Opens for writing, makes it where it is missing or has another size, and locks it against
@@ -23,7 +23,8 @@ class SharedMemory {
   SharedMemory& operator=(SharedMemory&& other) noexcept;
 
   [[nodiscard]] std::span<std::byte> bytes() const { return bytes_; }
-  /// The name still stands for this very memory, not for none or for a newer one.
+  /// Returns whether the name still stands for this memory. It does not if the memory was removed
+  /// or replaced by a newer one.
   [[nodiscard]] bool is_current(const std::string& name) const;
   static void remove(const std::string& name);
 

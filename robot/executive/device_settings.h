@@ -8,7 +8,8 @@
 
 namespace galilean::robot {
 
-/// What a program says of the robot's devices; the defaults of the catalog where it says nothing.
+/// A program's settings for the robot's devices. Where the program has none, these are the defaults
+/// of the catalog.
 struct DeviceSettings {
   CommPortSettings comm_port;
   MotorDriveSettings motor_drive;
@@ -18,8 +19,8 @@ struct DeviceSettings {
   [[nodiscard]] static DeviceSettings of(const bhdl::Program& program);
 };
 
-/// Takes a program's settings over when that program does. Belongs to the control loop: it neither
-/// allocates nor waits.
+/// Applies a program's device settings when that program takes over. The control loop calls it. It
+/// neither allocates nor waits.
 class DeviceTuner {
  public:
   virtual ~DeviceTuner() = default;

@@ -23,7 +23,7 @@ struct DeviceHealth {
   bool frame_grabber = false;
 };
 
-/// A few words that need no heap; what is too long is cut.
+/// A short text that is stored without the heap. A longer text is cut.
 class ShortText {
  public:
   ShortText() = default;

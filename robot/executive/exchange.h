@@ -11,8 +11,9 @@
 
 namespace galilean::robot {
 
-/// Where programs change hands between the thread that builds them and the control loop, wait-free:
-/// a new one waits in one place, those that were replaced go back to be destroyed.
+/// Exchanges programs between the thread that builds them and the control loop. Neither thread
+/// waits. A new program waits in one place. Replaced programs go back to the builder, which
+/// destroys them.
 class Exchange {
  public:
   Exchange() = default;
@@ -22,22 +23,22 @@ class Exchange {
 
   /// Builder. Call `collect` before each `offer`.
   [[nodiscard]] bool waiting() const noexcept { return waiting_.load() != nullptr; }
-  /// Builder: only while none is waiting.
+  /// Builder: lets a program wait for the control loop. Requires: !waiting().
   void offer(std::unique_ptr<RunningProgram> program) noexcept {
     assert(!waiting());
     waiting_.store(program.release(), std::memory_order_release);
   }
-  /// Builder: destroys what came back.
+  /// Builder: destroys the programs that came back.
   void collect() noexcept {
     while (retired_.pop()) {
     }
   }
 
-  /// Control: null if none is waiting.
+  /// Control: takes the program that waits. Returns null if none does.
   [[nodiscard]] std::unique_ptr<RunningProgram> take() noexcept {
     return std::unique_ptr<RunningProgram>(waiting_.exchange(nullptr, std::memory_order_acq_rel));
   }
-  /// Control.
+  /// Control: hands a replaced program back to the builder.
   void retire(std::unique_ptr<RunningProgram> program) noexcept {
     [[maybe_unused]] const bool taken = retired_.push(std::move(program));
     assert(taken);

@@ -34,8 +34,8 @@ struct ExecutiveSetup {
   ProbationRules probation = {};
   DeviceTuner* tuner = nullptr;  ///< takes over what programs say of devices; may be null
   std::vector<TickObserver*> observers = {};  ///< see every tick
-  /// Called by `load` and `roll_back`, in their thread: there is something that a tick at once, not
-  /// at its time, would bring into effect sooner. May be null.
+  /// Is called by `load` and `roll_back`, in their thread, when a program or an order waits for the
+  /// next tick. An early tick would bring it into effect sooner. May be null.
   std::function<void()> on_waiting = nullptr;
 };
 
@@ -56,19 +56,19 @@ class Executive {
   Executive(const Executive&) = delete;
   Executive& operator=(const Executive&) = delete;
 
-  /// Any thread but control, or between ticks. Builds `program` beside the one that runs; it takes
-  /// over at the start of the next tick. The first one loaded starts in its start state; a later
-  /// one is in probation, by the rules of the setup or by its own. Fails if another one still waits
-  /// for its tick.
+  /// Any thread but control, or between ticks. Builds `program` while the current one runs. It
+  /// takes over at the start of the next tick. The first program starts in its start state. A later
+  /// one is in probation, by the rules of the setup or by its own. Errors: another program still
+  /// waits for its first tick; the program cannot be built.
   Result<ProgramId> load(bhdl::Program program) {
     return load(std::move(program), setup_.probation);
   }
   Result<ProgramId> load(bhdl::Program program, const ProbationRules& rules);
 
-  /// Any thread but control: in the next tick `program`, if it still runs, gives way to the one
-  /// that it replaced, in probation or not; one that had not proven itself then is in probation
-  /// anew. An event tells so, with the reason. Nothing happens where there is none to go back to.
-  /// False if too many such orders wait.
+  /// Any thread but control. Orders that `program`, if it still runs in the next tick, is replaced
+  /// by the program that ran before it. It need not be in probation. A predecessor that had not
+  /// proven itself is in probation again. An event reports the rollback with the reason. Nothing
+  /// happens if there is no program to go back to. Returns false if too many such orders wait.
   bool roll_back(ProgramId program, std::string_view reason);
 
   /// Any thread: a program was loaded and its first tick is yet to come.
@@ -84,13 +84,14 @@ class Executive {
   void hold() noexcept { held_.store(true, std::memory_order_relaxed); }
   void resume() noexcept { held_.store(false, std::memory_order_relaxed); }
   [[nodiscard]] bool held() const noexcept { return held_.load(std::memory_order_relaxed); }
-  /// Any thread: out of service, the motors stand still however often somebody resumes.
+  /// Any thread: takes the robot out of service. The motors then stand still, and `resume` does not
+  /// change that.
   void decommission() noexcept { in_service_.store(false, std::memory_order_relaxed); }
   void commission() noexcept { in_service_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool in_service() const noexcept {
     return in_service_.load(std::memory_order_relaxed);
   }
-  /// Any thread: as if somebody pushed bumper `index` (0 to 7) for 0.3 s.
+  /// Any thread: has the same effect as pushing bumper `index` (0 to 7) for 0.3 s.
   void push_bumper(int index) noexcept { port_.push(index); }
   /// Any thread but control: destroys programs that were replaced. `load` does so too.
   void collect() { intake_.collect(); }
@@ -100,8 +101,8 @@ class Executive {
     return intake_.description(id);
   }
 
-  /// Control, between ticks: the program that runs goes on from where `situation` was left; nothing
-  /// where none runs. Allocates: for the simulator.
+  /// Control, between ticks: lets the running program continue from `situation`. Does nothing if no
+  /// program runs. It allocates, and is for the simulator only.
   void restore(const Situation& situation);
 
   /// Control, as all that follows. Null before the first tick with a program.

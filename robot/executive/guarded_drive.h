@@ -5,17 +5,18 @@
 
 namespace galilean::robot {
 
-/// Stands between the schemas and the motors, and lets them stand still when nobody may or does
-/// drive them: while an operator holds the robot or a device is missing, when a state is entered
-/// whose schemas do not drive, and when no schema has driven for the timeout.
+/// Passes the commands of the schemas on to the motors, and stops the motors when no schema may
+/// drive or none does. That is the case while an operator holds the robot or a device is missing,
+/// when the program enters a state whose schemas do not drive, and when no schema has driven for
+/// the timeout.
 class GuardedDrive final : public MotorDrive {
  public:
   explicit GuardedDrive(MotorDrive& motors) : motors_(motors) {}
 
   void set_timeout(Duration timeout) noexcept { timeout_ = timeout; }
-  /// Before the motor schemas run. `free`: they may drive.
+  /// Is called before the motor schemas run. `free` tells whether they may drive.
   void begin(Time now, bool free) noexcept;
-  /// After they ran.
+  /// Is called after the motor schemas ran.
   void finish(bool state_changed) noexcept;
 
   void sense(Time now) noexcept override { motors_.sense(now); }

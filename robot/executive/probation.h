@@ -8,7 +8,7 @@
 
 namespace galilean::robot {
 
-/// How long a new program is watched, and how restless it may be.
+/// How long a new program is watched, and how often it may change its state.
 struct ProbationRules {
   /// There is room to count so many.
   static constexpr int kMostCounted = 200;

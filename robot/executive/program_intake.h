@@ -13,32 +13,32 @@
 
 namespace galilean::robot {
 
-/// An operator's word against a program.
+/// An operator's order to replace a program by the one that ran before it.
 struct RollbackOrder {
   ProgramId program = 0;
   ShortText reason;
 };
 
-/// The way into an executive for threads other than the control loop: they bring programs and
-/// orders, which the control loop takes without waiting, and find here what a program's numbers
-/// mean. Every method says which side may call it.
+/// The entrance of an executive for threads other than the control loop. They hand in programs and
+/// orders, and the control loop takes these without waiting. They also find the description of each
+/// program here. Every method says which side may call it.
 class ProgramIntake {
  public:
   /// Any thread but control. Builds `program` under the next number and lets it wait for a tick.
   /// Errors: another one still waits; the program cannot be built.
   [[nodiscard]] Result<ProgramId> load(bhdl::Program program, const BuildMaterial& material);
-  /// Any thread but control. False if too many orders wait.
+  /// Any thread but control. Returns false if too many orders wait.
   [[nodiscard]] bool order_rollback(const RollbackOrder& order);
   /// Any thread but control: destroys programs that were replaced. `load` does so too.
   void collect();
-  /// Any thread but control. Null for a program that sixteen others came after.
+  /// Any thread but control. Returns null if sixteen other programs came after this one.
   [[nodiscard]] std::shared_ptr<const Description> description(ProgramId id) const;
   /// Any thread: a program waits for its first tick.
   [[nodiscard]] bool waiting() const noexcept { return exchange_.waiting(); }
 
-  /// Control: null if none waits.
+  /// Control: takes the program that waits. Returns null if none does.
   [[nodiscard]] std::unique_ptr<RunningProgram> take() noexcept { return exchange_.take(); }
-  /// Control: the oldest order that waits.
+  /// Control: takes the oldest order that waits.
   [[nodiscard]] std::optional<RollbackOrder> take_order() noexcept { return orders_.pop(); }
   /// Control: hands back what runs no longer, to be destroyed by another thread.
   void retire(std::unique_ptr<RunningProgram> program) noexcept {

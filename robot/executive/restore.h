@@ -9,7 +9,7 @@
 
 namespace galilean::robot {
 
-/// A variable as telemetry tells it.
+/// A variable in the form that telemetry publishes.
 struct VariableSituation {
   std::string name;
   std::string type;          ///< "locate"

@@ -26,7 +26,7 @@ class SchemaRunner {
   [[nodiscard]] bool failed() const noexcept { return failed_; }
   /// Returns the message of the exception that the schema threw.
   [[nodiscard]] const ShortText& failure() const noexcept { return failure_; }
-  /// The tick in which it last ran; 0: never.
+  /// Returns the number of the tick in which the schema last ran, or 0 if it never did.
   [[nodiscard]] std::uint64_t last_run() const noexcept { return last_run_; }
 
  private:

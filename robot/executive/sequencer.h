@@ -9,12 +9,13 @@
 
 namespace galilean::robot {
 
-/// Index of the first condition, in the order of the text, that holds at `now`: its bit has the
-/// value asked for and its variable is valid. On an invalid variable none ever holds.
+/// Returns the index of the first condition, in the order of the text, that holds at `now`, or
+/// nothing. A condition holds if its variable is valid and its bit has the value asked for.
 [[nodiscard]] std::optional<std::uint32_t> first_that_holds(const RunningState& state,
                                                             Time now) noexcept;
 
-/// Every condition of the state as it is at `now`.
+/// Tests every condition of the state at `now`. Conditions beyond TestedConditions::kMost are left
+/// out.
 [[nodiscard]] TestedConditions test_all(const RunningState& state, Time now) noexcept;
 
 /// What a condition does when it fires, besides changing the state: it writes the tested bit as

@@ -11,7 +11,7 @@
 
 namespace galilean::robot {
 
-/// A tick as it was at its end, copied whole: names are indices into the program's description.
+/// A copy of all that a tick shows at its end. Names are indices into the program's description.
 struct Snapshot {
   static constexpr std::size_t kMostVariables = 256;
   static constexpr std::size_t kMostForces = 128;
@@ -68,8 +68,8 @@ struct Snapshot {
   StaticVector<SightingSample, kMostSightings> sightings;  ///< of that picture
 };
 
-/// Hands what happens in the tick to one thread that tells others of it: the newest snapshot, and
-/// every event. Wait-free on both sides.
+/// Hands the newest snapshot and every event from the control loop to the one thread that publishes
+/// them. Neither thread waits.
 class SnapshotTap final : public TickObserver {
  public:
   void on_event(const Event& event) noexcept override;
@@ -77,12 +77,13 @@ class SnapshotTap final : public TickObserver {
 
   /// Reader. Take events first, then the snapshot: it is then as new as they are or newer.
   std::optional<Event> next_event() noexcept { return events_.pop(); }
-  /// Reader: false if there was no tick since.
+  /// Reader: takes the newest snapshot over. Returns false if there was no tick since the last
+  /// call.
   bool take() noexcept { return snapshots_.take(); }
   [[nodiscard]] const Snapshot& newest() const noexcept { return snapshots_.reading(); }
-  /// Reader: the longest tick is sought anew.
+  /// Reader: lets the search for the longest tick begin again.
   void restart_longest() noexcept { restart_longest_.store(true, std::memory_order_relaxed); }
-  /// Events that found no room because nobody took them.
+  /// Returns how many events were lost because the reader did not take older ones in time.
   [[nodiscard]] std::uint32_t lost_events() const noexcept { return lost_events_.load(); }
 
  private:

@@ -9,12 +9,12 @@
 
 namespace galilean::robot {
 
-/// A queue from one writer thread to one reader thread, wait-free on both sides; its room is
-/// inside.
+/// A queue from one writer thread to one reader thread. Neither thread waits. The items are stored
+/// inside the object.
 template <class T, std::size_t Capacity>
 class SpscRing {
  public:
-  /// Writer: false, and nothing taken over, when it is full.
+  /// Writer: appends an item. Returns false, and appends nothing, when the queue is full.
   bool push(T item) noexcept {
     const std::size_t end = end_.load(std::memory_order_relaxed);
     if (end - begin_.load(std::memory_order_acquire) == Capacity) return false;
@@ -23,7 +23,7 @@ class SpscRing {
     return true;
   }
 
-  /// Reader: the oldest, if there is one.
+  /// Reader: takes the oldest item. Returns nothing if the queue is empty.
   std::optional<T> pop() noexcept {
     const std::size_t begin = begin_.load(std::memory_order_relaxed);
     if (begin == end_.load(std::memory_order_acquire)) return std::nullopt;

@@ -10,7 +10,7 @@
 
 namespace galilean::robot {
 
-/// FNV-1a of 64 bits, to tell whether two runs went the same way.
+/// A 64-bit FNV-1a hash. Equal hashes show that two runs went the same way.
 class StateHash {
  public:
   void add(std::uint64_t number) noexcept {

@@ -17,9 +17,10 @@ struct Handover {
   Verdict verdict;                           ///< of a rollback: why
 };
 
-/// Which program runs, which ones to go back to, and whether the one that runs has proven itself.
-/// A program that replaces another is in probation. It is taken off, for the last one that proved
-/// itself, when it fails there; and at any time when an order says so. Belongs to the control loop.
+/// Knows which program runs, which programs it can go back to, and whether the running program has
+/// proven itself. A program that replaces another is in probation. If it fails there, the last
+/// program that proved itself replaces it. An order can also end a program at any time. Belongs to
+/// the control loop.
 class Succession {
  public:
   explicit Succession(ProgramIntake& intake) : intake_(intake) {}

@@ -19,7 +19,7 @@ void carry_over(RunningProgram& from, RunningProgram& to, Time now) noexcept;
 /// program and the one it was left in of an old one.
 [[nodiscard]] std::uint32_t successor_state(const RunningProgram& from,
                                             const RunningProgram& to) noexcept;
-/// The same after a state that is known by its name alone.
+/// Does the same for a state of which only the name, `left`, is known.
 [[nodiscard]] std::uint32_t successor_state(const std::string& left,
                                             const RunningProgram& to) noexcept;
 

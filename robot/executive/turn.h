@@ -5,8 +5,9 @@
 
 namespace galilean::robot {
 
-/// Waits until no program waits for its first tick, so that another one can be loaded; any thread
-/// but control. False if that takes a second: the control loop stands still.
+/// Blocks until no program waits for its first tick, so that another one can be loaded. Returns
+/// false if that takes more than a second, which means that the control loop stands still.
+/// Requires: the caller is not the control loop.
 [[nodiscard]] bool wait_for_turn(const Executive& executive);
 
 }  // namespace galilean::robot

@@ -13,7 +13,7 @@ namespace galilean::robot {
 using VariableRef = std::variant<Variable<Shaft>*, Variable<Image>*, Variable<Locate>*,
                                  Variable<Bits>*, Variable<Force>*>;
 
-/// Nothing if the store has no variable of that name.
+/// Returns nothing if the store has no variable of that name.
 [[nodiscard]] inline std::optional<VariableRef> find_variable(VariableStore& variables,
                                                               std::string_view name) noexcept {
   std::optional<VariableRef> found;

@@ -14,7 +14,8 @@ namespace galilean::robot::firmware {
 /// profiles and loops itself, and an old target cannot drive on.
 class DriveTrain {
  public:
-  /// False, and nothing changed, if a value is not finite or cannot be worked with.
+  /// Sets the parameters. Returns false, and changes nothing, if a value is not finite or not
+  /// usable.
   [[nodiscard]] bool set(const Parameters& parameters);
   bool configured() const { return configured_; }
 

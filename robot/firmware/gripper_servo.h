@@ -7,8 +7,8 @@
 
 namespace galilean::robot::firmware {
 
-/// Leads the gripper's servo at a steady pace between its ends. The servo tells nothing back: the
-/// position is the one it was told, which it follows at this pace, or holds on to what stops it.
+/// Moves the gripper's servo between its ends at a constant speed. The servo reports nothing back.
+/// The position is therefore the commanded one. The servo follows it, or presses on what stops it.
 class GripperServo {
  public:
   /// From one end to the other.
@@ -16,7 +16,7 @@ class GripperServo {
 
   void close() { wanted_ms_ = kStroke_ms; }
   void open() { wanted_ms_ = 0; }
-  /// In permille, where the servo is to stand after the next `elapsed_ms`.
+  /// Returns the position for the servo after the next `elapsed_ms`, in permille.
   std::int16_t step(std::int32_t elapsed_ms);
 
   GripperState state() const;

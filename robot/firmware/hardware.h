@@ -12,7 +12,7 @@ inline constexpr std::int16_t kFullPwm = 1000;
 /// Shaft encoder counts in one of the paper's ticks (a tick is 1/3.25 cm).
 inline constexpr std::int32_t kCountsPerTick = 16;
 
-/// What the board's pins tell.
+/// The readings of the board's input pins.
 struct Inputs {
   std::int32_t left_encoder_counts = 0;   ///< forward counts up; wraps around
   std::int32_t right_encoder_counts = 0;  ///< forward counts up; wraps around
@@ -20,7 +20,7 @@ struct Inputs {
   bool beam_broken = false;               ///< something stands between the gripper's hands
 };
 
-/// What the board's pins are told.
+/// The values for the board's output pins.
 struct Outputs {
   std::int16_t left_pwm = 0;          ///< -kFullPwm … kFullPwm; 0 brakes
   std::int16_t right_pwm = 0;         ///< -kFullPwm … kFullPwm; 0 brakes
@@ -33,9 +33,9 @@ class Hardware {
  public:
   virtual Inputs read() = 0;
   virtual void write(const Outputs& outputs) = 0;
-  /// Takes bytes that came over the serial line; the number taken, 0 when none wait.
+  /// Reads bytes that came over the serial line. Returns how many, 0 when none wait.
   virtual std::size_t receive(std::span<std::uint8_t> bytes) = 0;
-  /// Hands bytes to the serial line; the number it took, 0 when its buffer is full.
+  /// Writes bytes to the serial line. Returns how many it took, 0 when its buffer is full.
   virtual std::size_t send(std::span<const std::uint8_t> bytes) = 0;
 
  protected:

@@ -7,8 +7,9 @@
 
 namespace galilean::robot::firmware {
 
-/// Switches that bounce, and pushes shorter than the time between two Status messages: a switch is
-/// on at once, and off only after it was off for the hold time without a break.
+/// Debounces switches. A switch counts as on at once. It counts as off only after it was off for
+/// the hold time without a break. So a push shorter than the time between two Status messages is
+/// seen.
 class HeldSwitches {
  public:
   static constexpr std::size_t kSwitches = 9;

@@ -11,7 +11,7 @@
 
 namespace galilean::robot::firmware {
 
-/// Encodes a message whole; the number of bytes written.
+/// Encodes a whole message. Returns the number of bytes written.
 template <class Message>
 std::size_t encode_message(const Message& message, std::uint16_t sequence,
                            std::span<std::uint8_t, kMaxEncoded> out) {
@@ -23,8 +23,8 @@ std::size_t encode_message(const Message& message, std::uint16_t sequence,
   return encode({static_cast<std::uint8_t>(Message::kType), sequence, used}, out);
 }
 
-/// Reads the frame's payload; false if its length is not this message's, and `message` is as it
-/// was.
+/// Decodes the payload of a frame. Returns false, and leaves `message` as it was, if the length is
+/// not that of this message.
 template <class Message>
 bool unpack(const Frame& frame, Message& message) {
   if (frame.payload.size() != payload_size<Message>()) return false;

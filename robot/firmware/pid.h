@@ -9,7 +9,7 @@ struct PidGains {
   float derivative = 0;    ///< output per unit of measured change a second
 };
 
-/// What is controlled, as it was measured.
+/// The measured value of the controlled quantity.
 struct Measured {
   float value = 0;
   float change_s = 0;  ///< of the value a second
@@ -23,7 +23,7 @@ class Pid {
   void set(const PidGains& gains, float output_limit);
   /// Forgets the integral.
   void reset();
-  /// The output after `dt_s` more seconds.
+  /// Advances the loop by `dt_s` seconds. Returns its output.
   float step(float wanted, const Measured& measured, float dt_s);
 
  private:

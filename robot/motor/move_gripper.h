@@ -16,9 +16,8 @@ namespace galilean::robot {
 ///
 ///   reads     bits_variable, if it is given
 ///   commands  comm_port, in every tick
-///   law       With bits_variable: close if bit `bit_index` is 1, open if it is 0, nothing while
-///   the
-///             variable is invalid. Without: what `command` says.
+///   law       With bits_variable: close if bit `bit_index` is 1, open if it is 0, nothing
+///             while the variable is invalid. Without it: what `command` says.
 ///   source    the paper
 class MoveGripper final : public MotorSchema {
  public:

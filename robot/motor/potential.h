@@ -3,8 +3,8 @@
 
 namespace galilean::robot {
 
-/// Repulsion without unit: `limit` if d <= min; limit · (max - d) / (max - min) if d < max; else 0.
-/// All distances in metres.
+/// Returns a repulsion without unit: `limit` if d <= min; limit · (max - d) / (max - min) if d <
+/// max; else 0. All distances in metres.
 [[nodiscard]] constexpr double linear_repulsion(double distance_m, double min_m, double max_m,
                                                 double limit) noexcept {
   if (distance_m <= min_m) return limit;

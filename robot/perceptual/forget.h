@@ -9,12 +9,12 @@
 
 namespace galilean::robot {
 
-/// Says how fast the robot forgets.
+/// Sets how fast the robot forgets.
 ///
 ///   updates  variables (of any type): the rate at which their certainty falls
-///   law      certainty(t) = certainty(t_write) - (t - t_write) / time, never below 0, where
-///   t_write
-///            is when a schema last wrote the variable. The rate stays after the schema has run.
+///   law      certainty(t) = certainty(t_write) - (t - t_write) / time, never below 0. A schema
+///   last
+///            wrote the variable at t_write. The rate stays after the schema has run.
 ///   source   the paper's "forget variables"
 class Forget final : public PerceptualSchema {
  public:

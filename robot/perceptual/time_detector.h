@@ -7,7 +7,7 @@
 
 namespace galilean::robot {
 
-/// An alarm clock.
+/// Trigger: a time has passed since the state was entered.
 ///
 ///   writes  bits_variable: bit `bit_index` is 1 once `duration` has passed since a state that
 ///           lists this schema was entered, 0 before

@@ -9,7 +9,8 @@
 
 namespace galilean::robot {
 
-/// Whose programs a robot takes: processes by the names that they joined the DDS domain with.
+/// The processes whose programs a robot accepts, by the names with which they joined the DDS
+/// domain.
 class AcceptedSenders {
  public:
   static constexpr const char* kAny = "any";
@@ -18,8 +19,8 @@ class AcceptedSenders {
   explicit AcceptedSenders(std::vector<std::string> names = {wire::kMonitorName})
       : names_(std::move(names)) {}
 
-  /// Why nothing is taken from `sender`, and what to do; empty if it is. Nobody knows the name of a
-  /// sender that has left.
+  /// Returns why the robot accepts nothing from `sender` and what to do, or an empty text if it
+  /// accepts. The name of a sender that has left is not known.
   [[nodiscard]] std::string objection(const std::optional<std::string>& sender) const;
 
  private:

@@ -9,11 +9,11 @@
 
 namespace galilean::robot {
 
-/// Does what operators say: hold, resume, push a bumper, commission and decommission. Commands act
-/// from the next tick on.
+/// Carries out the operators' commands: hold, resume, push a bumper, commission and decommission. A
+/// command takes effect in the next tick.
 class CommandReceiver {
  public:
-  /// Throws std::runtime_error if DDS refuses the topic.
+  /// Errors: throws std::runtime_error if DDS refuses the topic.
   CommandReceiver(const TelemetrySource& source, const Worker::Report& report);
 
  private:

@@ -9,15 +9,15 @@
 
 namespace galilean::robot {
 
-/// Makes messages of what the tick handed out. Names come from the description of the program that
-/// the snapshot or event speaks of.
+/// Makes messages from snapshots and events. Names come from the description of the program to
+/// which the snapshot or event belongs.
 class Composer {
  public:
   Composer(std::string robot, const Clock& clock) : robot_(std::move(robot)), wall_(clock) {}
 
   void refresh_time() noexcept { wall_.refresh(); }
 
-  /// `program` may be null: none runs then.
+  /// `program` is null if no program runs.
   [[nodiscard]] msg::RobotState state(const Snapshot& snapshot, const Description* program,
                                       const std::vector<Problem>& problems) const;
   [[nodiscard]] msg::Variables variables(const Snapshot& snapshot,

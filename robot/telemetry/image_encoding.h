@@ -7,10 +7,10 @@
 
 namespace galilean::robot {
 
-/// A picture of 352 × 186 pixels, red, green and blue interleaved, as JPEG into `to`.
+/// Encodes a picture of 352 × 186 pixels, red, green and blue interleaved, as JPEG into `to`.
 void encode_jpeg(std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& to);
 
-/// A picture of 352 × 186 pixels, one byte each, as PNG into `to`: loses nothing.
+/// Encodes a picture of 352 × 186 pixels, one byte each, as PNG into `to`, without loss.
 void encode_png(std::span<const std::uint8_t> gray, std::vector<std::uint8_t>& to);
 
 }  // namespace galilean::robot

@@ -10,10 +10,11 @@
 
 namespace galilean::robot {
 
-/// Shows the camera (JPEG) and what schemas make of it (PNG), each only while somebody reads it.
+/// Publishes the camera's picture (JPEG) and the pictures that schemas make of it (PNG). Each is
+/// published only while its topic has a reader.
 class ImagePublisher {
  public:
-  /// Throws std::runtime_error if DDS refuses a topic.
+  /// Errors: throws std::runtime_error if DDS refuses a topic.
   ImagePublisher(const TelemetrySource& source, ImageTap& tap, Worker::Report report);
 
  private:

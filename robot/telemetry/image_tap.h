@@ -38,7 +38,7 @@ class ImageTap final : public TickObserver {
   [[nodiscard]] const std::vector<std::string>& channels() const noexcept { return names_; }
   /// Reader.
   void want(ImageChannel channel, bool wanted) noexcept;
-  /// Reader: false if there was no new picture since.
+  /// Reader: takes the newest picture over. Returns false if there was none since the last call.
   bool take(ImageChannel channel) noexcept;
   [[nodiscard]] const Picture& newest(ImageChannel channel) const noexcept;
 

@@ -19,7 +19,7 @@ namespace galilean::robot {
 /// nothing and is answered with the reason and every diagnostic.
 class ProgramReceiver {
  public:
-  /// Throws std::runtime_error if DDS refuses a topic.
+  /// Errors: throws std::runtime_error if DDS refuses a topic.
   ProgramReceiver(const TelemetrySource& source, Worker::Report report);
 
   /// The publisher's thread: answers for programs that began to run, proved themselves or did not.

@@ -15,7 +15,8 @@
 
 namespace galilean::robot {
 
-/// Where telemetry takes what it tells from. All of it must outlive whoever is made of it.
+/// The sources of what telemetry publishes. Requires: they outlive the objects that are made from
+/// this.
 struct TelemetrySource {
   std::string robot;
   wire::Participant& participant;
@@ -36,7 +37,7 @@ class Publisher {
   /// Also sees every event, in the publisher's thread.
   using EventListener = std::function<void(const Event&)>;
 
-  /// Throws std::runtime_error if DDS refuses a topic.
+  /// Errors: throws std::runtime_error if DDS refuses a topic.
   Publisher(const TelemetrySource& source, LogQueue& log, const ThreadProblems& threads,
             EventListener listener);
 

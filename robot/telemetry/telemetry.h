@@ -14,7 +14,7 @@ namespace galilean::robot {
 /// before this is made and after it is gone.
 class Telemetry {
  public:
-  /// Throws std::runtime_error if DDS refuses a topic.
+  /// Errors: throws std::runtime_error if DDS refuses a topic.
   Telemetry(const TelemetrySource& source, ImageTap& images)
       : log_forwarding_(log_),
         programs_(source, problems_.reporter("program_receiver")),

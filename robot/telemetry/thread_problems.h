@@ -11,7 +11,8 @@
 
 namespace galilean::robot {
 
-/// What the robot's own threads cannot do at the moment. Any thread but the control loop.
+/// The problems that the robot's threads have at the moment. Any thread but the control loop may
+/// call it.
 class ThreadProblems {
  public:
   /// For the worker that the operator knows as `subject`. This must outlive it.

@@ -19,10 +19,10 @@ namespace galilean::robot {
 /// event left.
 [[nodiscard]] std::string cause_of(const Event& transition, const Description& from);
 
-/// Why a program was taken off again; `of` is that program.
+/// Returns why a program was rolled back. `of` is that program.
 [[nodiscard]] std::string fault_of(const Event& rollback, const Description& of);
 
-/// Something that is wrong.
+/// A fault of a device or of a schema.
 struct Problem {
   std::string subject;   ///< the name of a device or of a schema
   std::string sentence;  ///< what is wrong and what to do

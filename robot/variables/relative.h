@@ -21,13 +21,13 @@ struct RelativeObject {
   [[nodiscard]] Vec2 towards() const noexcept;
 };
 
-/// Nothing while either variable is invalid.
+/// Returns where the object is, or nothing while either variable is invalid.
 [[nodiscard]] std::optional<RelativeObject> relative_object(const Variable<Locate>& object,
                                                             const Variable<Shaft>& shaft,
                                                             Time now) noexcept;
 
-/// Whether a force takes part in this tick: valid, and either written in it or a constant. A force
-/// whose schema did not run does not count.
+/// Returns whether a force takes part in this tick. It does if it is valid, and was either written
+/// in this tick or is a constant. A force whose schema did not run does not count.
 [[nodiscard]] bool acts(const Variable<Force>& force, const Tick& tick) noexcept;
 
 }  // namespace galilean::robot

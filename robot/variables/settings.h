@@ -12,7 +12,7 @@ struct ReliabilitySettings {
   double certainty = 1;
   double memory_s = 60;
 
-  /// As of the start of the program.
+  /// Returns the reliability that the variable has when the program starts.
   [[nodiscard]] Reliability reliability() const noexcept;
 };
 

@@ -37,7 +37,7 @@ class BlobFinder {
   const Blobs& find(std::span<const std::uint8_t> pixels, Threshold threshold,
                     std::uint32_t min_area_px) noexcept;
 
-  /// True if the last picture had more regions or blobs than there is room for.
+  /// Returns whether the last picture had more regions or blobs than there is room for.
   [[nodiscard]] bool overflowed() const noexcept { return overflowed_; }
 
  private:

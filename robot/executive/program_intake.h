@@ -31,7 +31,8 @@ class ProgramIntake {
   [[nodiscard]] bool order_rollback(const RollbackOrder& order);
   /// Any thread but control: destroys programs that were replaced. `load` does so too.
   void collect();
-  /// Any thread but control. Returns null if sixteen other programs came after this one.
+  /// Any thread but control. Returns null for a program that no longer exists, if sixteen others
+  /// came after it.
   [[nodiscard]] std::shared_ptr<const Description> description(ProgramId id) const;
   /// Any thread: a program waits for its first tick.
   [[nodiscard]] bool waiting() const noexcept { return exchange_.waiting(); }

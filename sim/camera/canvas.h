@@ -12,7 +12,7 @@
 
 namespace galilean::sim {
 
-/// What all painters of one picture share.
+/// The data that all painters of one picture share.
 struct Canvas {
   static constexpr int kWidth = Frame::kWidth;
   static constexpr int kHeight = Frame::kHeight;
@@ -40,7 +40,7 @@ struct Canvas {
   }
 };
 
-/// First pixel whose centre lies at or after `edge`, inside 0 … limit.
+/// Returns the first pixel whose centre lies at or after `edge`, inside 0 … limit.
 [[nodiscard]] inline int first_pixel(float edge, int limit) noexcept {
   if (!(edge > 0)) return 0;
   if (edge >= static_cast<float>(limit)) return limit;

@@ -9,7 +9,7 @@ namespace galilean::sim {
 /// noisy strips, which are made once a band. Columns where furniture hides it stay as they are.
 void paint_face(Canvas& canvas, const Face& face, const ProjectedFace& projected);
 
-/// Notes in `canvas.furniture` where this face stands.
+/// Writes the depth of this face into `canvas.furniture`, for each column that it covers.
 void mark_furniture(Canvas& canvas, const ProjectedFace& projected);
 
 }  // namespace galilean::sim

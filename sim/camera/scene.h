@@ -66,9 +66,10 @@ struct Scene {
   std::vector<Pose2> robot_poses;
 };
 
-/// All that never moves.
+/// Returns the scene with everything that never moves.
 [[nodiscard]] Scene scene_of(const Scenario& scenario);
-/// Takes over what moves. Allocates only when it first sees a world.
+/// Copies everything that moves from the world into the scene. Allocates only when it first sees a
+/// world.
 void look_at(const World& world, Scene& scene);
 
 }  // namespace galilean::sim

@@ -12,7 +12,7 @@ namespace galilean::sim {
 /// behind a symbolic link. Unplugged, the link is gone and who has it open is hung up on.
 class PtyLine final : public robot::ByteStream {
  public:
-  /// `link`: where robots find the line.
+  /// `link` is the path of the symbolic link under which robots find the line.
   explicit PtyLine(std::string link);
   ~PtyLine() override;
   PtyLine(const PtyLine&) = delete;

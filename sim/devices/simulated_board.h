@@ -18,7 +18,8 @@ class SimulatedBoard final : private robot::firmware::Hardware {
   SimulatedBoard(RobotBody& body, robot::ByteStream& line, const std::string& robot_name,
                  std::uint16_t boot_count = 1);
 
-  /// To be called every few milliseconds, with the time since power-up.
+  /// Runs the firmware. Requires: it is called every few milliseconds, with the time since
+  /// power-up.
   void update(std::uint32_t now_ms) { firmware_.update(now_ms); }
   /// The robot on the other end was heard.
   [[nodiscard]] bool heard() const noexcept { return heard_; }

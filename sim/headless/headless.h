@@ -39,7 +39,7 @@ class HeadlessContest {
       const Scenario& scenario, const Registry& components, const bhdl::Program& program,
       const HeadlessOptions& options);
 
-  /// Error: a robot never came up; the message is its own.
+  /// Errors: a robot never came up. The message is that robot's.
   Result<bool> run();
 
   [[nodiscard]] const World& world() const noexcept { return *world_; }

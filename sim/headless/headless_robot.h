@@ -48,12 +48,12 @@ class HeadlessRobot final : private robot::DeviceTuner {
 
   Result<robot::ProgramId> load(bhdl::Program program);
 
-  /// The board, the line and the link, once every step of the world.
+  /// Runs the link and the board. It is called once in every step of the world.
   void run_board(Time now);
   void take_picture(Time now);
   void tick();
   void note(double dt_s);
-  /// Between ticks: its program goes on from there.
+  /// Lets the program continue from `situation`. Requires: no tick is under way.
   void restore(const robot::Situation& situation) { executive_.restore(situation); }
 
   [[nodiscard]] bool connected() const noexcept { return link_.healthy(); }
@@ -61,7 +61,7 @@ class HeadlessRobot final : private robot::DeviceTuner {
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   [[nodiscard]] const robot::Executive& executive() const noexcept { return executive_; }
   [[nodiscard]] const RobotBody& body() const noexcept { return body_; }
-  /// Where it believes to be, in the arena's frame, had it known its start.
+  /// Returns the pose by dead reckoning in the arena's frame, computed from the robot's true start.
   [[nodiscard]] Pose2 believed_pose() const;
   [[nodiscard]] RobotStatistics statistics() const;
 

@@ -8,12 +8,12 @@
 
 namespace galilean::sim {
 
-/// What a headless contest came to, as one JSON object.
+/// Returns the results of a headless contest as one JSON object.
 [[nodiscard]] nlohmann::ordered_json report(const HeadlessContest& contest,
                                             const HeadlessOptions& options,
                                             const bhdl::Program& program, double wall_s);
 
-/// The same in a few lines for people.
+/// Returns a report in a few lines for people.
 [[nodiscard]] std::string summary(const nlohmann::ordered_json& report);
 
 }  // namespace galilean::sim

@@ -26,13 +26,13 @@ struct TeamSituation {
   int unseen_pieces = 0;  ///< that lie somewhere: strewn by the seed
 };
 
-/// Errors are one line: file, JSON path, what is expected.
+/// Reads a situation from a JSON file. Errors: one line with file, JSON path and what is expected.
 [[nodiscard]] Result<TeamSituation> load_situation(const std::string& path);
 [[nodiscard]] Result<TeamSituation> situation_from_json(const std::string& text,
                                                         const std::string& file_name);
 
-/// The scenario's arena, furniture and rules with the situation's robots, pieces and baskets. A
-/// basket of the scenario that the map has not found stays where the scenario says.
+/// Returns the scenario's arena, furniture and rules with the situation's robots, pieces and
+/// baskets. A basket of the scenario that the map has not found stays where the scenario says.
 [[nodiscard]] Scenario scenario_of(const Scenario& arena, const TeamSituation& situation);
 
 }  // namespace galilean::sim

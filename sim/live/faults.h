@@ -22,7 +22,7 @@ struct DeviceFault {
   }
 };
 
-/// "camera:io@20-30" or "serial:io@20-30".
+/// Parses "camera:io@20-30" or "serial:io@20-30".
 [[nodiscard]] Result<DeviceFault> parse_fault(const std::string& text);
 
 [[nodiscard]] bool is_faulty(const std::vector<DeviceFault>& faults, FaultyDevice device,

@@ -33,11 +33,11 @@ class LiveContest {
   [[nodiscard]] static Result<std::unique_ptr<LiveContest>> make(const Scenario& scenario,
                                                                  const LiveOptions& options);
 
-  /// One line of JSON: where robots find their devices.
+  /// Returns one line of JSON that says where robots find their devices.
   [[nodiscard]] std::string ready_line() const;
   /// Until `ending`. What goes wrong is told once a second on stderr, and tried again.
   void run(const std::atomic<bool>& ending);
-  /// One line of JSON: the referee's sheet.
+  /// Returns the referee's sheet as one line of JSON.
   [[nodiscard]] std::string score_line() const;
 
  private:

@@ -20,10 +20,11 @@ class LiveRobot {
  public:
   /// `folder`: for the serial line's link, `<robot>.serial`. `ring`: name of the shared memory.
   LiveRobot(World& world, std::size_t index, const std::string& folder, std::string ring);
-  /// Both devices are there.
+  /// Plugs in both devices: the serial line and the camera.
   [[nodiscard]] Result<bool> plug_in();
 
-  /// Unplugs and plugs in as the faults say; what cannot be plugged in is tried again each time.
+  /// Unplugs the devices that are faulty at `now_s` and plugs in the others. Each call tries again
+  /// to plug in a device that could not be plugged in before.
   [[nodiscard]] Result<bool> suffer(const std::vector<DeviceFault>& faults, double now_s);
   void run_board(std::uint32_t now_ms) { board_.update(now_ms); }
   void take_picture(const Scene& scene, Renderer& renderer);
@@ -31,7 +32,7 @@ class LiveRobot {
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   [[nodiscard]] const std::string& serial_path() const noexcept { return line_.name(); }
   [[nodiscard]] const std::string& ring_name() const noexcept { return ring_name_; }
-  /// Somebody spoke to the board since power-up.
+  /// Returns whether the board heard from a robot since power-up.
   [[nodiscard]] bool connected() const noexcept { return board_.heard(); }
 
  private:

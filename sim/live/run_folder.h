@@ -8,8 +8,8 @@
 
 namespace galilean::sim {
 
-/// A folder for one run's serial lines: $XDG_RUNTIME_DIR/galilean-<run>, or below /tmp. One
-/// simulator a run: a second one is refused. Goes, with what is in it, when this object goes.
+/// A folder for one run's serial lines: $XDG_RUNTIME_DIR/galilean-<run>, or below /tmp. Only one
+/// simulator can own the folder of a run. The folder and its content are removed with this object.
 class RunFolder {
  public:
   [[nodiscard]] static Result<RunFolder> make(const std::string& run);

@@ -8,7 +8,7 @@
 
 namespace galilean::sim {
 
-/// Writes a picture as PNG (or what else the file's extension says). Gives back the path.
+/// Writes a picture as PNG, or in another format that the file's extension names. Returns the path.
 [[nodiscard]] Result<std::string> write_snapshot(const Frame& frame, const std::string& path);
 
 }  // namespace galilean::sim

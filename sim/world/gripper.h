@@ -22,13 +22,15 @@ class Gripper {
 
   Gripper(Physics& physics, b2Body& robot);
 
-  /// Where the servo stands, 0 open … 1000 closed.
+  /// Sets the position of the servo: 0 is open, 1000 is closed.
   void set_servo(int permille);
-  /// After a step of the world: lets go of what slipped out. True if the hold ended just now.
+  /// Lets go of a body that slipped out. It is called after each step of the world. Returns whether
+  /// the hands let go of a body since the last call.
   bool update();
-  /// The body is about to leave the world: lets go of it, without a word.
+  /// Lets go of a body that is about to leave the world. `update` does not report it.
   void forget(BodyTag body);
-  /// Something crosses the line from hand to hand.
+  /// Returns whether the beam between the hands is broken. With closed hands it is broken while
+  /// they hold a body.
   [[nodiscard]] bool beam_broken() const;
   [[nodiscard]] std::optional<BodyTag> held() const;
   /// What the hands held before `update` said that they let go.

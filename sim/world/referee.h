@@ -15,7 +15,7 @@ namespace galilean::sim {
 enum class Phase { kWaiting, kRunning, kOver };
 [[nodiscard]] const char* to_string(Phase phase) noexcept;
 
-/// The sheet of one robot.
+/// The counts of one robot on the score sheet.
 struct RobotTally {
   unsigned deposited = 0;
   unsigned collisions = 0;

@@ -25,7 +25,7 @@ class RobotBody {
   void apply(const robot::firmware::Outputs& outputs);
 
   void before_step(double dt_s);
-  /// True if the gripper let go of something in this step.
+  /// Returns whether the gripper let go of something in this step.
   bool after_step(const std::vector<Touch>& touches);
 
   /// Somebody's hand on a switch, until the next call.

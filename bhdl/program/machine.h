@@ -8,7 +8,7 @@
 
 namespace galilean::bhdl {
 
-/// A condition in words: "gripper[0] is 1".
+/// Returns a condition in words: "gripper[0] is 1".
 [[nodiscard]] std::string cause(const Condition& condition);
 
 /// A program's state machine: {name, hash, start_state, states, transitions, on_swap}. States have

@@ -8,7 +8,7 @@
 
 namespace galilean::bhdl {
 
-/// A value as a program would write it: `yes`, `<0, -1>`, `"trash" "basket"`.
+/// Returns a value as a program would write it: `yes`, `<0, -1>`, `"trash" "basket"`.
 [[nodiscard]] std::string value_in_words(const Value& value);
 /// The same with the unit's symbol behind it, if it has one: `5 s`.
 [[nodiscard]] std::string value_in_words(const Value& value, const Unit& unit);

@@ -22,7 +22,7 @@ namespace galilean::bhdl {
 /// first thousands are looked at: a hint is worth no more.
 [[nodiscard]] std::string nearest(std::string_view word, std::span<const std::string_view> names);
 
-/// The names of `specs`, in order.
+/// Returns the names of `specs`, in their order.
 template <class Specs>
 [[nodiscard]] std::vector<std::string_view> names_of(const Specs& specs) {
   std::vector<std::string_view> names;

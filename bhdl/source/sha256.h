@@ -9,7 +9,7 @@
 
 namespace galilean::bhdl {
 
-/// SHA-256 (FIPS 180-4) of `bytes`, as 64 hexadecimal digits.
+/// Returns the SHA-256 (FIPS 180-4) of `bytes` as 64 hexadecimal digits.
 [[nodiscard]] std::string sha256(std::string_view bytes);
 
 /// A program's name: SHA-256 over the path and the text of every file in order. Each string is

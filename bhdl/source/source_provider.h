@@ -28,7 +28,7 @@ class SourceProvider {
   /// `path` is relative to the main file's folder, without `.` and needless `..`.
   [[nodiscard]] virtual Result<std::string, ReadFailure> read(const std::string& path,
                                                               std::size_t most_bytes) const = 0;
-  /// How diagnostics name the file.
+  /// Returns the name that diagnostics use for the file.
   [[nodiscard]] virtual std::string shown(const std::string& path) const = 0;
 };
 
@@ -44,7 +44,7 @@ class DiskSources : public SourceProvider {
   std::filesystem::path folder_;
 };
 
-/// Texts that are already here; nothing else can be read.
+/// Provides texts that are already in memory. No other file can be read.
 class MemorySources : public SourceProvider {
  public:
   /// `files` must outlive this. Of two with one path, the first counts.

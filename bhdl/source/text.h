@@ -19,15 +19,15 @@ struct BadText {
 /// breaks UTF-8.
 [[nodiscard]] std::optional<BadText> find_bad_text(std::string_view text) noexcept;
 
-/// How many bytes the UTF-8 character at the start of `text` takes; 0 if there is none.
+/// Returns how many bytes the UTF-8 character at the start of `text` takes, or 0 if there is none.
 [[nodiscard]] std::size_t character_size(std::string_view text) noexcept;
 
-/// How many characters a text of UTF-8 has.
+/// Returns how many characters a UTF-8 text has.
 [[nodiscard]] std::size_t character_count(std::string_view text) noexcept;
 
 /// `'text'`, cut short if it is long: a message stays readable when a name is not.
 [[nodiscard]] std::string in_quotes(std::string_view text);
-/// The shortest digits that read back as `number`.
+/// Returns the shortest decimal text that reads back as `number`.
 [[nodiscard]] std::string number_text(double number);
 [[nodiscard]] std::string lower_case(std::string_view text);
 

@@ -17,7 +17,7 @@ class Lexer {
   Lexer(std::string_view file, std::string_view text, const Token& first, bool after_number,
         Diagnostics& diagnostics);
 
-  /// The next token; kEndOfFile for ever after the last one.
+  /// Returns the next token. After the last one it always returns kEndOfFile.
   [[nodiscard]] Token next();
 
  private:

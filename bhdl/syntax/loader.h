@@ -30,7 +30,7 @@ struct LoadedProgram {
   SyntaxTree tree;
 };
 
-/// The path that an `include` in the file at `from` names.
+/// Returns the path that an `include` in the file at `from` names.
 [[nodiscard]] std::string included_path(const std::string& from, std::string_view include);
 
 /// Gives the tree of one file, its includes left as they are, and reports what is wrong with it.

@@ -9,7 +9,7 @@ namespace galilean::bhdl {
 /// incomplete. The result's views point into `file` and into the tree's text.
 void lower_into(SyntaxTree& result, const ParseTree& tree, std::string_view file);
 [[nodiscard]] SyntaxTree lowered(const ParseTree& tree, std::string_view file);
-/// The paths that the file's includes name.
+/// Returns the paths that the file's includes name.
 [[nodiscard]] std::vector<std::string_view> includes_of(const ParseTree& tree);
 
 }  // namespace galilean::bhdl

@@ -94,7 +94,7 @@ class TokenStream {
   [[nodiscard]] bool at_known_component() const {
     return sense_ != nullptr && at_bare_label() && sense_->is_component(peek().text);
   }
-  /// Nothing follows the label at hand.
+  /// Returns whether the text ends behind the label at hand.
   [[nodiscard]] bool text_ends_at_label() const noexcept {
     return peek(2).kind == TokenKind::kEndOfFile;
   }

@@ -17,7 +17,7 @@ struct Trivia {
   std::string_view text;
 };
 
-/// What the gap before a token begins with. Requires: the gap is not empty.
+/// Returns the first piece of the gap before a token. Requires: the gap is not empty.
 [[nodiscard]] Trivia first_trivia(std::string_view gap) noexcept;
 
 }  // namespace galilean::bhdl

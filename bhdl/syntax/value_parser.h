@@ -9,7 +9,7 @@ namespace galilean::bhdl {
 /// the attribute counts as given.
 void parse_values(TokenStream& tokens, Diagnostics& diagnostics);
 
-/// nullptr: there is none of that symbol.
+/// Returns the unit of that symbol, or nullptr if there is none.
 [[nodiscard]] const Unit* known_unit(std::string_view symbol) noexcept;
 
 }  // namespace galilean::bhdl

@@ -95,8 +95,8 @@ class Executive {
   void push_bumper(int index) noexcept { port_.push(index); }
   /// Any thread but control: destroys programs that were replaced. `load` does so too.
   void collect() { intake_.collect(); }
-  /// Any thread but control: what the numbers in events and snapshots mean. Null for a program
-  /// that sixteen others came after.
+  /// Any thread but control. Returns what the numbers in events and snapshots mean. Returns null
+  /// for a program that no longer exists, if sixteen others came after it.
   [[nodiscard]] std::shared_ptr<const Description> description(ProgramId id) const {
     return intake_.description(id);
   }

@@ -12,9 +12,9 @@ namespace galilean::robot {
 /// Sets how fast the robot forgets.
 ///
 ///   updates  variables (of any type): the rate at which their certainty falls
-///   law      certainty(t) = certainty(t_write) - (t - t_write) / time, never below 0; t_write:
-///   time
-///            of the last write by a schema. The rate stays after the schema has run.
+///   law      certainty(t) = certainty(t_write) - (t - t_write) / time, never below 0;
+///            t_write is the time of the last write by a schema. The rate stays after the schema
+///            has run.
 ///   source   the paper's "forget variables"
 class Forget final : public PerceptualSchema {
  public:

@@ -9,7 +9,8 @@ namespace galilean::sim {
 /// noisy strips, which are made once a band. Columns where furniture hides it stay as they are.
 void paint_face(Canvas& canvas, const Face& face, const ProjectedFace& projected);
 
-/// Writes the depth of this face into `canvas.furniture`, for each column that it covers.
+/// Enters the 1/depth [1/m] of this face into `canvas.furniture` in each column that it covers. The
+/// nearest face of a column counts.
 void mark_furniture(Canvas& canvas, const ProjectedFace& projected);
 
 }  // namespace galilean::sim

@@ -10,7 +10,7 @@
 
 namespace galilean::bhdl {
 
-/// One thing that one program says and another does not. Values are in the catalog's units.
+/// One difference between two programs. Values are in the catalog's units.
 struct Change {
   enum class Kind { kAdded, kRemoved, kChanged, kReordered };
   enum class What {

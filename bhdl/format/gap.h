@@ -8,7 +8,7 @@
 
 namespace galilean::bhdl {
 
-/// How the author wrote what stands between two tokens.
+/// The line breaks and comments that the author wrote between two tokens.
 struct Gap {
   std::vector<Comment> comments;
   bool first_is_remark = false;  ///< the first comment begins on the line of the token before

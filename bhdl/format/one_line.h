@@ -31,7 +31,7 @@ struct OneLineBlock {
 /// Behind the attribute's last value.
 [[nodiscard]] std::size_t end_of_attribute(const Pieces& pieces, std::size_t name);
 
-/// The pieces' texts, one blank apart.
+/// Returns the texts of the pieces, one blank apart.
 [[nodiscard]] std::string joined(const Pieces& pieces, std::size_t from, std::size_t end);
 
 }  // namespace galilean::bhdl

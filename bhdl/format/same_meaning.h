@@ -5,7 +5,7 @@
 
 namespace galilean::bhdl {
 
-/// Whether two trees differ in nothing but places and in words that mean the same, such as
+/// Returns whether two trees differ in nothing but places and in words that mean the same, such as
 /// `percp_schemas` and `perceptual_schemas`.
 [[nodiscard]] bool same_meaning(const SyntaxTree& a, const SyntaxTree& b);
 

@@ -21,7 +21,7 @@ class StateGraph {
 
   /// Of a state that exists, counted as in Program::states.
   [[nodiscard]] std::size_t index(std::string_view state) const { return indices_.at(state); }
-  /// Where each condition of a state leads to, in the order of the text.
+  /// The target state of each condition of a state, in the order of the text.
   [[nodiscard]] const std::vector<std::size_t>& targets(std::size_t state) const noexcept {
     return targets_[state];
   }
@@ -30,7 +30,7 @@ class StateGraph {
   /// A shortest way to a state that is reached: "start → wander → grab". Long ones lose their
   /// middle.
   [[nodiscard]] std::string way_to(std::size_t state) const;
-  /// The same states, for who can show places.
+  /// The states of that way with their places, for clients that can show places.
   [[nodiscard]] std::vector<RelatedPlace> places_on_way_to(std::size_t state) const;
 
  private:

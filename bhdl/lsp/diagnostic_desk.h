@@ -39,7 +39,7 @@ class DiagnosticDesk {
   std::map<std::string, std::string> published_;
 };
 
-/// What a diagnostic is about: the token at its place, with its quotes.
+/// The token at the place of a diagnostic, with its quotes.
 [[nodiscard]] ByteRange range_of(const ParsedFile& file, const Diagnostic& diagnostic);
 [[nodiscard]] Json diagnostic_to_json(const Session& session, const ParsedFile& file,
                                       const Diagnostic& diagnostic);

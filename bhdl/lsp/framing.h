@@ -17,8 +17,8 @@ class Framing {
   static constexpr std::size_t kMostMessageBytes = 32 << 20;
 
   void feed(std::string_view bytes) { waiting_.append(bytes); }
-  /// The next whole message; nothing while it is incomplete. An error ends the stream: where the
-  /// next message begins is not known.
+  /// Returns the next whole message, or nothing while it is incomplete. After an error the stream
+  /// cannot be read on, because it is not known where the next message begins.
   [[nodiscard]] Result<std::optional<std::string>> next();
 
  private:

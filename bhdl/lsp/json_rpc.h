@@ -10,7 +10,7 @@ namespace galilean::bhdl::lsp {
 
 using Json = nlohmann::json;
 
-/// JSON-RPC's and the protocol's own numbers.
+/// Error codes of JSON-RPC and of the Language Server Protocol.
 enum class RpcError {
   kParse = -32700,
   kInvalidRequest = -32600,
@@ -21,7 +21,7 @@ enum class RpcError {
   kRequestFailed = -32803
 };
 
-/// What a request is refused for, in one sentence for the person at the editor.
+/// The reason why a request is refused, in one sentence for the person at the editor.
 class Refusal : public std::runtime_error {
  public:
   Refusal(RpcError code, const std::string& message) : std::runtime_error(message), code_(code) {}
@@ -35,10 +35,10 @@ class Refusal : public std::runtime_error {
 [[nodiscard]] Json rpc_error(const Json& id, RpcError code, std::string_view message);
 [[nodiscard]] Json rpc_notification(std::string_view method, Json params);
 
-/// One line of JSON; what is no UTF-8 becomes U+FFFD.
+/// Returns JSON on one line. Bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string dumped(const Json& json);
 
-/// A value deep in `json`, or nullptr where any step of the path (`/a/b`) is missing.
+/// Returns the value at a path (`/a/b`) in `json`, or nullptr if any step of the path is missing.
 [[nodiscard]] const Json* find_in(const Json& json, const Json::json_pointer& path);
 /// Whether a client says yes to something deep in its capabilities.
 [[nodiscard]] bool is_true(const Json& json, const Json::json_pointer& path);

@@ -12,7 +12,8 @@ namespace galilean::bhdl::lsp {
 /// absolute.
 class ProgramFolder : public SourceProvider {
  public:
-  /// The BHDL files in the folder of `path`, in the order of their names; at most kMostBeside.
+  /// Returns the BHDL files in the folder of `path`, in the order of their names, at most
+  /// kMostBeside.
   [[nodiscard]] virtual std::vector<std::string> beside(const std::string& path) const = 0;
   [[nodiscard]] std::string shown(const std::string& path) const override { return path; }
 

@@ -21,7 +21,7 @@ class Server {
  public:
   Server(const Catalog& catalog, std::unique_ptr<ProgramFolder> folder);
 
-  /// What is to be sent for one message, in order; mostly one answer, or nothing.
+  /// Handles one message. Returns the messages to send, in order: mostly one answer, or nothing.
   [[nodiscard]] std::vector<std::string> receive(std::string_view message);
 
   [[nodiscard]] bool has_work() const noexcept { return desk_.due(); }

@@ -9,12 +9,12 @@
 
 namespace galilean::bhdl::lsp {
 
-/// What a client counts the characters of a line in.
+/// The unit in which a client counts the characters of a line.
 enum class PositionEncoding { kUtf8, kUtf16, kUtf32 };
 [[nodiscard]] std::string_view to_string(PositionEncoding encoding) noexcept;
 [[nodiscard]] std::optional<PositionEncoding> find_encoding(std::string_view name) noexcept;
 
-/// A place as the protocol tells it; both count from 0.
+/// A place in the form of the protocol. Both numbers count from 0.
 struct TextPosition {
   std::size_t line = 0;
   std::size_t character = 0;
@@ -43,11 +43,11 @@ class TextIndex {
   /// The place that a diagnostic names: line and column from 1, columns in characters, a byte order
   /// mark not counted.
   [[nodiscard]] std::size_t offset_of_place(int line, int column) const noexcept;
-  /// The number of the line, from 0.
+  /// Returns the number of the line, from 0.
   [[nodiscard]] std::size_t line_of(std::size_t offset) const noexcept;
-  /// A line without its end.
+  /// Returns the text of a line without its line end.
   [[nodiscard]] std::string_view line(std::size_t number) const noexcept;
-  /// Whether a line holds a comment and nothing else.
+  /// Returns whether a line holds a comment and nothing else.
   [[nodiscard]] bool is_comment_line(std::size_t number) const noexcept;
   [[nodiscard]] std::size_t line_count() const noexcept { return starts_.size(); }
   /// Where `part`, which is a part of this very text, stands in it.

@@ -6,11 +6,11 @@
 
 namespace galilean::bhdl::lsp {
 
-/// The path that a `file:` URI names, without `.` and `..`; of any other URI its own text, so that
-/// each document has a path. Percent signs are decoded.
+/// Returns the path that a `file:` URI names, percent-decoded and without `.` and `..`. Returns the
+/// text of any other URI itself, so that each document has a path.
 [[nodiscard]] std::string path_of(std::string_view uri);
 
-/// `file://` and the path, percent-encoded.
+/// Returns `file://` and the path, percent-encoded.
 [[nodiscard]] std::string uri_of(std::string_view path);
 
 }  // namespace galilean::bhdl::lsp

@@ -27,7 +27,7 @@ class Workspace : public SourceProvider {
 
   void open(const std::string& path, Document document) { open_[path] = std::move(document); }
   void close(const std::string& path) { open_.erase(path); }
-  /// nullptr: it is not open.
+  /// Returns nullptr if the file is not open.
   [[nodiscard]] Document* find_open(const std::string& path);
   [[nodiscard]] const std::map<std::string, Document>& open_documents() const noexcept {
     return open_;
@@ -38,14 +38,15 @@ class Workspace : public SourceProvider {
                                                       std::size_t most_bytes) const override;
   [[nodiscard]] std::string shown(const std::string& path) const override { return path; }
 
-  /// nullptr if it cannot be read.
+  /// Returns nullptr if the file cannot be read.
   [[nodiscard]] FilePointer file(const std::string& path) const;
-  /// A file with all that it includes, each once; what cannot be read is left out.
+  /// Returns a file and all files that it includes, each once. Files that cannot be read are left
+  /// out.
   [[nodiscard]] ProgramFiles program(const std::string& main_path) const;
   /// Every program that the file is part of, as far as it is open or in the same folder: those that
   /// nothing else includes, or the file's own where nothing includes it.
   [[nodiscard]] std::vector<ProgramFiles> programs_with(const std::string& path) const;
-  /// The BHDL files that an `include` in this file could name.
+  /// Returns the BHDL files that an `include` in this file could name.
   [[nodiscard]] std::vector<std::string> beside(const std::string& path) const {
     return folder_.beside(path);
   }

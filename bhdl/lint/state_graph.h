@@ -30,7 +30,7 @@ class StateGraph {
   /// A shortest way to a state that is reached: "start → wander → grab". Long ones lose their
   /// middle.
   [[nodiscard]] std::string way_to(std::size_t state) const;
-  /// The states of that way with their places, for clients that can show places.
+  /// The states on that way with their places, for clients that can show places.
   [[nodiscard]] std::vector<RelatedPlace> places_on_way_to(std::size_t state) const;
 
  private:

@@ -11,7 +11,7 @@ namespace galilean::robot {
 
 /// Makes the source that a frame_grabber's `device` names. "ring:/name" is the simulator's camera.
 /// Any other text is the device of a camera or a file. A missing camera is no error here, because
-/// the source tries again to open it. Errors: OpenCV's module is not beside the executable.
+/// the source tries again to open it. Errors: OpenCV's module is missing or cannot be loaded.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> make_frame_source(const std::string& device);
 
 }  // namespace galilean::robot

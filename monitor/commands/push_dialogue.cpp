@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 
+#include "core/plural.h"
 #include "core/termination.h"
 #include "monitor/pushes/json.h"
 #include "monitor/pushes/words.h"
@@ -150,8 +151,9 @@ void print_reply(const json& reply) {
   if (status != ReplyStatus::kNoAnswer)
     std::cout << std::fixed << std::setprecision(1) << reply.value("latency_ms", 0.0) << " ms";
   if (status == ReplyStatus::kRunning)
-    std::cout << "  kept " << reply.value("kept_variables", json::array()).size()
-              << " variables, swapped in a tick of " << reply.value("swap_tick_us", 0.0) << " us";
+    std::cout << "  kept "
+              << plural(reply.value("kept_variables", json::array()).size(), "variable")
+              << ", swapped in a tick of " << reply.value("swap_tick_us", 0.0) << " us";
   if (const auto message = reply.value("message", ""); !message.empty())
     std::cout << "  " << message;
   std::cout << '\n';

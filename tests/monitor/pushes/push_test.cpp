@@ -282,7 +282,8 @@ TEST(Push, OnlyTryingPushesNothing) {
   push.take(ProgramTried{figures(0, 3)}, Time{});
   EXPECT_EQ(state(push), PushState::kDone);
   EXPECT_THAT(acts(push), IsEmpty());
-  EXPECT_THAT(detail(push, StepKind::kTry), HasSubstr("scores 3 ± 0, the one that runs 0 ± 0"));
+  EXPECT_THAT(detail(push, StepKind::kTry),
+              HasSubstr("scores 3 ± 0; the program that runs now scores 0 ± 0"));
   EXPECT_EQ(push.record().progress.trial["next"]["score"]["mean"], 3.0);
 }
 

@@ -70,8 +70,9 @@ TEST_F(PushingWithATrialTest, AProgramThatScoresWorseReachesNoRobot) {
   EXPECT_EQ(push["state"], "failed");
   EXPECT_EQ(push["steps"][1]["name"], "try");
   EXPECT_EQ(push["steps"][1]["state"], "failed");
-  EXPECT_EQ(push["steps"][1]["detail"],
-            "in simulation it scores -1 ± 0, the one that runs 0 ± 0 (2 runs of 20 s)");
+  EXPECT_EQ(
+      push["steps"][1]["detail"],
+      "in simulation it scores -1 ± 0; the program that runs now scores 0 ± 0 (2 runs of 20 s)");
   EXPECT_EQ(push["steps"][3]["state"], "left_out");
   EXPECT_EQ(push["trial"]["runs"], 2);
   EXPECT_EQ(push["trial"]["next"]["score"]["mean"], -1.0);

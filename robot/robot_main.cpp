@@ -16,6 +16,7 @@
 #include "robot/devices/pump_thread.h"
 #include "robot/devices/serial_port.h"
 #include "robot/executive/snapshot.h"
+#include "robot/log/log.h"
 #include "robot/options.h"
 #include "robot/robot_devices.h"
 #include "robot/telemetry/telemetry.h"
@@ -114,7 +115,7 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
   }
   devices.devices().motor_drive.stop();
   std::this_thread::sleep_for(kFarewell);
-  spdlog::info("the robot has stopped");
+  log_info("the robot has stopped");
   return 0;
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/command_receiver.h"
 
-#include <spdlog/spdlog.h>
-
 #include "core/failure.h"
 #include "core/wire/reader.h"
 #include "core/wire/topic_names.h"
+#include "robot/log/log.h"
 #include "robot/telemetry/targets.h"
 
 namespace galilean::robot {
@@ -32,22 +31,23 @@ void CommandReceiver::obey(const msg::Command& command) {
   if (!is_meant(source_.robot, command.targets)) return;
   switch (command.kind) {
     case msg::Command_Constants::HOLD:
-      spdlog::info("{} holds this robot", command.author);
+      log_info(command.author + " holds this robot");
       return source_.executive.hold();
     case msg::Command_Constants::RESUME:
-      spdlog::info("{} lets this robot go on", command.author);
+      log_info(command.author + " lets this robot go on");
       return source_.executive.resume();
     case msg::Command_Constants::DECOMMISSION:
-      spdlog::info("{} took this robot out of service", command.author);
+      log_info(command.author + " took this robot out of service");
       return source_.executive.decommission();
     case msg::Command_Constants::COMMISSION:
-      spdlog::info("{} put this robot into service", command.author);
+      log_info(command.author + " put this robot into service");
       return source_.executive.commission();
     case msg::Command_Constants::PUSH_BUMPER:
-      spdlog::info("{} pushed bumper {}", command.author, command.argument);
+      log_info(command.author + " pushed bumper " + std::to_string(command.argument));
       return source_.executive.push_bumper(command.argument);
     default:
-      spdlog::warn("{} sent a command of unknown kind {}", command.author, command.kind);
+      log_warning(command.author + " sent a command of unknown kind " +
+                  std::to_string(command.kind));
   }
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/program_receiver.h"
 
-#include <spdlog/spdlog.h>
-
 #include <utility>
 
 #include "bhdl/source/sha256.h"
@@ -10,6 +8,7 @@
 #include "core/wire/reader.h"
 #include "core/wire/topic_names.h"
 #include "robot/executive/turn.h"
+#include "robot/log/log.h"
 #include "robot/telemetry/targets.h"
 
 namespace galilean::robot {
@@ -108,7 +107,7 @@ std::string ProgramReceiver::handle_or_fail(const M& message) {
 
 void ProgramReceiver::handle(const msg::ProgramRollback& message) {
   const PushLedger::Push order{message.id, message.hash, {}};
-  spdlog::info("{} ordered a rollback of program {:.8}", message.author, message.hash);
+  log_info(message.author + " ordered a rollback of program " + message.hash.substr(0, 8));
   wait_until_runs(message.hash);
   if (auto why = ledger_.roll_back(order, "by " + message.author + ": " + message.reason))
     reject(order, std::move(*why));
@@ -128,7 +127,8 @@ void ProgramReceiver::handle(const msg::ProgramPush& message) {
   auto files = files_of(message);
   if (std::string why = objection(message, files); !why.empty())
     return reject(push, std::move(why));
-  spdlog::info("{} pushed program {} ({:.8})", message.author, files.front().path, push.hash);
+  log_info(message.author + " pushed program " + files.front().path + " (" +
+           push.hash.substr(0, 8) + ")");
   send({.id = push.id,
         .hash = push.hash,
         .running_hash = ledger_.running().hash(),
@@ -169,7 +169,7 @@ void ProgramReceiver::on_event(const Event& event) {
 
 void ProgramReceiver::reject(const PushLedger::Push& push, std::string why,
                              std::vector<msg::Diagnostic> diagnostics) {
-  spdlog::warn("program {:.8} was rejected: {}", push.hash, why);
+  log_warning("program " + push.hash.substr(0, 8) + " was rejected: " + why);
   send({.id = push.id,
         .hash = push.hash,
         .running_hash = ledger_.running().hash(),
@@ -182,7 +182,8 @@ void ProgramReceiver::send(msg::ProgramReply reply) {
   reply.stamp = WallTime::now();
   reply.robot = source_.robot;
   if (!replies_.write(reply))
-    spdlog::warn("the answer to push {} could not be sent: the network does not take it", reply.id);
+    log_warning("the answer to push " + reply.id +
+                " could not be sent: the network does not take it");
 }
 
 }  // namespace galilean::robot

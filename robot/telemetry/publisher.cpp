@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/publisher.h"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <iterator>
 #include <thread>
@@ -10,6 +8,7 @@
 
 #include "core/wire/topic_names.h"
 #include "core/wire/writer.h"
+#include "robot/log/log.h"
 #include "robot/telemetry/words.h"
 
 namespace galilean::robot {
@@ -35,12 +34,17 @@ void write(wire::Writer<M>& writer, const M& message) {
   static_cast<void>(writer.write(message));
 }
 
+/// "office_cleanup.bhdl (0123abcd)"
+std::string named(const bhdl::Program& program) {
+  return program.name + " (" + program.hash.substr(0, 8) + ")";
+}
+
 /// Whoever tells the problems of the other threads may not come to tell its own.
 void log_failure(const std::string& failure) {
   if (failure.empty())
-    spdlog::info("telemetry works again");
+    log_info("telemetry works again");
   else
-    spdlog::error("telemetry failed ({}) and is tried again", failure);
+    log_error("telemetry failed (" + failure + ") and is tried again");
 }
 
 }  // namespace
@@ -129,9 +133,8 @@ void Publisher::log_rollback(const Event& event) {
   const auto failed = source_.executive.description(event.from_program);
   const auto runs = source_.executive.description(event.program);
   if (failed && runs)
-    spdlog::warn("program {} ({:.8}) was rolled back to {} ({:.8}): {}", failed->program.name,
-                 failed->program.hash, runs->program.name, runs->program.hash,
-                 fault_of(event, *failed));
+    log_warning("program " + named(failed->program) + " was rolled back to " +
+                named(runs->program) + ": " + fault_of(event, *failed));
 }
 
 void Publisher::tell_transition(const Event& event) {
@@ -139,7 +142,7 @@ void Publisher::tell_transition(const Event& event) {
   const auto to = source_.executive.description(event.program);
   if (!from || !to) return;
   const msg::Transition transition = compose_.transition(event, *from, *to);
-  spdlog::info("{} -> {} ({})", transition.from_state, transition.to_state, transition.cause);
+  log_info(transition.from_state + " -> " + transition.to_state + " (" + transition.cause + ")");
   write(writers_->transition, transition);
 }
 
@@ -198,9 +201,9 @@ void Publisher::tell_regularly() {
 
 void Publisher::log_changes(const std::vector<Problem>& problems) {
   for (const Problem& problem : problems)
-    if (!contains(problems_, problem)) spdlog::warn("{}", problem.text());
+    if (!contains(problems_, problem)) log_warning(problem.text());
   for (const Problem& problem : problems_)
-    if (!contains(problems, problem)) spdlog::info("This problem is over: {}", problem.text());
+    if (!contains(problems, problem)) log_info("This problem is over: " + problem.text());
 }
 
 }  // namespace galilean::robot

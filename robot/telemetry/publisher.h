@@ -8,9 +8,9 @@
 #include "core/worker.h"
 #include "robot/executive/executive.h"
 #include "robot/executive/snapshot.h"
+#include "robot/log/log_queue.h"
 #include "robot/telemetry/accepted_senders.h"
 #include "robot/telemetry/compose.h"
-#include "robot/telemetry/log_queue.h"
 #include "robot/telemetry/thread_problems.h"
 
 namespace galilean::robot {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "robot/log/log_queue.h"
 #include "robot/telemetry/command_receiver.h"
 #include "robot/telemetry/image_publisher.h"
-#include "robot/telemetry/log_queue.h"
 #include "robot/telemetry/program_receiver.h"
 #include "robot/telemetry/publisher.h"
 #include "robot/telemetry/thread_problems.h"

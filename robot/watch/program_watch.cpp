@@ -2,10 +2,10 @@
 #include "robot/watch/program_watch.h"
 
 #include <poll.h>
-#include <spdlog/spdlog.h>
 
 #include "bhdl/check.h"
 #include "robot/executive/turn.h"
+#include "robot/log/log.h"
 
 namespace galilean::robot {
 namespace {
@@ -60,9 +60,9 @@ void ProgramWatch::reload() {
   watch(first.files);
   auto whole = bhdl::check_file(file_, vocabulary_);
   watch(whole.files);
-  for (const auto& diagnostic : whole.diagnostics) spdlog::warn("{}", format(diagnostic));
+  for (const auto& diagnostic : whole.diagnostics) log_warning(format(diagnostic));
   if (!whole.program)
-    return spdlog::error("{} was saved with errors: the program before runs on", file_.string());
+    return log_error(file_.string() + " was saved with errors: the program before runs on");
   if (whole.program->hash != taken_over) swap(std::move(*whole.program));
 }
 
@@ -73,11 +73,11 @@ void ProgramWatch::watch(const std::vector<bhdl::SourceFile>& sources) {
 void ProgramWatch::swap(bhdl::Program program) {
   const std::string hash = program.hash;
   if (!wait_for_turn(executive_))
-    return spdlog::error("{} was saved, but the control loop stands still", file_.string());
+    return log_error(file_.string() + " was saved, but the control loop stands still");
   if (const auto loaded = executive_.load(std::move(program)); !loaded)
-    spdlog::error("{} was saved, but cannot run: {}", file_.string(), loaded.error().message);
+    log_error(file_.string() + " was saved, but cannot run: " + loaded.error().message);
   else
-    spdlog::info("{} ({:.8}) was saved and takes over", file_.string(), hash);
+    log_info(file_.string() + " (" + hash.substr(0, 8) + ") was saved and takes over");
 }
 
 bool ProgramWatch::runs(const std::string& hash) const {

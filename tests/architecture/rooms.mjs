@@ -30,6 +30,7 @@ export const rooms = {
   },
   robot: {
     '.': ANY,
+    log: [],
     firmware: [],
     devices: ['firmware'],
     variables: [],
@@ -38,8 +39,8 @@ export const rooms = {
     motor: ['variables'],
     executive: ['devices', 'variables'],
     rehearsal: ['.', 'executive'],
-    telemetry: ['executive'],
-    watch: ['executive'],
+    telemetry: ['executive', 'log'],
+    watch: ['executive', 'log'],
   },
   sim: {
     '.': ANY,

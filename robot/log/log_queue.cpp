@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "robot/telemetry/log_queue.h"
+#include "robot/log/log_queue.h"
 
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/spdlog.h>

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/commands/monitor_client.h"
 
+#include <algorithm>
+#include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
-#include <boost/beast/http.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/http/parser.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <chrono>
 #include <filesystem>
-#include <regex>
+#include <optional>
+#include <utility>
 
 #include "core/json_text.h"
 #include "monitor/access/access.h"
@@ -16,50 +21,87 @@ namespace galilean::monitor {
 namespace {
 
 namespace asio = boost::asio;
-namespace beast = boost::beast;
-namespace http = beast::http;
+namespace http = boost::beast::http;
 using boost::system::error_code;
 
 constexpr std::uint64_t kMostAnswerBytes = 64 << 20;
 
-/// One request and its answer, on a connection of its own.
+/// One request and its answer, on a connection of its own that the monitor closes.
 class Exchange {
  public:
-  Exchange(asio::io_context& io, http::request<http::string_body> request)
-      : stream_(io), request_(std::move(request)) {
-    parser_.body_limit(kMostAnswerBytes);
-  }
+  Exchange(asio::io_context& io, std::string request) : socket_(io), request_(std::move(request)) {}
 
   void start(const asio::ip::tcp::resolver::results_type& endpoints) {
-    stream_.expires_after(std::chrono::seconds(MonitorClient::kPatience_s));
-    stream_.async_connect(endpoints, [this](error_code error, const auto&) {
+    asio::async_connect(socket_, endpoints, [this](error_code error, const auto&) {
       if (!failed(error)) write();
     });
   }
+  /// Returns what went wrong; until it is over, that it takes too long.
   [[nodiscard]] error_code error() const { return error_; }
-  [[nodiscard]] const auto& response() const { return parser_.get(); }
+  /// Returns all bytes of the answer.
+  [[nodiscard]] const std::string& answer() const { return answer_; }
 
  private:
   bool failed(error_code error) {
-    error_ = error;
+    if (error) error_ = error;
     return bool(error);
   }
   void write() {
-    http::async_write(stream_, request_, [this](error_code error, std::size_t) {
+    asio::async_write(socket_, asio::buffer(request_), [this](error_code error, std::size_t) {
       if (!failed(error)) read();
     });
   }
   void read() {
-    http::async_read(stream_, buffer_, parser_,
-                     [this](error_code error, std::size_t) { failed(error); });
+    asio::async_read(socket_, asio::dynamic_buffer(answer_, kMostAnswerBytes),
+                     [this](error_code error, std::size_t) {
+                       error_ = error == asio::error::eof ? error_code() : error;
+                     });
   }
 
-  beast::tcp_stream stream_;
-  http::request<http::string_body> request_;
-  beast::flat_buffer buffer_;
-  http::response_parser<http::string_body> parser_;
-  error_code error_;
+  asio::ip::tcp::socket socket_;
+  std::string request_;
+  std::string answer_;
+  error_code error_ = asio::error::timed_out;
 };
+
+using Parser = http::response_parser<http::string_body>;
+
+error_code parse(Parser& parser, const std::string& answer) {
+  error_code error;
+  parser.eager(true);
+  parser.body_limit(kMostAnswerBytes);
+  for (std::size_t at = 0; at < answer.size() && !parser.is_done() && !error;)
+    at += parser.put(asio::buffer(answer) + at, error);
+  if (!error && !parser.is_done()) parser.put_eof(error);
+  return error;
+}
+
+struct Address {
+  std::string host;  ///< of IPv6 in brackets
+  std::string port;
+};
+
+bool is_host(std::string_view text) {
+  const bool is_ipv6 = text.starts_with('[') && text.ends_with(']') && text.size() > 2;
+  if (!is_ipv6) return !text.empty() && text.find_first_of("/:[]") == text.npos;
+  return text.substr(1, text.size() - 2).find_first_not_of("0123456789abcdefABCDEF:") == text.npos;
+}
+
+/// Reads "http://HOST[:PORT][/]".
+std::optional<Address> address_of(std::string_view url) {
+  constexpr std::string_view kScheme = "http://";
+  constexpr std::size_t kMostDigits = 5;
+  if (!url.starts_with(kScheme)) return std::nullopt;
+  url.remove_prefix(kScheme.size());
+  if (url.ends_with('/')) url.remove_suffix(1);
+  const auto colon = url.find(':', url.starts_with('[') ? std::min(url.find(']'), url.size()) : 0);
+  const auto host = url.substr(0, colon);
+  const auto port = colon == url.npos ? "80" : url.substr(colon + 1);
+  const bool is_port = !port.empty() && port.size() <= kMostDigits &&
+                       port.find_first_not_of("0123456789") == port.npos;
+  if (!is_host(host) || !is_port) return std::nullopt;
+  return Address{std::string(host), std::string(port)};
+}
 
 /// "[::1]" -> "::1"
 std::string without_brackets(const std::string& host) {
@@ -74,11 +116,10 @@ std::string MonitorAnswer::detail() const {
 }
 
 Result<MonitorClient> MonitorClient::at(const std::string& url, const std::string& token_file) {
-  static const std::regex kForm(R"(http://(\[[0-9a-fA-F:]+\]|[^/:\[\]]+)(?::(\d{1,5}))?/?)");
-  std::smatch found;
-  if (!std::regex_match(url, found, kForm))
+  const auto address = address_of(url);
+  if (!address)
     return Error{"'" + url + "' is no address of a monitor, such as http://127.0.0.1:8080"};
-  MonitorClient client(url, found[1], found[2].matched ? found[2].str() : "80");
+  MonitorClient client(url, address->host, address->port);
   const bool is_near = is_loopback(without_brackets(client.host_));
   const auto file = operator_token_file(default_data_folder());
   if (std::error_code none;
@@ -99,34 +140,33 @@ Result<MonitorAnswer> MonitorClient::post(const std::string& path,
   return request("POST", path, json_text(body));
 }
 
+std::string MonitorClient::message(const std::string& method, const std::string& path,
+                                   const std::string& body) const {
+  std::string text = method + " " + path + " HTTP/1.1\r\nHost: " + host_ + ":" + port_ +
+                     "\r\nContent-Type: application/json\r\nConnection: close\r\n";
+  if (!token_.empty()) text += "Authorization: Bearer " + token_ + "\r\n";
+  return text + "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
+}
+
 Result<MonitorAnswer> MonitorClient::request(const std::string& method, const std::string& path,
                                              const std::string& body) const {
   const auto nobody = [&](const error_code& why) {
     return Error{"no monitor answers at " + url_ + " (" + why.message() +
                  "); start one with 'galilean monitor', or name another with --monitor"};
   };
-  http::request<http::string_body> message;
-  message.method_string(method);
-  message.target(path);
-  message.version(11);
-  message.set(http::field::host, host_ + ":" + port_);
-  message.set(http::field::content_type, "application/json");
-  message.set(http::field::connection, "close");
-  if (!token_.empty()) message.set(http::field::authorization, "Bearer " + token_);
-  message.body() = body;
-  message.prepare_payload();
-
   asio::io_context io;
   error_code unknown;
   asio::ip::tcp::resolver resolver(io);
   const auto endpoints = resolver.resolve(without_brackets(host_), port_, unknown);
   if (unknown) return nobody(unknown);
-  Exchange exchange(io, std::move(message));
+  Exchange exchange(io, message(method, path, body));
   exchange.start(endpoints);
-  io.run();
+  io.run_for(std::chrono::seconds(kPatience_s));
   if (exchange.error()) return nobody(exchange.error());
-  return MonitorAnswer{static_cast<int>(exchange.response().result_int()),
-                       nlohmann::json::parse(exchange.response().body(), nullptr, false)};
+  Parser parser;
+  if (const auto error = parse(parser, exchange.answer())) return nobody(error);
+  return MonitorAnswer{static_cast<int>(parser.get().result_int()),
+                       nlohmann::json::parse(parser.get().body(), nullptr, false)};
 }
 
 }  // namespace galilean::monitor

@@ -19,7 +19,7 @@ struct MonitorAnswer {
 };
 
 /// A monitor, as commands in a terminal talk to it: over HTTP. Each request waits for its answer,
-/// for `kPatience` at most.
+/// at most kPatience_s seconds.
 class MonitorClient {
  public:
   static constexpr int kPatience_s = 20;
@@ -37,6 +37,9 @@ class MonitorClient {
  private:
   MonitorClient(std::string url, std::string host, std::string port)
       : url_(std::move(url)), host_(std::move(host)), port_(std::move(port)) {}
+  /// Returns the bytes of a request.
+  [[nodiscard]] std::string message(const std::string& method, const std::string& path,
+                                    const std::string& body) const;
   [[nodiscard]] Result<MonitorAnswer> request(const std::string& method, const std::string& path,
                                               const std::string& body) const;
 

@@ -2,7 +2,6 @@
 #include "monitor/pushes/push_order.h"
 
 #include <algorithm>
-#include <ranges>
 
 namespace galilean::monitor {
 namespace {
@@ -48,9 +47,10 @@ OrderTargets targets_of(const std::vector<std::string>& named, const Team& team)
 
 Result<void, Refusal> require_targets(const PushOrder& order, const OrderTargets& targets,
                                       const Team& team) {
-  for (const auto& name : order.targets | std::views::reverse)
-    if (!team.find(name))
-      return not_found("There is no robot '" + name + "'; " + known_robots(team) + ".");
+  const auto unknown = std::find_if(order.targets.rbegin(), order.targets.rend(),
+                                    [&](const auto& name) { return !team.find(name); });
+  if (unknown != order.targets.rend())
+    return not_found("There is no robot '" + *unknown + "'; " + known_robots(team) + ".");
   if (!order.canary.empty() && !contains(targets.names(), order.canary))
     return conflict("The canary '" + order.canary +
                     "' is none of the robots that are to run the program, or it is silent; " +

@@ -21,5 +21,6 @@ ninja -C "$dir" galilean_wire >"$dir/build.log" 2>&1 || { tail -40 "$dir/build.l
 
 node -p 'JSON.parse(fs.readFileSync(process.argv[1])).map((entry) => entry.file).join("\n")' "$dir/compile_commands.json" |
   grep -E '\.(cpp|cxx)$' | grep -vE '/generate/|/wire/generated|idl_compiler' |
-  xargs -P2 -n1 clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option -p "$dir" 2>/dev/null || exit 1
+  xargs -P2 -n1 clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option \
+    --extra-arg=-Wno-unused-command-line-argument -p "$dir" 2>/dev/null || exit 1
 echo "$stamp" >"$dir/clean"

@@ -74,7 +74,7 @@ inline std::string in_words(const PushRequest& request) {
   return std::visit(words, request);
 }
 
-/// Everything that the push asks for now, in order.
+/// Returns all requests of the push that were not taken yet, in their order.
 inline std::vector<PushRequest> requests_of(Push& push) {
   std::vector<PushRequest> all;
   for (auto some = push.take_requests(); !some.empty(); some = push.take_requests())

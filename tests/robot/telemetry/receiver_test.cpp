@@ -294,35 +294,6 @@ TEST_F(ReceiverTest, AnothersPushAndCommandAreNoneOfItsBusiness) {
   EXPECT_EQ(io.robot.state(), "wait");
 }
 
-TEST_F(ReceiverTest, OutOfServiceItStandsStillWhoeverResumesAndTakesNoProgramThatIsPushedToAll) {
-  io.send(msg::Command_Constants::PUSH_BUMPER, 2, io.name);
-  ASSERT_TRUE(io.tick_until([&] { return io.robot.drive.moving; }));
-  io.send(msg::Command_Constants::DECOMMISSION, 0, io.name);
-  ASSERT_TRUE(io.tick_until([&] { return !io.robot.drive.moving; }));
-  io.send(msg::Command_Constants::HOLD, 0, io.name);
-  ASSERT_TRUE(io.tick_until([&] { return io.robot.executive->held(); }));
-  io.send(msg::Command_Constants::RESUME, 0, io.name);
-  ASSERT_TRUE(io.tick_until([&] { return !io.robot.executive->held(); }));
-  io.robot.tick(3);
-  EXPECT_FALSE(io.robot.drive.moving);
-
-  auto to_all = io.push(kWaits + std::string("; for all"));
-  to_all.id = "to all";
-  to_all.targets.clear();
-  io.send(to_all);
-  // It comes after, on the same topic.
-  const auto by_name = io.push(kWaits + std::string("; for this one"));
-  io.send(by_name);
-  let_it_swap();
-  EXPECT_TRUE(replies.wait_for(has_status(status::RUNNING)));
-  for (const auto& reply : replies.all())
-    EXPECT_EQ(reply.id, by_name.id) << "it does not answer what is meant for all";
-  EXPECT_EQ(running_hash(), by_name.hash);
-  EXPECT_FALSE(io.robot.drive.moving);
-  io.send(msg::Command_Constants::COMMISSION, 0, io.name);
-  EXPECT_TRUE(io.tick_until([&] { return io.robot.drive.moving; }));
-}
-
 TEST_F(ReceiverTest, ObeysOperators) {
   io.send(msg::Command_Constants::PUSH_BUMPER, 2, io.name);
   ASSERT_TRUE(io.tick_until([&] { return io.robot.state() == "go"; }));
@@ -346,6 +317,11 @@ TEST_F(ReceiverTest, ADecommissionedRobotStandsStillWhoeverResumesUntilItIsCommi
   io.robot.tick(5);
   EXPECT_EQ(io.robot.state(), "go");
   EXPECT_FALSE(io.robot.drive.moving);
+  const auto push = io.push(kWaits + std::string("; another text"));
+  io.send(push);
+  ASSERT_TRUE(io.tick_until([&] { return running_hash() == push.hash; }));
+  io.robot.tick(3);
+  EXPECT_FALSE(io.robot.drive.moving) << "a new program does not put it into service";
   io.send(msg::Command_Constants::COMMISSION, 0, io.name);
   EXPECT_TRUE(io.tick_until([&] { return io.robot.drive.moving; }));
 }

@@ -159,7 +159,7 @@ class Hub::Client {
   std::map<std::uint32_t, std::uint32_t> channel_of_;  ///< by subscription id
   std::set<std::string> watched_parameters_;
   bool watches_graph_ = false;
-  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< false for answers that come late
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< late answers find it false
 };
 
 }  // namespace galilean::monitor::foxglove

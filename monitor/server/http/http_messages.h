@@ -36,7 +36,6 @@ using Respond = std::function<void(HttpResponse)>;
 /// Answers a request by one call of Respond, at once or later, on the io_context's thread.
 using HttpHandler = std::function<void(const HttpRequest&, Respond)>;
 
-/// Returns an answer with this JSON as its body.
 [[nodiscard]] HttpResponse json_response(const nlohmann::json& json, int status = 200);
 [[nodiscard]] HttpResponse text_response(std::string text, std::string content_type,
                                          int status = 200);

@@ -17,7 +17,7 @@ namespace galilean::monitor {
 struct LanguageDesk {
   Worker& worker;
   const Team& team;
-  const Catalog& installed;              ///< checks programs while no robot has published one
+  const Catalog& installed;              ///< the catalog while no robot has published one
   std::filesystem::path library_folder;  ///< a client's file:///, where its includes are found
 };
 

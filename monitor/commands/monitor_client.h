@@ -11,7 +11,7 @@ namespace galilean::monitor {
 /// A monitor's answer to a request.
 struct MonitorAnswer {
   int status = 0;
-  nlohmann::json json;
+  nlohmann::json json;  ///< discarded if the body is no JSON
 
   [[nodiscard]] bool ok() const noexcept { return status >= 200 && status < 300; }
   /// Returns the sentence that says why the monitor refused.
@@ -32,7 +32,7 @@ class MonitorClient {
                                                 const std::string& token_file);
 
   /// Both return the monitor's answer, also if it is a refusal.
-  /// Errors: no monitor answers, or its answer is no JSON.
+  /// Errors: nobody answers in time, or the answer is no HTTP.
   [[nodiscard]] Result<MonitorAnswer> get(const std::string& path) const;
   [[nodiscard]] Result<MonitorAnswer> post(const std::string& path,
                                            const nlohmann::json& body) const;

@@ -149,8 +149,8 @@ std::vector<Ensemble::Loss> Ensemble::losses() {
   return lost;
 }
 
-// A recorder asked first can still close its file while the others live. The simulator ends last,
-// because the robots stop their motors through it.
+// The recorder ends first, while the others still send. The simulator ends last, because the robots
+// stop their motors through it.
 std::vector<std::string> Ensemble::end() {
   std::vector<std::string> problems;
   const auto end_those = [&](auto&& chosen) {

@@ -6,7 +6,7 @@
 namespace galilean::monitor {
 namespace {
 
-/// Returns the time [s] that a landmark must be unseen before its certainty drops. Missing trash
+/// Returns the time [s] unseen in a visible area after which a landmark is removed. Missing trash
 /// was carried away. Other objects stay, so they are more likely hidden.
 double absence_noticed_s(const std::string& object_class) {
   return object_class == "trash" ? 1.5 : 6;

@@ -36,6 +36,7 @@ class Process {
   /// Returns "exit code 1" or "killed by signal 9 (Killed)", or an empty string if `running` has
   /// not yet returned false.
   [[nodiscard]] std::string ending() const;
+  /// Returns whether the process is known to have ended with exit code 0.
   [[nodiscard]] bool ended_well() const noexcept;
 
   /// Sends SIGTERM, so that the process can end in order.

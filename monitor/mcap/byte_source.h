@@ -14,6 +14,7 @@ namespace galilean::mcap {
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
+  /// Returns the present size in bytes; 0 if it cannot be read.
   [[nodiscard]] virtual std::uint64_t size() const = 0;
   /// Fills `to` with the bytes from `offset` on. Returns false if there are not that many bytes, or
   /// the disk fails.

@@ -33,6 +33,7 @@ class Writer {
   [[nodiscard]] std::uint16_t add_channel(Channel channel);
   /// Adds a message to the open chunk, and copies its data.
   [[nodiscard]] Failure write(const Message& message);
+  /// Writes a metadata record at once, before the open chunk.
   [[nodiscard]] Failure write(const Metadata& metadata);
   /// Closes the chunk if its span is over at `now_ns`, so that messages do not stay in memory while
   /// no more arrive.

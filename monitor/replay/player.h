@@ -15,7 +15,8 @@ struct Pace {
   Duration from{};  ///< time since the recording's start at which the replay begins
 };
 
-/// Sends a recording's messages again, with the intervals in which they were received.
+/// Sends a recording's messages again, with the intervals in which they were received, divided by
+/// the rate.
 ///
 /// If the replay begins later than the recording, it first sends what a late joiner would have got
 /// at that time: the newest message of each state and the last 64 of each event.

@@ -55,6 +55,7 @@ class Canvas {
 
   [[nodiscard]] int columns() const noexcept { return columns_; }
   [[nodiscard]] int rows() const noexcept { return rows_; }
+  /// Requires: the cell is on the screen.
   [[nodiscard]] const Cell& at(int row, int column) const { return cells_[index(row, column)]; }
   /// Returns the row as UTF-8, without the blanks at its end.
   [[nodiscard]] std::string line(int row) const;

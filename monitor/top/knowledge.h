@@ -16,6 +16,7 @@ class Knowledge {
  public:
   explicit Knowledge(const Clock& clock) : clock_(clock), team_(clock) {}
 
+  /// Handles a message of any type. Ignores messages that it does not show or cannot decode.
   void receive(const Message& message);
 
   [[nodiscard]] const Team& team() const noexcept { return team_; }

@@ -22,7 +22,8 @@ class Operations {
 
   void check(const nlohmann::json& request, Finish finish);
   void push(const nlohmann::json& request, Finish finish);
-  /// `request` is {id, author}.
+  /// Finishes with 404 if no such push is under way, or with 409 if it is too late. `request` is
+  /// {id, author}.
   void cancel_push(const nlohmann::json& request, Finish finish);
   void command(const nlohmann::json& request, Finish finish);
   /// Adds push, cancel_push and every kind of command to the hub as services.

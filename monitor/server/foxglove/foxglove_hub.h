@@ -61,6 +61,7 @@ class Hub {
   /// Sends a message to the channel's subscribers. Ignores messages of channels that were not
   /// added.
   void send(const Message& message);
+  /// Sends the time to all clients. A newer time replaces one that still waits for a slow client.
   void send_time(std::int64_t since_epoch_ns);
   void on_set_parameter(SetParameter set) { set_parameter_ = std::move(set); }
   /// Takes the parameters' present values. Sends each client those that changed since the last call

@@ -136,8 +136,8 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     write_head(response);
     const bool with_body = !head_only_ && response.status != 304;
     stream_.expires_after(kLongestRequest);
-    // One system call sends head and body without a copy. Beast's serializer would take longer than
-    // that call.
+    // Head and body are written without a copy, mostly in one system call. Beast's serializer would
+    // take longer than that call.
     const std::array<boost::asio::const_buffer, 2> parts{
         boost::asio::buffer(head_),
         with_body ? boost::asio::buffer(*body_) : boost::asio::const_buffer()};

@@ -20,10 +20,10 @@
 
 namespace galilean::monitor {
 
-/// A TCP socket below Beast's WebSocket stream that coalesces frames: it sends up to 64 frames of
-/// an Outbox in one system call, because the call costs more than a small frame. Beast reads
-/// through it and writes its handshake and control frames into it. Frames go out between Beast's
-/// writes, each of which is a whole message. For use on the io_context's one thread.
+/// A TCP socket below Beast's WebSocket stream that coalesces frames: it writes up to 64 frames of
+/// an Outbox at once, because a system call costs more than a small frame. Beast reads through it
+/// and writes its handshake and control frames into it. Frames go out between Beast's writes, each
+/// of which is a whole message. For use on the io_context's one thread.
 class BatchingSocket {
  public:
   using tcp = boost::asio::ip::tcp;

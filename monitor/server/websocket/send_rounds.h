@@ -12,7 +12,7 @@ namespace galilean::monitor {
 
 /// Coalesces sending to many clients into rounds. A round begins at once if the last one was at
 /// least kPause ago, else kPause after it. All messages of one pause thus go to a client in one
-/// system call, because the call costs more than the messages. For use on the io_context's one
+/// write, because a system call costs more than the messages. For use on the io_context's one
 /// thread.
 class SendRounds {
  public:

@@ -14,7 +14,7 @@ using galilean::CommandLine, galilean::Error, galilean::Result;
 
 constexpr int kCannotStart = 2;
 
-/// "127.0.0.1:8080", "[::1]:8080" or a port alone.
+/// Reads "127.0.0.1:8080", "[::1]:8080" or a port alone.
 Result<void> read_listen(const std::string& text, monitor::MonitorOptions& options) {
   const auto colon = text.rfind(':');
   std::string address = colon == text.npos ? options.address : text.substr(0, colon);
@@ -31,7 +31,7 @@ Result<void> read_listen(const std::string& text, monitor::MonitorOptions& optio
   return {};
 }
 
-/// "io:1.5,2,90" -> where io's odom frame has its origin in the map: metres and degrees.
+/// Reads the pose of a robot's odom frame in the map frame, in metres and degrees: "io:1.5,2,90".
 Result<void> read_start(const std::string& text, monitor::MonitorOptions& options) {
   double x_m = 0, y_m = 0, heading_deg = 0;
   char rest = 0;

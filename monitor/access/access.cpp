@@ -6,7 +6,8 @@
 namespace galilean::monitor {
 namespace {
 
-/// Without telling by its duration how far they are the same.
+/// Compares in a time that does not depend on how many characters agree, so that the time does not
+/// help to guess a token.
 bool same(std::string_view given, std::string_view secret) noexcept {
   unsigned difference = given.size() == secret.size() ? 0 : 1;
   for (std::size_t i = 0; i < secret.size(); ++i)

@@ -10,15 +10,15 @@ namespace galilean::monitor {
 
 enum class Right { kNone, kRead, kOperate };
 
-/// Decides what the bearer of a token may do: the operator's token gives the right to read and to
+/// Decides what the bearer of a token may do. The operator's token gives the right to read and to
 /// steer, the viewer's token the right to read. With `reads_freely`, reading needs no token.
 class Access {
  public:
   Access(Tokens tokens, bool reads_freely)
       : tokens_(std::move(tokens)), reads_freely_(reads_freely) {}
 
-  /// Returns the right that a token gives; an empty one stands for none. The time that this takes
-  /// does not tell how much of a wrong token is right.
+  /// Returns the right that a token gives; an empty string stands for no token. The time that this
+  /// takes does not tell how much of a wrong token is right.
   [[nodiscard]] Right right_of(std::string_view token) const noexcept;
 
  private:

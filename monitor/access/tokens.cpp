@@ -27,7 +27,8 @@ Result<std::string> new_token() {
   return token;
 }
 
-/// Whole or not at all: nobody finds half a token after a crash.
+/// Writes the file whole or not at all, so that a crash never leaves half a token. Returns false,
+/// with the reason in errno, if there is no such file afterwards.
 bool write_secret(const fs::path& file, const std::string& token) {
   const fs::path draft = file.string() + "." + std::to_string(getpid());
   const int descriptor = open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
@@ -38,7 +39,7 @@ bool write_secret(const fs::path& file, const std::string& token) {
       fsync(descriptor) == 0;
   const int problem = errno;
   close(descriptor);
-  // A link fails where another monitor was quicker; its token stands then.
+  // The link fails if another monitor was quicker. Its token is the valid one then.
   const bool placed = written && (link(draft.c_str(), file.c_str()) == 0 || errno == EEXIST);
   if (!written) errno = problem;
   unlink(draft.c_str());

@@ -8,7 +8,8 @@
 
 namespace galilean::monitor {
 
-/// The secrets that a client sends: `viewer` lets it watch a team, `operator_` watch and steer it.
+/// The secrets that clients send. `viewer` lets a client watch the team; `operator_` lets it watch
+/// and steer the team.
 struct Tokens {
   std::string viewer;
   std::string operator_;

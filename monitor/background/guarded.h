@@ -12,9 +12,10 @@
 
 namespace galilean::monitor {
 
-/// Runs `work`, where an exception would otherwise end what runs it: a session, a timer that arms
-/// itself anew, a thread. What is thrown is told on stderr, once, as the failure of `what`.
-/// Errors: what was thrown. Nothing, if all went well.
+/// Runs `work`, and keeps an exception from ending its caller: a session, a timer that arms itself
+/// anew or a thread. Writes the exception to stderr as the failure of `what`. Returns the
+/// exception's message, or nothing if `work` did not throw. Exceptions that are no std::exception
+/// pass through.
 template <class Work>
 std::optional<Error> guarded(std::string_view what, Work&& work) {
   try {

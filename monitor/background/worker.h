@@ -12,30 +12,31 @@
 
 namespace galilean::monitor {
 
-/// One thread for what may block: the disk, DDS writes, checking. One job after another; what a job
-/// throws is told on stderr.
+/// One thread for jobs that may block: disk access, DDS writes, checking of programs. It runs one
+/// job after another. An exception from a job is written to stderr, and the next job runs.
 class Worker {
  public:
   explicit Worker(boost::asio::io_context& io) : io_(io) {}
   ~Worker() { finish(); }
 
-  /// Waits until all jobs are done. Call it before the objects that the jobs use are destroyed.
+  /// Waits until all jobs are done. No job runs after that. Call it before the objects that the
+  /// jobs use are destroyed.
   void finish() { pool_.join(); }
 
-  /// Runs a job whose result nobody waits for.
+  /// Runs a job that has no result.
   template <class Job>
   void run(Job job) {
     boost::asio::post(pool_, [job = std::move(job)]() mutable { guarded("a job", job); });
   }
-  /// Hands what `job` returns to `then`, on the io_context's thread; where one of them throws, what
-  /// that says to `otherwise`, on the same thread.
+  /// Runs `job`, then calls `then` with its result on the io_context's thread. If one of the two
+  /// throws, calls `otherwise` with the exception's message on the io_context's thread.
   template <class Job, class Then, class Otherwise>
   void run(Job job, Then then, Otherwise otherwise) {
     boost::asio::post(pool_, [this, job = std::move(job), then = std::move(then),
                               otherwise = std::move(otherwise)]() mutable {
       std::optional<decltype(job())> result;
       auto failure = guarded("a job", [&] { result.emplace(job()); });
-      // The job, too, goes on the io_context's thread: it may be the last that holds a session.
+      // The job is destroyed on the io_context's thread, because it may be a session's last owner.
       boost::asio::post(
           io_, [job = std::move(job), then = std::move(then), otherwise = std::move(otherwise),
                 result = std::move(result), failure = std::move(failure)]() mutable {

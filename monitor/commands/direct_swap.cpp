@@ -52,7 +52,7 @@ int tell_replies(const Replies& replies, const msg::ProgramPush& message,
   return replies.taken_by_all() ? EXIT_SUCCESS : kPushRefused;
 }
 
-/// Sends the message and waits for the replies.
+/// Sends the message, waits for the replies and prints them. Returns the exit code.
 int converse(TeamListener& listener, wire::Writer<msg::ProgramPush>& writer,
              const msg::ProgramPush& message, const std::vector<std::string>& robots,
              const DirectSwapOptions& options) {

@@ -10,11 +10,12 @@ namespace galilean::monitor {
 struct DirectSwapOptions {
   PushOptions push;
   std::string file;
-  double timeout_s = 2;  ///< that robots may take to answer
+  double timeout_s = 2;  ///< time that robots have to answer
   int domain = -1;
 };
 
-/// Pushes a program over DDS, without a monitor: no trial, no canary. Returns the exit code.
+/// Pushes a program over DDS without a monitor, and so without a trial and a canary. Prints the
+/// robots' answers. Returns the process' exit code.
 [[nodiscard]] int swap_directly(const DirectSwapOptions& options);
 
 }  // namespace galilean::monitor

@@ -26,7 +26,7 @@ using boost::system::error_code;
 
 constexpr std::uint64_t kMostAnswerBytes = 64 << 20;
 
-/// One request and its answer, on a connection of its own that the monitor closes.
+/// One request and its answer, on a connection of its own, which the monitor closes.
 class Exchange {
  public:
   Exchange(asio::io_context& io, std::string request) : socket_(io), request_(std::move(request)) {}
@@ -36,7 +36,7 @@ class Exchange {
       if (!failed(error)) write();
     });
   }
-  /// Returns what went wrong; until it is over, that it takes too long.
+  /// Returns the error of the exchange. Before its end, that is timed_out.
   [[nodiscard]] error_code error() const { return error_; }
   /// Returns all bytes of the answer.
   [[nodiscard]] const std::string& answer() const { return answer_; }
@@ -77,7 +77,7 @@ error_code parse(Parser& parser, const std::string& answer) {
 }
 
 struct Address {
-  std::string host;  ///< of IPv6 in brackets
+  std::string host;  ///< with brackets if it is an IPv6 address
   std::string port;
 };
 
@@ -103,7 +103,7 @@ std::optional<Address> address_of(std::string_view url) {
   return Address{std::string(host), std::string(port)};
 }
 
-/// "[::1]" -> "::1"
+/// Returns "::1" for "[::1]".
 std::string without_brackets(const std::string& host) {
   return host.starts_with('[') ? host.substr(1, host.size() - 2) : host;
 }

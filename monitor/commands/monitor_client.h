@@ -8,28 +8,31 @@
 
 namespace galilean::monitor {
 
-/// What a monitor said to a request.
+/// A monitor's answer to a request.
 struct MonitorAnswer {
   int status = 0;
-  nlohmann::json json;
+  nlohmann::json json;  ///< discarded if the body is no JSON
 
   [[nodiscard]] bool ok() const noexcept { return status >= 200 && status < 300; }
-  /// Why it refused, in a sentence.
+  /// Returns the sentence that says why the monitor refused.
   [[nodiscard]] std::string detail() const;
 };
 
-/// A monitor, as commands in a terminal talk to it: over HTTP. Each request waits for its answer,
-/// at most kPatience_s seconds.
+/// A client of a monitor's HTTP interface, for commands in a terminal. Each request waits for its
+/// answer, at most kPatience_s seconds.
 class MonitorClient {
  public:
   static constexpr int kPatience_s = 20;
 
-  /// `url` as in http://127.0.0.1:8080. `token_file`: who we are; empty: this user's operator
-  /// token, which is told to nobody but this machine. The error says what is wrong with them.
+  /// `url` is the monitor's address, such as http://127.0.0.1:8080. `token_file` holds the token to
+  /// send. If it is empty, this user's operator token is sent, but only to a monitor on this
+  /// machine.
+  /// Errors: `url` is no such address, or the token cannot be read.
   [[nodiscard]] static Result<MonitorClient> at(const std::string& url,
                                                 const std::string& token_file);
 
-  /// The errors say that nobody answered, and what to do.
+  /// Both return the monitor's answer, also if it is a refusal.
+  /// Errors: nobody answers in time, or the answer is no HTTP.
   [[nodiscard]] Result<MonitorAnswer> get(const std::string& path) const;
   [[nodiscard]] Result<MonitorAnswer> post(const std::string& path,
                                            const nlohmann::json& body) const;
@@ -46,7 +49,7 @@ class MonitorClient {
   std::string url_;
   std::string host_;
   std::string port_;
-  std::string token_;  ///< empty: none
+  std::string token_;  ///< empty if none is sent
 };
 
 }  // namespace galilean::monitor

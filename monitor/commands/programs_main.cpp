@@ -78,7 +78,7 @@ int show(const MonitorClient& monitor, const std::string& hash) {
   return EXIT_SUCCESS;
 }
 
-/// `name`: a file on this machine, or the hash of a program that was pushed.
+/// `name` is a file on this machine, or the hash of a program that was pushed.
 galilean::Result<bhdl::Program> program_named(const MonitorClient& monitor, const std::string& name,
                                               const galilean::Catalog& catalog) {
   bhdl::CheckResult checked;

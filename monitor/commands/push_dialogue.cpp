@@ -41,7 +41,7 @@ std::optional<PushState> state_of(const json& push) {
   return push_state_of(push.value("state", ""));
 }
 
-/// Says what is new.
+/// Prints the steps that changed since the last call.
 class StepPrinter {
  public:
   void print(const json& push) {
@@ -91,7 +91,7 @@ class Dialogue {
     if (!options_.json) steps_.print(push);
   }
 
-  /// Waits a little, and tells whether somebody pressed Ctrl-C.
+  /// Waits 0.1 s, or less if Ctrl-C is pressed. Returns true once, after Ctrl-C was pressed.
   bool is_interrupted() {
     constexpr int kLookEach_ms = 100;
     if (cancelled_) return ::poll(nullptr, 0, kLookEach_ms) != 0;

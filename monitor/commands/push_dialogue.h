@@ -9,17 +9,18 @@
 
 namespace galilean::monitor {
 
-/// Exit codes of commands that push.
+/// The exit codes of commands that push.
 inline constexpr int kPushRefused = 1;
 inline constexpr int kCannotReach = 2;
 
-/// Pushes a program through a monitor and prints each step as it happens, and each robot's answer.
-/// Ctrl-C cancels what has not begun. Returns the exit code; `command` names it in messages.
+/// Pushes a program through a monitor. Prints each step as it happens, and each robot's answer.
+/// Ctrl-C cancels the push as far as it has not begun. `command` is the command's name in messages.
+/// Returns the process' exit code.
 [[nodiscard]] int push_through(const MonitorClient& monitor, const std::string& command,
                                const std::vector<bhdl::SourceFile>& files,
                                const PushOptions& options);
 
-/// One robot's answer in a line, with what it objects to below.
+/// Prints one robot's answer in a line, and its diagnostics below.
 void print_reply(const nlohmann::json& reply);
 
 }  // namespace galilean::monitor

@@ -8,7 +8,7 @@
 namespace galilean::monitor {
 namespace {
 
-/// "10", "10s", "500ms" or "2min".
+/// Reads a time such as "10", "10s", "500ms" or "2min". Returns seconds.
 Result<double> seconds_of(const std::string& text) {
   double number = 0;
   const char* end = text.data() + text.size();

@@ -14,7 +14,7 @@ class CommandLine;
 
 namespace galilean::monitor {
 
-/// How commands push a program.
+/// The options of commands that push a program.
 struct PushOptions {
   std::string monitor = "http://127.0.0.1:8080";
   std::string token_file;
@@ -30,12 +30,12 @@ struct PushOptions {
   bool json = false;
 };
 
-/// --monitor, --token-file
+/// Adds --monitor and --token-file.
 void add_monitor_option(CommandLine& app, PushOptions& options);
-/// --team, --robot, --author, --replaces, --try, --try-only, --even-if-worse, --canary,
-/// --probation, --json
+/// Adds --team, --robot, --author, --replaces, --try, --try-only, --even-if-worse, --canary,
+/// --probation and --json.
 void add_push_options(CommandLine& app, PushOptions& options);
-/// Errors: nobody is named.
+/// Errors: the options name neither the team nor a robot.
 [[nodiscard]] Result<void> check_targets(const PushOptions& options);
 
 }  // namespace galilean::monitor

@@ -12,7 +12,7 @@ using namespace galilean::monitor;
 namespace bhdl = galilean::bhdl;
 
 int swap_through_monitor(const DirectSwapOptions& options) {
-  // The monitor checks against the robots' catalogs; here only the includes are looked for.
+  // This only collects the includes. The monitor checks the program against the robots' catalogs.
   const auto files = bhdl::check_file(options.file, {}).files;
   if (files.empty()) {
     std::cerr << "galilean swap: " << options.file << " cannot be read" << std::endl;

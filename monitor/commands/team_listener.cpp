@@ -6,7 +6,7 @@
 namespace galilean::monitor {
 namespace {
 
-/// A robot that lives says something ten times a second.
+/// The time after which no further robot is expected. A robot sends its state ten times a second.
 constexpr Duration kNobodyNew = std::chrono::milliseconds(500);
 
 bool is_heard_by_team_tools(const Channel& channel) {
@@ -56,7 +56,7 @@ bool TeamListener::wait(Duration timeout, const std::function<bool()>& enough) {
   while (!enough()) {
     {
       std::unique_lock lock(mutex_);
-      // Short, for conditions that no message changes.
+      // The wait is short, because `enough` may come true without a message.
       const auto soon = std::min(until, std::chrono::steady_clock::now() + kNobodyNew / 10);
       woken_.wait_until(lock, soon, [this] { return pending_; });
       pending_ = false;

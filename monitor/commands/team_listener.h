@@ -14,17 +14,22 @@
 
 namespace galilean::monitor {
 
-/// Hears the team for a command that is over soon: joins DDS, and takes messages while it waits.
+/// A short-lived command's view of the team. It joins DDS, and takes messages only during `wait`
+/// and `find`.
 class TeamListener {
  public:
-  /// `name` is what others are shown.
+  /// `name` is the participant's name, which other participants see.
+  /// Errors: DDS cannot be used.
   [[nodiscard]] static Result<std::unique_ptr<TeamListener>> join(const std::string& name,
                                                                   int domain);
 
-  /// Takes messages until `enough` or until `timeout` is over; false then.
+  /// Takes messages until `enough` returns true or `timeout` is over. Returns the last result of
+  /// `enough`.
   bool wait(Duration timeout, const std::function<bool()>& enough);
-  /// Waits until the robots named are heard, or, where none is named, until no new one turns up any
-  /// more. Each with its state and its catalog. What is missing at the end is the error.
+  /// Returns the robots of these names, or all robots if there are no names. Waits, at most
+  /// `timeout`, for the state and the catalog of each named robot, or until no new robot has been
+  /// heard for 0.5 s.
+  /// Errors: no robot is heard, or a named one is not.
   [[nodiscard]] Result<std::vector<const Robot*>> find(const std::vector<std::string>& names,
                                                        Duration timeout);
   void on_message(std::function<void(const Message&)> callback) { message_ = std::move(callback); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// galilean VERB …: becomes the program of that verb, which lies beside this one.
+// `galilean VERB …` becomes the program of that verb, which is in the same folder.
 #include <unistd.h>
 
 #include <cerrno>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace galilean::front;
 
-/// Comes back only if it cannot.
+/// Returns only if the program cannot be executed.
 int become(const Verb& verb, char** rest) {
   std::string program = sibling(verb.program), first(verb.first_argument);
   std::vector<char*> arguments{program.data()};

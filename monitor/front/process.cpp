@@ -24,10 +24,11 @@ constexpr auto kPatience = std::chrono::seconds(8);
 constexpr auto kLookEach = std::chrono::milliseconds(10);
 constexpr int kNotStarted = 127;
 
-/// In the child, after fork: nothing here may allocate.
+/// Turns the forked child into the program. Must not allocate, because another thread may have held
+/// the allocator's lock at the fork.
 [[noreturn]] void become(char* const* command, int log, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (getppid() != parent) _exit(kNotStarted);  // it died before the line above
+  if (getppid() != parent) _exit(kNotStarted);  // the parent died before prctl
   setpgid(0, 0);
   Termination::unblock();
   const int nothing = open("/dev/null", O_RDONLY);

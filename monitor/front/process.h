@@ -12,12 +12,15 @@
 
 namespace galilean::front {
 
-/// Another program, started by this one. It ends when this object goes, and when this process does,
-/// however that happens. Ctrl-C in the terminal does not reach it: who started it decides when it
-/// ends.
+/// A child process. The destructor ends it, and the kernel sends it SIGTERM when the thread that
+/// started it ends, even by a crash. Ctrl-C in the terminal does not reach it, so that its owner
+/// decides when it ends.
 class Process {
  public:
-  /// `log` takes all that it prints. Start it from a thread that outlives it.
+  /// Starts a program. `command` is its path and arguments. Its standard output and standard error
+  /// are appended to `log`. If the program cannot be executed, it ends with exit code 127.
+  /// Requires: the calling thread outlives the process.
+  /// Errors: the log cannot be written, or the process cannot be made.
   [[nodiscard]] static Result<Process> start(std::string name,
                                              const std::vector<std::string>& command,
                                              const std::filesystem::path& log);
@@ -28,15 +31,17 @@ class Process {
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   [[nodiscard]] const std::filesystem::path& log() const noexcept { return log_; }
   [[nodiscard]] pid_t pid() const noexcept { return pid_; }
-  /// False once it has ended. Never waits.
+  /// Returns false if the process has ended. Never waits.
   [[nodiscard]] bool running();
-  /// "exit code 1" or "killed by signal 9 (Killed)"; empty while it runs.
+  /// Returns "exit code 1" or "killed by signal 9 (Killed)", or an empty string if `running` has
+  /// not yet returned false.
   [[nodiscard]] std::string ending() const;
+  /// Returns whether the process is known to have ended with exit code 0.
   [[nodiscard]] bool ended_well() const noexcept;
 
-  /// SIGTERM, which lets it end in order.
+  /// Sends SIGTERM, so that the process can end in order.
   void ask_to_end() noexcept;
-  /// Waits until it has ended, and makes it after some seconds. False if it had to be made.
+  /// Waits until the process has ended, and kills it after 8 s. Returns false if it was killed.
   bool end();
 
  private:
@@ -45,13 +50,14 @@ class Process {
 
   std::string name_;
   std::filesystem::path log_;
-  pid_t pid_;                  ///< 0: moved away
-  std::optional<int> status_;  ///< of waitpid, once it has ended
+  pid_t pid_;                  ///< 0 if this object was moved from
+  std::optional<int> status_;  ///< waitpid's status, after the process has ended
 };
 
-/// The last lines of a log, for people; empty if there is none.
+/// Returns the last lines of a log, indented for display. Returns an empty string if there is no
+/// log.
 [[nodiscard]] std::string last_lines(const std::filesystem::path& log, std::size_t count);
-/// The first whole line of a log that contains `mark`.
+/// Returns the first line of a log that contains `mark` and ends with a line feed, or nothing.
 [[nodiscard]] std::optional<std::string> line_with(const std::filesystem::path& log,
                                                    std::string_view mark);
 

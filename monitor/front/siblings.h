@@ -6,7 +6,7 @@
 
 namespace galilean::front {
 
-/// The path of a program that lies beside this one.
+/// Returns the path of a program in the folder of the running program. The file may be missing.
 [[nodiscard]] std::string sibling(std::string_view program);
 /// Returns whether the file exists and may be executed.
 [[nodiscard]] bool is_program(const std::string& path);

@@ -8,12 +8,11 @@
 
 namespace galilean::front {
 
-/// One verb of `galilean`, of one word or two: the program that it starts, and the argument that
-/// goes before the user's arguments.
+/// One verb of `galilean`, which is one word or two, and the program that it starts.
 struct Verb {
   std::string_view name;
   std::string_view program;
-  std::string_view first_argument;  ///< or empty
+  std::string_view first_argument;  ///< goes before the user's arguments; may be empty
   std::string_view help;
 };
 

@@ -11,26 +11,26 @@
 
 namespace galilean::monitor {
 
-/// One topic of the team. Made once, by Ingest, and kept for as long as that lives, whether or not
-/// anybody still writes it.
+/// One topic of the team. Ingest makes it once and keeps it as long as itself, even if the topic
+/// has no writer any more.
 struct Channel {
   std::uint32_t id = 0;  ///< 1, 2, 3 … in the order of discovery
-  std::string topic;     ///< as on DDS: "rt/io/state"
+  std::string topic;     ///< DDS' name of it: "rt/io/state"
   const wire::Schema* schema = nullptr;
   wire::Delivery delivery = wire::Delivery::kStream;
 
-  /// "/io/state": what ROS 2 and Foxglove call it.
+  /// Returns the topic's name in ROS 2 and Foxglove: "/io/state".
   [[nodiscard]] std::string ros_name() const { return topic.substr(2); }
 };
 
 using Payload = std::shared_ptr<const std::vector<std::uint8_t>>;
 
-/// One message as it came. Whoever passes it on shares the bytes.
+/// One message as it was received. Copies share the bytes.
 struct Message {
   const Channel& channel;
-  std::int64_t received_ns;  ///< by this machine's clock, since the Unix epoch
-  std::int64_t sent_ns;      ///< by its writer's clock, since the Unix epoch
-  Payload cdr;               ///< with its four-byte header
+  std::int64_t received_ns;  ///< time since the Unix epoch, of this machine's clock
+  std::int64_t sent_ns;      ///< time since the Unix epoch, of the writer's clock
+  Payload cdr;               ///< the message in CDR, with the four-byte header
 };
 
 }  // namespace galilean::monitor

@@ -10,7 +10,7 @@
 
 namespace galilean::monitor {
 
-/// What Cyclone's threads may touch.
+/// The state that Cyclone's threads share with the owner's thread.
 struct Ingest::Signals {
   Wake wake;
   std::atomic<bool> pending{false};
@@ -83,7 +83,7 @@ void Ingest::discover() {
 void Ingest::open(Source& source) try {
   source.reader = std::make_unique<wire::Reader>(participant_, source.channel.topic,
                                                  std::string(source.channel.schema->ros_type));
-  source.has_data = true;  // what came between the reader and its listener
+  source.has_data = true;  // because messages may have come before the listener was set
   source.reader->on_data([signals = signals_, &source] {
     source.has_data = true;
     signals->raise();

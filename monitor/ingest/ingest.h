@@ -13,36 +13,39 @@
 
 namespace galilean::monitor {
 
-/// Reads every topic of the domain whose type is one of the messages. What is costly to make,
-/// pictures and markers, is read only while somebody wants it, so that it is made only then.
+/// Reads every ROS topic of the domain whose type is one of the project's messages. Pictures and
+/// markers are costly to make, and robots make them only for readers. These are therefore read only
+/// while a client wants them.
 ///
-/// One thread owns it: construction, `poll` and `want` happen there, and so do the callbacks.
-/// Cyclone's threads do nothing but call `wake` (once until the next `poll`), which must hand over
-/// to the owner: post to an io_context, or notify a condition variable.
+/// For use by one thread, which also runs the callbacks. Cyclone's threads only call `wake`, at
+/// most once between two calls of `poll`. `wake` must make the owner's thread call `poll`: it posts
+/// to an io_context or notifies a condition variable.
 class Ingest {
  public:
   using Wake = std::function<void()>;
   using ReadAtOnce = std::function<bool(const Channel&)>;
 
-  /// Set before the first poll. Any may be empty.
+  /// Called by `poll` and `want`. `channel` and `problem` may be empty.
   struct Callbacks {
-    std::function<void(const Channel&)> channel;  ///< seen for the first time
+    std::function<void(const Channel&)> channel;  ///< called when a topic is first seen
     std::function<void(const Message&)> message;
-    std::function<void(const std::string&)> problem;  ///< a topic that cannot be read, and why
+    std::function<void(const std::string&)> problem;  ///< says which topic cannot be read, and why
   };
 
-  /// `read_at_once` says which topics are read without being asked for.
+  /// `read_at_once` says which topics are always read, without a call of `want`.
   Ingest(wire::Participant& participant, Callbacks callbacks, Wake wake,
          ReadAtOnce read_at_once = all_but_costly);
   ~Ingest();
   Ingest(const Ingest&) = delete;
   Ingest& operator=(const Ingest&) = delete;
 
-  /// Takes what came since the last time; never waits.
+  /// Takes the messages and the topics that came since the last call. Never waits.
   void poll();
-  /// Begins or ceases to read a topic that is not read at once. Calls need not be paired.
+  /// Begins or ends the reading of a topic that is not always read. Calls need not be paired, and
+  /// an unknown id is ignored.
   void want(std::uint32_t channel_id, bool wanted);
 
+  /// Returns false for pictures and markers.
   [[nodiscard]] static bool all_but_costly(const Channel& channel);
 
  private:

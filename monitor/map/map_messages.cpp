@@ -9,7 +9,7 @@
 namespace galilean::monitor {
 namespace {
 
-/// Added to a robot's variance, because its pose is up to 0.1 s old when it is published.
+/// The variance that is added to a robot's, because its pose is up to 0.1 s old when published.
 constexpr double kPoseAge_m2 = 1e-4;
 
 void put(const Gaussian2& position, auto& message) {

@@ -13,7 +13,7 @@
 namespace galilean::monitor {
 namespace {
 
-/// Messages are taken in every slice, so that little is left to do when it is time to publish.
+/// Messages are added to the map in each slice, so that little is left to do when it publishes.
 constexpr auto kSlice = std::chrono::milliseconds(20);
 constexpr int kSlicesAPeriod = 10;
 constexpr int kSlicesAGrid = 5 * kSlicesAPeriod;
@@ -100,7 +100,7 @@ void MapService::publish(Time now, bool with_grid) {
   map_.update(now);
   const auto stamp_ns = wire::wall_clock_ns();
   auto objects = map_.objects(now, stamp_ns);
-  // A message that DDS does not take is superseded by the next.
+  // A failed write is ignored, because the next message supersedes this one.
   (void)objects_.write(objects);
   if (const auto frames = map_.transforms(stamp_ns); !frames.transforms.empty())
     (void)tf_.write(frames);

@@ -49,7 +49,7 @@ void TeamMap::add(const msg::Sightings& frame, Time now) {
   occupancy_.add_frame(frame, group.poses);
 }
 
-/// An object in a gripper moves with its robot, and is no landmark.
+// An object in a gripper moves with its robot, so it is no landmark.
 msg::Sightings TeamMap::without_carried(const msg::Sightings& frame) const {
   const Pose2 odom = groups_.of(frame.robot).poses.odom_frame(frame.robot);
   const auto grippers_m = carried_.grippers_m();
@@ -102,8 +102,8 @@ void TeamMap::update(Time now) {
   published_ = merged(std::move(landmarks), pairs);
 }
 
-/// Alignment costs most of an update. Therefore one group is aligned at a time, the one first whose
-/// turn is longest ago.
+// Alignment costs most of an update. Therefore only one group is aligned at a time: the one that
+// was aligned least recently.
 void TeamMap::align(Time now) {
   if (groups_.all().empty()) return;
   const auto last_aligned = [](const auto& group) { return group->last_aligned; };

@@ -10,21 +10,23 @@
 
 namespace galilean::mcap {
 
-/// Why something was not done; empty: it was.
+/// The error of an operation, or nothing if the operation succeeded.
 using Failure = std::optional<Error>;
 
-/// Where a recording goes: a file, or a test's faulty disk.
+/// The destination of a recording: a file, or a faulty disk in a test.
 class ByteSink {
  public:
   virtual ~ByteSink() = default;
-  /// Appends all of `bytes`. After a failure part of them may have been written.
+  /// Appends all of `bytes`. After a failure, a part of them may have been written.
   [[nodiscard]] virtual Failure write(std::span<const std::uint8_t> bytes) = 0;
 };
 
-/// A file on disk. Unbuffered: what was written survives the end of this process, however it ends.
+/// A file on disk. It has no buffer of its own, so the bytes of a successful write stay in the file
+/// even if this process is killed.
 class FileSink final : public ByteSink {
  public:
-  /// Makes the file, or fails if there is one already and `replace` is not given.
+  /// Makes the file. With `replace`, empties a file that exists.
+  /// Errors: the file exists and `replace` is false, or it cannot be written.
   [[nodiscard]] static Result<FileSink> create(const std::string& path, bool replace);
   FileSink(FileSink&& other) noexcept
       : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
@@ -32,7 +34,7 @@ class FileSink final : public ByteSink {
   ~FileSink() override;
 
   [[nodiscard]] Failure write(std::span<const std::uint8_t> bytes) override;
-  /// Waits until the disk has it all.
+  /// Waits until all that was written is on the disk, so that it survives a loss of power.
   [[nodiscard]] Failure sync();
 
  private:

@@ -10,18 +10,21 @@
 
 namespace galilean::mcap {
 
-/// What a recording is read from.
+/// The bytes of a recording, for reading.
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
+  /// Returns the present size in bytes; 0 if it cannot be read.
   [[nodiscard]] virtual std::uint64_t size() const = 0;
-  /// Fills `to` from `offset` on; false if there are not so many bytes, or the disk fails.
+  /// Fills `to` with the bytes from `offset` on. Returns false if there are not that many bytes, or
+  /// the disk fails.
   [[nodiscard]] virtual bool read(std::uint64_t offset, std::span<std::uint8_t> to) const = 0;
 };
 
-/// A file on disk. May be cut or grow while it is read.
+/// A file on disk. It may shrink or grow while it is read.
 class FileSource final : public ByteSource {
  public:
+  /// Errors: the file cannot be opened, or is a folder, a device or a pipe.
   [[nodiscard]] static Result<FileSource> open(const std::string& path);
   FileSource(FileSource&& other) noexcept;
   FileSource& operator=(FileSource&&) = delete;
@@ -35,7 +38,7 @@ class FileSource final : public ByteSource {
   int descriptor_;
 };
 
-/// Bytes in memory.
+/// Bytes in memory, which must outlive it.
 class MemorySource final : public ByteSource {
  public:
   explicit MemorySource(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

@@ -7,7 +7,8 @@
 
 namespace galilean::mcap {
 
-/// The records of one chunk as they gather, with their times and the index of each channel.
+/// Collects the records of one chunk, the range of their times and the message index of each
+/// channel.
 class ChunkBuilder {
  public:
   void add(const Schema& schema) { append(records_, schema); }
@@ -18,10 +19,12 @@ class ChunkBuilder {
 
   [[nodiscard]] bool empty() const noexcept { return records_.empty(); }
   [[nodiscard]] ByteView records() const noexcept { return records_; }
-  /// The earliest and the latest log time of the messages, in ns; 0 if there are no messages.
+  /// Returns the earliest log time of the messages [ns since the Unix epoch]; 0 without messages.
+  /// `end_ns` returns the latest.
   [[nodiscard]] std::uint64_t start_ns() const noexcept { return start_ns_; }
   [[nodiscard]] std::uint64_t end_ns() const noexcept { return end_ns_; }
-  /// The message index of each channel, which is empty if the channel has no message in this chunk.
+  /// Returns the message indexes by channel id. An index is empty if the channel has no message in
+  /// this chunk.
   [[nodiscard]] const std::map<std::uint16_t, MessageIndex>& indexes() const noexcept {
     return indexes_;
   }

@@ -6,7 +6,7 @@
 namespace galilean::mcap {
 
 std::uint32_t crc32(std::span<const std::uint8_t> bytes, std::uint32_t so_far) noexcept {
-  // zlib takes a null pointer for the question what to begin with, and forgets `so_far`.
+  // An empty span may have a null pointer. zlib would return its initial value then, not `so_far`.
   if (bytes.empty()) return so_far;
   return static_cast<std::uint32_t>(::crc32_z(so_far, bytes.data(), bytes.size()));
 }

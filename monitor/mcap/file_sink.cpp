@@ -34,7 +34,7 @@ Failure FileSink::write(std::span<const std::uint8_t> bytes) {
 }
 
 Failure FileSink::sync() {
-  // Pipes and devices have nothing to wait for.
+  // EINVAL and EROFS mean a pipe or a device, which cannot be synchronized.
   if (fsync(descriptor_) == 0 || errno == EINVAL || errno == EROFS) return {};
   return Error{path_ + " cannot be written: " + std::strerror(errno)};
 }

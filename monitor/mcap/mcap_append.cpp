@@ -28,7 +28,7 @@ void put(Bytes& to, const MessageIndex::Entry& entry) {
   put(to, entry.offset);
 }
 
-/// What `fill` appends, behind its own size as a number of type Size.
+/// Appends the bytes that `fill` appends, with their count before them as a number of type Size.
 template <class Size, class Fill>
 void put_sized(Bytes& to, Fill fill) {
   const auto at = to.size();

@@ -7,7 +7,7 @@
 namespace galilean::mcap {
 namespace {
 
-/// Takes fields off the front. A field that does not fit fails this and all that follow.
+/// Reads fields from the front of the bytes. If a field does not fit, it and all later ones fail.
 class Fields {
  public:
   explicit Fields(ByteView bytes) : rest_(bytes) {}

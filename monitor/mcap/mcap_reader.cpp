@@ -18,12 +18,13 @@ bool has_magic(const ByteSource& source, std::uint64_t offset) {
   return source.read(offset, magic) && std::memcmp(magic, kMagic, sizeof magic) == 0;
 }
 
-/// The summary section and the footer behind it, if they are whole.
+/// The records of the summary section.
 struct SummarySection {
   std::uint64_t start = 0;
   Bytes bytes;
 };
 
+/// Returns nothing if the section or its footer is missing or damaged.
 std::optional<SummarySection> read_section(const ByteSource& source) {
   const std::uint64_t size = source.size();
   if (size < 2 * sizeof kMagic + kFooterBytes || !has_magic(source, size - sizeof kMagic))
@@ -44,7 +45,8 @@ std::optional<SummarySection> read_section(const ByteSource& source) {
   return section;
 }
 
-/// False if the record has no place in a summary or contradicts itself.
+/// Adds a record of the summary section to `summary`. Returns false if the record, or the metadata
+/// record that it points to, is damaged.
 bool note(Opcode opcode, ByteView content, const ByteSource& source, Summary& summary) {
   if (opcode == Opcode::kSchema) {
     Schema schema;

@@ -7,22 +7,24 @@
 
 namespace galilean::mcap {
 
-/// What a recording contains.
+/// The contents of a recording.
 struct Summary {
   Header header;
   std::map<std::uint16_t, Schema> schemas;
   std::map<std::uint16_t, Channel> channels;
   Statistics statistics;
-  std::map<std::string, std::uint32_t> compressions;  ///< chunks of each; "" for none
+  std::map<std::string, std::uint32_t> compressions;  ///< number of chunks; "" is uncompressed
   std::vector<Metadata> metadata;
-  std::uint64_t bytes = 0;  ///< of the file
-  /// The recorder did not close it: all here was counted from the chunks that are whole.
+  std::uint64_t bytes = 0;  ///< size of the file
+  /// Whether the file was not closed or is damaged. The contents were then counted from the chunks
+  /// that are whole.
   bool recovered = false;
   std::vector<std::string> damage;  ///< as in ScanEnd
 };
 
-/// From the file's own summary, where that is whole and matches its checksum; else by scanning the
-/// file. Fails if this is no MCAP file, without a name before the sentence.
+/// Reads the file's summary if it is whole and matches its checksum, else scans the whole file.
+/// Errors: the file is empty or no MCAP file. The message is a predicate, so that the caller can
+/// put the file's name before it.
 [[nodiscard]] Result<Summary> summarize(const ByteSource& source);
 
 }  // namespace galilean::mcap

@@ -9,9 +9,9 @@
 
 namespace galilean::mcap {
 
-// The records of MCAP, version 0, as its specification gives them (mcap.dev/spec): little-endian,
-// each behind its opcode and its length. Times are nanoseconds since the Unix epoch; offsets are
-// bytes from the start of the file.
+// The records of MCAP, version 0 (mcap.dev/spec). A record is its opcode, its length and its
+// content. Numbers are little-endian. Times are nanoseconds since the Unix epoch. Offsets are bytes
+// from the start of the file.
 
 using Bytes = std::vector<std::uint8_t>;
 using ByteView = std::span<const std::uint8_t>;
@@ -104,7 +104,7 @@ struct DataEnd {
   std::uint32_t crc = 0;
 };
 
-/// Appends the record to `to`, opcode and length before it.
+/// Appends the record with its opcode and length to `to`.
 void append(Bytes& to, const Header& record);
 void append(Bytes& to, const Footer& record);
 void append(Bytes& to, const Schema& record);
@@ -119,8 +119,9 @@ void append(Bytes& to, const Statistics& record);
 void append(Bytes& to, const SummaryOffset& record);
 void append(Bytes& to, const DataEnd& record);
 
-/// Reads a record from what stands behind its opcode and length; false if that is cut short or
-/// contradicts itself. Fields that later versions may have added are skipped.
+/// Reads a record from its content, without opcode and length. `data` of a message and `records` of
+/// a chunk point into `content`. Returns false if the content is cut short or invalid. Skips fields
+/// that later versions may have added.
 [[nodiscard]] bool parse(ByteView content, Header& record);
 [[nodiscard]] bool parse(ByteView content, Footer& record);
 [[nodiscard]] bool parse(ByteView content, Schema& record);

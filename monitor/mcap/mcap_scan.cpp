@@ -9,7 +9,8 @@
 namespace galilean::mcap {
 namespace {
 
-/// No recorder makes larger ones: a larger number is damage, and memory is not asked for it.
+/// The largest chunk that is read. No recorder makes larger chunks, so a larger size is damage, and
+/// no memory is allocated for it.
 constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{256} << 20;
 
 template <class Record>
@@ -52,7 +53,7 @@ std::string unpack(const Chunk& chunk, Bytes& records) {
   return {};
 }
 
-/// The length of the content behind the head at the start of `bytes`.
+/// Returns the length of the content behind a record's head.
 std::uint64_t content_length(const std::uint8_t* head) {
   std::uint64_t length = 0;
   std::memcpy(&length, head + 1, sizeof length);

@@ -8,28 +8,28 @@
 
 namespace galilean::mcap {
 
-/// The functions that a scan calls for the records that it finds, in the order of the file. Any may
-/// be empty.
+/// The functions that a scan calls for the file's records, in the order of the file. Any may be
+/// empty.
 struct Visitor {
   std::function<void(const Header&)> header;
   std::function<void(const Schema&)> schema;
   std::function<void(const Channel&)> channel;
   std::function<void(const Message&)> message;  ///< its bytes are valid during the call only
-  std::function<void(const Chunk&)> chunk;      ///< one that was whole, before what it contains
+  std::function<void(const Chunk&)> chunk;      ///< called for a whole chunk, before its records
   std::function<void(const Metadata&)> metadata;
   std::function<bool()> enough;  ///< called before each record; true ends the scan
 };
 
-/// How far a scan came.
+/// The end of a scan.
 struct ScanEnd {
-  bool complete = false;  ///< it reached the end of the data section
+  bool complete = false;  ///< whether the scan reached the end of the data section
   std::uint64_t offset = 0;
-  /// One sentence a part that could not be read, with its place.
+  /// One sentence for each part that could not be read, with its place.
   std::vector<std::string> damage;
 };
 
 /// Reads the data section from its start, without the summary, so that a file whose recorder was
-/// killed can be read. A damaged chunk or record is left out; a record that ends too early ends the
+/// killed can be read. A damaged chunk or record is left out. A record that is cut short ends the
 /// scan. Never throws because of the file's content.
 [[nodiscard]] ScanEnd scan(const ByteSource& source, const Visitor& visitor);
 

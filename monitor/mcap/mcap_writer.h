@@ -12,28 +12,33 @@ namespace galilean::mcap {
 struct WriterOptions {
   std::string profile = "ros2";
   std::string library = "galilean";
-  std::size_t chunk_bytes = std::size_t{1} << 20;  ///< a chunk closes when it holds as much,
-  Duration chunk_span = std::chrono::seconds(1);   ///< or spans as much log time
+  std::size_t chunk_bytes = std::size_t{1} << 20;  ///< a chunk closes when it holds so many bytes
+  Duration chunk_span = std::chrono::seconds(1);   ///< or when it spans so much log time
 };
 
 /// Writes an MCAP file: chunks compressed by zstd, with indexes and checksums, and a summary at the
-/// end. Whatever happens, all closed chunks can be read again: they are written whole, in order,
-/// and never touched afterwards. After the first failure nothing more is written, and every call
-/// returns that failure.
+/// end. Each chunk is written whole, in order, and never changed afterwards, so all closed chunks
+/// can be read even if the recording breaks off. After the first failure nothing more is written,
+/// and every call returns that failure.
 class Writer {
  public:
   explicit Writer(ByteSink& sink, WriterOptions options = {});
 
+  /// Writes the start of the file. Call it once, before all others.
   [[nodiscard]] Failure begin();
-  /// The ids to use with the next two. Schemas and channels stand in the file before their first
+  /// Returns the new schema's id, from 1. Schemas and channels stand in the file before their first
   /// message, and again in the summary.
   [[nodiscard]] std::uint16_t add_schema(std::string name, std::string encoding, std::string data);
+  /// Returns the new channel's id, from 1; `channel.id` is ignored.
   [[nodiscard]] std::uint16_t add_channel(Channel channel);
+  /// Adds a message to the open chunk, and copies its data.
   [[nodiscard]] Failure write(const Message& message);
+  /// Writes a metadata record at once, before the open chunk.
   [[nodiscard]] Failure write(const Metadata& metadata);
-  /// Closes the chunk if its span is over at `now_ns`, so that a quiet team's messages do not wait.
+  /// Closes the chunk if its span is over at `now_ns`, so that messages do not stay in memory while
+  /// no more arrive.
   [[nodiscard]] Failure close_chunk_if_due(std::uint64_t now_ns);
-  /// Closes the last chunk and writes the summary.
+  /// Closes the last chunk and writes the summary. Call nothing that writes after it.
   [[nodiscard]] Failure end();
 
   [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }

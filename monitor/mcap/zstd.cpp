@@ -9,7 +9,7 @@
 namespace galilean::mcap {
 namespace {
 constexpr int kLevel =
-    1;  // telemetry repeats itself: higher levels cost five times as much for a tenth
+    1;  // low, because higher levels take five times as long to save a tenth on telemetry
 }
 
 Compressor::Compressor() : context_(ZSTD_createCCtx()) {

@@ -25,8 +25,8 @@ class Compressor {
   std::vector<std::uint8_t> frame_;
 };
 
-/// Decompresses `frame` into `to`.
-/// Returns false if `frame` is not one whole zstd frame that holds exactly `to.size()` bytes.
+/// Decompresses `frame` into `to`. Returns false if `frame` is damaged or does not hold exactly
+/// `to.size()` bytes.
 [[nodiscard]] bool decompress(std::span<const std::uint8_t> frame, std::span<std::uint8_t> to);
 
 }  // namespace galilean::mcap

@@ -12,35 +12,40 @@ namespace galilean::monitor {
 
 struct LibraryEntry {
   std::string name;  ///< path below the library's folder
-  std::string hash;  ///< empty if it does not check
+  std::string hash;  ///< the program's hash; empty if the program has errors
 };
 
-/// The programs that ship: a folder of BHDL files.
+/// The installed programs: a folder of BHDL files, which is read anew at every call. Any thread may
+/// use it.
 class ProgramLibrary {
  public:
-  /// `catalog`: what its programs are checked against where no robot is asked.
+  /// `catalog` checks the library's own programs, and other programs while no robot has published a
+  /// catalog.
   ProgramLibrary(std::filesystem::path folder, Catalog catalog)
       : folder_(std::move(folder)), catalog_(std::move(catalog)) {}
 
-  /// In the order of their names. Files that other programs only include are left out.
+  /// Returns the programs in the order of their names. Leaves out a file that has errors if another
+  /// program includes it, because such a file is no program by itself.
   [[nodiscard]] std::vector<LibraryEntry> list() const;
-  /// The main file first, its includes after; nothing if `name` is not in the library.
+  /// Returns the program's main file and then its includes, or nothing if `name` is not in the
+  /// library.
   [[nodiscard]] std::optional<std::vector<bhdl::SourceFile>> read(const std::string& name) const;
-  /// Checks texts; includes that are not among them are taken from the library.
+  /// Checks a program whose main file is the first of `files`. Includes that are not among `files`
+  /// are read from the library.
   [[nodiscard]] bhdl::CheckResult check(std::vector<bhdl::SourceFile> files,
                                         const Catalog& catalog) const;
   [[nodiscard]] const Catalog& catalog() const noexcept { return catalog_; }
 
  private:
   [[nodiscard]] std::vector<std::string> names() const;
-  /// Paths below the library's folder.
+  /// Returns a program's files with paths below the library's folder.
   [[nodiscard]] std::vector<bhdl::SourceFile> files_of(const std::string& name) const;
 
   std::filesystem::path folder_;
   Catalog catalog_;
 };
 
-/// The programs as they ship.
+/// Returns the folder of the installed programs.
 [[nodiscard]] std::filesystem::path default_library_folder();
 
 }  // namespace galilean::monitor

@@ -44,7 +44,7 @@ Verdict Canary::judge(Time now) {
 Verdict Canary::see(bool silent, const std::string& running_hash, Time now) const {
   if (!runs_since_) return {};
   if (silent) return {Kind::kFailed, robot_ + " fell silent on its probation"};
-  // A state that was under way when the program was swapped still names the one before.
+  // A RobotState that was sent before the swap still has the hash of the previous program.
   const bool settled = now - *runs_since_ >= kReplyPatience / 2;
   const std::string pushed = reply().reply.hash;
   if (settled && !pushed.empty() && running_hash != pushed)

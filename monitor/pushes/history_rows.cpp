@@ -49,7 +49,7 @@ Progress progress_of(const std::string& state, const std::string& steps, const s
   Progress progress{.state = push_state_of(state).value_or(PushState::kForeign),
                     .steps = steps_of(steps)};
   if (!trial.empty()) progress.trial = nlohmann::json::parse(trial, nullptr, false);
-  if (progress.trial.is_discarded()) progress.trial = nullptr;  // damaged
+  if (progress.trial.is_discarded()) progress.trial = nullptr;  // the stored text is damaged
   return progress;
 }
 
@@ -150,7 +150,7 @@ std::optional<PushRecord> record_of(sqlite3* database, sql::Statement& rows) {
 }
 
 std::optional<std::vector<bhdl::SourceFile>> files_of(sqlite3* database, const std::string& hash) {
-  // A hash is ASCII: all that begin so lie below what DEL follows.
+  // Hashes are hexadecimal, so all that begin with `hash` sort before `hash` followed by DEL.
   sql::Statement rows(database,
                       "SELECT path, text, hash FROM program_file WHERE hash >= ? AND hash < ? "
                       "ORDER BY hash, position");

@@ -28,7 +28,7 @@ Push Push::of_others(const msg::ProgramPush& message, const OrderTargets& target
 std::vector<PushRequest> Push::take_requests() {
   auto requests = std::exchange(requests_, {});
   if (!requests.empty() || told_changes_ == steps_.changes()) return requests;
-  // Last, as what was asked for may have failed at once.
+  // The progress comes last, because a request before it may have failed at once.
   told_changes_ = steps_.changes();
   if (is_recording_asked_) requests.push_back(TellProgress{record()});
   return requests;
@@ -41,7 +41,7 @@ void Push::begin_next(Time now) {
 
 void Push::begin(StepKind kind, Time now) {
   switch (kind) {
-    case StepKind::kCheck:  // began with the push
+    case StepKind::kCheck:  // the constructor began it
       return;
     case StepKind::kTry:
       is_trial_under_way_ = true;
@@ -120,7 +120,7 @@ void Push::handle(const RequestFailed& failed, Time /*now*/) {
 
 void Push::take_reply(const msg::ProgramReply& said, Time now) {
   if (!is_meant_by(said)) return;
-  // A robot that was ordered back answers for the push that it goes back from.
+  // A reply to the rollback order counts as one to this push, which the robot rolls back.
   auto reply = said;
   reply.id = id();
   const auto known = rollout_.note(reply, now);

@@ -27,7 +27,7 @@ void PushContent::set_program(const CheckedProgram& program) {
   message_.hash = program.hash;
   for (const auto& file : program.files) message_.files.push_back({file.path, file.text});
   if (!order_.probation) return;
-  // A canary stays on probation for as long as it may be taken back.
+  // The robot's probation must last until the monitor has decided whether the canary rolls back.
   const Duration more = order_.canary.empty() ? Duration() : kReplyPatience;
   message_.probation_s = static_cast<float>(to_seconds(*order_.probation + more));
 }
@@ -71,8 +71,8 @@ SendProgram PushContent::to_canary() const {
 }
 
 SendProgram PushContent::to_rest(std::vector<std::string> rest) const {
-  // The canary runs it already. Without one the team is meant as it is, with robots that are not
-  // heard here.
+  // A canary runs the program already. Without a canary, the targets are sent as they were ordered:
+  // an empty list reaches robots, too, that this monitor does not hear.
   auto send = sending(order_.canary.empty() ? order_.targets : std::move(rest));
   send.is_for_team = order_.targets.empty();
   return send;

@@ -11,7 +11,8 @@
 namespace galilean::monitor {
 namespace {
 
-/// Replies to older pushes (a late rollback) are no longer told apart.
+/// The number of pushes that are kept, unless more are under way. Late replies to older pushes,
+/// such as rollbacks, are ignored.
 constexpr std::size_t kMostOpen = 64;
 constexpr auto kWatchEach = std::chrono::milliseconds(50);
 
@@ -97,7 +98,7 @@ void PushDesk::take(const std::string& id, const PushResult& result) {
   advance(*open);
 }
 
-/// After anything happened to a push: what it asks for is carried out, and its answer is given.
+// This must follow every event of a push. It carries the push's requests out and gives its answer.
 void PushDesk::advance(Open& open) {
   auto& push = open.push;
   for (auto asked = push.take_requests(); !asked.empty(); asked = push.take_requests())

@@ -73,7 +73,7 @@ Result<void> PushExecutor::carry_out(const std::string& push_id, TryProgram requ
 
 void PushExecutor::finish_trial(const std::string& push_id, const Result<TrialFigures>& figures) {
   auto over = trials_.extract(push_id);
-  // Not from within its own last word.
+  // The trial is running this callback, so it is destroyed later.
   boost::asio::post(parts_.io, [trial = std::shared_ptr<Trial>(std::move(over.mapped()))] {});
   report_(push_id, ProgramTried{figures});
 }
@@ -99,7 +99,8 @@ Result<void> PushExecutor::carry_out(const std::string& push_id, SendProgram req
   return {};
 }
 
-/// The robot has kept the program that it ran before, and says what became of the order.
+// The order needs no program, because the robot has kept the one that it ran before. The robot
+// replies to the order.
 Result<void> PushExecutor::carry_out(const std::string& /*push_id*/, RollBack request) {
   msg::ProgramRollback order;
   order.stamp = wire::ros_time(wire::wall_clock_ns());

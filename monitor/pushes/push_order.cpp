@@ -16,7 +16,7 @@ std::string known_robots(const Team& team) {
   return names.empty() ? "no robot was heard yet" : "known are " + names;
 }
 
-/// One that is named is waited for even while it is silent.
+/// Adds a robot to the targets. A robot that the order names is awaited even while it is silent.
 void add(const Robot& robot, bool is_named, const Team& team, OrderTargets& targets) {
   if (is_named || !team.silent(robot))
     targets.awaited.push_back(target_of(robot));
@@ -24,7 +24,7 @@ void add(const Robot& robot, bool is_named, const Team& team, OrderTargets& targ
     targets.silent.push_back(robot.name);
 }
 
-/// Such a robot takes no program that is pushed to all.
+/// Returns whether a robot is out of service. Such a robot takes no program that is pushed to all.
 bool out_of_service(const Robot& robot) {
   return robot.state && robot.state->out_of_service;
 }
@@ -62,7 +62,7 @@ Result<void, Refusal> require_targets(const PushOrder& order, const OrderTargets
 std::optional<Stale> stale(const PushOrder& order, const OrderTargets& targets, const Team& team) {
   if (order.replaces.empty()) return std::nullopt;
   if (order.targets.empty()) {
-    // A robot that drifts is no reason against a program for the team: it is brought back by it.
+    // Only the team's program counts. A robot that runs another one gets the team's by this push.
     const auto runs = team.program_hash();
     if (runs.empty() || runs == order.replaces) return std::nullopt;
     return Stale{{}, runs};

@@ -29,7 +29,7 @@ std::string audience(const PushRecord& push) {
   return names;
 }
 
-/// "office_cleanup.bhdl (1a2b3c4d)"
+/// Returns a text such as "office_cleanup.bhdl (1a2b3c4d)".
 std::string program_words(const PushRecord& push) {
   return push.program + (push.hash.empty() ? "" : " (" + short_hash(push.hash) + ")");
 }

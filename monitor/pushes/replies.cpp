@@ -30,10 +30,10 @@ bool Replies::note(const msg::ProgramReply& reply, Time now) {
   if (reply.id != push_id_) return false;
   list(reply.robot);
   RobotReply& known = replies_[reply.robot];
-  // The numbers rise in the order in which a robot says them; a repeat tells nothing new.
+  // A robot's statuses come in rising order, so one that is not higher tells nothing new.
   if (reply.status <= known.reply.status) return false;
   const bool first_outcome = known.status <= ReplyStatus::kReceived;
-  // Only the swap itself tells what was kept and how long it took.
+  // Only the reply to the swap itself has the kept variables and the duration.
   auto kept = std::move(known.reply.kept_variables);
   const float swap_tick_us = known.reply.swap_tick_us;
   known.reply = reply;

@@ -45,7 +45,7 @@ std::vector<RobotReply> Rollout::replies() const {
   return all;
 }
 
-/// "callisto has not answered; ganymede refused it: no camera"
+/// Returns a text such as "callisto has not answered; ganymede refused it: no camera".
 std::string Rollout::shortcomings() const {
   std::string text;
   for (const auto& reply : replies()) {

@@ -99,7 +99,7 @@ std::string describe_json(const std::string& path, const mcap::Summary& summary)
                                 {"messages", row.messages},
                                 {"rate_hz", row.rate_hz}});
   for (const auto& metadata : summary.metadata) json["metadata"][metadata.name] = metadata.entries;
-  // Damaged files may hold anything in place of text.
+  // Text of a damaged file may be invalid UTF-8, which dump would otherwise throw on.
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

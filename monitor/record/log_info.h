@@ -7,7 +7,7 @@
 
 namespace galilean::monitor {
 
-/// Seconds from the first message to the last.
+/// Returns the time from the first message to the last [s].
 [[nodiscard]] double duration_s(const mcap::Summary& summary);
 /// Returns a description of the file for people, with a line for each channel.
 [[nodiscard]] std::string describe(const std::string& path, const mcap::Summary& summary);

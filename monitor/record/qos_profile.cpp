@@ -30,7 +30,7 @@ Profile profile_of(wire::Delivery delivery) {
 
 std::string offered_qos_profiles(wire::Delivery delivery) {
   const Profile profile = profile_of(delivery);
-  // The largest time that ROS 2 knows: none.
+  // The largest time of ROS 2 stands for no limit.
   const std::string unlimited = "\n    sec: 9223372036\n    nsec: 854775807\n";
   return "- history: keep_last\n  depth: " + std::to_string(profile.depth) +
          "\n  reliability: " + profile.reliability + "\n  durability: " + profile.durability +

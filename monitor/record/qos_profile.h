@@ -7,8 +7,8 @@
 
 namespace galilean::monitor {
 
-/// How a topic was offered, as a channel of MCAP's profile "ros2" must say it: in YAML, so that
-/// ROS 2 replays it in the same way.
+/// Returns the quality of service that a topic was offered with, in YAML. A channel of MCAP's
+/// profile "ros2" must state it, so that ROS 2 replays the topic in the same way.
 [[nodiscard]] std::string offered_qos_profiles(wire::Delivery delivery);
 
 }  // namespace galilean::monitor

@@ -20,7 +20,7 @@ using monitor::Recorder;
 
 struct Options {
   std::string out;
-  double duration_s = 0;  // 0: until told to end
+  double duration_s = 0;  // 0: records until termination is asked for
   std::string topics;
   int domain = -1;
   bool no_images = false;
@@ -32,7 +32,8 @@ int fail(const std::string& sentence) {
   return 1;
 }
 
-/// Until the time is over or somebody ends it; then the failure that ended it sooner, if one did.
+/// Records for `duration_s` seconds, or without end if that is 0, until termination is asked for.
+/// Returns the failure that ended the recording sooner, if there was one.
 mcap::Failure record(Recorder& recorder, Termination& termination, double duration_s) {
   constexpr int kLookAtClockEach_ms = 100;
   const SteadyClock clock;

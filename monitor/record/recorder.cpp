@@ -11,10 +11,10 @@
 namespace galilean::monitor {
 namespace {
 
-/// Messages of each writer that may wait while a chunk is compressed and written: a minute of a
-/// robot's state, six seconds of pictures.
+/// The number of messages of each writer that may wait while a chunk is compressed and written. It
+/// is a minute of a robot's state or six seconds of images.
 constexpr int kReaderDepth = 600, kImageDepth = 60;
-constexpr std::string_view kRosPrefix = "rt";  // ROS 2 puts it before its topics' names on DDS
+constexpr std::string_view kRosPrefix = "rt";  // stands before ROS topics' names on DDS
 
 bool is_image(std::string_view ros_type) {
   return ros_type == msg::CompressedImage::kRosType;
@@ -86,7 +86,7 @@ void Recorder::subscribe(const std::string& topic, const wire::Schema& schema) t
     ready = true;
     wake_.ring();
   });
-  wake_.ring();  // for what came before the callback was set
+  wake_.ring();  // because messages may have come before the callback was set
   subscriptions_.push_back(std::move(subscription));
 } catch (const std::exception& error) {
   warn_(topic.substr(kRosPrefix.size()) + " is not recorded: " + error.what());

@@ -18,19 +18,21 @@
 
 namespace galilean::monitor {
 
-/// Reads all topics of the team and writes their bytes untouched to an MCAP file, each from the
-/// moment when somebody first writes it. Log time: when it was received, by this machine's clock.
-/// Publish time: when it was sent, by its writer's clock. Topics are named as ROS 2 does:
+/// Reads all topics of the team and writes their bytes unchanged to an MCAP file. A topic is read
+/// as soon as it has a writer. A message's log time is when it was received, by this machine's
+/// clock. Its publish time is when it was sent, by its writer's clock. Topics have their ROS names:
 /// /io/state.
 ///
-/// One thread owns it and calls `pump` when `descriptor` is readable.
+/// For use by one thread, which calls `pump` when `descriptor` is readable.
 class Recorder {
  public:
   struct Selection {
-    std::optional<std::regex> topics;  ///< records those in whose names it is found; none: all
-    bool images = true;                ///< reading them makes robots encode them
+    std::optional<std::regex> topics;  ///< must match a part of a topic's name; none: all topics
+    bool images = true;                ///< costly, because robots encode images only for readers
   };
 
+  /// `warn` gets a sentence for each topic that cannot be recorded.
+  /// Requires: `writer` has begun. Both references outlive this.
   Recorder(wire::Participant& participant, mcap::Writer& writer, Selection selection,
            std::function<void(const std::string&)> warn);
   ~Recorder();
@@ -38,7 +40,8 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
 
   [[nodiscard]] int descriptor() const noexcept { return wake_.descriptor(); }
-  /// Records all that came since the last call; never waits for more.
+  /// Records the messages that came since the last call. Never waits for more.
+  /// Errors: the file cannot be written.
   [[nodiscard]] mcap::Failure pump();
   [[nodiscard]] std::size_t topics() const noexcept { return subscriptions_.size(); }
 
@@ -57,7 +60,7 @@ class Recorder {
   std::function<void(const std::string&)> warn_;
   Wake wake_;
   std::map<std::string, std::uint16_t, std::less<>> schema_ids_;  ///< by ROS type
-  std::set<std::string> settled_;  ///< topics that are recorded, or were decided against
+  std::set<std::string> settled_;  ///< topics that are recorded, not selected or not known
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
   std::atomic<bool> topics_changed_{true};
   wire::Discovery discovery_;

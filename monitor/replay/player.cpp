@@ -7,7 +7,7 @@
 namespace galilean::monitor {
 namespace {
 
-/// As many events as a writer keeps for late joiners.
+/// The number of events that a writer keeps for late joiners.
 constexpr std::size_t kEventsKept = 64;
 
 }  // namespace
@@ -43,7 +43,7 @@ void Player::keep(const mcap::Message& message, wire::Delivery delivery) {
 }
 
 void Player::tell_kept() {
-  began_ = clock_.now();  // reading up to here took its time
+  began_ = clock_.now();  // because reading the skipped messages took time
   std::vector<Kept> all;
   for (auto& [channel, kept] : kept_) std::ranges::move(kept, std::back_inserter(all));
   kept_.clear();

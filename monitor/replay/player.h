@@ -9,29 +9,30 @@
 
 namespace galilean::monitor {
 
-/// How a recording is played.
+/// The speed and the start of a replay.
 struct Pace {
-  double rate = 1;  ///< 2: twice as fast as it was
-  Duration from{};  ///< what was before this, since its start, is not played
+  double rate = 1;  ///< 2 is twice as fast as recorded
+  Duration from{};  ///< time since the recording's start at which the replay begins
 };
 
-/// Sends a recording's messages again, each as long after the first as it was received then.
+/// Sends a recording's messages again, with the intervals in which they were received, divided by
+/// the rate.
 ///
-/// Where it begins later than the recording, what a late joiner would have been told then comes
-/// first: the newest of what is, the last of what happened.
+/// If the replay begins later than the recording, it first sends what a late joiner would have got
+/// at that time: the newest message of each state and the last 64 of each event.
 class Player {
  public:
   using Send = std::function<void(std::uint16_t channel, mcap::ByteView cdr)>;
-  /// Waits until then; false ends the playing.
+  /// Waits until the time. Returns false to end the replay.
   using Wait = std::function<bool(Time)>;
 
   Player(const std::map<std::uint16_t, Track>& tracks, Pace pace, const Clock& clock, Send send,
          Wait wait);
 
-  /// Plays what is whole, from its start at `start_ns` (since the Unix epoch). What could not be
-  /// read is told.
+  /// Plays the recording, whose first message is of `start_ns` (since the Unix epoch), on the
+  /// calling thread. Leaves out damaged parts and returns them in ScanEnd. Call it once.
   [[nodiscard]] mcap::ScanEnd play(const mcap::ByteSource& recording, std::uint64_t start_ns);
-  /// Sent in all.
+  /// Returns the number of messages that were given to `send`.
   [[nodiscard]] std::uint64_t sent() const noexcept { return sent_; }
 
  private:

@@ -22,7 +22,7 @@ namespace {
 using namespace galilean;
 using namespace galilean::monitor;
 
-/// Until all that are there are known, and know what is written here.
+/// The time for DDS' discovery in both directions.
 constexpr auto kAcquaintance = std::chrono::milliseconds(800);
 constexpr auto kLookEach = std::chrono::milliseconds(500);
 
@@ -35,7 +35,7 @@ struct Options {
   int domain = -1;
 };
 
-/// "5.9 s"
+/// Returns a text such as "5.9 s".
 std::string seconds(double duration_s) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(1) << duration_s << " s";
@@ -47,12 +47,14 @@ int fail(const std::string& sentence) {
   return 1;
 }
 
-/// Waits on the machine's clock; false if somebody ended it sooner. Calls `look` on the way.
+/// Waits by the machine's clock, and ends early if termination is asked for.
 class Waiting {
  public:
   Waiting(const Clock& clock, Termination& termination)
       : clock_(clock), termination_(termination) {}
 
+  /// Waits until `due`, and calls `look` about every 0.5 s. Returns false if termination was asked
+  /// for.
   bool until(Time due, const std::function<void()>& look = {}) {
     for (Time now = clock_.now(); !termination_.asked(); now = clock_.now()) {
       if (look && now >= next_look_) {
@@ -110,8 +112,8 @@ class Replay {
     return false;
   }
 
-  /// Once through the recording, with writers of its own: to late joiners it is the only one.
-  /// False if somebody ended it.
+  /// Plays the recording once. Each pass has writers of its own, so that late joiners get nothing
+  /// of an earlier pass. Returns false if termination was asked for.
   bool pass(wire::Participant& participant) {
     Stage stage(participant, tracks_.played);
     if (!waiting_.until(clock_.now() + kAcquaintance)) return false;

@@ -7,7 +7,7 @@
 
 namespace galilean::monitor {
 
-/// Returns lines that say what is about to be played of the recording `path`, and what is not.
+/// Returns lines about the recording `path`: what will be played, what not, and its damage.
 [[nodiscard]] std::string before_playing(const std::string& path, const mcap::Summary& summary,
                                          const Tracks& tracks);
 

@@ -14,7 +14,7 @@ bool monitor_is_in(const wire::Graph::Topics& topics) {
   return objects != topics.end() && objects->second.writers.contains(wire::kMonitorName);
 }
 
-/// "io" for "rt/io/state".
+/// Returns the robot's name in a topic: "io" for "rt/io/state".
 std::string owner(const std::string& topic) {
   const auto name = topic.substr(topic.find('/') + 1);
   return name.substr(0, name.find('/'));

@@ -12,18 +12,19 @@
 
 namespace galilean::monitor {
 
-/// Where a recording's topics are written again. What a monitor makes of what it hears is left to
-/// the monitor that is here, whenever there is one.
+/// The writers of a recording's topics. While a monitor is in the domain, the topics that a monitor
+/// makes are left to it.
 class Stage {
  public:
   /// Throws std::runtime_error if Cyclone refuses a topic.
   Stage(wire::Participant& participant, const std::map<std::uint16_t, Track>& tracks);
 
-  /// Sends one message, unless that is left to the monitor.
+  /// Sends one message, unless its topic is left to the monitor.
   void send(std::uint16_t channel, std::span<const std::uint8_t> cdr);
-  /// Sees whether a monitor came or went. To be called now and then.
+  /// Opens or closes writers if a monitor came or went. Call it regularly. Throws
+  /// std::runtime_error if Cyclone refuses a topic.
   void look();
-  /// Messages that could not be sent: damaged, or not taken in time.
+  /// Returns the number of messages that were damaged or that DDS did not take in time.
   [[nodiscard]] std::uint64_t lost() const noexcept { return lost_; }
 
  private:
@@ -35,8 +36,9 @@ class Stage {
   std::uint64_t lost_ = 0;
 };
 
-/// Robots, and the referee, that are live in the domain and in the recording, too: with both, two
-/// would talk at once under one name. Sorted. To be asked before there is a Stage.
+/// Returns the names of robots, and of the referee, that write the recording's topics live in the
+/// domain, sorted. A replay would mix its messages with theirs.
+/// Requires: there is no Stage in this process, because its writers would count as live.
 [[nodiscard]] std::vector<std::string> live_namesakes(
     const std::vector<wire::Publication>& publications,
     const std::map<std::uint16_t, Track>& tracks);

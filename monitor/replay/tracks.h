@@ -12,24 +12,24 @@ namespace galilean::monitor {
 
 /// One topic of a recording that can be sent again.
 struct Track {
-  std::string topic;     ///< as on DDS: "rt/io/state"
+  std::string topic;     ///< DDS' name of it: "rt/io/state"
   std::string ros_type;  ///< "galilean_msgs/msg/RobotState"
   wire::Delivery delivery = wire::Delivery::kStream;
 };
 
-/// The topics of a recording that are sent again, and those that are not. The latter are named as
-/// ROS 2 names them: "/team/command".
+/// The topics of a recording that are sent again, and those that are not. The latter have their ROS
+/// names: "/team/command".
 struct Tracks {
-  std::map<std::uint16_t, Track> played;  ///< by channel
+  std::map<std::uint16_t, Track> played;  ///< by channel id
   std::vector<std::string> commands;      ///< orders to robots, which are never sent again
-  std::vector<std::string> foreign;       ///< of a type that this release does not know, or knows
-                                          ///< otherwise
+  std::vector<std::string> foreign;       ///< topics whose type this release does not know, or
+                                          ///< defines otherwise
 };
 
-/// Sorts the channels of a recording into these three kinds.
+/// Sorts a recording's channels into the three kinds.
 [[nodiscard]] Tracks tracks_of(const mcap::Summary& summary);
 
-/// Returns whether a monitor writes such a topic itself, from the robots' messages.
+/// Returns whether a monitor makes the topic from the robots' messages.
 [[nodiscard]] bool is_made_by_monitor(const Track& track);
 /// Returns whether several processes may write the topic at once, as ROS 2's own tools expect.
 [[nodiscard]] bool is_shared(const Track& track);

@@ -22,7 +22,8 @@ namespace asio = boost::asio;
 
 constexpr auto kTellPeriod = std::chrono::milliseconds(100);
 
-/// The installed catalog may be missing where each robot publishes its own.
+/// Returns an empty catalog if the file cannot be read, because robots publish catalogs of their
+/// own.
 Catalog catalog_or_none(const std::filesystem::path& file) {
   auto catalog = bhdl::load_catalog(file.empty() ? bhdl::default_catalog_path() : file);
   if (catalog) return std::move(catalog).value();
@@ -43,8 +44,8 @@ void decode_for(const Message& message, Take take) {
 
 }  // namespace
 
-/// In the order of making; they go in the other. The hub stays until every session is gone, and
-/// those go with the io_context.
+// The members are destroyed in the reverse order. The io_context destroys the sessions, and these
+// use the hub, so the hub must stand before it.
 struct Monitor::Parts {
   std::unique_ptr<wire::Participant> participant;
   std::unique_ptr<History> history;
@@ -121,7 +122,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
 }
 
 Ingest::Callbacks Monitor::Parts::callbacks() {
-  // One topic's or message's misfortune is not that of those behind it.
+  // An exception from one topic or message must not keep the next ones from being handled.
   return {
       [this](const Channel& channel) { guarded(channel.topic, [&] { hub.add_channel(channel); }); },
       [this](const Message& message) { guarded(message.channel.topic, [&] { receive(message); }); },
@@ -131,7 +132,7 @@ Ingest::Callbacks Monitor::Parts::callbacks() {
 }
 
 void Monitor::Parts::receive(const Message& message) {
-  hub.send(message);  // first: who looks at the page waits for it
+  hub.send(message);  // first, because a viewer waits for it
   team.receive(message);
   map.receive(message);
   trials.receive(message);
@@ -181,7 +182,7 @@ std::string Monitor::new_operator_token() const {
 }
 
 void Monitor::run() {
-  // A handler whose exception comes this far has lost its session, and nobody else anything.
+  // An exception that comes this far has ended its handler. The others go on.
   while (!parts_->io.stopped()) guarded("a handler", [this] { parts_->io.run(); });
 }
 

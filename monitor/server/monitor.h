@@ -13,25 +13,26 @@
 
 namespace galilean::monitor {
 
-/// How the monitor is started.
+/// The monitor's settings. An empty page, library or catalog path means the installed one.
 struct MonitorOptions {
   std::string address = "127.0.0.1";
-  std::uint16_t port = 8080;  ///< 0: any that is free
-  int domain = -1;            ///< of DDS; negative: ROS_DOMAIN_ID, else 0
+  std::uint16_t port = 8080;  ///< 0: any free port
+  int domain = -1;            ///< the DDS domain; negative: that of ROS_DOMAIN_ID, else 0
   std::filesystem::path page_folder;
   std::filesystem::path library_folder;
-  std::filesystem::path data_folder;
+  std::filesystem::path data_folder;  ///< keeps the tokens, the history of pushes and trials' files
   std::filesystem::path catalog_file;
-  std::filesystem::path simulator;  ///< galilean-sim; empty: the one beside this program
+  std::filesystem::path simulator;  ///< galilean-sim's path; empty: the one beside this program
   std::vector<std::string> allowed_origins;
   MapService::Options map;
 };
 
-/// The whole monitor. It passes messages from DDS to its clients, to the model of the team and to
-/// the map, and operators' orders to the robots.
+/// The whole monitor. It passes messages from DDS to its clients, to the model of the team, to the
+/// map, to the trials and to the pushes. It passes operators' orders to the robots.
 class Monitor {
  public:
-  /// Errors: the port is taken, DDS does not start, or a folder cannot be used; in one sentence.
+  /// Starts everything but the handling of requests, which `run` does.
+  /// Errors: the port is taken, DDS does not start, or a folder cannot be used.
   [[nodiscard]] static Result<std::unique_ptr<Monitor>> make(const MonitorOptions& options);
   ~Monitor();
   Monitor(const Monitor&) = delete;
@@ -40,7 +41,7 @@ class Monitor {
   [[nodiscard]] std::uint16_t port() const noexcept;
   /// Returns the operator's token if tokens were made at this start, else an empty string.
   [[nodiscard]] std::string new_operator_token() const;
-  /// Serves until `stop`, or SIGINT or SIGTERM.
+  /// Serves on the calling thread until `stop`, SIGINT or SIGTERM.
   void run();
   /// Ends `run`. May be called from any thread.
   void stop();

@@ -12,54 +12,54 @@
 
 namespace galilean::monitor {
 
-/// A variable's certainty, `age` after the Variables that carried it came:
-/// certainty(t) = max(0, certainty(0) - decay_per_s * t); 0 while the variable is invalid.
+/// Returns a variable's certainty, from 0 to 1, when `age` has passed since the message with it
+/// came: certainty(t) = max(0, certainty(0) - decay_per_s * t). It is 0 if the variable is invalid.
 [[nodiscard]] double certainty_after(const msg::Variable& variable, Duration age) noexcept;
 
-/// The newest that is known of one robot, as it was received. Times are the monitor's own.
+/// The newest messages of one robot, as they were received. Times are of the monitor's clock.
 struct Robot {
   static constexpr std::size_t kTransitionsKept = 64;
 
   std::string name;
-  Time heard{};  ///< when it last said anything
+  Time heard{};  ///< when its last message came
   std::optional<msg::RobotState> state;
   Time state_received{};
   std::optional<msg::Program> program;
   std::optional<msg::Catalog> catalog;
   msg::Variables variables;
   Time variables_received{};
-  std::deque<msg::Transition> transitions;  ///< by number, the oldest first
+  std::deque<msg::Transition> transitions;  ///< the newest ones, by number, the oldest first
 };
 
 enum class Health {
   kWell,
-  kTroubled,  ///< it reports problems, or its ticks come late
-  kSilent     ///< nothing heard for longer than the monitor waits
+  kTroubled,  ///< it reports problems, or one of its ticks took longer than the tick period
+  kSilent     ///< no message came for longer than Team's `silent_after`
 };
 [[nodiscard]] std::string_view to_string(Health health) noexcept;
 
-/// One robot at one instant, for whoever shows it.
+/// One robot at one instant, ready for display.
 struct RobotStatus {
   std::string name;
   Health health = Health::kWell;
-  double age_s = 0;  ///< since it was last heard
+  double age_s = 0;  ///< time since its last message
   std::string state;
   double in_state_s = 0;
   std::string program_name;
   std::string program_hash;
-  bool drifting = false;  ///< it runs another program than the team
+  bool drifting = false;  ///< its program differs from the team's program
   bool held = false;
-  bool out_of_service = false;  ///< decommissioned
+  bool out_of_service = false;  ///< an operator decommissioned it
   bool in_probation = false;
   std::uint64_t tick = 0;
   double tick_time_us = 0;
   double tick_time_max_us = 0;
   double tick_period_s = 0;
   std::uint32_t overruns = 0;
-  /// The name of the least certain valid variable; empty if no variable is valid.
+  /// The least certain valid variable; empty if no variable is valid.
   std::string least_certain;
   double lowest_certainty = 1;
-  double x_m = 0, y_m = 0, heading_rad = 0;  ///< the robot's odom frame
+  double x_m = 0, y_m = 0, heading_rad = 0;  ///< its pose in its own odom frame
   std::vector<std::string> problems;
 };
 

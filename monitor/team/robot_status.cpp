@@ -8,7 +8,8 @@
 namespace galilean::monitor {
 namespace {
 
-/// The stamps are the robot's own clock; their difference needs no common one.
+/// Returns the difference of two stamps of one robot. It needs no common clock, because both stamps
+/// are of the robot's clock.
 double seconds_between(const msg::Time& from, const msg::Time& to) {
   return static_cast<double>(wire::since_epoch_ns(to) - wire::since_epoch_ns(from)) * 1e-9;
 }

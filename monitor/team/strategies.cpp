@@ -16,7 +16,8 @@ void StrategyTally::note(const msg::Score& score) {
     strategies_.clear();
     has_last_ = false;
   }
-  // What was counted before this monitor listened is nobody's: it is unknown what ran then.
+  // The counts of the first message are credited to no program, because it is unknown which
+  // programs ran before it.
   if (has_last_)
     for (const auto& robot : score.robots) credit(robot, score, score.elapsed_s - last_.elapsed_s);
   last_ = score;

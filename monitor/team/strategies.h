@@ -9,24 +9,25 @@
 
 namespace galilean::monitor {
 
-/// How a program fared in this contest, over all robots that ran it.
+/// The score of one program in this contest, over all robots that ran it.
 struct Strategy {
   std::string program_name;
   std::string program_hash;
-  double robot_seconds = 0;  ///< that robots ran it while the clock ran; two robots count twice
+  double robot_seconds = 0;  ///< contest time that robots ran it; two robots count twice
   unsigned deposited = 0;
   unsigned collisions = 0;
   double points = 0;
 };
 
-/// Credits what the referee counts to the program that the robot ran, so that strategies which
-/// took turns in one contest can be compared. A clock that runs back begins a new contest. Pure.
+/// Credits the referee's counts of each robot to the program that the robot ran, so that programs
+/// which took turns in one contest can be compared. A contest clock that goes back begins a new
+/// contest. Depends on the messages only.
 class StrategyTally {
  public:
   void note(const msg::RobotState& state);
   void note(const msg::Score& score);
 
-  /// In the order in which they were first run in the contest.
+  /// Returns the contest's programs in the order in which they were first credited.
   [[nodiscard]] const std::vector<Strategy>& strategies() const noexcept { return strategies_; }
 
  private:

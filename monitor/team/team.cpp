@@ -43,7 +43,7 @@ Robot& Team::hear(const std::string& robot) {
 
 void Team::note(const msg::RobotState& state) {
   Robot& robot = hear(state.robot);
-  // A lower tick is a robot that was started anew: its numbers begin again.
+  // A lower tick means that the robot was restarted, so its transitions' numbers begin again.
   if (robot.state && state.tick < robot.state->tick) robot.transitions.clear();
   robot.state = state;
   tally_.note(state);

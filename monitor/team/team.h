@@ -14,17 +14,20 @@
 
 namespace galilean::monitor {
 
-/// What is known of the team: every robot that was ever heard, by name, and the referee's sheet.
-/// Pure: messages go in, answers come out; a robot that falls silent stays, with its age.
+/// A model of the team: every robot that ever sent a message, by name, and the referee's score. A
+/// robot that falls silent stays. The model depends on the messages and the clock only. For use by
+/// one thread.
 class Team {
  public:
   static constexpr Duration kDefaultSilentAfter = std::chrono::seconds(2);
 
+  /// A robot counts as silent if its last message is older than `silent_after`.
+  /// Requires: `clock` outlives this.
   explicit Team(const Clock& clock, Duration silent_after = kDefaultSilentAfter)
       : clock_(clock), silent_after_(silent_after) {}
 
-  /// Takes any message; those that tell nothing of a robot or the score are let pass. False if its
-  /// bytes were no message of its type.
+  /// Handles a message of any type, and ignores those that are not about robots or the score.
+  /// Returns false if the bytes cannot be decoded as the message's type.
   bool receive(const Message& message);
 
   void note(const msg::RobotState& state);
@@ -33,13 +36,15 @@ class Team {
   void note(const msg::Program& program);
   void note(const msg::Catalog& catalog);
   void note(const msg::Score& score);
-  /// A program was pushed to the whole team.
+  /// Notes the hash of a program that was pushed to the whole team.
   void note_push(const std::string& hash) { pushed_hash_ = hash; }
 
-  /// In the order of their names. Valid until the next message.
+  /// Returns the robots in the order of their names. The reference is valid as long as this object,
+  /// and the next message changes the map.
   [[nodiscard]] const std::map<std::string, Robot, std::less<>>& robots() const noexcept {
     return robots_;
   }
+  /// Returns the robot of this name, or nullptr if it never sent a message.
   [[nodiscard]] const Robot* find(std::string_view robot) const noexcept;
   [[nodiscard]] const std::optional<msg::Score>& score() const noexcept { return score_; }
 
@@ -51,9 +56,11 @@ class Team {
   [[nodiscard]] std::vector<RobotStatus> statuses() const;
   [[nodiscard]] bool silent(const Robot& robot) const noexcept;
   [[nodiscard]] double age_s(const Robot& robot) const noexcept;
-  /// The program that the team is meant to run: the last one pushed to all if any robot took it,
-  /// else the one that most robots run. Empty while none is known.
+  /// Returns the hash of the program that the team should run: the last one that was pushed to all,
+  /// if any robot runs it, else the one that most robots run. Returns an empty string while no
+  /// robot's program is known.
   [[nodiscard]] std::string program_hash() const;
+  /// Returns the present certainty of one of the robot's variables, from 0 to 1.
   [[nodiscard]] double certainty_now(const Robot& robot, const msg::Variable& variable) const {
     return certainty_after(variable, clock_.now() - robot.variables_received);
   }

@@ -9,7 +9,7 @@
 
 namespace galilean::monitor::top {
 
-/// What a cell means; the terminal decides how that looks.
+/// The meaning of a cell. The terminal decides how it looks.
 enum class Style : std::uint8_t {
   kPlain,
   kDim,
@@ -21,9 +21,10 @@ enum class Style : std::uint8_t {
   kTrash,
   kBasket,
   kObstacle,
-  kRobot  ///< the first of kRobotStyles: kRobot + the robot's number, modulo
+  kRobot  ///< the first robot's style; kRobotStyles styles follow each other from here
 };
 inline constexpr int kRobotStyles = 6;
+/// Returns the style of the robot at this index. Robots share styles if there are more of them.
 [[nodiscard]] Style robot_style(std::size_t number) noexcept;
 
 struct Cell {
@@ -36,28 +37,29 @@ struct Area {
   int row = 0, column = 0, rows = 0, columns = 0;
 };
 
-/// A screen of text, drawn without a terminal. Whatever lies outside is left out.
+/// A screen of text in memory. Cells outside of it are ignored.
 class Canvas {
  public:
   static constexpr int kWhole = std::numeric_limits<int>::max();
 
   Canvas(int columns, int rows);
 
-  /// Writes UTF-8 from (row, column) on, at most `width` cells of it; gives the column behind it.
-  /// Characters that could move the cursor or are not one cell wide become '?': names come over the
-  /// network.
+  /// Writes UTF-8 text from (row, column) on, at most `width` cells. Returns the column behind it.
+  /// Names come over the network, so characters that could move the cursor or are not one cell wide
+  /// become '?'.
   int put(int row, int column, std::string_view text, Style style = Style::kPlain,
           int width = kWhole);
-  /// The same, ending before `column`.
+  /// Writes the text so that it ends before `column`.
   void put_right(int row, int column, std::string_view text, Style style = Style::kPlain);
   void set(int row, int column, char32_t glyph, Style style);
 
   [[nodiscard]] int columns() const noexcept { return columns_; }
   [[nodiscard]] int rows() const noexcept { return rows_; }
+  /// Requires: the cell is on the screen.
   [[nodiscard]] const Cell& at(int row, int column) const { return cells_[index(row, column)]; }
-  /// UTF-8, without the blanks at its end.
+  /// Returns the row as UTF-8, without the blanks at its end.
   [[nodiscard]] std::string line(int row) const;
-  /// All lines down to the last that is not empty, each ended.
+  /// Returns the lines down to the last that is not empty, each with a line feed.
   [[nodiscard]] std::string text() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// galilean-command hold|resume|start: an operator's word to robots, and what became of it.
+// galilean-command hold|resume|start sends an operator's command to robots and prints the result.
 #include <poll.h>
 
 #include <functional>
@@ -24,7 +24,7 @@ struct Options {
   int domain = -1;
 };
 
-/// What the team looks like while one command is given.
+/// Keeps the model of the team up to date while one command is given.
 class Conversation {
  public:
   explicit Conversation(wire::Participant& participant)
@@ -33,7 +33,7 @@ class Conversation {
                 [this] { wake_.ring(); }) {}
 
   [[nodiscard]] const Team& team() const noexcept { return team_; }
-  /// False if the condition did not come true in time.
+  /// Waits until `condition` holds. Returns false if it does not within `most`.
   bool wait(Duration most, const std::function<bool()>& condition) {
     constexpr int kLookEach_ms = 20;
     for (const Time start = clock_.now(); clock_.now() - start < most;) {
@@ -65,7 +65,7 @@ std::vector<std::string> names(const Team& team) {
   return result;
 }
 
-/// Whether the robot did as it was told; a start is done once its bumper could be pushed.
+/// Returns whether the robot obeyed. A robot has obeyed a start if its program left its state.
 bool complied(Operator::Word word, const msg::RobotState& before, const msg::RobotState& now) {
   if (word == Operator::Word::kStart) return now.transitions > before.transitions;
   return now.held == (word == Operator::Word::kHold);

@@ -10,13 +10,14 @@
 
 namespace galilean::monitor::top {
 
-/// What the keys have done so far: which robot is chosen, what was said to whom.
+/// The dashboard's state: the chosen robot, the help page and the last notice. Keys change it and
+/// send commands to robots.
 class Dashboard {
  public:
   Dashboard(const Knowledge& knowledge, const Clock& clock, Operator& speaker, std::string chosen)
       : knowledge_(knowledge), clock_(clock), speaker_(speaker), chosen_(std::move(chosen)) {}
 
-  /// False when the key asks to quit.
+  /// Handles a key. Returns false if it was the key to quit.
   [[nodiscard]] bool press(const Terminal::Press& press);
   [[nodiscard]] Canvas draw(int columns, int rows);
 

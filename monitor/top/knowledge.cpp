@@ -6,8 +6,8 @@
 
 namespace galilean::monitor::top {
 namespace {
-/// A monitor tells the objects five times a second and a robot what it sees as often as its camera
-/// does: after this they have ceased.
+/// The age at which objects and sightings are no longer shown. A monitor sends objects five times a
+/// second, and a robot sends sightings with each camera frame, so the sender has then stopped.
 constexpr Duration kCeased = std::chrono::seconds(5);
 }  // namespace
 

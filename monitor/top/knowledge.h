@@ -10,22 +10,24 @@
 
 namespace galilean::monitor::top {
 
-/// Keeps what the dashboard shows: the team, the map's objects, the floor and robots' sightings.
+/// The newest messages that the dashboard shows: the team, the map's objects, the occupancy grid
+/// and the robots' sightings.
 class Knowledge {
  public:
   explicit Knowledge(const Clock& clock) : clock_(clock), team_(clock) {}
 
+  /// Handles a message of any type. Ignores messages that it does not show or cannot decode.
   void receive(const Message& message);
 
   [[nodiscard]] const Team& team() const noexcept { return team_; }
-  /// Returns the team's objects; nullptr if none came in the last 5 s.
+  /// Returns the map's objects; nullptr if no message with them came in the last 5 s.
   [[nodiscard]] const msg::ObjectMap* objects() const noexcept;
   [[nodiscard]] Time objects_received() const noexcept {
     return objects_ ? objects_->received : Time{};
   }
-  /// Returns the newest occupancy grid; nullptr before the first.
+  /// Returns the newest occupancy grid; nullptr if none has come yet.
   [[nodiscard]] const msg::OccupancyGrid* floor() const noexcept;
-  /// Returns what one robot sees; nullptr if it sent nothing in the last 5 s.
+  /// Returns a robot's newest sightings; nullptr if it sent none in the last 5 s.
   [[nodiscard]] const msg::Sightings* sightings(const std::string& robot) const noexcept;
 
  private:

@@ -20,13 +20,13 @@ void draw_footer(const View& view, Canvas& canvas) {
     canvas.put(row, 0, view.notice, Style::kBold);
 }
 
-/// Map on the left; on the right the chosen robot's states above its variables.
+/// Draws the map on the left, and on the right the chosen robot's states above its variables.
 void draw_lower(const View& view, const Area& area, Canvas& canvas) {
   constexpr int kGap = 2;
   const int left = area.columns * 2 / 5;
   draw_map(view, {area.row, area.column, area.rows, left}, canvas);
   const int column = area.column + left + kGap, columns = area.columns - left - kGap;
-  // Where all variables fit, the states get what is left over.
+  // The states get the rows that the variables do not need.
   const int left_over = area.rows - 1 - static_cast<int>(view.variables.size());
   const int states = std::min(static_cast<int>(view.states.size()) + 1,
                               std::max({4, area.rows * 2 / 5, left_over}));

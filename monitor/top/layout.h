@@ -6,9 +6,10 @@
 
 namespace galilean::monitor::top {
 
-/// The whole dashboard on a screen of this size; from 80 × 24 on nothing essential is left out.
+/// Returns the whole dashboard for a screen of this size. Screens of at least 80 × 24 cells show
+/// all that is essential.
 [[nodiscard]] Canvas lay_out(const View& view, int columns, int rows);
-/// What the keys do.
+/// Returns the help page, which explains the keys.
 [[nodiscard]] Canvas lay_out_help(int columns, int rows);
 
 }  // namespace galilean::monitor::top

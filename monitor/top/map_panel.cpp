@@ -10,12 +10,12 @@
 namespace galilean::monitor::top {
 namespace {
 
-constexpr double kCellAspect = 2;  // a terminal's cells are twice as high as wide
+constexpr double kCellAspect = 2;  // height by width of a terminal's cell
 constexpr double kMargin_m = 0.5, kLeastWidth_m = 4;
 constexpr int kOccupiedPercent = 65, kFreePercent = 35;
 constexpr double kUnsure = 0.33;
 
-/// An axis-parallel box around all that is shown.
+/// An axis-parallel box around the shown objects, robots and known cells, in metres.
 struct Bounds {
   Vec2 low{1e9, 1e9}, high{-1e9, -1e9};
 
@@ -26,7 +26,7 @@ struct Bounds {
   }
 };
 
-/// Calls `visit` with the middle of each cell that is known to be free or occupied.
+/// Calls `visit` for each cell that is known to be free or occupied, with its middle [m].
 template <class Visit>
 void for_each_known(const msg::OccupancyGrid& floor, Visit visit) {
   const auto& info = floor.info;
@@ -55,7 +55,8 @@ Bounds bounds_of(const View& view) {
   return {center - half, center + half};
 }
 
-/// Where on the canvas a point of the floor is: one scale, north up, in the middle of the area.
+/// Maps points of the floor [m] to cells of the canvas: one scale for both axes, the y axis up, the
+/// bounds in the middle of the area.
 class Projection {
  public:
   Projection(const Bounds& bounds, const Area& area) : area_(area) {
@@ -93,7 +94,7 @@ void draw_floor(const msg::OccupancyGrid& floor, const Projection& projection, C
   for_each_known(floor, [&](const Vec2& middle, bool occupied) {
     const int row = projection.row(middle.y()), column = projection.column(middle.x());
     if (!projection.within(row, column)) return;
-    // What is occupied anywhere in a cell of the screen is occupied there.
+    // A screen cell is occupied if any part of it is, so free does not overwrite occupied.
     if (occupied || canvas.at(row, column).glyph == U' ')
       canvas.set(row, column, occupied ? U'▒' : U'·', Style::kDim);
   });
@@ -127,7 +128,7 @@ void draw_robot(const ShownRobot& robot, const ShownPose& shown, const Projectio
   put_within(projection, row, column, static_cast<char32_t>(robot.letter), style, canvas);
 }
 
-/// What the map shows, and its scale where there is room for it.
+/// Draws the map's title, and its scale if there is room.
 void draw_heading(const std::string& title, const Projection& projection, const Area& area,
                   Canvas& canvas) {
   const int end = canvas.put(area.row, area.column, title, Style::kHeading, area.columns);

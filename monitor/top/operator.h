@@ -11,16 +11,17 @@
 
 namespace galilean::monitor {
 
-/// Sends an operator's word to robots.
+/// Sends an operator's commands to robots.
 class Operator {
  public:
   enum class Word { kHold, kResume, kStart };
 
   explicit Operator(wire::Participant& participant) : writer_(participant, wire::kCommandTopic) {}
 
-  /// Robots that listen now.
+  /// Returns the number of readers of the command topic, which is the number of robots that listen.
   [[nodiscard]] int listeners() const { return writer_.readers(); }
-  /// `robots`: their names; none: all. False if it could not be sent.
+  /// Sends a command to the robots of these names, or to all if `robots` is empty. kStart pushes
+  /// the front bumper. Returns false if DDS did not take the command.
   [[nodiscard]] bool say(Word word, const std::vector<std::string>& robots);
 
  private:

@@ -6,20 +6,20 @@
 
 namespace galilean::monitor::top {
 
-// Each draws one part of the dashboard into its area and leaves the rest alone.
+// Each function draws one part of the dashboard, and only into its area.
 
-/// Scenario, clock, pieces and points; in one line.
+/// Draws the number of robots and the score in the first line.
 void draw_title(const View& view, Canvas& canvas);
-/// A line for each robot under a heading; a last line counts those that do not fit. Returns the
-/// number of rows used.
+/// Draws a heading and a line for each robot. A last line counts the robots that do not fit.
+/// Returns the number of rows used.
 int draw_team(const View& view, const Area& area, Canvas& canvas);
-/// The problems of the chosen robot, a line each. Returns the number of rows used.
+/// Draws the chosen robot's problems, one in a line. Returns the number of rows used.
 int draw_problems(const View& view, const Area& area, Canvas& canvas);
-/// Floor, objects and robots from above, north up.
+/// Draws the occupancy grid, objects and robots from above, with the map's y axis up.
 void draw_map(const View& view, const Area& area, Canvas& canvas);
-/// The states of the chosen robot's program, the current one marked; scrolled so that it shows.
+/// Draws the states of the chosen robot's program, scrolled so that the current one shows.
 void draw_states(const View& view, const Area& area, Canvas& canvas);
-/// Its variables with a bar of certainty each.
+/// Draws the chosen robot's variables, each with a bar of its certainty.
 void draw_variables(const View& view, const Area& area, Canvas& canvas);
 
 }  // namespace galilean::monitor::top

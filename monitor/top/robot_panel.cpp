@@ -7,7 +7,7 @@
 namespace galilean::monitor::top {
 namespace {
 
-/// The first of `count` lines to show in `room`, so that `wanted` is among them.
+/// Returns the first line to show if `room` of `count` lines fit and the line `wanted` must show.
 int first_shown(int count, int room, int wanted) {
   return std::clamp(wanted - room / 2, 0, std::max(0, count - room));
 }
@@ -35,8 +35,9 @@ void draw_variable(const ShownVariable& variable, int row, const Area& area, Can
              area.columns - (kName + 1 + kBar + kPercent + 1));
 }
 
-/// Where not all fit: first what a robot remembers or perceives, then constants, pictures and what
-/// is as sure as can be, then what is not valid. Within each, the order of the program.
+/// Returns the variables in the program's order. If there are too many, those whose certainty lies
+/// between 0 and 1 come first, then the certain ones, which are often constants and pictures, then
+/// the invalid ones.
 std::vector<const ShownVariable*> most_telling_first(const std::vector<ShownVariable>& variables,
                                                      bool too_many) {
   std::vector<const ShownVariable*> order;

@@ -31,7 +31,8 @@ std::string clock_text(double seconds) {
   return text.data();
 }
 
-/// Columns of the table by the width that there is: names and states get what is left over.
+/// The first column of each field of the table. Names, states and programs share the width beyond
+/// 80 cells.
 struct Columns {
   int name = 4, state, for_s, program, hash, age, tick, lowest;
 
@@ -114,7 +115,7 @@ int draw_team(const View& view, const Area& area, Canvas& canvas) {
   draw_heads(area.row, area.columns, canvas);
   const int room = area.rows - 1, count = static_cast<int>(view.robots.size());
   const int shown = count <= room ? count : std::max(0, room - 1);
-  // The chosen robot is always among those shown.
+  // The lines are scrolled so that the chosen robot always shows.
   const int first =
       std::clamp(static_cast<int>(view.chosen) - shown + 1, 0, std::max(0, count - shown));
   for (int i = 0; i < shown; ++i) {

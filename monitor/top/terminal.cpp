@@ -17,7 +17,7 @@
 namespace galilean::monitor::top {
 namespace {
 
-/// Okabe and Ito's colours as nearly as 256 of them allow; told apart by the colour-blind.
+/// The nearest of 256 colours to those of Okabe and Ito, which colour-blind people can tell apart.
 constexpr std::array<short, kRobotStyles> kRobotColours{74, 214, 36, 175, 25, 227};
 constexpr std::array<short, kRobotStyles> kRobotColoursOf8{
     COLOR_CYAN, COLOR_YELLOW, COLOR_GREEN, COLOR_MAGENTA, COLOR_BLUE, COLOR_WHITE};

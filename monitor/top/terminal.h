@@ -7,10 +7,10 @@
 
 namespace galilean::monitor::top {
 
-/// The terminal, taken over for as long as this lives and given back as it was.
+/// The terminal in full-screen mode. The destructor restores it. At most one may exist at a time.
 class Terminal {
  public:
-  /// Throws std::runtime_error if standard output is none, or an unknown one.
+  /// Throws std::runtime_error if standard output is no terminal, or one of an unknown type.
   Terminal();
   ~Terminal();
   Terminal(const Terminal&) = delete;
@@ -23,9 +23,9 @@ class Terminal {
   enum class Key { kNone, kUp, kDown, kResized, kOther };
   struct Press {
     Key key = Key::kNone;
-    char letter = 0;  ///< of kOther
+    char letter = 0;  ///< the ASCII character of kOther, else 0
   };
-  /// The next key, if one waits; never blocks.
+  /// Returns the next key that was pressed, or kNone. Never blocks.
   [[nodiscard]] Press take_key();
 };
 

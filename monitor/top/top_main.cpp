@@ -25,7 +25,7 @@ struct Options {
 
 constexpr int kRedrawEach_ms = 100;
 
-/// Ingest into what the dashboard knows, polled.
+/// Reads the domain's messages into the dashboard's Knowledge.
 class Listening {
  public:
   Listening(wire::Participant& participant, const Clock& clock)
@@ -47,15 +47,15 @@ class Listening {
   Ingest ingest_;
 };
 
-/// Every robot that was heard has told its state, program and variables.
+/// Returns whether there are robots, and each has sent its state, program and variables.
 bool all_is_known(const Team& team) {
   for (const auto& [name, robot] : team.robots())
     if (!robot.state || !robot.program || robot.variables.items.empty()) return false;
   return !team.robots().empty();
 }
 
-/// One snapshot, as plain text. Waits until the robots have been heard, at most three seconds, and
-/// half a second more for those that answer later.
+/// Prints one snapshot as plain text. Waits at most 3 s until all is known of the robots, and then
+/// 0.5 s more for robots that are discovered later. Returns 1 if there are no robots.
 int print_once(Listening& listening, Termination& termination, const Clock& clock,
                const std::string& robot) {
   constexpr Duration kMost = std::chrono::seconds(3), kMore = std::chrono::milliseconds(500);
@@ -75,7 +75,7 @@ int print_once(Listening& listening, Termination& termination, const Clock& cloc
       std::max(kLeast, kAround + static_cast<int>(3 * view.robots.size() + view.states.size() +
                                                   view.variables.size()));
   auto canvas = top::lay_out(view, kColumns, rows);
-  for (int column = 0; column < kColumns; ++column)  // keys mean nothing on paper
+  for (int column = 0; column < kColumns; ++column)  // clears the help on keys
     canvas.set(rows - 1, column, U' ', top::Style::kPlain);
   std::cout << canvas.text();
   return view.robots.empty() ? 1 : 0;
@@ -87,10 +87,10 @@ int run_dashboard(Listening& listening, Termination& termination, const Clock& c
   top::Dashboard dashboard(listening.knowledge(), clock, speaker, robot);
   while (!termination.asked()) {
     terminal.show(dashboard.draw(terminal.columns(), terminal.rows()));
-    // Not woken by messages: ten pictures a second are enough, and many robots talk more often.
+    // Messages do not wake this loop, because robots send them more often than the eye needs.
     pollfd events[] = {{STDIN_FILENO, POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
     ::poll(events, 2, kRedrawEach_ms);
-    if (events[0].revents & (POLLHUP | POLLERR)) return 0;  // the terminal is gone
+    if (events[0].revents & (POLLHUP | POLLERR)) return 0;  // the terminal was closed
     listening.poll();
     for (auto press = terminal.take_key(); press.key != top::Terminal::Key::kNone;
          press = terminal.take_key())

@@ -8,7 +8,7 @@ bool continues(std::string_view text, std::size_t index) {
   return index < text.size() && (static_cast<unsigned char>(text[index]) & 0xc0) == 0x80;
 }
 
-/// Bytes of the character that begins with `lead`; 0 if none does.
+/// Returns the number of bytes of the character that begins with `lead`, or 0 if none does.
 std::size_t length_by(unsigned char lead) {
   if (lead < 0x80) return 1;
   if ((lead & 0xe0) == 0xc0) return 2;

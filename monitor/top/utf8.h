@@ -6,13 +6,14 @@
 
 namespace galilean::monitor::top {
 
-/// Takes one character off the front of UTF-8; '?' for what is none.
+/// Removes the first character of UTF-8 text and returns it, or '?' for a byte that begins none.
+/// Requires: `text` is not empty.
 [[nodiscard]] char32_t take_character(std::string_view& text);
 void append_utf8(std::string& to, char32_t character);
-/// One cell wide in every terminal, and unable to move the cursor: Latin, Greek, Cyrillic,
-/// punctuation, arrows, boxes and blocks.
+/// Returns whether a character is one cell wide in every terminal and does not move the cursor.
+/// Such are Latin, Greek, Cyrillic, punctuation, arrows, boxes and blocks.
 [[nodiscard]] bool is_plain(char32_t character) noexcept;
-/// Characters, each a cell wide.
+/// Returns the number of cells that the text takes, one for each character.
 [[nodiscard]] int width_of(std::string_view text);
 
 }  // namespace galilean::monitor::top

@@ -20,13 +20,14 @@ namespace {
   return text.data();
 }
 
-/// Without the sign that "-0.00" would have.
+/// Returns 0 for numbers that would print as "-0.00".
 double tidy(double number) {
   constexpr double kShownAsZero = 0.005;
   return std::abs(number) < kShownAsZero ? 0 : number;
 }
 
-/// Bit 0 first, as programs count: "·1··" has bit 1 set. Eight of them, or as many as are needed.
+/// Returns the bits with bit 0 first, as programs count them: "·1··" has bit 1 set. There are at
+/// least eight.
 std::string bits_text(double value) {
   const auto bits = value >= 0 && value < 4294967296.0 ? static_cast<std::uint32_t>(value) : 0U;
   std::string text;

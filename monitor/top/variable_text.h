@@ -7,7 +7,7 @@
 
 namespace galilean::monitor::top {
 
-/// A variable's value in a few characters, by its type; "-" where it has none.
+/// Returns a variable's value in a few characters, or "-" if the variable is invalid.
 [[nodiscard]] std::string variable_text(const msg::Variable& variable);
 
 }  // namespace galilean::monitor::top

@@ -22,7 +22,7 @@ struct ShownState {
 struct ShownVariable {
   std::string name;
   std::string value;
-  double certainty = 0;  ///< 0: not valid
+  double certainty = 0;  ///< from 0 to 1; 0 if the variable is invalid
 };
 struct ShownObject {
   std::string object_class;
@@ -34,26 +34,28 @@ struct ShownPose {
   Pose2 pose;
 };
 
-/// One picture of the team, ready to be laid out: no clock and no messages behind it.
+/// A snapshot of the team that can be drawn without a clock and without the messages behind it.
 struct View {
   std::vector<ShownRobot> robots;
   std::size_t chosen = 0;
-  std::vector<ShownState> states;        ///< of the chosen robot's program
-  std::vector<ShownVariable> variables;  ///< of the chosen robot
+  std::vector<ShownState> states;        ///< the states of the chosen robot's program
+  std::vector<ShownVariable> variables;  ///< the chosen robot's variables
   std::optional<msg::Score> score;
   std::string map_title;
   std::vector<ShownObject> objects;
   std::vector<ShownPose> poses;
-  std::optional<msg::OccupancyGrid> floor;  ///< in the frame of the objects
+  std::optional<msg::OccupancyGrid> floor;  ///< the occupancy grid, in the frame of the objects
   std::string notice;
 };
 
-/// `chosen`: a robot's name; the first robot where there is none of that name. Without a monitor's
-/// map the chosen robot's own frame is shown: no two robots' frames are the same.
+/// Returns a snapshot with the robot named `chosen` as the chosen one, or the first robot if there
+/// is none of that name. Without a monitor's map, only the chosen robot is placed, in its own odom
+/// frame, because the robots' odom frames differ.
 [[nodiscard]] View make_view(const Knowledge& knowledge, const Clock& clock,
                              const std::string& chosen);
 
-/// The first letter of the name that no robot before has.
+/// Returns the first letter or digit of the name that none of `others` has, else any free letter or
+/// digit, else '?'.
 [[nodiscard]] char letter_for(const std::string& name, const std::vector<ShownRobot>& others);
 
 }  // namespace galilean::monitor::top

@@ -17,10 +17,11 @@ namespace {
 
 constexpr int kNotStarted = 127;
 
-/// In the child, after fork: nothing here may allocate.
+/// Turns the forked child into the program. Must not allocate, because another thread may have held
+/// the allocator's lock at the fork.
 [[noreturn]] void become(char* const* command, const char* out, const char* err, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(kNotStarted);  // it died before the line above
+  if (getppid() != parent) _exit(kNotStarted);  // the parent died before prctl
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);

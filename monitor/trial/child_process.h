@@ -15,14 +15,17 @@
 
 namespace galilean::monitor {
 
-/// A program that runs beside this one and is waited for without a thread. It is killed when this
-/// object goes, and when this process does, however that happens.
+/// A child process, whose end is awaited on an io_context without a thread. The kernel kills it
+/// when the thread that started it ends, even by a crash. The destructor kills it, too.
 class ChildProcess {
  public:
-  /// The exit code; 128 and more: a signal ended it.
+  /// Called on the io_context's thread with the exit code, which is 128 + N if signal N ended the
+  /// child. It may destroy the ChildProcess.
   using Ended = std::function<void(int exit_code)>;
 
-  /// `command`: the program's path and its arguments. What it prints goes to the two files.
+  /// Starts a program. `command` is its path and arguments; `out` and `err` are the files that get
+  /// its standard output and standard error. If the program cannot be executed, `ended` gets 127.
+  /// Errors: the process cannot be made or awaited.
   [[nodiscard]] static Result<std::unique_ptr<ChildProcess>> start(
       boost::asio::io_context& io, const std::vector<std::string>& command,
       const std::filesystem::path& out, const std::filesystem::path& err, Ended ended);
@@ -35,10 +38,10 @@ class ChildProcess {
   void wait();
   [[nodiscard]] int reap();
 
-  pid_t pid_;  ///< 0 once it was waited for
+  pid_t pid_;  ///< 0 after the child was reaped
   boost::asio::posix::stream_descriptor readable_when_over_;
   Ended ended_;
-  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< for a word that comes late
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< a late handler finds it false
 };
 
 }  // namespace galilean::monitor

@@ -29,7 +29,7 @@ std::string type_name(std::uint8_t type) {
   }
 }
 
-/// Nothing where a value is no number: JSON cannot say it.
+/// Returns nothing if a value is not finite, because JSON has no such number.
 std::optional<json> to_json(const Team& team, const Robot& robot, const msg::Variable& variable) {
   if (!std::ranges::all_of(variable.values, [](double value) { return std::isfinite(value); }))
     return std::nullopt;
@@ -63,7 +63,7 @@ json objects_json(const msg::ObjectMap& map) {
   return objects;
 }
 
-/// What the referee counts and the map has not: it lies somewhere.
+/// Returns how many pieces of trash the referee still counts but the map does not have.
 int unseen_pieces(const Team& team, const msg::ObjectMap& map) {
   if (!team.score()) return 0;
   const auto left = static_cast<std::ptrdiff_t>(team.score()->pieces) - team.score()->deposited;

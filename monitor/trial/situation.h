@@ -10,9 +10,10 @@
 
 namespace galilean::monitor {
 
-/// The live team as `galilean sim --headless --start` takes it: poses in the map's frame, states,
-/// variables, what each holds, and the objects that the map has. Robots that are silent, or that
-/// the map does not place, are left out; the error says that none is left.
+/// Returns the live team as the start of a simulation (`galilean sim --headless --start`): each
+/// robot's pose in the map frame, state, variables and load, and the map's objects. Robots that are
+/// silent or have no pose in the map are left out.
+/// Errors: there is no map, or no robot is left.
 [[nodiscard]] Result<nlohmann::json> situation_of(const Team& team,
                                                   const std::optional<msg::ObjectMap>& map);
 

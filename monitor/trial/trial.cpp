@@ -24,8 +24,8 @@ bool write_file(const fs::path& file, const std::string& text) {
   return bool(std::ofstream(file, std::ios::binary) << text << std::flush);
 }
 
-/// A program's paths are relative to its main file's folder and may lead out of it; here they stay
-/// below `folder`.
+/// Returns the place of a program's file. A program's paths are relative to its main file's folder
+/// and may lead out of it, so that folder stands deep below `folder`, which no path can leave.
 fs::path below(const fs::path& folder, const std::string& path) {
   fs::path result = folder / "in" / "a" / "deep" / "folder";
   for (const auto& part : fs::path(path).relative_path())

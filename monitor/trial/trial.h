@@ -17,25 +17,27 @@
 
 namespace galilean::monitor {
 
-/// What is to be tried, and from where.
+/// The programs to try, and the situation to start from.
 struct TrialOrder {
   std::vector<bhdl::SourceFile> next;  ///< the new program, the main file first
-  std::vector<bhdl::SourceFile> now;   ///< the one that runs; none: nothing to compare with
-  nlohmann::json situation;            ///< as situation_of gives it
+  std::vector<bhdl::SourceFile> now;   ///< the program that runs; may be empty
+  nlohmann::json situation;            ///< the result of situation_of
   std::string scenario;                ///< the arena: its walls, furniture and rules
   int seeds = 8;
-  double duration_s = 120;  ///< simulated
+  double duration_s = 120;  ///< simulated time of each run
 };
 
-/// Both programs in simulated contests that go on from where the live team is, the same seeds for
-/// both, each in a process of `galilean sim --headless`, two at a time. Everything of it ends with
-/// this object.
+/// Runs the new program and the program that runs now in simulated contests, which continue from
+/// the live team's situation. Both programs get the same seeds, so that they meet the same chances.
+/// Each run is a process of `galilean sim --headless`, and two run at a time. The destructor ends
+/// the processes. For use on the io_context's thread.
 class Trial {
  public:
   using Done = std::function<void(Result<TrialFigures>)>;
 
-  /// `folder`: is made, and removed in the end. `done` is called once, later; never after this
-  /// object has gone.
+  /// Makes `folder` for its files; the destructor removes it. Calls `done` once, later, unless this
+  /// object is destroyed before. Errors that `done` gets: the folder cannot be written, a simulator
+  /// cannot be started, fails, or prints no report.
   Trial(boost::asio::io_context& io, std::filesystem::path simulator, std::filesystem::path folder,
         TrialOrder order, Done done);
   ~Trial();
@@ -74,10 +76,10 @@ class Trial {
   Done done_;
   std::deque<Run> waiting_;
   std::list<Run> running_;
-  std::vector<nlohmann::json> now_, next_;  ///< reports
+  std::vector<nlohmann::json> now_, next_;  ///< the reports of finished runs
   std::size_t finished_ = 0;
   std::size_t all_ = 0;
-  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< for words that come late
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< late handlers find it false
 };
 
 }  // namespace galilean::monitor

@@ -19,13 +19,13 @@ namespace {
 using namespace galilean;
 using namespace galilean::front;
 
-/// One line end, whether or not the lines of a log that it quotes end in one.
+/// Writes a sentence to stderr with one line feed. A sentence that quotes a log may end in several.
 void complain(std::string_view sentence) {
   while (sentence.ends_with('\n')) sentence.remove_suffix(1);
   std::cerr << "galilean-demo: " << sentence << '\n';
 }
 
-/// Hears the team as any other member of the domain does, for as long as this lives.
+/// Reads the team's states and scores from DDS into an Evidence.
 class Witness {
  public:
   Witness(wire::Participant& participant, Evidence& evidence)
@@ -60,7 +60,7 @@ class Witness {
   monitor::Ingest ingest_;
 };
 
-/// How a run came out.
+/// The result of a run.
 struct Outcome {
   bool fatal_loss = false;
   std::vector<std::string> lost;
@@ -72,7 +72,8 @@ void report(const Ensemble::Loss& loss) {
            loss.log.string() + (loss.log_end.empty() ? "" : ":\n" + loss.log_end));
 }
 
-/// Until somebody ends it, its time is over, or something dies without which nothing works.
+/// Runs until termination is asked for, `for_s` seconds are over, or a process ends without which
+/// nothing works.
 Outcome run_on(Ensemble& ensemble, Witness& witness, Termination& termination,
                std::optional<double> for_s) {
   constexpr int kLookEach_ms = 100;
@@ -92,7 +93,7 @@ Outcome run_on(Ensemble& ensemble, Witness& witness, Termination& termination,
   return outcome;
 }
 
-/// The exit code of a headless run, with what there is to say about it.
+/// Prints the judgement of a headless run and returns its exit code.
 int judge(const Evidence& evidence, const Outcome& outcome, bool interrupted) {
   std::cout << evidence.summary();
   auto reasons = evidence.shortcomings();

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr auto kStartsWithin = std::chrono::seconds(30);
 constexpr auto kLookEach = std::chrono::milliseconds(10);
 constexpr std::size_t kLogLines = 5;
-constexpr const char* kAutostart_s = "1";  // after the last robot connected
+constexpr const char* kAutostart_s = "1";  // counted from the connection of the last robot
 
 }  // namespace
 
@@ -149,8 +149,8 @@ std::vector<Ensemble::Loss> Ensemble::losses() {
   return lost;
 }
 
-/// The recorder first, so that it still hears the others; the simulator last, for the robots stop
-/// their motors through it.
+// The recorder ends first, while the others still send. The simulator ends last, because the robots
+// stop their motors through it.
 std::vector<std::string> Ensemble::end() {
   std::vector<std::string> problems;
   const auto end_those = [&](auto&& chosen) {
@@ -168,7 +168,7 @@ std::vector<std::string> Ensemble::end() {
   return problems;
 }
 
-/// What a simulator that was killed could not take with it.
+// A simulator that was killed leaves its cameras' shared memory and its serial lines behind.
 void Ensemble::sweep() const {
   for (const auto& ring : rings_) shm_unlink(ring.c_str());
   std::error_code ignored;

@@ -13,32 +13,34 @@
 
 namespace galilean::front {
 
-/// A simulator, its robots and a monitor (and a recorder), each a process of its own with a log of
-/// its own. All of them end with this object.
+/// The processes of a demonstration: a simulator, its robots, a monitor and perhaps a recorder.
+/// Each has a log of its own. The destructor ends them all.
 class Ensemble {
  public:
-  /// `termination`: starting stops when it is asked.
+  /// `start` gives up when `termination` is asked for.
   Ensemble(const DemoOptions& options, Termination& termination);
   ~Ensemble();
   Ensemble(const Ensemble&) = delete;
   Ensemble& operator=(const Ensemble&) = delete;
 
-  /// Returns when the monitor answers; the reason if something did not start.
+  /// Starts all, and returns when the monitor serves. Waits at most 30 s each for the simulator and
+  /// for the monitor. Returns the reason if one of the processes did not start, else nothing.
   [[nodiscard]] std::optional<Error> start();
 
   struct Loss {
     std::string name, ending, log_end;
     std::filesystem::path log;
-    bool fatal = false;  ///< nothing works without it
+    bool fatal = false;  ///< nothing works without this process
   };
-  /// Those that ended since the last call, unasked.
+  /// Returns the processes that ended by themselves since the last call.
   [[nodiscard]] std::vector<Loss> losses();
-  /// Ends all in order, the recorder first. A sentence for each that would not.
+  /// Ends all processes in order, the recorder first. Returns a sentence for each one that had to
+  /// be killed.
   [[nodiscard]] std::vector<std::string> end();
 
   [[nodiscard]] const std::vector<std::string>& robots() const noexcept { return robot_names_; }
   [[nodiscard]] const std::filesystem::path& logs() const noexcept { return logs_; }
-  /// The page's address, with the token that lets its reader steer the team.
+  /// Returns the page's address, with the operator's token if that can be read.
   [[nodiscard]] std::string operator_link() const;
 
  private:
@@ -53,7 +55,8 @@ class Ensemble {
   [[nodiscard]] std::optional<Error> start_recorder();
   [[nodiscard]] std::optional<Error> add(std::string name, std::vector<std::string> command,
                                          bool fatal);
-  /// The first line of the newest member's log with `mark`, as soon as it is there.
+  /// Waits for the first line with `mark` in the log of the process that was started last.
+  /// Errors: the process ends, no such line comes within 30 s, or termination is asked for.
   [[nodiscard]] Result<std::string> await_line(std::string_view mark);
   void sweep() const;
 
@@ -62,7 +65,7 @@ class Ensemble {
   std::filesystem::path logs_;
   std::string run_;
   std::vector<std::string> robot_names_;
-  std::vector<std::string> starts_;  ///< for the map: ROBOT:X,Y,HEADING in m and degrees
+  std::vector<std::string> starts_;  ///< the monitor's --start: ROBOT:X,Y,HEADING in m and degrees
   std::vector<std::string> rings_;   ///< names of the cameras' shared memory
   std::filesystem::path lines_;      ///< the folder of the serial lines
   std::deque<Member> members_;       ///< in the order of starting

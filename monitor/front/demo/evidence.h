@@ -11,7 +11,7 @@
 
 namespace galilean::front {
 
-/// Whether a team worked, by what its robots and the referee said. Pure.
+/// Judges whether a team worked, from the messages of its robots and of the referee.
 class Evidence {
  public:
   explicit Evidence(std::vector<std::string> robots);
@@ -19,10 +19,11 @@ class Evidence {
   void note(const msg::RobotState& state);
   void note(const msg::Score& score) { score_ = score; }
 
-  /// One sentence a shortcoming; none: the team worked. Each robot must have been heard, run a
-  /// program, changed its state after the start, and driven a metre or thrown a piece away.
+  /// Returns a sentence for each shortcoming; without any, the team worked. Each robot must have
+  /// sent its state, run a program, left its first state, and driven a metre or thrown a piece
+  /// away.
   [[nodiscard]] std::vector<std::string> shortcomings() const;
-  /// A line for each robot and one for the referee.
+  /// Returns a line for each robot and one for the referee.
   [[nodiscard]] std::string summary() const;
 
  private:
@@ -36,7 +37,7 @@ class Evidence {
   };
   [[nodiscard]] std::uint32_t deposited_by(const std::string& robot) const;
 
-  std::map<std::string, Deeds> deeds_;  ///< of every robot that should work
+  std::map<std::string, Deeds> deeds_;  ///< by the name of each robot that should work
   msg::Score score_;
 };
 

@@ -8,18 +8,18 @@
 
 namespace galilean::front {
 
-/// What `galilean demo` is asked for.
+/// The options of `galilean demo`.
 struct DemoOptions {
   int robots = 3;
   int port = 8080;
   std::string scenario = "office";
-  std::string bhdl = "office_cleanup";  ///< a file, or the name of a program that ships
-  bool watch = false;                   ///< the robots swap when it is saved
+  std::string bhdl = "office_cleanup";  ///< a file, or the name of an installed program
+  bool watch = false;                   ///< the robots swap to the file whenever it is saved
   std::uint64_t seed = 1;
   std::optional<double> headless_for_s;
-  std::string record;                        ///< a file, or empty
-  std::vector<std::string> allowed_origins;  ///< other pages that may use the monitor
-  int domain = -1;                           ///< of DDS; -1: as ROS_DOMAIN_ID says, else 0
+  std::string record;                        ///< the recording's file; empty for none
+  std::vector<std::string> allowed_origins;  ///< other sites whose pages may use the monitor
+  int domain = -1;  ///< the DDS domain; negative: that of ROS_DOMAIN_ID, else 0
 };
 
 }  // namespace galilean::front

@@ -6,10 +6,11 @@
 
 namespace galilean::front {
 
-/// Runs whose logs are kept, the newest.
+/// The number of runs whose logs are kept.
 inline constexpr std::size_t kKeptRuns = 10;
 
-/// Removes the oldest of the folders run-* in `logs`, so that `kept` of them stay.
+/// Removes the folders run-* in `logs` but for the `kept` newest ones. Ignores what it cannot
+/// remove.
 void forget_old_runs(const std::filesystem::path& logs, std::size_t kept);
 
 }  // namespace galilean::front

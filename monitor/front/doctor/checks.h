@@ -6,15 +6,15 @@
 
 namespace galilean::front {
 
-/// One thing that Galilean needs of a machine, and whether it is there.
+/// The result of checking one thing that Galilean needs of a machine.
 struct Check {
   std::string what;
   bool ok = false;
-  std::string told;     ///< what was found
-  std::string to_do{};  ///< where it is not there
+  std::string told;     ///< the finding
+  std::string to_do{};  ///< the remedy if `ok` is false
 };
 
-/// Each looks at one thing, leaves nothing behind, and takes two seconds at most.
+/// Each function checks one thing, leaves nothing behind and takes little more than 2 s at most.
 [[nodiscard]] Check check_programs();
 [[nodiscard]] Check check_page();
 [[nodiscard]] Check check_pseudo_terminals();

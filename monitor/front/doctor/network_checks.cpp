@@ -31,7 +31,7 @@ bool has_interface(unsigned flags) {
   return false;
 }
 
-/// A message to ourselves, through Cyclone.
+/// Returns whether a message that this process sends through Cyclone comes back to it within 2 s.
 bool arrives(wire::Participant& participant) {
   const std::string topic = "rt/galilean_doctor_" + std::to_string(getpid());
   wire::Reader reader(participant, topic, msg::Command::kRosType);

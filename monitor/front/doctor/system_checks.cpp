@@ -13,7 +13,7 @@
 namespace galilean::front {
 namespace {
 
-/// Closed when it goes.
+/// A file descriptor that the destructor closes.
 struct Descriptor {
   int number;
   ~Descriptor() {

@@ -149,9 +149,9 @@ void JointGaussian::inflate(Terms shared, const Matrix& covariance) {
             of_row * covariance * of_column.transpose();
 }
 
-/// Divides both sides by the Cholesky root of the innovation covariance. What is subtracted from
-/// the covariance is then a product of a matrix with its own transpose, and symmetric to the last
-/// digit.
+// Both sides are divided by the Cholesky root of the innovation covariance. The covariance then
+// decreases by the product of a matrix with its own transpose, which is symmetric to the last
+// digit.
 void JointGaussian::correct(Terms terms, const Vector& innovation, const Matrix& noise) {
   Cross cross = cross_covariance(terms);
   const Matrix sum = apply(terms, cross) + noise;
@@ -163,7 +163,7 @@ void JointGaussian::correct(Terms terms, const Vector& innovation, const Matrix&
     if (cross.row(column).isZero(0)) continue;  // independent of the measurement
     const Eigen::Index from = std::max<Eigen::Index>(column - kMaxSize + 1, 0);
     auto numbers = covariance_.col(column).segment(from, size_ - from);
-    if (cross.cols() == 2)  // nearly always so: one pass over the memory instead of two
+    if (cross.cols() == 2)  // the usual case takes one pass over the memory instead of two
       numbers = numbers - cross(column, 0) * cross.col(0).tail(size_ - from) -
                 cross(column, 1) * cross.col(1).tail(size_ - from);
     else

@@ -9,11 +9,13 @@
 namespace galilean::monitor {
 namespace {
 
-/// Added to the error of a sighting. The larger part of that comes from errors of a pixel.
+/// The standard deviation that is added to a sighting's own error, which comes mostly from an error
+/// of one pixel.
 constexpr double kPositionError_m = 0.02;
-/// Added instead to the sighting of a robot: its lowest pixel may be of its nose or of its flank.
+/// The standard deviation that is added instead to the sighting of a robot, because its lowest
+/// pixel may be of its nose or of its flank.
 constexpr double kRobotShape_m = 0.2;
-/// The Jacobians of range and azimuth grow without bound at range 0.
+/// The least range in Jacobians, because those of range and azimuth grow without bound at range 0.
 constexpr double kNearest_m = 0.05;
 
 bool is_sound(const msg::Sighting& sighting) {

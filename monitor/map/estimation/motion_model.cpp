@@ -8,15 +8,16 @@
 namespace galilean::monitor {
 namespace {
 
-/// Variances for each metre driven and each radian turned. Treads scrub, and so lose more in turns.
+/// Variances for each metre driven and each radian turned. Treads scrub, so they lose more in
+/// turns.
 constexpr double kAlong_m2pm = 2e-4;
 constexpr double kAcross_m2pm = 1e-4;
 constexpr double kHeading_rad2pm = 1e-2;
 constexpr double kPosition_m2prad = 5e-5;
 constexpr double kHeading_rad2prad = 1.5e-3;
 
-/// While something is at the bumpers, this share of each step may be lost, and the robot may be
-/// pushed by so much in each step (standard deviations).
+/// Standard deviations of a step while something is at the bumpers: the share of the step that is
+/// lost, and the distance and the angle that the robot is pushed.
 constexpr double kLost = 0.5;
 constexpr double kPushed_m = 0.004;
 constexpr double kPushed_rad = 0.01;

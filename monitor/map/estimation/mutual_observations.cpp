@@ -10,20 +10,21 @@
 namespace galilean::monitor {
 namespace {
 
-/// The pose of a robot that was not heard for longer is too old to compare a frame with.
+/// The greatest age of a robot's pose that a frame is compared with.
 constexpr double kFreshPose_s = 0.3;
 constexpr double kMaxMutualDeviation_m = 0.6;
-/// A robot is too large and blurred a target to tell more than landmarks do. Where the prediction
-/// is better than this, a sighting of a robot is not used.
+/// The standard deviation of a prediction above which the sighting of a robot helps. A robot is a
+/// large and blurred target, so its sighting tells less than landmarks do.
 constexpr double kMinDeviation_m = 0.15;
-/// A robot's green begins above the floor, and so it seems further away than it is: ranges are
-/// shortened by this factor, and may still err by this share.
+/// A robot's green begins above the floor, so the robot seems further away than it is. Ranges are
+/// multiplied by this factor, and may still err by this share (standard deviation).
 constexpr double kRangeFactor = 0.75;
 constexpr double kRangeError = 0.3;
-/// Another robot at a squared Mahalanobis distance below this may have been meant as well.
+/// A robot at a squared Mahalanobis distance below this may be the one that was seen.
 constexpr double kRivalGate = 25;
 
-/// Returns what is predicted of the only robot that can have been meant.
+/// Returns the prediction for the only robot that can have been seen. Returns nothing if several
+/// robots can have been seen, or none.
 std::optional<PredictedMeasurement> met(const std::string& observer, const Gaussian2& in_robot,
                                         const RobotPoses& robots, const JointGaussian& joint,
                                         Time now) {

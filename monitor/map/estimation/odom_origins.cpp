@@ -4,12 +4,13 @@
 namespace galilean::monitor {
 namespace {
 
-/// How well a person places a robot, or says where it is (standard deviations).
+/// Standard deviations of a pose that a person gave.
 constexpr double kPlaced_m = 0.06;
 constexpr double kPlaced_rad = 0.15;
-/// How well the pose of the reference is known: a filter cannot take a variance of 0.
+/// Standard deviation of the reference robot's pose [m, rad]. The filter cannot take a variance of
+/// 0.
 constexpr double kReference = 1e-3;
-/// How well the pose of a robot is known of which nobody said anything.
+/// Standard deviations of a pose that nobody gave.
 constexpr double kGuessed_m = 0.15;
 constexpr double kGuessed_rad = 0.2;
 

@@ -9,15 +9,15 @@
 namespace galilean::monitor {
 namespace {
 
-/// A robot that is heard late has driven from its start unheard. These standard deviations are
-/// added for each metre that it is away from its start.
+/// Standard deviations that are added for each metre between a robot's start and the pose that is
+/// heard first, because its drive up to there was not heard.
 constexpr double kUnheard_mpm = 0.1;
 constexpr double kUnheard_radpm = 0.08;
 
-/// A step that is longer than a robot can drive is a leap of the odometer.
+/// A step that is longer than this speed and jitter allow is a jump of the odometer.
 constexpr double kFastest_mps = 1.5;
 constexpr double kJitter_m = 0.3;
-/// How far a restart may have moved a robot (standard deviations).
+/// Standard deviations of the movement of a robot while it was restarted.
 constexpr double kSetDown_m = 0.05;
 constexpr double kSetDown_rad = 0.1;
 
@@ -54,7 +54,7 @@ void RobotPoses::predict(const std::string& robot, const Pose2& in_odom, bool to
     joint_.inflate(moving.block, noise);
     return;
   }
-  // A robot that stands free and still is neither elsewhere nor less certain.
+  // A robot that stands still and touches nothing keeps its pose and its certainty.
   if (!touching && step.by_m.isZero(0) && step.turn_rad == 0) return;
   const PredictedMotion predicted = predict_motion(joint_.mean(moving.block), step);
   joint_.transform(moving.block, predicted.mean, predicted.jacobian, predicted.noise);

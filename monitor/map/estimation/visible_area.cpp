@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kVisibleFrom_m = 0.6;
 constexpr double kPictureEdge_rad = 0.10;
-constexpr double kOcclusion_rad = 0.15;  ///< an object hides what is so near to its azimuth
+constexpr double kOcclusion_rad = 0.15;  ///< an object hides others within this of its azimuth
 
 bool is_occluded(const msg::Sightings& frame, double azimuth_rad, double range_m) {
   return std::ranges::any_of(frame.items, [&](const auto& other) {

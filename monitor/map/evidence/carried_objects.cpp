@@ -10,13 +10,14 @@ namespace {
 constexpr double kGripperAhead_m = 0.27;
 constexpr double kReach_m = 0.25;  ///< from the gripper to an object that it may have picked up
 constexpr double kCarriedWithin_m = 0.25;
-constexpr double kBasketReach_m = 0.65;  ///< an object put down nearer than this is in the basket
+constexpr double kBasketReach_m = 0.65;  ///< an object put down nearer than this is in a basket
 constexpr double kInGripper_m = 0.03;
 
-/// Where a held object is, in the robot frame.
+/// The position of a held object in the robot frame.
 const Gaussian2 kInGripper{{kGripperAhead_m, 0}, kInGripper_m* kInGripper_m* Mat2::Identity()};
 
-/// Returns the published landmark that a group's own one is a source of, or that one if none is.
+/// Returns the published landmark that has `own`, a landmark of one group, as a source. Returns
+/// `own` if there is none.
 PublishedLandmark published_as(const PublishedLandmark& own, const PublishedLandmarks& published) {
   const PublishedLandmark::Source& source = own.sources.front();
   const auto found = std::ranges::find_if(published, [&](const PublishedLandmark& other) {
@@ -25,7 +26,7 @@ PublishedLandmark published_as(const PublishedLandmark& own, const PublishedLand
   return found == published.end() ? own : *found;
 }
 
-/// Returns the nearest piece of trash within reach in any group's map.
+/// Returns the piece of trash in any group's map that is nearest to `at_m` and within `within_m`.
 std::optional<PublishedLandmark> trash_at(const Vec2& at_m, double within_m,
                                           const RobotGroups& groups) {
   std::optional<PublishedLandmark> nearest;

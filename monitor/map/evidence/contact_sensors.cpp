@@ -30,7 +30,8 @@ bool opens_gripper(const bhdl::Component& schema, const Catalog& catalog) {
   return word && *word == "open";
 }
 
-/// All bits where the index is less than 0; none where a robot's catalog lets it be too large.
+/// Returns the mask of the bit at `index`. Returns all bits for an index below 0, and none for one
+/// above 31, which only a catalog with wrong limits allows.
 std::uint32_t mask_of(double index) {
   constexpr double kLastBit = 31;
   if (index < 0) return ~std::uint32_t{0};

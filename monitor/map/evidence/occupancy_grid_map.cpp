@@ -9,20 +9,20 @@
 namespace galilean::monitor {
 namespace {
 
-/// The probability that a cell is free, after one piece of evidence where nothing was known before.
+/// The probability that a cell is free after one piece of evidence, if nothing was known before.
 constexpr float kStoodOn = 0.80F;
 constexpr float kLookedAcross = 0.58F;
 constexpr float kSawNothing = 0.54F;
 constexpr float kBumped = 0.15F;
-/// A cell whose probability is between these is unknown.
+/// A cell is unknown if its probability of being free is between these.
 constexpr float kUnknownAbove = 0.45F;
 constexpr float kUnknownBelow = 0.55F;
 
 constexpr double kStartSize_m = 10;
 constexpr double kMargin_m = 1;
-constexpr double kChassisRadius_m = 0.16;  ///< half of its narrow side
+constexpr double kChassisRadius_m = 0.16;  ///< half of the chassis' narrow side
 constexpr double kObstacleRadius_m = 0.08;
-constexpr double kObjectRadius_m = 0.10;  ///< a line of sight ends before it
+constexpr double kObjectRadius_m = 0.10;  ///< a line of sight ends so far before an object
 constexpr double kRay_rad = 0.04;
 
 }  // namespace

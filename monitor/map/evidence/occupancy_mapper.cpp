@@ -11,7 +11,7 @@ namespace {
 constexpr double kStep_m = 0.05;
 constexpr double kTurn_rad = 0.1;
 constexpr double kMaxFloorRange_m =
-    4;  ///< a line of sight to an object further away has no sure end
+    4;  ///< the range of an object further away is too uncertain to end a line of sight
 
 }  // namespace
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint8_t kFree = 254, kOccupied = 0, kUnknown = 205;
 constexpr int kOccupiedFrom_percent = 65, kFreeTo_percent = 25;
-/// map_server takes (255 - g) / 255 of a grey g for its probability of being occupied. That of
-/// kUnknown is a little above this.
+/// map_server reads a grey g as the probability (255 - g) / 255 of being occupied. That of kUnknown
+/// is a little above this threshold.
 constexpr double kFreeBelow = 0.196;
 
 std::uint8_t grey(std::int8_t occupied_percent) {

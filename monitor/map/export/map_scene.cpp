@@ -21,7 +21,7 @@ namespace {
 
 using mrpt::opengl::COpenGLScene;
 
-constexpr double kAboveFloor_m = 0.005;  ///< so that ellipses are not hidden by the floor
+constexpr double kAboveFloor_m = 0.005;  ///< keeps the floor from hiding the ellipses
 constexpr int kSides = 24;
 constexpr float kOneHalf = 0.5F;
 

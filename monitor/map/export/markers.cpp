@@ -11,7 +11,7 @@ namespace {
 
 enum MarkerType : std::int32_t { kCube = 1, kCylinder = 3, kText = 9 };
 constexpr double kEllipseHeight_m = 0.01;
-constexpr double kLeastVariance_m2 = 1e-6;  ///< viewers complain about an ellipse without width
+constexpr double kLeastVariance_m2 = 1e-6;  ///< because viewers reject an ellipse without width
 
 msg::Marker marker(const msg::ObjectMap& map, const char* space, std::int32_t id, MarkerType type,
                    double x_m, double y_m, double z_m) {
@@ -31,7 +31,7 @@ void turn(msg::Marker& marker, double by_rad) {
   marker.pose.orientation.w = std::cos(by_rad / 2);
 }
 
-/// Makes the 95 % ellipse of an object or a robot: a flat cylinder, stretched.
+/// Returns the 95 % ellipse of an object or a robot as a flat, stretched cylinder.
 msg::Marker ellipse_marker(const msg::ObjectMap& map, const char* space, std::int32_t id,
                            const auto& at) {
   auto result = marker(map, space, id, kCylinder, at.x_m, at.y_m, kEllipseHeight_m / 2);

@@ -8,11 +8,12 @@
 namespace galilean::monitor {
 namespace {
 
-/// Narrow, because all pairs of a class are tried: of two dozen landmarks in a room some agree by
-/// chance.
+/// The standard deviation of a point. It is small because all pairs of a class are tried, and of
+/// two dozen landmarks in a room some agree by chance.
 constexpr double kDeviation_m = 0.06;
 constexpr double kLeastGroupSpread_m = 0.8;
-/// Every two correspondences are compared with all others, so that the cost grows fast with these.
+/// Limits of the cost, which grows fast because every two correspondences are compared with all
+/// others.
 constexpr std::size_t kMaxOwn = 24, kMaxKnown = 48;
 
 std::vector<LabelledPoint> own_points(const RobotGroup& group) {
@@ -24,7 +25,8 @@ std::vector<LabelledPoint> own_points(const RobotGroup& group) {
   return points;
 }
 
-/// Of a large map, the landmarks count that are nearest to where the group is believed to be.
+/// Returns the others' landmarks. Of more than kMaxKnown, it returns those that are nearest to the
+/// group's estimated place.
 std::vector<LabelledPoint> points_of_others(const RobotGroup& group,
                                             const PublishedLandmarks& published) {
   auto points = known_to_others(group, published);

@@ -9,9 +9,9 @@ namespace galilean::monitor {
 namespace {
 
 constexpr double kUnionDuplicate_m = 0.30;  ///< estimates of one object are no further apart
-/// Standard deviation of an error between two groups' estimates that no covariance tells.
+/// Standard deviation of the error between two groups' estimates that no covariance contains.
 constexpr double kUnmodelled_m = 0.05;
-/// A rival fits worse than a pair by less than this squared Mahalanobis distance.
+/// A pair has a rival if another pair's squared Mahalanobis distance is larger by less than this.
 constexpr double kUnionRivalMargin = 6;
 
 PublishedLandmark published(RobotGroup& group, const Landmark& landmark) {

@@ -6,13 +6,13 @@
 namespace galilean::monitor {
 namespace {
 
-/// A group learns a position if its own estimate has more than so many times the variance.
+/// A group takes over a position if its own estimate has more than so many times the variance.
 constexpr double kFarBetter = 2;
-/// Standard deviation of what another group says, beside its own covariance. Without it two groups
-/// that tell each other the same position would each become more certain of it every time.
+/// Standard deviation that is added to another group's estimate. Without it, two groups that share
+/// one position would become more certain of it with each exchange.
 constexpr double kHearsay_m = 0.05;
-/// Trash at this squared Mahalanobis distance from where another group knows it was more likely
-/// pushed since.
+/// Above this squared Mahalanobis distance between two groups' estimates of a piece of trash, it
+/// was more likely pushed since then.
 constexpr double kSharedMovedDistance = 4;
 
 void teach(const PublishedLandmark& known, const PublishedLandmark& learned) {

@@ -58,8 +58,8 @@ std::optional<std::size_t> BasketRecognition::basket_beside(const Observation& b
   return lost ? nearest : std::nullopt;
 }
 
-/// The filter would hold so large an innovation for impossible and believe it in part only.
-/// Therefore the robot's pose is made uncertain first.
+// The filter would correct only a part of an innovation that is much larger than its uncertainty.
+// Therefore the robot's pose is made uncertain first.
 void BasketRecognition::relocalize(const std::string& robot, const Landmark& basket,
                                    const Measurement& measurement) {
   const auto block = robots_.block(robot);

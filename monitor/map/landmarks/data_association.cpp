@@ -11,11 +11,12 @@ namespace {
 
 using Match = DataAssociation::Match;
 
-/// The prediction must be so certain that the nearest landmark can be the one that is seen. Baskets
-/// stand metres apart, and so may be predicted less well.
+/// The largest standard deviation of a prediction with which the nearest landmark is taken for the
+/// one that is seen. It is larger for baskets, because these stand metres apart.
 constexpr double kMaxDeviation_m = 0.25;
 constexpr double kMaxBasketDeviation_m = 0.9;
-/// A rival fits worse than the best by less than this squared Mahalanobis distance.
+/// The best match has a rival if another match's squared Mahalanobis distance is larger by less
+/// than this.
 constexpr double kRivalMargin = 6;
 
 constexpr double kDuplicate_m = 0.30;  ///< duplicates of one object are no further apart
@@ -25,7 +26,8 @@ bool is_matched(std::size_t landmark, const auto& observations) {
                              [&](const auto& each) { return each.landmark == landmark; });
 }
 
-/// Duplicates of one object are no rivals, because a correction by either says the same.
+/// Returns whether another match is nearly as good. Duplicates of one object are no rivals, because
+/// they give the same correction.
 bool has_rival(const auto& matches, const Match& best, const auto& may_be_duplicates) {
   return std::ranges::any_of(matches, [&](const Match& other) {
     const bool same_observation = other.observation == best.observation &&
@@ -38,8 +40,9 @@ bool has_rival(const auto& matches, const Match& best, const auto& may_be_duplic
   });
 }
 
-/// A landmark that is further away cannot be inside the gate, and its prediction is not computed.
-/// The gate is one of range and azimuth, whose shape in x and y is bent; kBend allows for that.
+/// Returns false if a landmark is too far away to be inside the gate, which saves its prediction.
+/// The gate is one of range and azimuth, so its shape in x and y is bent, and kBend allows for
+/// that.
 bool within_reach(const Vec2& landmark_m, const Vec2& seen_m, const Observation& observation) {
   constexpr double kBend = 4;
   const bool basket = observation.sighting->object_class == "basket";
@@ -51,8 +54,8 @@ bool within_reach(const Vec2& landmark_m, const Vec2& seen_m, const Observation&
 
 }  // namespace
 
-/// A robot that shares nothing with the others may stand anywhere. To take its baskets for theirs
-/// would be a guess.
+// A robot that shares no landmarks with the others may stand anywhere, so its basket need not be
+// the nearest one that they know.
 double DataAssociation::max_deviation_m(const Landmark& landmark, const std::string& robot) const {
   const bool placed = robots_.has_known_start(robot) || share_landmarks_.contains(robot);
   return landmark.object_class == "basket" && placed ? kMaxBasketDeviation_m : kMaxDeviation_m;

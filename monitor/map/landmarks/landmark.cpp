@@ -6,7 +6,8 @@
 namespace galilean::monitor {
 namespace {
 
-/// Trash that is missing was carried away. Other objects stay, so that they are more likely hidden.
+/// Returns the time [s] unseen in a visible area after which a landmark is removed. Missing trash
+/// was carried away. Other objects stay, so they are more likely hidden.
 double absence_noticed_s(const std::string& object_class) {
   return object_class == "trash" ? 1.5 : 6;
 }

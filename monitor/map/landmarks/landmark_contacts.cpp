@@ -6,8 +6,8 @@
 namespace galilean::monitor {
 namespace {
 
-constexpr double kTouchedAgain_m = 0.20;  ///< obstacles that are nearer to one another are one
-/// Standard deviation up to which it is known that a landmark is under a robot.
+constexpr double kTouchedAgain_m = 0.20;  ///< a contact nearer than this is with a known obstacle
+/// The largest standard deviation with which a landmark is known to be under a robot.
 constexpr double kMaxContactDeviation_m = 0.12;
 constexpr double kPushedWithin_m = 0.42;
 constexpr double kPushed_m2ps = 4e-3;

@@ -4,12 +4,11 @@
 namespace galilean::monitor {
 namespace {
 
-/// A robot whose heading is known less well than this (standard deviation) does not know which way
-/// it faces.
+/// A robot's heading counts as unknown above this standard deviation.
 constexpr double kHeadingUnknown_rad = 0.12;
 
-/// A piece of trash at this squared Mahalanobis distance from where it was predicted was more
-/// likely pushed than is its observer elsewhere.
+/// Above this squared Mahalanobis distance from its prediction, a piece of trash was more likely
+/// pushed than that its observer's pose is wrong.
 constexpr double kMovedDistance = 4;
 
 bool is_landmark(const msg::Sighting& sighting) {
@@ -42,7 +41,7 @@ Viewpoint LandmarkMap::update(const msg::Sightings& frame, Time now) {
   return {robots_.pose(frame.robot), joint_.covariance(robot).topLeftCorner<3, 3>(), for_s};
 }
 
-/// Matches are taken in one by one, because each correction makes the next prediction better.
+// Matches are taken in one by one, because each correction makes the next prediction better.
 void LandmarkMap::associate(const std::string& robot, std::vector<Observation>& observations,
                             Time now) {
   while (const auto match = association_.next(observations, robot)) {
@@ -65,8 +64,8 @@ void LandmarkMap::take_in(const DataAssociation::Match& match, const std::string
                measurement.in_robot);
 }
 
-/// A landmark that a robot found while it hardly knew its heading says nothing of that heading. A
-/// correction by it would make the filter sure of what it only repeats.
+// A landmark that a robot added while its heading was unknown has the error of that heading. A
+// correction by it would make the filter certain without new information.
 bool LandmarkMap::is_informative(const Landmark& landmark, const std::string& robot,
                                  Time now) const {
   const double heading_variance = joint_.covariance(robots_.block(robot))(2, 2);

@@ -10,10 +10,10 @@ namespace galilean::monitor {
 namespace {
 
 constexpr double kPublishedDuplicate_m = 0.25;  ///< duplicates of one object are no further apart
-/// Standard deviation of an error between two estimates of one object that no covariance tells.
+/// Standard deviation of the error between two estimates of one object that no covariance contains.
 constexpr double kPublishedUnmodelled_m = 0.05;
-/// An object that was seen from far away may stand anywhere within metres. Above this standard
-/// deviation its position is not published.
+/// A position is not published above this standard deviation. An object that was only seen from far
+/// away may stand anywhere within metres.
 constexpr double kMaxPublishedDeviation_m = 0.75;
 
 }  // namespace

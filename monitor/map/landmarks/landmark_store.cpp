@@ -8,7 +8,7 @@
 namespace galilean::monitor {
 namespace {
 
-/// Standard deviation of the measurement that two landmarks of one object are at one position.
+/// Standard deviation of the measurement that two landmarks of one object have one position.
 constexpr double kSamePosition_m = 0.02;
 
 }  // namespace

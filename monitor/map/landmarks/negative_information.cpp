@@ -12,11 +12,11 @@ namespace galilean::monitor {
 namespace {
 
 constexpr double kLongestPeriod_s = 0.5;
-/// A robot that recognized something is where it is believed to be for so long.
+/// The time for which a robot's pose is trusted after the robot recognized a landmark.
 constexpr Duration kTrustedFor = std::chrono::seconds(3);
-/// Standard deviation up to which a predicted measurement is known to be in the visible area.
+/// The largest standard deviation with which a prediction is known to be in the visible area.
 constexpr double kMaxObserverDeviation_m = 0.2;
-/// An object of a frame that is so near to the prediction may be the landmark.
+/// An object of a frame may be the landmark if it is nearer to the prediction than this.
 constexpr double kSameObject_m = 0.4;
 
 bool is_in_frame(const msg::Sightings& frame, const Landmark& landmark, const Vec2& in_robot_m) {

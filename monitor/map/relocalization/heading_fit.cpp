@@ -12,21 +12,22 @@ namespace {
 constexpr double kStep_rad = 0.025;
 constexpr double kRangeError_m = 0.10, kRangeErrorShare = 0.10;
 constexpr double kSideError_m = 0.10, kSideErrorShare = 0.04;
-/// In standard deviations: a point that is further away does not count.
+/// A point that is further away than so many standard deviations does not count.
 constexpr double kMaxDeviations = 3;
-/// A point that counts at least so much, of 1, agrees.
+/// A point agrees if it counts at least so much, from 0 to 1.
 constexpr double kAgrees = 0.3;
-constexpr double kLead = 0.9;  ///< by which the best turn must count more than any other
+constexpr double kLead = 0.9;  ///< the best turn must count more than any other by this
 constexpr double kSamePeak_rad = 0.15;
 constexpr double kLeastAgreeingShare = 0.6;
-/// Two points may agree by chance on one of many turns. They are enough only within this.
+/// Two points are enough only if the search is narrower than this, because they may agree by chance
+/// on one of many turns.
 constexpr double kNarrow_rad = 0.5;
 
 struct Candidate {
   double turn_rad = 0;
   double score = 0;
   std::size_t agreeing = 0;
-  double nearest = 0;  ///< squared distance of the point that is being added
+  double nearest = 0;  ///< squared distance of the known point nearest to the one being added
 };
 using Candidates = std::vector<Candidate>;
 
@@ -39,7 +40,8 @@ Candidates candidates_within(double max_rad, double deviation_rad) {
   return candidates;
 }
 
-/// A seen point with its errors (robot frame: x forward, y left), to be compared with known points.
+/// A seen point and its standard deviations, for comparison with known points. All are in the robot
+/// frame (x forward, y left).
 struct SeenPoint {
   double range_m, azimuth_rad, range_error_m, side_error_m;
 
@@ -67,7 +69,7 @@ struct SeenPoint {
   }
 };
 
-/// Adds how well the nearest known point of its label fits, from 0 to 1.
+/// Adds to each candidate how well the nearest known point of the same label fits, from 0 to 1.
 void add_fit(const LabelledPoint& seen, const std::vector<LabelledPoint>& known,
              Candidates& candidates) {
   const SeenPoint point_seen(seen.position_m);

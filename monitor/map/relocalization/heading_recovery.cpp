@@ -13,7 +13,7 @@ namespace galilean::monitor {
 namespace {
 
 constexpr double kMaxRange_m = 3.5;
-constexpr double kMaxKnownRange_m = 2 * kMaxRange_m;  ///< landmarks further away are not seen
+constexpr double kMaxKnownRange_m = 2 * kMaxRange_m;  ///< landmarks further away cannot be seen
 constexpr double kUnpushedFrom_m = 0.35;              ///< objects that are nearer may be pushed
 constexpr double kWidestSearch_rad = 1.4;
 constexpr double kDeviations = 3;
@@ -106,7 +106,7 @@ int HeadingRecovery::frames_that_agree(const std::string& robot, double turn_rad
 void HeadingRecovery::turn(const std::string& robot, double by_rad, double deviation_rad,
                            Time now) {
   const auto block = robots_.block(robot);
-  // The filter would believe a turn that is larger than its own uncertainty in part only. Therefore
+  // The filter would correct only a part of a turn that is larger than its uncertainty. Therefore
   // the heading is made uncertain first.
   RobotMatrix noise = RobotMatrix::Zero();
   noise(2, 2) = std::max(0.0, by_rad * by_rad - deviation_rad * deviation_rad);

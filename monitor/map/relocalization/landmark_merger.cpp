@@ -9,13 +9,13 @@
 namespace galilean::monitor {
 namespace {
 
-constexpr double kWellKnown_m = 0.10;   ///< standard deviation of the distance of two landmarks
+constexpr double kWellKnown_m = 0.10;   ///< largest standard deviation between two landmarks
 constexpr double kNeighbours_m = 0.30;  ///< duplicates by two robots are no further apart
 constexpr double kTwins_m = 0.12;       ///< duplicates by one robot are no further apart
 constexpr double kMatchedWithin_m = 1.2;
 constexpr double kPointDeviation_m = 0.08;
-/// Narrower, because all pairs of a class are tried: of two dozen landmarks in a room some agree by
-/// chance.
+/// The standard deviation of a point in a search. It is smaller because all pairs of a class are
+/// tried, and of two dozen landmarks in a room some agree by chance.
 constexpr double kSearchDeviation_m = 0.06;
 constexpr double kLeastSpread_m = 0.8;
 

@@ -11,11 +11,11 @@ namespace {
 
 constexpr double kSameLength_m = 0.12;
 constexpr double kAgree_m = 0.15;
-constexpr double kLeastApart_m = 0.4;  ///< two points that are nearer tell no turn
+constexpr double kLeastApart_m = 0.4;  ///< two points that are nearer determine no turn
 constexpr double kLeastTurnSpread_m = 0.8;
 /// This share of the seen points must be known. The others may be new.
 constexpr double kLeastShare = 0.6;
-/// On any other turn or shift at least so many fewer must agree.
+/// At least so many fewer points must agree on any other turn or shift.
 constexpr std::size_t kLeadInPairs = 2;
 constexpr double kOtherTurn_rad = 0.2, kOtherShift_m = 0.35;
 
@@ -78,7 +78,8 @@ std::vector<Hypothesis> hypotheses(const LabelledPoints& seen, const LabelledPoi
   return result;
 }
 
-/// Returns the known points that a seen point can be, however far the robot is turned and shifted.
+/// Returns the known points that a seen point can correspond to, for any turn and any shift of the
+/// robot up to `max_shift_m`.
 LabelledPoints within_reach(const LabelledPoints& known, const LabelledPoints& seen,
                             const Vec2& robot_m, double max_shift_m) {
   double reach_m = 0;

@@ -10,7 +10,7 @@
 namespace galilean::monitor {
 namespace {
 
-/// A robot may be this many standard deviations away from where it is believed to be.
+/// A robot is searched for within this many standard deviations of its estimated position.
 constexpr double kSearchDeviations = 3;
 constexpr double kMaxSearch_m = 6;
 
@@ -23,7 +23,7 @@ void Relocalizer::relocalize(const std::string& robot, Time now,
   rejoin(robot, known_to_others);
 }
 
-/// Returns the landmarks that stay where they are for a while and were seen often enough.
+// Obstacles are left out, because robots report them and the camera does not see them again.
 std::vector<const Landmark*> Relocalizer::stable_landmarks() const {
   std::vector<const Landmark*> result;
   for (const auto& landmark : landmarks_.all())
@@ -35,7 +35,7 @@ LabelledPoint Relocalizer::point_of(const Landmark& landmark) const {
   return {joint_.position(landmark.block), label_of(landmark.object_class), landmark.id};
 }
 
-/// Nearly all that the robot saw lately is recent, and nobody else saw it.
+// A robot recognizes nothing if nearly all landmarks that it saw lately are its own recent ones.
 bool Relocalizer::recognizes_nothing(const std::string& robot) const {
   std::size_t recent = 0, known = 0;
   for (const Landmark* landmark : stable_landmarks())
@@ -57,7 +57,7 @@ void Relocalizer::relocalize_recent(const std::string& robot,
     }
   }
   const auto fit = find(robot, seen, known);
-  // A small difference from other groups is corrected by the landmarks that they share.
+  // The landmarks that groups share correct a small difference from other groups.
   const bool needless = fit && !known_to_others.empty() && is_in_place(robot, *fit);
   if (fit && !needless) apply(own, *fit);
 }

@@ -19,7 +19,7 @@ bool exclude_one_another(const Correspondence& a, const Correspondence& b) {
   return a.map_index == b.map_index || a.other_index == b.other_index;
 }
 
-/// The errors of a transformation, whose rotation matrix is computed once for many points.
+/// Computes the errors of a transformation. Its rotation matrix is computed once for many points.
 class Errors {
  public:
   explicit Errors(const Pose2& by)
@@ -35,7 +35,7 @@ class Errors {
 };
 
 /// Returns the correspondences that agree within `within_m`, the nearest first and each point once.
-/// Returns none if they cannot be more than `at_least`.
+/// Returns none if no more than `at_least` can agree.
 std::vector<Correspondence> agreeing_with(const Pose2& by,
                                           const std::vector<Correspondence>& correspondences,
                                           double within_m, std::size_t at_least = 0) {

@@ -69,7 +69,7 @@ void Api::post(std::string path, Right needs, Handler handler) {
 }
 
 void Api::answer(const HttpRequest& request, const Respond& respond) {
-  if (request.method == "OPTIONS")  // a page that the operator allowed asks before it posts
+  if (request.method == "OPTIONS")  // a browser asks so before a page of another site may post
     return respond({204,
                     {},
                     nullptr,
@@ -152,7 +152,7 @@ void Api::pushes(const Respond& respond) {
                     unable(finish_of(respond)));
 }
 
-/// POST /api/pushes/ID/cancel; the body may name an author.
+// The request is POST /api/pushes/ID/cancel. Its body may name an author.
 void Api::cancel_push(const HttpRequest& request, const Respond& respond) {
   constexpr std::string_view kVerb = "/cancel";
   auto id = rest(request, "/api/pushes/");

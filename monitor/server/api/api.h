@@ -11,8 +11,8 @@
 
 namespace galilean::monitor {
 
-/// Everything over plain HTTP, as docs/openapi.yaml describes it: the page, /healthz, /metrics and
-/// /api/…
+/// Answers plain HTTP requests: the page's files, /healthz, /metrics and /api/…, as
+/// docs/openapi.yaml describes them. For use on the io_context's thread.
 class Api {
  public:
   struct Parts {
@@ -24,11 +24,12 @@ class Api {
     Operations& operations;
     PushDesk& desk;
     Worker& worker;
-    History& history;  ///< the worker's alone
+    History& history;  ///< used on the worker only
   };
 
   explicit Api(Parts blocks);
 
+  /// Answers at once, or later on the same thread if the worker must be asked.
   void answer(const HttpRequest& request, const Respond& respond);
   /// Sets where /metrics gets its counts. It is not a constructor's argument because the server
   /// that counts is made after the API.
@@ -38,7 +39,7 @@ class Api {
   using Handler = std::function<void(const HttpRequest&, const Respond&)>;
   struct Route {
     std::string method;
-    std::string path;  ///< ends with '/' where the rest is an argument
+    std::string path;  ///< ends with '/' if the rest of the request's path is an argument
     Right needs;
     Handler handler;
   };

@@ -20,7 +20,7 @@ void metric(std::ostream& out, const std::string& name, const char* type, const 
   out << name << ' ' << value << '\n';
 }
 
-/// A robot's name as a label's value.
+/// Returns a robot's name, escaped for a label's value.
 std::string escaped(const std::string& name) {
   std::string result;
   for (const char letter : name) {
@@ -41,7 +41,7 @@ void robot_metric(std::ostream& out, const std::vector<RobotStatus>& robots, con
         << value_of(robot) << '\n';
 }
 
-/// Under the names that every Prometheus client library gives them.
+/// Writes the process' metrics under the names that every Prometheus client library gives them.
 void process_metrics(std::ostream& out) {
   metric(out, "process_cpu_seconds_total", "counter", "Processor time used, of all threads.",
          static_cast<double>(std::clock()) / CLOCKS_PER_SEC);

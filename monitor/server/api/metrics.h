@@ -9,7 +9,8 @@
 
 namespace galilean::monitor {
 
-/// Prometheus' text format 0.0.4. `map_update_s`: what the map's last update took.
+/// Returns the metrics in Prometheus' text format 0.0.4. `map_update_s` is how long the map's last
+/// update took.
 [[nodiscard]] std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocket,
                                        const HttpServer::Counts& http, double map_update_s);
 

@@ -34,8 +34,8 @@ std::vector<bhdl::SourceFile> files_field(RequestFields& fields, const char* nam
   return {};
 }
 
-/// What was found; and, where both are programs, what `files` tells a robot otherwise than
-/// `against`.
+/// Returns the diagnostics of `files` as JSON. If both are valid programs, "changes" lists how
+/// `files` differs from `against`.
 nlohmann::json checked(const std::vector<bhdl::SourceFile>& files,
                        const std::vector<Target>& targets,
                        const std::vector<bhdl::SourceFile>& against,
@@ -51,7 +51,7 @@ nlohmann::json checked(const std::vector<bhdl::SourceFile>& files,
   return answer;
 }
 
-/// `try` is true, or {only, even_if_worse, seeds, duration_s, scenario}.
+/// Reads `try`, which is a boolean or {only, even_if_worse, seeds, duration_s, scenario}.
 TrialWish trial_field(RequestFields& request) {
   TrialWish trial;
   const nlohmann::json* value = request.find("try");

@@ -12,8 +12,9 @@
 
 namespace galilean::monitor {
 
-/// What an operator can ask for, the same over HTTP and as Foxglove services. Requests and answers
-/// are JSON, as docs/openapi.yaml describes them.
+/// An operator's operations, the same over HTTP and as Foxglove services. Requests and answers are
+/// JSON, as docs/openapi.yaml describes them. A request that is wrong finishes with 400 or 404. For
+/// use on the io_context's thread, where `finish` is called, too.
 class Operations {
  public:
   Operations(Worker& worker, const Team& team, const ProgramLibrary& library, PushDesk& desk,
@@ -21,10 +22,11 @@ class Operations {
 
   void check(const nlohmann::json& request, Finish finish);
   void push(const nlohmann::json& request, Finish finish);
-  /// {id, author}
+  /// Finishes with 404 if no such push is under way, or with 409 if it is too late. `request` is
+  /// {id, author}.
   void cancel_push(const nlohmann::json& request, Finish finish);
   void command(const nlohmann::json& request, Finish finish);
-  /// push, cancel_push and every kind of command, as services of the hub.
+  /// Adds push, cancel_push and every kind of command to the hub as services.
   void offer(foxglove::Hub& hub);
 
  private:

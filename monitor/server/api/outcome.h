@@ -10,8 +10,8 @@
 
 namespace galilean::monitor {
 
-/// What an operation comes to: an HTTP status and its JSON; of a failure, `detail` says why in one
-/// sentence and `json` has what goes with it.
+/// The result of an operation: an HTTP status and its JSON. If it failed, `detail` says why in one
+/// sentence, and `json` holds further members of the answer.
 struct Outcome {
   int status = 200;
   nlohmann::json json = nlohmann::json::object();
@@ -19,7 +19,7 @@ struct Outcome {
 };
 using Finish = std::function<void(Outcome)>;
 
-/// For a Worker's job that somebody waits for: 503 with what stood against it.
+/// Returns a failure handler for a Worker's job. It finishes with 503 and the reason.
 [[nodiscard]] inline std::function<void(const std::string& why)> unable(Finish finish) {
   return [finish = std::move(finish)](const std::string& why) {
     finish({503, {}, "The monitor cannot do this now: " + why + "."});
@@ -27,9 +27,9 @@ using Finish = std::function<void(Outcome)>;
 }
 
 [[nodiscard]] Outcome outcome_of(const Refusal& refusal);
-/// Of an order: 202 while the push is under way.
+/// Returns the outcome of an order to push: 202 while the push is under way, else 200 or a failure.
 [[nodiscard]] Outcome outcome_of_order(const PushAnswer& answer);
-/// Of a question about a push that there is.
+/// Returns the outcome of a question about a push: 200 or a failure.
 [[nodiscard]] Outcome outcome_of(const PushAnswer& answer);
 
 }  // namespace galilean::monitor

@@ -7,14 +7,14 @@
 
 namespace galilean::monitor {
 
-/// The members of RobotStatus, by their names.
+/// Returns the members of RobotStatus by their names.
 [[nodiscard]] nlohmann::json to_json(const RobotStatus& status);
-/// The referee's sheet, null while there is none.
+/// Returns the referee's score, or null before the first one came.
 [[nodiscard]] nlohmann::json score_json(const Team& team);
-/// How each program fared in the contest.
+/// Returns a list with the score of each program in the contest.
 [[nodiscard]] nlohmann::json strategies_json(const Team& team);
-/// All that is known of the team: each robot's status, variables with their certainty now, and its
-/// last transitions; the score; the hash of the team's program.
+/// Returns each robot's status, its variables with their present certainty and its last
+/// transitions, the score, and the hash of the team's program.
 [[nodiscard]] nlohmann::json to_json(const Team& team);
 
 }  // namespace galilean::monitor

@@ -6,10 +6,12 @@
 
 namespace galilean::monitor {
 
-/// The team as Foxglove's parameters: /NAME.held, which can be set, and what each runs.
+/// Returns the team as Foxglove's parameters: each robot's /NAME.held, which clients can set, the
+/// name and hash of each robot's program, and the hash of the team's program.
 [[nodiscard]] foxglove::ParameterValues team_parameters(const Team& team);
 
-/// Holds or resumes a robot whose /NAME.held is set; the others are refused.
+/// Holds or resumes a robot whose /NAME.held is set.
+/// Errors: `wanted` is another parameter or no boolean, or the command fails.
 void set_team_parameter(Operations& operations, const foxglove::Parameter& wanted,
                         foxglove::Hub::Answer answer);
 

@@ -7,7 +7,8 @@
 
 namespace galilean::monitor {
 
-/// Who writes and reads ROS' topics in the domain, as Foxglove's connection graph.
+/// Returns the writers and readers of the domain's ROS topics as Foxglove's connection graph.
+/// Topics without ROS' prefix "rt/" are left out.
 [[nodiscard]] inline foxglove::ConnectionGraph connection_graph(const wire::Graph::Topics& topics) {
   constexpr std::string_view kRosTopic = "rt/";
   foxglove::ConnectionGraph graph;

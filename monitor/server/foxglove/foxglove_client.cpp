@@ -20,7 +20,8 @@ std::optional<std::uint32_t> id_of(const nlohmann::json& object, const char* key
   return id_of(object[key]);
 }
 
-/// Frames of one subscription that wait for a slow client; 0: all of them must arrive.
+/// Returns how many frames of one subscription may wait for a slow client. 0 means that all frames
+/// must arrive, so they wait in the outbox's queue.
 std::size_t lane_depth(wire::Delivery delivery) {
   switch (delivery) {
     case wire::Delivery::kEvent:
@@ -159,7 +160,7 @@ void Hub::Client::answer(std::uint32_t service_id, std::uint32_t call_id,
     return push(service_response_frame(service_id, call_id, "json", json_text(result.value())));
   const auto& why = result.error().message;
   tell(service_failure(service_id, call_id, why));
-  refuse(why);  // some viewers (Lichtblick 1.28) wait on and say nothing of a failure
+  refuse(why);  // because Lichtblick 1.28 does not show a service call's failure
 }
 
 void Hub::Client::deliver(std::uint32_t subscription_id, const Message& message) {

@@ -9,7 +9,7 @@
 namespace galilean::monitor::foxglove {
 namespace {
 
-/// What a later subscriber is told, as DDS would tell a late joiner.
+/// Returns how many messages a later subscriber gets, as many as DDS gives a late joiner.
 std::size_t kept_for_late_joiners(wire::Delivery delivery) {
   if (delivery == wire::Delivery::kState) return 1;
   return delivery == wire::Delivery::kEvent ? 64 : 0;

@@ -26,7 +26,7 @@ namespace galilean::monitor::foxglove {
 class Link {
  public:
   virtual ~Link() = default;
-  /// Called when something waits in the client's outbox.
+  /// Called when a frame waits in the client's outbox.
   virtual void flush() = 0;
   /// Closes the connection; nothing more is sent.
   /// Requires: `reason` has at most 123 bytes.
@@ -34,48 +34,56 @@ class Link {
 };
 
 /// Fans the team's messages out to clients of Foxglove's protocol, ws-protocol version 1, and takes
-/// their service calls. A new subscriber to a *state* gets the newest message at once, one to an
-/// *event* the last 64, as a late joiner on DDS does.
+/// their service calls. A new subscriber to a *state* gets the newest message at once. One to an
+/// *event* gets the last 64, as a late joiner on DDS does.
 ///
-/// For use by one thread. The hub knows no sockets: the owner of a socket opens a Client for it.
+/// For use by one thread. The hub knows no sockets: a socket's session opens a Client with
+/// `connect`.
 class Hub {
  public:
   class Client;
   using Answer = std::function<void(Result<nlohmann::json>)>;
   using Handler = std::function<void(const nlohmann::json& request, Answer answer)>;
-  /// Called when the first client wants a channel's messages and when the last one ceases to.
+  /// Called when a channel gets its first subscriber and when it loses its last one.
   using Demand = std::function<void(std::uint32_t channel_id, bool wanted)>;
 
-  /// Takes a parameter's new value, and answers when that was ordered, or why it is refused.
+  /// Orders a parameter's new value. The answer says that it was ordered, or why it is refused.
   using SetParameter = std::function<void(const Parameter& wanted, Answer answer)>;
 
   Hub(std::string server_name, Demand demand);
   ~Hub();
 
+  /// Requires: no client is connected yet, because only new clients hear of services.
   void add_service(Service service, Handler handler);
-  /// `channel` must outlive the hub.
+  /// Announces a channel to all clients.
+  /// Requires: `channel` outlives the hub.
   void add_channel(const Channel& channel);
+  /// Sends a message to the channel's subscribers. Ignores messages of channels that were not
+  /// added.
   void send(const Message& message);
+  /// Sends the time to all clients. A newer time replaces one that still waits for a slow client.
   void send_time(std::int64_t since_epoch_ns);
   void on_set_parameter(SetParameter set) { set_parameter_ = std::move(set); }
-  /// Takes the parameters' present values, and sends each client those that changed and that it
-  /// watches.
+  /// Takes the parameters' present values. Sends each client those that changed since the last call
+  /// and that it subscribed to.
   void send_parameters(ParameterValues now);
-  /// Sends the connection graph; the hub adds the services to it.
+  /// Sends the graph's changes to the clients that subscribed to it. The hub adds its services.
   void send_graph(ConnectionGraph now);
   [[nodiscard]] bool graph_is_watched() const;
-  /// Calls Demand no more. Needed where clients outlive the object that Demand calls.
+  /// Stops calling Demand. Call it if clients outlive the object that Demand uses.
   void forget_demand() { demand_ = nullptr; }
 
-  /// Returns a client that is served until it is destroyed. `may_call`: it may call services.
+  /// Returns a client that is served until it is destroyed. `may_call` says whether it may call
+  /// services and set parameters.
+  /// Requires: `link` and the hub outlive the client.
   [[nodiscard]] std::unique_ptr<Client> connect(Link& link, bool may_call);
 
   struct Counts {
     std::size_t clients = 0;
     std::size_t subscriptions = 0;
-    std::uint64_t frames = 0;      ///< handed to clients' outboxes
-    std::uint64_t superseded = 0;  ///< left out because a newer one came before they were sent
-    std::uint64_t dismissed = 0;   ///< clients closed for being too slow
+    std::uint64_t frames = 0;      ///< frames put into clients' outboxes, without the time
+    std::uint64_t superseded = 0;  ///< frames not sent because a newer one came first
+    std::uint64_t dismissed = 0;   ///< clients that were closed because they were too slow
   };
   [[nodiscard]] Counts counts() const;
 
@@ -87,7 +95,7 @@ class Hub {
   struct Topic {
     const Channel* channel;
     std::vector<Subscriber> subscribers;
-    std::deque<Message> kept;  ///< for clients that subscribe later
+    std::deque<Message> kept;  ///< sent to clients that subscribe later
   };
 
   [[nodiscard]] Topic* find(std::uint32_t channel_id);
@@ -105,7 +113,7 @@ class Hub {
   Counts past_;
 };
 
-/// One connected client and what it subscribed to.
+/// One connected client and its subscriptions.
 class Hub::Client {
  public:
   Client(Hub& hub, Link& link, bool may_call);
@@ -113,17 +121,17 @@ class Hub::Client {
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
 
-  /// Handles a message from the client, which came as text or as binary message.
+  /// Handles one message from the client. An error in it is answered with a status message.
   void receive_text(std::string_view text);
   void receive_binary(std::span<const std::uint8_t> bytes);
   [[nodiscard]] Outbox& outbox() noexcept { return *outbox_; }
-  /// Returns the outbox for the code that sends from it. It expires with the client.
+  /// Returns the outbox for the socket that sends from it. The pointer expires with the client.
   [[nodiscard]] std::weak_ptr<Outbox> outbox_while_connected() const noexcept { return outbox_; }
 
  private:
   friend class Hub;
-  /// The operations by the "op" of a client's message. The client hears of errors in a request when
-  /// the operation returns.
+  /// The operations by "op" of a client's message. `receive_text` tells the client the request's
+  /// objection after the operation returns.
   static const std::map<std::string, void (*)(Client&, RequestFields& request)> kOperations;
 
   void subscribe(RequestFields& request);
@@ -152,7 +160,7 @@ class Hub::Client {
   std::map<std::uint32_t, std::uint32_t> channel_of_;  ///< by subscription id
   std::set<std::string> watched_parameters_;
   bool watches_graph_ = false;
-  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< for answers that come late
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< late answers find it false
 };
 
 }  // namespace galilean::monitor::foxglove

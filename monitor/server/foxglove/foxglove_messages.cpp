@@ -18,7 +18,7 @@ nlohmann::json definition(const nlohmann::json& schema, const std::string& name)
 
 using Ends = std::map<std::string, ConnectionGraph::Ids>;
 
-/// Those that have other ends now, each as {name, `ids`: […]}.
+/// Returns the topics or services whose ends changed, each as {name, `ids`: […]}.
 nlohmann::json changed(const Ends& before, const Ends& now, const char* ids) {
   auto list = nlohmann::json::array();
   for (const auto& [name, ends] : now)

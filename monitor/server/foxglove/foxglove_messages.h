@@ -12,10 +12,11 @@
 
 namespace galilean::monitor::foxglove {
 
-/// The subprotocols offered, as they stand in Sec-WebSocket-Protocol. Both speak what is here.
+/// The subprotocols that the server offers in Sec-WebSocket-Protocol. The messages below are the
+/// same in both.
 inline constexpr std::string_view kSubprotocols[] = {"foxglove.sdk.v1", "foxglove.websocket.v1"};
 
-/// Something that clients may call by name, with JSON both ways.
+/// A service that clients call by name. Request and response are JSON.
 struct Service {
   std::string name;               ///< "/galilean/push"
   std::string type;               ///< "galilean/Push"
@@ -23,14 +24,15 @@ struct Service {
   nlohmann::json response_schema;
 };
 
-/// What clients may read and set by name: "/io.held".
+/// A value that clients read, and may set, by name: "/io.held".
 struct Parameter {
   std::string name;
   nlohmann::json value;
 };
 using ParameterValues = std::map<std::string, nlohmann::json>;
 
-/// Who publishes, subscribes and serves what; topics as clients know them: "/io/state".
+/// The ids of each topic's publishers and subscribers and of each service's providers. Topics have
+/// their ROS names: "/io/state".
 struct ConnectionGraph {
   using Ids = std::set<std::string>;
   std::map<std::string, Ids> published, subscribed, services;
@@ -42,15 +44,15 @@ enum class StatusLevel { kInfo = 0, kWarning = 1, kError = 2 };
 /// The server's JSON messages (ws-protocol, "JSON messages"), each as its text.
 [[nodiscard]] std::string server_info(const std::string& name, const std::string& session_id);
 [[nodiscard]] std::string advertise(const std::vector<const Channel*>& channels);
-/// Services get ids 1, 2, 3 … in their order.
+/// Gives the services the ids 1, 2, 3 … in their order.
 [[nodiscard]] std::string advertise_services(const std::vector<Service>& services);
 [[nodiscard]] std::string status(StatusLevel level, const std::string& message);
 [[nodiscard]] std::string service_failure(std::uint32_t service_id, std::uint32_t call_id,
                                           const std::string& message);
 
-/// `id` is that of the request which it answers; empty: nobody asked.
+/// `id` is the id of the request that this answers; empty for an update without a request.
 [[nodiscard]] std::string parameter_values(const ParameterValues& values, const std::string& id);
-/// What changed from `before` to `now`.
+/// Returns the message with the changes from `before` to `now`.
 [[nodiscard]] std::string graph_update(const ConnectionGraph& before, const ConnectionGraph& now);
 
 }  // namespace galilean::monitor::foxglove

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a client watches besides channels: parameters and the connection graph.
+// A client's subscriptions to parameters and to the connection graph.
 #include "monitor/access/access.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/text/request_fields.h"
@@ -7,7 +7,7 @@
 namespace galilean::monitor::foxglove {
 namespace {
 
-/// Those of `all` that `names` lists; an empty list means all.
+/// Returns those of `all` that `names` lists; an empty list means all.
 ParameterValues named(const ParameterValues& all, const std::vector<std::string>& names) {
   if (names.empty()) return all;
   ParameterValues some;

@@ -27,7 +27,7 @@ std::string_view authority(std::string_view origin) {
   return scheme == origin.npos ? std::string_view() : origin.substr(scheme + 3);
 }
 
-/// What a browser's engine sends for a page that was opened as a file.
+/// The origin that a browser's engine sends for a page that was opened as a file.
 constexpr std::string_view kDesktopProgram = "file://";
 
 }  // namespace
@@ -37,7 +37,7 @@ bool Guard::means_us(std::string_view host) const {
   if (name == "localhost" || name == lower(listen_address_)) return true;
   boost::system::error_code not_an_address;
   const auto address = boost::asio::ip::make_address(name, not_an_address);
-  if (not_an_address) return false;  // a name, which anybody's DNS may point here
+  if (not_an_address) return false;  // anybody's DNS may point another name here
   const auto listens = boost::asio::ip::make_address(listen_address_, not_an_address);
   return address.is_loopback() || (!not_an_address && listens.is_unspecified());
 }

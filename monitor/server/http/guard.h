@@ -9,23 +9,24 @@
 
 namespace galilean::monitor {
 
-/// Lets through only those who mean this server, on HTTP and WebSocket alike.
+/// Refuses requests that a page of another site makes a browser send, on HTTP and WebSocket alike.
 ///
-/// A page from elsewhere can make its reader's browser send requests here, and by DNS rebinding
-/// even read the answers; the browser then names the page's own host in Host, and the page in
-/// Origin. Host must be a name of the loopback interface or the address that the server listens on
-/// (any address, where it listens on all); Origin, where there is one, must be this same host or
-/// one that the operator allowed. A page that was opened as a file may ask as well: the desktop
-/// programs of Foxglove and Lichtblick are such, and no site can name itself so.
+/// A page of another site can make its reader's browser send requests here. By DNS rebinding it can
+/// even read the answers. The browser then names the page's host in the Host field or the page's
+/// site in the Origin field. Host must therefore be "localhost", a loopback address or the address
+/// that the server listens on; it may be any address if the server listens on all. Origin, if it is
+/// sent, must be this host or a site that the operator allowed. The origin "file://" passes, too:
+/// the desktop programs of Foxglove and Lichtblick send it, and no site can send it.
 class Guard {
  public:
-  /// `allowed_origins` as a browser sends them: "https://studio.example.org".
+  /// `allowed_origins` are written as a browser sends them: "https://studio.example.org".
   Guard(std::string listen_address, std::vector<std::string> allowed_origins)
       : listen_address_(std::move(listen_address)), allowed_origins_(std::move(allowed_origins)) {}
 
-  /// Why the request is refused; empty if it may pass.
+  /// Returns why the request is refused, as a sentence; the string is empty if the request may
+  /// pass.
   [[nodiscard]] std::string objection(const HttpRequest& request) const;
-  /// Another page than our own, which the operator allowed.
+  /// Returns whether the operator allowed this origin.
   [[nodiscard]] bool is_allowed_stranger(const std::string& origin) const;
 
  private:

@@ -10,14 +10,14 @@ namespace galilean::monitor {
 namespace {
 
 constexpr std::size_t kLarge_bytes = 1024;
-constexpr int kQuick = 1;  ///< gzip's level: each answer is compressed anew
+constexpr int kQuick = 1;  ///< gzip's level; low, because each answer is compressed anew
 
 bool says_how_it_may_be_kept(const HttpResponse& response) {
   return std::ranges::any_of(response.headers,
                              [](const auto& header) { return header.first == "Cache-Control"; });
 }
 
-/// Pictures and scenes are compressed already.
+/// Returns whether compressing is worth its time. Pictures and scenes are compressed already.
 bool is_text(std::string_view content_type) {
   return content_type.starts_with("text/") || content_type.find("json") != content_type.npos ||
          content_type.find("yaml") != content_type.npos;
@@ -42,7 +42,7 @@ HttpResponse spared(HttpResponse response, const HttpRequest& request) {
   if (response.status != 200 || !response.body || says_how_it_may_be_kept(response))
     return response;
   if (reads) {
-    // Weak, as the bytes sent depend on the encoding.
+    // The tag is weak because the bytes that are sent depend on the encoding.
     const auto etag = "W/\"" + bhdl::sha256(*response.body).substr(0, 32) + '"';
     response.headers.emplace_back("ETag", etag);
     response.headers.emplace_back("Cache-Control", "no-cache");

@@ -15,11 +15,11 @@ namespace galilean::monitor {
 /// The parts of an HTTP request that the monitor uses.
 struct HttpRequest {
   std::string method;
-  std::string path;  ///< without query, percent-decoded
+  std::string path;  ///< percent-decoded, without the query
   std::string body;
   std::string host;
-  std::string origin;  ///< empty where none was sent
-  std::string token;   ///< the bearer's; empty where none was sent
+  std::string origin;  ///< empty if none was sent
+  std::string token;   ///< the bearer's token; empty if none was sent
   Right right = Right::kNone;
   std::string if_none_match;
   bool accepts_gzip = false;
@@ -28,15 +28,14 @@ struct HttpRequest {
 struct HttpResponse {
   int status = 200;
   std::string content_type = "application/json";
-  std::shared_ptr<const std::string> body;  ///< shared: what is served from memory is not copied
+  std::shared_ptr<const std::string> body;  ///< shared, so that a file in memory is not copied
   std::vector<std::pair<std::string, std::string>> headers;
 };
 
 using Respond = std::function<void(HttpResponse)>;
-/// Answers a request, at once or later, exactly once.
+/// Answers a request by one call of Respond, at once or later, on the io_context's thread.
 using HttpHandler = std::function<void(const HttpRequest&, Respond)>;
 
-/// Returns an answer with this JSON as its body.
 [[nodiscard]] HttpResponse json_response(const nlohmann::json& json, int status = 200);
 [[nodiscard]] HttpResponse text_response(std::string text, std::string content_type,
                                          int status = 200);

@@ -44,7 +44,7 @@ void HttpServer::close() {
 void HttpServer::accept() {
   acceptor_.async_accept([this](error_code error, tcp::socket socket) {
     if (error == boost::asio::error::operation_aborted) return;
-    if (error) {  // out of file descriptors, mostly: wait until some are given back
+    if (error) {  // mostly because no file descriptor is free; so wait until one is
       auto pause = std::make_shared<boost::asio::steady_timer>(acceptor_.get_executor(),
                                                                std::chrono::milliseconds(100));
       pause->async_wait([this, pause](error_code) {

@@ -17,20 +17,20 @@
 
 namespace galilean::monitor {
 
-/// Accepts HTTP/1.1 on one address and port; GET /ws becomes a WebSocket of the hub's,
-/// GET /lsp one of the language server's. Everything
-/// runs on the io_context's one thread. Connections are limited in number, requests in size and in
-/// the time that they take.
+/// Serves HTTP/1.1 on one address and port. GET /ws becomes a WebSocket of the hub, GET /lsp one of
+/// the language server. Everything runs on the io_context's one thread. HTTP connections are
+/// limited in number, and requests in size and in the time that they take to arrive; WebSockets do
+/// not count as HTTP connections.
 class HttpServer {
  public:
   static constexpr std::size_t kMostConnections = 1024;
 
   struct Counts {
-    std::size_t connections = 0;
+    std::size_t connections = 0;  ///< open HTTP connections
     std::uint64_t requests = 0;
-    std::uint64_t refused = 0;  ///< by the guard
+    std::uint64_t refused = 0;  ///< requests that the guard refused
   };
-  /// What the sessions share; outlives the server as long as one of them lives.
+  /// The objects that all sessions share. They live as long as the server or one of the sessions.
   struct Site {
     Guard guard;
     Access access;
@@ -43,8 +43,11 @@ class HttpServer {
 
   HttpServer(boost::asio::io_context& io, Site site);
 
-  /// `address` is a literal or "localhost"; port 0 takes any that is free.
+  /// Begins to accept connections. `address` is an IP address or "localhost"; port 0 takes any free
+  /// port. Returns the port.
+  /// Errors: `address` is no address, or the port is taken or not permitted.
   [[nodiscard]] Result<std::uint16_t> listen(const std::string& address, std::uint16_t port);
+  /// Accepts no more connections. Those that are open stay.
   void close();
   [[nodiscard]] const Counts& counts() const noexcept { return site_->counts; }
 

@@ -26,7 +26,8 @@ constexpr std::uint32_t kMostHeaderBytes = 16 << 10;
 constexpr std::uint64_t kMostBodyBytes = 16 << 20;
 constexpr auto kLongestRequest = std::chrono::seconds(30);
 
-/// The bearer's token; where a browser cannot send that (a WebSocket), in the query: ?token=…
+/// Returns the bearer's token, else `token` of the query. A browser cannot send a bearer's token
+/// with a WebSocket, so it names the token there: ?token=…
 std::string token_of(std::string_view authorization, std::string_view target) {
   constexpr std::string_view kBearer = "Bearer ";
   if (authorization.starts_with(kBearer)) return std::string(authorization.substr(kBearer.size()));
@@ -108,7 +109,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     stream_.expires_never();
     site_->handler(request,
                    [self = shared_from_this(), number = ++handled_](HttpResponse response) {
-                     // The first answer to a request counts.
+                     // Only the first answer to a request is sent.
                      if (self->awaits_answer_ && self->handled_ == number)
                        self->respond(std::move(response));
                    });
@@ -135,8 +136,8 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     write_head(response);
     const bool with_body = !head_only_ && response.status != 304;
     stream_.expires_after(kLongestRequest);
-    // Head and body as they are, in one system call: Beast's serializer would take longer than
-    // that.
+    // Head and body are written without a copy, mostly in one system call. Beast's serializer would
+    // take longer than that call.
     const std::array<boost::asio::const_buffer, 2> parts{
         boost::asio::buffer(head_),
         with_body ? boost::asio::buffer(*body_) : boost::asio::const_buffer()};
@@ -180,7 +181,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   std::string head_;
   std::string stranger_;
   unsigned version_ = 11;
-  std::uint64_t handled_ = 0;  ///< requests that the handler was given
+  std::uint64_t handled_ = 0;  ///< requests that the handler got
   bool awaits_answer_ = false;
   bool keep_alive_ = false;
   bool head_only_ = false;

@@ -5,7 +5,8 @@
 
 namespace galilean::monitor {
 
-/// Serves one connection until it closes or becomes a WebSocket. The session keeps itself.
+/// Serves one connection until it closes or becomes a WebSocket. The session owns itself until
+/// then.
 void serve_http(boost::asio::ip::tcp::socket socket, std::shared_ptr<HttpServer::Site> site);
 
 }  // namespace galilean::monitor

@@ -13,8 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kCompressed =
-    ".gz";                    ///< beside a file: the same, compressed when it was built
-constexpr int kSmallest = 9;  ///< gzip's level where that is missing
+    ".gz";                    ///< ends the name of a file that the page's build compressed
+constexpr int kSmallest = 9;  ///< gzip's level for files that the build did not compress
 constexpr const char* kNotBuilt =
     "<!doctype html><title>Galilean</title><h1>The page is not built</h1>"
     "<p>The monitor runs. Build the page with <code>npm ci &amp;&amp; npm run build</code> in "
@@ -38,7 +38,7 @@ std::string type_of(const fs::path& file) {
   return found == kTypes.end() ? "application/octet-stream" : found->second;
 }
 
-/// Empty where there is none.
+/// Returns an empty string if the file cannot be read.
 std::string content_of(const fs::path& file) {
   std::error_code failed;
   const auto size = fs::file_size(file, failed);

@@ -18,10 +18,10 @@ namespace websocket = beast::websocket;
 using Upgrade = http::request<http::string_body>;
 using error_code = boost::system::error_code;
 
-/// A push of the largest program, escaped as JSON.
+/// Room for a push of the largest program, escaped as JSON.
 constexpr std::size_t kMostMessageBytes = 16 << 20;
 
-/// The first subprotocol that both sides speak; empty if there is none.
+/// Returns the first subprotocol that both sides speak, or an empty string.
 std::string_view subprotocol_for(const Upgrade& upgrade) {
   http::token_list offered(upgrade[http::field::sec_websocket_protocol]);
   for (const auto ours : foxglove::kSubprotocols)
@@ -71,7 +71,7 @@ class WebSocketSession final : public foxglove::Link,
     stream_.async_close({code, reason}, [self = shared_from_this()](error_code) {});
   }
 
-  /// What throws ends the connection: it may have been done by half.
+  /// Runs `work`, and closes the connection if it throws, because it may have been done by half.
   template <class Work>
   void attempt(Work work) {
     if (guarded("a client of /ws", work))

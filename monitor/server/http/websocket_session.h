@@ -12,8 +12,8 @@
 
 namespace galilean::monitor {
 
-/// Serves one WebSocket until it closes, with the services if its client may operate. The session
-/// keeps itself.
+/// Serves one WebSocket of Foxglove's protocol until it closes. `right` decides whether the client
+/// may call services. The session owns itself until then. `hub` and `rounds` must outlive it.
 void serve_websocket(boost::asio::ip::tcp::socket socket,
                      boost::beast::http::request<boost::beast::http::string_body> upgrade,
                      foxglove::Hub& hub, SendRounds& rounds, Right right);

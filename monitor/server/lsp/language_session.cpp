@@ -18,10 +18,10 @@ namespace websocket = beast::websocket;
 using LanguageUpgrade = beast::http::request<beast::http::string_body>;
 
 constexpr std::size_t kMostMessage = 32 << 20;
-constexpr std::size_t kMostWaiting = 64;  ///< messages that are read before one is answered
+constexpr std::size_t kMostWaiting = 64;  ///< messages that are read but not handled yet
 constexpr std::size_t kMostUnsentBytes = 64 << 20;
 
-/// JSON; empty if no robot has published one.
+/// Returns a robot's catalog as JSON, or an empty string if no robot has published one.
 std::string catalog_of(const Team& team, const std::string& robot) {
   const Robot* named = team.find(robot);
   if (named != nullptr && named->catalog) return named->catalog->json;
@@ -49,7 +49,7 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
   }
 
  private:
-  /// What one turn on the worker came to.
+  /// The result of one job on the worker.
   struct Turn {
     std::vector<std::string> messages;
     bool has_work = false;
@@ -67,7 +67,7 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
     read();
   }
 
-  // Reading stops while too much waits: then TCP holds the client up.
+  // Reading pauses while too many messages wait, so that TCP holds the client up.
   void read() {
     reading_ = true;
     stream_.async_read(incoming_, [self = shared_from_this()](beast::error_code error, auto) {
@@ -146,7 +146,7 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
 
   websocket::stream<boost::asio::ip::tcp::socket> stream_;
   LanguageDesk& desk_;
-  std::unique_ptr<bhdl::lsp::Server> server_;  ///< the worker's alone
+  std::unique_ptr<bhdl::lsp::Server> server_;  ///< used on the worker only
   beast::flat_buffer incoming_;
   std::deque<std::string> waiting_;
   std::deque<std::string> unsent_;

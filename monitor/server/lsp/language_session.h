@@ -12,18 +12,19 @@
 
 namespace galilean::monitor {
 
-/// What the language server needs of the monitor. Texts are read and checked on `worker`, which is
-/// theirs alone, so that nobody's typing keeps a push or the page waiting.
+/// The parts of the monitor that the language server uses. Programs are read and checked on
+/// `worker`, which does nothing else, so that typing delays neither a push nor the page.
 struct LanguageDesk {
   Worker& worker;
   const Team& team;
-  const Catalog& installed;              ///< for programs while no robot has published its own
-  std::filesystem::path library_folder;  ///< what a client calls file:/// and includes from
+  const Catalog& installed;              ///< the catalog while no robot has published one
+  std::filesystem::path library_folder;  ///< a client's file:///, where its includes are found
 };
 
-/// Serves the language server over one WebSocket until it closes, a JSON-RPC message a text frame.
-/// Programs are checked against the catalog of the robot that the query names (`?robot=io`), else
-/// of the first that has one. The session keeps itself.
+/// Serves the language server over one WebSocket until it closes. Each text message is one JSON-RPC
+/// message. Programs are checked against the catalog of the robot that the query names
+/// (`?robot=io`), else against that of the first robot that is not silent and has published one.
+/// The session owns itself until then. `desk` must outlive it.
 void serve_language(boost::asio::ip::tcp::socket socket,
                     const boost::beast::http::request<boost::beast::http::string_body>& upgrade,
                     LanguageDesk& desk);

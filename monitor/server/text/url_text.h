@@ -6,9 +6,11 @@
 
 namespace galilean::monitor {
 
-/// "a%20b" -> "a b"; what is no escape stays as it is.
+/// Returns `text` with its percent escapes decoded: "a%20b" gives "a b". A '%' without two
+/// hexadecimal digits stays as it is.
 [[nodiscard]] std::string percent_decoded(std::string_view text);
-/// "io" of ("/lsp?robot=io&token=x", "robot"), decoded; empty where the query does not name it.
+/// Returns the decoded value of `name` in the query of `target`: ("/lsp?robot=io&token=x", "robot")
+/// gives "io". Returns an empty string if the query does not have that name.
 [[nodiscard]] std::string query_value(std::string_view target, std::string_view name);
 
 }  // namespace galilean::monitor

@@ -20,9 +20,10 @@
 
 namespace galilean::monitor {
 
-/// A TCP socket below Beast's WebSocket stream. Beast reads through it and writes its handshake and
-/// control frames into it; data frames come from an Outbox, many to one system call, and go between
-/// Beast's writes, each of which is a whole message.
+/// A TCP socket below Beast's WebSocket stream that coalesces frames: it writes up to 64 frames of
+/// an Outbox at once, because a system call costs more than a small frame. Beast reads through it
+/// and writes its handshake and control frames into it. Frames go out between Beast's writes, each
+/// of which is a whole message. For use on the io_context's one thread.
 class BatchingSocket {
  public:
   using tcp = boost::asio::ip::tcp;
@@ -37,11 +38,13 @@ class BatchingSocket {
   [[nodiscard]] next_layer_type& next_layer() noexcept { return state_->socket; }
   [[nodiscard]] const next_layer_type& next_layer() const noexcept { return state_->socket; }
 
-  /// From now on frames are sent, for as long as the outbox lives; of none: no more.
+  /// Sends the frames of `outbox` from now on, for as long as the outbox lives. An empty pointer
+  /// stops that.
   void send_from(std::weak_ptr<Outbox> outbox) { state_->outbox = std::move(outbox); }
-  /// Sends what waits with the next round.
+  /// Sends the waiting frames with the next round.
   void flush() { state_->join_round(); }
-  /// What is under way would otherwise keep the connection beyond its session.
+  /// Closes the socket. A write in flight would otherwise keep the connection open after its
+  /// session is gone.
   void close() { state_->close(); }
 
   template <class Buffers, class Handler>
@@ -106,7 +109,7 @@ class BatchingSocket {
       if (more_waits) return send_waiting();
       if (const auto source = outbox.lock(); source && !source->empty()) join_round();
     }
-    /// Whoever reads from the connection is told by that.
+    /// A pending read fails because of this, which tells its owner that the connection is closed.
     void close() {
       failed = boost::asio::error::connection_aborted;
       outbox.reset();
@@ -126,10 +129,10 @@ class BatchingSocket {
     }
   };
 
-  std::shared_ptr<State> state_;  ///< writes in flight and the next round keep it
+  std::shared_ptr<State> state_;  ///< shared with writes in flight and with the next round
 };
 
-/// How Beast ends a connection: as on a plain socket.
+// Beast finds these two by their argument's type, and ends the connection with them.
 inline void teardown(boost::beast::role_type role, BatchingSocket& socket,
                      boost::system::error_code& error) {
   boost::beast::websocket::teardown(role, socket.next_layer(), error);

@@ -6,7 +6,7 @@
 namespace galilean::monitor {
 namespace {
 
-enum WebSocketOpcode : std::uint8_t { kText = 0x81, kBinary = 0x82 };  // both with the FIN bit
+enum WebSocketOpcode : std::uint8_t { kText = 0x81, kBinary = 0x82 };  // both have the FIN bit
 enum ServerOpcode : std::uint8_t { kMessageData = 1, kTime = 2, kServiceResponse = 3 };
 constexpr std::uint8_t kServiceRequest = 2;
 

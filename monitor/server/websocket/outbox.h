@@ -11,32 +11,36 @@
 
 namespace galilean::monitor {
 
-/// What waits to be sent to one client. What must arrive (events, answers) stands in one queue in
-/// order, which is bounded: a client that lets it fill up is too slow to be served. Of what is
-/// superseded by its successor (states, streams) each subscription keeps its newest few in a lane
-/// of its own, so that a slow client gets less often what a quick one gets, and never falls behind.
+/// The frames that wait to be sent to one client. Events and answers must all arrive, so they wait
+/// in one bounded queue, in order; a client that lets it fill up is too slow to be served. A newer
+/// state or stream message supersedes an older one, so each subscription keeps only its newest few
+/// in a lane of its own. A slow client thus gets these messages less often, but never late.
 class Outbox {
  public:
   static constexpr std::size_t kMostQueuedBytes = 16 << 20;
 
-  /// False if the client is too slow.
+  /// Adds a frame to the queue. Returns false if more than kMostQueuedBytes wait there now, because
+  /// the client is too slow.
   [[nodiscard]] bool push(Frame frame);
-  /// Replaces the oldest frame of `lane` if that holds `depth` already.
+  /// Adds a frame to `lane`. It replaces the oldest frame there if the lane holds `depth` frames.
+  /// Requires: `depth` > 0.
   void offer(std::uint32_t lane, Frame frame, std::size_t depth);
-  /// Forgets what waits in `lane`.
+  /// Drops the frames that wait in `lane`.
   void close_lane(std::uint32_t lane);
   void clear();
 
-  /// Moves at most `most` frames out, the queue first, then the lanes in turn.
+  /// Removes and returns at most `most` frames: first those of the queue, then one of each lane in
+  /// turn.
   [[nodiscard]] std::vector<Frame> take(std::size_t most);
   [[nodiscard]] bool empty() const noexcept { return queue_.empty() && turns_.empty(); }
+  /// Returns how many frames a newer one replaced in a lane before they were sent.
   [[nodiscard]] std::uint64_t superseded() const noexcept { return superseded_; }
 
  private:
   std::deque<Frame> queue_;
   std::size_t queued_bytes_ = 0;
   std::unordered_map<std::uint32_t, std::deque<Frame>> lanes_;
-  std::deque<std::uint32_t> turns_;  ///< lanes with something in them, each once
+  std::deque<std::uint32_t> turns_;  ///< the lanes that hold frames, each once, in sending order
   std::uint64_t superseded_ = 0;
 };
 

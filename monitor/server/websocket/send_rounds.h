@@ -10,9 +10,10 @@
 
 namespace galilean::monitor {
 
-/// Sends what waits for many clients in rounds: at once where the last round is a while ago, else
-/// kPause after it. What a busy team says within one pause goes to each client in one system call,
-/// which costs more than what it carries.
+/// Coalesces sending to many clients into rounds. A round begins at once if the last one was at
+/// least kPause ago, else kPause after it. All messages of one pause thus go to a client in one
+/// write, because a system call costs more than the messages. For use on the io_context's one
+/// thread.
 class SendRounds {
  public:
   static constexpr auto kPause = std::chrono::milliseconds(1);
@@ -20,7 +21,8 @@ class SendRounds {
   class Sender {
    public:
     virtual ~Sender() = default;
-    /// Throws nothing: there are others in the round.
+    /// Sends what waits. Must not throw, because that would keep the rest of the round from
+    /// sending.
     virtual void send_waiting() = 0;
 
    private:
@@ -30,8 +32,8 @@ class SendRounds {
 
   explicit SendRounds(boost::asio::io_context& io) : timer_(io) {}
 
-  /// `sender` takes part in the next round, which keeps it until then. Whoever it sends for may be
-  /// gone by that time.
+  /// Adds `sender` to the next round, if it is not in it yet. The round keeps the sender alive, so
+  /// the session that it sends for may be gone by then.
   void add(std::shared_ptr<Sender> sender) {
     if (std::exchange(sender->is_in_round_, true)) return;
     next_.push_back(std::move(sender));

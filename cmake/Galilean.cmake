@@ -8,15 +8,15 @@ add_custom_target(thread_tests)
 
 # galilean_library(NAME [COLD|WEB] SOURCES a.cpp … LINK lib …): a static library, includable from the
 # root. COLD is for one whose time nobody notices, such as the reading of options; WEB for one made of
-# Boost.Beast's templates, which take minutes to optimise with sanitizers in them.
+# Boost.Beast's templates, which take minutes to optimise with sanitizers in them. In a release neither
+# is compiled differently: to precompile the headers once more costs more than it saves.
 function(galilean_library name)
   cmake_parse_arguments(arg "COLD;WEB" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
   target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE_LINK} galilean_warnings)
   if(arg_COLD OR (arg_WEB AND GALILEAN_SANITIZE))
-    target_link_libraries(${name} PRIVATE galilean_runs_once)
-    galilean_precompile(${name} galilean_cold_headers)
+    galilean_compile_cold(${name})
   elseif(arg_WEB)
     galilean_precompile(${name} galilean_web_headers)
   else()
@@ -33,12 +33,11 @@ endfunction()
 function(galilean_executable name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
-  target_link_libraries(${name} PRIVATE ${arg_LINK} galilean_command_line galilean_runs_once
-                                        galilean_warnings)
+  target_link_libraries(${name} PRIVATE ${arg_LINK} galilean_command_line galilean_warnings)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   add_dependencies(programs ${name})
   install(TARGETS ${name} RUNTIME DESTINATION bin)
-  galilean_precompile(${name} galilean_cold_headers)
+  galilean_compile_cold(${name})
 endfunction()
 
 # galilean_ship(ROOM FILE…): copies files to where programs look for them, share/galilean/ROOM.

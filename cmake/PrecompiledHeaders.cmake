@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Eigen and the standard library are half of what a file costs to compile. Each set is precompiled once
 # and shared; all of it is compiled with the same flags, as GCC demands of whoever shares.
-# Only libraries are optimised in full: a test and a command line run once, and compile twice as fast.
+# A test runs once: it is hardly optimised, and compiles twice as fast.
 function(galilean_header_set name)
   cmake_parse_arguments(arg "" "" "HEADERS;LINK" ${ARGN})
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/${name}.cpp CONTENT "")
@@ -19,12 +19,24 @@ function(galilean_precompile target set)
   endif()
 endfunction()
 
+# galilean_compile_cold(TARGET): hardly optimised, where that is quicker to compile.
+function(galilean_compile_cold target)
+  if(CMAKE_BUILD_TYPE STREQUAL Release)
+    galilean_precompile(${target} galilean_headers)
+  else()
+    target_link_libraries(${target} PRIVATE galilean_runs_once)
+    galilean_precompile(${target} galilean_cold_headers)
+  endif()
+endfunction()
+
 if(GALILEAN_PCH)
   set(common <Eigen/Core> <algorithm> <array> <chrono> <deque> <filesystem> <fstream> <functional> <iostream>
              <map> <memory> <mutex> <nlohmann/json.hpp> <optional> <set> <span> <sstream> <string>
              <string_view> <thread> <unordered_map> <variant> <vector>)
   galilean_header_set(galilean_headers HEADERS ${common})
-  galilean_header_set(galilean_cold_headers HEADERS ${common} LINK galilean_runs_once)
+  if(NOT CMAKE_BUILD_TYPE STREQUAL Release)
+    galilean_header_set(galilean_cold_headers HEADERS ${common} LINK galilean_runs_once)
+  endif()
   galilean_header_set(galilean_web_headers LINK galilean_boost HEADERS ${common}
     <boost/asio/io_context.hpp> <boost/asio/ip/tcp.hpp> <boost/asio/post.hpp>
     <boost/asio/steady_timer.hpp> <boost/asio/write.hpp> <boost/beast/core/flat_buffer.hpp>

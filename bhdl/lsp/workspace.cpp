@@ -10,7 +10,8 @@
 namespace galilean::bhdl::lsp {
 namespace {
 
-// Files of programs that were looked at once and never again must not pile up.
+// Beyond this number parsed files are dropped, so that programs that were looked at once do not
+// pile up.
 constexpr std::size_t kMostParsed = 512;
 
 bool holds(const ProgramFiles& program, const std::string& path) {

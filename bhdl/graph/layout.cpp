@@ -26,7 +26,6 @@ struct Node {
   double x = 0;
   double y = 0;
   double place = 0;  ///< the share of the column's nodes above it
-                     ///< neighbours
   std::vector<std::size_t> left;
   std::vector<std::size_t> right;
 };

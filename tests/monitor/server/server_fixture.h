@@ -38,7 +38,7 @@ struct Ran {
 };
 [[nodiscard]] Ran run_command(const std::string& command);
 
-/// A monitor on a port of its own. Its temporary folder holds two programs.
+/// A monitor on a port of its own. Its programs and its data are in a temporary folder.
 class ServerFixture : public testing::Test {
  protected:
   using Headers = std::map<std::string, std::string>;

@@ -88,8 +88,7 @@ class SnapshotTap final : public TickObserver {
   [[nodiscard]] std::uint32_t lost_events() const noexcept { return lost_events_.load(); }
 
  private:
-  /// At most twenty events a second happen for long, and the network stalls for less than ten
-  /// seconds.
+  /// At most twenty events a second happen for long, and the network stalls for less than a second.
   static constexpr std::size_t kEventRoom = 256;
   static constexpr std::size_t kMostEventsOfATick = 32;
 

@@ -16,8 +16,7 @@ std::string dot_text(std::string_view text) {
   return quoted + '"';
 }
 
-// The causes stand on lines of their own: inside a label,
-//  ends a line.
+// The causes stand on lines of their own: inside a label, \n ends a line.
 std::string dot_label(const std::vector<std::string>& causes) {
   std::string label;
   for (const auto& each : causes) {

@@ -10,8 +10,8 @@
 namespace galilean::bhdl::lsp {
 namespace {
 
-// Beyond this number parsed files are dropped, so that programs that were looked at once do not
-// pile up.
+// When there are this many, all parsed files are dropped. Otherwise the files of programs that were
+// looked at once would pile up.
 constexpr std::size_t kMostParsed = 512;
 
 bool holds(const ProgramFiles& program, const std::string& path) {

@@ -25,8 +25,7 @@ Random::Random(std::uint64_t seed) noexcept : seed_(seed) {
 }
 
 Random Random::child(std::string_view name) const noexcept {
-  std::uint64_t hash = 0xcbf29ce484222325ULL ^ seed_;  // FNV-1a over the name, started from the
-                                                       // seed
+  std::uint64_t hash = 0xcbf29ce484222325ULL ^ seed_;  // FNV-1a over the name, from the seed
   for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
   return Random(splitmix64(hash));
 }

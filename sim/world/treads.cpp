@@ -13,8 +13,7 @@ constexpr double kFullPwm = 1000;
 constexpr double kStraightDeadZone_pwm = 190;
 constexpr double kTurnDeadZone_pwm = 315;
 constexpr double kTopSpeed_mps = 0.6;
-constexpr double kStall_n = 12;         // force of a tread at full power; friction is more, so that
-                                        // it stalls
+constexpr double kStall_n = 12;         // of a tread at full power; friction is higher: it stalls
 constexpr double kTreadMass_kg = 0.6;   // as the floor feels it, with rotor and gears
 constexpr double kFriction = 0.7;       // rubber on carpet
 constexpr double kWanderingTime_s = 1;  // time constant with which the slip changes

@@ -32,7 +32,7 @@ std::string camera_device(const std::string& given) {
   return "ring:" + (name.starts_with('/') ? name : "/" + name);
 }
 
-/// If only the watched file or only the program is named, it stands for both.
+/// While watching, the file that is named stands for both if only one of the two is named.
 void settle_files(Options& options, bool watching) {
   if (!watching) return;
   if (options.watched_file.empty()) options.watched_file = options.bhdl_file;

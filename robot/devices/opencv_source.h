@@ -9,7 +9,7 @@
 
 namespace galilean::robot {
 
-/// Opens a camera, video or picture file through OpenCV. OpenCV's videoio needs more than a hundred
+/// Opens a camera, video or picture file through OpenCV. OpenCV's videoio needs about a hundred
 /// megabytes of libraries. It is therefore in a module that the first call loads, so that a robot
 /// with the simulator's camera does not need it. Errors: the module is not beside the executable,
 /// or cannot be loaded.

@@ -38,7 +38,7 @@ class WebSocketCrowd {
 
   void send_text(std::size_t client, std::string_view text) { send(client, 0x81, text); }
   void send_binary(std::size_t client, std::string_view bytes) { send(client, 0x82, bytes); }
-  /// Reads what has come. If nothing has come, waits for `patience` first.
+  /// Reads what has come. If nothing has come, waits up to `patience` for it.
   void read(std::chrono::milliseconds patience, const OnFrame& on_frame);
   [[nodiscard]] std::size_t size() const noexcept { return clients_.size(); }
 

@@ -14,39 +14,40 @@
 
 namespace galilean::bhdl {
 
-/// How much is looked for. Warnings take a fifth of the time, and change nothing of a program.
+/// What a check looks for. Warnings take a fifth of the time, and change nothing of a program.
 enum class Depth { kErrors, kErrorsAndWarnings };
 
 /// A program, or every reason why the text is none.
 struct CheckResult {
   std::optional<Program> program;       ///< set if there was no error; warnings do not count
   std::vector<Diagnostic> diagnostics;  ///< errors and warnings, in the order of the text
-  std::vector<SourceFile> files;        ///< what was read, the main file first, errors or not
+  std::vector<SourceFile> files;        ///< all files that were read, the main file first, also if
+                                        ///< there are errors
 };
 
-/// Checks texts in memory, as a push over the network brings them. The first is the main file; the
-/// others are looked for among `files` by the path that `include` gives, relative to the file that
-/// includes. The disk is never read. Any input gives an answer in linear time.
+/// Checks texts in memory, as a push over the network brings them. The first is the main file. The
+/// others are found among `files` by the path that `include` gives, relative to the file that
+/// includes. The disk is never read. Any input gets an answer in linear time.
 [[nodiscard]] CheckResult check(std::vector<SourceFile> files, const Vocabulary& vocabulary);
-/// Who checks once need not keep a vocabulary.
+/// Makes a vocabulary for this check alone.
 [[nodiscard]] CheckResult check(std::vector<SourceFile> files, const Catalog& catalog);
 
-/// The same with the texts from wherever `sources` has them.
+/// Checks texts that `sources` reads.
 [[nodiscard]] CheckResult check(const std::string& main_path, const SourceProvider& sources,
                                 const Vocabulary& vocabulary,
                                 Depth depth = Depth::kErrorsAndWarnings);
 [[nodiscard]] CheckResult check(const std::string& main_path, const SourceProvider& sources,
                                 const Catalog& catalog);
 
-/// The errors and warnings alone. `read` gives the trees of files that have been read before.
+/// Returns the errors and warnings alone. `read` gives the trees of files that were read before.
 [[nodiscard]] std::vector<Diagnostic> diagnose(const std::string& main_path,
                                                const SourceProvider& sources,
                                                const TreeReader& read,
                                                const Vocabulary& vocabulary);
 
 /// Checks a file on disk and what it includes. The paths in `files` are relative to the main file's
-/// folder, so that a program has the same hash wherever it lies; those in the diagnostics begin as
-/// `path` does.
+/// folder, so that a program has the same hash in every folder. The paths in the diagnostics begin
+/// as `path` does.
 [[nodiscard]] CheckResult check_file(const std::filesystem::path& path,
                                      const Vocabulary& vocabulary,
                                      Depth depth = Depth::kErrorsAndWarnings);

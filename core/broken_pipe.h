@@ -3,10 +3,10 @@
 
 namespace galilean {
 
-/// From now on a write to a pipe or socket that nobody reads any more fails (EPIPE), where it would
-/// have ended the process by SIGPIPE. For programs that do more than print: a robot that drives
-/// must outlive whoever reads its log. A program that only prints does not call it, so that `… |
-/// head` ends it quietly.
+/// Makes writes to a pipe or socket that nobody reads any more fail with EPIPE. Otherwise SIGPIPE
+/// would end the process. It is for programs that do more than print: a robot that drives must
+/// outlive whoever reads its log. A program that only prints does not call it, so that `… | head`
+/// ends it quietly.
 void ignore_broken_pipes() noexcept;
 
 }  // namespace galilean

@@ -7,7 +7,7 @@ std::string text_of(const char* text) noexcept {
   try {
     return *text ? text : "for an unknown reason";
   } catch (...) {
-    return "out of memory";  // short enough to need none
+    return "out of memory";  // short enough that std::string needs no memory for it
   }
 }
 

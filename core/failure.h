@@ -6,10 +6,11 @@
 
 namespace galilean {
 
-/// Returns a string that is never empty: `text`, where there is one and memory for it.
+/// Returns `text`, or "for an unknown reason" if it is empty, or "out of memory" if it cannot be
+/// copied. The result is never empty.
 [[nodiscard]] std::string text_of(const char* text) noexcept;
 
-/// Does `work`. Returns what it threw, in words; empty if it threw nothing.
+/// Does `work`. Returns what it threw, in words, or an empty text if it threw nothing.
 template <class Work>
 [[nodiscard]] std::string failure_of(Work&& work) noexcept {
   try {

@@ -14,8 +14,9 @@ namespace galilean {
 /// ../share/galilean/<name>, seen from their folder.
 [[nodiscard]] std::filesystem::path shipped(const std::string& name);
 
-/// A file as people name it: a bare name ("office") is one that ships in `room`; anything with a
-/// folder, or that is there as it stands, is a path. Whether it exists is for the caller to find.
+/// Finds a file that a person named. A bare name ("office") that is no file in the current folder
+/// means the installed file of that name in the folder `room`. Anything else is a path. The result
+/// need not exist.
 [[nodiscard]] std::filesystem::path find_file(const std::string& name_or_path,
                                               const std::string& room,
                                               const std::string& extension);

@@ -4,8 +4,9 @@
 namespace galilean {
 namespace {
 
-/// Exact where the text is JSON. Looked for beforehand, so that a text of nothing but brackets
-/// costs next to nothing.
+/// Returns whether brackets outside strings nest deeper than kDeepestJson. The answer is exact
+/// where the text is JSON. It is found before parsing, because the parser would build a value for
+/// every bracket of a hostile text.
 bool nests_too_deep(std::string_view text) {
   int depth = 0;
   bool in_string = false;

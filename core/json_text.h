@@ -9,17 +9,17 @@
 
 namespace galilean {
 
-/// Copying and printing JSON recurses into it: text that nests a million levels deep would exhaust
-/// the stack. No message of the project's nests as deep as this.
+/// How deep read_untrusted_json lets JSON nest. Copying and printing JSON recurse into it: text
+/// that nests a million levels deep would exhaust the stack. The project's own messages are
+/// flatter.
 inline constexpr int kDeepestJson = 64;
 
-/// Reads JSON that came from outside. Any text is safe to read so, and what is returned is safe to
-/// copy, compare and print.
-/// Errors: the text is not JSON in UTF-8; it nests deeper than kDeepestJson. One sentence.
+/// Reads JSON that came from outside. Any text may be given. The result is safe to copy, compare
+/// and print. Errors: the text is not JSON in UTF-8, or it nests deeper than kDeepestJson. The
+/// error is one sentence.
 [[nodiscard]] Result<nlohmann::json> read_untrusted_json(std::string_view text);
 
-/// Returns JSON's text on one line, of anything: bytes from outside that are not UTF-8 become
-/// U+FFFD.
+/// Returns the JSON as text on one line. Bytes from outside that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_text(const nlohmann::json& json);
 
 }  // namespace galilean

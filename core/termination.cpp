@@ -32,7 +32,7 @@ Termination::Termination() {
 }
 
 Termination::~Termination() {
-  // What is left would end the process by its signal as soon as that is let through.
+  // A signal that is still pending would end the process as soon as it is unblocked.
   static_cast<void>(asked());
   close(descriptor_);
   unblock();

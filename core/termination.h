@@ -3,9 +3,10 @@
 
 namespace galilean {
 
-/// Turns SIGINT, SIGTERM and SIGHUP (unless that is ignored, as nohup has it) into something to
-/// wait for, so that a program ends in order. Make it before the first other thread: those inherit
-/// that the signals are blocked. Processes started while it lives inherit that too: see `unblock`.
+/// Turns SIGINT, SIGTERM and SIGHUP into something to wait for, so that a program ends in order.
+/// SIGHUP is left alone if it is ignored, as nohup does. Make it before the first other thread:
+/// later threads inherit that the signals are blocked. Processes started while it lives inherit
+/// that too: see `unblock`.
 class Termination {
  public:
   Termination();
@@ -15,10 +16,10 @@ class Termination {
 
   /// Returns a file descriptor for poll, which becomes readable once a signal came.
   [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
-  /// Returns whether a signal came. Never waits.
+  /// Returns whether a signal came. It never waits.
   [[nodiscard]] bool asked() noexcept;
   /// Unblocks the signals in a process that was just forked, so that the program that it executes
-  /// receives them. May be called between fork and exec.
+  /// receives them. It may be called between fork and exec.
   static void unblock() noexcept;
 
  private:

@@ -11,8 +11,8 @@ class Wake {
   Wake(const Wake&) = delete;
   Wake& operator=(const Wake&) = delete;
 
-  void ring() noexcept;   ///< from any thread
-  void clear() noexcept;  ///< before looking for what it was rung for
+  void ring() noexcept;   ///< Makes `descriptor` readable. Any thread may call it.
+  void clear() noexcept;  ///< Call it before looking for work, so that no ring is lost.
   /// Returns a file descriptor for poll. It is readable from `ring` until `clear`.
   [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
 

@@ -14,15 +14,15 @@ namespace galilean {
 /// neither the thread nor the process. It is reported, and the next round begins after a pause.
 class Worker {
  public:
-  /// Waits by itself for what it works on, at most until `stop` is requested.
+  /// One round. It waits by itself for work, but no longer than until `stop` is requested.
   using Round = std::function<void(const std::stop_token& stop)>;
-  /// Learns in the worker's thread why a round failed, once for rounds in a row that fail alike,
-  /// and the empty text when a round succeeded again.
+  /// Is called in the worker's thread with the reason why a round failed, once for rounds in a row
+  /// that fail alike, and with an empty text when a round succeeds again.
   using Report = std::function<void(const std::string& failure)>;
 
   static constexpr Duration kTryAgain = std::chrono::milliseconds(500);
 
-  /// Does nothing.
+  /// Makes a worker that has no thread and does nothing.
   Worker() = default;
   Worker(Round round, Report report);
 

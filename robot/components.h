@@ -5,7 +5,7 @@
 
 namespace galilean::robot {
 
-/// Every component that a BHDL program of this robot may name.
+/// Adds every component that a BHDL program of this robot may name.
 void add_components(Registry& registry);
 
 }  // namespace galilean::robot

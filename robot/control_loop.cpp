@@ -18,7 +18,7 @@ void ask_for_real_time() noexcept {
   pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
 }
 
-/// False if it was woken before.
+/// Sleeps until `deadline`. Returns false if `wake` ended the sleep before.
 bool sleep_until(Time deadline, const Clock& clock, Wake& wake) noexcept {
   constexpr long kSecond_ns = 1'000'000'000;
   pollfd rung{wake.descriptor(), POLLIN, 0};

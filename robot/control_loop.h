@@ -9,10 +9,10 @@
 
 namespace galilean::robot {
 
-/// Calls a tick at a fixed rate from a thread of its own, until destroyed. Deadlines are absolute,
-/// so that the rate does not drift; those that were missed are left out, not made up for. When
-/// `wake` is rung it ticks at once, between two deadlines that stay where they are. Asks for
-/// real-time scheduling and does without where it is not granted.
+/// Calls a tick at a fixed rate from a thread of its own, until this object is destroyed. Deadlines
+/// are absolute, so that the rate does not drift. Missed deadlines are left out and not made up
+/// for. When `wake` is rung, the loop ticks at once; the deadlines stay where they are. It asks for
+/// real-time scheduling, and goes on without it where it is not granted.
 class ControlLoop {
  public:
   ControlLoop(Duration period, Wake& wake, std::function<void()> tick);

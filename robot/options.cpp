@@ -11,7 +11,8 @@
 namespace galilean::robot {
 namespace {
 
-/// A robot's name is part of its topics' names, as ROS 2 allows them.
+/// Refuses names that ROS 2 does not allow in topics, because the robot's name is part of its
+/// topics' names.
 Result<void> check_name(const std::string& name) {
   const auto is_allowed = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
@@ -22,7 +23,8 @@ Result<void> check_name(const std::string& name) {
   return Error{"a robot's name has letters, digits and _ only and begins with a letter"};
 }
 
-/// The frame source calls the simulator's shared memory "ring:/name".
+/// Returns the device as the frame source names it. It calls the simulator's shared memory
+/// "ring:/name".
 std::string camera_device(const std::string& given) {
   constexpr std::string_view kShared = "shm:";
   if (!given.starts_with(kShared)) return given;
@@ -30,7 +32,7 @@ std::string camera_device(const std::string& given) {
   return "ring:" + (name.starts_with('/') ? name : "/" + name);
 }
 
-/// The watched file and the program are the same where only one of them is named.
+/// While watching, the file that is named stands for both if only one of the two is named.
 void settle_files(Options& options, bool watching) {
   if (!watching) return;
   if (options.watched_file.empty()) options.watched_file = options.bhdl_file;

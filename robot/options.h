@@ -8,11 +8,11 @@
 
 namespace galilean::robot {
 
-/// What the command line of galilean-robot says.
+/// The options on the command line of galilean-robot.
 struct Options {
   std::string name = "io";
   std::string bhdl_file;
-  std::string watched_file;           ///< the program whose saves swap; empty: none
+  std::string watched_file;           ///< the program whose saves cause a swap; empty: none
   std::optional<std::string> serial;  ///< instead of the program's comm_port device
   std::optional<std::string> camera;  ///< instead of the program's frame_grabber device
   int domain = -1;                    ///< of DDS; -1: as ROS_DOMAIN_ID says, else 0
@@ -20,13 +20,13 @@ struct Options {
   double rate_hz = 20;
   double probation_s = 10;
   int most_transitions_per_s = 10;
-  std::vector<std::string> accept_swaps_from;  ///< empty: the monitor's
+  std::vector<std::string> accept_swaps_from;  ///< empty: only the monitor's
   std::string log_level = "info";
   bool print_catalog = false;
 };
 
-/// The options, or the exit code where help was asked for (0) or they are wrong (1; the reason was
-/// printed).
+/// The options, or the exit code: 0 if help was asked for, 1 if the options are wrong and the
+/// reason was printed.
 struct ParsedOptions {
   std::optional<Options> options;
   int exit_code = 0;

@@ -5,9 +5,10 @@
 
 namespace galilean::robot {
 
-/// When the ticks of a control loop are due. Deadlines are whole periods after the first, so that
-/// the rate does not drift, however long a tick takes. Of deadlines that passed in the meantime the
-/// last one remains: the loop ticks at once, and does not make up for the others.
+/// The times at which the ticks of a control loop are due. Deadlines are whole periods after the
+/// first, so that the rate does not drift, however long a tick takes. Of the deadlines that passed
+/// during a tick only the last remains: the loop ticks at once, and does not make up for the
+/// others.
 class Pacing {
  public:
   /// The first tick is due at `first`. Requires: `period` is above 0.
@@ -15,7 +16,7 @@ class Pacing {
 
   /// Returns when the next tick is due.
   [[nodiscard]] Time deadline() const noexcept { return deadline_; }
-  /// The tick that was due is over: moves the deadline on.
+  /// Moves the deadline on, because the tick that was due is over.
   void advance(Time now) noexcept {
     deadline_ += period_;
     if (now > deadline_) deadline_ += (now - deadline_) / period_ * period_;

@@ -12,9 +12,9 @@ namespace galilean::robot {
 /// of the two pumps them; in a headless simulator they are pumped between ticks.
 class RobotDevices final : public DeviceTuner {
  public:
-  /// `settings` as the first program says; line and source must outlive this. Each later program's
-  /// settings are taken over by `tune`, except for which device it is and how long silence may
-  /// last.
+  /// `settings` are those of the first program. Requires: line and source outlive this object.
+  /// `tune` applies each later program's settings, except for the devices' names and their
+  /// timeouts.
   RobotDevices(ByteStream& line, FrameSource& camera, const DeviceSettings& settings)
       : link_(line, settings.comm_port),
         drive_(link_, settings.motor_drive),
@@ -22,7 +22,7 @@ class RobotDevices final : public DeviceTuner {
 
   void pump_line(Time now) { link_.pump(now); }
   void pump_camera(Time now) { grabber_.pump(now); }
-  /// The pump threw: the device is missing until it works again.
+  /// Reports that the pump threw. The device counts as missing until the pump works again.
   void fail_line(const std::string& why) { link_.fail(why); }
   void fail_camera(const std::string& why) { grabber_.fail(why); }
 

@@ -27,7 +27,7 @@ namespace {
 
 constexpr Duration kLinePause = std::chrono::milliseconds(2);
 constexpr Duration kCameraPause = std::chrono::milliseconds(5);
-/// What a last stop needs to get through the line.
+/// How long a last stop needs to get through the line.
 constexpr Duration kFarewell = std::chrono::milliseconds(100);
 
 void wait_for(const Termination& termination) {
@@ -42,7 +42,7 @@ void set_up_log(const Options& options) {
   spdlog::set_level(spdlog::level::from_str(options.log_level));
 }
 
-/// Nothing if the program has errors; each was printed.
+/// Returns nothing if the program has errors. Each diagnostic is printed.
 std::optional<bhdl::Program> read_program(const std::string& file, const Catalog& catalog) {
   auto checked = bhdl::check_file(file, catalog);
   for (const auto& diagnostic : checked.diagnostics) std::cerr << format(diagnostic) << "\n";
@@ -59,7 +59,7 @@ int refuse(const std::string& reason) {
   return 1;
 }
 
-/// The robot at work, until a signal. Threads end in the reverse order of their beginning.
+/// Runs the robot until a signal comes. Threads end in the reverse order of their start.
 int work(const Options& options, const Registry& components, bhdl::Program program,
          const Termination& termination) {
   const DeviceSettings settings = DeviceSettings::of(program);
@@ -104,7 +104,7 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
                        .accepted_senders = accepted_senders(options)},
                       images);
   {
-    // Before the loop: where it cannot be had, nothing has moved yet.
+    // The watch is made before the loop: if it cannot be made, nothing has moved yet.
     std::optional<ProgramWatch> watch;
     if (!options.watched_file.empty())
       watch.emplace(

@@ -8,7 +8,7 @@
 
 namespace galilean::sim {
 
-/// What the command line asks for.
+/// The options on the command line.
 struct Options {
   bool headless = false;
   bool live = false;
@@ -31,7 +31,7 @@ struct Options {
 inline constexpr int kBadInput = 2;
 inline constexpr int kFailed = 1;
 
-/// Does it; the process's exit code. What goes wrong is one line on stderr.
+/// Runs what the options ask for. Returns the process's exit code. Errors are one line on stderr.
 [[nodiscard]] int run(const Options& options);
 
 }  // namespace galilean::sim

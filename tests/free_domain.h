@@ -10,9 +10,10 @@
 
 namespace galilean {
 
-/// A DDS domain that no other test on this machine uses, be it another checkout's. It is held until
-/// this process ends. Each call gives another one. As tests/tools/domain.mjs.
-/// Errors: throws if all are taken.
+/// Returns a DDS domain that no other test on this machine uses, not even a test of another
+/// checkout. Each call returns another domain, which is held until this process ends.
+/// tests/tools/domain.mjs does the same. Errors: throws std::runtime_error if all domains are
+/// taken.
 [[nodiscard]] inline int free_domain() {
   constexpr int kFirst = 20, kCount = 80;
   static int next = getpid() % kCount;

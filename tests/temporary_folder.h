@@ -8,7 +8,8 @@
 
 namespace galilean {
 
-/// A new folder that no other test has, gone with its owner: ctest runs tests beside one another.
+/// A new folder that no other test has, because ctest runs tests in parallel. It is removed with
+/// this object.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -82,7 +82,8 @@ void AttributeReader::read_one(const AttributeNode& attribute, const AttributeSp
   values.add(spec.name, std::move(*value));
 }
 
-// What could not be read may hold a constant, as it may hold any other name.
+// Returns false if a bare word is left, because no constant has its name. It is reported only if
+// the whole text was read: the unread part may define the constant.
 bool AttributeReader::constants_exist(const AttributeNode& attribute, const AttributeSpec& spec,
                                       const Owner& owner) const {
   if (!takes_numbers(spec.type)) return true;
@@ -93,7 +94,7 @@ bool AttributeReader::constants_exist(const AttributeNode& attribute, const Attr
   return false;
 }
 
-// The name that a default gives must exist like any other, unless it is empty: then there is none.
+// The name that a default gives must exist like any other. An empty default names nothing.
 void AttributeReader::fill_in(const AttributeSpec& spec, const Word& type, const Owner& owner,
                               AttributeValues& values) const {
   if (!spec.default_value) return refuse_missing(spec, type, owner);
@@ -120,7 +121,8 @@ void AttributeReader::check_matching_counts(const ComponentSpec& spec, const Wor
   }
 }
 
-// What could not be read may be the very attribute that this one belongs to.
+// Nothing is warned of unless the whole text was read: the unread part may hold the attribute that
+// this one belongs to.
 void AttributeReader::warn_of_unread(const ComponentSpec& spec,
                                      const std::vector<const AttributeNode*>& given,
                                      const Owner& owner, const AttributeValues& values) const {
@@ -145,7 +147,7 @@ void AttributeReader::warn_of_unread(const ComponentSpec& spec,
 void AttributeReader::check_names(const AttributeNode& attribute, const AttributeSpec& spec,
                                   const Owner& owner) const {
   if (spec.type != AttributeType::kName && spec.type != AttributeType::kNames) return;
-  // A schema runs once a tick: to list it again can only be a slip.
+  // A schema runs once a tick. Listing it again can only be a mistake.
   const bool once = spec.refers_to == "perceptual_schema" || spec.refers_to == "motor_schema";
   std::unordered_set<std::string_view> seen;
   for (const auto& name : attribute.values) {

@@ -9,14 +9,16 @@
 
 namespace galilean::bhdl {
 
-/// Holds a component's attributes against what its declaration says and fills in the defaults.
+/// Checks a component's attributes against their declaration and fills in the defaults.
 class AttributeReader {
  public:
-  /// `text_is_whole`: nothing was unreadable, so that what is missing is missing indeed.
+  /// `text_is_whole` says that the whole text could be read. Otherwise a name that is missing is
+  /// not reported, because the unread part may hold it.
   AttributeReader(const Symbols& symbols, bool text_is_whole, Diagnostics& diagnostics)
       : symbols_(symbols), text_is_whole_(text_is_whole), diagnostics_(diagnostics) {}
 
-  /// In SI. What is unknown, given twice, of the wrong type or missing is reported and left out.
+  /// Returns the values in SI. Attributes that are unknown, given twice, of the wrong type or
+  /// missing are reported and left out.
   [[nodiscard]] AttributeValues read(const ComponentSpec& spec, const Word& type,
                                      const std::vector<AttributeNode>& attributes) const;
 
@@ -31,7 +33,8 @@ class AttributeReader {
                AttributeValues& values) const;
   void check_matching_counts(const ComponentSpec& spec, const Word& type, const Owner& owner,
                              const AttributeValues& values) const;
-  /// `given`: in the order of the spec's attributes; nullptr: not given.
+  /// `given` is in the order of the spec's attributes. nullptr means that the attribute is not
+  /// given.
   void warn_of_unread(const ComponentSpec& spec, const std::vector<const AttributeNode*>& given,
                       const Owner& owner, const AttributeValues& values) const;
   void warn_of_alias(const AttributeSpec& spec, const Word& name) const;

@@ -108,7 +108,7 @@ class ProgramReader {
   }
 
  private:
-  // An inherited condition gives way to one of the state's own that tests the same.
+  // A state's own condition replaces an inherited one that tests the same bit for the same value.
   void add_condition(const ComponentNode& node, std::vector<Condition>& conditions) const {
     Diagnostics reported_at_base;
     const AttributeReader at_base(symbols_, text_is_whole_, reported_at_base);

@@ -12,20 +12,20 @@
 
 namespace galilean::bhdl {
 
-/// A program beside what it was read from. The views point into the loaded texts.
+/// A program with the tree that it was read from. The views point into the loaded texts.
 struct CheckedTree {
   Program program;
-  SyntaxTree tree;  ///< constants and bases are put in
+  SyntaxTree tree;  ///< constants are replaced by their values, and bases are inherited
   Bases bases;
   std::vector<Word> unused_constants;
 };
 
-/// Turns a whole program's tree into a program. All that it knows of components comes from the
-/// catalog. First every name is declared, then every attribute and reference is held against its
+/// Turns a whole program's tree into a program. All knowledge of components comes from the catalog.
+/// First every name is declared. Then every attribute and reference is checked against its
 /// declaration, so that the order of the text does not matter.
 ///
-/// `main_file` is where a fault of the whole is reported. `Program::name`, `hash` and `files` are
-/// the caller's to fill in; where there are errors the result is not to be used.
+/// Errors that concern the program as a whole are reported in `main_file`. The caller fills in
+/// `Program::name`, `hash` and `files`. If there are errors, the result is not to be used.
 [[nodiscard]] CheckedTree check_tree(SyntaxTree tree, const std::string& main_file,
                                      const Vocabulary& vocabulary, Diagnostics& diagnostics);
 

@@ -12,7 +12,8 @@
 namespace galilean::bhdl {
 namespace {
 
-// A flag's words and what a block begins with: as constants they would change other lines.
+// A constant of one of these names would change other lines: they are a flag's words, and the word
+// that begins a block.
 constexpr std::array<std::string_view, 7> kReserved{"yes", "no",  "true", "false",
                                                     "on",  "off", "name"};
 
@@ -84,7 +85,8 @@ class ConstantWriter {
     for (auto& attribute : component.attributes) fill_in(attribute);
   }
 
-  // A name is what others find a component by, so it stands where it is given.
+  // Constants are not put into `name`, because other components find a component by the name in the
+  // text.
   void fill_in(AttributeNode& attribute) {
     const auto is_constant = [this](const ValueNode& value) { return find(value) != nullptr; };
     if (attribute.name.text == "name" || std::ranges::none_of(attribute.values, is_constant))

@@ -72,8 +72,8 @@ class Declarer {
         near.empty() ? Hint("`galilean bhdl describe` lists them") : did_you_mean(near));
   }
 
-  // The published listing has its motor drive among the input devices: which list a device stands
-  // in changes nothing, so that is worth a word and no more.
+  // The published listing has its motor drive among the input devices. The section of a device
+  // changes nothing, so that this is a warning only.
   void refuse_section(const Word& type, const ComponentSpec& spec, const SectionNode& section) {
     const std::string message = in_quotes(type.text) + " belongs to the " +
                                 std::string(kind_in_words(spec.kind)) + "s, not in " +

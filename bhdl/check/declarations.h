@@ -6,13 +6,14 @@
 
 namespace galilean::bhdl {
 
-/// In `variables:` a label without a value begins a component. Where the component before has an
-/// attribute of that name, its value was forgotten: reports that and gives back what follows.
+/// Finds labels in `variables:` that have no value and so were read as components. If the component
+/// before has an attribute of that name, its value was forgotten. That is reported, and the
+/// attributes behind it return to that component.
 void return_lost_attributes(SyntaxTree& tree, const Vocabulary& vocabulary,
                             Diagnostics& diagnostics);
 
-/// Every name that the program gives. Reports unknown components, components in the wrong section
-/// and names given twice; all of them are declared as well as can be, so that one mistake is
+/// Declares every name that the program gives. Reports unknown components, components in the wrong
+/// section and names given twice. These are declared too where possible, so that one mistake is
 /// reported once.
 [[nodiscard]] Symbols declare_names(const SyntaxTree& tree, const Vocabulary& vocabulary,
                                     Diagnostics& diagnostics);

@@ -86,7 +86,7 @@ std::string kind_with_article(ComponentKind kind) {
   return (words.starts_with('i') || words.starts_with('o') ? "n " : " ") + std::string(words);
 }
 
-/// Components, then what the language itself adds.
+/// Returns the catalog's components, then states, conditions, expectations and their steps.
 Catalog with_language(const Catalog& catalog) {
   Catalog all{Vocabulary(catalog).components()};
   all.components.push_back(state_spec());

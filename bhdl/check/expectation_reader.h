@@ -6,7 +6,7 @@
 
 namespace galilean::bhdl {
 
-/// Holds an expectation against what its declaration says and against the program's names.
+/// Checks an expectation against its declaration and against the program's names.
 [[nodiscard]] Expectation read_expectation(const ExpectNode& node,
                                            const AttributeReader& attributes,
                                            Diagnostics& diagnostics);

@@ -7,12 +7,12 @@
 
 namespace galilean::bhdl {
 
-/// The longest that an expectation may last: an hour of the program's time.
+/// The longest time that an expectation may last: an hour of the program's time.
 inline constexpr double kLongestExpectation_s = 3600;
 
-/// What `expect:` takes besides its steps, declared as state_spec is.
+/// Returns what `expect:` takes besides its steps. It is declared as state_spec is.
 [[nodiscard]] const ComponentSpec& expect_spec();
-/// Its steps: given, reaches, stays, never.
+/// Returns the declarations of its steps: given, reaches, stays, never.
 [[nodiscard]] std::span<const ComponentSpec> step_specs();
 [[nodiscard]] const ComponentSpec& given_spec();
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kExtends = "extends";
 
-/// A component or a state, in the tree.
+/// A component or a state in the tree. It may extend another.
 struct Heir {
   enum class Stage { kOpen, kOnTheWay, kDone };
 
@@ -25,7 +25,7 @@ struct Heir {
   const ComponentSpec* spec = nullptr;
   Word type;
   std::vector<AttributeNode>* attributes = nullptr;
-  std::vector<ComponentNode>* conditions = nullptr;  ///< of a state
+  std::vector<ComponentNode>* conditions = nullptr;  ///< of a state; nullptr of a component
   Stage stage = Stage::kOpen;
 };
 
@@ -90,7 +90,8 @@ class Inheritance {
       refuse_undefined(heir, *name);
   }
 
-  // Bases first; a chain of them may be as long as the program.
+  // A base is completed before what extends it. The chain is walked without recursion, because it
+  // may be as long as the program.
   void resolve(Heir& heir) {
     std::vector<Heir*> chain;
     for (Heir* each = &heir; each != nullptr && each->stage == Heir::Stage::kOpen;) {
@@ -138,7 +139,7 @@ class Inheritance {
     }
   }
 
-  // The same under whatever spelling.
+  // An attribute is the same under its name and under an alias.
   static std::string_view own_name(const Heir& heir, const AttributeNode& attribute) {
     const AttributeSpec* spec = heir.spec->find(attribute.name.text);
     return spec == nullptr ? attribute.name.text : std::string_view(spec->name);

@@ -10,20 +10,20 @@
 
 namespace galilean::bhdl {
 
-/// How many values may be inherited in a program, so that it grows no more than a text could.
+/// How many values a program may inherit. The limit keeps it no larger than a text could be.
 inline constexpr std::size_t kMostInheritedValues = 100'000;
 
-/// What others extend: it need not be used itself.
+/// The names that others extend. Such a state or schema need not be used itself.
 struct Bases {
   std::unordered_set<std::string_view> states;
   std::unordered_set<std::string_view> perceptual_schemas;
   std::unordered_set<std::string_view> motor_schemas;
 };
 
-/// Gives every component and state that has `extends: "base"` what its base has: attributes and
+/// Gives every component and state that has `extends: "base"` what its base has: the attributes and
 /// lists that it does not give itself, and the base's conditions behind its own. Afterwards no
 /// `extends` is left. Reports bases that do not exist (if `text_is_whole`), that are of another
-/// type and that extend each other.
+/// type, or that extend each other.
 [[nodiscard]] Bases inherit(SyntaxTree& tree, const Vocabulary& vocabulary, bool text_is_whole,
                             Diagnostics& diagnostics);
 

@@ -8,15 +8,15 @@
 
 namespace galilean::bhdl {
 
-/// What an attribute belongs to. It is put in words only where something is wrong.
+/// The component that an attribute belongs to. It is put into words only where something is wrong.
 struct Owner {
   const Word& type;
   const std::vector<AttributeNode>& attributes;
 };
 
-/// "locate 'trash'", as messages call it.
+/// Returns the words for messages, such as "locate 'trash'".
 [[nodiscard]] std::string label(const Owner& owner);
-/// The name that the attributes give, or nullptr.
+/// Returns the name that the attributes give, or nullptr.
 [[nodiscard]] const ValueNode* given_name(const std::vector<AttributeNode>& attributes) noexcept;
 
 }  // namespace galilean::bhdl

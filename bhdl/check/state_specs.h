@@ -5,11 +5,11 @@
 
 namespace galilean::bhdl {
 
-/// What a state and a condition take: declared like components' attributes, so that the checker and
-/// the printed reference treat them alike. Their `kind` means nothing.
+/// What a state and a condition take. They are declared like components, so that the checker and
+/// the printed reference treat them alike. Their `kind` has no meaning.
 [[nodiscard]] const ComponentSpec& state_spec();
 [[nodiscard]] const ComponentSpec& condition_spec();
-/// What a variable or a schema is called by; every one of them has it, whatever its catalog says.
+/// Returns the declaration of `name`. Every variable and schema has one, whatever its catalog says.
 [[nodiscard]] const AttributeSpec& name_spec();
 
 }  // namespace galilean::bhdl

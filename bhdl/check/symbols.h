@@ -13,18 +13,19 @@
 
 namespace galilean::bhdl {
 
-/// The names that a program gives, each kind in a space of its own: a schema and the variable that
-/// it writes may share theirs, as in the published listings.
+/// The kinds of names. Each kind has a space of its own: a schema and the variable that it writes
+/// may have the same name, as in the published listings.
 enum class NameSpace { kDevice, kVariable, kPerceptualSchema, kMotorSchema, kState, kConstant };
 [[nodiscard]] NameSpace name_space(ComponentKind kind) noexcept;
-/// Where the names are that an attribute with this `refers_to` takes.
+/// Returns the space of the names that an attribute with this `refers_to` takes.
 [[nodiscard]] NameSpace referred_space(std::string_view refers_to) noexcept;
 [[nodiscard]] std::string_view in_words(NameSpace space) noexcept;
 
 class Symbols {
  public:
   struct Entry {
-    std::string_view type;  ///< the component's; empty where it is unknown and anything goes
+    std::string_view type;  ///< the component's type; empty if it is unknown, and then any type
+                            ///< fits
     Position at;
   };
 
@@ -32,15 +33,15 @@ class Symbols {
   void declare(NameSpace space, const Word& name, std::string_view type, Diagnostics& diagnostics);
   [[nodiscard]] const Entry* find(NameSpace space, std::string_view name) const noexcept;
 
-  /// Reports a name that stands for nothing of the kind that `spec.refers_to` asks for. A name that
-  /// is not there at all is let pass if `text_is_whole` is false: what could not be read may hold
-  /// it.
+  /// Reports a name that is not of the kind that `spec.refers_to` demands. A name that is declared
+  /// nowhere is not reported if `text_is_whole` is false, because the unread part may declare it.
   void check_reference(const AttributeSpec& spec, const ValueNode& name, const Owner& owner,
                        bool text_is_whole, Diagnostics& diagnostics) const;
-  /// Reports a bare word that stands where `spec` wants numbers and is no constant's name.
+  /// Reports a bare word that stands in place of numbers and names no constant.
   void refuse_undefined_constant(const AttributeSpec& spec, const ValueNode& word,
                                  const Owner& owner, Diagnostics& diagnostics) const;
-  /// The same for a name outside every component; `subject` begins the sentence.
+  /// Checks the name of a state outside every component, as check_reference does. `subject` begins
+  /// the sentence.
   void check_state(const Word& name, const std::string& subject, bool text_is_whole,
                    Diagnostics& diagnostics) const;
 
@@ -51,10 +52,12 @@ class Symbols {
 
   static constexpr std::size_t kSpaces = 6;
   std::array<std::unordered_map<std::string_view, Entry>, kSpaces> entries_;
-  std::array<std::vector<std::string_view>, kSpaces> in_order_;  ///< so that hints never change
+  std::array<std::vector<std::string_view>, kSpaces> in_order_;  ///< in the order of the text, so
+                                                                 ///< that hints do not depend on
+                                                                 ///< the hash table
 };
 
-/// "file:line:column"
+/// Returns "file:line:column".
 [[nodiscard]] std::string place(const Position& at);
 
 }  // namespace galilean::bhdl

@@ -5,7 +5,8 @@
 
 namespace galilean::bhdl {
 
-/// An attribute's content. A value that was refused reads as nothing: the program will not be used.
+/// Returns an attribute's content. A value that was refused gives an empty T; its program is not
+/// used.
 template <class T>
 [[nodiscard]] T value_or_nothing(const AttributeValues& values, std::string_view name) {
   const Value* value = values.find(name);

@@ -33,7 +33,7 @@ std::string in_words(const ValueNode& value) {
   }
 }
 
-/// "write it in cm, m …", as a hint says it.
+/// Returns a hint such as "write it in cm, m …".
 std::string units_of(const Unit& expected) {
   if (expected.symbol.empty()) return "write the number alone";
   std::string text = "write it in " + std::string(expected.symbol);
@@ -43,7 +43,8 @@ std::string units_of(const Unit& expected) {
   return text;
 }
 
-// 0.3 m is 30 cm, and no last digit of the arithmetic puts it out of range.
+// A result next to a limit becomes the limit. Otherwise the arithmetic's rounding could put 0.3 m
+// just above 30 cm, and out of range.
 double converted(double number, const Unit& from, const AttributeSpec& spec) {
   const double result = number * (from.to_si / spec.unit.to_si);
   for (const double limit : {spec.minimum, spec.maximum})
@@ -142,7 +143,7 @@ class ValueReader {
     return Vec2(*first, *second);
   }
 
-  /// The number in the unit that the catalog names, which is what a bare number is in.
+  /// Returns the number in the catalog's unit. A bare number is in that unit already.
   std::optional<double> in_own_unit(double number, const Unit* given, const ValueNode& value) {
     if (given == nullptr || given->symbol == spec_.unit.symbol) return number;
     if (!dimension_fits(given, value)) return std::nullopt;
@@ -164,7 +165,7 @@ class ValueReader {
     return refuse_type<std::string>(value, bare ? "write \"" + std::string(value.text) + "\"" : "");
   }
 
-  // The listings quote their choices; there is no harm in leaving that out.
+  // The listings quote their choices. A choice without quotes is accepted too.
   std::optional<std::string> choice(const ValueNode& value) {
     if (value.kind != Kind::kText && value.kind != Kind::kBareWord)
       return refuse_type<std::string>(value);

@@ -11,13 +11,13 @@
 
 namespace galilean::bhdl {
 
-/// `value` in SI, given in `unit`; texts, flags and names stay as they are. The only place where
-/// units are converted.
+/// Returns `value`, given in `unit`, in SI. Texts, flags and names stay as they are. Units are
+/// converted to SI only here.
 [[nodiscard]] Value to_si(Value value, const Unit& unit);
 
-/// What an attribute was given, as the catalog types it and in SI. Whatever does not fit is
-/// reported with what was expected; `owner` names the component in the message. Names are not
-/// looked up.
+/// Returns the attribute's value in SI, with the type that the catalog demands. If it does not fit,
+/// reports what was expected and returns nothing. `owner` names the component in the message. Names
+/// are not looked up.
 [[nodiscard]] std::optional<Value> read_value(const AttributeNode& attribute,
                                               const AttributeSpec& spec, const Owner& owner,
                                               Diagnostics& diagnostics);

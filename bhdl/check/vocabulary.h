@@ -9,9 +9,9 @@
 
 namespace galilean::bhdl {
 
-/// A catalog as BHDL uses it: variables and schemas have a name, and look-up takes the same time
-/// however many components there are. Making one takes longer than checking a small program: who
-/// checks often keeps it.
+/// A catalog as BHDL uses it. Variables and schemas have a name, and look-up takes constant time.
+/// Making one takes longer than checking a small program, so that a caller that checks often keeps
+/// it.
 class Vocabulary {
  public:
   explicit Vocabulary(const Catalog& catalog);
@@ -29,12 +29,13 @@ class Vocabulary {
 };
 
 [[nodiscard]] bool is_device(ComponentKind kind) noexcept;
-/// "motor schema", as a sentence says it.
+/// Returns the kind as a sentence says it: "motor schema".
 [[nodiscard]] std::string_view kind_in_words(ComponentKind kind) noexcept;
-/// What an attribute takes, as a sentence says it: "a number in cm", "the name of a locate
+/// Returns what an attribute takes, as a sentence says it: "a number in cm", "the name of a locate
 /// variable".
 [[nodiscard]] std::string expectation(const AttributeSpec& spec);
-/// The least and the greatest that an attribute takes: "0 to 31", "at least 0 cm"; empty if any.
+/// Returns the least and the greatest value that an attribute takes: "0 to 31", "at least 0 cm".
+/// The text is empty if any value is taken.
 [[nodiscard]] std::string range_in_words(const AttributeSpec& spec);
 
 }  // namespace galilean::bhdl

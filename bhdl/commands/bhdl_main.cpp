@@ -76,7 +76,7 @@ int run_describe(const Options& options, const Catalog& catalog) {
   return 0;
 }
 
-/// The verbs of the command line.
+/// The commands of the command line.
 struct Commands {
   CommandLine check;
   CommandLine describe;

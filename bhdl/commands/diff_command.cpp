@@ -10,7 +10,8 @@
 namespace galilean::bhdl {
 namespace {
 
-// Warnings are the check's affair: here they would hide the difference.
+// Warnings are not printed, because they would hide the difference. `galilean bhdl check` prints
+// them.
 std::optional<Program> program_to_compare(const std::string& file, const Catalog& catalog) {
   CheckResult result = check_file(file, catalog);
   if (!result.program)

@@ -7,8 +7,9 @@
 
 namespace galilean::bhdl {
 
-/// `galilean bhdl diff`: prints what makes two programs different, in words or as JSON. Returns the
-/// exit status: 0 if nothing, 1 if something does, 2 if one of them is no program.
+/// Runs `galilean bhdl diff`: prints what makes two programs different, in words or as JSON.
+/// Returns the exit status: 0 if nothing differs, 1 if something does, 2 if one of the files is no
+/// program.
 [[nodiscard]] int run_diff(const std::string& from, const std::string& to, bool json,
                            const Catalog& catalog);
 

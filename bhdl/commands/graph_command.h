@@ -7,8 +7,8 @@
 
 namespace galilean::bhdl {
 
-/// `galilean bhdl graph`: prints a program's state machine. `format` is "dot", "svg" or "json".
-/// Returns the exit status: 1 if the file is no program.
+/// Runs `galilean bhdl graph`: prints a program's state machine. `format` is "dot", "svg" or
+/// "json". Returns the exit status: 0, or 1 if the file is no program.
 [[nodiscard]] int run_graph(const std::string& file, const std::string& format,
                             const Catalog& catalog);
 

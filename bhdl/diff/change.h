@@ -26,24 +26,24 @@ struct Change {
 
   Kind kind = Kind::kChanged;
   What what = What::kState;
-  std::string name;        ///< a transition's: the state that it leaves; on_swap's: the old state
-  std::string type;        ///< a component's
-  std::string transition;  ///< what makes it fire: "gripper[0] is 1"
-  std::string attribute;   ///< what of it changed; empty: the whole
-  std::string entry;       ///< the input whose gain changed, where one did
+  std::string name;        ///< of a transition: the state that it leaves; of on_swap: the old state
+  std::string type;        ///< of a component
+  std::string transition;  ///< the cause that makes it fire: "gripper[0] is 1"
+  std::string attribute;   ///< the attribute that changed; empty: the whole
+  std::string entry;       ///< the input whose gain changed; empty: none
   std::optional<Value> from;
   std::optional<Value> to;
   Unit unit = unit::kNone;
 };
 
 [[nodiscard]] std::string_view to_string(Change::Kind kind) noexcept;
-/// "motor_schema", as JSON names it.
+/// Returns the name in JSON, such as "motor_schema".
 [[nodiscard]] std::string_view to_string(Change::What what) noexcept;
 
-/// "~ motor schema noise 'wander': persistence was 5 s, is 8 s"
+/// Returns words such as "~ motor schema noise 'wander': persistence was 5 s, is 8 s".
 [[nodiscard]] std::string in_words(const Change& change);
-/// {kind, what, name} and those of type, transition, attribute, entry, from, to and unit that say
-/// something.
+/// Writes {kind, what, name}, and those of type, transition, attribute, entry, from, to and unit
+/// that are not empty.
 void to_json(nlohmann::json& json, const Change& change);
 
 }  // namespace galilean::bhdl

@@ -50,7 +50,7 @@ class ComponentComparison {
     add(name, {}, std::move(before), std::move(after), unit);
   }
 
-  /// Says of each input how its own gain changed; false if the lists do not match one to one.
+  /// Adds how each input's own gain changed. Returns false if the lists do not match one to one.
   bool compare_entries(const AttributeSpec& spec) {
     const auto before = entries(from_, spec);
     const auto after = entries(to_, spec);

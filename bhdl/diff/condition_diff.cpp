@@ -11,7 +11,7 @@ namespace {
 
 using Key = std::string (*)(const Condition&);
 
-// No name holds a line end.
+// The line end separates the parts, because no name holds one.
 std::string test_key(const Condition& condition) {
   return cause(condition) + '\n';
 }
@@ -31,8 +31,9 @@ std::string arrow(const Condition& condition) {
   return cause(condition) + " -> " + condition.new_state;
 }
 
-/// Conditions have no names. Two are the same one if they say the same; else if they test the same;
-/// else if the same variable leads to the same state.
+/// Pairs the conditions of two states, because conditions have no names. Two are the same if all of
+/// them is equal; else if they test the same bit; else if the same variable leads to the same
+/// state.
 class ConditionComparison {
  public:
   ConditionComparison(const State& from, const State& to, std::vector<Change>& changes)
@@ -126,7 +127,7 @@ class ConditionComparison {
   const State& from_;
   const State& to_;
   std::vector<Change>& changes_;
-  std::vector<std::size_t> partner_;  ///< of each condition of `from_`, in `to_`
+  std::vector<std::size_t> partner_;  ///< for each condition of `from_`, its index in `to_`
   std::vector<bool> is_taken_;
 };
 

@@ -9,9 +9,9 @@
 
 namespace galilean::bhdl {
 
-/// What makes two programs different for a robot, in the order: start state, states with their
-/// transitions, on_swap, devices, variables, schemas. Layout, comments, files and the order of what
-/// is only declared do not count; the order of a state's schemas and conditions does. The catalog
+/// Returns what makes two programs different for a robot. The order is: start state, states with
+/// their transitions, on_swap, devices, variables, schemas. Layout, comments, files and the order
+/// of declarations do not count. The order of a state's schemas and conditions does. The catalog
 /// names the units. Time is linear in the programs.
 [[nodiscard]] std::vector<Change> differences(const Program& from, const Program& to,
                                               const Catalog& catalog);

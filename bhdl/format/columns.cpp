@@ -16,11 +16,11 @@ void pad(std::string& text, std::size_t characters) {
   if (now < characters) text.append(characters - now, ' ');
 }
 
-// Where one line would grow too long, the section's labels stay as they are.
+// If a line would grow too long, the labels of its section are not aligned.
 void align_labels(std::vector<Line>& lines) {
   struct Column {
     std::size_t label = 0;
-    std::size_t rest = 0;  ///< of the line that is widest without its label
+    std::size_t rest = 0;  ///< width of the widest line without its label
   };
   std::unordered_map<std::size_t, Column> columns;
   for (const auto& line : lines) {
@@ -36,7 +36,7 @@ void align_labels(std::vector<Line>& lines) {
   }
 }
 
-/// The first line behind `from` that is no neighbour of its kind.
+/// Returns where the run of neighbouring lines that begins at `from` ends.
 template <class Belongs>
 std::size_t end_of_run(const std::vector<Line>& lines, std::size_t from, Belongs belongs) {
   std::size_t end = from + 1;
@@ -77,7 +77,7 @@ std::string code(const Line& line) {
   return text;
 }
 
-// One line that could not be broken does not carry its neighbours' comments away.
+// A line that could not be broken does not move its neighbours' comments to the right.
 std::size_t comment_column(std::span<const Line> run) {
   std::size_t column = 0;
   for (const auto& line : run)

@@ -18,7 +18,7 @@ void refuse_large(const std::string& file, std::size_t bytes, Diagnostics& diagn
                     "move some of its sections to a file that it includes");
 }
 
-// A formatter that changed what a program does would be worse than none: this holds it back.
+// A formatter must never change what a program does. This check holds such a result back.
 bool means_the_same(const std::string& file, const SyntaxTree& tree, std::string_view laid_out) {
   Diagnostics diagnostics;
   const SyntaxTree again = parse(file, laid_out, diagnostics);

@@ -12,12 +12,13 @@ namespace galilean::bhdl {
 
 /// A file's text in the one layout that GRAMMAR.md describes, or every reason why there is none.
 struct Formatted {
-  std::optional<std::string> text;  ///< set if nothing was wrong; it means what it meant before
+  std::optional<std::string> text;  ///< set if nothing was wrong; its meaning is that of the old
+                                    ///< text
   std::vector<Diagnostic> diagnostics;
 };
 
-/// Lays out one file; what it includes is not looked at, and names need not exist. Every comment is
-/// kept. Formatting what was formatted changes nothing. Takes time and memory linear in the text.
+/// Lays out one file. Included files are not read, and names need not exist. Every comment is kept.
+/// A text that was laid out before stays as it is. Takes time and memory linear in the text.
 [[nodiscard]] Formatted format_text(const std::string& file, std::string_view text);
 
 }  // namespace galilean::bhdl

@@ -16,7 +16,7 @@ struct Gap {
   bool after_blank_line = false;
 };
 
-/// `gap` holds blanks and comments alone.
+/// Requires: `gap` holds blanks and comments alone.
 [[nodiscard]] Gap read_gap(std::string_view gap);
 
 }  // namespace galilean::bhdl

@@ -22,7 +22,7 @@ class LineBreaker {
   }
 
  private:
-  // Recursion ends where the grammar does: sections, states, conditions.
+  // The recursion is only as deep as the grammar: sections, states, conditions.
   void parts(std::size_t from, std::size_t end, std::size_t indent, std::size_t section) {
     for (std::size_t i = from; i < end;) {
       const Piece& piece = pieces_[i];
@@ -155,8 +155,8 @@ class LineBreaker {
 
   const std::vector<Piece>& pieces_;
   std::vector<Line> lines_;
-  bool line_is_open_ = false;  ///< attributes or values may go on it
-  bool at_beginning_ = true;   ///< of a block
+  bool line_is_open_ = false;  ///< attributes or values may be added to the last line
+  bool at_beginning_ = true;   ///< the next part is the first of its block
 };
 
 }  // namespace

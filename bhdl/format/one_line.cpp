@@ -7,7 +7,7 @@
 namespace galilean::bhdl {
 namespace {
 
-// A part of a block; a list's values are one.
+// Returns where the part of a block that begins at `i` ends. A list with its values is one part.
 std::size_t end_of_part(const Pieces& pieces, std::size_t i) {
   switch (pieces[i].role) {
     case Piece::Role::kOpen:
@@ -20,7 +20,7 @@ std::size_t end_of_part(const Pieces& pieces, std::size_t i) {
   }
 }
 
-// Recursion ends where the grammar does: sections, states, conditions.
+// The recursion is only as deep as the grammar: sections, states, conditions.
 std::string one_line(const Pieces& pieces, std::size_t opened) {
   std::string text = pieces[opened].text;
   std::string_view gap = " ";

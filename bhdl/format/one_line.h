@@ -11,10 +11,10 @@ namespace galilean::bhdl {
 
 using Pieces = std::vector<Piece>;
 
-/// Between attributes on one line; values stand one blank apart.
+/// The gap between attributes on one line. Values stand one blank apart.
 inline constexpr std::string_view kAttributeGap = "  ";
 
-/// What stands behind the label of a block on one line.
+/// The part of a one-line block behind its label.
 struct OneLineBlock {
   std::vector<std::string> cells;
   std::string shape;  ///< its label and its attributes' names; empty if it holds other blocks
@@ -22,13 +22,13 @@ struct OneLineBlock {
 
 [[nodiscard]] OneLineBlock one_line_block_at(const Pieces& pieces, std::size_t opened);
 
-/// Whether the author wrote the block on one line and it fits there.
+/// Returns whether the author wrote the block on one line and it fits there.
 [[nodiscard]] bool fits_one_line(const Pieces& pieces, std::size_t opened, std::size_t indent);
 
-/// The last piece of a block that is written.
+/// Returns the last piece of a block that is written.
 [[nodiscard]] std::size_t last_written(const Pieces& pieces, std::size_t opened);
 
-/// Behind the attribute's last value.
+/// Returns the index behind the attribute's last value.
 [[nodiscard]] std::size_t end_of_attribute(const Pieces& pieces, std::size_t name);
 
 /// Returns the texts of the pieces, one blank apart.

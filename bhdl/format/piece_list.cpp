@@ -26,7 +26,7 @@ const Token& PieceList::more() {
   return tree_.tokens[next_++];
 }
 
-// `end;` is `end` and a comment that says nothing.
+// `end;` is an `end` with an empty comment, which is left out.
 void PieceList::add_remark(const Comment& comment) {
   if (pieces_.back().role == Piece::Role::kClose && comment.text == ";") return;
   Piece& piece = pieces_[last_written_];
@@ -54,7 +54,7 @@ void PieceList::close(std::size_t opened) {
   pieces_[opened].close = pieces_.size() - 1;
 }
 
-// Comments before it go to what follows, which is where they stand without it.
+// Comments before this `end` move to the next piece, which stands in its place.
 void PieceList::drop_end(std::size_t opened) {
   const std::size_t last_written = last_written_;
   begin(Piece::Role::kClose);

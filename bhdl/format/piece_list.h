@@ -7,13 +7,13 @@
 
 namespace galilean::bhdl {
 
-/// Makes pieces of tokens and sees to it that no comment between two of these is lost.
+/// Makes pieces of tokens. No comment between two pieces is lost.
 class PieceList {
  public:
-  /// `tree` must outlive this.
+  /// Requires: `tree` outlives this object.
   explicit PieceList(const ParseTree& tree) : tree_(tree) {}
 
-  /// The number of the token that is taken next.
+  /// Returns the number of the token that is taken next.
   [[nodiscard]] std::uint32_t next() const noexcept { return next_; }
   [[nodiscard]] bool at(TokenKind kind) const noexcept { return tree_.tokens[next_].kind == kind; }
   [[nodiscard]] Piece& last() { return pieces_.back(); }
@@ -22,18 +22,19 @@ class PieceList {
 
   /// Takes the first token of a piece.
   const Token& begin(Piece::Role role);
-  /// Takes a further token of the last piece; comments between the two go behind the whole.
+  /// Takes a further token of the last piece. Comments between the two are put behind the whole
+  /// piece.
   const Token& more();
 
-  /// Takes a block's label and tells where its piece is.
+  /// Takes a block's label. Returns the index of its piece.
   std::size_t open(const std::string& word);
   /// Takes the block's `end`.
   void close(std::size_t opened);
   /// Takes the block's `end`, which will not be written.
   void drop_end(std::size_t opened);
-  /// The `end` that was dropped last is this block's and will be written.
+  /// Gives the `end` that was dropped last to this block. It is written.
   void return_end(std::size_t opened);
-  /// Closes a block that the text leaves open; `end` may be empty.
+  /// Closes a block that the text leaves open. `end` may be empty.
   void add_close(std::size_t opened, const std::string& end);
 
  private:
@@ -45,7 +46,7 @@ class PieceList {
   std::uint32_t next_ = 0;
   std::vector<Piece> pieces_;
   std::vector<Comment> pending_;  ///< for the next piece
-  std::size_t last_written_ = 0;  ///< the last piece that stands in the text and will stand there
+  std::size_t last_written_ = 0;  ///< the last piece that stands in the text and will be written
 };
 
 }  // namespace galilean::bhdl

@@ -11,7 +11,7 @@ std::string plain_text(const Token& text) {
   return '"' + std::string(text.text) + '"';
 }
 
-// Typesetting made dashes of the listings' hyphens; a number's own digits are plain.
+// Typesetting turned the listings' hyphens into dashes. Here a minus becomes a hyphen again.
 std::string plain_number(const Token& number) {
   const auto digits = number.text.find_first_of("0123456789.");
   return (digits > 0 ? "-" : "") + std::string(number.text.substr(digits));
@@ -33,7 +33,7 @@ class PieceMaker {
   }
 
  private:
-  // Recursion ends where the grammar does: sections, states, conditions.
+  // The recursion is only as deep as the grammar: sections, states, conditions.
   void part(std::uint32_t i) {
     const Node& node = tree_.nodes[i];
     switch (node.kind) {
@@ -80,7 +80,8 @@ class PieceMaker {
     close_section(i, opened, false);
   }
 
-  // In `variables:` the last variable took the `end` that a reader sees as the section's.
+  // In `variables:` the parser gave the section's `end` to the last variable. It is given back
+  // here.
   void close_section(std::uint32_t i, std::size_t opened, bool has_taken_end) {
     if (has_more(i))
       pieces_.close(opened);
@@ -90,7 +91,7 @@ class PieceMaker {
       pieces_.add_close(opened, "end");
   }
 
-  /// Whether it had an `end` of its own, which it does not need.
+  /// Lays out a variable. Returns whether it had an `end`, which it does not need.
   bool variable(std::uint32_t i) {
     const std::size_t opened = open(i);
     parts(i);
@@ -149,7 +150,8 @@ class PieceMaker {
       value(tree_.nodes[node]);
       if (!pieces_.at(TokenKind::kComma)) continue;
       pieces_.more();
-      // Without it a word here would be a number's unit, or an attribute whose colon is missing.
+      // Without the comma, a word would be read as a number's unit, or as an attribute without its
+      // colon.
       if (!is_word && pieces_.at(TokenKind::kWord)) pieces_.last().text += ',';
     }
   }
@@ -166,7 +168,8 @@ class PieceMaker {
     pieces_.last().text = text.append(pieces_.more().text);
   }
 
-  /// A value with its unit, if it has one: in a value a word behind a number is nothing else.
+  /// Returns a value with its unit, if it has one. A word behind a number in a value is always its
+  /// unit.
   std::string quantity(const Token& value, const Node& node) {
     std::string text = plain(value);
     const bool has_unit = value.kind == TokenKind::kNumber && pieces_.next() < node.end_token &&
@@ -178,7 +181,7 @@ class PieceMaker {
   std::size_t open(std::uint32_t i) {
     return pieces_.open(std::string(tree_.first_token(tree_.nodes[i]).text));
   }
-  /// All parts are read, and something follows: the block's `end`.
+  /// Returns whether the block's `end` is still to be taken. Requires: all its parts were read.
   [[nodiscard]] bool has_more(std::uint32_t i) const {
     return pieces_.next() < tree_.nodes[i].end_token;
   }

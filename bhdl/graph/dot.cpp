@@ -16,7 +16,7 @@ std::string dot_text(std::string_view text) {
   return quoted + '"';
 }
 
-// Inside a label \n ends a line.
+// The causes stand on lines of their own: inside a label, \n ends a line.
 std::string dot_label(const std::vector<std::string>& causes) {
   std::string label;
   for (const auto& each : causes) {
@@ -44,7 +44,7 @@ std::string dot_edges(const State& state) {
 }  // namespace
 
 std::string to_dot(const Program& program) {
-  // A name that no state can have: line ends stand in no text.
+  // No state can have this name, because names hold no line ends.
   const std::string entry = "\"\\n\"";
   std::string text = "digraph " + dot_text(program.name) +
                      " {\n  rankdir=LR;\n  node [shape=box, style=rounded];\n  " + entry +

@@ -7,13 +7,14 @@
 
 namespace galilean::bhdl {
 
-/// The state machine for Graphviz: a box a state, an arrow for all ways from one to another.
+/// Returns the state machine for Graphviz: a box for each state, an arrow for all ways between two.
 [[nodiscard]] std::string to_dot(const Program& program);
 
-/// The state machine as a picture that needs nothing else. States stand in columns by how many
-/// transitions the start is away; each shows its ways out in the order in which they are tried.
-/// Arrows to the right leave a box at its right side, those back at its left. Within a page it
-/// takes the page's colours, alone those of the viewer's light or dark scheme.
+/// Returns the state machine as an SVG picture that needs no other file. A state's column is its
+/// distance from the start state in transitions. Each state lists its ways out in the order in
+/// which they are tried. Arrows to the right leave a box at its right side, those back at its left.
+/// Within a page the picture has the page's colours. On its own it follows the viewer's light or
+/// dark scheme.
 [[nodiscard]] std::string to_svg(const Program& program);
 
 }  // namespace galilean::bhdl

@@ -15,7 +15,7 @@ constexpr double kBoxGap = 22;
 constexpr double kPassageHeight = 14;
 constexpr double kBoxPadding = 20;
 constexpr int kSweeps = 8;
-// Beyond these, long arrows go straight: a picture of so many is no longer read anyway.
+// Beyond this number, long arrows are straight: nobody can read such a large picture anyway.
 constexpr std::size_t kMostPassages = 20000;
 
 /// A box, or a passage of an arrow, in its column.
@@ -25,7 +25,7 @@ struct Node {
   double height = 0;
   double x = 0;
   double y = 0;
-  double place = 0;  ///< in its column, from the top
+  double place = 0;  ///< the share of the column's nodes above it
   std::vector<std::size_t> left;
   std::vector<std::size_t> right;
 };
@@ -63,7 +63,8 @@ class GraphBuilder {
     }
   }
 
-  // Breadth first from the start; what it does not reach begins at the left too.
+  // Columns are found breadth first from the start state. States that it does not reach begin at
+  // the left, too.
   void find_columns() {
     std::vector<bool> seen(layout_.boxes.size(), false);
     spread(index_.at(program_.start_state), seen);
@@ -201,7 +202,7 @@ class GraphBuilder {
   std::unordered_map<std::size_t, std::size_t> node_of_box_;
   std::vector<Node> nodes_;
   std::vector<Column> columns_;
-  std::vector<Chain> chains_;  ///< of each arrow, the nodes that it passes
+  std::vector<Chain> chains_;  ///< for each arrow, the nodes of its passages
   std::size_t passages_ = 0;
 };
 

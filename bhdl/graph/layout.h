@@ -8,7 +8,7 @@
 
 namespace galilean::bhdl {
 
-/// A state's box, in pixels from the picture's upper left corner.
+/// A state's box [px], from the picture's upper left corner.
 struct Box {
   const State* state = nullptr;
   std::vector<Way> ways;
@@ -19,7 +19,7 @@ struct Box {
   double height = 0;
 };
 
-/// A place between two columns' boxes that a long arrow passes.
+/// A place [px] between two columns' boxes that a long arrow passes through.
 struct Passage {
   double x = 0;
   double y = 0;
@@ -44,9 +44,10 @@ struct GraphLayout {
   double height = 0;
 };
 
-/// Layers by distance from the start, arrows cut at every column (Sugiyama's way), order within a
-/// column by the mean place of neighbours. Deterministic; linear in states and arrows but for
-/// sorting.
+/// Lays the graph out in layers (Sugiyama, Tagawa and Toda 1981). The layer is the distance from
+/// the start state, arrows are cut at every column, and the order within a column follows the mean
+/// place of the neighbours. The result is deterministic. Apart from sorting, time is linear in
+/// states and arrows.
 [[nodiscard]] GraphLayout lay_out_graph(const Program& program);
 
 }  // namespace galilean::bhdl

@@ -9,9 +9,9 @@
 namespace galilean::bhdl {
 namespace {
 
-constexpr double kLoop = 42;  ///< how far an arrow within a column bulges
+constexpr double kLoop = 42;  ///< how far an arrow within a column bulges [px]
 
-// A picture on its own has a canvas and colours of its own; one within a page takes the page's.
+// A picture on its own brings its canvas and colours. Within a page it takes the page's.
 constexpr std::string_view kStyle =
     "<style>\n"
     "  svg:root { color: #1c2128; color-scheme: light dark; }\n"
@@ -45,7 +45,7 @@ std::string xml_text(std::string_view text) {
   return escaped;
 }
 
-// A tenth of a pixel is enough, and keeps the same picture the same text.
+// Rounding to a tenth of a pixel loses nothing that can be seen, and keeps the text the same.
 std::string pixels(double value) {
   return number_text(std::round(value * 10) / 10);
 }

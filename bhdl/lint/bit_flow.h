@@ -13,14 +13,14 @@
 
 namespace galilean::bhdl {
 
-/// What a bit may be, as a set. An invalid variable still holds its bits: what writes another of
-/// them makes them valid again.
+/// The values that a bit may have, as a set. An invalid variable still holds its bits. A write to
+/// another of its bits makes them valid again.
 using BitValues = std::uint8_t;
 inline constexpr BitValues kBitZero = 1;
 inline constexpr BitValues kBitOne = 2;
 inline constexpr BitValues kBitInvalid = 4 | 8;  ///< invalid 0, invalid 1
 
-/// The one value that a condition asks for.
+/// Returns the one value that a condition tests for.
 [[nodiscard]] constexpr BitValues bit_values_of(bool value) noexcept {
   return value ? kBitOne : kBitZero;
 }
@@ -33,34 +33,37 @@ struct TestedBit {
   auto operator<=>(const TestedBit&) const = default;  // NOLINT(modernize-use-nullptr): none here
 };
 
-/// Which bits of a variable may be written in each state, and whether it fades when it is not.
+/// The bits of a variable that may be written in each state, and whether its certainty fades when
+/// nothing writes it.
 struct VariableWriters {
   std::vector<std::uint32_t> in_state;
   bool fades = false;
 };
 
-/// The same for variables that conditions test, counted as in Program::variables.
+/// The writers of the variables that conditions test. The key counts as in Program::variables.
 using WritersOfTested = std::unordered_map<std::size_t, VariableWriters>;
 [[nodiscard]] WritersOfTested writers_of_tested(const Program& program, const SchemaUses& uses,
                                                 std::span<const std::size_t> tested);
 
-/// Follows one bit from state to state: a schema that writes it can make it 0 or 1, a
-/// condition that fires has seen the value that it asks for, `bit_update` and `reset_variables`
-/// change it, and what is written fades. What this allows may still never happen; what it forbids
-/// never does.
+/// Follows one bit from state to state. A schema that writes it can make it 0 or 1. A condition
+/// that fires has seen the value that it tests for. `bit_update` and `reset_variables` change the
+/// bit, and what is written fades. A value that this allows may still never happen. A value that it
+/// excludes never happens.
 class BitFlow {
  public:
   BitFlow(const Program& program, const StateGraph& graph, const VariableWriters& writers,
           const TestedBit& bit);
 
-  /// When a state's conditions are tried; empty if nothing that this bit allows leads there.
+  /// Returns the values that the bit may have when the state's conditions are tried. The set is
+  /// empty if this bit lets nothing lead there.
   [[nodiscard]] BitValues within(std::size_t state) const noexcept;
 
  private:
   [[nodiscard]] BitValues initial() const;
-  /// Whether anything in the program does: then a program before it may have left the bit so, too.
+  /// Returns whether anything in the program changes the bit. If so, an earlier program may have
+  /// changed it, too.
   [[nodiscard]] bool changes() const;
-  /// Empty if the condition cannot fire.
+  /// Returns the values behind the condition. The set is empty if the condition cannot fire.
   [[nodiscard]] BitValues behind(const Condition& condition, BitValues values) const;
   void enter(std::size_t state, BitValues values);
 

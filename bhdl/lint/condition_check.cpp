@@ -93,7 +93,8 @@ class ConditionChecker {
         places_on_way_to(test.state));
   }
 
-  // A way may be as long as the program: nobody looks for one that will not be shown.
+  // A way may be as long as the program, so that it is not looked for if the warning will not be
+  // kept.
   [[nodiscard]] std::string way_to(std::size_t state) const {
     return diagnostics_.full_of_warnings() ? std::string()
                                            : "; the way there: " + graph_.way_to(state);

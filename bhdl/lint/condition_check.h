@@ -7,8 +7,8 @@
 
 namespace galilean::bhdl {
 
-/// Warns of conditions that never hold, that always do, and that repeat one before them. Follows
-/// the first 256 of the bits that a program tests, so that it takes time in proportion to the
+/// Warns of conditions that never hold, that always hold, and that repeat one before them. Follows
+/// only the first 256 of the bits that a program tests, so that its time is in proportion to the
 /// program.
 void warn_of_certain_conditions(const Program& program, const SchemaUses& uses,
                                 const StateGraph& graph, Diagnostics& diagnostics);

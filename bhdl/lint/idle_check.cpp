@@ -16,7 +16,8 @@ std::string idle_schema_in_words(const Component& component) {
   return component.type + " " + in_quotes(component.name);
 }
 
-/// The types of variable that some schema of the catalog can write; the robot keeps the others.
+/// Returns the types of variable that a schema of the catalog can write. The robot itself writes
+/// the others.
 std::unordered_set<std::string_view> types_written(const Vocabulary& vocabulary) {
   std::unordered_set<std::string_view> types;
   for (const auto& component : vocabulary.components())
@@ -48,7 +49,8 @@ bool is_base(const Component& schema, const Bases& bases) {
   return (moves ? bases.motor_schemas : bases.perceptual_schemas).contains(schema.name);
 }
 
-// Tells a list of gains by what the catalog says of it: numbers, one for each name of another list.
+// The catalog shows which attributes are gains: a list of numbers, one for each entry of another
+// list.
 void warn_of_zero_gains(const SchemaUse& use, Diagnostics& diagnostics) {
   for (const auto& attribute : use.spec->attributes) {
     if (attribute.type != AttributeType::kNumbers || attribute.one_for_each.empty()) continue;
@@ -80,7 +82,8 @@ bool writes_a_force(const Program& program, const SchemaUse& use) {
   });
 }
 
-// What makes somebody read a force: a schema that combines forces, if the robot has one.
+// Says how to make something read a force: add it to a schema that combines forces, if the catalog
+// has one.
 std::string way_to_be_read(const Vocabulary& vocabulary) {
   for (const auto& component : vocabulary.components())
     if (const auto* gains = component.find(Role::kGain))
@@ -89,7 +92,7 @@ std::string way_to_be_read(const Vocabulary& vocabulary) {
   return "take the gain away";
 }
 
-// A schema's own gain, which the catalog gives every motor schema.
+// Warns of a schema's own gain, which the catalog gives every motor schema.
 void warn_of_idle_gain(const Program& program, const SchemaUse& use, const std::vector<bool>& read,
                        const Vocabulary& vocabulary, Diagnostics& diagnostics) {
   const Value* value = use.component->attributes.find(kGainAttribute);

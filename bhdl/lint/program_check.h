@@ -12,16 +12,16 @@
 
 namespace galilean::bhdl {
 
-/// What the program alone does not tell.
+/// The texts and trees behind a program, which the program itself does not hold.
 struct ProgramText {
-  const SyntaxTree& tree;  ///< that the program was read from
+  const SyntaxTree& tree;  ///< the tree that the program was read from
   const Bases& bases;
   const std::vector<Word>& unused_constants;
   std::string_view main_file;
 };
 
-/// Warns of what a program without errors can hardly mean. Every warning is of something certain: a
-/// robot that runs the program would show it.
+/// Warns of what a program without errors can hardly mean. Every warning is certain: a robot that
+/// runs the program would show it.
 void warn_of_suspects(const Program& program, const Vocabulary& vocabulary, const ProgramText& text,
                       Diagnostics& diagnostics);
 

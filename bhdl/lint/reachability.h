@@ -11,8 +11,8 @@ namespace galilean::bhdl {
 void warn_of_unreachable_states(const Program& program, const StateGraph& graph, const Bases& bases,
                                 Diagnostics& diagnostics);
 
-/// Warns of a state that runs motor schemas, or has conditions, and yet is never left for another,
-/// in a program that gets to others. One that has neither is where a program means to rest.
+/// Warns of a state that runs motor schemas, or has conditions, and is never left for another, in a
+/// program that gets to other states. A state that has neither is meant as an end.
 void warn_of_traps(const Program& program, const StateGraph& graph, Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

@@ -14,7 +14,7 @@ std::vector<const SchemaUse*> uses_of(const std::vector<std::string>& list,
   return uses;
 }
 
-/// As the attributes that are declared to say so say; all if there are none.
+/// Returns the bits that the attributes with `bit_of` name, or all bits if no attribute has it.
 std::uint32_t bits_written(const Component& component, const ComponentSpec& spec,
                            const std::string& variable_attribute) {
   constexpr double kLastBit = 31;

@@ -17,19 +17,19 @@ struct WrittenBits {
   std::uint32_t bits = ~std::uint32_t{0};
 };
 
-/// What a schema of a program does with variables, as its declaration in the catalog says.
-/// Variables are counted as in Program::variables.
+/// The variables that a schema of a program uses, as its declaration in the catalog says. Variables
+/// are counted as in Program::variables.
 struct SchemaUse {
   const Component* component = nullptr;
   const ComponentSpec* spec = nullptr;
-  std::vector<std::size_t> reads;    ///< updates included
-  std::vector<std::size_t> writes;   ///< whole: what was there is gone
+  std::vector<std::size_t> reads;    ///< including updates
+  std::vector<std::size_t> writes;   ///< as a whole: the old value is gone
   std::vector<std::size_t> updates;  ///< in part: it reads and writes
   std::vector<WrittenBits> written;  ///< all that it writes or updates
-  std::vector<std::size_t> adjusts;  ///< how fast they fade
+  std::vector<std::size_t> adjusts;  ///< the variables whose fading it sets
 };
 
-/// The uses of all schemas, and which of them each state lists. Points into the program and the
+/// The uses of all schemas, and which of them each state lists. It points into the program and the
 /// vocabulary.
 class SchemaUses {
  public:
@@ -41,9 +41,9 @@ class SchemaUses {
   };
 
   [[nodiscard]] const std::vector<SchemaUse>& all() const noexcept { return all_; }
-  /// By a state, counted as in Program::states.
+  /// Returns the schemas of a state, counted as in Program::states.
   [[nodiscard]] const Listed& listed(std::size_t state) const noexcept { return listed_[state]; }
-  /// Of a variable that exists.
+  /// Requires: the variable exists.
   [[nodiscard]] std::size_t variable(std::string_view name) const { return variables_.at(name); }
 
  private:

@@ -14,7 +14,7 @@ bool drives(const SchemaUses::Listed& listed) {
       listed.motor, [](const SchemaUse* use) { return use->spec->drives == kMotorDriveName; });
 }
 
-/// Of each state, whether it or one that it can get to lets the motors stand.
+/// Returns for each state whether it, or a state that it can get to, lets the motors stop.
 std::vector<bool> can_stop(const Program& program, const SchemaUses& uses,
                            const StateGraph& graph) {
   const std::size_t count = program.states.size();

@@ -7,9 +7,9 @@
 
 namespace galilean::bhdl {
 
-/// Warns once of a program that comes to where nothing stops the motors any more: to a state that
-/// lists a schema which drives them, and from which every way leads through such states only. A
-/// program of one state means what it says.
+/// Warns once of a program that can get to where nothing stops the motors any more. That is a state
+/// that lists a schema which drives the motors, and from which every way leads through such states
+/// only. A program of one state is not warned of.
 void warn_of_endless_driving(const Program& program, const SchemaUses& uses,
                              const StateGraph& graph, Diagnostics& diagnostics);
 

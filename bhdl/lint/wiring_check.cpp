@@ -24,7 +24,7 @@ std::string schema_in_words(const SchemaUse& use) {
   return use.component->type + " " + in_quotes(use.component->name);
 }
 
-/// One state after the other; what it notes of variables is wiped between them.
+/// Checks one state after the other. Its notes on variables are cleared between them.
 class StateWiring {
  public:
   StateWiring(const Program& program, const SchemaUses& uses, Diagnostics& diagnostics)
@@ -55,7 +55,7 @@ class StateWiring {
     std::size_t variable = 0;
   };
 
-  // Perceptual schemas and conditions read what the tick before left, so whoever writes it is in
+  // Perceptual schemas and conditions read what the tick before left. Every motor schema writes in
   // time for them.
   void note_readers() {
     const std::size_t behind_all = listed_->motor.size();
@@ -102,7 +102,8 @@ class StateWiring {
     }
   }
 
-  // One warning for all: what is missing is most often the one schema that would read them.
+  // All results that nothing reads share one warning, because mostly one schema that would read
+  // them is missing.
   void warn_of_unread() {
     constexpr std::size_t kMostNamed = 3;
     std::string results;
@@ -141,9 +142,11 @@ class StateWiring {
   const Program& program_;
   const SchemaUses& uses_;
   Diagnostics& diagnostics_;
-  std::vector<std::size_t> writer_;       ///< of each variable, among the state's motor schemas
-  std::vector<std::size_t> last_reader_;  ///< beyond the motor schemas: somebody else
-  std::vector<Result> unread_;            ///< in this state
+  std::vector<std::size_t> writer_;       ///< for each variable, which of the state's motor schemas
+                                          ///< writes it
+  std::vector<std::size_t> last_reader_;  ///< the count of motor schemas stands for a perceptual
+                                          ///< schema or a condition
+  std::vector<Result> unread_;            ///< of this state
   const State* state_ = nullptr;
   const StateNode* node_ = nullptr;
   const SchemaUses::Listed* listed_ = nullptr;

@@ -7,9 +7,9 @@
 
 namespace galilean::bhdl {
 
-/// Warns, state by state, of motor schemas that overwrite each other's result or each other's
-/// command to a device, whose result nobody reads, and that are listed behind their reader. The
-/// tree says where they are listed.
+/// Warns in each state of motor schemas that overwrite each other's result, or each other's command
+/// to a device, whose result nothing reads, and that are listed behind their reader. The tree says
+/// where they are listed.
 void warn_of_wiring(const Program& program, const SchemaUses& uses, const SyntaxTree& tree,
                     Diagnostics& diagnostics);
 

@@ -37,7 +37,7 @@ double number_given(const Entity& entity, const AttributeSpec& spec) {
   return default_value == nullptr ? -1 : *default_value;
 }
 
-// Without an attribute that says which, a schema writes all bits of its variable.
+// A schema without an attribute for the bit writes all bits of its variable.
 bool writes_bit(const Entity& entity, const AttributeSpec& target, const BitAt& bit) {
   const AttributeNode* node = find_given(entity.attributes, target, *entity.spec);
   if (node == nullptr || node->values.front().text != bit.variable) return false;

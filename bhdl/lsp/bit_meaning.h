@@ -9,14 +9,15 @@
 
 namespace galilean::bhdl::lsp {
 
-/// A bit that the cursor is at: `bit_index: 3`, beside `bits_variable: "bumpers"`.
+/// A bit at the cursor: `bit_index: 3`, beside `bits_variable: "bumpers"`.
 struct BitAt {
   std::string variable;
   int index = 0;
 };
 [[nodiscard]] std::optional<BitAt> bit_at(const Spot& spot);
 
-/// Which schemas of the program write the bit, and what they say they do; Markdown, a line each.
+/// Returns which schemas of the program write the bit, and what they say that they do. It is
+/// Markdown, one line for each schema.
 [[nodiscard]] std::string writers_in_words(const Session& session, const std::string& path,
                                            const BitAt& bit);
 

@@ -74,7 +74,7 @@ class BlockFinder {
   }
 
  private:
-  // Recursion ends where the grammar does: sections, states, conditions.
+  // The recursion is only as deep as the grammar: sections, states, conditions.
   void add(const NodeRange& nodes, std::optional<std::size_t> parent, ComponentKind components) {
     for (const auto node : nodes) {
       auto block = block_of(tree_, node, components);
@@ -87,7 +87,7 @@ class BlockFinder {
     }
   }
 
-  // A variable needs no `end`: the one behind a section's last variable is the section's.
+  // A variable needs no `end`. The `end` behind a section's last variable belongs to the section.
   void take_end_of_last(std::uint32_t section) {
     if (blocks_.back().kind != BlockKind::kComponent || end_word(tree_, section)) return;
     if (blocks_.back().components != ComponentKind::kVariable) return;

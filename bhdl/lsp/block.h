@@ -24,22 +24,22 @@ enum class BlockKind {
   kExpectStep
 };
 
-/// What an editor shows as one piece: from its label to its `end`, or to where something else must
-/// have closed it.
+/// A part that an editor shows as one piece. It reaches from its label to its `end`, or to where
+/// something else must have closed it.
 struct Block {
   BlockKind kind = BlockKind::kSection;
   std::string_view word;       ///< of its label
-  std::string_view name;       ///< a component's or a state's; empty: none is given
+  std::string_view name;       ///< of a component or a state; empty: none is given
   ComponentKind components{};  ///< of a section, and of what stands in it
   ByteRange range;
   std::optional<std::size_t> parent;  ///< among all blocks, which stand in the order of the text
 };
 
-/// What the catalog, or the language, says of a component, an expectation or one of its steps;
-/// nullptr of any other block and where nothing has such a name.
+/// Returns what the catalog or the language says of a component, an expectation or one of its
+/// steps. Returns nullptr for any other block, and if nothing has such a name.
 [[nodiscard]] const ComponentSpec* spec_of(const Block& block, const Vocabulary& vocabulary);
 
-/// Answers what the parser asks from the catalog.
+/// Answers the parser's questions from the catalog.
 class CatalogSense : public LabelSense {
  public:
   explicit CatalogSense(const Vocabulary& vocabulary) : vocabulary_(vocabulary) {}
@@ -51,15 +51,15 @@ class CatalogSense : public LabelSense {
   const Vocabulary& vocabulary_;
 };
 
-/// The block that a node is; nothing of an attribute, a value, a line or an error. `components`: of
-/// the block around it.
+/// Returns the block that a node is, or nothing for an attribute, a value, a line or an error.
+/// `components` is that of the block around it.
 [[nodiscard]] std::optional<Block> block_of(const ParseTree& tree, std::uint32_t node,
                                             ComponentKind components);
 
-/// The number of the `end` that closes a node; nothing where something else does.
+/// Returns the number of the `end` that closes a node, or nothing if something else closes it.
 [[nodiscard]] std::optional<std::uint32_t> end_word(const ParseTree& tree, std::uint32_t node);
 
-/// All blocks of a text, which need not be right.
+/// Returns all blocks of a text, which may have mistakes.
 [[nodiscard]] std::vector<Block> blocks_of(const ParseTree& tree);
 
 }  // namespace galilean::bhdl::lsp

@@ -29,8 +29,8 @@ bool takes_number(const AttributeSpec& spec) {
 /// The part of the text that a proposal replaces: the word around the cursor.
 struct Replaced {
   ByteRange range;
-  bool closed = false;    ///< a quote follows
-  bool labelled = false;  ///< a colon follows
+  bool closed = false;    ///< a quote stands behind it
+  bool labelled = false;  ///< a colon stands behind it
 };
 
 Replaced replaced_by(const ParsedFile& file, const Cursor& cursor, std::size_t offset) {
@@ -134,8 +134,8 @@ class Completer {
     return space == NameSpace::kState ? ItemKind::kEvent : ItemKind::kClass;
   }
 
-  /// Names that the program gives, of one type unless that is empty, but not those listed already
-  /// and not the block's own.
+  /// Proposes names that the program gives, of one type unless `type` is empty. Names that are
+  /// listed already, and the block's own name, are left out.
   void names(NameSpace space, const std::string& type, ItemKind kind) {
     std::set<std::string_view> left_out(cursor_.values.begin(), cursor_.values.end());
     if (cursor_.attribute == "extends") left_out.insert(cursor_.innermost()->name);

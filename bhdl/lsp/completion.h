@@ -5,8 +5,9 @@
 
 namespace galilean::bhdl::lsp {
 
-/// textDocument/completion: what may stand at the cursor, in a text that need not parse. Sections,
-/// components, attributes, names of the right kind and type, choices, constants, units.
+/// Answers textDocument/completion with what may stand at the cursor, also in a text that does not
+/// parse: sections, components, attributes, names of the right kind and type, choices, constants,
+/// units.
 [[nodiscard]] Json completion(const Session& session, const Json& params);
 
 }  // namespace galilean::bhdl::lsp

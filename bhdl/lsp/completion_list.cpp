@@ -7,7 +7,7 @@ namespace {
 constexpr int kSnippetFormat = 2;
 constexpr std::size_t kOrderDigits = 6;
 
-// Editors sort by this text, not by the order of the list.
+// Editors sort by this text and ignore the order of the list.
 std::string order_text(std::size_t number) {
   const std::string digits = std::to_string(number);
   return std::string(kOrderDigits - std::min(kOrderDigits, digits.size()), '0') + digits;

@@ -28,14 +28,14 @@ struct Proposal {
   ItemKind kind = ItemKind::kValue;
   std::string detail = {};
   std::string help = {};
-  std::string text = {};     ///< what is put in; empty: the label
-  std::string snippet = {};  ///< the same with places to fill in, for a client that knows them
+  std::string text = {};     ///< the text that is inserted; empty: the label
+  std::string snippet = {};  ///< the text with places to fill in, for a client that supports them
 };
 
-/// Collects proposals for one place; in the order in which they are added.
+/// Collects proposals for one place, in the order in which they are added.
 class CompletionList {
  public:
-  /// `range`: what a proposal replaces.
+  /// `range` is what a proposal replaces.
   CompletionList(const Session& session, Json range)
       : session_(session), range_(std::move(range)) {}
 

@@ -10,7 +10,8 @@ void note_uses(const ParsedFile& file, ConstantRoles& roles) {
       roles[mention.name].set(static_cast<std::size_t>(*mention.stands_for));
 }
 
-// A constant that stands in another's definition names what the other names.
+// If a constant uses another in its definition, what the first names the second names, too. Returns
+// whether anything changed.
 bool hand_down(const ParsedFile& file, ConstantRoles& roles) {
   bool changed = false;
   for (const auto& defined : file.mentions().defined) {

@@ -9,12 +9,12 @@
 
 namespace galilean::bhdl::lsp {
 
-/// What the texts of a constant's definition name, by where the constant is used: a constant among
-/// motor schemas names motor schemas. One bit for each NameSpace.
+/// The kinds of names that a constant's texts may be, by where the constant is used. A constant
+/// among motor schemas names motor schemas. There is one bit for each NameSpace.
 using Roles = std::bitset<8>;
 using ConstantRoles = std::unordered_map<std::string_view, Roles>;
 
-/// Of every constant in a program; the keys point into its files.
+/// Returns the roles of every constant in a program. The keys point into its files.
 [[nodiscard]] ConstantRoles constant_roles(const ProgramFiles& program);
 
 [[nodiscard]] inline bool has_role(const ConstantRoles& roles, std::string_view constant,

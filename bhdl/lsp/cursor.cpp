@@ -18,10 +18,10 @@ bool in_number(char c) noexcept {
   return (c >= '0' && c <= '9') || c == '.';
 }
 
-/// What the line tells: texts and comments end with it.
+/// What the cursor's line alone tells, because texts and comments end with their line.
 struct OnLine {
   bool in_comment = false;
-  std::optional<std::size_t> text_quote;  ///< where the text begins that the cursor is in
+  std::optional<std::size_t> text_quote;  ///< where the text that the cursor is in begins
   std::size_t text_begin = 0;             ///< behind that quote
 };
 
@@ -47,16 +47,16 @@ std::size_t word_begin(std::string_view text, std::size_t offset) {
   while (begin > 0 && in_word(text[begin - 1])) --begin;
   std::size_t digits = begin;
   while (digits < offset && in_number(text[digits])) ++digits;
-  return digits;  // 30c: the unit begins behind the number
+  return digits;  // in 30c the unit begins behind the number
 }
 
-// A word without its colon may be anything yet.
+// A word without a colon may still become anything.
 bool is_label(const ParseTree& tree, const Node& node) {
   const bool labels = node.kind == NodeKind::kAttribute || node.kind == NodeKind::kSchemaList;
   return labels && tree.tokens[node.first_token + 1].kind == TokenKind::kColon;
 }
 
-/// What has a value outside every block, too.
+/// Returns whether the node has a value although it is in no block.
 bool takes_value(const ParseTree& tree, const Node& node) {
   return is_label(tree, node) || node.kind == NodeKind::kInclude ||
          node.kind == NodeKind::kStartState;
@@ -74,7 +74,7 @@ class OpenEnd {
     if (tokens > 1) cursor_.behind = tree_.tokens[tokens - 2].kind;
   }
 
-  /// Labels of the innermost block that stand behind the cursor.
+  /// Adds the labels of the innermost block that stand behind the cursor.
   void add_given_behind(std::size_t offset) {
     if (cursor_.around.empty()) return;
     const auto begins_before = [&](const Node& node) {
@@ -90,7 +90,7 @@ class OpenEnd {
   }
 
  private:
-  // Recursion ends where the grammar does: sections, states, conditions.
+  // The recursion is only as deep as the grammar: sections, states, conditions.
   void read(const NodeRange& nodes) {
     std::optional<std::uint32_t> last;
     std::optional<std::uint32_t> attribute;
@@ -136,7 +136,7 @@ class OpenEnd {
     }
   }
 
-  /// From a token on, all that are values: behind a number a word is its unit.
+  /// Adds the values from a token on. A word behind a number is its unit and no value.
   void add_values(std::uint32_t first) {
     for (auto i = first; i < tree_.tokens.size(); ++i) {
       const TokenKind kind = tree_.tokens[i].kind;

@@ -33,7 +33,8 @@ Json related_to_json(const Session& session, const Diagnostic& diagnostic) {
   return related;
 }
 
-/// Trees of files that the workspace has read already, and of others what their text says.
+/// Returns a reader that gives the trees that the workspace has. It parses the texts of other
+/// files.
 TreeReader reader_of(const ProgramFiles& files) {
   return [&files](const LoadedFile& wanted, Diagnostics& diagnostics) {
     const auto found =
@@ -114,7 +115,7 @@ void DiagnosticDesk::check_programs(const Session& session) {
   checked_ = std::move(checked);
 }
 
-// Of a program that is not open itself, only what concerns the open files.
+// A program whose main file is not open adds only what concerns the open files.
 DiagnosticDesk::OfPath DiagnosticDesk::merged(const Session& session) const {
   OfPath all;
   for (const auto& open : session.workspace.open_documents()) all[open.first];

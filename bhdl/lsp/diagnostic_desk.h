@@ -10,17 +10,17 @@
 
 namespace galilean::bhdl::lsp {
 
-/// Checks the programs that the open files are part of and publishes what changed. A program is
+/// Checks the programs that the open files are part of, and publishes what changed. A program is
 /// checked again only when one of its files has changed.
 class DiagnosticDesk {
  public:
-  /// A document was opened, changed or closed.
+  /// Notes that a document was opened, changed or closed.
   void note_change() noexcept { due_ = true; }
   [[nodiscard]] bool due() const noexcept { return due_; }
 
-  /// Notifications of textDocument/publishDiagnostics.
+  /// Returns notifications of textDocument/publishDiagnostics.
   [[nodiscard]] std::vector<Json> publish(const Session& session);
-  /// As of the last `publish`.
+  /// Returns the diagnostics of the last `publish`.
   [[nodiscard]] const std::vector<Diagnostic>& of(const std::string& path) const;
 
  private:
@@ -39,7 +39,7 @@ class DiagnosticDesk {
   std::map<std::string, std::string> published_;
 };
 
-/// The token at the place of a diagnostic, with its quotes.
+/// Returns the token at the place of a diagnostic, with its quotes.
 [[nodiscard]] ByteRange range_of(const ParsedFile& file, const Diagnostic& diagnostic);
 [[nodiscard]] Json diagnostic_to_json(const Session& session, const ParsedFile& file,
                                       const Diagnostic& diagnostic);

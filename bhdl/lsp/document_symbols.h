@@ -5,10 +5,11 @@
 
 namespace galilean::bhdl::lsp {
 
-/// textDocument/documentSymbol: sections, and in them components, states and constants.
+/// Answers textDocument/documentSymbol with sections, and in them components, states and constants.
 [[nodiscard]] Json document_symbols(const Session& session, const Json& params);
 
-/// textDocument/foldingRange: every block of more than a line, and comments of several lines.
+/// Answers textDocument/foldingRange with every block of more than a line, and comments of several
+/// lines.
 [[nodiscard]] Json folding_ranges(const Session& session, const Json& params);
 
 }  // namespace galilean::bhdl::lsp

@@ -12,10 +12,11 @@
 
 namespace galilean::bhdl::lsp {
 
-/// Whatever has attributes in a text: a component, a state, a condition, an expectation.
+/// A part of a text that has attributes: a component, a state, a condition, an expectation.
 struct Entity {
   const ComponentSpec* spec = nullptr;  ///< nullptr: the catalog has none of that type
-  std::optional<NameSpace> space;       ///< its own name's; a condition and a device have none
+  std::optional<NameSpace> space;       ///< the space of its own name; a condition and a device
+                                        ///< have none
   const Word& type;
   const std::vector<AttributeNode>& attributes;
 };
@@ -50,7 +51,7 @@ void for_each_entity(const ExpectNode& expectation, const Vocabulary&, Visit vis
 template <class Node, class Visit>
 void for_each_entity(const Node&, const Vocabulary&, Visit) {}
 
-/// In the order of the text.
+/// Calls `visit` for every entity in the order of the text.
 template <class Visit>
 void for_each_entity(const SyntaxTree& tree, const Vocabulary& vocabulary, Visit visit) {
   for (const auto& node : tree)

@@ -9,7 +9,7 @@
 namespace galilean::bhdl::lsp {
 namespace {
 
-// Whole lines, so that no character is cut.
+// Only whole lines count, so that no character is cut.
 std::size_t common_lines_size(std::string_view a, std::string_view b) {
   const auto differ = std::ranges::mismatch(a, b);
   const auto same = a.substr(0, static_cast<std::size_t>(differ.in1 - a.begin()));

@@ -5,8 +5,8 @@
 
 namespace galilean::bhdl::lsp {
 
-/// textDocument/formatting: the one layout of `galilean bhdl fmt`, as an edit of the lines that
-/// change. Refuses a file with a mistake in its syntax, with what it is.
+/// Answers textDocument/formatting with the layout of `galilean bhdl fmt`, as an edit of the lines
+/// that change. Refuses a file with a mistake in its syntax, and says which.
 [[nodiscard]] Json formatting(const Session& session, const Json& params);
 
 }  // namespace galilean::bhdl::lsp

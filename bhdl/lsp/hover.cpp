@@ -25,7 +25,7 @@ std::string attribute_text(const ComponentSpec& component, const AttributeSpec& 
          spec.help + "\n";
 }
 
-/// The whole lines of what declares a name, with the comments beside it and directly above.
+/// Returns the whole lines that declare a name, with the comments beside them and directly above.
 std::string declaration_lines(const Occurrence& declared) {
   constexpr std::size_t kMostLines = 12;
   const ParsedFile& file = *declared.file;
@@ -44,14 +44,15 @@ std::string declaration_lines(const Occurrence& declared) {
   return lines;
 }
 
-/// A text in a block of code that nothing in it ends.
+/// Returns a block of Markdown code. Its fence is longer than any in the text, so that the text
+/// cannot end it.
 std::string code(const std::string& text) {
   std::string fence = "```";
   while (text.find(fence) != std::string::npos) fence += '`';
   return fence + "bhdl\n" + text + fence + "\n";
 }
 
-// What a program calls its things must not become markup.
+// Names of a program must not become markup.
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {

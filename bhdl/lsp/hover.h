@@ -5,9 +5,9 @@
 
 namespace galilean::bhdl::lsp {
 
-/// textDocument/hover: a component's law and attributes; an attribute's type, unit, default, range
-/// and help; a name's declaration with the comment on it; what writes a bit. null where there is
-/// nothing to tell.
+/// Answers textDocument/hover: a component's law and attributes; an attribute's type, unit,
+/// default, range and help; a name's declaration with its comment; the writers of a bit. The answer
+/// is null if there is nothing to show.
 [[nodiscard]] Json hover(const Session& session, const Json& params);
 
 }  // namespace galilean::bhdl::lsp

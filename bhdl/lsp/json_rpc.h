@@ -40,7 +40,7 @@ class Refusal : public std::runtime_error {
 
 /// Returns the value at a path (`/a/b`) in `json`, or nullptr if any step of the path is missing.
 [[nodiscard]] const Json* find_in(const Json& json, const Json::json_pointer& path);
-/// Whether a client says yes to something deep in its capabilities.
+/// Returns whether the value at `path` in a client's capabilities is true.
 [[nodiscard]] bool is_true(const Json& json, const Json::json_pointer& path);
 
 }  // namespace galilean::bhdl::lsp

@@ -28,7 +28,7 @@ class MentionFinder {
     }
   }
   void in(const StartStateNode& node) { use(NameSpace::kState, node.state.text); }
-  // The old state is another program's.
+  // The old state is left out, because it belongs to the program that is replaced.
   void in(const SwapNode& node) { use(NameSpace::kState, node.new_state.text); }
 
   void in_definition(const AttributeNode& constant, const ValueNode& value) {

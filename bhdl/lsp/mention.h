@@ -16,8 +16,9 @@ struct Mention {
   NameSpace space = NameSpace::kVariable;
   std::string_view name;  ///< without quotes; part of the text
   bool declares = false;
-  std::string_view type;  ///< of what is declared: "locate"; empty for states and constants
-  /// Of a constant that stands in an attribute: where the names are that the attribute takes.
+  std::string_view type;  ///< the type of what is declared: "locate"; empty for states and
+                          ///< constants
+  /// Of a constant in an attribute: the space of the names that the attribute takes.
   std::optional<NameSpace> stands_for = std::nullopt;
 };
 

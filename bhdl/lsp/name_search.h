@@ -23,7 +23,7 @@ struct Occurrence {
   std::string_view type;  ///< of what is declared
 };
 
-/// The name that the cursor touches, with its range in `file`; nothing if there is none.
+/// The name that the cursor touches, with its range in `file`.
 struct NameAt {
   Name name;
   ByteRange range;
@@ -31,11 +31,12 @@ struct NameAt {
 [[nodiscard]] std::optional<NameAt> name_at(const Workspace& workspace, const ParsedFile& file,
                                             std::size_t offset);
 
-/// Everywhere that the name is given or used in the programs that the file is part of, and in those
-/// that share a place found so with them. Each place once; declarations have `declares`.
+/// Returns every place where the name is given or used, each once. It searches the programs that
+/// the file is part of, and those that share with them a file in which the name was found.
+/// Declarations have `declares`.
 [[nodiscard]] std::vector<Occurrence> occurrences(const Workspace& workspace,
                                                   const std::string& path, const Name& name);
-/// Only where it is given.
+/// Returns only the places where the name is given.
 [[nodiscard]] std::vector<Occurrence> declarations(const Workspace& workspace,
                                                    const std::string& path, const Name& name);
 

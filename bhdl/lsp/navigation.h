@@ -5,11 +5,12 @@
 
 namespace galilean::bhdl::lsp {
 
-/// textDocument/definition: where a name is declared, in every program that the file is part of;
-/// of an include, the file.
+/// Answers textDocument/definition: where a name is declared in every program that the file is part
+/// of; for an include, the file.
 [[nodiscard]] Json definition(const Session& session, const Json& params);
 
-/// textDocument/references: wherever the name stands, with its declaration if that is asked for.
+/// Answers textDocument/references: every place of the name, with its declaration if that is asked
+/// for.
 [[nodiscard]] Json references(const Session& session, const Json& params);
 
 }  // namespace galilean::bhdl::lsp

@@ -12,12 +12,11 @@
 
 namespace galilean::bhdl::lsp {
 
-/// One version of a file with what was read from it. A text that is no BHDL at all (binary, too
-/// large) has an empty tree. Never changed, so that whoever holds it can read on while the editor
-/// goes on; never copied, since the tree points into the text.
+/// One version of a file with what was read from it. A text that cannot be BHDL (binary, too large)
+/// has an empty tree. It never changes, so that its holder can read on while the editor goes on. It
+/// is never copied, since the tree points into the text.
 struct ParsedFile {
-  /// `before`: an earlier version, of which what has not changed is taken over; nullptr: none is
-  /// known.
+  /// `before` is an earlier version, whose unchanged parts are taken over. nullptr: none is known.
   ParsedFile(std::string its_path, std::string its_text, const Vocabulary& vocabulary,
              const ParsedFile* before = nullptr);
   ParsedFile(const ParsedFile&) = delete;
@@ -26,13 +25,13 @@ struct ParsedFile {
   const std::string path;
   const std::string text;
   const TextIndex index;
-  const bool is_readable;  ///< else it is no text that a lexer may see
+  const bool is_readable;  ///< false: the text may not be given to a lexer
   const Reading reading;
-  const ParseTree& parse_tree = reading.tree;  ///< as it is written
+  const ParseTree& parse_tree = reading.tree;  ///< the tree of the text as it is written
   const std::vector<std::string> includes;     ///< paths, as the loader resolves them
 
-  /// What the file says. Most keys are typed without anybody asking, so that this and the names are
-  /// found when somebody does.
+  /// Return what the file says. It is computed at the first call, because after most key strokes
+  /// nobody asks for it.
   [[nodiscard]] const SyntaxTree& tree() const { return content().tree; }
   [[nodiscard]] const Mentions& mentions() const { return content().mentions; }
 

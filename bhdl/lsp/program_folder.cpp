@@ -8,7 +8,7 @@
 namespace galilean::bhdl::lsp {
 namespace fs = std::filesystem;
 
-// A path without a slash in front is no file's: an unsaved document of some editor.
+// A path that does not begin with a slash is an editor's unsaved document, which has no file.
 fs::path DiskFolder::place_of(const std::string& path) const {
   if (!path.starts_with('/')) return {};
   return root_ / fs::path(normal_path(path)).relative_path();

@@ -8,7 +8,7 @@
 
 namespace galilean::bhdl::lsp {
 
-/// Where the files are that no editor has open: the disk, or a library of programs. Paths are
+/// Reads the files that no editor has open, from the disk or from a library of programs. Paths are
 /// absolute.
 class ProgramFolder : public SourceProvider {
  public:

@@ -27,7 +27,7 @@ ByteRange without_quotes(const ParsedFile& file, ByteRange range) {
   return {range.begin + character_size(text), last};
 }
 
-// Where a constant stands for what was misspelt, the mistake is in its definition, not here.
+// Where a constant stood for the misspelt name, the mistake is in its definition and not here.
 bool is_misspelling(std::string_view written, const std::string& meant) {
   const int most = std::max(tolerance(written), tolerance(meant));
   return written != meant && edit_distance(written, meant, most) <= most;

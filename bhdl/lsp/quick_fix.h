@@ -5,8 +5,8 @@
 
 namespace galilean::bhdl::lsp {
 
-/// textDocument/codeAction: of every diagnostic in the range that knows what was meant, the edit
-/// that puts it right. `desk` must be up to date.
+/// Answers textDocument/codeAction: for every diagnostic in the range that knows what was meant,
+/// the edit that corrects it. Requires: `desk` is up to date.
 [[nodiscard]] Json quick_fixes(const Session& session, const DiagnosticDesk& desk,
                                const Json& params);
 

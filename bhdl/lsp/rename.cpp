@@ -10,7 +10,7 @@
 namespace galilean::bhdl::lsp {
 namespace {
 
-/// The workspace as it would be.
+/// The workspace as it would be after the renaming.
 class Renamed : public SourceProvider {
  public:
   explicit Renamed(const Workspace& workspace) : workspace_(workspace) {}
@@ -76,7 +76,8 @@ Renamed apply(const Session& session, const std::vector<Occurrence>& places,
   return result;
 }
 
-// A default may name what is renamed, or a text that looks like no name.
+// Renaming may break a program: a default may give the old name, or the name stands where it was
+// not recognised.
 void refuse_breaking(const Session& session, const Renamed& renamed) {
   for (const auto& touched : renamed.texts)
     for (const auto& program : session.workspace.programs_with(touched.first)) {

@@ -5,12 +5,12 @@
 
 namespace galilean::bhdl::lsp {
 
-/// textDocument/prepareRename: the name at the cursor; null where there is none, or where the
+/// Answers textDocument/prepareRename with the name at the cursor, or null if there is none or the
 /// program does not declare it.
 [[nodiscard]] Json prepare_rename(const Session& session, const Json& params);
 
-/// textDocument/rename, in every file of the programs concerned. Refuses a new name that could not
-/// be read, that is taken, or with which a program that is right would be right no more.
+/// Answers textDocument/rename in every file of the programs concerned. Refuses a new name that
+/// could not be read, that is taken, or that would bring errors into a program without errors.
 [[nodiscard]] Json rename(const Session& session, const Json& params);
 
 }  // namespace galilean::bhdl::lsp

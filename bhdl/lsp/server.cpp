@@ -57,7 +57,7 @@ bool is_id(const Json& id) {
   return id.is_string() || id.is_number();
 }
 
-/// Why this is no JSON-RPC 2.0 message; nullptr: it is one.
+/// Returns why this is no JSON-RPC 2.0 message, or nullptr if it is one.
 const char* objection(const Json& message) {
   if (!message.is_object()) return "a message is one JSON object; there are no batches here";
   if (message.value("jsonrpc", Json()) != "2.0") return "a message has \"jsonrpc\": \"2.0\"";
@@ -78,7 +78,7 @@ Json log_message(const std::string& text) {
   return rpc_notification("window/logMessage", {{"type", kErrorType}, {"message", text}});
 }
 
-/// The answer that `work` gives, or the one that says why there is none.
+/// Returns the answer that `work` gives. If `work` throws, returns the answer that says why.
 template <class Work>
 std::optional<Json> guarded(const Json& message, Work work) {
   const auto failed = [&](RpcError code, const std::string& text) -> std::optional<Json> {

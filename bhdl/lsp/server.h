@@ -11,12 +11,12 @@
 
 namespace galilean::bhdl::lsp {
 
-/// A language server for BHDL that speaks the Language Server Protocol 3.17, without the way that
-/// messages take: each comes in as the text of one JSON-RPC message, and so do the answers go out.
-/// Any text gets an answer; none makes it throw. One client, one thread.
+/// A language server for BHDL that speaks the Language Server Protocol 3.17. It does not send or
+/// receive by itself: each call takes the text of one JSON-RPC message and returns the texts to
+/// send. Any text gets an answer, and none makes it throw. It serves one client, in one thread.
 ///
-/// Requests are answered at once. What changed texts cost is put off: whoever owns the server calls
-/// `work` when no message waits, and gets the diagnostics to send.
+/// Requests are answered at once. The diagnostics of changed texts are put off: the owner of the
+/// server calls `work` when no message waits, and sends what it returns.
 class Server {
  public:
   Server(const Catalog& catalog, std::unique_ptr<ProgramFolder> folder);
@@ -27,7 +27,8 @@ class Server {
   [[nodiscard]] bool has_work() const noexcept { return desk_.due(); }
   [[nodiscard]] std::vector<std::string> work();
 
-  /// Set when the client has said `exit`: 0 if it said `shutdown` before, else 1.
+  /// Returns the exit status once the client has said `exit`: 0 if it said `shutdown` before, else
+  /// 1.
   [[nodiscard]] std::optional<int> exit_status() const noexcept { return exit_status_; }
 
  private:

@@ -8,7 +8,7 @@
 
 namespace galilean::bhdl::lsp {
 
-/// What the client can do, as far as it changes an answer.
+/// The client's abilities that change an answer.
 struct Client {
   PositionEncoding encoding = PositionEncoding::kUtf16;
   bool snippets = false;
@@ -20,26 +20,26 @@ struct Client {
 };
 [[nodiscard]] Client read_client(const Json& initialize_params);
 
-/// What answers a request. Everything is read from `params` as the protocol has it; where that is
-/// not so, nlohmann::json's exceptions are thrown on.
+/// What request handlers use. They read `params` as the protocol describes it. If `params` is
+/// different, nlohmann::json's exceptions pass through.
 struct Session {
   Workspace& workspace;
   const Vocabulary& vocabulary;
   const Client& client;
 
-  /// The file of `textDocument`; refuses one that cannot be read.
+  /// Returns the file of `textDocument`. Refuses one that cannot be read.
   [[nodiscard]] FilePointer file(const Json& params) const;
-  /// The byte of `position`.
+  /// Returns the byte of `position`.
   [[nodiscard]] std::size_t offset(const ParsedFile& file, const Json& params) const;
   [[nodiscard]] Json range(const ParsedFile& file, ByteRange bytes) const;
   [[nodiscard]] ByteRange bytes(const ParsedFile& file, const Json& range) const;
   [[nodiscard]] Json location(const ParsedFile& file, ByteRange bytes) const;
 };
 
-/// `position` of the protocol.
+/// Reads a `position` of the protocol.
 [[nodiscard]] TextPosition position_from(const Json& json);
 
-/// A WorkspaceEdit that the client understands; of each path, TextEdits.
+/// Returns a WorkspaceEdit that the client understands, from the TextEdits of each path.
 [[nodiscard]] Json workspace_edit(const Session& session,
                                   const std::map<std::string, Json>& edits_of_path);
 

@@ -7,12 +7,12 @@
 
 namespace galilean::bhdl::lsp {
 
-/// What stands behind an attribute's name, with the places to fill in numbered from `next` on as
-/// the protocol's snippets have them; `next` counts on.
+/// Returns the text behind an attribute's name. The places to fill in are numbered from `next` on,
+/// as in the protocol's snippets, and `next` is advanced.
 [[nodiscard]] std::string value_snippet(const AttributeSpec& spec, int& next);
 
-/// A component with what must be given, on lines of its own; a variable stands on one line and
-/// needs no `end`. A state also gets its lists.
+/// Returns a component with the attributes that must be given, each on a line. A variable stands on
+/// one line and needs no `end`. A state also gets its lists.
 [[nodiscard]] std::string component_snippet(const ComponentSpec& spec, bool is_variable);
 
 }  // namespace galilean::bhdl::lsp

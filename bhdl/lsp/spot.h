@@ -9,7 +9,7 @@
 
 namespace galilean::bhdl::lsp {
 
-/// What of the catalog's the cursor touches: a component's label, an attribute's, or a value.
+/// What the cursor touches of the catalog's: a component's label, an attribute's, or a value.
 struct Spot {
   const ComponentSpec* component = nullptr;
   const AttributeSpec* attribute = nullptr;           ///< nullptr: the component's own label

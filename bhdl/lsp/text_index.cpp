@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kEncodings{"utf-8", "utf-16", "utf-32"};
 constexpr std::string_view kMark = "\uFEFF";
 
-// A byte that breaks UTF-8 counts as a character of its own, so that every text has positions.
+// A byte that breaks UTF-8 counts as one character, so that every text has positions.
 std::size_t bytes_of_first(std::string_view text) noexcept {
   return std::max<std::size_t>(1, character_size(text));
 }
@@ -23,7 +23,7 @@ std::size_t units_of(std::size_t bytes, PositionEncoding encoding) noexcept {
   return encoding == PositionEncoding::kUtf16 && bytes == kBytesBeyondBasicPlane ? 2 : 1;
 }
 
-// A position inside a character is the character's beginning.
+// A position inside a character means the beginning of the character.
 std::size_t bytes_of_units(std::string_view line, std::size_t units, PositionEncoding encoding) {
   std::size_t bytes = 0;
   while (bytes < line.size()) {
@@ -49,7 +49,7 @@ std::optional<PositionEncoding> find_encoding(std::string_view name) noexcept {
 }
 
 TextIndex::TextIndex(std::string_view text) : text_(text), starts_{0} {
-  // Nearly no text has \r, and to look for one byte is many times faster than for either.
+  // Nearly no text has \r, and searching for one byte is many times faster than for two.
   const bool plain = text.find('\r') == std::string_view::npos;
   const auto next_end = [&](std::size_t from) {
     return plain ? text.find('\n', from) : text.find_first_of("\r\n", from);

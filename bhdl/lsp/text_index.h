@@ -20,12 +20,13 @@ struct TextPosition {
   std::size_t character = 0;
 };
 
-/// Bytes from `begin` up to, without, `end`.
+/// The bytes from `begin` up to but without `end`.
 struct ByteRange {
   std::size_t begin = 0;
   std::size_t end = 0;
 
-  /// An end counts as inside: a cursor behind a word's last letter is at the word.
+  /// Returns whether the cursor is at the range. The end counts as inside, because a cursor behind
+  /// a word's last letter is at the word.
   [[nodiscard]] bool touches(std::size_t offset) const noexcept {
     return begin <= offset && offset <= end;
   }
@@ -37,11 +38,12 @@ class TextIndex {
  public:
   explicit TextIndex(std::string_view text);
 
-  /// In bytes. A place behind a line's end is its end, one behind the text is the text's end.
+  /// Returns a place in bytes. A place behind a line's end means that end, and one behind the text
+  /// means the text's end.
   [[nodiscard]] std::size_t offset(TextPosition at, PositionEncoding encoding) const noexcept;
   [[nodiscard]] TextPosition position(std::size_t offset, PositionEncoding encoding) const noexcept;
-  /// The place that a diagnostic names: line and column from 1, columns in characters, a byte order
-  /// mark not counted.
+  /// Returns the place that a diagnostic names. Line and column count from 1, columns in
+  /// characters, without a byte order mark.
   [[nodiscard]] std::size_t offset_of_place(int line, int column) const noexcept;
   /// Returns the number of the line, from 0.
   [[nodiscard]] std::size_t line_of(std::size_t offset) const noexcept;
@@ -50,7 +52,7 @@ class TextIndex {
   /// Returns whether a line holds a comment and nothing else.
   [[nodiscard]] bool is_comment_line(std::size_t number) const noexcept;
   [[nodiscard]] std::size_t line_count() const noexcept { return starts_.size(); }
-  /// Where `part`, which is a part of this very text, stands in it.
+  /// Returns where `part` stands. Requires: `part` is a part of this very text.
   [[nodiscard]] ByteRange range_of(std::string_view part) const noexcept {
     const auto begin = static_cast<std::size_t>(part.data() - text_.data());
     return {begin, begin + part.size()};

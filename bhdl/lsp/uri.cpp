@@ -36,7 +36,8 @@ bool stands_for_itself(char c) noexcept {
          std::string_view("-._~/").find(c) != std::string_view::npos;
 }
 
-// `file:///a` has an empty authority, `file://host/a` one that says nothing to a local reader.
+// `file:///a` has an empty authority. The host of `file://host/a` is ignored, because files are
+// read on this machine.
 std::string_view without_authority(std::string_view rest) {
   if (!rest.starts_with("//")) return rest;
   const auto slash = rest.find('/', 2);

@@ -10,7 +10,8 @@
 namespace galilean::bhdl::lsp {
 namespace {
 
-// Files of programs that were looked at once and never again must not pile up.
+// When there are this many, all parsed files are dropped. Otherwise the files of programs that were
+// looked at once would pile up.
 constexpr std::size_t kMostParsed = 512;
 
 bool holds(const ProgramFiles& program, const std::string& path) {

@@ -13,7 +13,8 @@ namespace galilean::bhdl::lsp {
 /// A program's files, the main file first.
 using ProgramFiles = std::vector<FilePointer>;
 
-/// What the editor has open, before what lies in the folder. Files are known by their paths.
+/// The editor's open documents, and behind them the files of the folder. Files are known by their
+/// paths.
 class Workspace : public SourceProvider {
  public:
   struct Document {
@@ -43,8 +44,9 @@ class Workspace : public SourceProvider {
   /// Returns a file and all files that it includes, each once. Files that cannot be read are left
   /// out.
   [[nodiscard]] ProgramFiles program(const std::string& main_path) const;
-  /// Every program that the file is part of, as far as it is open or in the same folder: those that
-  /// nothing else includes, or the file's own where nothing includes it.
+  /// Returns every program that the file is part of, among open files and those in the same folder.
+  /// A program begins with a file that no other includes. If nothing includes the file, that is its
+  /// own program.
   [[nodiscard]] std::vector<ProgramFiles> programs_with(const std::string& path) const;
   /// Returns the BHDL files that an `include` in this file could name.
   [[nodiscard]] std::vector<std::string> beside(const std::string& path) const {

@@ -9,8 +9,8 @@
 
 namespace galilean::bhdl {
 
-/// What a variable is made to be, whatever schemas write into it, from one time to another. Times
-/// count from the program's first tick.
+/// The value that a variable is given from one time to another, whatever schemas write into it.
+/// Times count from the program's first tick.
 struct Given {
   std::string variable;
   std::string type;  ///< of the variable, as the catalog names it
@@ -25,7 +25,7 @@ struct Given {
   Location location;
 };
 
-/// What must be so of the current state.
+/// What must hold of the current state.
 struct Claim {
   enum class Kind {
     kReaches,  ///< it is current at some time from `from_s` to `until_s`
@@ -42,7 +42,7 @@ struct Claim {
 /// `expect:`: a test of a program's behaviour that the program itself carries. A robot ignores it.
 struct Expectation {
   std::string name;
-  std::string from_state;  ///< where it begins; empty: in the start state
+  std::string from_state;  ///< the state where it begins; empty: the start state
   double lasts_s = 0;
   std::vector<Given> givens;
   std::vector<Claim> claims;

@@ -8,11 +8,12 @@
 
 namespace galilean::bhdl {
 
-/// Whether a variable is valid before any schema writes it: its `status` is "valid" and its
-/// `certainty` more than 0. A type that declares no status counts as valid.
+/// Returns whether a variable is valid before any schema writes it: its `status` is "valid" and its
+/// `certainty` is more than 0. A type that declares no status counts as valid.
 [[nodiscard]] bool starts_valid(const Component& variable);
 
-/// The `value` of a bits variable before any schema writes it; nothing if its type declares none.
+/// Returns the `value` of a bits variable before any schema writes it, or nothing if its type
+/// declares none.
 [[nodiscard]] std::optional<std::uint32_t> initial_bits(const Component& variable);
 
 }  // namespace galilean::bhdl

@@ -57,9 +57,10 @@ struct Program {
   std::vector<Component> motor_schemas;
   std::vector<State> states;
   std::string start_state;  ///< as `start_state:` says, else the first state
-  /// on_swap: where to go on when a program that was in state `first` is replaced by this one.
+  /// The on_swap mappings: the state to go on in when a program that was in state `first` is
+  /// replaced.
   std::map<std::string, std::string> on_swap;
-  std::vector<Expectation> expectations;  ///< what a robot does does not depend on them
+  std::vector<Expectation> expectations;  ///< robots ignore them
 
   [[nodiscard]] const State* find_state(std::string_view state) const noexcept;
 };

@@ -13,7 +13,7 @@ namespace galilean::bhdl {
 enum class Severity { kWarning, kError };
 [[nodiscard]] std::string_view to_string(Severity severity) noexcept;
 
-/// What helps to put a fault right. A plain text is a hint of words alone.
+/// What helps to correct a fault. A plain text becomes a hint without a replacement.
 struct Hint {
   std::string text;  ///< what was meant or what to do; empty if it cannot be guessed
   std::string
@@ -25,14 +25,14 @@ struct Hint {
   Hint(const char* words) : text(words) {}
 };
 
-/// Another place that a fault has to do with: the first of two names.
+/// Another place that a fault concerns: the first of two equal names, for example.
 struct RelatedPlace {
   Location at;
   std::string message;
 };
 
 /// What is wrong with a program and where, for the person who wrote it. `line` and `column` count
-/// from 1, columns in characters; every position lies inside `file`.
+/// from 1, columns in characters. Every position lies inside `file`.
 struct Diagnostic {
   std::string file;
   int line = 1;
@@ -42,10 +42,12 @@ struct Diagnostic {
   std::string message;      ///< what is wrong and what was expected
   std::string hint;         ///< what was meant or what to do, where it can be guessed; else empty
   std::string replacement;  ///< see Hint
-  std::vector<RelatedPlace> related;  ///< for whoever can show them; the message names them too
+  std::vector<RelatedPlace> related;  ///< for clients that can show places; the message names them
+                                      ///< too
 };
 
-/// `file:line:column: error: message`, and the hint on a line of its own. No final newline.
+/// Returns `file:line:column: error: message`, and the hint on a line of its own. There is no final
+/// newline.
 [[nodiscard]] std::string format(const Diagnostic& diagnostic);
 void to_json(nlohmann::json& json, const Diagnostic& diagnostic);
 [[nodiscard]] bool any_error(const std::vector<Diagnostic>& diagnostics) noexcept;
@@ -60,17 +62,18 @@ class Diagnostics {
              std::vector<RelatedPlace> related = {});
   void warning(const Location& at, std::string_view code, std::string message, Hint hint = {},
                std::vector<RelatedPlace> related = {});
-  /// Nothing more is kept: whoever would search long for a hint can spare it.
+  /// Returns whether nothing more is kept. A long search for a hint is then useless.
   [[nodiscard]] bool full() const noexcept { return kept_.size() >= kMost; }
-  /// The same of warnings, of which fewer are kept.
+  /// Returns whether no more warnings are kept. Their limit is lower.
   [[nodiscard]] bool full_of_warnings() const noexcept { return kept_.size() >= kMost / 2; }
   [[nodiscard]] bool has_errors() const noexcept { return errors_ > 0; }
-  /// With those that were not kept.
+  /// Returns the number of diagnostics, including those that were not kept.
   [[nodiscard]] std::size_t count() const noexcept { return kept_.size() + left_off_; }
-  /// As if what `more` has had been found here.
+  /// Adds all of `more`, as if it had been found here.
   void add(const Diagnostics& more);
 
-  /// In the order of the files as read, then of lines; the last says how many more there were.
+  /// Returns the diagnostics in the order of the files, then of lines. The last says how many more
+  /// there were.
   [[nodiscard]] std::vector<Diagnostic> take(const std::vector<std::string>& files_in_order) &&;
 
  private:

@@ -12,16 +12,16 @@ using character::kEndsQuoted;
 using character::kLetter;
 
 constexpr std::array<std::string_view, 4> kWideQuotes{"“", "”", "„", "‟"};
-// En dash, em dash and the minus sign: typesetting turned the listings' hyphens into dashes.
+// These are en dash, em dash and minus sign: typesetting turned the listings' hyphens into dashes.
 constexpr std::array<std::string_view, 3> kWideMinuses{"–", "—", "−"};
-// The no-break space and the byte order mark.
+// These are the no-break space and the byte order mark.
 constexpr std::array<std::string_view, 2> kWideBlanks{"\u00A0", "\uFEFF"};
 
 bool is_ascii(char c) noexcept {
   return static_cast<unsigned char>(c) < 0x80;
 }
 
-// Nearly every character is ASCII: the spellings beyond it are looked at last.
+// Nearly every character is ASCII, so that this test comes before the spellings beyond it.
 template <std::size_t N>
 std::size_t wide_size(std::string_view text, const std::array<std::string_view, N>& spellings) {
   if (text.empty() || is_ascii(text.front())) return 0;
@@ -35,7 +35,7 @@ std::size_t end_of(std::string_view text, std::size_t from, int classes) noexcep
   return from;
 }
 
-// word [^ digit]
+// Reads `word [^ digit]`.
 std::size_t unit_factor_end(std::string_view text, std::size_t from) noexcept {
   const std::size_t end = end_of(text, from, kLetter | kDigit);
   const bool raised = end + 1 < text.size() && text[end] == '^' && is(text[end + 1], kDigit);

@@ -7,22 +7,22 @@
 
 namespace galilean::bhdl {
 
-// How many bytes of what is asked for a text begins with; 0 if it does not begin with any.
+// Each returns how many bytes of that kind a text begins with; 0 if it begins with none.
 
-[[nodiscard]] std::size_t blank_size(std::string_view text) noexcept;  ///< line ends are none
+[[nodiscard]] std::size_t blank_size(std::string_view text) noexcept;  ///< line ends are no blanks
 [[nodiscard]] std::size_t quote_size(std::string_view text) noexcept;
 [[nodiscard]] std::size_t minus_size(std::string_view text) noexcept;
-/// Line ends are \n, \r\n and \r: a file from an old Mac must not become one long comment.
+/// Line ends are \n, \r\n and \r. Otherwise a file from an old Mac would be one long comment.
 [[nodiscard]] std::size_t line_end_size(std::string_view text) noexcept;
 
 [[nodiscard]] std::size_t word_size(std::string_view text) noexcept;
-/// word [^ digit] [/ word [^ digit]]
+/// Measures `word [^ digit] [/ word [^ digit]]`.
 [[nodiscard]] std::size_t unit_size(std::string_view text) noexcept;
-/// digits [. digits] [e [sign] digits], without a sign before it
+/// Measures `digits [. digits] [e [sign] digits]`, without a sign before it.
 [[nodiscard]] std::size_t number_size(std::string_view text) noexcept;
-/// Of a text up to what closes it: a quote or the end of the line. May be 0.
+/// Measures the content of a text, up to its closing quote or the end of the line. It may be 0.
 [[nodiscard]] std::size_t quoted_size(std::string_view text) noexcept;
-/// Of a comment up to the end of its line.
+/// Measures a comment up to the end of its line.
 [[nodiscard]] std::size_t comment_size(std::string_view text) noexcept;
 
 namespace character {
@@ -30,7 +30,7 @@ namespace character {
 enum Class : unsigned char {
   kLetter = 1,  ///< begins a word
   kDigit = 2,
-  kEndsQuoted = 4  ///< or may: all that quotes in UTF-8 begin with
+  kEndsQuoted = 4  ///< or may end it: the first byte of all quotes in UTF-8
 };
 
 [[nodiscard]] constexpr std::array<unsigned char, 256> make_classes() noexcept {

@@ -5,7 +5,7 @@
 
 namespace galilean::bhdl {
 
-/// Where something stands in the program; line and column from 1.
+/// A place in a program. Line and column count from 1.
 struct Location {
   std::string file;
   int line = 0;

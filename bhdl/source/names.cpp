@@ -20,14 +20,15 @@ char folded(char c) noexcept {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Which letters a word has, as bits; whatever else it has shares the rest of them.
+/// Returns the set of a word's letters as bits. Other characters share these bits.
 std::uint32_t letters(std::string_view word) noexcept {
   std::uint32_t mask = 0;
   for (const char each : word) mask |= 1U << (static_cast<unsigned char>(folded(each)) & 31U);
   return mask;
 }
 
-// An edit adds a letter, takes one away or does both; most words differ by far more.
+// One edit changes at most two bits: it adds a letter, takes one away or does both. Most words
+// differ by far more, so that this test avoids their distance.
 bool differ_in_letters(std::string_view a, std::string_view b, int limit) noexcept {
   return std::popcount(letters(a) ^ letters(b)) > 2 * limit;
 }
@@ -38,7 +39,7 @@ int edit_distance(std::string_view a, std::string_view b, int limit) {
   const auto difference = static_cast<int>(a.size()) - static_cast<int>(b.size());
   if (std::max(a.size(), b.size()) > kLongestName || std::abs(difference) > limit) return limit + 1;
   if (differ_in_letters(a, b, limit)) return limit + 1;
-  std::array<Row, 3> rows;  // filled as far as it is read
+  std::array<Row, 3> rows;  // only the part that is read is ever filled
   Row* before = &rows[0];
   Row* above = &rows[1];
   Row* row = &rows[2];

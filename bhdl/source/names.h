@@ -10,16 +10,17 @@
 
 namespace galilean::bhdl {
 
-/// How many letters must be added, left out, changed or swapped with their neighbour to turn one
-/// name into the other (Damerau-Levenshtein, optimal string alignment); `limit` + 1 if more than
-/// `limit`. Upper and lower case are the same.
+/// Returns how many letters must be added, left out, changed or swapped with their neighbour to
+/// turn one name into the other (Damerau-Levenshtein, optimal string alignment). Returns `limit` +
+/// 1 if it is more than `limit`. Upper and lower case are equal.
 [[nodiscard]] int edit_distance(std::string_view a, std::string_view b, int limit);
 
-/// How far a misspelling of `word` may be from what was meant: a third of its letters, at most 3.
+/// Returns how far a misspelling of `word` may be from what was meant: a third of its letters, at
+/// most 3.
 [[nodiscard]] int tolerance(std::string_view word) noexcept;
 
-/// The nearest of `names` that `word` may be a misspelling of; empty if none is near. Only the
-/// first thousands are looked at: a hint is worth no more.
+/// Returns the nearest of `names` that `word` may be a misspelling of, or an empty text if none is
+/// near. Only the first thousands of names are searched, to limit the time for a hint.
 [[nodiscard]] std::string nearest(std::string_view word, std::span<const std::string_view> names);
 
 /// Returns the names of `specs`, in their order.
@@ -30,7 +31,7 @@ template <class Specs>
   return names;
 }
 
-/// "did you mean 'x'?" with x as the replacement, or nothing.
+/// Returns the hint "did you mean 'x'?" with x as the replacement, or an empty hint.
 [[nodiscard]] Hint did_you_mean(std::string_view name);
 
 }  // namespace galilean::bhdl

@@ -8,7 +8,7 @@
 
 namespace galilean::bhdl {
 
-/// Whether a text can be BHDL at all; if not, says at which byte and why.
+/// Returns whether a text can be BHDL at all. If not, reports at which byte and why.
 bool is_readable(const std::string& file, std::string_view text, Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

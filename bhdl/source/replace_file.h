@@ -9,8 +9,9 @@
 
 namespace galilean::bhdl {
 
-/// Gives a file another text at once: whoever reads it, and whatever happens meanwhile, finds the
-/// old text or the new one. Keeps its mode; what a link points to is replaced, not the link.
+/// Replaces a file's text in one step. A reader finds the old text or the new one, whatever happens
+/// meanwhile. The file keeps its mode. If it is a link, the file behind the link is replaced.
+/// Returns the error, or nothing.
 [[nodiscard]] std::optional<Error> replace_file(const std::filesystem::path& path,
                                                 std::string_view text);
 

@@ -42,7 +42,7 @@ class Sha256 {
   }
 
  private:
-  // OpenSSL would look it up for each hash.
+  // It is kept, because OpenSSL would otherwise look the algorithm up for each hash.
   static const EVP_MD* algorithm() {
     static EVP_MD* const sha256 = EVP_MD_fetch(nullptr, "SHA256", nullptr);
     return sha256;

@@ -32,7 +32,7 @@ std::string DiskSources::shown(const std::string& path) const {
   return (folder_ / path).generic_string();
 }
 
-// Only regular files: a pipe or a terminal would keep the reader waiting.
+// Only regular files are read, because a pipe or a terminal would keep the reader waiting.
 Result<std::string, ReadFailure> DiskSources::read(const std::string& path,
                                                    std::size_t most_bytes) const {
   const fs::path place = folder_ / path;
@@ -45,7 +45,7 @@ Result<std::string, ReadFailure> DiskSources::read(const std::string& path,
   if (failed) return not_found(shown(path), failed.message());
   if (size > most_bytes) return too_large(shown(path), size, most_bytes);
   std::ifstream file(place, std::ios::binary);
-  // A file that grows meanwhile is cut here, and read again by whoever watches it.
+  // If the file grows meanwhile, only its first `size` bytes are read.
   std::string text(static_cast<std::size_t>(size), '\0');
   if (!file || !(file.read(text.data(), static_cast<std::streamsize>(text.size())) || file.eof()))
     return not_found(shown(path), std::strerror(errno));

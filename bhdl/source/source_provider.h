@@ -17,22 +17,23 @@ struct ReadFailure {
   std::string message;
 };
 
-/// That a file has more bytes than may be read.
+/// Returns the failure of a file that has more bytes than may be read.
 [[nodiscard]] ReadFailure too_large(const std::string& path, std::uintmax_t bytes,
                                     std::size_t most_bytes);
 
-/// Where a program's texts come from: the disk, or a push over the network.
+/// The source of a program's texts: the disk, or a push over the network.
 class SourceProvider {
  public:
   virtual ~SourceProvider() = default;
-  /// `path` is relative to the main file's folder, without `.` and needless `..`.
+  /// Returns the text of a file. `path` is relative to the main file's folder, without `.` and
+  /// needless `..`. Errors: there is no such file, or it has more than `most_bytes` bytes.
   [[nodiscard]] virtual Result<std::string, ReadFailure> read(const std::string& path,
                                                               std::size_t most_bytes) const = 0;
   /// Returns the name that diagnostics use for the file.
   [[nodiscard]] virtual std::string shown(const std::string& path) const = 0;
 };
 
-/// Regular files below, or beside, a folder.
+/// Reads regular files below or beside a folder.
 class DiskSources : public SourceProvider {
  public:
   explicit DiskSources(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -47,7 +48,7 @@ class DiskSources : public SourceProvider {
 /// Provides texts that are already in memory. No other file can be read.
 class MemorySources : public SourceProvider {
  public:
-  /// `files` must outlive this. Of two with one path, the first counts.
+  /// Requires: `files` outlives this object. Of two files with one path, the first counts.
   explicit MemorySources(const std::vector<SourceFile>& files);
   [[nodiscard]] Result<std::string, ReadFailure> read(const std::string& path,
                                                       std::size_t most_bytes) const override;
@@ -57,7 +58,7 @@ class MemorySources : public SourceProvider {
   std::unordered_map<std::string, const SourceFile*> files_;
 };
 
-/// `path` without `.` and with every `..` that can be worked out gone.
+/// Returns `path` without `.`, and without every `..` that can be resolved.
 [[nodiscard]] std::string normal_path(const std::filesystem::path& path);
 
 }  // namespace galilean::bhdl

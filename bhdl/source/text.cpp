@@ -16,7 +16,7 @@ bool continues(unsigned char byte) noexcept {
   return (byte & 0xC0) == 0x80;
 }
 
-// The second byte of a character decides alone whether it is overlong, a surrogate or too large.
+// The second byte alone decides whether a character is overlong, a surrogate or too large.
 bool second_byte_fits(unsigned char first, unsigned char second) noexcept {
   switch (first) {
     case 0xE0:
@@ -49,7 +49,8 @@ bool is_plain(unsigned char byte) noexcept {
   return byte >= 0x20 && byte < 0x7F;
 }
 
-/// Whether the next eight bytes are all plain.
+/// Returns whether the next eight bytes are all plain. The tests of eight bytes are done in one
+/// word.
 bool eight_are_plain(const char* bytes) noexcept {
   constexpr std::uint64_t kEach = 0x0101010101010101;
   std::uint64_t word = 0;

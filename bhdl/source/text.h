@@ -7,7 +7,8 @@
 
 namespace galilean::bhdl {
 
-/// Why a text cannot be BHDL at all, and where; `line` and `column` from 1, columns in characters.
+/// Why a text cannot be BHDL at all, and where. `line` and `column` count from 1, columns in
+/// characters.
 struct BadText {
   enum class Kind { kBinary, kNotUtf8 };
   Kind kind = Kind::kBinary;
@@ -15,8 +16,8 @@ struct BadText {
   int column = 1;
   unsigned byte = 0;
 };
-/// The first byte that no text holds: a control character other than tab and line ends, or one that
-/// breaks UTF-8.
+/// Returns the first byte that no BHDL text may hold: a control character other than tab and line
+/// ends, or a byte that breaks UTF-8. Returns nothing if there is none.
 [[nodiscard]] std::optional<BadText> find_bad_text(std::string_view text) noexcept;
 
 /// Returns how many bytes the UTF-8 character at the start of `text` takes, or 0 if there is none.
@@ -25,7 +26,7 @@ struct BadText {
 /// Returns how many characters a UTF-8 text has.
 [[nodiscard]] std::size_t character_count(std::string_view text) noexcept;
 
-/// `'text'`, cut short if it is long: a message stays readable when a name is not.
+/// Returns `'text'`. A long text is cut, so that the message stays readable.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 /// Returns the shortest decimal text that reads back as `number`.
 [[nodiscard]] std::string number_text(double number);

@@ -7,7 +7,8 @@
 namespace galilean::bhdl {
 namespace {
 
-// Behind an `end`: where a text has mistakes, what follows may be taken for an item and be none.
+// An item surely begins behind an `end`. Elsewhere, in a text with mistakes, what looks like an
+// item may be none.
 bool begins_surely(const ParseTree& tree, const Item& item) {
   std::uint32_t before = tree.nodes[item.node].first_token;
   if (before > 0 && tree.tokens[before - 1].kind == TokenKind::kColon) --before;

@@ -7,15 +7,15 @@
 
 namespace galilean::bhdl {
 
-/// The last items of a text that breaks off, which is what somebody sees who types. In place of the
-/// `states:` that they stand in, which begins before, stands a node that begins with them.
+/// The last items of a text that ends at the cursor. If they stand in a `states:` that begins
+/// before them, a node that begins with them takes its place.
 struct Beginning {
   ParseTree tree;
-  std::optional<std::uint32_t> states;  ///< the true node of that `states:`, in the whole tree
+  std::optional<std::uint32_t> states;  ///< the node of that `states:` in the whole tree
 };
 
-/// Reads `whole.text` up to `end` as if nothing followed, from the last item on that surely begins
-/// before. Takes time linear in the items that it reads, which are few.
+/// Reads `whole.text` up to `end` as if nothing followed. It begins at the last item that surely
+/// begins before. Takes time linear in the items that it reads, which are few.
 [[nodiscard]] Beginning read_beginning(const ParseTree& whole, std::size_t end,
                                        const LabelSense& sense);
 

@@ -13,12 +13,12 @@ NodeKind node_kind(Block block) {
   return block == Block::kStep ? NodeKind::kStep : NodeKind::kComponent;
 }
 
-// Only a component is followed by its name: its predecessor's `end` was forgotten.
+// Only a component is followed by its name. If one follows here, the `end` before it was forgotten.
 bool at_next_component(const TokenStream& tokens) {
   return tokens.at_label_before_label() && tokens.peek(2).text == "name";
 }
 
-// A section's word may be what this very component calls an attribute, which is being typed.
+// A section's word may also be an attribute of this component that is being typed.
 bool at_next_section(const TokenStream& tokens, bool known) {
   return at_section(tokens) && !(known && tokens.text_ends_at_label());
 }

@@ -5,18 +5,19 @@
 
 namespace galilean::bhdl {
 
-/// What a block is, which decides what may close it besides `end`.
+/// The kind of a block. It decides what may close the block besides `end`.
 enum class Block {
   kComponent,  ///< nothing: a missing `end` is an error
-  kVariable,   ///< the next component too, as the published listings print it
+  kVariable,   ///< also the next component, as the published listings print it
   kCondition,  ///< nothing
-  kStep        ///< nothing; of an expectation
+  kStep        ///< a step of an expectation; nothing
 };
 
-/// `type : { attribute } end`. The stream stands at the type.
+/// Reads `type : { attribute } end`. Requires: the stream stands at the type.
 void parse_component(TokenStream& tokens, Block block, Diagnostics& diagnostics);
 
-/// `name : value …`, or a report of what stands in its place. Always takes at least a token.
+/// Reads `name : value …`, or reports what stands in its place. It always takes at least one
+/// token.
 void parse_attribute(TokenStream& tokens, Diagnostics& diagnostics);
 
 /// Reports at the stream's place that the block of the label `opened` should have been closed

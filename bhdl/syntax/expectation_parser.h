@@ -5,8 +5,8 @@
 
 namespace galilean::bhdl {
 
-/// `expect: … end`. The stream stands at the word. Within, whatever label has no value begins a
-/// step.
+/// Reads `expect: … end`. Inside, every label without a value begins a step. Requires: the stream
+/// stands at the word.
 void parse_expectation(TokenStream& tokens, Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

@@ -56,7 +56,7 @@ void FileParser::components(ComponentKind kind) {
   if (tokens_.at_word("end")) take_end(tokens_);
 }
 
-// Its states are items, as bare ones are.
+// The states in `states:` are items, just as bare states are.
 void FileParser::states() {
   states_ = tokens_.open(NodeKind::kStates);
   take_label(tokens_);
@@ -131,7 +131,7 @@ void FileParser::refuse(const std::string& expected) {
                      expected + " is expected, found " + describe(tokens_.peek()));
 }
 
-// Takes the ends on its way: how deep the lost text was is not known.
+// Skips every `end` on the way, because the depth of the lost text is unknown.
 void FileParser::refuse_in_section(const std::string& expected) {
   refuse(expected);
   const NodeScope lost(tokens_, NodeKind::kError);
@@ -162,7 +162,7 @@ void FileParser::skip_to_section() {
   skip_to_section_behind();
 }
 
-/// Where the next section begins behind the token at hand.
+/// Skips the token at hand and goes on to where the next section begins.
 void FileParser::skip_to_section_behind() {
   const NodeScope lost(tokens_, NodeKind::kError);
   tokens_.take();

@@ -8,12 +8,12 @@
 
 namespace galilean::bhdl {
 
-/// Reads a file item by item. Items are what stands outside everything else, and in `states:` each
-/// state: between two of them all that the parser knows is the token at hand and whether a
-/// `states:` is open, so that reading may begin at any of them.
+/// Reads a file item by item. An item is a part outside everything else, or a state in `states:`.
+/// Between two items the parser knows only the token at hand and whether a `states:` is open, so
+/// that reading may begin at any item.
 class FileParser {
  public:
-  /// `states`: the node of the `states:` that is open.
+  /// `states` is the node of the `states:` that is open, if one is.
   FileParser(TokenStream& tokens, std::optional<std::uint32_t> states, Diagnostics& diagnostics)
       : tokens_(tokens), states_(states), diagnostics_(diagnostics) {}
 
@@ -21,9 +21,9 @@ class FileParser {
   /// Reads one item. Afterwards the tree is whole, as far as it has been read. Requires: not
   /// done().
   void item();
-  /// Takes the items that were read out of the tree.
+  /// Removes the items that were read from the tree.
   void forget();
-  /// All that are left.
+  /// Reads all items that are left.
   void parse();
   [[nodiscard]] std::optional<std::uint32_t> open_states() const noexcept { return states_; }
 

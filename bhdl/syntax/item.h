@@ -8,13 +8,13 @@
 
 namespace galilean::bhdl {
 
-/// Where reading may begin (FileParser).
+/// A place where reading may begin (see FileParser).
 struct Item {
   std::uint32_t node = 0;
-  std::optional<std::uint32_t> states;  ///< the node of the `states:` that it stands in
+  std::optional<std::uint32_t> states;  ///< the node of the `states:` that the item stands in
 };
 
-/// In the order of the text.
+/// Returns the items in the order of the text.
 [[nodiscard]] std::vector<Item> items_of(const ParseTree& tree);
 
 }  // namespace galilean::bhdl

@@ -16,7 +16,7 @@ struct SectionWord {
   bool takes_value;
 };
 
-// Of two words for a kind, the first is the one that the reference uses.
+// Where a kind has two words, the first is the one that the reference uses.
 constexpr std::array<SectionWord, 13> kSections{{
     {"input_devices", ComponentKind::kInputDevice, false},
     {"output_devices", ComponentKind::kOutputDevice, false},
@@ -44,7 +44,8 @@ bool names_schema_list(std::string_view word) {
   return kind == ComponentKind::kPerceptualSchema || kind == ComponentKind::kMotorSchema;
 }
 
-// Every word of a program is looked up here: most differ in length or in their first letter.
+// Every word of a program is looked up here. Length and first letter are compared before the rest,
+// because most words differ in them.
 const SectionWord* find_section(std::string_view word) noexcept {
   for (const auto& each : kSections)
     if (each.word.size() == word.size() && each.word.front() == word.front() && each.word == word)

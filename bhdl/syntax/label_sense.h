@@ -5,12 +5,12 @@
 
 namespace galilean::bhdl {
 
-/// What somebody who knows the catalog says of a label without a value. Where a text breaks off
-/// there, as it does while it is typed, the grammar alone cannot tell what was meant.
+/// Answers what a label without a value means, from knowledge of the catalog. Where a text breaks
+/// off at such a label, as it does while it is typed, the grammar alone cannot decide.
 class LabelSense {
  public:
   virtual ~LabelSense() = default;
-  /// Whether a block of this kind and type has an attribute of that name.
+  /// Returns whether a block of this kind and type has an attribute of that name.
   [[nodiscard]] virtual bool is_attribute(NodeKind block, std::string_view type,
                                           std::string_view label) const = 0;
   [[nodiscard]] virtual bool is_component(std::string_view label) const = 0;

@@ -17,7 +17,7 @@ using character::kLetter;
 
 constexpr std::string_view kByteOrderMark = "\uFEFF";
 
-/// kEndOfFile for what is none.
+/// Returns the kind of a punctuation mark, or kEndOfFile if the character is none.
 TokenKind punctuation_kind(char c) noexcept {
   switch (c) {
     case ':':
@@ -95,7 +95,7 @@ void Lexer::end_line(std::size_t bytes) noexcept {
   counted_ = rest_.data();
 }
 
-// Every character is counted once, and none behind a line's last token.
+// Characters are counted only from the place counted last, so that each is counted at most once.
 Place Lexer::place() noexcept {
   const auto bytes = static_cast<std::size_t>(rest_.data() - counted_);
   at_.column += static_cast<int>(character_count({counted_, bytes}));

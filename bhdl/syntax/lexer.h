@@ -8,12 +8,14 @@
 
 namespace galilean::bhdl {
 
-/// Cuts a text into tokens, one at a time. What is no token is reported and stepped over. Every
-/// text has tokens; messages quote it, so that one whose diagnostics are shown must be UTF-8.
+/// Cuts a text into tokens, one at a time. Bytes that are no token are reported and skipped. Every
+/// text can be cut. Requires: the text is UTF-8 if its diagnostics are shown, because messages
+/// quote it.
 class Lexer {
  public:
   Lexer(std::string_view file, std::string_view text, Diagnostics& diagnostics);
-  /// Begins with `first`, a token of the text's. `after_number`: the token before it is a number.
+  /// Begins with `first`, a token of the text. `after_number` says that the token before it is a
+  /// number.
   Lexer(std::string_view file, std::string_view text, const Token& first, bool after_number,
         Diagnostics& diagnostics);
 
@@ -39,9 +41,9 @@ class Lexer {
 
   std::string_view file_;
   std::string_view rest_;
-  Place at_;                   ///< of `counted_`
-  const char* counted_;        ///< up to here the line's characters are counted
-  bool after_number_ = false;  ///< so that m/s and px^2 are words there and nowhere else
+  Place at_;                   ///< the place of `counted_`
+  const char* counted_;        ///< the line's characters up to here are counted
+  bool after_number_ = false;  ///< so that m/s and px^2 are words only there
   Diagnostics& diagnostics_;
 };
 

@@ -22,7 +22,7 @@ class Loader {
   }
 
  private:
-  // Recursion ends at kDeepestInclude.
+  // The recursion ends at kDeepestInclude.
   void add_file(const std::string& path, const std::optional<Position>& include) {
     auto text = sources_.read(path, kMostFileBytes);
     if (!text) return refuse(path, include, text.error());

@@ -11,8 +11,8 @@
 
 namespace galilean::bhdl {
 
-/// How large a program may be. Many times the largest that ships; small enough that a robot
-/// checks a hostile push within its memory.
+/// The limits of a program's size. They are many times the size of the largest program that ships,
+/// and so small that a robot can check a hostile push within its memory.
 inline constexpr std::size_t kMostFileBytes = 512 << 10;
 inline constexpr std::size_t kMostProgramBytes = 1 << 20;
 inline constexpr std::size_t kMostFiles = 64;
@@ -20,7 +20,7 @@ inline constexpr std::size_t kDeepestInclude = 16;
 
 struct LoadedFile {
   std::string path;   ///< relative to the main file's folder
-  std::string shown;  ///< as diagnostics name it
+  std::string shown;  ///< the name in diagnostics
   std::string text;
 };
 
@@ -33,13 +33,14 @@ struct LoadedProgram {
 /// Returns the path that an `include` in the file at `from` names.
 [[nodiscard]] std::string included_path(const std::string& from, std::string_view include);
 
-/// Gives the tree of one file, its includes left as they are, and reports what is wrong with it.
+/// Returns the tree of one file, with its includes left as they are, and reports what is wrong with
+/// it.
 using TreeReader = std::function<SyntaxTree(const LoadedFile& file, Diagnostics& diagnostics)>;
-/// Reads the file's text; one that is no text has an empty tree.
+/// Parses the file's text. A text that cannot be BHDL gives an empty tree.
 [[nodiscard]] SyntaxTree read_tree(const LoadedFile& file, Diagnostics& diagnostics);
 
-/// Reads the main file and what it includes, each once: a second `include` of a file adds nothing,
-/// one of a file that is still being read is a cycle and an error.
+/// Reads the main file and what it includes, each file once. A second `include` of a file adds
+/// nothing. An `include` of a file that is still being read is a cycle, and an error.
 [[nodiscard]] LoadedProgram load(const std::string& main_path, const SourceProvider& sources,
                                  Diagnostics& diagnostics, const TreeReader& read = read_tree);
 

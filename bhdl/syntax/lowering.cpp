@@ -17,7 +17,7 @@ class Lowering {
   void run() { add_all(tree_.roots()); }
 
  private:
-  // Bare states and those in a section are the same to the checker. Recursion ends there.
+  // The checker treats bare states and those in `states:` alike. The recursion ends there.
   void add_all(const NodeRange& nodes) {
     for (const auto node : nodes) add(node);
   }
@@ -45,7 +45,7 @@ class Lowering {
     }
   }
 
-  // Of a line that is incomplete the parser has told, and it says nothing.
+  // The parser has reported an incomplete line. It adds nothing to the tree.
   void add_line(const Node& line) {
     const Token& last = tree_.tokens[line.end_token - 1];
     if (last.kind != TokenKind::kText) return;
@@ -73,7 +73,7 @@ class Lowering {
     return all;
   }
 
-  /// With a state's lists.
+  /// Returns a block's attributes, and a state's lists among them.
   [[nodiscard]] std::vector<AttributeNode> attributes(std::uint32_t block) const {
     const auto is_given = [&](std::uint32_t i) {
       const NodeKind kind = tree_.nodes[i].kind;
@@ -95,7 +95,7 @@ class Lowering {
     return all;
   }
 
-  // A misspelt list is what it was meant to be.
+  // A misspelt list gets the name that was meant.
   [[nodiscard]] Word label(std::uint32_t i) const {
     Word name = keyword(i);
     if (tree_.nodes[i].kind != NodeKind::kSchemaList || section_kind(name.text)) return name;

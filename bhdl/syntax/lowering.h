@@ -5,8 +5,8 @@
 
 namespace galilean::bhdl {
 
-/// What a file says, without how it is written: no comments, no punctuation, nothing that is
-/// incomplete. The result's views point into `file` and into the tree's text.
+/// Adds what a file says to `result`, without comments, punctuation and incomplete parts. The views
+/// of `result` point into `file` and into the tree's text.
 void lower_into(SyntaxTree& result, const ParseTree& tree, std::string_view file);
 [[nodiscard]] SyntaxTree lowered(const ParseTree& tree, std::string_view file);
 /// Returns the paths that the file's includes name.

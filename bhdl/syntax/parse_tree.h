@@ -10,7 +10,7 @@
 
 namespace galilean::bhdl {
 
-/// What a node stands for, in GRAMMAR.md's words.
+/// The kinds of nodes, in GRAMMAR.md's words.
 enum class NodeKind : std::uint8_t {
   kSection,  ///< `sense`: the ComponentKind
   kComponent,
@@ -22,18 +22,18 @@ enum class NodeKind : std::uint8_t {
   kExpect,
   kStep,
   kOnSwap,
-  kSwap,        ///< "old": "new"; fewer than three tokens where one of them is missing
-  kInclude,     ///< without a text where the path is missing
-  kStartState,  ///< without a text where the name is missing
-  kAttribute,   ///< without a value where that is missing
+  kSwap,        ///< "old": "new"; fewer than three tokens if one is missing
+  kInclude,     ///< without a text if the path is missing
+  kStartState,  ///< without a text if the name is missing
+  kAttribute,   ///< without a value if that is missing
   kValue,       ///< `sense`: a ValueSense
   kError        ///< tokens that have no place in the grammar
 };
 
 enum class ValueSense : std::uint8_t { kPlain, kPair, kBroken };
 
-/// A part of a file: tokens `first_token` up to, without, `end_token`. The nodes within it follow
-/// it directly; behind them, at `end_node`, follows its next sibling.
+/// A part of a file: the tokens from `first_token` up to but without `end_token`. Its inner nodes
+/// follow it directly. Its next sibling follows behind them, at `end_node`.
 struct Node {
   NodeKind kind = NodeKind::kError;
   std::uint8_t sense = 0;
@@ -42,7 +42,7 @@ struct Node {
   std::uint32_t end_node = 0;
 };
 
-/// A node's children, as numbers of nodes.
+/// A node's children, as indices of nodes.
 class NodeRange {
  public:
   class Iterator {
@@ -79,14 +79,14 @@ class NodeRange {
   std::uint32_t end_;
 };
 
-/// A file as it is written, and what it is made of. Nothing of the text is lost: the tokens in
-/// order, each with what stands before it (trivia.h), are the text, whatever the text is.
+/// The text of a file and its parts. Nothing of the text is lost: the tokens in order, each with
+/// the trivia before it (trivia.h), are the text, whatever it is.
 ///
-/// Both arrays are flat and in the order of the text; a node comes before its children, and tells
-/// where they end. The tokens point into the text, which must outlive the tree.
+/// Both arrays are flat and in the order of the text. A node comes before its children. The tokens
+/// point into the text, which must outlive the tree.
 struct ParseTree {
   std::string_view text;
-  std::vector<Token> tokens;  ///< the last, and no other, is the end of the file
+  std::vector<Token> tokens;  ///< the last is the end of the file, and no other is
   std::vector<Node> nodes;
 
   [[nodiscard]] NodeRange roots() const noexcept {
@@ -98,11 +98,11 @@ struct ParseTree {
   [[nodiscard]] const Token& first_token(const Node& node) const noexcept {
     return tokens[node.first_token];
   }
-  /// The byte at which a part of the text begins.
+  /// Returns the byte at which a part of the text begins.
   [[nodiscard]] std::size_t offset_of(std::string_view part) const noexcept {
     return static_cast<std::size_t>(part.data() - text.data());
   }
-  /// Blanks, comments and what is no token, between this token and the one before it.
+  /// Returns the blanks, comments and skipped bytes between this token and the one before it.
   [[nodiscard]] std::string_view gap_before(std::size_t token) const noexcept;
 };
 

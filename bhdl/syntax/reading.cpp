@@ -7,12 +7,13 @@
 
 namespace galilean::bhdl {
 
-// What stands before the first token is the first item's.
+// The text before the first token belongs to the first item.
 void FaultNote::begin_item(const TokenStream& tokens) {
   begin_ = tokens.next() == 0 ? 0 : reading_.tree.offset_of(tokens.peek().whole());
 }
 
-// The lexer is ahead of the parser, and may have found what is wrong there.
+// The lexer is ahead of the parser. The faulty bytes end behind its farthest token, because it may
+// have found the mistake there.
 void FaultNote::end_item(const TokenStream& tokens) {
   const std::size_t found = reading_.faults.count();
   if (found == known_) return;

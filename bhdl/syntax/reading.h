@@ -23,10 +23,10 @@ struct Reading {
   Bytes faulty;  ///< empty: nothing is wrong
 };
 
-/// `file` is how the faults name the text, which must outlive the reading.
+/// Reads a text. `file` is its name in the faults. Requires: the text outlives the reading.
 [[nodiscard]] Reading read_text(std::string_view file, std::string_view text);
 
-/// Keeps `faulty` while a text is read item by item.
+/// Updates `faulty` while a text is read item by item.
 class FaultNote {
  public:
   explicit FaultNote(Reading& reading) : reading_(reading) {}

@@ -27,7 +27,8 @@ Edit edit_between(std::string_view before, std::string_view now) {
   return {begin, before.size() - same, now.size() - same};
 }
 
-/// The same with what was wrong before: a fault is found again, or it is gone.
+/// Extends the edit by the bytes that were faulty before. They are read again, so that a fault is
+/// found again or is gone.
 Edit with_faulty(Edit edit, const Reading& before) {
   if (before.faults.count() == 0) return edit;
   const std::size_t more =
@@ -58,9 +59,9 @@ class Reparser {
   using Items = std::vector<Item>;
 
   static constexpr std::size_t kUsualGrowth = 256;
-  /// How far ahead of an item's first token its predecessor's end was decided.
+  /// How many tokens, from an item's first on, decided where the item before ends.
   static constexpr std::size_t kTokensAhead = 4;
-  /// More than the bytes behind a token that decide where it ends.
+  /// More than the number of bytes behind a token that decide where it ends.
   static constexpr std::size_t kBytesAhead = 8;
 
   [[nodiscard]] std::uint32_t first_token(const Item& item) const {
@@ -115,7 +116,8 @@ class Reparser {
     return std::move(reading_);
   }
 
-  /// The earlier item from which on the text and the parser's state are what they were.
+  /// Returns the earlier item that begins here, if from here on the text and the parser's state are
+  /// unchanged. Returns nullptr otherwise.
   const Item* same_item(const TokenStream& tokens, const FileParser& parser) {
     const std::size_t at = tree_.offset_of(tokens.peek().whole());
     if (at < edit_.new_end) return nullptr;
@@ -161,7 +163,7 @@ class Reparser {
     return token > 0 && tree.tokens[token - 1].kind == TokenKind::kNumber;
   }
 
-  /// The same token in the new text, so many bytes farther behind.
+  /// Returns the same token in the new text, `bytes` farther behind.
   [[nodiscard]] Token moved(Token token, std::ptrdiff_t bytes) const {
     const auto offset = static_cast<std::ptrdiff_t>(before_.offset_of(token.text)) + bytes;
     token.text = {tree_.text.data() + offset, token.text.size()};
@@ -174,7 +176,8 @@ class Reparser {
   Edit edit_;
   Reading reading_;
   ParseTree& tree_ = reading_.tree;
-  Items::const_iterator next_ = items_.begin();  ///< may be where the two texts meet again
+  Items::const_iterator next_ = items_.begin();  ///< the next earlier item that may begin where the
+                                                 ///< two texts agree again
 };
 
 }  // namespace

@@ -5,9 +5,9 @@
 
 namespace galilean::bhdl {
 
-/// The reading of `text`, the same as read_text gives, made of that of an earlier version: only the
-/// items that an edit between the two touches, and those in which something was wrong, are read
-/// again. What stands before and behind them is copied.
+/// Returns the same reading of `text` as read_text, made from the reading of an earlier version.
+/// Only the items that the edit between the two touches, and those that were faulty, are read
+/// again. All others are copied.
 [[nodiscard]] Reading reread(const Reading& before, std::string_view file, std::string_view text);
 
 }  // namespace galilean::bhdl

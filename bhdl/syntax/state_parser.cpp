@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kParts{"perceptual_schemas", "motor_schemas",
                                                  "condition"};
 
-// `kind`: what its schemas are, whatever the word.
+// `kind` is what the list's schemas are, whatever word it has.
 void parse_schema_list(TokenStream& tokens, ComponentKind kind, Diagnostics& diagnostics) {
   const NodeScope list(tokens, NodeKind::kSchemaList, static_cast<std::uint8_t>(kind));
   const Token name = take_label(tokens);
@@ -26,7 +26,7 @@ void parse_schema_list(TokenStream& tokens, ComponentKind kind, Diagnostics& dia
     report_unclosed(tokens, name, diagnostics);
 }
 
-// A misspelt list must be read as a list all the same: its `end` would close the state.
+// A misspelt list must still be read as a list, because its `end` would close the state otherwise.
 std::string meant_part(const TokenStream& tokens) {
   if (!tokens.at_label() || tokens.peek().text == "name") return {};
   const auto part = nearest(tokens.peek().text, kParts);

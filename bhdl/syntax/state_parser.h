@@ -5,8 +5,8 @@
 
 namespace galilean::bhdl {
 
-/// `state : { attribute | list of schemas | condition } end`. The stream stands at `state`, or at a
-/// misspelling of it that the caller has reported.
+/// Reads `state : { attribute | list of schemas | condition } end`. Requires: the stream stands at
+/// `state`, or at a misspelling of it that the caller has reported.
 void parse_state(TokenStream& tokens, Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

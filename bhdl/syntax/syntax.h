@@ -10,8 +10,8 @@
 
 namespace galilean::bhdl {
 
-/// A Location that owns nothing. All views here point into the texts and names that the loader
-/// keeps, which outlive the tree.
+/// A Location that owns nothing. All views here point into texts and names that the loader keeps.
+/// These must outlive the tree.
 struct Position {
   std::string_view file;
   int line = 1;
@@ -25,23 +25,24 @@ struct Word {
   Position at;
 };
 
-/// One value as it is written; what it should have been is the checker's affair.
+/// One value as it is written. The checker decides whether it fits.
 struct ValueNode {
   enum class Kind { kNumber, kPair, kText, kBareWord, kBroken };
   Kind kind = Kind::kNumber;
   double number = 0;      ///< a pair's first number
   double second = 0;      ///< a pair's second number
-  std::string_view text;  ///< without quotes; a number's own spelling
+  std::string_view text;  ///< without quotes; of a number, its spelling
   Position at;
-  const Unit* unit = nullptr;         ///< of the number, or the pair's first; null: none is written
+  const Unit* unit = nullptr;         ///< of the number, or of the pair's first; null: no unit is
+                                      ///< written
   const Unit* second_unit = nullptr;  ///< of the pair's second number
   const Word* constant = nullptr;     ///< the name in `define:` that stood here instead
 };
 
 struct AttributeNode {
   Word name;
-  std::vector<ValueNode> values;  ///< never empty but in a state's lists
-  bool inherited = false;         ///< it stands in what this one extends, and is checked there
+  std::vector<ValueNode> values;  ///< empty only in a state's lists
+  bool inherited = false;         ///< it stands in the base of this one, and is checked there
 };
 
 /// `type: attributes… end`. A condition is a block of type "condition".
@@ -82,7 +83,7 @@ struct SwapNode {
   Word new_state;
 };
 
-/// `expect:`. Its steps are blocks as conditions are.
+/// An `expect:`. Its steps are blocks, as conditions are.
 struct ExpectNode {
   Word keyword;
   std::vector<AttributeNode> attributes;

@@ -22,7 +22,7 @@ enum class TokenKind : std::uint8_t {
   kEndOfFile
 };
 
-/// Line and column from 1; columns count characters.
+/// A line and a column, both from 1. Columns count characters.
 struct Place {
   int line = 1;
   int column = 1;
@@ -31,18 +31,19 @@ struct Place {
 struct Token {
   TokenKind kind = TokenKind::kEndOfFile;
   std::uint8_t open_quote = 0;   ///< bytes before `text`
-  std::uint8_t close_quote = 0;  ///< bytes behind it; 0 also of a text that its line ends
+  std::uint8_t close_quote = 0;  ///< bytes behind `text`; 0 also if the end of the line ends the
+                                 ///< text
   Place at;
-  std::string_view text;  ///< as written; a text's without its quotes
+  std::string_view text;  ///< as written; of a text without its quotes
   double number = 0;
 
-  /// As written, with its quotes.
+  /// Returns the token as written, with its quotes.
   [[nodiscard]] std::string_view whole() const noexcept {
     return {text.data() - open_quote, open_quote + text.size() + close_quote};
   }
 };
 
-/// How a message names a token: "'min_sphere'", "the end of the file".
+/// Returns how a message names a token: "'min_sphere'", "the end of the file".
 [[nodiscard]] std::string describe(const Token& token);
 
 }  // namespace galilean::bhdl

@@ -9,15 +9,15 @@
 
 namespace galilean::bhdl {
 
-/// Fills a tree with the lexer's tokens and the parser's nodes. Looks ahead as far as the grammar
-/// needs it: `word : word :` tells a component that begins from an attribute without a value.
+/// Fills a tree with the lexer's tokens and the parser's nodes. It looks ahead as far as the
+/// grammar needs: `word : word :` shows that a component begins, and no attribute without a value.
 class TokenStream {
  public:
   TokenStream(std::string_view file, ParseTree& tree, Diagnostics& diagnostics)
       : file_(file), tree_(tree), lexer_(file, tree.text, diagnostics) {
     look_ahead();
   }
-  /// Goes on behind the tokens that the tree has: with `first`, a token of the tree's text.
+  /// Goes on behind the tree's tokens, at `first`, which is a token of the tree's text.
   TokenStream(std::string_view file, ParseTree& tree, const Token& first, bool after_number,
               Diagnostics& diagnostics, const LabelSense* sense = nullptr)
       : file_(file),
@@ -31,16 +31,16 @@ class TokenStream {
   [[nodiscard]] const Token& peek(std::size_t ahead = 0) const noexcept {
     return tree_.tokens[next_ + ahead];
   }
-  /// The last that the lexer has read.
+  /// Returns the last token that the lexer has read.
   [[nodiscard]] const Token& farthest() const noexcept { return tree_.tokens.back(); }
-  /// The number of the token at hand.
+  /// Returns the number of the token at hand.
   [[nodiscard]] std::uint32_t next() const noexcept { return static_cast<std::uint32_t>(next_); }
   [[nodiscard]] Position position(const Token& token) const noexcept {
     return {file_, token.at.line, token.at.column};
   }
   [[nodiscard]] Position position() const noexcept { return position(peek()); }
 
-  /// The end of the file stays where it is.
+  /// Takes the token at hand. The end of the file is never passed.
   Token take() {
     const Token token = peek();
     if (token.kind == TokenKind::kEndOfFile) return token;
@@ -49,10 +49,10 @@ class TokenStream {
     return token;
   }
 
-  /// Leaves the tree with the tokens that were taken and the end of the file, if it is at hand.
+  /// Removes the tokens ahead from the tree. The end of the file stays if it is at hand.
   void drop_look_ahead() { tree_.tokens.resize(next_ + (at_end_of_file() ? 1 : 0)); }
 
-  /// Takes the nodes, and the tokens that were taken, out of the tree.
+  /// Removes the nodes and the tokens that were taken from the tree.
   void forget() {
     const auto taken = static_cast<std::ptrdiff_t>(next_);
     tree_.tokens.erase(tree_.tokens.begin(), tree_.tokens.begin() + taken);
@@ -76,18 +76,19 @@ class TokenStream {
   [[nodiscard]] bool at_word(std::string_view word) const noexcept {
     return at(TokenKind::kWord) && peek().text == word;
   }
-  /// `word :`
+  /// Returns whether `word :` stands here.
   [[nodiscard]] bool at_label() const noexcept { return label_at(0); }
   [[nodiscard]] bool at_label(std::string_view word) const noexcept {
     return at_label() && peek().text == word;
   }
   [[nodiscard]] bool at_end_of_file() const noexcept { return at(TokenKind::kEndOfFile); }
-  /// `word :` and nothing that could be its value.
+  /// Returns whether `word :` stands here with nothing behind it that could be its value.
   [[nodiscard]] bool at_bare_label() const noexcept { return at_label() && !value_at(2); }
-  /// `word : word :`, so that the first word is a block's.
+  /// Returns whether `word : word :` stands here, so that the first word is a block's.
   [[nodiscard]] bool at_label_before_label() const noexcept { return at_label() && label_at(2); }
 
-  /// A label that stands bare and that the block at hand has as an attribute, as far as is known.
+  /// Returns whether a bare label stands here that the block at hand is known to have as an
+  /// attribute.
   [[nodiscard]] bool at_known_attribute(NodeKind block, std::string_view type) const {
     return sense_ != nullptr && at_bare_label() && sense_->is_attribute(block, type, peek().text);
   }
@@ -99,7 +100,8 @@ class TokenStream {
     return peek(2).kind == TokenKind::kEndOfFile;
   }
 
-  /// `word name`: a block whose colon was forgotten, for a block begins with its name.
+  /// Returns whether `word name` stands here: a block whose colon was forgotten, because a block
+  /// begins with its name.
   [[nodiscard]] bool at_unlabelled_block() const noexcept {
     return at(TokenKind::kWord) && peek(1).kind == TokenKind::kWord && peek(1).text == "name" &&
            peek().text != "end";
@@ -139,7 +141,7 @@ class TokenStream {
   const LabelSense* sense_ = nullptr;
 };
 
-/// A node that ends where its scope does.
+/// A node of the tree that ends where this object's scope does.
 class NodeScope {
  public:
   NodeScope(TokenStream& tokens, NodeKind kind, std::uint8_t sense = 0)

@@ -5,13 +5,13 @@
 
 namespace galilean::bhdl {
 
-/// What stands between two tokens and means nothing to the grammar.
+/// A piece of text between two tokens that means nothing to the grammar.
 struct Trivia {
   enum class Kind {
     kBlank,    ///< blanks of every kind; a byte order mark is one
     kLineEnd,  ///< one
     kComment,  ///< from its semicolon to the end of its line
-    kSkipped   ///< what is no token, which the lexer reported
+    kSkipped   ///< bytes that are no token, which the lexer reported
   };
   Kind kind = Kind::kBlank;
   std::string_view text;

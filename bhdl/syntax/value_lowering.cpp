@@ -8,15 +8,15 @@ namespace {
 
 using Kind = ValueNode::Kind;
 
-/// A number as it is written, and the number of the token behind it.
+/// A number as it is written. `end` is the index of the token behind it.
 struct Quantity {
   double number = 0;
   const Unit* unit = nullptr;
-  bool readable = true;  ///< its unit, if it has one, is known
+  bool readable = true;  ///< its unit is known, or it has none
   std::uint32_t end = 0;
 };
 
-// Within a value a word behind a number is nothing but its unit.
+// A word behind a number in a value is always its unit.
 Quantity quantity_at(const ParseTree& tree, std::uint32_t token, std::uint32_t end_of_value) {
   Quantity quantity{tree.tokens[token].number, nullptr, true, token + 1};
   const bool has_unit =

@@ -5,7 +5,7 @@
 
 namespace galilean::bhdl {
 
-/// Of a node of kind kValue.
+/// Returns the value of a node. Requires: its kind is kValue.
 [[nodiscard]] ValueNode lowered_value(const ParseTree& tree, const Node& node,
                                       std::string_view file);
 

@@ -9,8 +9,8 @@
 namespace galilean::bhdl {
 namespace {
 
-// What follows a unit: the next value's comma, a pair's bracket, an attribute or an `end`. A word
-// before anything else is rather an attribute whose colon was forgotten.
+// Behind a unit stands the next value's comma, a pair's bracket, an attribute or an `end`. If
+// anything else follows, the word is an attribute whose colon was forgotten.
 bool unit_may_end_at(const TokenStream& tokens, std::size_t ahead) {
   const Token& token = tokens.peek(ahead);
   switch (token.kind) {
@@ -48,7 +48,7 @@ void refuse_unknown_unit(const Token& word, const Position& at, Diagnostics& dia
                     near.empty() ? Hint(all) : did_you_mean(near));
 }
 
-/// Takes a number with its unit, if it has one. Whether it can be read.
+/// Takes a number with its unit, if it has one. Returns whether the unit is known.
 bool parse_quantity(TokenStream& tokens, Diagnostics& diagnostics) {
   const Token number = tokens.take();
   if (!at_unit(tokens, number)) return true;
@@ -89,7 +89,7 @@ ValueSense parse_pair(TokenStream& tokens, Diagnostics& diagnostics) {
   return ValueSense::kPair;
 }
 
-/// Whether it was a bare word.
+/// Takes a value. Returns whether it was a bare word.
 bool parse_value(TokenStream& tokens, Diagnostics& diagnostics) {
   NodeScope value(tokens, NodeKind::kValue);
   const TokenKind kind = tokens.peek().kind;
@@ -113,8 +113,8 @@ const Unit* known_unit(std::string_view symbol) noexcept {
   return found == units.end() ? nullptr : &*found;
 }
 
-// `name: "a" min_sphere 30` lacks a colon: a bare word goes on a list of bare words alone, or
-// behind a comma.
+// `name: "a" min_sphere 30` lacks a colon. A bare word therefore continues a list only behind
+// another bare word or a comma.
 void parse_values(TokenStream& tokens, Diagnostics& diagnostics) {
   bool word_may_follow = true;
   while (tokens.value_at(0) && (!tokens.at(TokenKind::kWord) || word_may_follow)) {

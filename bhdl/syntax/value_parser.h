@@ -5,8 +5,8 @@
 
 namespace galilean::bhdl {
 
-/// value { [","] value }. What cannot be read is reported and kept as ValueSense::kBroken, so that
-/// the attribute counts as given.
+/// Reads `value { [","] value }`. A value that cannot be read is reported and kept as
+/// ValueSense::kBroken, so that the attribute counts as given.
 void parse_values(TokenStream& tokens, Diagnostics& diagnostics);
 
 /// Returns the unit of that symbol, or nullptr if there is none.

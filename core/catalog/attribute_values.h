@@ -10,7 +10,7 @@
 
 namespace galilean {
 
-/// The attributes of one component. The checker has converted the numbers to SI units and has
+/// The attributes of one component. The checker has converted the numbers to SI units, and has
 /// filled in the defaults.
 class AttributeValues {
  public:

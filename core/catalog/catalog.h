@@ -45,31 +45,31 @@ enum class Access { kNone, kRead, kWrite, kUpdate };
 struct AttributeSpec {
   std::string name;
   std::vector<std::string>
-      aliases;  ///< spellings that still load, with a hint (the paper's misprints)
+      aliases;  ///< other spellings, from the paper's misprints; they load with a hint
   AttributeType type = AttributeType::kText;
   Unit unit = unit::kNone;
-  std::optional<Value> default_value;  ///< in the unit named above; none: must be given
-  double minimum = -std::numeric_limits<double>::infinity();  ///< in the unit named above
+  std::optional<Value> default_value;  ///< in `unit`; none: a program must give a value
+  double minimum = -std::numeric_limits<double>::infinity();  ///< in `unit`
   double maximum = std::numeric_limits<double>::infinity();
-  std::size_t count = 0;  ///< of numbers or names that must be given; 0: any
+  std::size_t count = 0;  ///< how many numbers or names must be given; 0: any number of them
   std::vector<std::string> choices;
-  std::string refers_to;     ///< of a name: a variable's type ("locate"), "variable" (of any type),
-                             ///< "state", "perceptual_schema", "motor_schema"
-  std::string one_for_each;  ///< of a list that may be left out: the list that it has to match in
-                             ///< number
-  std::string bit_of;     ///< of a whole number that says which bit of a bits variable is written:
-                          ///< the attribute that names the variable; less than 0: all bits
-  std::string only_with;  ///< name of an optional attribute without which nobody reads this one
-  std::string only_without;  ///< the same of one with which nobody reads it
+  std::string refers_to;     ///< what a name refers to: a variable's type ("locate"), "variable"
+                             ///< (of any type), "state", "perceptual_schema", "motor_schema"
+  std::string one_for_each;  ///< of an optional list: the list whose number of entries it must have
+  std::string bit_of;     ///< of the index of a bit: the attribute that names the bits variable; an
+                          ///< index below 0 means all its bits
+  std::string only_with;  ///< the attribute without which no component reads this one; empty: none
+  std::string only_without;  ///< the attribute with which no component reads this one; empty: none
   Access access = Access::kNone;
   Role role = Role::kNone;
-  std::string of;  ///< with a role: the attribute that it belongs to; of a channel: its name
+  std::string of;  ///< the attribute that the role refers to; with kChannel the channel's name
   std::string help;
 
   [[nodiscard]] bool required() const noexcept { return !default_value.has_value(); }
 };
 
-/// What every motor schema takes besides its own attributes: its force is multiplied by it.
+/// The attribute that every motor schema has besides its own. The schema's force is multiplied by
+/// it.
 inline constexpr const char* kGainAttribute = "gain";
 
 struct ComponentSpec {
@@ -77,17 +77,18 @@ struct ComponentSpec {
   ComponentKind kind = ComponentKind::kVariable;
   std::string help;
   std::vector<AttributeSpec> attributes;
-  std::string drives;  ///< of a motor schema: the device that it commands, where the last to do so
-                       ///< in a tick wins; empty: none
+  std::string drives;  ///< of a motor schema: the device that it commands; the last such schema of
+                       ///< a tick wins; empty: none
 
   [[nodiscard]] const AttributeSpec* find(
-      std::string_view attribute) const noexcept;  ///< by name or alias
-  /// Returns the first attribute that has the role; nullptr if none has.
+      std::string_view attribute) const noexcept;  ///< by name or alias; nullptr: there is none
+  /// Returns the first attribute that has the role, or nullptr if none has it.
   [[nodiscard]] const AttributeSpec* find(Role role) const noexcept;
 };
 
-/// What components exist and what they take: plain data, so that whoever checks a program needs no
-/// robot. The build writes the robot's as JSON; a live robot publishes its own.
+/// The components that exist and the attributes that they take. It is plain data, so that a checker
+/// of programs needs no robot. The build writes the robot's catalog as JSON. A live robot publishes
+/// its own.
 struct Catalog {
   std::vector<ComponentSpec> components;
 
@@ -95,7 +96,8 @@ struct Catalog {
 };
 
 void to_json(nlohmann::json& json, const Catalog& catalog);
-/// Errors name the component and attribute that could not be read.
+/// Errors: the text is not the JSON of a catalog. The error names the component that could not be
+/// read.
 [[nodiscard]] Result<Catalog> catalog_from_json(std::string_view text);
 [[nodiscard]] std::string catalog_to_json(const Catalog& catalog);
 

@@ -15,7 +15,7 @@
 
 namespace galilean {
 
-/// One component's attributes, each declared once: the loader, the checker, the editor and the
+/// The attributes of one component, each declared once. The loader, the checker, the editor and the
 /// printed reference all read what `T::describe(Declaration<T>&)` says here.
 ///
 ///   static void describe(Declaration<MoveToGoal>& is) {
@@ -31,7 +31,7 @@ class Declaration {
  public:
   using Setter = std::function<void(T&, const Value&, const Wiring&)>;
 
-  /// Refines the attribute declared last.
+  /// Adds to the attribute that was declared last.
   class Refinement {
    public:
     explicit Refinement(AttributeSpec& spec) : spec_(spec) {}
@@ -48,7 +48,7 @@ class Declaration {
       spec_.count = count;
       return *this;
     }
-    /// May be left out (a variable pointer then stays null).
+    /// Lets a program leave the attribute out. A pointer to a variable is then null.
     Refinement& optional() {
       if (spec_.type == AttributeType::kNames)
         spec_.default_value = Value(std::vector<std::string>{});
@@ -63,23 +63,25 @@ class Declaration {
       spec_.default_value = Value(std::move(name));
       return *this;
     }
-    /// Of a list: if it is given it has as many entries as the list `attribute`.
+    /// Demands of a list that, if it is given, it has as many entries as the list `attribute`.
     Refinement& one_for_each(std::string attribute) {
       spec_.one_for_each = std::move(attribute);
       return *this;
     }
-    /// Nobody reads it unless the program names something for `attribute`, which is optional.
+    /// Says that the attribute is read only if the program names something for `attribute`, which
+    /// is optional. Otherwise the checker warns.
     Refinement& only_with(std::string attribute) {
       spec_.only_with = std::move(attribute);
       return *this;
     }
-    /// Nobody reads it if the program names something for `attribute`, which is optional.
+    /// Says that the attribute is not read if the program names something for `attribute`, which is
+    /// optional. The checker then warns.
     Refinement& only_without(std::string attribute) {
       spec_.only_without = std::move(attribute);
       return *this;
     }
-    /// Of a bit's index: the schema writes that bit of the variable that `attribute` names. A
-    /// schema writes no bits but those that are so declared, or any if none is.
+    /// Says of a bit's index that the schema writes that bit of the variable that `attribute`
+    /// names. If no attribute says so, the schema counts as writing all bits.
     Refinement& bit_of(std::string attribute) {
       spec_.bit_of = std::move(attribute);
       return *this;
@@ -103,7 +105,8 @@ class Declaration {
 
   void help(std::string text) { spec_.help = std::move(text); }
 
-  /// The device that the schema commands. Two that drive one do not belong in one state.
+  /// Names the device that the schema commands. One state should not list two schemas that command
+  /// the same device.
   void drives(std::string device) { spec_.drives = std::move(device); }
 
   Refinement flag(bool T::*member, std::string name, bool default_value, std::string text) {
@@ -118,7 +121,7 @@ class Declaration {
                     std::string text) {
     return number_attribute(member, std::move(name), unit, Value(default_value), std::move(text));
   }
-  /// Must be given.
+  /// Adds a number that every program must give.
   template <class N>
   Refinement required_number(N T::*member, std::string name, Unit unit, std::string text) {
     return number_attribute(member, std::move(name), unit, std::nullopt, std::move(text));
@@ -152,7 +155,8 @@ class Declaration {
          .help = std::move(help_text)},
         [member](T& t, const Value& v, const Wiring&) { t.*member = std::get<std::string>(v); });
   }
-  /// The member is an enum whose values count up from 0 in the order of `choices`, or a bool.
+  /// Requires: the member is an enum whose values count up from 0 in the order of `choices`, or a
+  /// bool.
   template <class E>
   Refinement choice(E T::*member, std::string name, std::vector<std::string> choices,
                     std::string default_value, std::string help_text) {
@@ -177,7 +181,7 @@ class Declaration {
   Refinement writes(Variable<V>* T::*member, std::string name, std::string text) {
     return variable(member, std::move(name), Access::kWrite, std::move(text));
   }
-  /// Reads and writes.
+  /// Adds a variable that the schema reads and writes.
   template <class V>
   Refinement updates(Variable<V>* T::*member, std::string name, std::string text) {
     return variable(member, std::move(name), Access::kUpdate, std::move(text));
@@ -196,7 +200,7 @@ class Declaration {
                });
   }
 
-  /// Names variables of whatever type, for what all of them have in common.
+  /// Adds a list of names of variables of any type. The schema gets their reliabilities.
   Refinement adjusts(std::vector<Reliability*> T::*member, std::string name, std::string text) {
     return add({.name = std::move(name),
                 .type = AttributeType::kNames,
@@ -209,7 +213,8 @@ class Declaration {
                });
   }
 
-  /// Every motor schema takes it; whoever runs the schema applies it.
+  /// Adds the gain, which every motor schema takes. The executive multiplies by it; the schema does
+  /// not know it.
   void takes_gain() {
     add({.name = kGainAttribute,
          .type = AttributeType::kNumber,
@@ -219,7 +224,8 @@ class Declaration {
         .range(0, 1e6);
   }
 
-  /// Not attributes: what every component may ask the robot for.
+  /// These two add no attribute. They give the component the robot's devices, or its own stream of
+  /// random numbers.
   void uses_devices(const Devices* T::*member) {
     connections_.push_back([member](T& t, const Wiring& wiring) { t.*member = &wiring.devices; });
   }
@@ -229,8 +235,8 @@ class Declaration {
 
   [[nodiscard]] const ComponentSpec& spec() const noexcept { return spec_; }
 
-  /// Sets every attribute that `values` gives (the loader has filled in the defaults), then
-  /// connects.
+  /// Sets every attribute that `values` gives, then the devices and random numbers. Requires: the
+  /// checker has filled in the defaults.
   void apply(T& target, const AttributeValues& values, const Wiring& wiring) const {
     for (std::size_t i = 0; i < setters_.size(); ++i)
       if (const Value* value = values.find(spec_.attributes[i].name))

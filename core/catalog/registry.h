@@ -12,12 +12,12 @@
 
 namespace galilean {
 
-/// The components that a robot is built from, filled from one explicit list (robot/components.cpp).
-/// Schemas are made here; variables and devices are described only, since the store and the robot
-/// own them.
+/// The components that a robot is built from. One explicit list fills it (robot/components.cpp). It
+/// makes schemas. It only describes variables and devices, since the store and the robot own them.
 class Registry {
  public:
-  /// T is a schema with `static void describe(Declaration<T>&)`.
+  /// Adds a schema. Requires: T has `static void describe(Declaration<T>&)`. Errors: throws
+  /// std::logic_error if an attribute cannot have its role.
   template <class T>
   void add_schema(std::string name) {
     constexpr auto kind = std::is_base_of_v<MotorSchema, T> ? ComponentKind::kMotorSchema
@@ -34,7 +34,8 @@ class Registry {
       return schema;
     };
   }
-  /// T holds what the program says of a device or a variable; see `settings`.
+  /// Adds a device or a variable, whose settings `settings<T>` reads. Requires and Errors: as
+  /// add_schema.
   template <class T>
   void add_settings(std::string name, ComponentKind kind) {
     Declaration<T> declaration(std::move(name), kind);
@@ -45,7 +46,8 @@ class Registry {
 
   [[nodiscard]] const Catalog& catalog() const noexcept { return catalog_; }
 
-  /// nullptr if no schema has that name (the checker refuses such programs).
+  /// Returns a new schema, or nullptr if no schema has that name. The checker refuses such
+  /// programs.
   [[nodiscard]] std::unique_ptr<Schema> make(std::string_view name, const AttributeValues& values,
                                              const Wiring& wiring) const {
     const auto found = factories_.find(name);
@@ -59,7 +61,7 @@ class Registry {
   std::map<std::string, Factory, std::less<>> factories_;
 };
 
-/// A device's or a variable's settings, read from what the program gives.
+/// Returns the settings of a device or a variable as the program gives them.
 template <class T>
 [[nodiscard]] T settings(const AttributeValues& values, const Wiring& wiring) {
   static const Declaration<T> declaration = [] {

@@ -15,13 +15,13 @@ namespace {
 
 using enum AttributeType;
 
-/// What a role asks of the attribute that has it.
+/// What a role demands of the attribute that has it.
 struct RoleRule {
   Role role;
   std::string_view word;
   std::array<AttributeType, 2> types;
-  std::string_view written;  ///< the type of variable that the attribute writes; empty: none
-  std::string_view of;       ///< the type of variable that `of` names; empty: `of` is no attribute
+  std::string_view written;  ///< type of the variable that the attribute must write; empty: none
+  std::string_view of;       ///< type of the variable that `of` must name; empty: any `of`
 };
 
 constexpr std::string_view kNothing;
@@ -60,7 +60,7 @@ bool is_bit(Role role) noexcept {
   return role == Role::kBumper || role == Role::kGripperBeam;
 }
 
-/// Why the attribute cannot have its role; empty if it can.
+/// Returns why the attribute cannot have its role, or an empty text if it can.
 std::string fault(const ComponentSpec& component, const AttributeSpec& attribute) {
   const RoleRule& rule = rule_of(attribute.role);
   if (std::ranges::find(rule.types, attribute.type) == rule.types.end())

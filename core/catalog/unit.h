@@ -11,7 +11,7 @@ namespace galilean {
 struct Unit {
   std::string_view symbol;     ///< "cm"
   std::string_view dimension;  ///< "length"
-  double to_si;                ///< times the number gives SI (or the dimension's own base unit)
+  double to_si;                ///< factor to SI, or to the dimension's own base unit
 };
 
 namespace unit {

@@ -9,8 +9,8 @@
 
 namespace galilean {
 
-/// What an attribute can hold, after the loader: numbers are in SI (or the unit that the catalog
-/// names where SI has none, such as ticks).
+/// What an attribute holds after the check. Numbers are in SI, or in the catalog's unit where SI
+/// has none, such as ticks.
 using Value =
     std::variant<bool, double, Vec2, std::string, std::vector<double>, std::vector<std::string>>;
 

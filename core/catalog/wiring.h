@@ -8,8 +8,8 @@ namespace galilean {
 
 struct Devices;
 
-/// What a component under construction is connected to. References are checked before: every name
-/// that a program gives exists and has the right type.
+/// What a component under construction is connected to. Requires: the checker has found every name
+/// that the program gives, and its type is right.
 struct Wiring {
   VariableStore& variables;
   const Devices& devices;

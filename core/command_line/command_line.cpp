@@ -7,7 +7,7 @@
 namespace galilean {
 namespace {
 
-/// Throws what CLI11 catches and tells where `read` refuses the text.
+/// Reads the text. Errors: throws the exception that CLI11 reports to the user.
 void read_or_throw(const CommandLine::Reader& read, const std::string& names,
                    const std::string& text) {
   if (const auto done = read(text); !done) throw CLI::ValidationError(names, done.error().message);

@@ -22,14 +22,14 @@ namespace galilean {
 /// compile.
 ///
 /// Names are as CLI11 writes them: "-v,--verbose" for an option, "file" for an argument by
-/// position. A target is written by parse() and must live until then. A default is what it holds
-/// before.
+/// position. parse() writes the targets, which must live until then. What a target holds before is
+/// its default.
 class CommandLine {
  public:
-  /// Reads an option's text. Errors: what is wrong with it, in one sentence.
+  /// Reads an option's text. Errors: the text is not accepted; the error says why in one sentence.
   using Reader = std::function<Result<void>(const std::string&)>;
 
-  /// `name` stands in --help; without it the file name that the program was started by.
+  /// `name` stands in --help. Without it --help shows the name that the program was started by.
   explicit CommandLine(const std::string& description, const std::string& name = {});
   ~CommandLine();
   CommandLine(CommandLine&&) noexcept;
@@ -44,15 +44,16 @@ class CommandLine {
                            const std::string& help);
   CommandLineOption option(const std::string& names, std::filesystem::path& target,
                            const std::string& help);
-  /// May be given more than once, and takes more than one value.
+  /// Adds an option that may be given more than once, and that takes more than one value each time.
   CommandLineOption option(const std::string& names, std::vector<std::string>& target,
                            const std::string& help);
-  /// Calls `read` with the text. Requires: what `read` refers to lives until parse() returns.
+  /// Adds an option whose text `read` is called with. Requires: what `read` refers to lives until
+  /// parse() returns.
   CommandLineOption option(const std::string& names, Reader read, const std::string& help);
-  /// Calls `read` with each of the texts that are given.
+  /// Adds an option that takes several texts. `read` is called with each of them.
   CommandLineOption options(const std::string& names, Reader read, const std::string& help);
   CommandLineOption flag(const std::string& names, bool& target, const std::string& help);
-  /// A flag that is understood and changes nothing.
+  /// Adds a flag that is accepted and changes nothing.
   CommandLineOption flag(const std::string& names, const std::string& help);
   /// Returns the option of that name, such as "--try". Requires: it was added.
   CommandLineOption find(const std::string& name);
@@ -66,11 +67,11 @@ class CommandLine {
   /// Adds a sentence below --help.
   void footer(const std::string& sentence);
 
-  /// Reads the arguments, of which the first is the program.
-  /// Returns nothing where the program is to go on, and otherwise the exit code: 0 where --help was
-  /// asked for and printed, another where the arguments are wrong and the reason was printed.
+  /// Reads the arguments, of which the first is the program. Returns nothing if the program is to
+  /// go on, and the exit code otherwise. The exit code is 0 if --help was asked for and printed. It
+  /// is another number if the arguments are wrong and the reason was printed.
   [[nodiscard]] std::optional<int> parse(int count, const char* const* arguments);
-  /// Whether this command was given.
+  /// Returns whether this command was given.
   [[nodiscard]] bool chosen() const;
   /// Prints why the arguments are wrong, as parse() does.
   void refuse(const std::string& sentence) const;

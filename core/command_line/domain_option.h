@@ -7,9 +7,9 @@
 
 namespace galilean {
 
-/// Adds --domain, the DDS domain from 0 to 232, to a command line. Without it `domain` stays what
-/// it is: -1 stands for what ROS_DOMAIN_ID says, else 0. `note` ends the help, such as "with
-/// --direct".
+/// Adds --domain, the DDS domain from 0 to 232, to a command line. Without it `domain` keeps its
+/// value, where -1 stands for ROS_DOMAIN_ID, or 0 if that is not set. `note` ends the help, such as
+/// "with --direct".
 CommandLineOption add_domain_option(CommandLine& line, int& domain, const std::string& note = {});
 
 }  // namespace galilean

@@ -14,7 +14,7 @@ class Option;
 namespace galilean {
 
 /// One option of a command line: what it demands of its text, and what --help says of it. Its
-/// functions return it, so that they can be chained. It belongs to the command line that made it.
+/// functions return it, so that calls can be chained. It belongs to the command line that made it.
 class CommandLineOption {
  public:
   explicit CommandLineOption(CLI::Option* option) : option_(option) {}
@@ -29,17 +29,17 @@ class CommandLineOption {
   CommandLineOption not_negative();
   /// Demands one of these words.
   CommandLineOption one_of(std::vector<std::string> words);
-  /// Demands that `check` has nothing against the text.
+  /// Demands that `check` accepts the text.
   CommandLineOption check(std::function<Result<void>(const std::string&)> check);
-  /// Refuses both on one command line.
+  /// Refuses a command line that gives both options.
   CommandLineOption excludes(CommandLineOption other);
-  /// Takes from `least` to `most` texts.
+  /// Makes the option take from `least` to `most` texts.
   CommandLineOption takes(int least, int most);
-  /// Divides a text at this character into several.
+  /// Splits a text into several at this character.
   CommandLineOption divided_by(char character);
   /// Shows what the target holds now as the default.
   CommandLineOption show_default();
-  /// Whether it was given.
+  /// Returns whether the option was given.
   [[nodiscard]] bool given() const;
 
  private:

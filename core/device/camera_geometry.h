@@ -3,8 +3,8 @@
 
 namespace galilean {
 
-/// A horizontal pinhole camera over a flat floor. Focal lengths differ since NTSC pixels are not
-/// square.
+/// A horizontal pinhole camera over a flat floor. The horizontal and vertical focal lengths differ,
+/// because NTSC pixels are not square.
 struct CameraGeometry {
   int width_px = 352;
   int height_px = 186;

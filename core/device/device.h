@@ -7,8 +7,9 @@
 
 namespace galilean {
 
-/// Common to all devices. `sense` and what schemas call belong to the control loop: they neither
-/// block nor allocate. Bytes and frames move in another thread, or between ticks.
+/// What all devices have in common. `sense`, and the functions that schemas call, run in the
+/// control loop: they neither block nor allocate. Bytes and frames are moved by another thread, or
+/// between ticks.
 class Device {
  public:
   virtual ~Device() = default;

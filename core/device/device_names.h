@@ -7,7 +7,7 @@ namespace galilean {
 inline constexpr const char* kCommPortName = "comm_port";
 inline constexpr const char* kMotorDriveName = "motor_drive";
 inline constexpr const char* kFrameGrabberName = "frame_grabber";
-/// It hangs on the comm_port, and programs do not declare it.
+/// The gripper is wired to the comm_port. Programs do not declare it.
 inline constexpr const char* kGripperName = "gripper";
 
 }  // namespace galilean

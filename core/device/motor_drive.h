@@ -10,8 +10,8 @@ namespace galilean {
 struct DriveCommand {
   double speed_mps = 0;         ///< forward positive
   double turn_rate_radps = 0;   ///< counter-clockwise positive
-  double distance_limit_m = 0;  ///< of the robot's centre; 0: none
-  double angle_limit_rad = 0;   ///< 0: none
+  double distance_limit_m = 0;  ///< how far the robot's centre moves at most; 0: no limit
+  double angle_limit_rad = 0;   ///< how far the robot turns at most; 0: no limit
 };
 
 /// The paper's motor_drive: steering and translation.
@@ -19,7 +19,8 @@ class MotorDrive : public Device {
  public:
   virtual void drive(const DriveCommand& command) noexcept = 0;
   virtual void stop() noexcept = 0;
-  /// The two speeds that the program sets in its motor_drive. Schemas drive and turn with them.
+  /// Returns a speed that the program sets in its motor_drive. Schemas drive with the first and
+  /// turn with the second.
   [[nodiscard]] virtual double forward_speed_mps() const noexcept = 0;
   [[nodiscard]] virtual double turning_speed_radps() const noexcept = 0;
   /// Returns half the distance between the wheels [m]. A wheel travels this far for each radian

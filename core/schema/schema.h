@@ -14,14 +14,14 @@ struct Tick {
   std::uint64_t number = 0;  ///< 1, 2, 3 … since the robot started
 };
 
-/// The unit of execution. Instances are made when a program is built; what they read, write and are
-/// set to is declared in `describe` (see core/catalog/declaration.h). `run` neither allocates,
-/// locks nor does I/O. A schema that throws is switched off and reported; its siblings run on.
+/// The unit of execution. Instances are made when a program is built. `describe` declares what they
+/// read, write and are set to (see core/catalog/declaration.h). `run` neither allocates, locks nor
+/// does I/O. A schema that throws is switched off and reported; the others run on.
 class Schema {
  public:
   virtual ~Schema() = default;
-  /// Is called when the program enters a state that lists this schema. A timer starts here, for
-  /// example.
+  /// Is called when the program enters a state that lists this schema. For example, a timer starts
+  /// here.
   virtual void activate(const Tick&) {}
   virtual void run(const Tick& tick) = 0;
 };

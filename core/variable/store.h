@@ -9,8 +9,8 @@
 
 namespace galilean {
 
-/// All variables of one program. Addresses stay as they are for the store's life, so that
-/// schemas hold plain pointers; filled when the program is built, never in the tick.
+/// All variables of one program. Their addresses do not change while the store lives, so that
+/// schemas can hold plain pointers. It is filled when the program is built, never in a tick.
 class VariableStore {
  public:
   VariableStore() = default;

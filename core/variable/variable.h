@@ -30,7 +30,8 @@ struct Shaft {
   double turn_rate_radps = 0;
 };
 
-/// One 8-bit component of the newest frame, row-major from the top left. Sized once, when built.
+/// One 8-bit component of the newest frame, row-major from the top left. Its size is set once, when
+/// the program is built.
 struct Image {
   static constexpr int kWidth = 352;
   static constexpr int kHeight = 186;

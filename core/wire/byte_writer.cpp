@@ -17,8 +17,8 @@ namespace {
 using WriteBytes = std::function<bool(std::span<const std::uint8_t>)>;
 using MakeWriter = WriteBytes (*)(Participant&, const std::string&);
 
-/// Cyclone 0.10 takes bytes only with its own description of their type, which it does not give
-/// away: so they become a message again. Encoded they are the same bytes.
+/// Decodes the bytes and writes the message. Cyclone 0.10 takes encoded bytes only with its own
+/// description of their type, which it does not give away. The message encodes to the same bytes.
 template <class M>
 WriteBytes make_writer(Participant& participant, const std::string& topic) {
   return [writer =

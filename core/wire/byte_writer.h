@@ -16,8 +16,8 @@ class ByteWriter {
   /// Errors: throws std::runtime_error if Cyclone refuses the topic, or if `ros_type` is not one of
   /// the messages.
   ByteWriter(Participant& participant, const std::string& topic, const std::string& ros_type);
-  /// `cdr` with its four-byte header. False if that is no message of the type, or if Cyclone did
-  /// not take it in time; it is then not sent.
+  /// Writes one message. Requires: `cdr` has its four-byte header. Returns false if that is no
+  /// message of the type, or if Cyclone did not take it in time. It is then not sent.
   [[nodiscard]] bool write(std::span<const std::uint8_t> cdr) { return write_(cdr); }
 
  private:

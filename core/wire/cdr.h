@@ -12,8 +12,8 @@
 namespace galilean::msg {
 
 /// Reads plain CDR (XCDR1, either byte order) with its four-byte header, as DDS, MCAP files and
-/// browsers carry it. Never reads past the end: a message cut short makes `ok` false and the rest
-/// zero.
+/// browsers carry it. It never reads past the end. If a message is cut short, `ok` becomes false
+/// and the missing fields are zero or empty.
 class CdrReader {
  public:
   explicit CdrReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {
@@ -52,7 +52,7 @@ class CdrReader {
     std::uint32_t count = 0;
     read(count);
     to.clear();
-    if (!has(count)) return;  // every element takes a byte at least
+    if (!has(count)) return;  // an element takes at least one byte
     if constexpr (sizeof(T) == 1 && !std::is_same_v<T, bool>) {
       const auto* first = reinterpret_cast<const T*>(bytes_.data() + at_);
       to.assign(first, first + count);

@@ -7,11 +7,12 @@ namespace galilean::wire {
 
 /// How a kind of message travels. The type of the message decides it, in qos.cpp.
 enum class Delivery {
-  kState,    ///< what is: reliable, transient-local, keep-last 1; a late joiner knows at once
-  kEvent,    ///< what happens: reliable, transient-local, keep-last 64; numbered, so that receivers
-             ///< drop repeats
-  kCommand,  ///< reliable, volatile, keep-last 64
-  kFlow,     ///< reliable, volatile, keep-last 10: what ROS 2 tools ask of odometry, tf and
+  kState,    ///< a present state: reliable, transient-local, keep-last 1; a late joiner gets it at
+             ///< once
+  kEvent,    ///< an event: reliable, transient-local, keep-last 64; events are numbered, so that
+             ///< receivers drop repeats
+  kCommand,  ///< a command: reliable, volatile, keep-last 64
+  kFlow,     ///< reliable, volatile, keep-last 10, as ROS 2 tools demand of odometry, tf and
              ///< diagnostics
   kStream    ///< best effort, volatile, keep-last 1
 };

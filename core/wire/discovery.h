@@ -19,14 +19,15 @@ struct Publication {
   bool operator==(const Publication&) const = default;
 };
 
-/// Finds which topics are written in the domain, by any process.
+/// Finds which topics are written in the domain by any process.
 class Discovery {
  public:
   explicit Discovery(Participant& participant);
   ~Discovery();
   /// Returns the publications that are known now.
   [[nodiscard]] std::vector<Publication> publications() const;
-  /// Called on a thread of Cyclone's whenever that changes. Set once, right after construction.
+  /// Sets the callback that a thread of Cyclone calls whenever the publications change. Requires:
+  /// it is set once, right after construction.
   void on_change(std::function<void()> callback);
 
  private:

@@ -8,7 +8,7 @@
 namespace galilean::wire {
 namespace {
 
-/// The instances of one of DDS's own topics that are alive, by their handles.
+/// Brings `known` up to date: the live instances of one of DDS's built-in topics, by their handles.
 template <class Sample, class Known>
 void take_changes(const Entity& reader, std::map<dds_instance_handle_t, Known>& known,
                   Known (*read)(const Sample&)) {

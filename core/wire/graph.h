@@ -10,7 +10,7 @@
 
 namespace galilean::wire {
 
-/// Who writes and who reads what in the domain, by the names that processes joined it with.
+/// Finds who writes and who reads each topic of the domain. Processes are named as they joined it.
 class Graph {
  public:
   struct Ends {

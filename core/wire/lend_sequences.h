@@ -9,7 +9,7 @@
 
 namespace galilean::msg {
 
-/// Numbers and strings stay where the C++ message has them: Cyclone only reads them.
+/// Lends numbers and strings where the C++ message has them, because Cyclone only reads them.
 template <class T, class Sequence>
 void lend_numbers(const std::vector<T>& from, Sequence& to) {
   using Element = std::remove_pointer_t<decltype(to._buffer)>;

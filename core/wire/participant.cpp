@@ -19,9 +19,9 @@
 namespace galilean::wire {
 namespace {
 
-/// Processes of a machine are told apart by their participant index, from 0 on. Cyclone takes those
-/// below MaxAutoParticipantIndex, of which its own default, 9, is too few. The peer on loopback
-/// finds them where there is no multicast. Its shared-memory mode stays off.
+/// Returns Cyclone's settings. Cyclone tells the processes of a machine apart by their participant
+/// index, which counts from 0 to MaxAutoParticipantIndex. The default of 9 is too low. The peer on
+/// loopback finds the processes where there is no multicast. Cyclone's shared-memory mode is off.
 std::string configuration() {
   std::ostringstream peers;
   peers << "<Peer address=\"127.0.0.1\"/>";
@@ -81,7 +81,7 @@ Result<std::unique_ptr<Participant>> Participant::join(const std::string& name, 
   const auto id = domain_id(domain);
   if (!id) return id.error();
   auto state = std::make_unique<State>();
-  // Refused where this process made the domain before: then that one serves.
+  // Cyclone refuses this if the process made the domain before. That domain then serves.
   const dds_entity_t made = dds_create_domain(id.value(), configuration().c_str());
   if (made > 0)
     state->domain = Entity(made);
@@ -125,7 +125,7 @@ struct Discovery::State {
   std::function<void()> changed;
   mutable std::mutex mutex;
   mutable std::map<dds_instance_handle_t, Publication> known;
-  Entity reader;  // last: its thread calls `changed`
+  Entity reader;  // last member, so that it is destroyed first: its thread calls `changed`
 
   void update() const {
     constexpr int kAtOnce = 64;

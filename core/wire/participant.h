@@ -9,16 +9,17 @@
 
 namespace galilean::wire {
 
-/// The name that the monitor joins the domain with; robots recognise the monitor by it.
+/// The name with which the monitor joins the domain. Robots recognise the monitor by it.
 inline constexpr const char* kMonitorName = "monitor";
 
-/// A process's membership in a DDS domain. Must go before `main` returns (Cyclone's threads outlive
-/// exit handlers otherwise). Several on one machine find one another with or without multicast;
-/// on other machines by multicast, or by the addresses in GALILEAN_PEERS (separated by commas).
-/// CYCLONEDDS_URI, where set, has the last word.
+/// A process's membership in a DDS domain. It must be destroyed before `main` returns, because
+/// Cyclone's threads outlive exit handlers otherwise. Processes on one machine find one another
+/// with or without multicast. On other machines they are found by multicast, or by the addresses in
+/// GALILEAN_PEERS (separated by commas). CYCLONEDDS_URI overrides these settings.
 class Participant {
  public:
-  /// `name` is what others are shown. Domain: ROS_DOMAIN_ID where `domain` is negative, else 0.
+  /// `name` is what other processes see. A negative `domain` means ROS_DOMAIN_ID, or 0 if that is
+  /// not set. Errors: there is no such domain, DDS cannot start, or the domain cannot be joined.
   [[nodiscard]] static Result<std::unique_ptr<Participant>> join(const std::string& name,
                                                                  int domain = -1);
   ~Participant();
@@ -26,8 +27,9 @@ class Participant {
   Participant& operator=(const Participant&) = delete;
 
   [[nodiscard]] std::int32_t handle() const noexcept;
-  /// The entity of one topic, made at first use. Throws std::runtime_error if Cyclone refuses it or
-  /// if `ros_type` is not one of the messages.
+  /// Returns the entity of one topic, which is made at first use. Any thread may call it. Errors:
+  /// throws std::runtime_error if Cyclone refuses the topic, or if `ros_type` is not one of the
+  /// messages.
   [[nodiscard]] std::int32_t topic(const std::string& name, const std::string& ros_type);
 
  private:

@@ -22,7 +22,7 @@ struct FreeEndpoint {
 };
 using Endpoint = std::unique_ptr<dds_builtintopic_endpoint_t, FreeEndpoint>;
 
-/// Gives samples back, whatever becomes of them here.
+/// Returns the samples to Cyclone, even if the callback throws.
 struct Taken {
   std::span<ddsi_serdata*> samples;
 
@@ -31,7 +31,7 @@ struct Taken {
   }
 };
 
-/// As discovery has it, in the domain of `member`.
+/// Returns the name that discovery knows for the participant, in the domain of `member`.
 std::optional<std::string> participant_name(dds_entity_t member, dds_instance_handle_t who) {
   const Entity participants(
       dds_create_reader(member, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, nullptr, nullptr));

@@ -24,13 +24,12 @@ struct Received {
 /// Receives the messages of one topic as bytes. msg::decode_cdr turns them into structs.
 class Reader {
  public:
-  /// `depth`: messages of each writer kept between two calls of `take`; 0: as the type's delivery
-  /// says, which for a state is the newest alone.
+  /// `depth` is how many messages of each writer are kept between two calls of `take`. With 0 it is
+  /// what the type's delivery says, which for a state is the newest alone.
   Reader(Participant& participant, const std::string& topic, const std::string& ros_type,
          int depth = 0);
   ~Reader();
-  /// Calls `receive` for each message that came since the last call. It does so in the calling
-  /// thread.
+  /// Calls `receive` for each message that came since the last call, in the calling thread.
   void take(const std::function<void(const Received&)>& receive);
   /// Sets the callback that Cyclone calls, on a thread of its own, when there is a message to take.
   /// Requires: no callback was set before.

@@ -72,7 +72,7 @@ void BoardSession::handle_reply(const firmware::Frame& frame) {
   if (!asked || frame.payload.empty()) return;
   last_heard_ = now_;
   firmware::HelloReply reply;
-  // The version stands first in every version's reply, whatever may follow it.
+  // The version stands first in the reply of every version of the protocol.
   if (frame.payload[0] != firmware::kProtocolVersion || !unpack(frame, reply)) {
     other_version_ = frame.payload[0];
     stage_ = Stage::kWrongVersion;

@@ -14,9 +14,9 @@
 
 namespace galilean::robot {
 
-/// The robot's side of docs/SERIAL_PROTOCOL.md, in the I/O thread: greets the board, checks its
-/// version, gives it its parameters, hands it commands, and begins again whenever the line or the
-/// board was lost.
+/// The robot's side of docs/SERIAL_PROTOCOL.md. It runs in the I/O thread. It greets the board,
+/// checks its version, and gives it its parameters and commands. It begins again whenever the line
+/// or the board was lost.
 ///
 ///   closed → greeting → configuring → ready;   any → closed when the line is lost,
 ///   any → greeting when the board is silent or was reset
@@ -41,9 +41,10 @@ class BoardSession {
   [[nodiscard]] bool ready() const { return stage_ == Stage::kReady; }
   /// Returns the last status that came while the session was ready.
   [[nodiscard]] const firmware::Status& status() const { return status_; }
-  /// Counts the board's restarts as this side noticed them.
+  /// Returns how often this side noticed a restart of the board.
   [[nodiscard]] std::uint32_t epoch() const { return boot_.epoch(); }
-  /// One sentence on why the session is not ready and what to do; empty when it is.
+  /// Returns one sentence on why the session is not ready and what to do, or an empty text when it
+  /// is ready.
   [[nodiscard]] std::string problem() const;
 
  private:

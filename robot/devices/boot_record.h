@@ -18,7 +18,7 @@ class BootRecord {
     boot_count_ = boot_count;
     uptime_ms_ = uptime_ms;
   }
-  /// Counts the resets noticed.
+  /// Returns how many resets were noticed.
   [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
 
  private:

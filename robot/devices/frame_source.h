@@ -13,8 +13,9 @@ namespace galilean::robot {
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
-  /// True if there was a newer picture, which now stands in `frame.rgb`; else `frame` holds
-  /// anything. May wait for a camera's next picture, and tries to open again what was lost.
+  /// Takes a newer picture into `frame.rgb`, if there is one. Returns whether there was. Otherwise
+  /// the content of `frame` is undefined. It may wait for a camera's next picture. It tries to open
+  /// a lost source again.
   virtual bool grab(Frame& frame, Time now) = 0;
   /// Returns one sentence on why no pictures come and what to do, or an empty text while they come.
   [[nodiscard]] virtual std::string problem() const = 0;

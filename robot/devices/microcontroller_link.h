@@ -14,20 +14,21 @@
 
 namespace galilean::robot {
 
-/// What the board needs to know of a program's motor_drive.
+/// The part of a program's motor_drive that the board needs.
 struct MotorSetup {
   firmware::Parameters parameters;
   double ticks_per_m = 325;
 };
 
-/// The comm_port of a robot: its microcontroller over a serial line. `pump` belongs to one I/O
-/// thread (or stands between ticks); all else to the control loop. The two exchange what is newest
-/// through wait-free slots, and so neither waits for the other.
+/// The comm_port of a robot: its microcontroller over a serial line. One I/O thread calls `pump`
+/// and `fail` (the headless simulator calls `pump` between ticks). The control loop calls the other
+/// methods. The two exchange their newest data through wait-free slots, so that neither waits for
+/// the other.
 class MicrocontrollerLink final : public CommPort {
  public:
   MicrocontrollerLink(ByteStream& line, const CommPortSettings& settings);
 
-  /// I/O side: all traffic of the line. Call it every few milliseconds.
+  /// I/O side: reads and writes the line. Requires: it is called every few milliseconds.
   void pump(Time now);
   /// I/O side: reports that `pump` threw. The board counts as missing until `pump` succeeds again.
   void fail(const std::string& why);

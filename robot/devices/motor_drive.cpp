@@ -10,7 +10,7 @@
 namespace galilean::robot {
 namespace {
 
-/// Seconds until the first limit is reached; infinite without one.
+/// Returns the seconds until the first limit is reached, or infinity without a limit.
 double seconds_to_limit(const DriveCommand& command) {
   double seconds = std::numeric_limits<double>::infinity();
   if (command.distance_limit_m > 0 && command.speed_mps != 0)
@@ -25,7 +25,8 @@ std::int16_t whole_speed(double counts_s) {
   return static_cast<std::int16_t>(std::lround(std::clamp(counts_s, -highest, highest)));
 }
 
-/// 0 stands for "no limit", so that a limit below half a count becomes one count.
+/// Returns the limit in whole counts. 0 means "no limit" to the board, so that a limit below half a
+/// count becomes one count.
 std::uint32_t whole_limit(double counts) {
   constexpr double highest = std::numeric_limits<std::int32_t>::max();
   return std::isfinite(counts)

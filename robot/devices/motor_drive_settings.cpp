@@ -10,8 +10,8 @@ namespace {
 
 using S = MotorDriveSettings;
 
-/// The order in which the paper prints them. The sign is the place's, so that a forgotten minus
-/// does no harm.
+/// Takes the dead zones in the order in which the paper prints them. The position decides the sign,
+/// so that a forgotten minus does no harm.
 firmware::DeadZones dead_zones(const std::vector<double>& pwm) {
   const auto size = [&pwm](std::size_t i) {
     return static_cast<std::int16_t>(i < pwm.size() ? std::lround(std::fabs(pwm[i])) : 0);

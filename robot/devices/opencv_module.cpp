@@ -18,7 +18,7 @@ namespace galilean::robot {
 namespace {
 
 constexpr Duration kOpenAgain = std::chrono::seconds(1);
-/// A still picture comes again at this pace, as from a camera that nobody moves.
+/// A still picture is repeated at this rate, as a camera would deliver it.
 constexpr double kStillRate_hz = 10;
 constexpr double kSlowest_hz = 0.5;
 
@@ -39,8 +39,9 @@ std::string advice(const std::error_code& error) {
              : "name another one in frame_grabber, or with --camera";
 }
 
-/// The paper's picture is a whole 4:3 one with its rows squeezed, and the camera's geometry counts
-/// on that: of a wider one the middle is taken. One that has the size already is taken as it is.
+/// Returns the part of a picture that has the shape of the paper's: 4:3, whose rows are squeezed
+/// later. The camera's geometry depends on that shape. Of a wider picture the middle is taken. A
+/// picture that already has the final size is taken whole.
 cv::Mat paper_shape(const cv::Mat& picture) {
   const int width = picture.rows * 4 / 3;
   if (picture.size() == cv::Size(Frame::kWidth, Frame::kHeight) || picture.cols <= width)
@@ -55,7 +56,8 @@ void convert(const cv::Mat& bgr, Frame& frame) {
   cv::cvtColor(scaled, rgb, cv::COLOR_BGR2RGB);
 }
 
-/// A camera waits for its next picture; a file comes at its own rate, and a video begins again.
+/// A camera, video or still picture. `grab` waits for a camera's next picture. Files are read at
+/// their own rate, and a video starts again at its end.
 class OpencvSource final : public FrameSource {
  public:
   explicit OpencvSource(std::string device)

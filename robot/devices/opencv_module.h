@@ -8,7 +8,8 @@ namespace galilean::robot {
 inline constexpr auto kOpencvModuleFile = "libgalilean_opencv_source.so";
 inline constexpr auto kMakeOpencvSource = "galilean_make_opencv_source";
 
-/// What the module gives: makes a source that the caller owns. Opening waits for the first `grab`.
+/// The function that the module exports. It makes a source that the caller owns. The device is
+/// opened by the first `grab`.
 using MakeOpencvSource = FrameSource* (*)(const char* device);
 
 }  // namespace galilean::robot

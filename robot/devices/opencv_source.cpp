@@ -13,7 +13,8 @@
 namespace galilean::robot {
 namespace {
 
-/// Where it stands relative to the executable: in the build, in the build's tests, installed.
+/// Folders of the module relative to the executable: in the build, for the build's tests,
+/// installed.
 constexpr std::array kFolders{".", "../bin", "../lib/galilean"};
 
 Result<std::filesystem::path> find_module() {
@@ -32,7 +33,7 @@ Result<std::filesystem::path> find_module() {
 Result<std::unique_ptr<FrameSource>> open_opencv_source(const std::string& device) {
   const auto path = find_module();
   if (!path) return path.error();
-  // Never closed: OpenCV's threads would run on in memory that is gone.
+  // The module is never unloaded, because OpenCV's threads would go on in memory that is gone.
   auto* const module = dlopen(path.value().c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!module) return Error{std::string("OpenCV cannot be loaded: ") + dlerror() + '.'};
   const auto make = reinterpret_cast<MakeOpencvSource>(dlsym(module, kMakeOpencvSource));

@@ -9,11 +9,11 @@
 
 namespace galilean::robot {
 
-/// The I/O side of one device of a live robot: calls its `pump` over and over in a thread of its
-/// own, with a pause between. Ends with its destructor.
+/// The I/O side of one device of a live robot. It calls `pump` again and again in a thread of its
+/// own, with a pause between. The destructor ends the thread.
 class PumpThread {
  public:
-  /// `fail` tells the device that `pump` threw, and why. The pump is tried again all the same.
+  /// `fail` is called with the reason when `pump` threw. The pump is then tried again.
   PumpThread(const Clock& clock, Duration pause, std::function<void(Time)> pump,
              std::function<void(const std::string& why)> fail);
 

@@ -89,7 +89,7 @@ void SerialPort::set_up_line() {
   if (tcgetattr(file_, &line) != 0) return lose(sentence(device_, "is no serial line", errno));
   cfmakeraw(&line);
   line.c_cflag |= CLOCAL | CREAD;
-  // With 1 and O_NONBLOCK an empty line reads as EAGAIN, and 0 bytes mean that it was hung up.
+  // With VMIN 1 and O_NONBLOCK, an empty line gives EAGAIN, so that 0 bytes mean a hang-up.
   line.c_cc[VMIN] = 1;
   line.c_cc[VTIME] = 0;
   cfsetispeed(&line, *speed);

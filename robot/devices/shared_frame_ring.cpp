@@ -22,13 +22,13 @@ static_assert(std::atomic<Word>::is_always_lock_free);
 
 struct FrameRingLayout {
   struct Slot {
-    std::atomic<Word> sequence;  // odd while it is written
+    std::atomic<Word> sequence;  // odd while the slot is written
     std::atomic<Word> number;
     std::array<std::atomic<Word>, kWords> rgb;
   };
   std::atomic<Word> magic;
   std::atomic<Word> generation;  // counts the writers
-  std::atomic<Word> newest;      // number of the newest whole picture, 0: none
+  std::atomic<Word> newest;      // number of the newest whole picture; 0: none
   std::array<Slot, kSlots> slots;
 };
 
@@ -40,7 +40,8 @@ FrameRingLayout& layout(const SharedMemory& memory) {
   return *reinterpret_cast<FrameRingLayout*>(memory.bytes().data());
 }
 
-/// Each word is released, so that a reader that took one of them also sees the odd sequence.
+/// Each word is stored with release order, so that a reader that saw one of them also sees the odd
+/// sequence.
 void fill(Slot& slot, Word number, std::span<const std::uint8_t, Frame::kBytes> rgb) {
   const Word odd = (slot.sequence.load(std::memory_order_relaxed) + 1) | 1;
   slot.sequence.store(odd, std::memory_order_relaxed);
@@ -53,7 +54,7 @@ void fill(Slot& slot, Word number, std::span<const std::uint8_t, Frame::kBytes> 
   slot.sequence.store(odd + 1, std::memory_order_release);
 }
 
-/// False if the writer came in between: what was copied is then of no use.
+/// Returns false if the writer changed the slot meanwhile. The copy is then useless.
 bool copy_whole(const Slot& slot, Word number, Frame& frame) {
   const Word before = slot.sequence.load(std::memory_order_acquire);
   if (before & 1) return false;

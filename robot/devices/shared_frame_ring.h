@@ -16,15 +16,16 @@
 
 namespace galilean::robot {
 
-/// Pictures from one process to others through POSIX shared memory, always whole: a seqlock a slot,
-/// and the newest number over all. A reader never holds up the writer, and either may die and come
-/// back at any moment. Names are like "/galilean-<run>-io".
+/// Passes pictures from one process to others through POSIX shared memory. Each slot is a seqlock,
+/// so that a reader gets whole pictures only, and one word holds the newest number. A reader never
+/// delays the writer. Either may end and come back at any moment. Names are like
+/// "/galilean-<run>-io".
 struct FrameRingLayout;
 
-/// The writing side: the simulator's camera. Removes the name when it ends.
+/// The writing side: the simulator's camera. Its destructor removes the name.
 class FrameRingWriter {
  public:
-  /// Takes over what a killed writer left; fails if another one still writes there.
+  /// Takes over the memory that a killed writer left. Errors: another writer still uses it.
   [[nodiscard]] static Result<std::unique_ptr<FrameRingWriter>> create(const std::string& name);
   ~FrameRingWriter();
   FrameRingWriter(const FrameRingWriter&) = delete;

@@ -42,7 +42,8 @@ Result<SharedMemory> SharedMemory::own(const std::string& name, std::size_t byte
   SharedMemory memory(file, {});
   if (flock(file, LOCK_EX | LOCK_NB) != 0)
     return failure(name, "belongs to a process that still runs: end that one, or use another name");
-  // Never shrink what a reader may have mapped: touching the missing end would kill it.
+  // Memory that a reader may have mapped must not shrink: touching the missing end would kill the
+  // reader.
   if (!has_size(file, bytes) && !has_size(file, 0)) {
     remove(name);
     return own(name, bytes);

@@ -13,10 +13,11 @@ namespace galilean::robot {
 /// A named piece of memory that processes share. It is mapped as long as this object lives.
 class SharedMemory {
  public:
-  /// Opens for writing, makes it where it is missing or has another size, and locks it against
-  /// other writers until the process ends.
+  /// Opens memory for writing, and locks it against other writers until the process ends. It is
+  /// made if it is missing or has another size. Errors: another process owns it, or the system
+  /// refuses it.
   [[nodiscard]] static Result<SharedMemory> own(const std::string& name, std::size_t bytes);
-  /// Opens what another process owns. Fails where it is missing or has another size.
+  /// Opens memory that another process owns. Errors: it is missing or has another size.
   [[nodiscard]] static Result<SharedMemory> join(const std::string& name, std::size_t bytes);
   ~SharedMemory();
   SharedMemory(SharedMemory&& other) noexcept;

@@ -13,7 +13,7 @@
 namespace galilean::robot {
 namespace {
 
-/// A refusal, on its way to build's result.
+/// The exception that carries an error from deep inside to build's result.
 struct Refusal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -45,7 +45,7 @@ constexpr std::array<VariableMaker, 5> kVariableMakers{{
     {variable_type_name<Force>(), add_variable<Force, ForceSettings>},
 }};
 
-/// The names that an attribute holds, whether it takes one or several.
+/// Returns the names that an attribute holds, whether it takes one or several.
 std::vector<std::string> names_in(const AttributeSpec& spec, const AttributeValues& values) {
   const Value* value = values.find(spec.name);
   if (!value) return {};
@@ -54,7 +54,7 @@ std::vector<std::string> names_in(const AttributeSpec& spec, const AttributeValu
   return {};
 }
 
-/// One gain for each input; a single number is the gain of all of them.
+/// Returns one gain for each input. A single number is the gain of all inputs.
 std::vector<double> gains_in(const Value* value, std::size_t inputs) {
   if (value == nullptr) return {};
   if (const auto* one = std::get_if<double>(value)) return std::vector<double>(inputs, *one);
@@ -98,11 +98,11 @@ class Builder {
     if (maker == kVariableMakers.end())
       throw refusal(component, "is of a type that this robot's variables do not have");
     maker->add(*made_, component, wiring_of(component));
-    // No schema writes a shaft: dead reckoning does.
+    // No schema writes a shaft, but dead reckoning does.
     if (Variable<Shaft>* shaft = made_->variables.find<Shaft>(component.name)) note_written(shaft);
   }
 
-  /// What is written fades, and is no parameter.
+  /// Notes that something writes the variable. It then fades and is no parameter.
   void note_written(VariableRef variable) {
     std::visit(
         [this](auto* each) {

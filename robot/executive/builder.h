@@ -17,14 +17,14 @@ namespace galilean::robot {
 struct BuildMaterial {
   const Registry& components;
   const Devices& devices;  ///< must outlive the program
-  Random random;           ///< each schema gets the child that is named as it is
+  Random random;           ///< each schema gets the child stream of its own name
   ProbationRules probation = {};
 };
 
-/// Makes the variables and schemas of a checked program and looks all its names up, so that the
-/// tick needs none of them. Safe in any thread, beside a program that runs. Fails if `components`
-/// is not what the program was checked against, and where the program is beyond what a snapshot
-/// holds; the error names the component.
+/// Makes the variables and schemas of a checked program and looks up all its names, so that the
+/// tick looks up none. Any thread may call it while another program runs. Errors: the program was
+/// checked against another catalog than that of `components`, or it has more variables or forces
+/// than a snapshot holds. The error names the component or the limit.
 [[nodiscard]] Result<std::unique_ptr<RunningProgram>> build(bhdl::Program program, ProgramId id,
                                                             const BuildMaterial& material);
 

@@ -15,13 +15,14 @@ struct Description {
   struct VariableLabel {
     std::string name;
     std::string type;  ///< "locate"
-    /// Nothing in the program writes it: it is a parameter, whose value is the text's.
+    /// True if nothing in the program writes the variable: it is a parameter, and the text gives
+    /// its value.
     bool parameter = false;
   };
   struct ForceLabel {
     std::string schema;      ///< the motor schema's name
     std::string variable;    ///< the force that it writes
-    double gain = 1;         ///< that the schema which combines forces gives to it
+    double gain = 1;         ///< the gain that the schema which combines forces gives to it
     std::size_t runner = 0;  ///< the schema, among all schemas
   };
   struct ImageLabel {
@@ -31,15 +32,15 @@ struct Description {
 
   ProgramId id = 0;
   bhdl::Program program;
-  ProbationRules probation;              ///< which it is under while it is new
+  ProbationRules probation;              ///< the rules of its probation
   std::vector<VariableLabel> variables;  ///< in the order of the store
   std::vector<std::string> schemas;      ///< perceptual, then motor, in the order of the text
   std::vector<ForceLabel> forces;
-  std::vector<ImageLabel> images;  ///< those that schemas show to viewers
+  std::vector<ImageLabel> images;  ///< the images that schemas show to viewers
 };
 
-/// Names of the variables that keep value, status and certainty when `to` takes over from `from`:
-/// those of the same name and type, except for the parameters of both.
+/// Returns the names of the variables that keep value, status and certainty when `to` takes over
+/// from `from`. They have the same name and type in both, and are not parameters of both.
 [[nodiscard]] std::vector<std::string> kept_variables(const Description& from,
                                                       const Description& to);
 

@@ -12,8 +12,8 @@
 namespace galilean::robot {
 namespace {
 
-/// Settings are read before there are devices, and name neither those nor variables; the loader
-/// wants to be shown some all the same.
+/// Devices that do nothing. Device settings are read before the devices exist, but the declarations
+/// demand a Wiring.
 class Unconnected final : public CommPort, public MotorDrive, public FrameGrabber {
  public:
   void sense(Time) noexcept override {}
@@ -38,7 +38,7 @@ class Unconnected final : public CommPort, public MotorDrive, public FrameGrabbe
 }  // namespace
 
 DeviceSettings DeviceSettings::of(const bhdl::Program& program) {
-  static Unconnected unconnected;  // once: a frame is large, and nothing writes this one
+  static Unconnected unconnected;  // made once, because its frame is large and nothing writes it
   VariableStore no_variables;
   const Devices no_devices{unconnected, unconnected, unconnected};
   const Wiring wiring{no_variables, no_devices, Random(0)};

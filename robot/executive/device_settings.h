@@ -14,7 +14,7 @@ struct DeviceSettings {
   CommPortSettings comm_port;
   MotorDriveSettings motor_drive;
   FrameGrabberSettings frame_grabber;
-  bool uses_camera = false;  ///< it names a frame_grabber
+  bool uses_camera = false;  ///< the program names a frame_grabber
 
   [[nodiscard]] static DeviceSettings of(const bhdl::Program& program);
 };

@@ -10,10 +10,10 @@
 
 namespace galilean::robot {
 
-/// Numbers the programs that an executive was given: 1, 2, 3 …; 0: none.
+/// The number of a program among those that an executive was given: 1, 2, 3 …; 0: none.
 using ProgramId = std::uint32_t;
 
-/// Why a program in probation was taken off again.
+/// Why a program was replaced by the one before it.
 enum class Fault : std::uint8_t { kNone, kSchemaThrew, kOverran, kDeviceLost, kThrashed, kOrdered };
 
 /// Which devices answer.
@@ -38,9 +38,9 @@ class ShortText {
 
 /// The truth of a state's conditions before one of them fired: bit i is condition i.
 struct TestedConditions {
-  static constexpr std::uint32_t kMost = 64;  ///< those beyond are not told
+  static constexpr std::uint32_t kMost = 64;  ///< later conditions are left out
 
-  std::uint64_t valid = 0;  ///< its variable is
+  std::uint64_t valid = 0;  ///< its variable is valid
   std::uint64_t holds = 0;
 };
 
@@ -61,7 +61,7 @@ struct Event {
 
   Kind kind = Kind::kTransition;
   Cause cause = Cause::kCondition;
-  Fault fault = Fault::kNone;  ///< of a rollback
+  Fault fault = Fault::kNone;  ///< the reason of a rollback
   bool in_probation = false;   ///< after a rollback: `program` has not proven itself either
   ProgramId program = 0;       ///< the one that runs after it
   ProgramId from_program = 0;  ///< the one that ran before it
@@ -74,7 +74,7 @@ struct Event {
   TestedConditions tested;          ///< of from_state, where a condition is the cause
   std::uint32_t schema = kNone;     ///< of kSchemaFailed and of a rollback, among all schemas
   Duration tick_time{};             ///< of kStarted, kSwapped and kRolledBack: what that tick took
-  ShortText text;  ///< what the schema threw, which device was lost, or the order's reason
+  ShortText text;  ///< what the schema threw, which device was lost, or the reason of the order
 };
 
 }  // namespace galilean::robot

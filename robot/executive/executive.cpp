@@ -10,7 +10,7 @@
 namespace galilean::robot {
 namespace {
 
-/// What the text says of a variable holds from the moment when the program takes over.
+/// Starts the fading of the initial values now, when the program takes over.
 void start_fading(RunningProgram& program, Time now) noexcept {
   program.variables.for_each([now](auto& variable) { variable.reliability.stamp = now; });
 }
@@ -90,7 +90,7 @@ void Executive::install(const Handover& handover) noexcept {
   go_on_from(*handover.replaced);
 }
 
-/// In the state that `replaced` was in, if the program has it; else in its successor.
+/// Enters the state that `replaced` was in if the program has it, and its successor otherwise.
 void Executive::go_on_from(const RunningProgram& replaced) noexcept {
   RunningProgram& program = *current_program();
   const std::uint32_t state = successor_state(replaced, program);

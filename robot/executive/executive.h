@@ -23,16 +23,17 @@
 
 namespace galilean::robot {
 
-/// What an executive is made of. All of it must outlive the executive.
+/// The parts of an executive. All of them must outlive it.
 struct ExecutiveSetup {
   const Registry& components;
   Devices devices;
-  const Clock& clock;      ///< the only time that the logic knows
-  const Clock& stopwatch;  ///< what ticks are measured with; a stepped one finds them all to take 0
+  const Clock& clock;      ///< the only time that the logic uses
+  const Clock& stopwatch;  ///< measures ticks; with a stepped clock that stands still they take no
+                           ///< time
   std::uint64_t seed = 1;
   Duration tick_period = std::chrono::milliseconds(50);
   ProbationRules probation = {};
-  DeviceTuner* tuner = nullptr;  ///< takes over what programs say of devices; may be null
+  DeviceTuner* tuner = nullptr;  ///< takes over the device settings of programs; may be null
   std::vector<TickObserver*> observers = {};  ///< see every tick
   /// Is called by `load` and `roll_back`, in their thread, when a program or an order waits for the
   /// next tick. An early tick would bring it into effect sooner. May be null.
@@ -47,8 +48,8 @@ struct ExecutiveSetup {
 /// In a tick the devices give what is newest, the state's perceptual schemas run in listed order,
 /// the first condition in file order that holds changes the state, and the motor schemas of the
 /// state now current run in listed order. It neither allocates, locks, logs nor does I/O.
-/// Every method says which thread may call it; "control" is the one that ticks, and where nothing
-/// ticks meanwhile, any.
+/// Each method says which thread may call it. "Control" is the thread that ticks. While nothing
+/// ticks, any thread may call its methods.
 class Executive {
  public:
   explicit Executive(const ExecutiveSetup& setup);
@@ -71,13 +72,13 @@ class Executive {
   /// happens if there is no program to go back to. Returns false if too many such orders wait.
   bool roll_back(ProgramId program, std::string_view reason);
 
-  /// Any thread: a program was loaded and its first tick is yet to come.
+  /// Any thread. Returns whether a loaded program waits for its first tick.
   [[nodiscard]] bool waiting() const noexcept { return intake_.waiting(); }
-  /// Any thread; 0 before the first tick with a program.
+  /// Any thread. Returns the running program's number, or 0 before the first tick with a program.
   [[nodiscard]] ProgramId running() const noexcept { return running_id_.load(); }
   [[nodiscard]] const ProbationRules& probation_rules() const noexcept { return setup_.probation; }
 
-  /// Control.
+  /// Control: runs one tick.
   void tick();
 
   /// Any thread: from the next tick on the schemas run and the motors stand still.
@@ -105,16 +106,16 @@ class Executive {
   /// program runs. It allocates, and is for the simulator only.
   void restore(const Situation& situation);
 
-  /// Control, as all that follows. Null before the first tick with a program.
+  /// Control, as for all methods below. Returns null before the first tick with a program.
   [[nodiscard]] const RunningProgram* program() const noexcept { return succession_.running(); }
-  /// Empty before the first tick with a program.
+  /// Returns an empty text before the first tick with a program.
   [[nodiscard]] std::string_view state_name() const noexcept;
   [[nodiscard]] Duration time_in_state() const noexcept;
   [[nodiscard]] Pose2 pose() const noexcept;  ///< by dead reckoning, odom frame
   [[nodiscard]] std::uint64_t transitions() const noexcept { return transitions_; }
   [[nodiscard]] const Tick& last_tick() const noexcept { return tick_; }
-  /// Adds tick, state, pose and every variable (of an image, its frame's number), to tell two runs
-  /// apart.
+  /// Adds tick, state, pose and every variable to the hash, so that two runs can be compared. Of an
+  /// image it adds the number of its frame.
   void hash_into(StateHash& hash) const noexcept;
 
  private:
@@ -143,11 +144,12 @@ class Executive {
   const ExecutiveSetup setup_;
   PushablePort port_;
   GuardedDrive drive_;
-  const Devices devices_;  ///< as schemas see them: with the port and the drive above
+  const Devices devices_;  ///< the devices as schemas see them: with the port and the drive above
 
   ProgramIntake intake_;
   Succession succession_;
-  Event exchanged_;  ///< the programs that this tick exchanged, told when its time is known
+  Event exchanged_;  ///< the exchange of programs in this tick, reported when the tick's time is
+                     ///< known
   Odometry odometry_;
   DeviceHealth health_;
 

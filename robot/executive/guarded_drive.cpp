@@ -7,7 +7,8 @@ void GuardedDrive::begin(Time now, bool free) noexcept {
   now_ = now;
   free_ = free;
   commanded_ = false;
-  // Again in every tick: a line that was just restored may have lost the first one.
+  // The stop is repeated every tick, because a line that was just restored may have lost the first
+  // one.
   if (!free_) stop();
 }
 

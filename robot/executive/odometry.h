@@ -20,10 +20,11 @@ namespace galilean::robot {
 ///           starts over from the position and heading of the program's text.
 class Odometry {
  public:
-  /// Leaves the shafts as they are while the line is down: their certainty fades.
+  /// Updates the shafts. While the line is down they stay as they are, and their certainty fades.
   void update(const Devices& devices, RunningProgram* program, const Tick& tick) noexcept;
 
-  /// Where the program's first shaft is; without one, where the robot is from where it started.
+  /// Returns the first shaft of the program. Without a shaft it returns the robot's pose from its
+  /// start.
   [[nodiscard]] Pose2 pose(const RunningProgram* program) const noexcept;
 
  private:

@@ -10,14 +10,14 @@ namespace galilean::robot {
 
 /// How long a new program is watched, and how often it may change its state.
 struct ProbationRules {
-  /// There is room to count so many.
+  /// The most transitions that can be counted.
   static constexpr int kMostCounted = 200;
 
   Duration length = std::chrono::seconds(10);
   int most_transitions_per_s = 10;  ///< 1 to kMostCounted
 };
 
-/// Why a program is taken off.
+/// Why a program fails its probation.
 struct Verdict {
   Fault fault = Fault::kNone;
   std::uint32_t schema = Event::kNone;  ///< of kSchemaThrew
@@ -39,7 +39,7 @@ class Probation {
   void note_tick(const DeviceHealth& health, bool overran) noexcept;
 
   [[nodiscard]] bool active() const noexcept { return active_; }
-  /// The first thing that went wrong.
+  /// Returns the first thing that went wrong.
   [[nodiscard]] const Verdict& verdict() const noexcept { return verdict_; }
   [[nodiscard]] bool failed() const noexcept { return active_ && verdict_.fault != Fault::kNone; }
   [[nodiscard]] bool passed(Time now) const noexcept { return active_ && !failed() && now >= end_; }

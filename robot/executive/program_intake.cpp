@@ -27,7 +27,8 @@ bool ProgramIntake::order_rollback(const RollbackOrder& order) {
   return orders_.push(order);
 }
 
-/// What a program that still lives holds stays, however old it is.
+/// Drops the oldest descriptions. One that a living program or a caller still holds stays, however
+/// old it is.
 void ProgramIntake::forget_old_descriptions() {
   for (auto each = descriptions_.begin();
        descriptions_.size() > kDescriptionsKept && each != descriptions_.end();)

@@ -34,14 +34,14 @@ class ProgramIntake {
   /// Any thread but control. Returns null for a program that no longer exists, if sixteen others
   /// came after it.
   [[nodiscard]] std::shared_ptr<const Description> description(ProgramId id) const;
-  /// Any thread: a program waits for its first tick.
+  /// Any thread. Returns whether a program waits for its first tick.
   [[nodiscard]] bool waiting() const noexcept { return exchange_.waiting(); }
 
   /// Control: takes the program that waits. Returns null if none does.
   [[nodiscard]] std::unique_ptr<RunningProgram> take() noexcept { return exchange_.take(); }
   /// Control: takes the oldest order that waits.
   [[nodiscard]] std::optional<RollbackOrder> take_order() noexcept { return orders_.pop(); }
-  /// Control: hands back what runs no longer, to be destroyed by another thread.
+  /// Control: hands back a program that no longer runs. Another thread destroys it.
   void retire(std::unique_ptr<RunningProgram> program) noexcept {
     if (program) exchange_.retire(std::move(program));
   }
@@ -49,7 +49,7 @@ class ProgramIntake {
  private:
   void forget_old_descriptions();
 
-  mutable std::mutex mutex_;  ///< over what the control loop never touches
+  mutable std::mutex mutex_;  ///< guards what the control loop never touches
   std::map<ProgramId, std::shared_ptr<const Description>> descriptions_;
   ProgramId last_id_ = 0;
   Exchange exchange_;

@@ -7,16 +7,16 @@
 
 namespace galilean::robot {
 
-/// The comm_port as schemas see it: the real one, with bumpers that an operator or the referee
-/// pushes from afar.
+/// The comm_port as schemas see it: the real one, whose bumpers an operator or the referee can also
+/// push.
 class PushablePort final : public CommPort {
  public:
   static constexpr Duration kPush = std::chrono::milliseconds(300);
 
   explicit PushablePort(CommPort& port) : port_(port) {}
 
-  /// Any thread. Bumper `index` is pressed from the next tick on, for `kPush`; an index that no
-  /// bumper has does nothing.
+  /// Any thread. Presses bumper `index` from the next tick on, for `kPush`. An index without a
+  /// bumper does nothing.
   void push(int index) noexcept;
 
   void sense(Time now) noexcept override;

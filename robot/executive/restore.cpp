@@ -16,7 +16,7 @@ bool assign(Shaft& shaft, const VariableSituation& from) {
   return true;
 }
 
-/// The next frame makes it anew.
+/// An image is not restored, because the next frame makes it anew.
 bool assign(Image&, const VariableSituation&) {
   return false;
 }

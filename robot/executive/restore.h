@@ -16,7 +16,7 @@ struct VariableSituation {
   std::string object_class;  ///< of a locate
   bool valid = false;
   double certainty = 0;
-  std::vector<double> values;  ///< in the order of a snapshot's
+  std::vector<double> values;  ///< in the order of a snapshot's values
 };
 
 /// The state and the variables of a program that ran before, in this process or another.

@@ -29,8 +29,8 @@ struct RunningState {
   std::vector<RunningCondition> conditions;
 };
 
-/// A program ready to run: what builder makes, the tick works on and swap exchanges. Only
-/// the thread that holds it touches it, except for its description.
+/// A program that is ready to run. The builder makes it, the tick runs it, a swap exchanges it.
+/// Only the thread that holds it may touch it. Its description may be read by any thread.
 struct RunningProgram {
   RunningProgram() = default;
   RunningProgram(const RunningProgram&) = delete;
@@ -42,11 +42,12 @@ struct RunningProgram {
   std::shared_ptr<const Description> description;
   DeviceSettings devices;
   VariableStore variables;
-  std::vector<Pose2> start_poses;  ///< of each shaft, as the text says
+  std::vector<Pose2> start_poses;  ///< of each shaft, as the text gives it
   std::vector<SchemaRunner> schemas;
   std::vector<RunningState> states;
   std::uint32_t start_state = 0;
-  std::uint32_t state = 0;  ///< the current one; as it was left while another program runs
+  std::uint32_t state = 0;  ///< the current state; while another program runs, the state that it
+                            ///< was left in
   Time state_since{};
 };
 

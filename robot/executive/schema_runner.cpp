@@ -41,7 +41,8 @@ bool SchemaRunner::run(const Tick& tick) noexcept {
       tick);
 }
 
-/// A force that somebody else wrote in this tick, and this schema did not, is left as it is.
+/// Only forces that this schema writes in this run are multiplied. A force that another schema
+/// wrote earlier in this tick stays as it is.
 void SchemaRunner::run_weighted(const Tick& tick) {
   for (Weighted& each : weighted_) each.written_before = std::exchange(each.force->written_tick, 0);
   schema_->run(tick);

@@ -12,14 +12,14 @@
 
 namespace galilean::robot {
 
-/// Runs one schema of a program. If it throws, it is switched off for as long as the program lives
-/// and what it writes becomes invalid, so that nobody acts on a half-written value. Each force that
-/// it writes is multiplied by its gain.
+/// Runs one schema of a program. If the schema throws, it is switched off for as long as the
+/// program lives. The variables that it writes become invalid, so that no schema uses a
+/// half-written value. Each force that it writes is multiplied by its gain.
 class SchemaRunner {
  public:
   SchemaRunner(std::unique_ptr<Schema> schema, std::vector<VariableRef> outputs, double gain = 1);
 
-  /// Both are false in the tick in which the schema throws, and only then.
+  /// Return false only in the tick in which the schema throws.
   bool activate(const Tick& tick) noexcept;
   bool run(const Tick& tick) noexcept;
 
@@ -43,7 +43,7 @@ class SchemaRunner {
   std::unique_ptr<Schema> schema_;
   std::vector<VariableRef> outputs_;
   double gain_;
-  std::vector<Weighted> weighted_;  ///< its forces; none where the gain is 1
+  std::vector<Weighted> weighted_;  ///< the forces that it writes; none if the gain is 1
   ShortText failure_;
   std::uint64_t last_run_ = 0;
   bool failed_ = false;

@@ -18,8 +18,8 @@ namespace galilean::robot {
 /// out.
 [[nodiscard]] TestedConditions test_all(const RunningState& state, Time now) noexcept;
 
-/// What a condition does when it fires, besides changing the state: it writes the tested bit as
-/// `bit_update` says (its certainty stays), then makes its reset_variables invalid.
+/// Does what a condition does when it fires, besides changing the state. It writes the tested bit
+/// as `bit_update` says, and keeps the certainty. Then it makes its reset_variables invalid.
 void fire(const RunningCondition& condition, Time now) noexcept;
 
 }  // namespace galilean::robot

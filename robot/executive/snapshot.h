@@ -41,7 +41,7 @@ struct Snapshot {
     ShortText reason;
   };
 
-  ProgramId program = 0;  ///< 0: none runs, and all that belongs to one is empty
+  ProgramId program = 0;  ///< 0: none runs, and all that belongs to a program is empty
   std::uint32_t state = 0;
   Time state_since{};
   Time now{};
@@ -75,19 +75,20 @@ class SnapshotTap final : public TickObserver {
   void on_event(const Event& event) noexcept override;
   void on_tick(const TickView& view) noexcept override;
 
-  /// Reader. Take events first, then the snapshot: it is then as new as they are or newer.
+  /// Reader. Take all events first and then the snapshot, so that the snapshot is not older than
+  /// they are.
   std::optional<Event> next_event() noexcept { return events_.pop(); }
   /// Reader: takes the newest snapshot over. Returns false if there was no tick since the last
   /// call.
   bool take() noexcept { return snapshots_.take(); }
   [[nodiscard]] const Snapshot& newest() const noexcept { return snapshots_.reading(); }
-  /// Reader: lets the search for the longest tick begin again.
+  /// Reader: restarts the search for the longest tick.
   void restart_longest() noexcept { restart_longest_.store(true, std::memory_order_relaxed); }
   /// Returns how many events were lost because the reader did not take older ones in time.
   [[nodiscard]] std::uint32_t lost_events() const noexcept { return lost_events_.load(); }
 
  private:
-  /// At most twenty events a second happen for long; the network stalls for less than one.
+  /// At most twenty events a second happen for long, and the network stalls for less than a second.
   static constexpr std::size_t kEventRoom = 256;
   static constexpr std::size_t kMostEventsOfATick = 32;
 

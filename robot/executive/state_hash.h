@@ -36,7 +36,7 @@ class StateHash {
 struct RunningProgram;
 
 void add_pose(StateHash& hash, const Pose2& pose) noexcept;
-/// Adds every variable with its certainty as of `now`; of an image its frame's number.
+/// Adds every variable with its certainty at `now`. Of an image it adds the number of its frame.
 void add_variables(StateHash& hash, const RunningProgram& program, Time now) noexcept;
 
 }  // namespace galilean::robot

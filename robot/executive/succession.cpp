@@ -3,7 +3,8 @@
 
 namespace galilean::robot {
 
-/// What is held against the running program, where another one can take its place.
+/// Returns what is held against the running program. Without a last good program the verdict is
+/// empty, because nothing could take its place.
 Verdict Succession::judgement() noexcept {
   Verdict verdict = probation_.failed() ? probation_.verdict() : Verdict{};
   while (const auto order = intake_.take_order())
@@ -12,15 +13,16 @@ Verdict Succession::judgement() noexcept {
   return last_good_ ? verdict : Verdict{};
 }
 
-/// The operator who takes a program off wants what ran before it; a program that failed tells that
-/// nothing unproven is to be trusted.
+/// Returns the program that takes over. An operator who rolls back wants the program that ran
+/// before. After a failure no unproven program is trusted.
 std::unique_ptr<RunningProgram> Succession::predecessor(Fault fault) noexcept {
   if (fault == Fault::kOrdered && unproven_) return std::move(unproven_);
   retire(std::move(unproven_));
   return std::move(last_good_);
 }
 
-/// Keeps `replaced` to go back to. Returns the one that it supersedes, which nobody needs now.
+/// Keeps `replaced` as a program to go back to. Returns the program that it supersedes, which
+/// nobody needs any more.
 std::unique_ptr<RunningProgram> Succession::keep(std::unique_ptr<RunningProgram> replaced,
                                                  bool proven) noexcept {
   if (!replaced) return nullptr;

@@ -10,11 +10,12 @@
 
 namespace galilean::robot {
 
-/// The change from one program to another, while it is under way.
+/// The change from one program to another, while it happens.
 struct Handover {
   Event::Kind kind = Event::Kind::kStarted;  ///< kStarted, kSwapped or kRolledBack
-  RunningProgram* replaced = nullptr;        ///< null at the first program; lives until it is over
-  Verdict verdict;                           ///< of a rollback: why
+  RunningProgram* replaced = nullptr;        ///< null for the first program; it lives until the
+                                             ///< handover is over
+  Verdict verdict;                           ///< why a program was rolled back
 };
 
 /// Knows which program runs, which programs it can go back to, and whether the running program has
@@ -25,9 +26,10 @@ class Succession {
  public:
   explicit Succession(ProgramIntake& intake) : intake_(intake) {}
 
-  /// Start of a tick: takes the running program off if there is a reason and one to go back to,
-  /// else lets one that waits take over. Calls `install(handover)` in between, when the new program
-  /// runs and the old one still lives. `health` is how the devices were before this tick.
+  /// Is called at the start of a tick. If there is a reason to take the running program off, and
+  /// one to go back to, that one takes over. Otherwise a waiting program takes over, if there is
+  /// one. `install(handover)` is called when the new program runs and the old one still lives.
+  /// `health` is that of the devices before this tick.
   template <class Install>
   void advance(Time now, const DeviceHealth& health, Install install) noexcept {
     if (const Verdict verdict = judgement(); verdict.fault != Fault::kNone)
@@ -36,10 +38,10 @@ class Succession {
       retire(take_over(std::move(next), now, health, install));
   }
 
-  /// Null before the first tick with a program.
+  /// Returns null before the first tick with a program.
   [[nodiscard]] RunningProgram* running() noexcept { return running_.get(); }
   [[nodiscard]] const RunningProgram* running() const noexcept { return running_.get(); }
-  /// 0 where none runs.
+  /// Returns 0 if no program runs.
   [[nodiscard]] ProgramId running_id() const noexcept {
     return running_ ? running_->description->id : 0;
   }
@@ -79,8 +81,9 @@ class Succession {
 
   ProgramIntake& intake_;
   std::unique_ptr<RunningProgram> running_;
-  std::unique_ptr<RunningProgram> unproven_;   ///< what `running_` replaced while in probation
-  std::unique_ptr<RunningProgram> last_good_;  ///< the last before both that proved itself
+  std::unique_ptr<RunningProgram> unproven_;   ///< the program that `running_` replaced while that
+                                               ///< one was in probation
+  std::unique_ptr<RunningProgram> last_good_;  ///< the last program before both that proved itself
   Probation probation_;
 };
 

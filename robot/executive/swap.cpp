@@ -8,7 +8,8 @@
 namespace galilean::robot {
 namespace {
 
-/// Variables stand in the description in the order of the store, type by type.
+/// Returns the index of the first variable of this type in the description, whose variables stand
+/// in the order of the store, type by type.
 template <class T>
 std::size_t first_index(const RunningProgram& program) noexcept {
   const auto& labels = program.description->variables;
@@ -23,8 +24,8 @@ void hand_over(Variable<T>& from, Variable<T>& to) noexcept {
   to.value = from.value;
 }
 
-// The pixels change hands: to copy them costs more than a tick. Whoever comes back to `from` has no
-// use for a picture from before.
+// The pixels are swapped, because copying them costs more than a tick. A rollback to `from` has no
+// use for an old picture.
 void hand_over(Variable<Image>& from, Variable<Image>& to) noexcept {
   std::swap(from.value, to.value);
   from.reliability.valid = false;

@@ -21,13 +21,13 @@ struct TickView {
   bool held = false;
   bool out_of_service = false;
   bool in_probation = false;
-  Duration tick_time{};           ///< of exchange to act
+  Duration tick_time{};           ///< time from exchange to act
   std::uint32_t overruns = 0;     ///< ticks that began late by a whole period, since the start
   std::uint64_t transitions = 0;  ///< since the start
 };
 
-/// Watches an executive from within its control loop: neither method allocates, waits or does I/O.
-/// Receives events and ticks from the executive. The arguments are valid during the call only.
+/// Watches an executive from within its control loop. Requires: neither method allocates, waits or
+/// does I/O. The arguments are valid during the call only.
 class TickObserver {
  public:
   virtual ~TickObserver() = default;

@@ -32,19 +32,20 @@ struct DeadZones {
   }
 };
 
-/// Robot to board: what its program says of the motors. Until it came the motors do not move.
+/// Robot to board: the settings of its program's motor_drive. The motors do not move before they
+/// came.
 struct Parameters {
   static constexpr auto kType = MessageType::kParameters;
   float proportional_gain = 0;         ///< PWM per tick/s of speed error
   float integral_gain = 0;             ///< PWM per tick of summed speed error
   float derivative_gain = 0;           ///< PWM per tick/s² of measured acceleration
   float feedforward_gain = 0;          ///< PWM per tick/s of wanted speed, above the dead zone
-  DeadZones straight_dead_zones;       ///< both treads run the same way
-  DeadZones turn_dead_zones;           ///< in-place turn: the treads scrub
-  float forward_velocity_ticks_s = 0;  ///< fastest that a wheel may go
-  float turning_velocity_ticks_s = 0;  ///< fastest that a wheel may go in an in-place turn
+  DeadZones straight_dead_zones;       ///< for both treads running the same way
+  DeadZones turn_dead_zones;           ///< for an in-place turn, in which the treads scrub
+  float forward_velocity_ticks_s = 0;  ///< the fastest speed of a wheel
+  float turning_velocity_ticks_s = 0;  ///< the fastest speed of a wheel in an in-place turn
   float acceleration_ticks_s2 = 0;
-  std::uint32_t timeout_ms = 0;  ///< the motors stop when no Drive came for so long
+  std::uint32_t timeout_ms = 0;  ///< the motors stop when no Drive came for this time
 
   template <class Self, class Io>
   static constexpr void fields(Self& m, Io& io) {
@@ -56,7 +57,7 @@ struct Parameters {
   }
 };
 
-/// Robot to board: replaces the motion under way; speeds ramp from what they are now.
+/// Robot to board: replaces the motion under way. Speeds ramp from their present values.
 struct Drive {
   static constexpr auto kType = MessageType::kDrive;
   std::int16_t left_speed_counts_s = 0;   ///< forward positive; 16 counts are a tick
@@ -89,7 +90,7 @@ struct Gripper {
   }
 };
 
-/// Robot to board: asks for a Status now, besides those that come by themselves.
+/// Robot to board: asks for a Status now, besides those that the board sends by itself.
 struct StatusRequest {
   static constexpr auto kType = MessageType::kStatusRequest;
 

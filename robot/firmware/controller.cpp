@@ -8,7 +8,7 @@ namespace galilean::robot::firmware {
 namespace {
 
 constexpr std::size_t kBeam = 8;
-/// As much as is taken from the line in one update: at 115200 baud some 23 bytes come in 2 ms.
+/// The most bytes that one update takes from the line. At 115200 baud about 23 bytes come in 2 ms.
 constexpr std::size_t kReceiveAtOnce = 128;
 
 std::int16_t rounded(float value) {
@@ -114,7 +114,7 @@ Result Controller::report(const Frame& frame) {
 }
 
 void Controller::control() {
-  // After a longer break profiles and servo go on from where they stood, without a leap.
+  // After a longer break profiles and servo go on from where they stood, without a jump.
   const std::uint32_t elapsed_ms = std::min(now_ms_ - last_control_ms_, kLongestStep_ms);
   last_control_ms_ = now_ms_;
   inputs_ = hardware_.read();

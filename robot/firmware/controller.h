@@ -22,7 +22,8 @@ inline constexpr std::array<std::uint8_t, 3> kFirmwareVersion{1, 0, 0};
 ///   serial bytes → messages → drive train, gripper
 ///   encoders → speed loops at 500 Hz → PWM;   all that it knows → Status at 50 Hz
 ///
-/// No heap, no exceptions, no blocking. docs/SERIAL_PROTOCOL.md says what it speaks.
+/// It uses no heap and no exceptions, and never blocks. docs/SERIAL_PROTOCOL.md describes its
+/// protocol.
 class Controller {
  public:
   static constexpr std::uint32_t kPeriod_ms = 2;
@@ -31,7 +32,7 @@ class Controller {
 
   struct Identity {
     std::array<std::uint8_t, 16> name{};  ///< ASCII, filled up with zeros
-    std::uint16_t boot_count = 1;         ///< differs from the start before
+    std::uint16_t boot_count = 1;         ///< differs from that of the start before
   };
 
   Controller(Hardware& hardware, const Identity& identity);

@@ -12,7 +12,7 @@ constexpr float kFastest_ticks_s = 2000;
 constexpr float kFastestChange_ticks_s2 = 100000;
 constexpr float kHighestGain = 1e6f;
 
-/// False for NaN too.
+/// Returns false for NaN, too.
 bool within(float value, float lowest, float highest) {
   return value >= lowest && value <= highest;
 }
@@ -44,7 +44,8 @@ float between(std::int16_t straight, std::int16_t turning, float share) {
   return static_cast<float>(straight) + share * static_cast<float>(turning - straight);
 }
 
-/// 0 when both run the same way equally fast, 1 when they turn the robot on the spot.
+/// Returns 0 when both wheels run equally fast in the same direction, and 1 when they turn the
+/// robot on the spot.
 float share_of_turning(float left, float right) {
   const float sum = std::fabs(left) + std::fabs(right);
   return sum > 0 ? std::min(1.0f, std::fabs(left - right) / sum) : 0;

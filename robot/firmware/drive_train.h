@@ -9,9 +9,9 @@
 
 namespace galilean::robot::firmware {
 
-/// Both motors, and the timer that stops them. The timer stands here, below the protocol and all
-/// else, so that nothing above can forget it: without a new `drive` for the timeout, `step` cuts
-/// profiles and loops itself, and an old target cannot drive on.
+/// Both motors, and the timer that stops them. The timer is here, below the protocol, so that no
+/// code above can forget it. If no `drive` comes for the timeout, `step` cuts profiles and loops,
+/// and an old target cannot drive on.
 class DriveTrain {
  public:
   /// Sets the parameters. Returns false, and changes nothing, if a value is not finite or not
@@ -19,13 +19,13 @@ class DriveTrain {
   [[nodiscard]] bool set(const Parameters& parameters);
   bool configured() const { return configured_; }
 
-  /// Both wheels reach their speeds together. Speeds above the parameters' are reduced, both by the
-  /// same factor, so that the curve stays.
+  /// Starts a motion in which both wheels reach their speeds at the same time. Speeds above the
+  /// parameters' are reduced, both by the same factor, so that the curve stays.
   void drive(const Drive& command, std::uint32_t now_ms);
   /// Cuts both motors at once.
   void cut();
-  /// One period of the loops: writes both PWM. Speeds are measured by `now_ms`; `dt_s` is by how
-  /// much profiles and loops go on.
+  /// Runs one period of the loops, and writes both PWM values. Speeds are measured by `now_ms`.
+  /// Profiles and loops advance by `dt_s`.
   void step(const Inputs& inputs, std::uint32_t now_ms, float dt_s, Outputs& outputs);
   void start_at(const Inputs& inputs, std::uint32_t now_ms);
 

@@ -11,7 +11,7 @@ namespace galilean::robot::firmware {
 /// The position is therefore the commanded one. The servo follows it, or presses on what stops it.
 class GripperServo {
  public:
-  /// From one end to the other.
+  /// The time from one end to the other.
   static constexpr std::int32_t kStroke_ms = 400;
 
   void close() { wanted_ms_ = kStroke_ms; }
@@ -28,7 +28,8 @@ class GripperServo {
   static constexpr std::int32_t kFull_permille = 1000;
   static constexpr std::int32_t kFull_percent = 100;
 
-  /// Milliseconds of the stroke from open, so that no step's length loses a part of it.
+  /// The position in milliseconds of the stroke from open. A whole number of these is exact,
+  /// whatever the lengths of the steps are.
   std::int32_t position_ms_ = 0;
   std::int32_t wanted_ms_ = 0;
 };

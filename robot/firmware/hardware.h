@@ -27,8 +27,8 @@ struct Outputs {
   std::int16_t gripper_permille = 0;  ///< where the servo is to stand, 0 open … 1000 closed
 };
 
-/// The seam between the firmware and what carries it: a port to a board, or the simulator,
-/// implements it. Nothing here may block.
+/// The interface between the firmware and what it runs on. A port to a board, or the simulator,
+/// implements it. No method may block.
 class Hardware {
  public:
   virtual Inputs read() = 0;

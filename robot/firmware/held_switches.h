@@ -8,8 +8,8 @@
 namespace galilean::robot::firmware {
 
 /// Debounces switches. A switch counts as on at once. It counts as off only after it was off for
-/// the hold time without a break. So a push shorter than the time between two Status messages is
-/// seen.
+/// the hold time without a break. A push that is shorter than the time between two Status messages
+/// is therefore seen.
 class HeldSwitches {
  public:
   static constexpr std::size_t kSwitches = 9;

@@ -5,7 +5,7 @@
 
 namespace galilean::robot::firmware {
 
-/// First byte of a frame; from 0x80 on the board speaks.
+/// First byte of a frame. The board sends the types from 0x80 on.
 enum class MessageType : std::uint8_t {
   kHello = 0x01,
   kParameters = 0x02,

@@ -16,8 +16,8 @@ struct Measured {
 };
 
 /// Textbook PID:  u = Kp·e + Ki·∫e dt − Kd·dm/dt,  e = wanted − measured m, clamped to ±limit.
-/// The derivative acts on what is measured, so that a new target gives no kick. The integral stands
-/// still while the output is at its limit and would be driven further into it.
+/// The derivative acts on the measured value, so that a new target causes no jump. The integral is
+/// held while the output is at its limit and the error would drive it further.
 class Pid {
  public:
   void set(const PidGains& gains, float output_limit);

@@ -32,7 +32,8 @@ std::size_t write_content(const Frame& frame, std::array<std::uint8_t, kMaxConte
   return length;
 }
 
-/// Consistent overhead byte stuffing: each zero becomes the distance to the next one.
+/// Encodes by consistent overhead byte stuffing (Cheshire and Baker 1999): each zero becomes the
+/// distance to the next one.
 std::size_t stuff(std::span<const std::uint8_t> content, std::span<std::uint8_t> out) {
   std::size_t code_at = 0;
   std::size_t length = 1;

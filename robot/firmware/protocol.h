@@ -8,7 +8,8 @@
 
 namespace galilean::robot::firmware {
 
-/// Raised whenever a message changes its meaning or its bytes; both ends must have the same.
+/// It is raised whenever a message changes its meaning or its bytes. Both ends must have the same
+/// version.
 inline constexpr std::uint8_t kProtocolVersion = 1;
 
 inline constexpr std::size_t kMaxPayload = 64;
@@ -25,21 +26,22 @@ struct Frame {
   std::span<const std::uint8_t> payload;
 };
 
-/// Writes `frame` with CRC, COBS and a delimiter on both sides to `out`; the number of bytes
-/// written, 0 if the payload is longer than kMaxPayload.
+/// Writes `frame` with CRC, COBS and a delimiter on both sides to `out`. Returns the number of
+/// bytes written, or 0 if the payload is longer than kMaxPayload.
 std::size_t encode(const Frame& frame, std::span<std::uint8_t, kMaxEncoded> out);
 
-/// Finds frames in a stream of bytes. Whatever is no frame is dropped up to the next delimiter, so
-/// that one delimiter is all it takes to be in step again.
+/// Finds frames in a stream of bytes. Bytes that are no frame are dropped up to the next delimiter.
+/// One delimiter is therefore enough to be in step again.
 class FrameDecoder {
  public:
-  /// Takes the next byte; true if it completed a frame, which `frame` then gives until the next
-  /// push.
+  /// Takes the next byte. Returns whether it completed a frame, which `frame` returns until the
+  /// next push.
   bool push(std::uint8_t byte);
   const Frame& frame() const { return frame_; }
-  /// Forgets the frame that is under way: the line was lost.
+  /// Drops the frame that is under way, because the line was lost.
   void restart() { started_ = false, too_long_ = false, left_in_block_ = 0, length_ = 0; }
-  /// Stretches between delimiters that were no frame: noise, or frames that were damaged.
+  /// Returns the number of stretches between delimiters that were no frame: noise, or damaged
+  /// frames.
   std::uint32_t rejected() const { return rejected_; }
 
  private:

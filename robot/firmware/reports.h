@@ -9,7 +9,7 @@
 
 namespace galilean::robot::firmware {
 
-/// Board to robot: who it is. `boot_count` and `uptime_ms` tell a board that was reset.
+/// Board to robot: who it is. `boot_count` and `uptime_ms` show that a board was reset.
 struct HelloReply {
   static constexpr auto kType = MessageType::kHelloReply;
   std::uint8_t version = kProtocolVersion;
@@ -37,7 +37,7 @@ enum class Result : std::uint8_t {
 struct Acknowledgement {
   static constexpr auto kType = MessageType::kAcknowledgement;
   std::uint8_t message = 0;    ///< type of the message answered
-  std::uint16_t sequence = 0;  ///< its sequence
+  std::uint16_t sequence = 0;  ///< the sequence of that message
   std::uint8_t result = 0;     ///< a Result
 
   template <class Self, class Io>
@@ -69,7 +69,7 @@ struct Status {
   std::uint8_t gripper_state = 0;     ///< a GripperState
   std::uint8_t gripper_percent = 0;   ///< 0 open … 100 closed
   std::uint8_t flags = 0;             ///< status_flag
-  std::uint16_t rejected_frames = 0;  ///< damaged frames that the board heard since its start
+  std::uint16_t rejected_frames = 0;  ///< damaged frames that the board received since its start
 
   template <class Self, class Io>
   static constexpr void fields(Self& m, Io& io) {

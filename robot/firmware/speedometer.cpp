@@ -19,14 +19,14 @@ void Speedometer::sample(std::int32_t counts, std::uint32_t now_ms) {
   const Sample begin = samples_[oldest_];
   const auto travelled =
       static_cast<std::uint32_t>(counts) - static_cast<std::uint32_t>(begin.counts);
-  // By way of the mean period: even periods then give the same speed to the last bit, whatever
-  // their sum rounds to.
+  // Dividing by the mean period gives even periods the same speed to the last bit, whatever their
+  // sum rounds to.
   const float period_s =
       static_cast<float>(now_ms - begin.time_ms) / kSamples / kMillisecondsASecond;
   const float speed =
       static_cast<float>(static_cast<std::int32_t>(travelled)) / (kSamples * period_s);
-  // The speed is the one at the window's middle. A sample moves this by half of the newest period
-  // and half of the one that leaves the window.
+  // The speed is that at the window's middle. A sample moves the middle by half of the newest
+  // period and half of the period that leaves the window.
   const std::uint32_t moved_twice_ms = (now_ms - newest_.time_ms) + (begin.time_ms - begin_ms_);
   change_ = (speed - speed_) / (static_cast<float>(moved_twice_ms) / (2 * kMillisecondsASecond));
   speed_ = speed;

@@ -7,18 +7,18 @@
 
 namespace galilean::robot::firmware {
 
-/// Speed from encoder counts: what was travelled over the last window of samples, divided by the
-/// time that they took, whether or not they came at even times. A longer window resolves finer (one
-/// count in 20 ms is 50 counts/s) but tells it later, by half its length.
+/// Measures speed from encoder counts: the travel over the last window of samples, divided by the
+/// time of the window. The samples may come at uneven times. A longer window resolves finer (one
+/// count in 20 ms is 50 counts/s), but delays the speed by half its length.
 class Speedometer {
  public:
-  /// Starts anew, standing at `counts`. The first windows begin here.
+  /// Starts anew at `counts`, at rest. The first windows begin here.
   void reset(std::int32_t counts, std::uint32_t now_ms);
   /// Takes the next sample; counts and milliseconds may wrap around. Requires: `now_ms` is later
   /// than that of the sample before.
   void sample(std::int32_t counts, std::uint32_t now_ms);
   float speed_counts_s() const { return speed_; }
-  /// How fast that speed changed with the last sample.
+  /// Returns how fast that speed changed with the last sample.
   float change_counts_s2() const { return change_; }
 
  private:

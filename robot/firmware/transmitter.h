@@ -10,23 +10,23 @@
 
 namespace galilean::robot::firmware {
 
-/// Frames on their way out. A frame for which there is no room is left out whole: half a frame
-/// would be noise to the other side, and waiting would hold up the speed loops.
+/// Frames that wait to be sent. A frame for which there is no room is dropped whole: half a frame
+/// would be noise to the other side, and waiting would delay the speed loops.
 class Transmitter {
  public:
-  /// The sequence that the frame got.
+  /// Returns the sequence that the frame got.
   template <class Message>
   std::uint16_t send(const Message& message) {
     std::array<std::uint8_t, kMaxEncoded> bytes;
     queue(std::span(bytes).first(encode_message(message, sequence_, bytes)));
     return sequence_++;
   }
-  /// Hands to `line` what it will take: it is called with bytes, and returns how many it took.
+  /// Calls `line` with bytes that wait. `line` returns how many of them it took.
   template <class Line>
   void flush(Line&& line) {
     if (length_ > 0) drop_first(line(std::span<const std::uint8_t>(waiting_).first(length_)));
   }
-  /// Forgets what waits: the line was lost.
+  /// Drops what waits, because the line was lost.
   void clear() { length_ = 0; }
 
  private:

@@ -12,19 +12,19 @@ namespace galilean::robot::firmware {
 /// Units are the caller's, as long as they agree (here counts, counts/s, counts/s²).
 class Trapezoid {
  public:
-  /// A new motion from the present speed on. `travel_limit` 0: none; else it is measured from here
-  /// in the direction of `speed`. A limit below the braking distance is overrun by what braking
-  /// needs.
+  /// Starts a motion from the present speed. `travel_limit` is measured from here in the direction
+  /// of `speed`; 0 means no limit. If the limit is shorter than the braking distance, the wheel
+  /// stops behind it.
   void aim(float speed, float acceleration, float travel_limit);
-  /// The speed from which the next motion ramps.
+  /// Sets the speed from which the next motion ramps.
   void start_from(float speed) { speed_ = speed; }
-  /// Stands at once, without a ramp, and forgets the motion.
+  /// Stops at once, without a ramp, and forgets the motion.
   void cut();
-  /// The speed after the next `dt_s` seconds.
+  /// Returns the speed after the next `dt_s` seconds.
   float step(float dt_s);
 
   float speed() const { return speed_; }
-  /// It stands, and will until the next `aim`.
+  /// Returns whether the wheel stands, and will until the next `aim`.
   bool resting() const { return speed_ == 0 && target_ == 0; }
 
  private:

@@ -8,10 +8,10 @@
 namespace galilean::robot::firmware {
 namespace {
 
-/// How long the loop goes on after the profile came to rest.
+/// How long the control loop goes on after the profile came to rest.
 constexpr float kSettling_s = 0.15f;
-/// At rest the dead zone is added in proportion up to this output, or it would make the motor
-/// chatter.
+/// At rest the dead zone is added in proportion to the output, up to this output. The full dead
+/// zone would make the motor chatter.
 constexpr float kSoftening_pwm = 40;
 
 float offset(const DeadZone& zone, float wanted, float output) {

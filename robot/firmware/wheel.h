@@ -14,7 +14,7 @@ struct WheelGains {
   float feedforward = 0;  ///< PWM per count/s of wanted speed
 };
 
-/// PWM that only just does not move the motor: forward ≥ 0, reverse ≤ 0.
+/// The PWM up to which the motor does not move: forward ≥ 0, reverse ≤ 0.
 struct DeadZone {
   float forward_pwm = 0;
   float reverse_pwm = 0;
@@ -22,22 +22,23 @@ struct DeadZone {
 
 /// Closes the speed loop of one motor around its trapezoidal profile.
 ///   PWM = dead zone in the direction of motion + feedforward · wanted + PID(wanted, measured)
-/// When the profile has come to rest the loop takes up what is left for a moment, then lets go, so
+/// When the profile has come to rest, the loop corrects for a moment longer and then lets go, so
 /// that a standing robot neither hums nor creeps.
 class Wheel {
  public:
   void set(const WheelGains& gains);
   void aim(float speed_counts_s, float acceleration_counts_s2, float limit_counts);
-  /// Profile and loop forget everything: no PWM from this moment on.
+  /// Resets profile and loop. The PWM is 0 from this moment on.
   void cut();
-  /// The encoder as it stands now, before each `step`. Requires: `now_ms` is later than before.
+  /// Takes the encoder's present counts, before each `step`. Requires: `now_ms` is later than
+  /// before.
   void measure(std::int32_t encoder_counts, std::uint32_t now_ms) {
     speedometer_.sample(encoder_counts, now_ms);
   }
   /// Runs one period of the loop, `dt_s` seconds long. Returns the PWM to apply.
   std::int16_t step(const DeadZone& dead_zone, float dt_s);
 
-  /// A motion is under way, or only just ended.
+  /// Returns whether a motion is under way, or only just ended.
   bool active() const { return active_; }
   float wanted_counts_s() const { return profile_.speed(); }
   float measured_counts_s() const { return speedometer_.speed_counts_s(); }

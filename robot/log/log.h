@@ -5,14 +5,14 @@
 
 namespace galilean::robot {
 
-// One line each for the robot's log: standard error, and who else listens (LogForwarding). spdlog
-// keeps the log; its headers are included in this room alone, because a file that includes them
-// takes seconds to compile. Any thread but the control loop.
+// Each writes one line to the robot's log: to standard error, and to LogForwarding. spdlog keeps
+// the log. Only this room includes spdlog's headers, because a file that includes them takes
+// seconds to compile. Any thread but the control loop may call them.
 
 void log_info(std::string_view line);
-/// Of what the robot can go on with.
+/// For a problem with which the robot can go on.
 void log_warning(std::string_view line);
-/// Of what did not happen.
+/// For something that did not happen.
 void log_error(std::string_view line);
 
 }  // namespace galilean::robot

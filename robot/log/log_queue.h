@@ -10,16 +10,16 @@
 
 namespace galilean::robot {
 
-/// Lines of the log on their way to those who listen from afar. Any thread but the control loop.
+/// Lines of the log that wait to be published. Any thread but the control loop may call it.
 class LogQueue {
  public:
   struct Line {
     std::int64_t time_ns = 0;  ///< since the Unix epoch
-    std::uint8_t level = 0;    ///< as rcl_interfaces/Log has it: 10, 20 … 50
+    std::uint8_t level = 0;    ///< as in rcl_interfaces/Log: 10, 20 … 50
     std::string text;
   };
 
-  /// The oldest gives way where nobody takes them.
+  /// Appends a line. If nobody takes the lines, the oldest is dropped.
   void push(Line line);
   [[nodiscard]] std::vector<Line> take();
 
@@ -30,7 +30,7 @@ class LogQueue {
   std::deque<Line> lines_;
 };
 
-/// From now on spdlog's default logger writes into `queue` too, until the returned object goes.
+/// Makes spdlog's default logger write into `queue` too, until this object is destroyed.
 class LogForwarding {
  public:
   explicit LogForwarding(LogQueue& queue);

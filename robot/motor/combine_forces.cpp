@@ -6,7 +6,7 @@
 namespace galilean::robot {
 namespace {
 
-/// What the acting forces come to so far.
+/// Sums over the forces that were added so far.
 struct Total {
   Vec2 force = Vec2::Zero();
   double gain = 0;

@@ -12,7 +12,7 @@
 namespace galilean::robot {
 namespace {
 
-constexpr double kStandstill = 1e-6;  ///< forces shorter than this have no direction to speak of
+constexpr double kStandstill = 1e-6;  ///< shorter forces count as having no direction
 
 bool towards_pressed(const Vec2& motion, std::uint32_t pressed) noexcept {
   for (int i = 0; i < ControllerStatus::kBumpers; ++i)
@@ -20,7 +20,8 @@ bool towards_pressed(const Vec2& motion, std::uint32_t pressed) noexcept {
   return false;
 }
 
-/// Zero where the pressed bumpers leave no way.
+/// Returns the part of the motion that leads along the pressed bumpers, or zero if they block every
+/// way.
 Vec2 along_pressed(Vec2 motion, std::uint32_t pressed) noexcept {
   for (int i = 0; i < ControllerStatus::kBumpers; ++i) {
     if (!(pressed >> i & 1U)) continue;

@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kSector_rad = 2 * kPi / Probe::kSectors;
 
-/// 0 ahead, then counter-clockwise; `steps` may be negative.
+/// Returns the sector: 0 is ahead, and the others follow counter-clockwise. `steps` may be
+/// negative.
 int sector_at(int steps) noexcept {
   return ((steps % Probe::kSectors) + Probe::kSectors) % Probe::kSectors;
 }

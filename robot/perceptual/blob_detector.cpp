@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kHalfCertainError_m = 0.5;
 
-/// Where the robot was when the picture was taken, as far as its speed now tells.
+/// Returns the pose [odom] at which the picture was taken, extrapolated back with the present
+/// speed.
 Pose2 pose_at(const Shaft& shaft, Duration ago) noexcept {
   const double s = std::clamp(to_seconds(ago), 0.0, 0.5);
   Pose2 pose = shaft.pose;
@@ -21,7 +22,8 @@ Pose2 pose_at(const Shaft& shaft, Duration ago) noexcept {
   return pose;
 }
 
-/// In the odom frame. Where the range is but an upper bound, every smaller one is as likely.
+/// Returns the covariance [m²] in the odom frame. If the range is only an upper bound, every
+/// smaller range is equally likely, which gives the variance range²/12 along the ray.
 Mat2 covariance(const FloorPoint& point, bool range_is_bound, const Pose2& robot) noexcept {
   Mat2 in_robot = point.covariance_m2;
   if (range_is_bound) {
@@ -33,8 +35,8 @@ Mat2 covariance(const FloorPoint& point, bool range_is_bound, const Pose2& robot
   return turn * in_robot * turn.transpose();
 }
 
-/// Pixels of at least `level` in the blob's bounds, widened by half its height: beside it and over
-/// it, where the panel of a robot is whose tracks it may be.
+/// Counts pixels of at least `level` beside and above the blob, within its bounds widened by half
+/// its height. A robot has its bright panel there, and the blob may be that robot's tracks.
 int bright_around(const Image& image, const Blob& blob, int level) noexcept {
   const int margin = std::max(3, (blob.bottom_px - blob.top_px + 1) / 2);
   const int left = std::max(0, blob.left_px - margin);

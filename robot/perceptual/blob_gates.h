@@ -6,10 +6,10 @@
 
 namespace galilean::robot {
 
-/// What a blob must look like to pass as the object that a detector looks for. A blob that the
-/// picture's edge cuts is judged only by what the visible part proves. One that the bottom edge
-/// cuts is nearer than its range says, hence smaller than it seems: never too large. One that
-/// another edge cuts is larger than it seems: never too small.
+/// The limits that a blob must keep to pass as the object that a detector looks for. A blob that
+/// the picture's edge cuts is judged only by its visible part. If the bottom edge cuts it, it is
+/// nearer than its range says and so smaller than it seems: it is never refused as too large. If
+/// another edge cuts it, it is larger than it seems: it is never refused as too small.
 struct BlobGates {
   double min_area_px = 12;
   double max_area_px = Image::kWidth * Image::kHeight;
@@ -19,7 +19,7 @@ struct BlobGates {
   double min_width_m = 0;
   double max_width_m = 0;
   double min_height_m = 0;
-  double max_height_m = 0;  ///< of its top over the floor
+  double max_height_m = 0;  ///< the height of its top over the floor
   double max_range_m = 0;
 
   /// `front` is where the blob's lowest pixel meets the floor.

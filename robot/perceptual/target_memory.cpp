@@ -7,17 +7,18 @@
 namespace galilean::robot {
 namespace {
 
-constexpr double kSameObject_m = 0.25;    ///< beyond what the camera's error explains
-constexpr double kBoundSlack_m = 0.10;    ///< a remembered place may be so much further off
-constexpr double kBoundSlack_rad = 0.35;  ///< or so much to the side
-constexpr double kBoundCertainty = 0.5;   ///< of what it would be if the foot were seen
+constexpr double kSameObject_m = 0.25;    ///< added to what the camera's error explains
+constexpr double kBoundSlack_m = 0.10;    ///< how much farther than its bound a remembered place
+                                          ///< may be
+constexpr double kBoundSlack_rad = 0.35;  ///< how far to the side of the blob it may be
+constexpr double kBoundCertainty = 0.5;   ///< factor of the certainty if the foot is not seen
 constexpr double kPictureMargin_px = 8;
 
 double largest_error_m(const Mat2& covariance_m2) noexcept {
   return std::sqrt(covariance_m2.trace());
 }
 
-/// The place where the object's front stands on the floor, in the robot frame.
+/// Returns the place where the object's front stands on the floor, in the robot frame.
 Vec2 front_of(const Locate& object, const View& view) noexcept {
   const Vec2 centre = point_to_robot(view.robot, object.position_m) - view.camera.in_robot_m();
   const double range_m = centre.norm();
@@ -25,7 +26,8 @@ Vec2 front_of(const Locate& object, const View& view) noexcept {
   return view.camera.in_robot_m() + (range_m > 0 ? Vec2(centre * (front_m / range_m)) : centre);
 }
 
-/// A blob whose foot is out of the picture is the remembered object if that is about there.
+/// Gives a blob whose foot is out of the picture the remembered place, if that is near enough.
+/// Returns whether it did.
 bool recall(Candidate& candidate, const Locate& remembered, const View& view) noexcept {
   const Vec2 centre = point_to_robot(view.robot, remembered.position_m) - view.camera.in_robot_m();
   Sighting& sighting = candidate.sighting;

@@ -14,11 +14,12 @@ namespace galilean::robot {
 struct Candidate {
   Sighting sighting;
   double certainty = 0;
-  bool range_is_bound = false;  ///< the picture ends before the object does: it is nearer than that
+  bool range_is_bound = false;  ///< the picture ends before the object does, so that the true range
+                                ///< is shorter
 };
 using Candidates = StaticVector<Candidate, Locate::kMaxSightings>;
 
-/// From where the picture was taken.
+/// The place from which the picture was taken.
 struct View {
   const CameraModel& camera;
   Pose2 robot;
@@ -36,7 +37,7 @@ class TargetMemory {
   double switch_distance_m = 0;
   double miss_penalty = 0;
 
-  /// `candidates` nearest first.
+  /// Requires: the nearest candidate stands first.
   void update(Variable<Locate>& target, Candidates& candidates, const View& view,
               const Tick& tick) const noexcept;
 

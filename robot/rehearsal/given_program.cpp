@@ -9,7 +9,7 @@
 namespace galilean::robot {
 namespace {
 
-// No text of a program holds a line end, so no schema of it has such a name.
+// No text of a program holds a line end, so that no schema of the program has such a name.
 std::string name_of(std::size_t given) {
   return "given\n" + std::to_string(given);
 }
@@ -57,7 +57,8 @@ bool writes(const bhdl::Component& schema, const std::string& variable, const Ca
 
 using Givens = std::vector<bhdl::Given>;
 
-/// Says what is given anew, before all schemas of one kind and behind each that writes it.
+/// Inserts the schemas of the givens into a state's list: before all schemas, and again behind each
+/// schema that writes the variable.
 class Interleaver {
  public:
   Interleaver(const Givens& givens, ComponentKind kind, const std::vector<bhdl::Component>& schemas,

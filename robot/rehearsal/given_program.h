@@ -5,10 +5,11 @@
 
 namespace galilean::robot {
 
-/// The program as an expectation wants it run: it starts in `from_state`, and what is given stands
-/// first among every state's perceptual schemas and again behind each that writes the same
-/// variable; forces so among the motor schemas. So nobody sees anything else, neither schemas nor
-/// conditions; bits that a motor schema writes are seen by those behind it until the next tick.
+/// Returns the program as an expectation runs it. It starts in `from_state`. A schema for each
+/// given stands first among every state's perceptual schemas, and again behind each schema that
+/// writes the same variable. Given forces stand among the motor schemas in the same way. Schemas
+/// and conditions therefore see what is given. Only bits that a motor schema writes are seen by the
+/// motor schemas behind it until the next tick.
 [[nodiscard]] bhdl::Program with_givens(bhdl::Program program, const bhdl::Expectation& expectation,
                                         const Catalog& catalog);
 

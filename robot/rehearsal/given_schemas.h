@@ -6,9 +6,9 @@
 
 namespace galilean::robot {
 
-/// A step `given:` as a schema: what it says of a variable is so between two times.
+/// A `given:` step as a schema: it writes what the step says of a variable between two times.
 ///
-///   Base    perceptual; of a force a motor schema, since motor schemas write forces
+/// Base    perceptual schema; for a force motor schema, since motor schemas write forces
 template <class T, class Base>
 class GivenSchema : public Base {
  public:
@@ -72,10 +72,11 @@ class GivenForce final : public GivenSchema<Force, MotorSchema> {
   Vec2 value_ = Vec2::Zero();
 };
 
-/// The schema that gives a variable of this type: "given_" and the type.
+/// Returns the name of the schema that gives a variable of this type: "given_" and the type.
 [[nodiscard]] std::string given_schema(const std::string& variable_type);
 
-/// Besides the robot's own components; no program can name them.
+/// Adds these schemas to the robot's own components. Programs cannot name them, because they are
+/// checked without them.
 void add_given_schemas(Registry& registry);
 
 }  // namespace galilean::robot

@@ -26,7 +26,7 @@ std::string seconds(double time_s) {
   return number_text(time_s) + " s";
 }
 
-/// The part of a claim's time that the rehearsal lasts.
+/// Returns the end of a claim's time, which is cut where the rehearsal ends.
 double end_of(const Claim& claim, double lasts_s) {
   return std::min(claim.until_s, lasts_s);
 }
@@ -35,7 +35,7 @@ class ClaimCheck {
  public:
   ClaimCheck(const Timeline& timeline, double lasts_s) : timeline_(timeline), lasts_s_(lasts_s) {}
 
-  /// Empty if it came true.
+  /// Returns why the claim did not come true, or an empty text if it did.
   [[nodiscard]] std::string failure(const Claim& claim) const {
     switch (claim.kind) {
       case Claim::Kind::kReaches:
@@ -74,7 +74,7 @@ class ClaimCheck {
            seconds(std::max(stay->from_s, claim.from_s));
   }
 
-  /// The first stay in the claim's state within its time.
+  /// Returns the first stay in the claim's state within the claim's time, or nullptr.
   [[nodiscard]] const Timeline::Stay* first_in(const Claim& claim) const {
     const auto& stays = timeline_.stays();
     for (std::size_t i = 0; i < stays.size(); ++i) {
@@ -103,7 +103,7 @@ std::vector<std::string> last_transitions(const Timeline& timeline) {
   return words;
 }
 
-/// What could not be run at all, else nothing.
+/// Runs the program. Returns why it could not run, or which schema failed; else an empty text.
 std::string run(const bhdl::Program& program, double lasts_s, Timeline& timeline) {
   StillPort port;
   StillDrive drive;

@@ -20,22 +20,23 @@ struct Failure {
 struct ExpectationOutcome {
   std::string name;
   bhdl::Location location;
-  std::vector<Failure> failures;         ///< none: it passed
-  std::vector<std::string> transitions;  ///< the start and the last of them, in words
+  std::vector<Failure> failures;         ///< empty: it passed
+  std::vector<std::string> transitions;  ///< the last ones in words, where the start counts as one
 
   [[nodiscard]] bool passed() const noexcept { return failures.empty(); }
 };
 
-/// The robot's components and what rehearsals need besides.
+/// Returns the robot's components and the schemas that rehearsals add.
 [[nodiscard]] const Registry& rehearsal_components();
 
-/// Runs a program as one of its expectations wants it: by the real executive at 20 ticks a second
-/// of a stepped clock, on devices that stand still, as fast as it goes. The same every time.
+/// Runs a program as one of its expectations demands. The real executive runs it at 20 ticks a
+/// second of a stepped clock, as fast as the machine can, on devices that stand still. The result
+/// is the same every time.
 [[nodiscard]] ExpectationOutcome rehearse(const bhdl::Program& program,
                                           const bhdl::Expectation& expectation);
 
-/// `file:line:column: failed: "name": …` for each failure, with the last transitions; or one line
-/// that says that it passed. With a final newline.
+/// Returns `file:line:column: failed: name: …` for each failure, then the last transitions, or
+/// one line that says that it passed. The text ends with a newline.
 [[nodiscard]] std::string in_words(const ExpectationOutcome& verdict);
 void to_json(nlohmann::json& json, const ExpectationOutcome& verdict);
 

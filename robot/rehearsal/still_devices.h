@@ -9,8 +9,8 @@
 
 namespace galilean::robot {
 
-/// Devices that answer and perceive nothing: no bumper is touched, the picture stays black, and the
-/// robot stands still whatever it is told.
+/// Devices that are healthy and perceive nothing: no bumper is touched, the picture stays black,
+/// and the robot stands still whatever is commanded.
 class StillPort final : public CommPort {
  public:
   void sense(Time now) noexcept override { status_.received = now; }

@@ -13,7 +13,7 @@ Timeline::Timeline(const bhdl::Program& program) : program_(program) {
   stays_.push_back({static_cast<std::uint32_t>(start - program.states.begin())});
 }
 
-// A rehearsal is no control loop: here observers may allocate.
+// A rehearsal is no control loop, so that this observer may allocate.
 void Timeline::on_event(const Event& event) noexcept {
   const double time_s = to_seconds(event.time.time_since_epoch());
   if (event.kind == Event::Kind::kTransition)

@@ -9,16 +9,17 @@
 
 namespace galilean::robot {
 
-/// Which state was current when, as one run of a program had it.
+/// Records which state of a program was current at which time of a run.
 class Timeline final : public TickObserver {
  public:
   struct Stay {
     std::uint32_t state = 0;
     double from_s = 0;                       ///< since the first tick
-    std::uint32_t condition = Event::kNone;  ///< of the state before, that led here
+    std::uint32_t condition = Event::kNone;  ///< index of the condition of the state before that
+                                             ///< led here
   };
 
-  /// Of a program that is about to start; it must outlive this.
+  /// Requires: the program is about to start, and outlives this.
   explicit Timeline(const bhdl::Program& program);
 
   void on_event(const Event& event) noexcept override;
@@ -28,11 +29,12 @@ class Timeline final : public TickObserver {
   [[nodiscard]] const std::string& state_name(const Stay& stay) const {
     return program_.states[stay.state].name;
   }
-  /// The one that began last, at that time or before.
+  /// Returns the stay that began last, at that time or before.
   [[nodiscard]] const Stay& at(double time_s) const;
-  /// "2.35 s: wander → back_up, since bumpers[0] is 1"; of the first: "0 s: starts in wander".
+  /// Returns "2.35 s: wander → back_up, since bumpers[0] is 1", or "0 s: starts in wander" for
+  /// the first stay.
   [[nodiscard]] std::string in_words(std::size_t stay) const;
-  /// Of the first schema that threw: its name and what it threw; empty if none did.
+  /// Returns when the first schema failed and what it threw, or an empty text if none failed.
   [[nodiscard]] const std::string& failure() const noexcept { return failure_; }
 
  private:

@@ -15,7 +15,7 @@ class AcceptedSenders {
  public:
   static constexpr const char* kAny = "any";
 
-  /// `kAny` among them: everybody's.
+  /// If `kAny` is among the names, programs are accepted from every process.
   explicit AcceptedSenders(std::vector<std::string> names = {wire::kMonitorName})
       : names_(std::move(names)) {}
 

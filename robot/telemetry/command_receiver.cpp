@@ -11,7 +11,7 @@ namespace galilean::robot {
 
 CommandReceiver::CommandReceiver(const TelemetrySource& source, const Worker::Report& report)
     : source_(source), reader_(source.participant, wire::kCommandTopic, msg::Command::kRosType) {
-  // A thread of DDS calls it, from which an exception would end the process.
+  // A thread of DDS calls this function. An exception from it would end the process.
   const auto take_or_report = [this, report] {
     static_cast<void>(failure_of([&] { report(failure_of([&] { take(); })); }));
   };

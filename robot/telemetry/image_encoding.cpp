@@ -10,7 +10,7 @@ namespace galilean::robot {
 namespace {
 
 constexpr int kQuality = 80;
-/// The fastest: a picture lives for a tenth of a second.
+/// The fastest level, because a picture is of use for a tenth of a second only.
 constexpr int kCompression = 1;
 
 }  // namespace

@@ -49,7 +49,7 @@ void ImagePublisher::show(Output& output) {
   message_.header.frame_id = frame_id_;
   message_.format = camera ? "jpeg" : "png";
   (camera ? encode_jpeg : encode_png)(picture.pixels, message_.data);
-  // Best effort, as all images are: the next one follows.
+  // A lost picture does not matter, because images are best effort and the next one follows.
   static_cast<void>(output.writer.write(message_));
 }
 

@@ -11,8 +11,8 @@
 namespace galilean::robot {
 namespace {
 
-/// Somewhat less than a tenth of a second, so that a camera of ten pictures a second, which is
-/// never quite regular, passes whole.
+/// Somewhat less than a tenth of a second. A camera of ten pictures a second is never quite
+/// regular, and all of its pictures should pass.
 constexpr Duration kLeastApart = std::chrono::milliseconds(90);
 
 const Variable<Image>* image_of(const RunningProgram& program, std::string_view channel) noexcept {

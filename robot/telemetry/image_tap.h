@@ -13,20 +13,20 @@
 
 namespace galilean::robot {
 
-/// The pictures of a robot that others may look at: the camera's, then those that the schemas of
-/// its catalog make.
+/// The number of a picture that viewers may get. The camera's is the first. The pictures that the
+/// schemas of the robot's catalog make follow.
 using ImageChannel = std::size_t;
 inline constexpr ImageChannel kCameraChannel = 0;
 
-/// One picture, out of the tick.
+/// One picture, copied out of the tick.
 struct Picture {
   std::uint64_t frame = 0;
   Time captured{};
-  std::vector<std::uint8_t> pixels;  ///< of the camera, red, green, blue; else one byte a pixel
+  std::vector<std::uint8_t> pixels;  ///< the camera's: red, green, blue; others: one byte a pixel
 };
 
-/// Hands pictures to the one thread that encodes them: only those that somebody wants, at most some
-/// ten a second, by a copy into room made before. Wait-free on both sides.
+/// Hands pictures to the one thread that encodes them. It copies only wanted pictures, at most
+/// about ten a second, into memory that was allocated before. It is wait-free on both sides.
 class ImageTap final : public TickObserver {
  public:
   explicit ImageTap(const Catalog& catalog);
@@ -34,9 +34,9 @@ class ImageTap final : public TickObserver {
   void on_event(const Event&) noexcept override {}
   void on_tick(const TickView& view) noexcept override;
 
-  /// Reader: the name of each channel.
+  /// Reader: returns the name of each channel.
   [[nodiscard]] const std::vector<std::string>& channels() const noexcept { return names_; }
-  /// Reader.
+  /// Reader: sets whether the channel's pictures are copied.
   void want(ImageChannel channel, bool wanted) noexcept;
   /// Reader: takes the newest picture over. Returns false if there was none since the last call.
   bool take(ImageChannel channel) noexcept;

@@ -39,7 +39,7 @@ std::vector<msg::Diagnostic> to_messages(const std::vector<bhdl::Diagnostic>& di
 
 constexpr float kLongestProbation_s = 3600;
 
-/// Why a push's rules of probation are none; empty if they are some.
+/// Returns why a push's rules of probation are not valid, or an empty text if they are.
 std::string objection_to_rules(const msg::ProgramPush& push) {
   if (!(push.probation_s >= 0 && push.probation_s <= kLongestProbation_s))
     return "its probation must last from 0 to 3600 s, not " + std::to_string(push.probation_s);
@@ -49,7 +49,7 @@ std::string objection_to_rules(const msg::ProgramPush& push) {
   return {};
 }
 
-/// The robot's own, where the push says nothing else.
+/// Returns the push's rules. Where it says nothing, the robot's own rules apply.
 ProbationRules rules_of(const msg::ProgramPush& push, ProbationRules rules) {
   if (push.probation_s > 0) rules.length = from_seconds(push.probation_s);
   if (push.most_transitions_per_s > 0)
@@ -81,7 +81,7 @@ void ProgramReceiver::wait_and_take(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     if (!wake_.wait(lock, stop, [this] { return std::exchange(arrived_, false); })) return;
   }
-  // In this order, because a push that is cancelled at once is followed by its rollback.
+  // Pushes are taken first, because the rollback of a push that is cancelled at once follows it.
   take_from<msg::ProgramPush>(pushes_);
   take_from<msg::ProgramRollback>(rollbacks_);
 }
@@ -113,7 +113,8 @@ void ProgramReceiver::handle(const msg::ProgramRollback& message) {
     reject(order, std::move(*why));
 }
 
-/// What was pushed just now may wait for its first tick, or for the news of it.
+/// Waits up to 200 ms for a program that was pushed just now, whose first tick may still be to
+/// come, or the news of it.
 void ProgramReceiver::wait_until_runs(const std::string& hash) const {
   constexpr auto kPatience = std::chrono::milliseconds(200);
   constexpr auto kPause = std::chrono::milliseconds(1);

@@ -13,29 +13,30 @@
 
 namespace galilean::robot {
 
-/// Takes programs that are pushed over the network, and orders to take one off again, from senders
-/// that the robot accepts, in a thread of its own: checks each program against this robot's
-/// catalog, builds it beside the one that runs, and tells how it fares. What is refused changes
-/// nothing and is answered with the reason and every diagnostic.
+/// Takes programs and orders to roll back that accepted senders push over the network. It works in
+/// a thread of its own. It checks each program against this robot's catalog, builds it while
+/// another one runs, and reports what becomes of it. A refused program changes nothing, and is
+/// answered with the reason and every diagnostic.
 class ProgramReceiver {
  public:
   /// Errors: throws std::runtime_error if DDS refuses a topic.
   ProgramReceiver(const TelemetrySource& source, Worker::Report report);
 
-  /// The publisher's thread: answers for programs that began to run, proved themselves or did not.
+  /// Publisher's thread: answers the pushes of programs that began to run, proved themselves or
+  /// failed.
   void on_event(const Event& event);
 
  private:
   void wait_and_take(const std::stop_token& stop);
   template <class M>
   void take_from(wire::Reader& reader);
-  /// Returns why this robot failed on it; empty if it did not.
+  /// Returns why handling the message failed, or an empty text if it did not.
   template <class M>
   [[nodiscard]] std::string handle_or_fail(const M& message);
   void handle(const msg::ProgramPush& push);
   void handle(const msg::ProgramRollback& order);
   void wait_until_runs(const std::string& hash) const;
-  /// Why the push is refused before it is read; empty if it is not.
+  /// Returns why the push is refused before it is read, or an empty text if it is not.
   [[nodiscard]] std::string objection(const msg::ProgramPush& push,
                                       const std::vector<bhdl::SourceFile>& files) const;
   void run_program(bhdl::Program program, const ProbationRules& rules, PushLedger::Push push);

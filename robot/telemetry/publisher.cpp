@@ -14,7 +14,7 @@
 namespace galilean::robot {
 namespace {
 
-/// The control loop wakes nobody; so this is what an event waits at most.
+/// The longest wait of an event, because the control loop does not wake this thread.
 constexpr Duration kSnapshotPause = std::chrono::milliseconds(3);
 constexpr Duration kReport = std::chrono::milliseconds(100);
 constexpr Duration kDiagnosis = std::chrono::seconds(1);
@@ -28,18 +28,20 @@ bool contains(const std::vector<Problem>& list, const Problem& item) {
   return std::ranges::find(list, item) != list.end();
 }
 
-/// A message that the network does not take in time is lost; the next says the same or more.
+/// Writes a message. One that the network does not take in time is lost, and the next one says the
+/// same or more.
 template <class M>
 void write(wire::Writer<M>& writer, const M& message) {
   static_cast<void>(writer.write(message));
 }
 
-/// "office_cleanup.bhdl (0123abcd)"
+/// Returns "office_cleanup.bhdl (0123abcd)".
 std::string named(const bhdl::Program& program) {
   return program.name + " (" + program.hash.substr(0, 8) + ")";
 }
 
-/// Whoever tells the problems of the other threads may not come to tell its own.
+/// This failure is logged, because the thread that publishes the other threads' problems may not be
+/// able to publish its own.
 void log_failure(const std::string& failure) {
   if (failure.empty())
     log_info("telemetry works again");

@@ -28,13 +28,13 @@ struct TelemetrySource {
   AcceptedSenders accepted_senders{};
 };
 
-/// Tells the domain what the robot does, from a thread of its own, so that a network that stalls
-/// delays nothing but itself: events as they come with the state and variables that they led to,
-/// state, variables, forces and pose ten times a second, what the camera saw with each picture,
+/// Publishes what the robot does. It uses a thread of its own, so that a stalled network delays
+/// nothing else. Events are published as they come, with the state and variables that they led to.
+/// State, variables, forces and pose follow ten times a second, sightings with each picture, and
 /// diagnostics every second.
 class Publisher {
  public:
-  /// Also sees every event, in the publisher's thread.
+  /// Is called with every event, in the publisher's thread.
   using EventListener = std::function<void(const Event&)>;
 
   /// Errors: throws std::runtime_error if DDS refuses a topic.
@@ -55,7 +55,7 @@ class Publisher {
   void tell_what_is();
   void log_changes(const std::vector<Problem>& problems);
   [[nodiscard]] std::vector<Problem> problems() const;
-  /// Null if nobody knows it any more.
+  /// Returns null if the program's description is no longer kept.
   [[nodiscard]] const Description* describe(ProgramId id);
 
   TelemetrySource source_;

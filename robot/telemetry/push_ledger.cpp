@@ -16,7 +16,7 @@ PushLedger::Running PushLedger::running() const {
 }
 
 Result<ProgramId> PushLedger::load(bhdl::Program program, const ProbationRules& rules, Push push) {
-  // Locked over both, so that the push is known before its program can have begun to run.
+  // The lock covers both, so that the push is known before its program can begin to run.
   const std::lock_guard lock(mutex_);
   auto loaded = executive_.load(std::move(program), rules);
   if (loaded) pushes_.emplace(loaded.value(), std::move(push));

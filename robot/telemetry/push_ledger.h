@@ -12,8 +12,8 @@
 
 namespace galilean::robot {
 
-/// Remembers which push each program came from and who ordered it off again, and answers for it as
-/// it fares. Any thread but the control loop.
+/// Remembers the push that each program came from, and the orders to roll it back, and answers them
+/// as the program fares. Any thread but the control loop may call it.
 class PushLedger {
  public:
   struct Push {
@@ -25,22 +25,23 @@ class PushLedger {
     std::shared_ptr<const Description> program;  ///< null: none yet
     std::uint64_t since_tick = 0;
     bool proven = false;
-    bool has_predecessor = false;  ///< which a rollback would lead to
+    bool has_predecessor = false;  ///< there is a program to roll back to
     [[nodiscard]] std::string hash() const { return program ? program->program.hash : ""; }
   };
 
   explicit PushLedger(Executive& executive) : executive_(executive) {}
 
   [[nodiscard]] Running running() const;
-  /// Has the executive build and take over `program`, and enters the push.
+  /// Lets the executive build `program` and take it over, and enters the push. Errors: as
+  /// Executive::load.
   [[nodiscard]] Result<ProgramId> load(bhdl::Program program, const ProbationRules& rules,
                                        Push push);
-  /// Enters a push of what runs already: nothing is exchanged.
+  /// Enters a push of the program that runs already. No program is exchanged. Returns the answers.
   [[nodiscard]] std::vector<msg::ProgramReply> join_running(Push push);
-  /// Has the executive take off the program that `order` names by its hash. The reason why not, if
-  /// it does not.
+  /// Orders the executive to roll back the program that `order` names by its hash. Returns the
+  /// reason if it does not.
   [[nodiscard]] std::optional<std::string> roll_back(Push order, std::string_view reason);
-  /// What there is to answer because of `event`.
+  /// Returns the answers that `event` causes.
   [[nodiscard]] std::vector<msg::ProgramReply> answers(const Event& event);
 
  private:
@@ -54,8 +55,8 @@ class PushLedger {
   Executive& executive_;
   mutable std::mutex mutex_;
   Running running_;
-  std::multimap<ProgramId, Push> pushes_;  ///< that are not yet confirmed and may still be
-  std::multimap<ProgramId, Push> orders_;  ///< to roll back, which are not yet obeyed
+  std::multimap<ProgramId, Push> pushes_;  ///< pushes that are not yet confirmed and still may be
+  std::multimap<ProgramId, Push> orders_;  ///< orders to roll back that are not yet carried out
 };
 
 }  // namespace galilean::robot

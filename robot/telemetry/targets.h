@@ -7,7 +7,7 @@
 
 namespace galilean::robot {
 
-/// Whether a message to `targets` is also for `robot`: none named means every robot.
+/// Returns whether a message to `targets` is meant for `robot`. No targets means every robot.
 [[nodiscard]] inline bool is_meant(const std::string& robot,
                                    const std::vector<std::string>& targets) {
   return targets.empty() || std::ranges::find(targets, robot) != targets.end();

@@ -10,8 +10,8 @@
 
 namespace galilean::robot {
 
-/// All that connects a robot with the domain. The control loop knows none of it; that loop may run
-/// before this is made and after it is gone.
+/// All that connects a robot with the DDS domain. The control loop does not depend on it: the loop
+/// may run before this object is made and after it is destroyed.
 class Telemetry {
  public:
   /// Errors: throws std::runtime_error if DDS refuses a topic.
@@ -23,7 +23,7 @@ class Telemetry {
         images_(source, images, problems_.reporter("image_publisher")),
         commands_(source, problems_.reporter("command_receiver")) {}
 
-  /// Where threads beside these note what they cannot do, so that it is told too.
+  /// Returns where other threads enter their problems, so that these are published too.
   [[nodiscard]] ThreadProblems& problems() noexcept { return problems_; }
 
  private:

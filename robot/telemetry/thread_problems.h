@@ -15,9 +15,10 @@ namespace galilean::robot {
 /// call it.
 class ThreadProblems {
  public:
-  /// For the worker that the operator knows as `subject`. This must outlive it.
+  /// Returns the report for the worker that the operator knows as `subject`. Requires: this object
+  /// outlives the worker.
   [[nodiscard]] Worker::Report reporter(std::string subject);
-  /// `sentence`: what is wrong and what to do; empty: nothing any more.
+  /// `sentence` says what is wrong and what to do. An empty sentence removes the problem.
   void note(const std::string& subject, std::string sentence);
   [[nodiscard]] std::vector<Problem> all() const;
 

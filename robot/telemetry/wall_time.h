@@ -7,8 +7,8 @@
 
 namespace galilean::robot {
 
-/// Turns the process's own time into that of the wall clock, which is what messages are stamped
-/// with. The difference is read anew by `refresh`, since a wall clock may be set.
+/// Converts the process's own time to wall-clock time, which messages are stamped with. `refresh`
+/// measures the difference anew, because a wall clock may be set.
 class WallTime {
  public:
   explicit WallTime(const Clock& clock) : clock_(clock) { refresh(); }

@@ -13,10 +13,10 @@ struct Devices;
 
 namespace galilean::robot {
 
-/// What the operator reads about what happened in the tick.
+/// The texts that the operator reads about events of a tick.
 
-/// "trash_seen[0] became 1", "program swapped", "rolled back: …". `from` is the program that the
-/// event left.
+/// Returns a cause such as "trash_seen[0] became 1", "program swapped" or "rolled back: …".
+/// `from` is the program that the event left.
 [[nodiscard]] std::string cause_of(const Event& transition, const Description& from);
 
 /// Returns why a program was rolled back. `of` is that program.
@@ -31,8 +31,8 @@ struct Problem {
   bool operator==(const Problem&) const = default;
 };
 
-/// All that is wrong now: devices that do not answer, schemas that threw. `program` may be null.
-/// Asks the devices, and so belongs to any thread but the control loop.
+/// Returns all that is wrong now: devices that do not answer, and schemas that threw. `program` may
+/// be null. Requires: the caller is not the control loop, because it asks the devices.
 [[nodiscard]] std::vector<Problem> problems_of(const Snapshot& snapshot, const Description* program,
                                                const Devices& devices);
 

@@ -15,8 +15,8 @@ struct RelativeObject {
   double radius_m = 0;
   double certainty = 0;  ///< of the less certain of object and shaft, more than 0
 
-  /// Unit vectors in the robot frame. In the object's very centre every direction is as good as any
-  /// other: away is backwards then, where the robot came from, and towards is nowhere.
+  /// Return unit vectors in the robot frame. At the object's very centre no direction is defined:
+  /// away is then backwards, where the robot came from, and towards is zero.
   [[nodiscard]] Vec2 away() const noexcept;
   [[nodiscard]] Vec2 towards() const noexcept;
 };

@@ -6,7 +6,7 @@
 
 namespace galilean::robot {
 
-/// What every variable of a program takes, besides its name.
+/// The attributes of every variable besides its name.
 struct ReliabilitySettings {
   bool valid = false;
   double certainty = 1;

@@ -29,7 +29,8 @@ const BlobFinder::Blobs& BlobFinder::find(std::span<const std::uint8_t> pixels, 
   return blobs_;
 }
 
-/// Every set bit of `changes` is a pixel that differs from the one to its left.
+/// Finds the runs of a row. Every set bit of `changes` is a pixel that differs from its left
+/// neighbour.
 void BlobFinder::extract_runs(int y, Row& row) const noexcept {
   row.count = 0;
   const std::uint8_t* bytes = mask_.data() + y * (Image::kWidth / 8);
@@ -61,7 +62,8 @@ void BlobFinder::link(Row& row, const Row& below, int y) noexcept {
   }
 }
 
-/// `first` is the first run below that may touch this run or one further right.
+/// Returns the region below that the run touches, or kNone. `first` is the first run below that may
+/// touch this run or one further right.
 BlobFinder::Index BlobFinder::touching_region(const Run& run, const Row& below,
                                               std::size_t& first) noexcept {
   while (first < below.count && below.runs[first].right + 1 < run.left) ++first;
@@ -103,7 +105,7 @@ BlobFinder::Index BlobFinder::root(Index region) noexcept {
   return region;
 }
 
-/// The older of the two, whose bottom row is not above the other's, becomes the root of both.
+/// Unites two regions. The older one becomes the root, because its bottom row is at least as low.
 BlobFinder::Index BlobFinder::unite(Index a, Index b) noexcept {
   a = root(a);
   b = root(b);

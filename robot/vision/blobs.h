@@ -18,7 +18,7 @@ struct Blob {
   int left_px = 0, top_px = 0, right_px = 0, bottom_px = 0;
   double centroid_column_px = 0;  ///< mean of the pixels' columns: 0.0 is the middle of column 0
   double centroid_row_px = 0;
-  double lowest_column_px = 0;  ///< middle of what the blob has in its bottom row
+  double lowest_column_px = 0;  ///< middle of the blob's pixels in its bottom row
 };
 
 /// Finds blobs in an 8-bit image: threshold to a bit mask, mask to runs, union of the runs that
@@ -32,8 +32,9 @@ class BlobFinder {
   static constexpr std::size_t kMaxBlobs = 64;
   using Blobs = StaticVector<Blob, kMaxBlobs>;
 
-  /// Blobs of at least `min_area_px`, the lowest bottom row first; valid until the next call.
-  /// `pixels` is one Image::kWidth × Image::kHeight picture. Never allocates.
+  /// Returns the blobs of at least `min_area_px`, the lowest bottom row first. They are valid until
+  /// the next call. Requires: `pixels` is one Image::kWidth × Image::kHeight picture. It never
+  /// allocates.
   const Blobs& find(std::span<const std::uint8_t> pixels, Threshold threshold,
                     std::uint32_t min_area_px) noexcept;
 
@@ -71,7 +72,8 @@ class BlobFinder {
 
   std::array<std::uint8_t, mask_bytes(Image::kWidth* Image::kHeight)> mask_{};
   std::array<Row, 2> rows_{};
-  // Not set to zero: a swap waits for it, and only those that are counted are read.
+  // The array is not set to zero: a swap waits for its allocation, and only counted regions are
+  // read.
   std::unique_ptr<Region[]> regions_ = std::make_unique_for_overwrite<Region[]>(kMaxRegions);
   std::size_t region_count_ = 0;
   Blobs blobs_;

@@ -8,13 +8,13 @@
 
 namespace galilean::robot {
 
-/// A place on the floor as one pixel tells it.
+/// A place on the floor, computed from one pixel.
 struct FloorPoint {
   Vec2 in_robot_m = Vec2::Zero();     ///< robot frame (x right, y forward), from its centre
   Mat2 covariance_m2 = Mat2::Zero();  ///< robot frame
   double depth_m = 0;                 ///< from the camera, along its axis
   double range_m = 0;                 ///< from the camera, along the floor
-  double range_error_m = 0;           ///< what one row of pixels makes of the range
+  double range_error_m = 0;           ///< how much one row of pixels changes the range
   double azimuth_rad = 0;             ///< counter-clockwise from straight ahead
 };
 
@@ -32,22 +32,22 @@ class CameraModel {
   explicit CameraModel(const CameraGeometry& geometry) noexcept;
 
   [[nodiscard]] double azimuth_rad(double column) const noexcept;
-  /// Where the ray through this point meets the floor, then `deeper_m` further along that ray,
-  /// measured along the camera's axis: from the foremost point of a round object to its centre, if
-  /// that is its radius. Nothing at the horizon or above.
+  /// Returns where the ray through this point of the picture meets the floor, moved `deeper_m`
+  /// along that ray, measured along the camera's axis. With a round object's radius this leads from
+  /// its foremost point to its centre. Returns nothing at the horizon or above.
   [[nodiscard]] std::optional<FloorPoint> floor_point(double column, double row,
                                                       double deeper_m) const noexcept;
-  /// Over the floor, of what is seen at `row` and stands `depth_m` away.
+  /// Returns the height over the floor of a thing that is seen at `row` and stands `depth_m` away.
   [[nodiscard]] double height_m(double row, double depth_m) const noexcept;
-  /// Of what covers so many columns `depth_m` away.
+  /// Returns the width of a thing that covers this many columns `depth_m` away.
   [[nodiscard]] double width_m(double columns, double depth_m) const noexcept;
 
-  /// Where a point on the floor is seen. Nothing if it is not in front of the camera.
+  /// Where a point on the floor is seen. There is none if the point is not in front of the camera.
   struct Pixel {
     double column, row;
   };
   [[nodiscard]] std::optional<Pixel> pixel(const Vec2& in_robot_m) const noexcept;
-  /// Whether that is inside the picture, at least `margin_px` from its edges.
+  /// Returns whether the point is inside the picture, at least `margin_px` from its edges.
   [[nodiscard]] bool sees(const Vec2& in_robot_m, double margin_px) const noexcept;
 
   [[nodiscard]] const CameraGeometry& geometry() const noexcept { return geometry_; }

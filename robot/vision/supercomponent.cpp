@@ -16,7 +16,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Even and odd bytes are multiplied apart, each in the upper half of a 16-bit lane.
+/// Returns the bytes times the gain, at most 255. Even and odd bytes are multiplied separately,
+/// each in the upper half of a 16-bit lane.
 template <class D, class V>
 HWY_INLINE V amplified(D d, V bytes, Gain gain) {
 #if HWY_TARGET == HWY_SCALAR

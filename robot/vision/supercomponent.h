@@ -6,7 +6,7 @@
 
 namespace galilean::robot {
 
-/// Where to write which component of a picture, one byte a pixel. A plane may be null: not wanted.
+/// Where to write each component of a picture, one byte a pixel. A null plane is not written.
 struct ComponentPlanes {
   std::uint8_t* superred = nullptr;
   std::uint8_t* supergreen = nullptr;
@@ -14,7 +14,7 @@ struct ComponentPlanes {
   std::uint8_t* intensity = nullptr;
 };
 
-/// A factor for all channels alike, in 1/256: a byte x becomes min(255, x · gain / 256).
+/// A factor for all channels, in 1/256: a byte x becomes min(255, x · gain / 256).
 using Gain = std::uint16_t;
 inline constexpr Gain kUnityGain = 256;
 

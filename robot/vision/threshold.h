@@ -14,12 +14,12 @@ struct Threshold {
   Polarity polarity = Polarity::kBright;  ///< bright: pixel >= level; dark: pixel < level
 };
 
-/// Bit i % 8 of byte i / 8 of `mask` tells whether pixel i stands out. `mask` has room for
-/// `mask_bytes(pixels.size())`; what lies behind the last pixel's bit is undefined.
+/// Sets bit i % 8 of byte i / 8 of `mask` if pixel i stands out, and clears it otherwise. Requires:
+/// `mask` has room for `mask_bytes(pixels.size())`. Bits behind the last pixel's are undefined.
 void threshold_mask(std::span<const std::uint8_t> pixels, Threshold threshold,
                     std::uint8_t* mask) noexcept;
 
-/// Vectors may be written whole, beyond the last pixel.
+/// Returns the bytes of a mask. They include room for whole vectors beyond the last pixel.
 [[nodiscard]] constexpr std::size_t mask_bytes(std::size_t pixels) noexcept {
   return (pixels + 7) / 8 + 8;
 }

@@ -20,7 +20,8 @@ constexpr std::uint32_t kGone = IN_DELETE_SELF | IN_MOVE_SELF | IN_IGNORED;
 constexpr std::uint32_t kLookedFor =
     IN_CLOSE_WRITE | IN_MOVED_TO | IN_CREATE | IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
 
-/// What is made as a link is whole at once; any other file is empty yet, and closed later.
+/// Returns whether the file was made as a link. A link is complete at once. Any other new file is
+/// still empty, and is closed later.
 bool is_link(const fs::path& file) {
   struct stat status {};
   if (lstat(file.c_str(), &status) != 0) return false;
@@ -100,7 +101,8 @@ bool FileWatch::take() {
   return find_again() || saved;
 }
 
-/// Folders that are back, with a file that may be another by now.
+/// Watches folders again that are back. Returns whether one holds a file, which may have changed
+/// meanwhile.
 bool FileWatch::find_again() {
   bool found = false;
   for (Folder& folder : folders_)
@@ -127,7 +129,7 @@ bool FileWatch::is_save(int watch, unsigned mask, const char* name) {
   const auto folder = std::ranges::find(folders_, watch, &Folder::watch);
   if (folder == folders_.end()) return false;
   if (mask & kGone) {
-    // One that was moved away would be followed to its new place.
+    // A folder that was moved away would still be watched at its new place.
     inotify_rm_watch(inotify_, watch);
     folder->watch = -1;
     folder->why_not = ENOENT;

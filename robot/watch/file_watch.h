@@ -8,35 +8,37 @@
 
 namespace galilean::robot {
 
-/// Tells when one of several files was saved, in whichever way editors do that: written in place,
-/// written aside and renamed, linked, or taken away first. For that it watches their folders, by
-/// inotify; a folder that is gone is looked for until it is back. Belongs to one thread.
+/// Notices when one of several files was saved, in whichever way editors save: written in place,
+/// written elsewhere and renamed, linked, or removed first. It watches the files' folders by
+/// inotify. A folder that is gone is tried again in `take` until it is back. It belongs to one
+/// thread.
 class FileWatch {
  public:
-  /// Throws std::system_error if the system grants no watch.
+  /// Errors: throws std::system_error if the system grants no watch.
   FileWatch();
   ~FileWatch();
   FileWatch(const FileWatch&) = delete;
   FileWatch& operator=(const FileWatch&) = delete;
 
-  /// From now on this one too, and what it is a link to. It need not be there.
+  /// Adds a file, and the file that it links to. It need not exist.
   void add(const std::filesystem::path& file);
 
-  /// Readable when there is something to take.
+  /// Returns a file descriptor for poll, which is readable when there is something to take.
   [[nodiscard]] int descriptor() const noexcept { return inotify_; }
-  /// A folder is gone: take now and then, for nothing tells when it is back.
+  /// Returns whether a folder cannot be watched. The caller must then call `take` now and then,
+  /// because nothing signals when the folder is back.
   [[nodiscard]] bool folder_missing() const noexcept;
-  /// One sentence on a folder that cannot be watched and what to do; empty if there is none.
+  /// Returns one sentence on a folder that cannot be watched and what to do, or an empty text.
   [[nodiscard]] std::string problem() const;
-  /// Whether one of the files was saved since the last call. Does not wait.
+  /// Returns whether one of the files was saved since the last call. It does not wait.
   [[nodiscard]] bool take();
 
  private:
   struct Folder {
     std::filesystem::path path;
     std::set<std::string, std::less<>> files;
-    int watch = -1;   ///< -1: it cannot be watched
-    int why_not = 0;  ///< errno, where it cannot
+    int watch = -1;   ///< inotify's number; -1: the folder cannot be watched
+    int why_not = 0;  ///< errno if the folder cannot be watched, else 0
   };
 
   void add_one(const std::filesystem::path& file);

@@ -14,25 +14,26 @@
 
 namespace galilean::robot {
 
-/// Swaps the program whenever its file, or one that it includes, is saved: as a push does, with the
-/// same probation. A save with errors changes nothing; what is wrong is logged. All of it happens
-/// in a thread of its own.
+/// Swaps the program whenever its file, or one that it includes, is saved. The swap is like a push,
+/// with the same probation. A save with errors changes nothing, and the errors are logged. All of
+/// this happens in a thread of its own.
 class ProgramWatch {
  public:
-  /// Gets one sentence on why saves are not noticed or not taken over, when that changes; the empty
-  /// text when all is well again. Called in the watch's thread.
+  /// Is called in the watch's thread, when the problem changes, with one sentence on why saves are
+  /// not noticed or not taken over, or with an empty text when all is well again.
   using Tell = std::function<void(const std::string& problem)>;
 
-  /// Throws std::system_error if the system grants no watch. `executive` must outlive this.
+  /// Requires: `executive` outlives this. Errors: throws std::system_error if the system grants no
+  /// watch.
   ProgramWatch(std::filesystem::path file, const Catalog& catalog, Executive& executive, Tell tell);
 
  private:
   void look(const std::stop_token& stop);
   void wait() const;
-  /// The swap waits neither for warnings nor for watches. Then the text is read again: what was
-  /// saved before it was watched takes over as well.
+  /// Takes the saved program over before it looks for warnings and watches new includes. Then it
+  /// reads the text again, so that what was saved before its watch began takes over, too.
   void reload();
-  /// Each time, for what was a file may have become a link.
+  /// Watches all sources after each save, because a file may have become a link.
   void watch(const std::vector<bhdl::SourceFile>& sources);
   void swap(bhdl::Program program);
   [[nodiscard]] bool runs(const std::string& hash) const;
@@ -44,7 +45,7 @@ class ProgramWatch {
   bhdl::Vocabulary vocabulary_;
   Executive& executive_;
   FileWatch files_;
-  bool saved_ = false;  ///< and not yet taken over
+  bool saved_ = false;  ///< a save was noticed and not yet taken over
   Tell tell_;
   std::string failure_;
   std::string told_;

@@ -89,7 +89,7 @@ void Backdrop::make_carpet(const CameraGeometry& camera, const NoiseTable& noise
 
 void Backdrop::paint(Canvas& canvas, double heading_rad, std::uint32_t shift_px) const {
   const auto row_bytes = static_cast<std::size_t>(camera_width_px_) * 3;
-  // A turn to the left brings in what lies to the left.
+  // When the camera turns to the left, what lies to the left comes into view.
   const double turns = -heading_rad / (2 * kPi);
   const int hall_column = static_cast<int>((turns - std::floor(turns)) * turn_px_) % turn_px_;
   const int hall_width = turn_px_ + Canvas::kWidth;

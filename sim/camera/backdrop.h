@@ -9,8 +9,9 @@
 
 namespace galilean::sim {
 
-/// Carpet below the horizon, the hall and its dark ceiling above: made once, with the noise in it,
-/// then copied row by row. The hall is a panorama that turns with the robot.
+/// The carpet below the horizon, and the hall with its dark ceiling above. They are drawn once,
+/// with the noise in them, and then copied row by row. The hall is a panorama that turns with the
+/// robot.
 class Backdrop {
  public:
   Backdrop(const CameraGeometry& camera, const NoiseTable& noise, Random random);

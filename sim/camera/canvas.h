@@ -20,8 +20,8 @@ struct Canvas {
   Frame& frame;
   const View& view;
   const NoiseTable& noise;
-  std::uint32_t noise_place;  ///< where this picture begins in the table
-  /// 1/depth of the furniture in each column: what stands farther back there is hidden.
+  std::uint32_t noise_place;  ///< where this picture begins in the noise table
+  /// 1/depth [1/m] of the furniture in each column. It hides what stands behind it.
   std::array<float, kWidth> furniture{};
 
   [[nodiscard]] std::uint8_t* pixel(int column, int row) noexcept {

@@ -27,9 +27,9 @@ const Look& look_of(DiscKind kind) noexcept {
 
 /// What one column of the picture shows of the cylinder.
 struct Slice {
-  float near_m;  ///< depth where the ray enters
-  float far_m;   ///< depth where it leaves
-  float across;  ///< -1 at the left rim … 1 at the right
+  float near_m;  ///< depth where the column's ray enters
+  float far_m;   ///< depth where the ray leaves
+  float across;  ///< -1 at the left rim … 1 at the right rim
 };
 
 bool cut(const Eigen::Vector2f& centre, float radius, float tangent, Slice& slice) noexcept {
@@ -49,7 +49,7 @@ float light_across(const Look& look, float across) noexcept {
   return 0.62f + 0.38f * round - (look.crumpled ? 0.1f * std::abs(std::sin(9 * across)) : 0.0f);
 }
 
-/// Rough paper is lower towards its rim.
+/// Returns the cylinder's height [m] at `across`. Crumpled paper is lower towards its rim.
 float height_across(const Disc& disc, const Look& look, float across) noexcept {
   if (!look.crumpled) return disc.height_m;
   const float round = std::sqrt(std::max(0.0f, 1 - across * across));

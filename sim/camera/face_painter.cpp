@@ -9,14 +9,15 @@ namespace {
 
 constexpr int kStrips = 8;
 
-/// A repeatable number in [0, 1) for a place on the cloth.
+/// Returns a number in [0, 1) for a place on the cloth. It is the same each time.
 float scattered(int place) noexcept {
   auto x = static_cast<std::uint32_t>(place) * 0x9e3779b1u;
   x = (x ^ (x >> 15)) * 0x85ebca77u;
   return static_cast<float>((x ^ (x >> 13)) >> 8) / static_cast<float>(1 << 24);
 }
 
-/// One fold every 16 cm, some of them deep: a dark line 2 to 5 cm wide.
+/// Returns the brightness of the cloth. It has one fold every 16 cm, and some are deep: a dark line
+/// 2 to 5 cm wide.
 float light_of_folds(float along_m) noexcept {
   constexpr float kPitch_m = 0.16f;
   const float folds = along_m / kPitch_m;
@@ -45,17 +46,18 @@ float light_at(Texture texture, float along_m) noexcept {
   return 1;
 }
 
-/// A little darker far away.
+/// Returns a factor that makes distant faces a little darker.
 float haze(float inverse_depth) noexcept {
   return 0.8f + 0.2f * std::min(1.0f, inverse_depth);
 }
 
-/// The same row of pixels several times over, each with noise of its own.
+/// The same row of pixels several times over. Each copy has its own noise.
 struct Strips {
   alignas(16) std::uint8_t rgb[kStrips][Canvas::kWidth * 3];
 };
 
-/// Where on the face a column looks: perspective makes (along / depth) linear, not along.
+/// The place on the face that a column shows. In perspective, (along / depth) is linear in the
+/// column, but along is not.
 class Along {
  public:
   explicit Along(const ProjectedFace& face) noexcept
@@ -70,7 +72,7 @@ class Along {
   float start_, slope_, left_px_;
 };
 
-/// The band as it would look without noise, one pixel a column.
+/// Draws the band without noise, one pixel a column.
 void shade(const Face& face, const Band& band, const ProjectedFace& projected, int first, int last,
            std::uint8_t* rgb) {
   const Along along(projected);
@@ -98,7 +100,7 @@ void make_strips(const Canvas& canvas, const Face& face, const Band& band,
   }
 }
 
-/// A straight edge of a trapezoid: row = at_left + slope · (column - left).
+/// A straight edge of a trapezoid: row = at_zero + slope · column.
 struct Edge {
   float at_zero;
   float slope;
@@ -128,7 +130,7 @@ void keep_columns(const Edge& edge, float row, bool above, int& first, int& last
     first = std::max(first, pixel);
 }
 
-/// The rows of one band between two columns, none of which is hidden.
+/// Fills the rows of one band between two columns. Requires: nothing hides these columns.
 void fill(Canvas& canvas, const Strips& strips, const Edge& top, const Edge& bottom, int first,
           int last) {
   const auto left = static_cast<float>(first);

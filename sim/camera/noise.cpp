@@ -17,7 +17,7 @@ void NoiseTable::add(const std::uint8_t* from, std::size_t count, std::uint32_t 
   const std::int8_t* noise = &levels_[place % kSize];
   for (std::size_t i = 0; i < count; ++i) {
     const auto sum =
-        static_cast<std::int16_t>(from[i] + noise[i]);  // 16 bits, so that it is vectors
+        static_cast<std::int16_t>(from[i] + noise[i]);  // 16 bits, so that it is vectorised
     to[i] = static_cast<std::uint8_t>(std::clamp<std::int16_t>(sum, 0, 255));
   }
 }

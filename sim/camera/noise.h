@@ -9,7 +9,7 @@
 
 namespace galilean::sim {
 
-/// A sensor's noise, drawn once: adding it costs one look-up a byte.
+/// A sensor's noise, drawn once. To add it costs one look-up a byte.
 class NoiseTable {
  public:
   static constexpr std::uint32_t kSize = 1 << 13;

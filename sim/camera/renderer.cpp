@@ -10,8 +10,8 @@
 namespace galilean::sim {
 namespace {
 
-/// True if `a` must be painted before `b`: in the middle of the columns that both cover it is
-/// farther away. Exact, since faces do not cross.
+/// Returns true if `a` must be painted before `b`, because it is farther away in the middle of the
+/// columns that both cover. This is exact, because faces do not cross.
 bool is_behind(const ProjectedFace& a, const ProjectedFace& b) noexcept {
   const float left = std::max(a.left_px, b.left_px);
   const float right = std::min(a.right_px, b.right_px);
@@ -67,7 +67,8 @@ void Renderer::draw_furniture(Canvas& canvas, const std::vector<Face>& faces) {
 void Renderer::draw_lights(Canvas& canvas, const std::vector<Light>& lights) {
   const float eye_m = canvas.view.camera_height_m();
   for (const Light& light : lights) {
-    // The floor is a dull mirror: the image lies where the angles to the eye and the lamp agree.
+    // The floor is a dull mirror: a lamp's image lies where the angles to the eye and to the lamp
+    // are equal.
     const float share = eye_m / (eye_m + static_cast<float>(light.height_m));
     const Eigen::Vector2f lamp = canvas.view.to_camera(light.position_m.cast<float>());
     paint_spot(canvas, {lamp * share, static_cast<float>(light.radius_m) * share * 1.3f, 255, 90});

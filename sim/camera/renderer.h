@@ -10,13 +10,14 @@
 
 namespace galilean::sim {
 
-/// Draws what a robot's camera sees: backdrop, walls, furniture back to front, then all that is
-/// low, back to front, each where furniture does not hide it. Allocates only in its first pictures.
+/// Draws what a robot's camera sees: the backdrop, walls and furniture back to front, then all low
+/// things back to front, except where furniture hides them. It allocates only in its first
+/// pictures.
 class Renderer {
  public:
   Renderer(const CameraGeometry& camera, const CameraRules& rules, Random random);
 
-  /// `self`: the robot whose camera it is, which does not see itself.
+  /// `self` is the robot whose camera it is. That robot is not drawn.
   void draw(const Scene& scene, std::size_t self, Frame& frame);
 
  private:
@@ -24,7 +25,7 @@ class Renderer {
     const Face* face;
     ProjectedFace projected;
   };
-  /// A low thing, by its depth: a disc, or a face of a robot or a seat.
+  /// A low thing by its depth: a disc, or a face of a robot or of a seat.
   struct Low {
     float depth_m;
     const Disc* disc;

@@ -26,13 +26,13 @@ constexpr Colour kRobotGreen{40, 170, 60};
 Face make_face(const Vec2& a, const Vec2& b, Bands bands) {
   Face face{a.cast<float>(), b.cast<float>(), {}, 0, 1};
   for (const Band& band : bands) face.bands[face.band_count++] = band;
-  // Light comes from one side of the hall, so that corners show.
+  // Light comes from one side of the hall, so that corners can be seen.
   const Vec2 along = (b - a).normalized();
   face.light = static_cast<float>(0.86 + 0.14 * (0.8 * along.x() - 0.6 * along.y()));
   return face;
 }
 
-/// Corners counter-clockwise from front left, arena frame.
+/// Returns the corners counter-clockwise from front left [m], in the arena frame.
 std::array<Vec2, 4> corners(const Pose2& pose, const Vec2& size_m) {
   const Vec2 half = size_m / 2;
   std::array<Vec2, 4> found{Vec2(half.x(), half.y()), Vec2(-half.x(), half.y()),
@@ -41,7 +41,7 @@ std::array<Vec2, 4> corners(const Pose2& pose, const Vec2& size_m) {
   return found;
 }
 
-/// The four sides of a box as seen from outside.
+/// Returns the four sides of a box as seen from outside.
 std::array<Face, 4> box_faces(const Pose2& pose, const Vec2& size_m, Bands bands) {
   const auto at = corners(pose, size_m);
   return {make_face(at[0], at[1], bands), make_face(at[1], at[2], bands),
@@ -52,7 +52,7 @@ void add_walls(const ArenaRules& arena, std::vector<Face>& faces) {
   const Pose2 centre{{arena.width_m / 2, arena.depth_m / 2}, 0};
   const auto at = corners(centre, {arena.width_m, arena.depth_m});
   const auto top = static_cast<float>(arena.wall_height_m);
-  // Seen from inside: the other way round.
+  // The walls are seen from inside, so that their corners go the other way round.
   for (std::size_t i = 0; i < 4; ++i)
     faces.push_back(make_face(at[(i + 1) % 4], at[i],
                               {{0, 0.08f, kWallBase}, {0.08f, top, kWallPaint, Texture::kPanels}}));

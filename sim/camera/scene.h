@@ -53,8 +53,8 @@ struct Disc {
   DiscKind kind = DiscKind::kCan;
 };
 
-/// What there is to see, by the way it must be drawn. The arena's walls stand behind all else;
-/// furniture is higher than the camera and hides what stands behind it wholly; the rest is low.
+/// All that can be seen, by the way in which it is drawn. The arena's walls stand behind all else.
+/// Furniture is higher than the camera and hides what stands behind it. The rest is low.
 struct Scene {
   std::vector<Face> walls;
   std::vector<Face> furniture;

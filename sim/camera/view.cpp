@@ -9,8 +9,8 @@ namespace {
 using Vec2f = Eigen::Vector2f;
 constexpr float kFieldLines = 264;
 
-/// Moves `point` along the line to `other` until it is in front of the camera.
-/// The share of the line that was cut off.
+/// Moves `point` along the line to `other` until it is in front of the camera. Returns the share of
+/// the line that was cut off.
 float clip_near(Vec2f& point, const Vec2f& other) {
   if (point.y() >= View::kNearest_m) return 0;
   const float share = (View::kNearest_m - point.y()) / (other.y() - point.y());

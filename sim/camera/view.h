@@ -35,12 +35,12 @@ class View {
  public:
   View(const CameraGeometry& camera, const Pose2& robot) noexcept;
 
-  /// x to the right, y ahead.
+  /// Returns the point with x to the right and y ahead.
   [[nodiscard]] Eigen::Vector2f to_camera(const Eigen::Vector2f& arena_m) const noexcept {
     const Eigen::Vector2f d = arena_m - position_m_;
     return {d.x() * ahead_.y() - d.y() * ahead_.x(), d.dot(ahead_)};
   }
-  /// The line from a to b; nothing if it is out of view or shows its back.
+  /// Returns the projected line from a to b, or nothing if it is out of view or shows its back.
   [[nodiscard]] std::optional<ProjectedFace> project(const Eigen::Vector2f& a_m,
                                                      const Eigen::Vector2f& b_m) const noexcept;
 
@@ -50,11 +50,11 @@ class View {
   [[nodiscard]] float column(float right_m, float depth_m) const noexcept {
     return centre_column_ + fx_ * right_m / depth_m;
   }
-  /// Metres to the right a metre ahead.
+  /// Returns how many metres to the right the column's ray goes for each metre ahead.
   [[nodiscard]] float tangent(float column) const noexcept {
     return (column - centre_column_) / fx_;
   }
-  /// Depth at which the floor shows in that row; below the horizon only.
+  /// Returns the depth at which the row shows the floor. Requires: the row is below the horizon.
   [[nodiscard]] float floor_depth_m(float row) const noexcept {
     return fy_ * camera_height_m_ / (row - centre_row_);
   }

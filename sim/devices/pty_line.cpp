@@ -54,7 +54,7 @@ std::size_t PtyLine::read(std::span<std::uint8_t> bytes) {
 }
 
 std::size_t PtyLine::write(std::span<const std::uint8_t> bytes) {
-  if (!is_open()) return bytes.size();  // a UART sends into the void
+  if (!is_open()) return bytes.size();  // as a UART sends although nobody listens
   const ssize_t count = ::write(board_side_, bytes.data(), bytes.size());
   return count > 0 ? static_cast<std::size_t>(count) : 0;
 }

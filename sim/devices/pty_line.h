@@ -8,8 +8,9 @@
 
 namespace galilean::sim {
 
-/// The board's end of a serial line that other processes open like a real one: a pseudo-terminal
-/// behind a symbolic link. Unplugged, the link is gone and who has it open is hung up on.
+/// The board's end of a serial line that other processes open like a real one. It is a
+/// pseudo-terminal behind a symbolic link. When it is unplugged, the link is removed and a process
+/// that has it open gets a hang-up.
 class PtyLine final : public robot::ByteStream {
  public:
   /// `link` is the path of the symbolic link under which robots find the line.
@@ -35,7 +36,7 @@ class PtyLine final : public robot::ByteStream {
 
   std::string link_;
   int board_side_ = -1;
-  int robot_side_ = -1;  ///< kept open, so that a robot that leaves is no hang-up here
+  int robot_side_ = -1;  ///< kept open, so that a robot that closes the line is no hang-up here
 };
 
 }  // namespace galilean::sim

@@ -10,18 +10,18 @@
 
 namespace galilean::sim {
 
-/// A microcontroller board in the simulated world: the real firmware, whose pins are a robot's body
-/// and whose serial line is a byte stream. Making one is power-up.
+/// A microcontroller board in the simulated world. It runs the real firmware. Its pins are a
+/// robot's body, and its serial line is a byte stream. Making one is power-up.
 class SimulatedBoard final : private robot::firmware::Hardware {
  public:
-  /// `boot_count` differs from the power-up before.
+  /// `boot_count` must differ from that of the power-up before.
   SimulatedBoard(RobotBody& body, robot::ByteStream& line, const std::string& robot_name,
                  std::uint16_t boot_count = 1);
 
   /// Runs the firmware. Requires: it is called every few milliseconds, with the time since
   /// power-up.
   void update(std::uint32_t now_ms) { firmware_.update(now_ms); }
-  /// The robot on the other end was heard.
+  /// Returns whether the robot on the other end was heard.
   [[nodiscard]] bool heard() const noexcept { return heard_; }
 
  private:

@@ -8,8 +8,8 @@
 
 namespace galilean::sim {
 
-/// One robot's camera in the simulated world, as a frame source: `expose` takes a picture, the next
-/// `grab` draws it straight into the robot's own memory.
+/// The camera of one robot in the simulated world, as a frame source. `expose` takes a picture. The
+/// next `grab` draws it straight into the robot's memory.
 class SimulatedCamera final : public robot::FrameSource {
  public:
   SimulatedCamera(const Scene& scene, std::size_t robot, Renderer& renderer)

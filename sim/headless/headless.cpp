@@ -13,7 +13,7 @@ constexpr std::uint64_t kTickSteps = 5;
 constexpr std::uint64_t kStepsASecond = 100;
 constexpr std::uint64_t kMostWait = 10 * kStepsASecond;
 constexpr std::uint64_t kPush = kStepsASecond / 2;
-constexpr std::uint8_t kPushedSwitches = 1;  // the front one
+constexpr std::uint8_t kPushedSwitches = 1;  // the front switch
 
 }  // namespace
 
@@ -105,7 +105,7 @@ void HeadlessContest::step() {
 }
 
 void HeadlessContest::take_pictures(Time now) {
-  // Cameras are not in step with one another, and so neither is the work.
+  // The cameras take their pictures in different steps, which also spreads the work.
   for (std::size_t i = 0; i < robots_.size(); ++i)
     if ((step_ + i * 3) % picture_steps_ == 0) {
       look_at(*world_, scene_);

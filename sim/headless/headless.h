@@ -19,27 +19,29 @@ struct HeadlessOptions {
   std::size_t robots = 3;
   std::uint64_t seed = 1;
   double duration_s = 600;
-  const TeamSituation* start = nullptr;  ///< to go on from; null: the scenario's start
+  const TeamSituation* start = nullptr;  ///< the situation to go on from; null: the scenario's
+                                         ///< start
   std::ostream* trace = nullptr;  ///< one JSON object a robot and simulated second; may be null
   std::vector<robot::TickObserver*> observers;  ///< of the robots, in their order; may be fewer
   std::function<void(Time now)> after_step;     ///< while the contest runs; may be empty
 };
 
-/// A contest in one process and one thread, as fast as the machine allows: the world, and a whole
-/// robot for each of its bodies, on a stepped clock. Same scenario, program, options: same bits.
+/// A contest in one process and one thread, as fast as the machine allows. It has the world and a
+/// whole robot for each of its bodies, on a stepped clock. The same scenario, program and options
+/// give the same bits.
 ///
 ///   each 10 ms: link and firmware · each 100 ms: a picture · each 50 ms: a tick · then the world
 ///
-/// The referee waits until every robot is connected, then pushes a bumper of each, or puts it where
-/// a situation says that its program was, and starts.
+/// The referee waits until every robot is connected. Then it starts: it pushes a bumper of each
+/// robot, or restores each robot's program from the situation.
 class HeadlessContest {
  public:
-  /// `components` is what the program was checked against, and must outlive the contest.
+  /// Requires: the program was checked against `components`, which must outlive the contest.
   [[nodiscard]] static Result<std::unique_ptr<HeadlessContest>> make(
       const Scenario& scenario, const Registry& components, const bhdl::Program& program,
       const HeadlessOptions& options);
 
-  /// Errors: a robot never came up. The message is that robot's.
+  /// Runs the contest to its end. Errors: a robot never connected; the message is that robot's.
   Result<bool> run();
 
   [[nodiscard]] const World& world() const noexcept { return *world_; }
@@ -62,13 +64,13 @@ class HeadlessContest {
   HeadlessOptions options_;
   std::unique_ptr<World> world_;
   SteppedClock clock_;
-  SteppedClock stopwatch_;  ///< stands still: here no tick takes time
+  SteppedClock stopwatch_;  ///< stands still, so that no tick takes time
   Scene scene_;
   Renderer renderer_;
   std::vector<std::unique_ptr<HeadlessRobot>> robots_;
   std::uint64_t step_ = 0;
   std::uint64_t started_ = 0;           ///< the step in which the contest began
-  std::uint64_t bumpers_released_ = 0;  ///< the step in which the referee lets go of them
+  std::uint64_t bumpers_released_ = 0;  ///< the step in which the referee releases them
   std::uint64_t picture_steps_;
 };
 

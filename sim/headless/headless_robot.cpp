@@ -8,7 +8,7 @@
 namespace galilean::sim {
 namespace {
 
-/// The state has a schema that drives the motors.
+/// Returns whether the state lists a schema that drives the motors.
 bool drives(const bhdl::Program& program, const bhdl::State& state, const Catalog& catalog) {
   const auto is_driver = [&](const bhdl::Component& schema) {
     const ComponentSpec* spec = catalog.find(schema.type);

@@ -19,16 +19,16 @@
 
 namespace galilean::sim {
 
-/// What was seen of one robot in a contest.
+/// Measurements of one robot in a contest.
 struct RobotStatistics {
-  double distance_m = 0;  ///< truly driven
-  double drift_m = 0;     ///< between where it is and where it believes to be, in the end
+  double distance_m = 0;  ///< true path
+  double drift_m = 0;     ///< at the end, between the true and the believed place
   std::map<std::string, double> seconds_in_state;
   StuckWatch stuck;
 };
 
-/// One whole robot inside the simulator's process: the real executive, link, firmware and vision,
-/// with the world behind the device seam. All in one thread, all by the stepped clock.
+/// One whole robot inside the simulator's process: the real executive, link, firmware and vision.
+/// The world is behind the devices' interfaces. All of it runs in one thread, by the stepped clock.
 class HeadlessRobot final : private robot::DeviceTuner {
  public:
   struct Setup {

@@ -9,8 +9,9 @@
 
 namespace galilean::sim {
 
-/// Reads and checks a BHDL file: a path, or the name of a program that ships ("office_cleanup").
-/// The error is every diagnostic, one a line.
+/// Reads and checks a BHDL file. It is a path, or the name of a program that ships
+/// ("office_cleanup"). Errors: the program has errors; the message holds every diagnostic, one a
+/// line.
 [[nodiscard]] Result<bhdl::Program> load_program(const std::string& name_or_path,
                                                  const Catalog& catalog);
 

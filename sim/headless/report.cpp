@@ -26,7 +26,7 @@ std::string hexadecimal(std::uint64_t number) {
   return text.str();
 }
 
-/// Returns what the report counts under the key, with its noun.
+/// Returns the count under the key with its noun.
 std::string counted(const ordered_json& report, const char* key, const char* noun) {
   return plural(report[key].get<std::uint64_t>(), noun);
 }

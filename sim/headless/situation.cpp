@@ -67,7 +67,7 @@ Vec2 pocket_of(const Pose2& robot) {
   return robot.position_m + rotated({Gripper::kPocket_m, 0}, robot.heading_rad);
 }
 
-/// Odometry drifts through walls; bodies do not.
+/// Odometry drifts through walls, but bodies cannot stand there. Returns the nearest place inside.
 Vec2 inside(const ArenaRules& arena, const Vec2& at_m, double margin_m) {
   return {std::clamp(at_m.x(), margin_m, arena.width_m - margin_m),
           std::clamp(at_m.y(), margin_m, arena.depth_m - margin_m)};

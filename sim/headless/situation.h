@@ -10,7 +10,7 @@
 
 namespace galilean::sim {
 
-/// One robot of a team that was cloned.
+/// One robot of a team that was copied into the simulator.
 struct RobotSituation {
   std::string name;
   Pose2 pose;  ///< map frame
@@ -18,12 +18,12 @@ struct RobotSituation {
   robot::Situation program;
 };
 
-/// Where a live team is, as far as it knows: what a contest can go on from. Map frame.
+/// A live team as it knows itself, in the map frame. A contest can go on from it.
 struct TeamSituation {
-  std::vector<RobotSituation> robots;  ///< become the simulator's robots in this order
+  std::vector<RobotSituation> robots;  ///< the simulator's robots take these in order
   std::vector<Vec2> pieces_m;          ///< trash that the map has
   std::vector<Vec2> baskets_m;
-  int unseen_pieces = 0;  ///< that lie somewhere: strewn by the seed
+  int unseen_pieces = 0;  ///< pieces that nobody has seen; the seed strews them
 };
 
 /// Reads a situation from a JSON file. Errors: one line with file, JSON path and what is expected.

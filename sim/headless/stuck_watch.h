@@ -8,9 +8,9 @@
 
 namespace galilean::sim {
 
-/// How long a robot that tries to move has stood still. It stands still while its centre stays
-/// within 5 cm and its heading within 10 degrees of where it last began to; time in states whose
-/// motor schemas do not drive does not count, and ends the wait.
+/// Measures how long a robot that tries to move has stood still. It stands still while its centre
+/// stays within 5 cm, and its heading within 10 degrees, of where this began. Time in states whose
+/// motor schemas do not drive does not count, and resets the measurement.
 class StuckWatch {
  public:
   static constexpr double kReach_m = 0.05;

@@ -13,8 +13,9 @@ namespace {
 constexpr auto kStep = std::chrono::milliseconds(10);
 constexpr std::uint64_t kStepsASecond = 100;
 constexpr std::uint64_t kPushSteps = kStepsASecond / 2;
-constexpr std::uint8_t kPushedSwitches = 1;  // the front one
-/// When the machine was busy or asleep for longer, the world does not hurry after.
+constexpr std::uint8_t kPushedSwitches = 1;  // the front switch
+/// The longest delay that the simulator catches up. If the machine was busy or asleep for longer,
+/// the rest of that time is dropped.
 constexpr auto kMostBehind = std::chrono::milliseconds(250);
 
 }  // namespace
@@ -54,7 +55,7 @@ LiveContest::LiveContest(const Scenario& scenario, std::unique_ptr<World> world,
 std::string LiveContest::ready_line() const {
   nlohmann::ordered_json robots = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    // Where the scenario puts it, before the jitter: what a person with a tape would find.
+    // This is the scenario's place before the jitter: what a person with a tape would measure.
     const Pose2& start = world_->scenario().starts[i];
     robots.push_back({{"name", robots_[i]->name()},
                       {"serial", robots_[i]->serial_path()},
@@ -140,7 +141,7 @@ bool LiveContest::anybody_moves() const {
 }
 
 void LiveContest::take_pictures() {
-  // Not all in one step: the boards' loops must not wait.
+  // The pictures are taken in different steps, because the boards' control loops must not wait.
   for (std::size_t i = 0; i < robots_.size(); ++i)
     if ((step_ + i * 3) % picture_steps_ == 0) {
       look_at(*world_, scene_);

@@ -20,14 +20,15 @@ struct LiveOptions {
   std::size_t robots = 3;
   std::uint64_t seed = 1;
   std::string run = "demo";           ///< part of every name, so that two simulators can run
-  std::optional<double> autostart_s;  ///< push so long after the last robot connected; none: never
+  std::optional<double> autostart_s;  ///< push this long after the last robot connected; none:
+                                      ///< never
   int domain = -1;                    ///< DDS; -1: as ROS_DOMAIN_ID says
   std::vector<DeviceFault> faults;
 };
 
-/// The world in real time, for robots in processes of their own. Robots may die and come back:
-/// their lines and cameras stay. The referee starts the contest by pushing a bumper of each robot;
-/// if an operator started them before, its clock begins when the first one moves.
+/// The world in real time, for robots in processes of their own. Robots may end and come back:
+/// their lines and cameras stay. The referee starts the contest by pushing a bumper of each robot.
+/// If an operator started them before, the contest's clock begins when the first one moves.
 class LiveContest {
  public:
   [[nodiscard]] static Result<std::unique_ptr<LiveContest>> make(const Scenario& scenario,
@@ -35,7 +36,7 @@ class LiveContest {
 
   /// Returns one line of JSON that says where robots find their devices.
   [[nodiscard]] std::string ready_line() const;
-  /// Until `ending`. What goes wrong is told once a second on stderr, and tried again.
+  /// Runs until `ending`. Problems are printed once a second on stderr, and tried again.
   void run(const std::atomic<bool>& ending);
   /// Returns the referee's sheet as one line of JSON.
   [[nodiscard]] std::string score_line() const;

@@ -14,11 +14,12 @@
 
 namespace galilean::sim {
 
-/// The body, board and camera of a robot whose program runs in a process of its own: a
-/// pseudo-terminal as its serial line, a ring in shared memory as its camera.
+/// The body, board and camera of a robot whose program runs in a process of its own. Its serial
+/// line is a pseudo-terminal. Its camera is a ring in shared memory.
 class LiveRobot {
  public:
-  /// `folder`: for the serial line's link, `<robot>.serial`. `ring`: name of the shared memory.
+  /// `folder` is where the serial line's link, `<robot>.serial`, is made. `ring` is the name of the
+  /// shared memory.
   LiveRobot(World& world, std::size_t index, const std::string& folder, std::string ring);
   /// Plugs in both devices: the serial line and the camera.
   [[nodiscard]] Result<bool> plug_in();

@@ -17,8 +17,8 @@ class JsonError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One object of a JSON document, read field by field. Every error names the path
-/// (`arena.width_m`); a field that nobody asked for is an error too (`finish`).
+/// Reads one object of a JSON document field by field. Every error names the path
+/// (`arena.width_m`). `finish` also refuses fields that nobody asked for.
 class JsonReader {
  public:
   JsonReader(const nlohmann::json& json, std::string path);
@@ -30,13 +30,13 @@ class JsonReader {
   [[nodiscard]] int integer_or(std::string_view field, int preset, int minimum, int maximum);
   [[nodiscard]] bool flag(std::string_view field);
   [[nodiscard]] std::string text(std::string_view field);
-  /// A list of any finite numbers.
+  /// Returns a list of finite numbers.
   [[nodiscard]] std::vector<double> numbers(std::string_view field);
   [[nodiscard]] Vec2 pair(std::string_view field);
   [[nodiscard]] Vec2 pair_or(std::string_view field, const Vec2& preset);
-  /// A field that holds an object; an empty object if it is not there.
+  /// Returns a field that holds an object, or an empty object if the field is missing.
   [[nodiscard]] JsonReader object(std::string_view field);
-  /// A field that holds a list of objects; none if it is not there.
+  /// Returns a field that holds a list of objects, or an empty list if the field is missing.
   [[nodiscard]] std::vector<JsonReader> list(std::string_view field);
 
   /// Refuses fields that were never asked for.

@@ -30,7 +30,7 @@ struct Furniture {
   double height_m = 0.74;
 };
 
-/// Four legs and a seat. Light enough to be shoved, too heavy for a gripper's hold.
+/// Four legs and a seat. A robot can push it, but a gripper cannot hold it.
 struct Chair {
   Pose2 pose;
   double pitch_m = 0.36;  ///< from leg to leg
@@ -54,12 +54,13 @@ struct Rules {
   double duration_s = 600;
   double points_per_piece = 10;
   double penalty_per_collision = 1;
-  double collision_speed_mps = 0.12;  ///< a touch that takes off at least so much speed counts
-  double collision_pause_s = 3;       ///< the same pair counts once in so long
-  double basket_zone_m = 0.6;  ///< from the basket's centre: a piece released there is thrown away
+  double collision_speed_mps = 0.12;  ///< a touch that takes away at least this much speed counts
+  double collision_pause_s = 3;       ///< a pair's touch counts only after this time without one
+  double basket_zone_m = 0.6;  ///< from the basket's centre; a piece that is released there is
+                               ///< thrown away
 };
 
-/// How far the treads are from ideal; each robot draws its own from the seed.
+/// How far the treads are from ideal. Each robot draws its own values from the seed.
 struct Slip {
   double scale_error = 0.012;     ///< standard deviation of both treads' true length
   double mismatch = 0.002;        ///< standard deviation of one tread's length against the other's
@@ -92,12 +93,12 @@ struct Scenario {
   CameraRules camera;
 };
 
-/// `name_or_path`: the name of a scenario that ships ("office"), or a file ("./mine.json").
-/// Errors are one line: file, JSON path, what is expected.
+/// Loads a scenario. `name_or_path` is the name of one that ships ("office"), or a file
+/// ("./mine.json"). Errors: one line with file, JSON path and what is expected.
 [[nodiscard]] Result<Scenario> load_scenario(const std::string& name_or_path);
 [[nodiscard]] Result<Scenario> scenario_from_json(const std::string& text,
                                                   const std::string& file_name);
-/// Names of the scenarios that ship, sorted.
+/// Returns the names of the scenarios that ship, sorted.
 [[nodiscard]] std::vector<std::string> shipped_scenarios();
 
 }  // namespace galilean::sim

@@ -68,7 +68,7 @@ void ScorePublisher::run() {
     if (newest_.scenario.empty()) continue;
     const msg::Score sheet = newest_;
     lock.unlock();
-    // A sheet that Cyclone did not take in time is followed by the next within half a second.
+    // If Cyclone does not take a sheet in time, the next one follows within half a second.
     (void)writer_.write(sheet);
     lock.lock();
   }

@@ -15,8 +15,8 @@
 
 namespace galilean::sim {
 
-/// Publishes the referee's sheet on rt/referee/score, twice a second and at each change, from a
-/// thread of its own: a write may block, and the world must not.
+/// Publishes the referee's sheet on rt/referee/score, twice a second and at each change. It uses a
+/// thread of its own, because a write may block and the world must not.
 class ScorePublisher {
  public:
   explicit ScorePublisher(wire::Participant& participant);
@@ -24,7 +24,7 @@ class ScorePublisher {
   ScorePublisher(const ScorePublisher&) = delete;
   ScorePublisher& operator=(const ScorePublisher&) = delete;
 
-  /// Never waits for the network.
+  /// Takes the world's present sheet. It never waits for the network.
   void show(const World& world);
 
  private:

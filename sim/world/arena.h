@@ -6,7 +6,7 @@
 
 namespace galilean::sim {
 
-/// Puts what never moves into the world: walls, tables, desks, screens.
+/// Puts what never moves into the world: walls, tables, desks and screens.
 void build_arena(const Scenario& scenario, Physics& physics);
 
 }  // namespace galilean::sim

@@ -8,10 +8,10 @@
 namespace galilean::sim {
 namespace {
 
-constexpr double kRoot_m = 0.215;  // the hinges, on the front bumper
+constexpr double kRoot_m = 0.215;  // of the hinges, on the front bumper
 constexpr double kRootHalf_m = 0.085;
 constexpr double kTipHalf_m = 0.11;
-constexpr double kSlipsOut_m = 0.055;  // from the pocket's middle
+constexpr double kSlipsOut_m = 0.055;  // distance from the pocket's middle
 constexpr std::uint16_t kEverybody = 0xFFFF;
 
 b2Fixture* add_hand(b2Body& robot, double side) {
@@ -32,7 +32,7 @@ const b2CircleShape* circle_of(b2Fixture& fixture) {
              : nullptr;
 }
 
-/// Every fixture near the beam, but those of the robot itself.
+/// Visits every fixture near the beam except those of the robot itself.
 template <class Look>
 class Query final : public b2QueryCallback {
  public:
@@ -46,7 +46,7 @@ class Query final : public b2QueryCallback {
   Look look_;
 };
 
-/// Calls `look(fixture)` until it returns false.
+/// Calls `look(fixture)` for each fixture near the beam until it returns false.
 template <class Look>
 void look_at_beam(const Physics& physics, const b2Body& robot, Look look) {
   const float half = static_cast<float>(Gripper::kHalfWidth_m);
@@ -105,8 +105,8 @@ std::optional<BodyTag> Gripper::held() const {
 
 void Gripper::take(b2Fixture& circle) {
   b2Body& body = *circle.GetBody();
-  // The joint goes by the bodies' origins: lead the circle to the pocket, wherever in its body it
-  // is.
+  // The joint works on the bodies' origins. The circle, wherever it is in its body, must come to
+  // the pocket, so that the origin's target is shifted.
   const Vec2 origin = from_b2(robot_.GetLocalPoint(body.GetPosition()));
   const Vec2 wanted = origin + Vec2(kPocket_m, 0) - centre_in_robot(circle);
   held_circle_ = &circle;

@@ -8,17 +8,17 @@
 namespace galilean::sim {
 
 /// The two hands on the front bumper and the infrared beam between them.
-/// Open, the hands are a funnel that bodies touch. Closing, they take what stands in the beam and
-/// is small enough, and hold it as friction does: the hold pulls it to the pocket's middle with at
-/// most `kHold_n`. What is loose comes along; what stands fast (a chair's leg) slips out as the
-/// robot backs away, since its treads pull harder than the hands hold.
+/// While open, the hands are a funnel that bodies touch. When they close, they take what stands in
+/// the beam and is small enough. They hold it as friction does: the hold pulls it to the pocket's
+/// middle with at most `kHold_n`. A loose body comes along. A fixed one (a chair's leg) slips out
+/// as the robot backs away, since its treads pull harder than the hands hold.
 class Gripper {
  public:
-  static constexpr double kPocket_m = 0.262;    ///< beam in front of the robot's centre
+  static constexpr double kPocket_m = 0.262;    ///< distance of the beam from the robot's centre
   static constexpr double kHalfWidth_m = 0.09;  ///< of the open hands, at the beam
-  static constexpr double kReach_m = 0.30;      ///< tips in front of the robot's centre
+  static constexpr double kReach_m = 0.30;      ///< distance of the tips from the robot's centre
   static constexpr double kHold_n = 6;
-  static constexpr double kLargest_m = 0.06;  ///< radius that the hands close around
+  static constexpr double kLargest_m = 0.06;  ///< the largest radius that the hands close around
 
   Gripper(Physics& physics, b2Body& robot);
 
@@ -33,7 +33,7 @@ class Gripper {
   /// they hold a body.
   [[nodiscard]] bool beam_broken() const;
   [[nodiscard]] std::optional<BodyTag> held() const;
-  /// What the hands held before `update` said that they let go.
+  /// Returns what the hands held before `update` reported that they let go.
   [[nodiscard]] std::optional<BodyTag> last_held() const noexcept { return last_held_; }
   [[nodiscard]] bool open() const noexcept { return servo_permille_ < kTakes_permille; }
 

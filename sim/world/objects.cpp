@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kBasketMass_kg = 3;
 constexpr double kChairMass_kg = 4;
-constexpr double kRubbingArm_m = 0.15;  // of a chair's four feet, for its turning
+constexpr double kRubbingArm_m = 0.15;  // mean distance of a chair's four feet from its middle
 constexpr double kFloorFriction = 0.45;
 
 b2Body& add_disc(Physics& physics, BodyTag tag, const Vec2& at_m, double radius_m, double mass_kg) {
@@ -34,7 +34,8 @@ double less(double speed, double loss) {
   return std::copysign(std::max(0.0, std::abs(speed) - loss), speed);
 }
 
-/// `arm_m`: how far from the middle the floor rubs, on average; it slows turning.
+/// Slows a body by floor friction. `arm_m` is the mean distance from the middle at which the floor
+/// rubs, which slows turning.
 void rub_body(b2Body& body, double arm_m, double dt_s) {
   if (!body.IsAwake()) return;
   const double loss = kFloorFriction * kGravity_mps2 * dt_s;
@@ -65,7 +66,7 @@ Objects::Objects(const Scenario& scenario, const std::vector<PlacedPiece>& piece
     const BodyTag tag{BodyKind::kBasket, static_cast<std::uint16_t>(baskets_.size())};
     baskets_.push_back(&add_disc(physics, tag, at, kBasketRadius_m, kBasketMass_kg));
   }
-  // Chairs are numbered after the furniture that stands fast.
+  // Chairs are numbered after the furniture that is fixed.
   auto number = static_cast<std::uint16_t>(scenario.furniture.size());
   for (const Chair& chair : scenario.chairs) add_chair(chair, number++);
 }

@@ -22,11 +22,12 @@ inline constexpr double kBasketRadius_m = 0.14;
 inline constexpr double kBasketHeight_m = 0.30;
 
 inline constexpr double kChairLegRadius_m = 0.015;
-/// Where the legs of a chair stand, in its own frame.
+/// Returns where the legs of a chair stand, in its own frame.
 [[nodiscard]] std::array<Vec2, 4> chair_legs_m(double pitch_m) noexcept;
 
-/// Where every piece lies at the start: the placed ones, then the strewn ones, drawn anew until
-/// they keep the scenario's clearance. An error says that the arena has no room for them.
+/// Returns where every piece lies at the start: first the placed ones, then the strewn ones. A
+/// strewn place is drawn again until it keeps the scenario's clearance. Errors: the arena has no
+/// room for the pieces.
 [[nodiscard]] Result<std::vector<PlacedPiece>> strew(const Scenario& scenario, Random random);
 
 /// The bodies that can be pushed: pieces, baskets and chairs. They rub on the floor:
@@ -41,7 +42,7 @@ class Objects {
   };
   [[nodiscard]] const std::vector<Piece>& pieces() const noexcept { return pieces_; }
   [[nodiscard]] const std::vector<b2Body*>& baskets() const noexcept { return baskets_; }
-  /// In the order of the scenario.
+  /// Returns the chairs in the order of the scenario.
   [[nodiscard]] const std::vector<b2Body*>& chairs() const noexcept { return chairs_; }
 
   void rub(double dt_s);

@@ -52,7 +52,7 @@ b2PolygonShape box_shape(const Vec2& size_m, const Vec2& centre_m, double angle_
 
 Physics::Physics() : world_(b2Vec2(0, 0)) {
   world_.SetContactListener(this);
-  world_.SetContinuousPhysics(false);  // nothing here crosses its own size in a step
+  world_.SetContinuousPhysics(false);  // no body crosses its own size in one step
 }
 
 void Physics::step(double dt_s) {

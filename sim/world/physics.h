@@ -24,8 +24,8 @@ struct BodyTag {
   }
   bool operator==(const BodyTag&) const = default;
 };
-/// Box2D categories. Closed hands pass what they could have closed around, and nothing else: a hand
-/// that passed a thin screen would be caught behind it when it opens.
+/// Box2D categories. Closed hands pass through what they could have closed around, and nothing
+/// else: a hand that passed a thin screen would be caught behind it when it opens.
 inline constexpr std::uint16_t kSolid = 1;
 inline constexpr std::uint16_t kGraspable = 2;
 
@@ -48,7 +48,7 @@ struct Hit {
 };
 
 /// The Box2D world of the floor plan, seen from above: no gravity, metres, kilograms, seconds.
-/// Polygons carry Box2D's skin of 1 cm; `box_shape` takes it off, so that sizes are true.
+/// Box2D's polygons have a skin of 1 cm. `box_shape` subtracts it, so that sizes are true.
 class Physics final : private b2ContactListener {
  public:
   Physics();
@@ -72,7 +72,7 @@ class Physics final : private b2ContactListener {
   std::vector<Hit> hits_;
 };
 
-/// A box of that size around `centre_m` in its body's frame.
+/// Returns a box of this size around `centre_m` in its body's frame.
 [[nodiscard]] b2PolygonShape box_shape(const Vec2& size_m, const Vec2& centre_m = Vec2::Zero(),
                                        double angle_rad = 0);
 

@@ -21,17 +21,17 @@ struct RobotTally {
   unsigned collisions = 0;
 };
 
-/// Something that was counted.
+/// An event that the referee counted.
 struct RefereeCall {
   enum class What { kDeposited, kCollision };
   double elapsed_s = 0;
   std::size_t robot = 0;
   What what = What::kDeposited;
-  double points = 0;  ///< earned, or less than 0
+  double points = 0;  ///< earned; negative for a penalty
 };
 [[nodiscard]] const char* to_string(RefereeCall::What what) noexcept;
 
-/// Keeps the clock and the score by the scenario's rules. Knows only what it is told.
+/// Keeps the clock and the score by the scenario's rules. It knows only what its methods are told.
 ///   score = points · deposited - penalty · collisions
 class Referee {
  public:
@@ -40,16 +40,18 @@ class Referee {
   /// Starts the clock.
   void start() noexcept;
   void advance(double dt_s) noexcept;
-  /// A touch that began. Counts if it was hard enough and the same two did not just collide.
+  /// Takes a touch that began. It counts if it is hard enough, the other body is no piece, and the
+  /// same two did not just collide.
   void saw_hit(const Hit& hit);
-  /// A piece was let go of at a distance from the nearest basket: true if that throws it away.
+  /// Takes the release of a piece at a distance from the nearest basket. Returns whether the piece
+  /// is thrown away.
   [[nodiscard]] bool saw_release(std::size_t robot, double to_basket_m);
 
   [[nodiscard]] Phase phase() const noexcept { return phase_; }
   [[nodiscard]] double elapsed_s() const noexcept { return elapsed_s_; }
   [[nodiscard]] double remaining_s() const noexcept { return rules_.duration_s - elapsed_s_; }
   [[nodiscard]] const std::vector<RobotTally>& robots() const noexcept { return tallies_; }
-  /// The newest, the oldest of them first.
+  /// Returns the newest calls, the oldest of them first.
   [[nodiscard]] const std::deque<RefereeCall>& calls() const noexcept { return calls_; }
   [[nodiscard]] const Rules& rules() const noexcept { return rules_; }
   [[nodiscard]] unsigned deposited() const noexcept;

@@ -34,7 +34,7 @@ void set_mass(b2Body& body) {
   body.SetMassData(&mass);
 }
 
-/// 0 in front, then counter-clockwise every 45 degrees.
+/// Returns the switch in this direction: 0 in front, then counter-clockwise every 45 degrees.
 int switch_at(const Vec2& in_body) {
   const double eighths = std::atan2(in_body.y(), in_body.x()) / (kPi / 4);
   return (static_cast<int>(std::lround(eighths)) + kSwitches) % kSwitches;
@@ -84,7 +84,7 @@ void RobotBody::press_switches(const std::vector<Touch>& touches) {
     force_n[static_cast<std::size_t>(at)] += touch.force_n;
     touched |= static_cast<std::uint8_t>(1 << at);
   }
-  // A switch that is in stays in as long as something leans on it, be it ever so lightly.
+  // A pressed switch stays pressed as long as something touches it, however lightly.
   pressed_ &= touched;
   for (int i = 0; i < kSwitches; ++i)
     if (force_n[static_cast<std::size_t>(i)] >= kSwitchForce_n)

@@ -14,8 +14,8 @@ inline constexpr double kChassisLength_m = 0.43;  ///< the paper: 17 in
 inline constexpr double kChassisWidth_m = 0.33;   ///< 13 in
 inline constexpr double kChassisHeight_m = 0.30;
 
-/// One robot on the floor: hull, treads, eight bumper switches, gripper.
-/// Its body's x axis is its nose. Reads the board's outputs, gives the board's inputs.
+/// One robot on the floor: hull, treads, eight bumper switches, gripper. Its body's x axis points
+/// ahead. It reads the board's outputs, and gives the board's inputs.
 class RobotBody {
  public:
   RobotBody(Physics& physics, std::uint16_t index, const Pose2& start, const Slip& slip,
@@ -28,7 +28,7 @@ class RobotBody {
   /// Returns whether the gripper let go of something in this step.
   bool after_step(const std::vector<Touch>& touches);
 
-  /// Somebody's hand on a switch, until the next call.
+  /// Presses switches as a hand does, until the next call.
   void push_bumpers(std::uint8_t switches) noexcept { pushed_ = switches; }
 
   [[nodiscard]] Pose2 pose() const noexcept { return pose_of(body_); }

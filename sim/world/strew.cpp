@@ -10,7 +10,7 @@ namespace {
 constexpr double kRobotReach_m = 0.35;
 constexpr int kTries = 2000;
 
-/// From a point to the nearest point of a box; 0 inside.
+/// Returns the distance [m] from a point to the nearest point of a box, or 0 inside the box.
 double distance_to(const Furniture& box, const Vec2& point_m) {
   const Vec2 local = rotated(point_m - box.pose.position_m, -box.pose.heading_rad);
   return (local.cwiseAbs() - box.size_m / 2).cwiseMax(0).norm();

@@ -13,12 +13,12 @@ constexpr double kFullPwm = 1000;
 constexpr double kStraightDeadZone_pwm = 190;
 constexpr double kTurnDeadZone_pwm = 315;
 constexpr double kTopSpeed_mps = 0.6;
-constexpr double kStall_n = 12;         // one tread at full power; less than friction: it stalls
-constexpr double kTreadMass_kg = 0.6;   // with rotor and gears, as the floor feels it
+constexpr double kStall_n = 12;         // of a tread at full power; friction is higher: it stalls
+constexpr double kTreadMass_kg = 0.6;   // as the floor feels it, with rotor and gears
 constexpr double kFriction = 0.7;       // rubber on carpet
-constexpr double kWanderingTime_s = 1;  // over which slip forgets itself
+constexpr double kWanderingTime_s = 1;  // time constant with which the slip changes
 
-/// The impulse that equalises the speeds of two masses, as far as friction carries it.
+/// Returns the impulse [Ns] that equalises the speeds of two masses, as far as friction allows.
 double coupling(double tread_mps, double body_mps, double body_kg, double most_ns) {
   const double both_treads_kg = 2 * kTreadMass_kg;
   const double shared_kg = both_treads_kg * body_kg / (both_treads_kg + body_kg);
@@ -53,7 +53,7 @@ void Treads::run_motor(Tread& tread, double dt_s) noexcept {
   const double dead = kStraightDeadZone_pwm + scrub() * (kTurnDeadZone_pwm - kStraightDeadZone_pwm);
   const double share = std::max(0.0, std::abs(tread.pwm) - dead) / (kFullPwm - dead);
   const double free_mps = std::copysign(share * kTopSpeed_mps, tread.pwm);
-  // Implicit, since the motor alone settles in little more than a step.
+  // The step is implicit, because the motor settles in little more than one step.
   const double rate = dt_s * kStall_n / kTopSpeed_mps / kTreadMass_kg;
   tread.speed_mps = (tread.speed_mps + rate * free_mps) / (1 + rate);
 }

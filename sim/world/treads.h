@@ -15,15 +15,15 @@ struct BodyVelocity {
   double turn_radps = 0;
 };
 
-/// Two DC motors, their treads, and the floor under them.
-/// Reads the PWM of both motors and the body's velocity; gives the body's new velocity and the
-/// encoders' counts. A motor pulls with K (v_free - v); |PWM| below the dead zone gives none, and
-/// the dead zone grows with scrubbing, from a straight run (200 of 1000) to a turn in place (330):
+/// Two DC motors, their treads, and the floor under them. The model reads the PWM of both motors
+/// and the body's velocity. It gives the body's new velocity and the encoders' counts. A motor
+/// pulls with K (v_free - v). |PWM| below the dead zone gives no pull. The dead zone grows with
+/// scrubbing, from a straight run (190 of 1000) to a turn in place (315):
 ///   v_free = sign(PWM) · max(0, |PWM| - dead) / (1000 - dead) · top speed.
 /// Tread and floor exchange the impulse that makes them equally fast, but no more than friction
-/// allows. The floor feels each tread a few per cent longer or shorter than its encoder counts, by
-/// a fixed share and a wandering one: that is why dead reckoning drifts. Sources: FACTS "Traps",
-/// "Hardware"; motor and friction constants are our choice.
+/// allows. The floor feels each tread slightly longer or shorter than its encoder counts, by a
+/// fixed share and a varying one, so that dead reckoning drifts. The dead zones lie a little below
+/// the paper's (200 and 330). The constants of motor and friction are our choice.
 class Treads {
  public:
   static constexpr double kMass_kg = 4.5;  // the paper: ten pounds
@@ -45,7 +45,7 @@ class Treads {
     double speed_mps = 0;
     double travel_m = 0;
     double scale = 1;      ///< metres of floor a metre of tread
-    double wandering = 0;  ///< share gained or lost just now
+    double wandering = 0;  ///< share of the travel gained or lost at present
 
     [[nodiscard]] std::int32_t counts() const noexcept;
     [[nodiscard]] double grip() const noexcept { return scale * (1 + wandering); }

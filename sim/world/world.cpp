@@ -69,7 +69,7 @@ void World::step() {
 void World::judge_release(std::size_t robot) {
   const auto let_go = robots_[robot]->gripper().last_held();
   if (!let_go || let_go->kind != BodyKind::kPiece) return;
-  if (!objects_.pieces()[let_go->index].body) return;  // two held it, and the other was first
+  if (!objects_.pieces()[let_go->index].body) return;  // two robots held it; the other was first
   const Vec2 at = from_b2(objects_.pieces()[let_go->index].body->GetPosition());
   if (!referee_.saw_release(robot, to_nearest_basket_m(at))) return;
   for (auto& each : robots_) each->gripper().forget(*let_go);

@@ -16,8 +16,8 @@
 
 namespace galilean::sim {
 
-/// The office, its pieces, its robots and their referee. All that happens descends from the
-/// scenario, the seed and what the boards put out.
+/// The office, its pieces, its robots and their referee. All that happens follows from the
+/// scenario, the seed and the boards' outputs.
 class World {
  public:
   static constexpr double kStep_s = 0.01;
@@ -27,7 +27,7 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// `kStep_s` of all physics, and of the contest's clock while it runs.
+  /// Advances physics by `kStep_s`, and also the contest's clock while it runs.
   void step();
 
   [[nodiscard]] const Scenario& scenario() const noexcept { return scenario_; }
@@ -54,8 +54,8 @@ class World {
   Referee referee_;
 };
 
-/// "io", "ganymede", "callisto", then the other moons in the order of their numbers; after those
-/// "robot_17" and so on.
+/// Returns "io", "ganymede", "callisto", then the other moons in the order of their numbers. After
+/// those come "robot_17" and so on.
 [[nodiscard]] std::string robot_name(std::size_t index);
 
 }  // namespace galilean::sim

@@ -23,21 +23,21 @@ const Vocabulary& robot_vocabulary() {
 
 void count(benchmark::State& state, const std::string& text) {
   state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * text.size()));
-  // A second for a gigabyte is a nanosecond for a byte.
+  // One second for a gigabyte is one nanosecond for a byte.
   constexpr double kGigabyte = 1e9;
   state.counters["a_gigabyte"] =
       benchmark::Counter(static_cast<double>(state.iterations() * text.size()) / kGigabyte,
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-/// The limit: a look at every byte.
+/// The lower limit: one look at every byte.
 void count_lines(benchmark::State& state) {
   const auto text = generated_program(static_cast<int>(state.range()));
   for (auto _ : state) benchmark::DoNotOptimize(std::ranges::count(text, '\n'));
   count(state, text);
 }
 
-/// A peer: the same states as JSON.
+/// For comparison: the same states as JSON.
 void parse_json(benchmark::State& state) {
   const auto text = generated_json(static_cast<int>(state.range()));
   for (auto _ : state) benchmark::DoNotOptimize(nlohmann::json::parse(text));
@@ -63,7 +63,7 @@ void parse(benchmark::State& state) {
   count(state, text);
 }
 
-/// Parser, checker and warnings without the limit of a file's size.
+/// Parses, checks and warns without the limit of a file's size.
 void parse_and_check(benchmark::State& state) {
   const auto text = generated_program(static_cast<int>(state.range()));
   for (auto _ : state) {
@@ -79,7 +79,7 @@ void parse_and_check(benchmark::State& state) {
   count(state, text);
 }
 
-/// All that a push costs before the program is built: copy, UTF-8, parse, check, SHA-256.
+/// Does all that a push costs before the program is built: copy, UTF-8, parse, check, SHA-256.
 void check_as_pushed(benchmark::State& state) {
   const std::vector<SourceFile> files{
       {"program.bhdl", generated_program(static_cast<int>(state.range()))}};
@@ -110,7 +110,7 @@ void parse_and_check_once(const std::string& text) {
                                       robot_vocabulary(), diagnostics));
 }
 
-/// What a byte of 10,000 states costs over one of 1,000: 1 is linear.
+/// Compares the time for a byte of 10,000 states with that of 1,000 states. 1 means linear.
 void cost_of_a_byte_at_ten_times_the_states(benchmark::State& state,
                                             void (*work)(const std::string&)) {
   constexpr int kTimes = 10;
@@ -135,7 +135,7 @@ BENCHMARK_CAPTURE(cost_of_a_byte_at_ten_times_the_states, parse, parse_once)
 BENCHMARK_CAPTURE(cost_of_a_byte_at_ten_times_the_states, parse_and_check, parse_and_check_once)
     ->Unit(benchmark::kMillisecond);
 
-/// From the text of fifteen components and two states to a program that can tick.
+/// Goes from the text of fifteen components and two states to a program that can tick.
 void check_and_build(benchmark::State& state) {
   const std::vector<SourceFile> files{{"program.bhdl", generated_program(2)}};
   robot::ScriptedPort port;
@@ -153,7 +153,7 @@ void check_and_build(benchmark::State& state) {
 }
 BENCHMARK(check_and_build)->Unit(benchmark::kMicrosecond);
 
-/// The second half of it.
+/// Does only the second half of it.
 void build_alone(benchmark::State& state) {
   robot::ScriptedPort port;
   robot::ScriptedDrive drive;

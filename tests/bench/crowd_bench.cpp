@@ -26,7 +26,7 @@ std::string subscription(int count, char** channel_ids) {
   return "{\"op\":\"subscribe\",\"subscriptions\":[" + list + "]}";
 }
 
-/// How late messages came after the monitor had received them, in ms.
+/// How late messages came after the monitor had received them [ms].
 struct Lateness {
   std::vector<float> all_ms = {};
 
@@ -42,8 +42,8 @@ struct Lateness {
 
 }  // namespace
 
-/// crowd_bench PORT CLIENTS SECONDS CHANNEL…: so many clients of a monitor subscribe to these
-/// channels; prints as JSON how many messages they got, and how late.
+/// crowd_bench PORT CLIENTS SECONDS CHANNEL… lets this many clients of a monitor subscribe to the
+/// channels. It prints as JSON how many messages they got, and how late.
 int main(int count, char** arguments) try {
   if (count < 5) throw std::runtime_error("PORT CLIENTS SECONDS CHANNEL… are missing");
   WebSocketCrowd crowd(static_cast<std::uint16_t>(std::atoi(arguments[1])), "/ws",
@@ -51,7 +51,7 @@ int main(int count, char** arguments) try {
   const auto subscribe = subscription(count - 4, arguments + 4);
   for (std::size_t i = 0; i < crowd.size(); ++i) crowd.send_text(i, subscribe);
 
-  // What is kept for those who come late does not count.
+  // Messages that are kept for late subscribers do not count.
   const auto settled = WebSocketCrowd::Clock::now() + std::chrono::seconds(1);
   while (WebSocketCrowd::Clock::now() < settled)
     crowd.read(std::chrono::milliseconds(10), [](const auto&) {});

@@ -24,10 +24,10 @@ using namespace galilean::monitor;
 using boost::asio::ip::tcp;
 
 constexpr std::size_t kClients = 100, kMessage_bytes = 1024;
-constexpr std::uint64_t kUnderWay = 1000;  ///< messages that some client has not got yet
+constexpr std::uint64_t kUnderWay = 1000;  ///< messages that some client has not received yet
 constexpr auto kWarmUp = std::chrono::seconds(1), kMeasured = std::chrono::seconds(4);
 
-/// The monitor's WebSocket server with one channel of events; whoever calls its service publishes.
+/// The monitor's WebSocket server with one channel of events. A call of its service publishes.
 class EchoServer {
  public:
   explicit EchoServer(std::uint16_t port)
@@ -80,7 +80,8 @@ std::unique_ptr<bench::WebSocketCrowd> connect_patiently(std::uint16_t port,
     }
 }
 
-/// Lets one client publish as fast as the slowest gets it, and counts what arrives a second.
+/// Lets one client publish as fast as the slowest client receives. Returns the messages that arrive
+/// in a second.
 double messages_a_second(bench::WebSocketCrowd& crowd, const std::function<void()>& publish) {
   using Clock = bench::WebSocketCrowd::Clock;
   std::vector<std::uint64_t> got(kClients);
@@ -119,7 +120,7 @@ double of_hub(std::uint16_t port) {
   auto& crowd = *connected;
   for (std::size_t i = 0; i < kClients; ++i)
     crowd.send_text(i, R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":1}]})");
-  // A service call of as many bytes: opcode, service, call, and the encoding with its length.
+  // The service call has as many bytes: opcode, service, call, and the encoding with its length.
   std::string call{2, 1, 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0};
   call += "json\"" + std::string(kMessage_bytes - call.size() - 6, 'x') + '"';
   const double result = messages_a_second(crowd, [&] { crowd.send_binary(0, call); });
@@ -130,8 +131,9 @@ double of_hub(std::uint16_t port) {
 
 }  // namespace
 
-/// fan_out_bench PORT: what one client publishes, 1 KB a message, to 100 clients of the monitor's
-/// server. fan_out_bench PORT chat: the same of Beast's chat-multi, which listens there already.
+/// fan_out_bench PORT measures what one client publishes to 100 clients of the monitor's server, 1
+/// KB a message. fan_out_bench PORT chat measures the same with Beast's chat-multi, which must
+/// listen there already.
 int main(int count, char** arguments) try {
   const auto port = static_cast<std::uint16_t>(count > 1 ? std::atoi(arguments[1]) : 0);
   std::printf("%.0f\n", count > 2 ? of_chat(port) : of_hub(port));

@@ -5,12 +5,13 @@
 
 namespace galilean::bhdl {
 
-/// A right program for the robot's own components, laid out as those that ship: two devices, six
-/// variables, three perceptual and four motor schemas, and a ring of `states` that are worth some
-/// 450 bytes each.
+/// Returns a program without errors for the robot's own components. It is laid out as the programs
+/// that ship: two devices, six variables, three perceptual and four motor schemas, and a ring of
+/// `states` states of about 450 bytes each.
 [[nodiscard]] std::string generated_program(int states);
 
-/// As much text of the same kind in JSON: what a robot would read if programs were JSON.
+/// Returns about as much text of the same kind in JSON, which a robot would read if programs were
+/// JSON.
 [[nodiscard]] std::string generated_json(int states);
 
 }  // namespace galilean::bhdl

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an operator waits for: a letter typed into a program of 1,000 states, and the names that
-// fit.
+// Measures what an operator waits for: a letter typed into a program of 1,000 states, and the names
+// that fit.
 #include <benchmark/benchmark.h>
 
 #include "bhdl/lsp/server.h"
@@ -42,7 +42,8 @@ class Typing {
           {"params", {{"textDocument", {{"uri", kUri}, {"version", 1}, {"text", text}}}}}});
   }
   void type(const std::string& letters) { change(last_line_, 14, 14, letters); }
-  /// Behind the bit of the condition in the middle: the program has no error before and after.
+  /// Types a digit behind the bit of the middle condition, and removes it in the next call. The
+  /// program never has an error.
   void type_and_take_back_a_digit() {
     change(kMiddleLine, kBehindBit, kBehindBit + (has_digit_ ? 1 : 0), has_digit_ ? "" : "1");
     has_digit_ = !has_digit_;

@@ -24,7 +24,7 @@ void print(const char* name, const Figures& f) {
 
 }  // namespace
 
-/// How right the map is after three minutes of a contest: map_bench --help.
+/// Measures how right the map is after three minutes of a contest; see map_bench --help.
 int main(int count, char** arguments) try {
   int seeds = 10;
   double to_s = 190;

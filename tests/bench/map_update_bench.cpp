@@ -17,13 +17,13 @@ using namespace std::chrono_literals;
 
 constexpr double kSquareMetresALandmark = 1.6, kSight_m = 3, kView_rad = 73.5 * kPi / 180;
 constexpr double kTurn_rad = 0.35;
-constexpr int kFramesAnUpdate = 2;  ///< cameras at 10 Hz, the map at 5
+constexpr int kFramesAnUpdate = 2;  ///< cameras run at 10 Hz, the map at 5 Hz
 constexpr int kSlicesAnUpdate = 10;
 
 constexpr int kPeriodsATurn = 10;
 
-/// Robots that turn in place in a hall full of landmarks, measured as a camera would with 3 cm of
-/// error.
+/// Robots that turn in place in a hall full of landmarks. Their cameras measure with an error of 3
+/// cm.
 class Hall {
  public:
   Hall(int robots, int landmarks) {
@@ -43,7 +43,7 @@ class Hall {
     msg::Sightings sightings;
     Time at;
   };
-  /// What robots tell between two updates.
+  /// Returns what robots report between two updates.
   [[nodiscard]] std::vector<Report> period() {
     std::vector<Report> reports;
     for (int frame = 0; frame < kFramesAnUpdate; ++frame, now_ += 100ms)
@@ -105,9 +105,9 @@ class Hall {
   Time now_{1s};
 };
 
-/// What stands between the moment to publish and what is published: the service takes messages in
-/// all along, in slices; the last of them and the update proper are timed. `messages_ms` is what
-/// all of a period's messages take. A whole turn comes first.
+/// Measures the time from the moment of publishing to the published map. The service takes messages
+/// in slices all the time; only the last slice and the update are timed. `messages_ms` is the time
+/// for all messages of a period. The robots first make a whole turn.
 void update(benchmark::State& state) {
   Hall hall(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   for (int i = 0; i < kPeriodsATurn; ++i) {

@@ -32,7 +32,7 @@ void step_world(benchmark::State& state) {
 }
 BENCHMARK(step_world)->Unit(benchmark::kMicrosecond);
 
-/// Three whole robots with full vision; the rate is simulated seconds a second.
+/// Runs three whole robots with full vision. The rate is simulated seconds a second.
 void contest(benchmark::State& state) {
   Registry components;
   robot::add_components(components);

@@ -21,7 +21,7 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-/// The office program on scripted devices, with everything that observes it.
+/// The office program on scripted devices, with all its observers.
 class SwappedRobot {
  public:
   SwappedRobot() : robot_(1, {&snapshots_, &images_}) { paint_office(robot_.camera.picture); }
@@ -47,7 +47,7 @@ class SwappedRobot {
   TestRobot robot_;
 };
 
-/// Ticks that exchange programs beside those that do not, in microseconds.
+/// Compares ticks that exchange programs with ticks that do not, in microseconds.
 void tick_that_exchanges(benchmark::State& state, bool roll_back) {
   const auto wander = shipped_program("office_cleanup.bhdl");
   const auto spin = shipped_program("sit_and_spin.bhdl");
@@ -92,8 +92,8 @@ class SwapSignal final : public TickObserver {
   std::atomic<int> swaps_{0};
 };
 
-/// From an editor's save (written aside, renamed) to the end of the first tick of the new program,
-/// with the control loop at its usual twenty ticks a second.
+/// Measures from an editor's save (written to another file, renamed) to the end of the new
+/// program's first tick. The control loop runs at its usual twenty ticks a second.
 void save_until_in_effect(benchmark::State& state) {
   spdlog::set_level(spdlog::level::off);
   const TemporaryFolder folder;

@@ -8,7 +8,7 @@
 namespace galilean::robot {
 namespace {
 
-/// A tick of the whole office program while it wanders, with everything that observes it.
+/// Runs a tick of the whole office program while it wanders, with all its observers.
 void tick_of_the_office_program(benchmark::State& state, bool frames) {
   SnapshotTap snapshots;
   ImageTap images(test_components().catalog());
@@ -30,7 +30,7 @@ BENCHMARK_CAPTURE(tick_of_the_office_program, without_a_frame, false)
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(tick_of_the_office_program, with_a_frame, true)->Unit(benchmark::kMicrosecond);
 
-/// Check, build and swap of the office program against the other strategy.
+/// Checks, builds and swaps the office program and the other strategy in turn.
 void swap_of_strategies(benchmark::State& state) {
   TestRobot robot;
   const auto wander = shipped_program("office_cleanup.bhdl");

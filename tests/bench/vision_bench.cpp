@@ -10,8 +10,9 @@
 #include "robot/vision/blobs.h"
 #include "robot/vision/supercomponent.h"
 
-// The robot's whole vision beside what a programmer would write with OpenCV, and beside CMVision's
-// way (a colour class by table look-up). All find blobs in three colours and in the dark.
+// Compares the robot's whole vision with what a programmer would write with OpenCV, and with
+// CMVision's method (a colour class by table look-up). All find blobs in three colours and in the
+// dark.
 namespace galilean::robot {
 namespace {
 
@@ -20,7 +21,7 @@ constexpr int kColourLevel = 60;
 constexpr int kDarkLevel = 45;
 constexpr int kMinArea = 12;
 
-/// An office: floor and wall with a sensor's noise, and things of all colours.
+/// Returns an office: floor and wall with a sensor's noise, and objects of all colours.
 const Frame& office() {
   static const auto frame = [] {
     auto made = std::make_unique<Frame>();
@@ -108,7 +109,7 @@ void opencv_pipeline(benchmark::State& state) {
 }
 BENCHMARK(opencv_pipeline)->Unit(benchmark::kMicrosecond);
 
-/// 5 bits a channel to a bit a class, as CMVision's tables do.
+/// Returns a table from 5 bits a channel to one bit a class, like CMVision's tables.
 std::vector<std::uint8_t> class_table() {
   std::vector<std::uint8_t> table(1 << 15);
   for (int i = 0; i < 1 << 15; ++i) {
@@ -121,7 +122,8 @@ std::vector<std::uint8_t> class_table() {
   return table;
 }
 
-/// Classes by look-up, then the same runs and unions: what the look-up alone is worth.
+/// Finds classes by look-up, and then the same runs and unions. It shows what the look-up alone
+/// gains.
 void lookup_table_pipeline(benchmark::State& state) {
   const Frame& frame = office();
   const auto table = class_table();

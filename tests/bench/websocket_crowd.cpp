@@ -38,7 +38,7 @@ void send_all(int socket, std::string_view bytes) {
   }
 }
 
-/// How many bytes a frame's head has, as far as `head` tells: 2, 4 or 10.
+/// Returns how many bytes a frame's header has, as far as `head` shows: 2, 4 or 10.
 std::size_t head_bytes(std::span<const std::uint8_t> head) {
   if (head.size() < 2) return 2;
   const auto length = head[1] & 127;
@@ -82,7 +82,7 @@ void WebSocketCrowd::handshake(int socket, std::uint16_t port, const std::string
                (subprotocol.empty() ? "" : "Sec-WebSocket-Protocol: " + subprotocol + "\r\n") +
                "\r\n");
   std::string answer;
-  for (char byte; !answer.ends_with("\r\n\r\n"); answer += byte)  // not a byte of what follows
+  for (char byte; !answer.ends_with("\r\n\r\n"); answer += byte)  // reads nothing behind the answer
     if (recv(socket, &byte, 1, 0) != 1) throw std::runtime_error("the server closed a connection");
   if (answer.find(" 101 ") == answer.npos) throw std::runtime_error("no WebSocket: " + answer);
 }
@@ -98,7 +98,7 @@ void WebSocketCrowd::send(std::size_t client, std::uint8_t first_byte, std::stri
     frame += static_cast<char>(payload.size() >> 8);
     frame += static_cast<char>(payload.size() & 255);
   }
-  frame.append(kMaskBytes, '\0');  // by which the payload stays as it is
+  frame.append(kMaskBytes, '\0');  // a mask of zeros leaves the payload as it is
   send_all(clients_[client].socket, frame.append(payload));
 }
 
@@ -114,7 +114,7 @@ void WebSocketCrowd::read(std::chrono::milliseconds patience, const OnFrame& on_
   }
 }
 
-/// Of `bytes`, how many belong to the head and to the part of the payload that is kept.
+/// Returns how many of `bytes` belong to the header and to the part of the payload that is kept.
 std::size_t WebSocketCrowd::take_head(Client& client, std::span<const std::uint8_t> bytes) const {
   std::size_t taken = 0;
   const auto fill = [&](std::size_t to) {

@@ -7,8 +7,8 @@
 
 namespace galilean::bhdl {
 
-/// Everything that a program says, and nothing of where it says so: two programs that do the same
-/// have the same text.
+/// Returns all that a program says, without the places where it says so. Two programs that do the
+/// same have the same text.
 [[nodiscard]] std::string meaning(const Program& program);
 
 }  // namespace galilean::bhdl

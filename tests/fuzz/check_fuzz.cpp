@@ -2,7 +2,7 @@
 #include "tests/bhdl/small_catalog.h"
 #include "tests/fuzz/input.h"
 
-// Whatever the text: an answer, with places, that does not depend on when it is asked for.
+// Every text must get an answer, with places inside the text, and the same answer each time.
 
 using namespace galilean::bhdl;
 

@@ -7,8 +7,8 @@
 #include "tests/bhdl/small_catalog.h"
 #include "tests/fuzz/input.h"
 
-// Two programs, with a NUL byte between them: how they differ, in words and as JSON, and how their
-// states are drawn.
+// The input is two programs with a NUL byte between them. Their differences must be printable in
+// words and as JSON, and their states drawable.
 
 using namespace galilean::bhdl;
 

@@ -6,7 +6,8 @@
 #include "tests/bhdl/small_catalog.h"
 #include "tests/fuzz/input.h"
 
-// What the formatter lays out means what it meant, and laid out again it stays as it is.
+// A text that the formatter lays out must keep its meaning, and must not change when it is laid out
+// again.
 
 using namespace galilean::bhdl;
 

@@ -5,8 +5,9 @@
 #include "tests/bhdl/small_catalog.h"
 #include "tests/fuzz/input.h"
 
-// What begins with a brace is a message, whatever is in it; all else is a text that an editor
-// opens, asks everything about at a place that the text itself decides, cuts there, and asks again.
+// An input that begins with a brace is sent as a message. Any other input is a text. The editor
+// opens it, sends every request about a place that the text itself determines, cuts the text there,
+// and sends them again.
 
 using namespace galilean::bhdl;
 using namespace galilean::bhdl::lsp;
@@ -52,7 +53,7 @@ class FuzzingClient {
   Server server_;
 };
 
-/// A place of the text, or behind its last line.
+/// Returns a place in the text, or behind its last line.
 Json place_in(std::string_view text) {
   std::size_t hash = text.size();
   for (const char each : text) hash = hash * 31 + static_cast<unsigned char>(each);
@@ -102,7 +103,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     client.send(input);
     return 0;
   }
-  // As it would come over the wire: what is not UTF-8 cannot.
+  // The text goes through JSON, because only UTF-8 can come over the wire.
   const auto sent = Json(input).dump(-1, ' ', false, Json::error_handler_t::replace);
   edit(client, Json::parse(sent).get<std::string>());
   return 0;

@@ -13,15 +13,16 @@
 
 namespace galilean::monitor {
 
-/// A robot as DDS shows it, without one: publishes a state ten times a second, takes pushes and
-/// commands, and answers as a robot does. For tests of those who watch and steer robots.
+/// A robot as it appears on DDS, without the robot behind it. It publishes a state ten times a
+/// second, takes pushes and commands, and answers as a robot does. Tests of programs that watch and
+/// command robots use it.
 class ScriptedRobot {
  public:
-  /// `catalog_json` is what its programs may name.
+  /// `catalog_json` is the catalog that its programs are checked with.
   ScriptedRobot(std::string name, int domain, const std::string& catalog_json);
   ~ScriptedRobot();
 
-  /// Says this of pushes instead of running them.
+  /// From now on refuses pushes with this reason.
   void refuse_pushes(const std::string& why);
   [[nodiscard]] std::string running_hash();
   [[nodiscard]] bool held();

@@ -4,8 +4,8 @@
 #include <cerrno>
 #include <cstddef>
 
-// Everything that takes memory comes down to malloc and its sisters: operator new, aligned or not,
-// and Eigen. So those are counted, and nothing above them.
+// All allocations end in malloc and its relatives: operator new, aligned or not, and Eigen. Only
+// these are counted.
 
 namespace {
 thread_local bool counting = false;
@@ -27,7 +27,7 @@ void note() noexcept {
 
 #ifdef GALILEAN_SANITIZER_ALLOCATES
 
-// A sanitizer's allocator is its own, and tells of each call.
+// A sanitizer has its own allocator, and reports each call.
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*,
                                                                            std::size_t),
                                                          void (*on_free)(const volatile void*));

@@ -3,7 +3,8 @@
 
 namespace galilean::robot {
 
-/// Counts what this thread allocates and releases, as long as it lives. One at a time.
+/// Counts what this thread allocates and releases while the object lives. Requires: no other object
+/// of this class lives.
 class AllocationCount {
  public:
   AllocationCount();

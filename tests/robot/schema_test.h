@@ -14,7 +14,7 @@
 
 namespace galilean::robot {
 
-/// A value of a catalog's default, which is in the attribute's unit, in SI.
+/// Returns the catalog's default, which is in the attribute's unit, in SI.
 inline Value to_si(const AttributeSpec& spec) {
   Value value = *spec.default_value;
   if (auto* number = std::get_if<double>(&value)) *number *= spec.unit.to_si;
@@ -22,7 +22,7 @@ inline Value to_si(const AttributeSpec& spec) {
   return value;
 }
 
-/// Schemas as a program gets them: made by name through the registry, wired to variables.
+/// Makes schemas as a program does: by name through the registry, wired to variables.
 class SchemaTest : public ::testing::Test {
  protected:
   SchemaTest() {
@@ -46,7 +46,8 @@ class SchemaTest : public ::testing::Test {
     return object;
   }
 
-  /// `given` is in SI; the rest gets the catalog's defaults. Variables must exist before.
+  /// Makes a schema. `given` is in SI. Other attributes have the catalog's defaults. Requires: the
+  /// variables that it names exist.
   std::unique_ptr<Schema> make(const std::string& component, std::map<std::string, Value> given) {
     AttributeValues values;
     for (const AttributeSpec& spec : registry.catalog().find(component)->attributes) {
@@ -60,7 +61,7 @@ class SchemaTest : public ::testing::Test {
     return registry.make(component, values, {variables, devices, Random(7)});
   }
 
-  /// The next tick, `step` later.
+  /// Goes on to the next tick, `step_s` later.
   void advance(double step_s = 0.05) {
     tick.now += from_seconds(step_s);
     ++tick.number;

@@ -7,7 +7,8 @@
 
 namespace galilean::sim {
 
-/// A 6 x 6 m floor with one robot at (3, 3) that faces along x, without jitter and without slip.
+/// Returns a 6 m x 6 m floor with one robot at (3, 3) m that faces along x, without jitter and
+/// slip.
 inline Scenario bare_floor() {
   Scenario scenario;
   scenario.name = "bare floor";
@@ -25,7 +26,7 @@ inline std::unique_ptr<World> world_of(const Scenario& scenario, std::uint64_t s
   return world ? std::move(world).value() : nullptr;
 }
 
-/// Steps the world with these pins for so long.
+/// Steps the world with these outputs of the board for `seconds`.
 inline void run(World& world, const robot::firmware::Outputs& outputs, double seconds) {
   for (int i = 0; i < seconds / World::kStep_s; ++i) {
     world.robot(0).apply(outputs);

@@ -12,7 +12,8 @@ std::string short_name(const std::string& type) {
   return type.substr(type.rfind(':') + 1);
 }
 
-/// galilean_msgs::msg::RobotState -> galilean_msgs_msg_RobotState, as idlc names it in C
+/// Returns the name that idlc gives in C: galilean_msgs::msg::RobotState ->
+/// galilean_msgs_msg_RobotState
 std::string c_name(std::string type) {
   for (std::size_t at; (at = type.find("::")) != std::string::npos;) type.replace(at, 2, "_");
   return type;
@@ -22,7 +23,8 @@ std::string full_name(const Struct& type) {
   return type.module + "::" + type.name;
 }
 
-/// galilean_msgs::msg::RobotState -> galilean_msgs/msg/RobotState, as ROS 2 and log files name it
+/// Returns the name of ROS 2 and log files: galilean_msgs::msg::RobotState ->
+/// galilean_msgs/msg/RobotState
 std::string ros_name(std::string type) {
   for (std::size_t at; (at = type.find("::")) != std::string::npos;) type.replace(at, 2, "/");
   return type;
@@ -53,7 +55,7 @@ void emit_struct(std::ostream& out, const Struct& type) {
   out << "}\n\n";
 }
 
-/// What a field of the C struct is set to, and the statement that does it.
+/// Returns the statement that sets a field of the C struct.
 std::string lend_field(const Field& field) {
   const std::string& name = field.name;
   if (field.array_size)
@@ -69,7 +71,7 @@ std::string lend_field(const Field& field) {
   return "lend(from." + name + ", to." + name + ", arena);";
 }
 
-/// `file` and `type` of every declaration, by full name.
+/// A declared type and the file that declares it.
 struct Declared {
   const File* file;
   const Struct* type;
@@ -83,7 +85,7 @@ Declarations declarations(const std::vector<File>& files) {
   return all;
 }
 
-/// The full names of the structs among the fields of `type`, each once.
+/// Returns the full names of the structs among the fields of `type`, each once.
 std::vector<std::string> used_by(const Struct& type, const Declarations& all) {
   std::vector<std::string> used;
   for (const auto& field : type.fields)
@@ -92,7 +94,7 @@ std::vector<std::string> used_by(const Struct& type, const Declarations& all) {
   return used;
 }
 
-/// One type as the file that ROS 2 would have of it, under the two lines that name it.
+/// Returns one type as ROS 2 would write its file, under the two lines that name it.
 std::string resource_text(const Declared& declared, const Declarations& all) {
   const Struct& type = *declared.type;
   std::string text = std::string(80, '=') + "\nIDL: " + ros_name(full_name(type)) + "\n";
@@ -183,7 +185,7 @@ std::string emit_schemas(const std::vector<File>& files) {
   for (const auto& [name, declared] : all) {
     out << "    {\"" << ros_name(name) << "\", \"" << declared.type->module
         << "::dds_::" << declared.type->name << "_\",\n";
-    // string literals have a limited length: one a line
+    // Each line is a literal of its own, because compilers limit the length of a string literal.
     std::istringstream lines(schema_text(name, all));
     for (std::string line; std::getline(lines, line);)
       out << "     R\"IDL(" << line << ")IDL\" \"\\n\"\n";

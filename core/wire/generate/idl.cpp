@@ -39,11 +39,11 @@ class Tokens {
   void expect(std::string_view text) {
     if (!accept(text)) fail("expected '" + std::string(text) + "' before '" + peek() + "'");
   }
-  /// Where the lines after the token taken last begin.
+  /// Returns where the lines behind the last token begin.
   [[nodiscard]] std::size_t next_line() const {
     return std::min(text_.find('\n', tokens_[next_ - 1].begin), text_.size() - 1) + 1;
   }
-  /// The whole lines from `begin` to the token taken last.
+  /// Returns the whole lines from `begin` to the last token.
   [[nodiscard]] std::string lines_since(std::size_t begin) const {
     return text_.substr(begin, next_line() - begin);
   }

@@ -20,7 +20,7 @@ struct Struct {
   std::string module;  ///< "galilean_msgs::msg"
   std::string name;
   std::vector<Field> fields;
-  std::string text;  ///< as it stands in the file, whole lines with the comments before it
+  std::string text;  ///< as it stands in the file: whole lines, with the comments before it
 };
 struct Constant {
   std::string group;  ///< "Variable_Constants"
@@ -40,7 +40,7 @@ struct File {
 /// the subset.
 [[nodiscard]] File parse(const std::string& name, const std::string& text);
 
-/// The C++ type of a basic type, and its size in CDR in bytes.
+/// The C++ type of a basic type, and its size in CDR [bytes].
 struct Basic {
   std::string_view cpp;
   int size;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// idl_compiler OUTPUT_DIR A.idl B.idl …: from the messages' IDL makes
+// idl_compiler OUTPUT_DIR A.idl B.idl … makes from the messages' IDL:
 //   messages.h    plain C++ structs, with `decode` from CDR
 //   lending.{h,cpp}  each as the C struct that Cyclone writes, borrowing its memory
 //   schemas.cpp   the IDL text of every type with what it includes, for log files and browsers
-// so that each message is declared once. Files are given after those that they include.
+// Each message is thus declared once. Requires: a file stands behind those that it includes.
 #include <fstream>
 #include <iostream>
 #include <sstream>

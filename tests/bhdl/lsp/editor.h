@@ -14,7 +14,7 @@ namespace galilean::bhdl::lsp {
 /// Texts by their paths.
 using Files = std::map<std::string, std::string>;
 
-/// Files in memory, as a library of programs has them.
+/// Files in memory, like a library of programs.
 class MemoryFolder : public ProgramFolder {
  public:
   explicit MemoryFolder(Files files) : files_(std::move(files)) {}
@@ -26,14 +26,14 @@ class MemoryFolder : public ProgramFolder {
   Files files_;
 };
 
-/// A text with one `|`, which is the cursor and not part of it.
+/// A text and the place of its one `|`, which is the cursor and not part of the text.
 struct Marked {
   std::string text;
   TextPosition cursor;
 };
 [[nodiscard]] Marked marked(std::string text);
 
-/// What sits before the server: opens texts, asks, and keeps what is published.
+/// The client of the server: it opens texts, sends requests, and keeps the published diagnostics.
 class Editor {
  public:
   explicit Editor(Files files = {}, Json capabilities = {},
@@ -44,15 +44,16 @@ class Editor {
   void change(const std::string& name, const Json& changes);
   void close(const std::string& name);
 
-  /// At the cursor of the file opened last, with `more` params.
+  /// Returns the answer to a request at the cursor of the file opened last, with `more` params.
   [[nodiscard]] Json ask(const std::string& method, const Json& more = Json::object());
-  /// The same, where an error is expected: its message.
+  /// Sends the same request. Requires: the answer is an error. Returns the error's message.
   [[nodiscard]] std::string refusal(const std::string& method, const Json& more = Json::object());
-  /// The whole answer to a message.
+  /// Returns the whole answer to a message.
   [[nodiscard]] Json send(const Json& message);
   void notify(const std::string& method, const Json& params);
 
-  /// `line:character-line:character code` of what is published for `/name`, each on a line.
+  /// Returns `line:character-line:character code`, each on a line, of the diagnostics that are
+  /// published for `/name`.
   [[nodiscard]] std::string problems(const std::string& name);
   [[nodiscard]] Json published(const std::string& name);
   [[nodiscard]] std::vector<std::string> completions();
@@ -71,7 +72,7 @@ class Editor {
   int next_id_ = 1;
 };
 
-/// The text after a response's TextEdits.
+/// Returns the text after a response's TextEdits.
 [[nodiscard]] std::string edited(const std::string& text, const Json& edits);
 
 }  // namespace galilean::bhdl::lsp

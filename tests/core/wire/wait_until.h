@@ -6,7 +6,8 @@
 
 namespace galilean::wire {
 
-/// Discovery has no clock to step: looks every millisecond, for ten seconds at most.
+/// Checks `condition` every millisecond, for at most ten seconds, because discovery has no clock to
+/// step. Returns whether the condition held.
 template <class Condition>
 [[nodiscard]] bool wait_until(Condition condition) {
   for (int i = 0; i < 10000; ++i) {

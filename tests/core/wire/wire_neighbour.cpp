@@ -22,7 +22,7 @@ class Neighbourhood {
   explicit Neighbourhood(wire::Participant& participant)
       : participant_(participant), discovery_(participant) {}
 
-  /// Robots whose state was read so far.
+  /// Returns how many robots' states were read so far.
   std::size_t met() {
     for (const auto& publication : discovery_.publications())
       if (publication.dds_type == wire::find_schema_by_ros_type(kType)->dds_type)

@@ -59,7 +59,7 @@ msg::CompressedImage picture_at(std::uint64_t tick) {
   return picture;
 }
 
-/// Looks for so long: this is also the talker's pace.
+/// Waits for the end of the input, at most `patience_ms`. This is also the talker's period.
 bool input_ended(int patience_ms) {
   pollfd input{STDIN_FILENO, POLLIN, 0};
   return poll(&input, 1, patience_ms) > 0;

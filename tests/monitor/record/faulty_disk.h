@@ -7,8 +7,8 @@
 
 namespace galilean::mcap {
 
-/// Takes bytes until it is full; the write that does not fit is cut short and fails, as a disk's
-/// is.
+/// A disk that takes bytes until it is full. The write that does not fit is cut short and fails, as
+/// on a real disk.
 class FaultyDisk final : public ByteSink {
  public:
   explicit FaultyDisk(std::size_t capacity = SIZE_MAX) : capacity_(capacity) {}

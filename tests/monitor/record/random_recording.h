@@ -18,14 +18,15 @@ struct Recorded {
   bool operator==(const Recorded&) const = default;
 };
 
-/// Writes random messages on three channels of two schemas, and remembers them with the size that
-/// the file had when each was written.
+/// Writes random messages on three channels of two schemas. It keeps the messages, and the size of
+/// the file after each chunk.
 struct RandomRecording {
   FaultyDisk disk;
   Writer writer;
   std::vector<Recorded> messages;
-  std::vector<std::size_t> messages_at_chunk;  ///< how many were in all chunks up to this one
-  std::vector<std::size_t> chunk_ends;         ///< the file's size after each chunk and its indexes
+  std::vector<std::size_t> messages_at_chunk;  ///< number of messages in all chunks up to this one
+  std::vector<std::size_t> chunk_ends;         ///< size of the file after each chunk and its
+                                               ///< indexes
   Failure failure;
 
   RandomRecording(unsigned seed, int count, std::size_t capacity = SIZE_MAX)

@@ -12,7 +12,7 @@
 
 namespace galilean::robot {
 
-/// The office with its red can, once each time it is asked.
+/// Paints the office with its red can each time it is asked.
 class PaintedOffice final : public FrameSource {
  public:
   bool grab(Frame& frame, Time) override {
@@ -23,10 +23,10 @@ class PaintedOffice final : public FrameSource {
 };
 
 /// An executive over a robot's own devices, with the real firmware behind its line, all on a
-/// stepped clock. Traffic and pictures are pumped between the ticks.
+/// stepped clock. Line and camera are pumped between the ticks.
 class BenchRobot {
  public:
-  /// What so many ticks allocate and release.
+  /// Returns how often the ticks allocate and release memory.
   long run_ticks(int times) {
     long allocations = 0;
     for (int i = 0; i < times; ++i) {

@@ -14,14 +14,14 @@
 namespace galilean::robot {
 
 /// The real firmware with bench motors behind a pipe, and a robot's devices before it, on a stepped
-/// clock: millisecond by millisecond as the headless simulator runs them.
+/// clock. It runs in steps of a millisecond, as the headless simulator does.
 class BoardOnAPipe {
  public:
   static constexpr int kTick_ms = 20;
 
   BoardOnAPipe() { power_up(); }
 
-  /// A new start of the board: encoders, parameters and time begin anew.
+  /// Restarts the board: encoders, parameters and time begin anew.
   void power_up() {
     bench_ = {};
     controller_.emplace(bench_, firmware::Controller::Identity{{'i', 'o'}, ++boots_});
@@ -33,7 +33,7 @@ class BoardOnAPipe {
       if (i % kTick_ms == 0) link.sense(now_);
     }
   }
-  /// The I/O side and the board alone.
+  /// Runs the line and the board without `sense`.
   void run_traffic(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
       now_ += std::chrono::milliseconds(1);

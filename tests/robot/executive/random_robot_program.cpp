@@ -39,14 +39,14 @@ void RandomRobotProgram::draw_variables() {
     if (!chance(3)) add_variable("bits", name), bits_.push_back(name);
   for (const char* name : {"away", "towards", "sum"})
     if (!chance(3)) add_variable("force", name), forces_.push_back(name);
-  // Of these only the name is the same from program to program.
+  // Only the names of these are the same in every program. Their types differ.
   for (const char* name : {"x0", "x1", "x2"}) {
     static const Names kTypes{"locate", "bits", "force"};
     const std::string& type = one_of(kTypes);
     add_variable(type, name);
     (type == "locate" ? locates_ : type == "bits" ? bits_ : forces_).push_back(name);
   }
-  // Every kind has one.
+  // Every program has one of each type.
   add_variable("locate", "l"), locates_.push_back("l");
   add_variable("bits", "b"), bits_.push_back("b");
   add_variable("force", "f"), forces_.push_back("f");

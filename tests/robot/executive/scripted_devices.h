@@ -12,7 +12,7 @@
 
 namespace galilean::robot {
 
-/// Devices that say what a test tells them, and remember what they were told.
+/// Devices that report what a test sets, and keep the commands that they get.
 class ScriptedPort final : public CommPort {
  public:
   void sense(Time now) noexcept override {
@@ -29,7 +29,7 @@ class ScriptedPort final : public CommPort {
   ControllerStatus sensed;
   GripperCommand gripper = GripperCommand::kOpen;
   std::atomic<bool> answers = true;
-  std::function<void()> on_sense;  ///< sees the executive right after it exchanged programs
+  std::function<void()> on_sense;  ///< runs right after the executive exchanged programs
 };
 
 class ScriptedDrive final : public MotorDrive {

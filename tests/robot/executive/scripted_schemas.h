@@ -14,10 +14,10 @@ namespace galilean::robot {
 
 /// What the scripted schemas of the running test did, in order.
 inline std::vector<std::string> journal;
-/// Called by every `call`; set by the test that uses it.
+/// Every `call` schema calls it. The test that uses such a schema sets it.
 inline std::function<void(const Tick&)> on_call;
 
-/// Notes in the journal that it was activated and run.
+/// Notes in the journal that it was activated, and each run.
 template <class Base>
 class Note : public Base {
  public:
@@ -32,7 +32,7 @@ class Note : public Base {
   std::string word_;
 };
 
-/// Makes bits valid and counts up in them, one a run.
+/// Makes bits valid and counts its runs in them.
 class CountBits final : public PerceptualSchema {
  public:
   static void describe(Declaration<CountBits>& is) {
@@ -47,7 +47,7 @@ class CountBits final : public PerceptualSchema {
   Variable<Bits>* bits_ = nullptr;
 };
 
-/// Writes a locate and a force that tell one tick from another.
+/// Writes the tick's number into a locate and a force.
 class WriteAll final : public PerceptualSchema {
  public:
   static void describe(Declaration<WriteAll>& is) {
@@ -71,7 +71,7 @@ class WriteAll final : public PerceptualSchema {
   double certainty_ = 1;
 };
 
-/// Throws in its n-th run.
+/// Throws once `after` runs went well.
 class Thrower final : public PerceptualSchema {
  public:
   static void describe(Declaration<Thrower>& is) {
@@ -90,7 +90,7 @@ class Thrower final : public PerceptualSchema {
   Variable<Bits>* output_ = nullptr;
 };
 
-/// Drives ahead at a speed.
+/// Drives ahead at a constant speed.
 class Ahead final : public MotorSchema {
  public:
   static void describe(Declaration<Ahead>& is) {
@@ -105,7 +105,7 @@ class Ahead final : public MotorSchema {
   const Devices* devices_ = nullptr;
 };
 
-/// Does what the test says.
+/// Calls what the test has set.
 class Call final : public MotorSchema {
  public:
   static void describe(Declaration<Call>& is) { is.help("Does what the test says."); }

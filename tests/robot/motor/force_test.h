@@ -11,12 +11,12 @@ using namespace std::string_literals;
 class ForceTest : public SchemaTest {
  protected:
   static constexpr double kTolerance = 1e-9;
-  static constexpr double kEdgeStep_m = 1e-6;  ///< inside or outside of a zone's edge
+  static constexpr double kEdgeStep_m = 1e-6;  ///< step to the inside or outside of a zone's edge
 
   ForceTest() { result().constant = false; }
 
   Variable<Force>& result() { return variable<Force>("result"); }
-  /// What one more tick of the schema writes; fails the test if it writes nothing.
+  /// Returns what one more tick of the schema writes. The test fails if the schema writes nothing.
   Vec2 run(Schema& schema) {
     advance();
     schema.run(tick);

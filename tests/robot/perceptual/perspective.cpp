@@ -7,7 +7,7 @@ namespace galilean::robot {
 
 void Perspective::draw(const CameraGeometry& camera, Frame& frame) const {
   const double half_width = std::tan(camera.view_angle_rad / 2);
-  const double half_height = half_width * 3 / 4;  // square pixels would make the picture 4:3
+  const double half_height = half_width * 3 / 4;  // with square pixels the picture would be 4:3
   auto* out = frame.rgb.data();
   for (int y = 0; y < camera.height_px; ++y)
     for (int x = 0; x < camera.width_px; ++x) {

@@ -14,7 +14,7 @@ struct Colour {
   std::uint8_t red, green, blue;
 };
 
-/// Upright on the floor; positions in the robot frame (x right, y forward), metres.
+/// A cylinder that stands on the floor. Its centre [m] is in the robot frame (x right, y forward).
 struct Cylinder {
   Vec2 centre_m;
   double radius_m;
@@ -22,15 +22,15 @@ struct Cylinder {
   Colour colour;
 };
 
-/// An upright rectangle square to the camera's axis, from `left_m` to `right_m` at `depth_m` in
-/// front of the robot's centre.
+/// An upright rectangle at right angles to the camera's axis, from `left_m` to `right_m`, at
+/// `depth_m` in front of the robot's centre.
 struct Panel {
   double left_m, right_m, depth_m, bottom_m, top_m;
   Colour colour;
 };
 
-/// Traces one ray through every pixel's middle: the picture that a pinhole camera really takes, by
-/// other arithmetic than the camera model's.
+/// Traces one ray through every pixel's middle. The result is the picture that a pinhole camera
+/// takes, by other arithmetic than the camera model's.
 class Perspective {
  public:
   std::vector<Cylinder> cylinders;
@@ -44,7 +44,7 @@ class Perspective {
   void draw(const CameraGeometry& camera, Frame& frame) const;
 
  private:
-  /// Along a ray (right, up, with depth 1 forward) from the camera.
+  /// The nearest surface along a ray (right, up, with depth 1 forward) from the camera.
   struct Hit {
     double depth_m;
     Colour colour;

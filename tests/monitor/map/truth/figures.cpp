@@ -45,7 +45,7 @@ struct Match {
   const Body* body;
 };
 
-/// Each published landmark with one body at most, the nearest pairs first.
+/// Returns each published landmark with at most one body. The nearest pairs are matched first.
 std::vector<Match> matched(const std::vector<const msg::MapObject*>& published,
                            const std::vector<Body>& bodies) {
   std::vector<Match> all, result;

@@ -116,7 +116,8 @@ TEST_F(TopicsTest, ForcesAreThoseOfTheSchemasWithTheirGains) {
 TEST_F(TopicsTest, DiagnosticsSayHowTheExecutiveAndTheDevicesFare) {
   auto diagnostics = Mailbox<msg::DiagnosticArray>(*io.other, wire::kDiagnosticsTopic);
   io.robot.port.answers = false;
-  // The test may tick two seconds before the publisher looks again, to which the loop then stood still.
+  // The test may tick two seconds before the publisher looks again, to which the loop then stood
+  // still.
   const auto is_calm = [&](const msg::DiagnosticArray& array) {
     return array.status.back().name == io.name + "/comm_port" &&
            std::ranges::count(array.status, "The control loop stands still.",

@@ -10,9 +10,9 @@
 
 namespace galilean {
 
-/// A DDS domain that no other test on this machine uses, be it another checkout's. It is held until
-/// this process ends. Each call gives another one. As tests/tools/domain.mjs.
-/// Errors: throws if all are taken.
+/// Returns a DDS domain that no other test on this machine uses, not even one of another checkout.
+/// It is held until this process ends. Each call returns another one. tests/tools/domain.mjs does
+/// the same for scripts. Errors: throws if all are taken.
 [[nodiscard]] inline int free_domain() {
   constexpr int kFirst = 20, kCount = 80;
   static int next = getpid() % kCount;

@@ -8,7 +8,8 @@
 
 namespace galilean {
 
-/// A new folder that no other test has, gone with its owner: ctest runs tests beside one another.
+/// A new folder that no other test has, because ctest runs tests at the same time. It is removed
+/// with its owner.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

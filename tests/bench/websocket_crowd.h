@@ -12,11 +12,11 @@
 
 namespace galilean::bench {
 
-/// Many WebSocket clients on one thread, as cheap as can be, so that a server is measured and not
-/// its clients: frames are counted by their heads, and of each only the first bytes are kept.
+/// Many WebSocket clients on one thread. They cost as little as possible, so that the server is
+/// measured and not its clients: only the head and the first bytes of each frame are read.
 class WebSocketCrowd {
  public:
-  /// Of a frame's payload.
+  /// The number of bytes that are kept of a frame's payload.
   static constexpr std::size_t kKept = 16;
 
   struct Frame {
@@ -28,7 +28,7 @@ class WebSocketCrowd {
   using OnFrame = std::function<void(const Frame&)>;
   using Clock = std::chrono::steady_clock;
 
-  /// Throws std::runtime_error where the server does not take all of them.
+  /// Throws std::runtime_error if the server does not accept all of the clients.
   WebSocketCrowd(std::uint16_t port, const std::string& target, const std::string& subprotocol,
                  std::size_t clients);
   ~WebSocketCrowd();
@@ -37,7 +37,7 @@ class WebSocketCrowd {
 
   void send_text(std::size_t client, std::string_view text) { send(client, 0x81, text); }
   void send_binary(std::size_t client, std::string_view bytes) { send(client, 0x82, bytes); }
-  /// Reads what has come, and waits for `patience` if that is nothing.
+  /// Reads the bytes that have arrived. Waits for them for at most `patience`.
   void read(std::chrono::milliseconds patience, const OnFrame& on_frame);
   [[nodiscard]] std::size_t size() const noexcept { return clients_.size(); }
 
@@ -46,7 +46,7 @@ class WebSocketCrowd {
     int socket = -1;
     std::array<std::uint8_t, 14 + kKept> head{};
     std::size_t head_size = 0;
-    std::uint64_t skip = 0;  ///< of the frame's payload, still to come
+    std::uint64_t skip = 0;  ///< bytes of the frame's payload that have not arrived yet
   };
 
   void send(std::size_t client, std::uint8_t first_byte, std::string_view payload);

@@ -7,8 +7,8 @@
 
 namespace galilean::bhdl {
 
-/// Everything that a program says, and nothing of where it says so: two programs that do the same
-/// have the same text.
+/// Returns everything that a program says, without the positions in its text. Two programs that do
+/// the same have the same text.
 [[nodiscard]] std::string meaning(const Program& program);
 
 }  // namespace galilean::bhdl

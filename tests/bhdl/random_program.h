@@ -7,7 +7,7 @@
 
 namespace galilean::bhdl {
 
-/// Writes right programs for the small catalog, with every quirk of the published listings.
+/// Writes correct programs for the small catalog, with every quirk of the published listings.
 class RandomProgram {
  public:
   explicit RandomProgram(unsigned seed) : random_(seed) {}
@@ -73,7 +73,7 @@ class RandomProgram {
   std::mt19937 random_;
 };
 
-/// `text` with a few letters lost, doubled or exchanged for others.
+/// Returns `text` with a few letters lost, doubled or exchanged for others.
 [[nodiscard]] std::string damaged(std::string text, RandomProgram& random);
 
 }  // namespace galilean::bhdl

@@ -8,19 +8,19 @@
 
 namespace galilean::bhdl {
 
-/// A few components that between them use everything that a catalog can say of an attribute.
+/// Returns a few components that together use everything that a catalog can say of an attribute.
 [[nodiscard]] Catalog small_catalog();
 
 /// Checks one text, as the file "program.bhdl".
 [[nodiscard]] CheckResult check_text(std::string text);
 
-/// A whole program that is right: `state` may refer to the bits variable "bumpers", the force
+/// Returns a whole correct program. `states` may refer to the bits variable "bumpers", the force
 /// "ahead", the perceptual schema "scan" and the motor schemas "wander" and "drive".
 [[nodiscard]] std::string program_with_states(const std::string& states);
 
-/// Every diagnostic as `line:column severity code`, one a line.
+/// Returns all diagnostics as `line:column severity code`, one a line.
 [[nodiscard]] std::string summary(const CheckResult& result);
-/// Every diagnostic as it is printed.
+/// Returns all diagnostics as they are printed.
 [[nodiscard]] std::string printed(const CheckResult& result);
 
 }  // namespace galilean::bhdl

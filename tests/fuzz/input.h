@@ -19,8 +19,8 @@ inline void must(bool holds, const char* promise) {
   std::abort();
 }
 
-/// The input cut at its NUL bytes, into files that are called "0", "1", "2" …: the first is a main
-/// file that may include the others.
+/// Returns the input, cut at its NUL bytes into files that are called "0", "1", "2" …. The first is
+/// a main file that may include the others.
 [[nodiscard]] inline std::vector<SourceFile> files_of(const std::uint8_t* data, std::size_t size) {
   std::string_view rest(reinterpret_cast<const char*>(data), size);
   std::vector<SourceFile> files;

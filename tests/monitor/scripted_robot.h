@@ -13,15 +13,15 @@
 
 namespace galilean::monitor {
 
-/// A robot as DDS shows it, without one: publishes a state ten times a second, takes pushes and
-/// commands, and answers as a robot does. For tests of those who watch and steer robots.
+/// Behaves on DDS as a robot does: it publishes a state ten times a second, takes pushes and
+/// commands, and answers them. It serves tests of programs that watch and steer robots.
 class ScriptedRobot {
  public:
-  /// `catalog_json` is what its programs may name.
+  /// `catalog_json` is the catalog of what its programs may name.
   ScriptedRobot(std::string name, int domain, const std::string& catalog_json);
   ~ScriptedRobot();
 
-  /// Says this of pushes instead of running them.
+  /// Makes it refuse pushes with the message `why`.
   void refuse_pushes(const std::string& why);
   [[nodiscard]] std::string running_hash();
   [[nodiscard]] bool held();

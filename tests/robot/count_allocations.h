@@ -3,7 +3,8 @@
 
 namespace galilean::robot {
 
-/// Counts what this thread allocates and releases, as long as it lives. One at a time.
+/// Counts how often this thread allocates and releases memory while the count lives. There may be
+/// only one at a time.
 class AllocationCount {
  public:
   AllocationCount();

@@ -14,9 +14,9 @@
 
 namespace galilean::robot {
 
-/// Schemas that no file of the project knows: what others make of them, their roles alone tell.
+// Schemas that no file of the project names. The project knows them only by their roles.
 
-/// Makes a picture that is all of one brightness.
+/// Makes a picture of a single brightness.
 class Contours final : public PerceptualSchema {
  public:
   static constexpr std::uint8_t kBrightness = 77;
@@ -39,7 +39,7 @@ class Contours final : public PerceptualSchema {
   const Devices* devices_ = nullptr;
 };
 
-/// Finds in a picture what glows.
+/// Finds what glows in a picture.
 class Glow final : public PerceptualSchema {
  public:
   static void describe(Declaration<Glow>& is) {
@@ -64,7 +64,7 @@ class Glow final : public PerceptualSchema {
   double least_ = 0;
 };
 
-/// Trigger with a measure and a limit.
+/// A trigger with a measure and a limit.
 class InReach final : public PerceptualSchema {
  public:
   static void describe(Declaration<InReach>& is) {
@@ -92,7 +92,7 @@ class InReach final : public PerceptualSchema {
   unsigned flag_ = 0;
 };
 
-/// Takes gains, a list and a single one, and drives.
+/// Takes a list of gains and a single gain, and drives.
 class Steer final : public MotorSchema {
  public:
   static void describe(Declaration<Steer>& is) {

@@ -14,7 +14,8 @@
 
 namespace galilean::robot {
 
-/// A value of a catalog's default, which is in the attribute's unit, in SI.
+/// Returns the default of an attribute as a value in SI units. The catalog has it in the
+/// attribute's unit.
 inline Value to_si(const AttributeSpec& spec) {
   Value value = *spec.default_value;
   if (auto* number = std::get_if<double>(&value)) *number *= spec.unit.to_si;
@@ -22,7 +23,8 @@ inline Value to_si(const AttributeSpec& spec) {
   return value;
 }
 
-/// Schemas as a program gets them: made by name through the registry, wired to variables.
+/// Makes schemas as the builder of a program does: by name through the registry, wired to
+/// variables.
 class SchemaTest : public ::testing::Test {
  protected:
   SchemaTest() {
@@ -46,7 +48,8 @@ class SchemaTest : public ::testing::Test {
     return object;
   }
 
-  /// `given` is in SI; the rest gets the catalog's defaults. Variables must exist before.
+  /// Makes a schema with the values `given`, in SI units. All other attributes get the catalog's
+  /// defaults. Requires: the variables exist.
   std::unique_ptr<Schema> make(const std::string& component, std::map<std::string, Value> given) {
     AttributeValues values;
     for (const AttributeSpec& spec : registry.catalog().find(component)->attributes) {
@@ -60,7 +63,7 @@ class SchemaTest : public ::testing::Test {
     return registry.make(component, values, {variables, devices, Random(7)});
   }
 
-  /// The next tick, `step` later.
+  /// Begins the next tick, `step_s` later.
   void advance(double step_s = 0.05) {
     tick.now += from_seconds(step_s);
     ++tick.number;

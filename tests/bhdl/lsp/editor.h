@@ -14,7 +14,7 @@ namespace galilean::bhdl::lsp {
 /// Texts by their paths.
 using Files = std::map<std::string, std::string>;
 
-/// Files in memory, as a library of programs has them.
+/// A folder of programs in memory.
 class MemoryFolder : public ProgramFolder {
  public:
   explicit MemoryFolder(Files files) : files_(std::move(files)) {}
@@ -26,14 +26,15 @@ class MemoryFolder : public ProgramFolder {
   Files files_;
 };
 
-/// A text with one `|`, which is the cursor and not part of it.
+/// A text with a cursor. In the marked text, the cursor is written as one `|`.
 struct Marked {
   std::string text;
   TextPosition cursor;
 };
 [[nodiscard]] Marked marked(std::string text);
 
-/// What sits before the server: opens texts, asks, and keeps what is published.
+/// An editor in front of the server. It opens texts, makes requests, and keeps the diagnostics that
+/// the server publishes.
 class Editor {
  public:
   explicit Editor(Files files = {}, Json capabilities = {},
@@ -44,15 +45,16 @@ class Editor {
   void change(const std::string& name, const Json& changes);
   void close(const std::string& name);
 
-  /// At the cursor of the file opened last, with `more` params.
+  /// Makes a request at the cursor of the file opened last, with `more` params. Returns its result.
   [[nodiscard]] Json ask(const std::string& method, const Json& more = Json::object());
-  /// The same, where an error is expected: its message.
+  /// Makes the same request where an error is expected. Returns the error's message.
   [[nodiscard]] std::string refusal(const std::string& method, const Json& more = Json::object());
-  /// The whole answer to a message.
+  /// Returns the whole answer to a message.
   [[nodiscard]] Json send(const Json& message);
   void notify(const std::string& method, const Json& params);
 
-  /// `line:character-line:character code` of what is published for `/name`, each on a line.
+  /// Returns the diagnostics that are published for `/name`, one a line, as
+  /// `line:character-line:character code`.
   [[nodiscard]] std::string problems(const std::string& name);
   [[nodiscard]] Json published(const std::string& name);
   [[nodiscard]] std::vector<std::string> completions();
@@ -71,7 +73,7 @@ class Editor {
   int next_id_ = 1;
 };
 
-/// The text after a response's TextEdits.
+/// Returns the text after a response's TextEdits.
 [[nodiscard]] std::string edited(const std::string& text, const Json& edits);
 
 }  // namespace galilean::bhdl::lsp

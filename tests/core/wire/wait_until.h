@@ -6,7 +6,8 @@
 
 namespace galilean::wire {
 
-/// Discovery has no clock to step: looks every millisecond, for ten seconds at most.
+/// Waits until the condition is true, because discovery has no clock to step. Looks every
+/// millisecond, for ten seconds at most.
 template <class Condition>
 [[nodiscard]] bool wait_until(Condition condition) {
   for (int i = 0; i < 10000; ++i) {

@@ -12,7 +12,7 @@ inline constexpr const char* kPushId = "1";
 inline constexpr const char* kRollbackId = "back";
 inline constexpr const char* kNewHash = "new";
 
-/// To the team.
+/// Returns an order to the team.
 inline PushOrder order_for(const std::string& canary = {}, bool tries = false) {
   PushOrder order{.files = {{"main.bhdl", "text"}}, .targets = {}, .author = "balch"};
   order.trial.wanted = tries;
@@ -52,7 +52,7 @@ inline msg::ProgramReply said(const std::string& robot, ReplyStatus status,
   return reply;
 }
 
-/// What `request` asks for, as "send io ganymede".
+/// Returns what `request` asks for, such as "send io ganymede".
 inline std::string in_words(const PushRequest& request) {
   struct {
     std::string operator()(const CheckProgram&) const { return "check"; }

@@ -7,12 +7,13 @@
 
 namespace galilean::monitor {
 
-/// JSON that is sound but nests so deep that whoever copies or prints it recurses too far.
+/// Returns valid JSON that nests so deep that code which copies or prints it recurses too far.
 inline std::string deep_json(std::size_t levels = 200'000) {
   return std::string(levels, '[') + std::string(levels, ']');
 }
 
-/// Every kind of JSON but an object, what is no JSON, and an object that nests too deep.
+/// Returns bodies that the API must refuse: every kind of JSON but an object, a text that is not
+/// JSON, and an object that nests too deep.
 inline std::vector<std::string> bodies_that_are_no_objects() {
   return {"[]",
           "\"x\"",
@@ -34,7 +35,8 @@ inline std::vector<std::string> bodies_that_are_no_objects() {
           "{\"x\": " + deep_json() + "}"};
 }
 
-/// Of every kind that `schema` (JSON Schema; an object is taken for a boolean, too) does not name.
+/// Returns values of all types that `schema` does not allow. It is a JSON Schema; where it allows a
+/// boolean, an object is allowed, too.
 inline std::vector<nlohmann::json> values_that_are_no(const nlohmann::json& schema) {
   using nlohmann::json;
   const std::string type = schema["type"];

@@ -14,7 +14,8 @@
 
 namespace galilean::monitor {
 
-/// One a process: tests that run side by side do not hear one another.
+/// Returns a DDS domain of this process, so that tests that run at the same time do not hear one
+/// another.
 [[nodiscard]] int test_domain();
 
 inline constexpr const char* kProgram = "states:\n  state:\n    name: \"start\"\n  end\nend\n";
@@ -30,21 +31,21 @@ struct HttpAnswer {
   }
 };
 
-/// What a command printed, and how it ended.
+/// The output of a command, and how it ended.
 struct Ran {
   int exit_code = -1;
   std::string output;
 };
 [[nodiscard]] Ran run_command(const std::string& command);
 
-/// A monitor on a port of its own, with two programs to choose from, in a folder that goes.
+/// A monitor on a port of its own, with two programs to choose from, in a temporary folder.
 class ServerFixture : public testing::Test {
  protected:
   using Headers = std::map<std::string, std::string>;
 
   void SetUp() override;
   void TearDown() override;
-  /// How the monitor of this test is started otherwise.
+  /// Changes the options with which the monitor of this test starts.
   virtual void change(MonitorOptions& /*options*/) {}
 
   void write(const std::string& name, const std::string& text) const;
@@ -53,12 +54,12 @@ class ServerFixture : public testing::Test {
   HttpAnswer request(boost::beast::http::verb verb, const std::string& target,
                      const std::string& body = {}, const Headers& headers = {});
   HttpAnswer get(const std::string& target);
-  /// As the operator.
+  /// Posts as the operator.
   HttpAnswer post(const std::string& target, const nlohmann::json& body);
   [[nodiscard]] Headers bearer(const std::string& file) const;
   nlohmann::json push_named(const std::string& id) { return get("/api/pushes/" + id).as_json(); }
   [[nodiscard]] static nlohmann::json files(const char* text);
-  /// Asks until the answer suits, for so long at most.
+  /// Asks until the condition is true, for a limited time. Returns whether it became true.
   [[nodiscard]] bool becomes_true(const std::function<bool()>& condition,
                                   std::chrono::seconds patience = std::chrono::seconds(5));
   void wait_for_robots(std::size_t count);

@@ -12,7 +12,7 @@
 
 namespace galilean::robot {
 
-/// The office with its red can, once each time it is asked.
+/// Shows the office with its red can in every frame.
 class PaintedOffice final : public FrameSource {
  public:
   bool grab(Frame& frame, Time) override {
@@ -22,11 +22,11 @@ class PaintedOffice final : public FrameSource {
   [[nodiscard]] std::string problem() const override { return {}; }
 };
 
-/// An executive over a robot's own devices, with the real firmware behind its line, all on a
-/// stepped clock. Traffic and pictures are pumped between the ticks.
+/// An executive on a robot's own devices, with the real firmware behind the serial line, all on a
+/// stepped clock. The test moves bytes and pictures between the ticks.
 class BenchRobot {
  public:
-  /// What so many ticks allocate and release.
+  /// Returns how often so many ticks allocate and release memory.
   long run_ticks(int times) {
     long allocations = 0;
     for (int i = 0; i < times; ++i) {

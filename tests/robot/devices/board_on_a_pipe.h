@@ -13,15 +13,15 @@
 
 namespace galilean::robot {
 
-/// The real firmware with bench motors behind a pipe, and a robot's devices before it, on a stepped
-/// clock: millisecond by millisecond as the headless simulator runs them.
+/// The real firmware with bench motors at one end of a pipe, and a robot's devices at the other, on
+/// a stepped clock. They run millisecond by millisecond, as in the headless simulator.
 class BoardOnAPipe {
  public:
   static constexpr int kTick_ms = 20;
 
   BoardOnAPipe() { power_up(); }
 
-  /// A new start of the board: encoders, parameters and time begin anew.
+  /// Starts the board anew. Encoders, parameters and time are reset.
   void power_up() {
     bench_ = {};
     controller_.emplace(bench_, firmware::Controller::Identity{{'i', 'o'}, ++boots_});
@@ -33,7 +33,7 @@ class BoardOnAPipe {
       if (i % kTick_ms == 0) link.sense(now_);
     }
   }
-  /// The I/O side and the board alone.
+  /// Runs only the I/O side and the board.
   void run_traffic(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
       now_ += std::chrono::milliseconds(1);
@@ -41,7 +41,7 @@ class BoardOnAPipe {
       if (board_runs) step_board();
     }
   }
-  /// Runs with a command each tick, as a control loop gives it.
+  /// Runs with a command each tick, as a control loop does.
   void keep_driving(const DriveCommand& command, int milliseconds) {
     for (int i = 0; i < milliseconds; i += kTick_ms) {
       drive.drive(command);

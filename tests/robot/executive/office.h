@@ -5,7 +5,7 @@
 
 namespace galilean::robot {
 
-/// One of the programs that ship; the test fails if it has errors.
+/// Returns one of the programs that ship. The test fails if it has errors.
 inline bhdl::Program shipped_program(const std::string& file) {
   auto checked =
       bhdl::check_file(GALILEAN_SOURCE_DIR "/bhdl/programs/" + file, test_components().catalog());
@@ -14,7 +14,7 @@ inline bhdl::Program shipped_program(const std::string& file) {
   return checked.program.value();
 }
 
-/// A grey floor with a red can on it, some way ahead.
+/// Paints a grey floor with a red can on it, some way ahead.
 inline void paint_office(Frame& frame) {
   frame.number = 1;
   for (int row = 0; row < Frame::kHeight; ++row)

@@ -9,10 +9,10 @@
 
 namespace galilean::robot {
 
-/// Writes right programs for the components of a real robot, which have some names in common: of
-/// states, of variables (not always of the same type), of schemas. In every state the first and the
+/// Writes correct programs for the components of a real robot. The programs share some names of
+/// states, variables (not always of the same type) and schemas. In every state the first and the
 /// last schema of each kind, which share their names, note "perceive MARK" or "act MARK" in the
-/// journal; now and then one throws.
+/// journal. Now and then one throws.
 class RandomRobotProgram {
  public:
   explicit RandomRobotProgram(std::uint64_t seed) : random_(seed) {}
@@ -37,7 +37,7 @@ class RandomRobotProgram {
   void add_schema(Names& kind, const std::string& type, const std::string& name,
                   const std::string& attributes);
   [[nodiscard]] const std::string& one_of(const Names& names);
-  /// Of variables of that type: "name_variable: "trash" ".
+  /// Returns the attribute with variables of that type, such as "name_variable: "trash" ".
   [[nodiscard]] std::string given(const std::string& attribute, const Names& names);
   [[nodiscard]] std::string some_of(const Names& names);
 

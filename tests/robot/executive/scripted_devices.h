@@ -12,7 +12,9 @@
 
 namespace galilean::robot {
 
-/// Devices that say what a test tells them, and remember what they were told.
+// Devices whose readings a test sets, and which record the commands that they are given.
+
+/// A port to the robot's board.
 class ScriptedPort final : public CommPort {
  public:
   void sense(Time now) noexcept override {
@@ -29,7 +31,7 @@ class ScriptedPort final : public CommPort {
   ControllerStatus sensed;
   GripperCommand gripper = GripperCommand::kOpen;
   std::atomic<bool> answers = true;
-  std::function<void()> on_sense;  ///< sees the executive right after it exchanged programs
+  std::function<void()> on_sense;  ///< is called right after the executive exchanged programs
 };
 
 class ScriptedDrive final : public MotorDrive {

@@ -32,7 +32,7 @@ class Note : public Base {
   std::string word_;
 };
 
-/// Makes bits valid and counts up in them, one a run.
+/// Makes a bits variable valid, and counts it up by one each run.
 class CountBits final : public PerceptualSchema {
  public:
   static void describe(Declaration<CountBits>& is) {
@@ -47,7 +47,7 @@ class CountBits final : public PerceptualSchema {
   Variable<Bits>* bits_ = nullptr;
 };
 
-/// Writes a locate and a force that tell one tick from another.
+/// Writes a locate and a force variable with values that differ from tick to tick.
 class WriteAll final : public PerceptualSchema {
  public:
   static void describe(Declaration<WriteAll>& is) {
@@ -90,7 +90,7 @@ class Thrower final : public PerceptualSchema {
   Variable<Bits>* output_ = nullptr;
 };
 
-/// Drives ahead at a speed.
+/// Drives ahead at a given speed.
 class Ahead final : public MotorSchema {
  public:
   static void describe(Declaration<Ahead>& is) {
@@ -105,7 +105,7 @@ class Ahead final : public MotorSchema {
   const Devices* devices_ = nullptr;
 };
 
-/// Does what the test says.
+/// Calls the test's on_call.
 class Call final : public MotorSchema {
  public:
   static void describe(Declaration<Call>& is) { is.help("Does what the test says."); }

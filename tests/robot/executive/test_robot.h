@@ -11,7 +11,7 @@
 
 namespace galilean::robot {
 
-/// Every event, as it happened.
+/// Records all events.
 class EventList final : public TickObserver {
  public:
   EventList() { events.reserve(1000); }
@@ -42,7 +42,7 @@ inline const Registry& test_components() {
   return registry;
 }
 
-/// The program that a text says; the test fails if it says none.
+/// Returns the program in a text. The test fails if the text has errors.
 inline bhdl::Program program_of(const std::string& text,
                                 const Registry& components = test_components()) {
   auto checked = bhdl::check({{"test.bhdl", text}}, components.catalog());
@@ -51,7 +51,7 @@ inline bhdl::Program program_of(const std::string& text,
   return checked.program.value();
 }
 
-/// An executive on scripted devices and a stepped clock: 20 ticks a second, as long as it takes.
+/// An executive on scripted devices and a stepped clock, with 20 ticks a second.
 class TestRobot {
  public:
   explicit TestRobot(std::uint64_t seed = 1, std::vector<TickObserver*> more = {},
@@ -85,7 +85,7 @@ class TestRobot {
         static_cast<std::uint8_t>(pressed ? port.next.bumpers | bit : port.next.bumpers & ~bit);
   }
   [[nodiscard]] std::string state() const { return std::string(executive->state_name()); }
-  /// The test fails if the running program has no such variable.
+  /// Returns a variable. The test fails if the running program has no such variable.
   template <class T>
   [[nodiscard]] const Variable<T>& variable(std::string_view name) const {
     for (const auto& each : executive->program()->variables.all<T>())

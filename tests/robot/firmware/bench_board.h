@@ -15,7 +15,7 @@ namespace galilean::robot::firmware {
 inline constexpr float kStep_s = 0.002f;
 inline constexpr std::uint32_t kStep_ms = 2;
 
-/// What a robot would give the board.
+/// Returns the parameters that a robot would give the board.
 inline Parameters bench_parameters(std::uint16_t timeout_ms) {
   Parameters p;
   p.proportional_gain = 8;
@@ -29,7 +29,7 @@ inline Parameters bench_parameters(std::uint16_t timeout_ms) {
   return p;
 }
 
-/// A direct-current motor with its drive train: below its dead zone it stands, above it its speed
+/// A direct-current motor with its drive train. Below its dead zone it stands. Above it, its speed
 /// follows (|PWM| - dead zone) / slope with a first-order lag.
 class BenchMotor {
  public:
@@ -52,8 +52,8 @@ class BenchMotor {
   double counts_ = 0;
 };
 
-/// A board on the bench: two motors, switches under the test's fingers, a serial line as two
-/// queues.
+/// A board on the bench with two motors, switches that the test sets, and two queues as its serial
+/// line.
 class BenchBoard final : public Hardware {
  public:
   BenchMotor left;

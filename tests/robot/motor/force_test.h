@@ -7,16 +7,18 @@ namespace galilean::robot {
 
 using namespace std::string_literals;
 
-/// The robot stands in the origin and faces along y, so that its frame is the global one.
+/// Tests of a robot that stands in the origin and faces along y, so that its frame is the global
+/// one.
 class ForceTest : public SchemaTest {
  protected:
   static constexpr double kTolerance = 1e-9;
-  static constexpr double kEdgeStep_m = 1e-6;  ///< inside or outside of a zone's edge
+  static constexpr double kEdgeStep_m = 1e-6;  ///< how far inside or outside of a zone's edge
 
   ForceTest() { result().constant = false; }
 
   Variable<Force>& result() { return variable<Force>("result"); }
-  /// What one more tick of the schema writes; fails the test if it writes nothing.
+  /// Runs one more tick of the schema, and returns what it writes. Fails the test if it writes
+  /// nothing.
   Vec2 run(Schema& schema) {
     advance();
     schema.run(tick);

@@ -14,7 +14,7 @@ struct Colour {
   std::uint8_t red, green, blue;
 };
 
-/// Upright on the floor; positions in the robot frame (x right, y forward), metres.
+/// An upright cylinder on the floor. Positions are in the robot frame (x right, y forward) [m].
 struct Cylinder {
   Vec2 centre_m;
   double radius_m;
@@ -29,8 +29,8 @@ struct Panel {
   Colour colour;
 };
 
-/// Traces one ray through every pixel's middle: the picture that a pinhole camera really takes, by
-/// other arithmetic than the camera model's.
+/// Draws the picture that a pinhole camera really takes. It traces one ray through the middle of
+/// every pixel, which is other arithmetic than the camera model's.
 class Perspective {
  public:
   std::vector<Cylinder> cylinders;
@@ -44,7 +44,7 @@ class Perspective {
   void draw(const CameraGeometry& camera, Frame& frame) const;
 
  private:
-  /// Along a ray (right, up, with depth 1 forward) from the camera.
+  /// The first hit along a ray (right, up, with depth 1 forward) from the camera.
   struct Hit {
     double depth_m;
     Colour colour;

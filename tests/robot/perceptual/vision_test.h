@@ -14,7 +14,8 @@ inline constexpr Colour kBlue{40, 60, 170};
 inline constexpr Colour kDarkBlue{14, 18, 44};
 inline constexpr Colour kBlack{18, 18, 20};
 
-/// A robot in the odom frame's origin that faces along y, so that its frame is the global one.
+/// Tests of a robot that stands in the odom frame's origin and faces along y, so that its frame is
+/// the global one.
 class VisionTest : public SchemaTest {
  protected:
   VisionTest() {
@@ -32,12 +33,12 @@ class VisionTest : public SchemaTest {
     return make("blob_detector", std::move(given));
   }
   Variable<Locate>& target() { return variable<Locate>("target"); }
-  /// Forgets what it was, and looks for something of this size.
+  /// Makes the target unknown again, with the radius `radius_m`.
   void forget_target(double radius_m) {
     target() = {.name = "target", .constant = false};
     target().value.radius_m = radius_m;
   }
-  /// A new picture, taken apart and looked through.
+  /// Takes a new picture, finds its blobs and runs the detector on it.
   void show(const Perspective& scene, Schema& detector) {
     advance(0.1);
     scene.draw(frame_grabber.camera, frame_grabber.picture);

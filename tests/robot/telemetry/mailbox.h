@@ -14,7 +14,7 @@
 
 namespace galilean::robot {
 
-/// What came on one topic, for a test to wait on.
+/// The messages that came on one topic, for which a test can wait.
 template <class M>
 class Mailbox {
  public:
@@ -24,7 +24,8 @@ class Mailbox {
     take();
   }
 
-  /// The oldest message that came or comes that `is_it`; none if that takes too long.
+  /// Returns the oldest message for which `is_it` is true, and waits for one. Returns nothing if
+  /// that takes too long.
   std::optional<M> wait_for(const std::function<bool(const M&)>& is_it) {
     constexpr auto kPatience = std::chrono::seconds(10);
     std::unique_lock lock(mutex_);

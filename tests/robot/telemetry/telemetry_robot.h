@@ -13,8 +13,8 @@ namespace galilean::robot {
 
 inline const int kDomain = free_domain();
 
-/// A scripted robot "io" on DDS, with somebody else in the same domain. Each robot has a name of
-/// its own, so that no test hears the one before.
+/// A scripted robot on DDS, with another participant in the same domain. Each robot has a name of
+/// its own, so that no test hears the robot of the one before.
 class TelemetryRobot {
  public:
   explicit TelemetryRobot(std::string robot_name, const Registry& components = test_components())
@@ -37,7 +37,7 @@ class TelemetryRobot {
   [[nodiscard]] Mailbox<M> mailbox(const std::string& leaf) {
     return Mailbox<M>(*other, wire::robot_topic(name, leaf));
   }
-  /// As the monitor would send it.
+  /// Returns a push as the monitor would send it.
   [[nodiscard]] msg::ProgramPush push(const std::string& text) const {
     msg::ProgramPush push;
     push.id = "push of " + name;
@@ -57,7 +57,7 @@ class TelemetryRobot {
     command.argument = argument;
     send_on(wire::kCommandTopic, command);
   }
-  /// Ticks until `done`; false if it takes too long.
+  /// Ticks until `done` is true. Returns false if that takes too long.
   bool tick_until(const std::function<bool()>& done) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
     while (!done() && std::chrono::steady_clock::now() < end) {
@@ -83,7 +83,7 @@ class TelemetryRobot {
   }
   template <class M>
   void send_on(const std::string& topic, const M& message) {
-    // Stays, since a robot asks who has sent what it got.
+    // The writer is kept, because the robot asks who sent the message.
     const auto writer = std::make_shared<wire::Writer<M>>(*other, topic);
     writers_.push_back(writer);
     while (writer->readers() == 0) std::this_thread::yield();

@@ -13,32 +13,33 @@
 
 namespace galilean::monitor {
 
-/// A headless contest whose robots' telemetry goes straight into a TeamMap: what the network would
-/// carry, at its rates, on the stepped clock. So the map can be held against the world's truth.
+/// A headless contest whose robots' telemetry goes straight into a TeamMap. The telemetry is what
+/// the network would carry, at the same rates, on the stepped clock. So the map can be compared
+/// with the truth.
 class MappedContest {
  public:
   enum class Starts {
-    kMeasured,  ///< the map is given where robots truly stand
-    kRough,     ///< where the scenario says, before the jitter
+    kMeasured,  ///< the map is given the true starting poses
+    kRough,     ///< the map is given the scenario's starting poses, before the jitter
   };
   struct Options {
     std::uint64_t seed = 1;
     double duration_s = 180;
     Starts starts = Starts::kMeasured;
-    std::string scenario = "office";  ///< one that ships, or a file
+    std::string scenario = "office";  ///< the name of a scenario that ships, or a file
     std::size_t robots = 3;
     std::size_t group_size = RobotGroups::kMaxRobots;
   };
 
   explicit MappedContest(const Options& options);
 
-  /// Runs it to its end; `look` is called each simulated second, after the map was updated.
+  /// Runs the contest to its end. Calls `look` each simulated second, after an update of the map.
   void run(const std::function<void(const MappedContest&, const msg::ObjectMap&)>& look);
 
   [[nodiscard]] const sim::HeadlessContest& contest() const noexcept { return *contest_; }
   [[nodiscard]] const TeamMap& map() const noexcept { return map_; }
   [[nodiscard]] Time now() const noexcept { return now_; }
-  /// Called with what a robot sent, before the map gets it; may be empty.
+  /// Is called with the sightings that a robot sent, before the map gets them. It may be empty.
   std::function<void(std::size_t robot, const msg::Sightings&)> on_sightings;
 
  private:
@@ -57,7 +58,7 @@ class MappedContest {
   void report_regularly(Telemetry& telemetry, const robot::Snapshot& snapshot);
 
   TeamMap map_;
-  SteppedClock stopped_;  ///< messages' own stamps are not what the map goes by
+  SteppedClock stopped_;  ///< for the messages' own stamps, which the map does not use
   Registry components_;
   std::vector<std::unique_ptr<Telemetry>> telemetry_;
   std::unique_ptr<sim::HeadlessContest> contest_;

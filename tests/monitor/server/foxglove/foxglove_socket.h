@@ -10,7 +10,7 @@
 
 namespace galilean::monitor {
 
-/// `value`'s last `bytes` bytes, the highest first or last.
+/// Returns the last `bytes` bytes of `value`, the highest first or last.
 inline std::string bytes_of(std::uint64_t value, int bytes, bool highest_first) {
   std::string text;
   for (int i = 0; i < bytes; ++i)
@@ -18,7 +18,7 @@ inline std::string bytes_of(std::uint64_t value, int bytes, bool highest_first) 
   return text;
 }
 
-/// A message as a client's WebSocket frame (RFC 6455, 5.2), masked with zeros.
+/// Returns a message as a client's WebSocket frame (RFC 6455, 5.2), masked with zeros.
 inline std::string client_frame(bool is_text, const std::string& message) {
   const auto size = message.size();
   const int length_bytes = size < 126 ? 0 : size < 65536 ? 2 : 8;
@@ -27,7 +27,7 @@ inline std::string client_frame(bool is_text, const std::string& message) {
   return frame + bytes_of(size, length_bytes, true) + std::string(4, '\0') + message;
 }
 
-/// A service call, in the protocol's binary message.
+/// Returns the protocol's binary message for a service call.
 inline std::string service_call(std::uint32_t service_id, std::uint32_t call_id,
                                 const std::string& body) {
   std::string call{2};
@@ -36,7 +36,7 @@ inline std::string service_call(std::uint32_t service_id, std::uint32_t call_id,
   return call + "json" + body;
 }
 
-/// A browser: speaks the protocol byte by byte.
+/// A client as a browser is one. It writes and reads the protocol byte by byte.
 class FoxgloveSocket {
  public:
   explicit FoxgloveSocket(const std::string& host, std::uint16_t port,
@@ -62,12 +62,12 @@ class FoxgloveSocket {
     stream_.binary(true);
     stream_.write(boost::asio::buffer(bytes));
   }
-  /// As one write to the connection: frames that client_frame made.
+  /// Sends frames that client_frame() made, with one write to the connection.
   void send_at_once(const std::string& frames) {
     boost::asio::write(boost::beast::get_lowest_layer(stream_).socket(),
                        boost::asio::buffer(frames));
   }
-  /// The next message that is not the server's clock.
+  /// Returns the next message that is not the server's clock.
   std::string read() {
     for (;;) {
       boost::beast::flat_buffer buffer;
@@ -76,7 +76,7 @@ class FoxgloveSocket {
       if (stream_.got_text() || text[0] != 2) return text;
     }
   }
-  /// Reads what is left until the server closes; its reason.
+  /// Reads until the server closes the connection. Returns the server's reason.
   std::string read_to_the_end() {
     for (boost::system::error_code error;;) {
       boost::beast::flat_buffer buffer;

@@ -63,7 +63,7 @@ int converse(TeamListener& listener, wire::Writer<msg::ProgramPush>& writer,
         msg::decode_cdr(*received.cdr, reply))
       replies.note(reply, listener.now());
   });
-  if (!writer.write(message)) return fail("DDS did not take the program; try again");
+  if (!writer.write(message)) return fail("DDS did not accept the program; try again");
   listener.wait(from_seconds(options.timeout_s), [&] { return replies.complete(); });
   return tell_replies(replies, message, options);
 }

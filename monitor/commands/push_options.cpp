@@ -19,7 +19,7 @@ Result<double> seconds_of(const std::string& text) {
                         : unit.empty() || unit == "s" ? 1
                                                       : 0;
   if (wrong != std::errc() || factor == 0 || !(number >= 0))
-    return Error{"'" + text + "' is no time, such as 10s"};
+    return Error{"'" + text + "' is not a valid time, such as 10s"};
   return number * factor;
 }
 
@@ -55,7 +55,8 @@ void add_push_options(CommandLine& app, PushOptions& options) {
 }
 
 Result<void> check_targets(const PushOptions& options) {
-  if (!options.team && options.robots.empty()) return Error{"say to whom: --team, or --robot NAME"};
+  if (!options.team && options.robots.empty())
+    return Error{"Name the robots with --team or --robot NAME."};
   return {};
 }
 

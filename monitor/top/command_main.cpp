@@ -108,7 +108,7 @@ int command(Operator::Word word, Conversation& conversation, Operator& speaker,
   for (const auto& robot : targets) before[robot] = *state_of(team, robot);
   conversation.wait(kHear, [&] { return speaker.listeners() >= static_cast<int>(targets.size()); });
   if (!speaker.say(word, options.team ? std::vector<std::string>{} : targets))
-    return std::cerr << "galilean-command: DDS did not take it; try again\n", 1;
+    return std::cerr << "galilean-command: DDS did not accept the command; try again.\n", 1;
   conversation.wait(kObey, [&] {
     for (const auto& robot : targets)
       if (!complied(word, before[robot], *state_of(team, robot))) return false;
@@ -149,10 +149,10 @@ int main(int argc, char** argv) {
   app.require_command();
   const auto hold = add(app, "hold", "Stand still until resumed", options);
   const auto resume = add(app, "resume", "Go on after a hold", options);
-  const auto start = add(app, "start", "Push a bumper: what the start state waits for", options);
+  const auto start = add(app, "start", "Push a bumper, which the start state waits for", options);
   if (const auto code = app.parse(argc, argv)) return *code;
   if (!options.team && options.robots.empty())
-    return std::cerr << "galilean-command: to whom? Give --team or --robot NAME\n", 2;
+    return std::cerr << "galilean-command: Name the robots with --team or --robot NAME.\n", 2;
   if (hold.chosen()) return run(Operator::Word::kHold, options);
   if (resume.chosen()) return run(Operator::Word::kResume, options);
   return run(Operator::Word::kStart, options);

@@ -117,7 +117,8 @@ int run(const Options& options) try {
 int main(int argc, char** argv) {
   Options options;
   CommandLine app(
-      "The team in a terminal: who does what, where, and how sure of it. ? shows the keys.");
+      "Shows the team in a terminal: each robot's state, pose and certainty. Press ? for the "
+      "keys.");
   add_domain_option(app, options.domain);
   app.flag("--once", options.once, "Print one snapshot as plain text, for scripts");
   app.option("--robot", options.robot, "The robot to show first");

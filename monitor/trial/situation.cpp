@@ -81,7 +81,7 @@ Result<json> situation_of(const Team& team, const std::optional<msg::ObjectMap>&
     if (!robot.state || team.silent(robot) || placed == map->robots.end()) continue;
     robots.push_back(to_json(team, robot, *placed, *map));
   }
-  if (robots.empty()) return Error{"no robot is heard whose place is known"};
+  if (robots.empty()) return Error{"no robot that is heard has a pose on the map"};
   return json{{"robots", std::move(robots)},
               {"objects", objects_json(*map)},
               {"unseen_pieces", unseen_pieces(team, *map)}};

@@ -129,7 +129,8 @@ void Trial::take(const Run& run, int exit_code) {
     auto said = content(output(run, ".err"));
     while (said.ends_with('\n')) said.pop_back();
     if (said.empty()) said = "exit code " + std::to_string(exit_code);
-    return fail((run.is_next ? "the program cannot be tried: " : "what runs cannot be tried: ") +
+    return fail((run.is_next ? "the program cannot be tried: "
+                             : "the program that runs now cannot be tried: ") +
                 said);
   }
   (run.is_next ? next_ : now_).push_back(std::move(report));

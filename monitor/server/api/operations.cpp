@@ -162,7 +162,7 @@ void Operations::send(msg::Command command, Finish finish) {
   worker_.run([this, command] { return commands_.write(command); },
               [finish, id = command.id](bool taken) {
                 finish(taken ? Outcome{200, {{"id", id}}}
-                             : Outcome{503, {}, "DDS did not take the command; try again."});
+                             : Outcome{503, {}, "DDS did not accept the command; try again."});
               },
               unable(finish));
 }

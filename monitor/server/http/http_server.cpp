@@ -19,7 +19,8 @@ Result<std::uint16_t> HttpServer::listen(const std::string& address, std::uint16
   error_code error;
   const auto literal =
       boost::asio::ip::make_address(address == "localhost" ? "127.0.0.1" : address, error);
-  if (error) return Error{"'" + address + "' is no address to listen on, such as 127.0.0.1"};
+  if (error)
+    return Error{"'" + address + "' is not a valid address to listen on, such as 127.0.0.1"};
   const tcp::endpoint endpoint(literal, port);
   acceptor_.open(endpoint.protocol(), error);
   if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);

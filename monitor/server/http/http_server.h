@@ -45,7 +45,7 @@ class HttpServer {
 
   /// Begins to accept connections. `address` is an IP address or "localhost"; port 0 takes any free
   /// port. Returns the port.
-  /// Errors: `address` is no address, or the port is taken or not permitted.
+  /// Errors: `address` is not a valid address, or the port is taken or not permitted.
   [[nodiscard]] Result<std::uint16_t> listen(const std::string& address, std::uint16_t port);
   /// Accepts no more connections. Those that are open stay.
   void close();

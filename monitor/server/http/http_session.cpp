@@ -78,9 +78,9 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     keep_alive_ = false;
     version_ = 11;
     if (error == http::error::body_limit)
-      respond(problem(413, "A request's body may have 16 MB."));
+      respond(problem(413, "The request's body is larger than 16 MB."));
     else if (error == http::error::header_limit)
-      respond(problem(431, "A request's head may have 16 kB."));
+      respond(problem(431, "The request's header is larger than 16 kB."));
     else if (error.category() == make_error_code(http::error::bad_method).category() &&
              error != http::error::end_of_stream && error != http::error::partial_message)
       respond(problem(400, "This is not HTTP: " + error.message() + "."));

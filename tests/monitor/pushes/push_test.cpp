@@ -119,7 +119,7 @@ TEST(Push, WhatDdsDoesNotTakeHasFailed) {
   pass_check(push);
   push.take(SendFailed{}, Time{});
   EXPECT_EQ(state(push), PushState::kFailed);
-  EXPECT_EQ(detail(push, StepKind::kRest), "DDS did not take the program; try again");
+  EXPECT_EQ(detail(push, StepKind::kRest), "DDS did not accept the program; try again");
   EXPECT_EQ(push.take_answer()->error().reason, Refusal::Reason::kUnavailable);
 }
 

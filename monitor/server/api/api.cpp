@@ -85,7 +85,7 @@ void Api::answer(const HttpRequest& request, const Respond& respond) {
                          .if_none_match = request.if_none_match,
                          .accepts_gzip = request.accepts_gzip};
   (*route)->handler(request, [respond, conditions = std::move(conditions)](HttpResponse response) {
-    respond(spared(std::move(response), conditions));
+    respond(with_caching_and_compression(std::move(response), conditions));
   });
 }
 

@@ -30,7 +30,7 @@ class PushDesk {
 
   PushDesk(const PushExecutor::Parts& parts, const Clock& clock, wire::Participant& participant);
 
-  /// Begins a push, and calls `finish` when each robot has replied or kReplyPatience is over. A
+  /// Begins a push, and calls `finish` when each robot has replied or kReplyTimeout is over. A
   /// push with a trial or a canary takes longer: `finish` is called as soon as it is recorded.
   /// Errors: the order is refused, or this machine cannot carry it out.
   void order(PushOrder order, Finish finish);

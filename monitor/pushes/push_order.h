@@ -16,7 +16,7 @@
 namespace galilean::monitor {
 
 /// How to try a program in simulation.
-struct TrialWish {
+struct TrialOptions {
   bool wanted = false;
   bool only = false;           ///< the program is tried, but not pushed
   bool even_if_worse = false;  ///< the program is pushed even if it scores clearly less
@@ -33,7 +33,7 @@ struct PushOrder {
   /// The hash of the program to replace. If another program runs, the order is refused. Empty: the
   /// order replaces whatever runs.
   std::string replaces = {};
-  TrialWish trial = {};
+  TrialOptions trial = {};
   std::string canary = {};                 ///< the robot that runs it first; empty: all at once
   std::optional<Duration> probation = {};  ///< of each robot; the rest waits for the canary's
 };

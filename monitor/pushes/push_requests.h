@@ -32,7 +32,7 @@ struct RecordPush {
 struct TryProgram {
   std::vector<bhdl::SourceFile> files;
   std::vector<std::string> robots;  ///< the first one whose program is known says what runs
-  TrialWish wish;
+  TrialOptions options;
 };
 /// End the trial, because the push has ended before it.
 struct EndTrial {};

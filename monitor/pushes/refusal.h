@@ -46,8 +46,8 @@ using PushAnswer = Result<PushRecord, Refusal>;
 [[nodiscard]] Refusal under_way(const PushRecord& other);
 /// Returns the refusal of an order to replace a program that no longer runs. `by` is the push that
 /// brought the program that runs; none if this monitor knows of none.
-[[nodiscard]] Refusal overtaken(const std::string& replaces, const Stale& stale,
-                                const std::optional<PushRecord>& by);
+[[nodiscard]] Refusal replaced_meanwhile(const std::string& replaces, const Stale& stale,
+                                         const std::optional<PushRecord>& by);
 /// Returns the refusal of a program with errors.
 [[nodiscard]] Refusal broken(TargetCheck check);
 /// Returns the refusal to cancel `push`, which can no longer be cancelled.

@@ -39,10 +39,10 @@ struct RobotReply {
 
 /// Returns a clause that says why the robot does not run the program, such as "io refused it: no
 /// camera".
-[[nodiscard]] std::string why_not(const RobotReply& reply);
+[[nodiscard]] std::string failure_reason(const RobotReply& reply);
 
 /// How long robots may take to build a program and reply.
-inline constexpr Duration kReplyPatience = std::chrono::seconds(2);
+inline constexpr Duration kReplyTimeout = std::chrono::seconds(2);
 
 /// The replies to one push, by robot. The class does no input or output: its owner sends the push
 /// and brings the replies. A robot that was not asked but replies is listed, too, because a push to

@@ -52,8 +52,8 @@ nlohmann::json checked(const std::vector<bhdl::SourceFile>& files,
 }
 
 /// Reads `try`, which is a boolean or {only, even_if_worse, seeds, duration_s, scenario}.
-TrialWish trial_field(RequestFields& request) {
-  TrialWish trial;
+TrialOptions trial_field(RequestFields& request) {
+  TrialOptions trial;
   const nlohmann::json* value = request.find("try");
   if (!value) return trial;
   if (value->is_boolean()) {

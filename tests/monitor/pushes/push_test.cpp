@@ -190,7 +190,7 @@ TEST(Push, ACanaryThatDoesNotAnswerOrFallsSilentIsTakenBack) {
   Push mute = ordered(order_for("io"));
   pass_check(mute);
   (void)requests_of(mute);
-  mute.update(Time{kReplyPatience});
+  mute.update(Time{kReplyTimeout});
   EXPECT_EQ(state(mute), PushState::kFailed);
   EXPECT_THAT(acts(mute), ElementsAre("roll back io"));
 
@@ -326,7 +326,7 @@ TEST(Push, SaysWhoRefusedAndWhoDidNotAnswer) {
   pass_check(push);
   push.take_reply(said("io", kRunning), Time{});
   push.take_reply(said("ganymede", kRejected, "no camera"), Time{});
-  push.update(Time{kReplyPatience});
+  push.update(Time{kReplyTimeout});
   EXPECT_EQ(state(push), PushState::kFailed);
   EXPECT_EQ(detail(push, StepKind::kRest),
             "callisto has not answered; ganymede refused it: no camera");

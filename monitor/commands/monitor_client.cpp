@@ -162,7 +162,7 @@ Result<MonitorAnswer> MonitorClient::request(const std::string& method, const st
   if (unknown) return nobody(unknown);
   Exchange exchange(io, message(method, path, body));
   exchange.start(endpoints);
-  io.run_for(std::chrono::seconds(kPatience_s));
+  io.run_for(std::chrono::seconds(kTimeout_s));
   if (exchange.error()) return nobody(exchange.error());
   Parser parser;
   if (const auto error = parse(parser, exchange.answer())) return nobody(error);

@@ -7,7 +7,7 @@
 #include "bhdl/diff/diff.h"
 #include "bhdl/program/catalog_file.h"
 #include "core/command_line/command_line.h"
-#include "monitor/commands/push_dialogue.h"
+#include "monitor/commands/push_session.h"
 #include "monitor/pushes/json.h"
 
 namespace {

@@ -36,12 +36,12 @@ class ShortText {
   std::uint8_t size_ = 0;
 };
 
-/// The truth of a state's conditions before one of them fired: bit i is condition i.
-struct TestedConditions {
-  static constexpr std::uint32_t kMost = 64;  ///< those beyond are not told
+/// A snapshot of a state's conditions right before one of them fired. Bit i is condition i.
+struct ConditionSnapshot {
+  static constexpr std::uint32_t kMost = 64;  ///< conditions beyond these are left out
 
-  std::uint64_t valid = 0;  ///< its variable is
-  std::uint64_t holds = 0;
+  std::uint64_t valid = 0;  ///< whether the condition's variable is valid
+  std::uint64_t holds = 0;  ///< whether the condition is true
 };
 
 /// Something that happened in a tick. Names are indices into the description of its program, so
@@ -71,7 +71,7 @@ struct Event {
   std::uint32_t from_state = 0;     ///< in from_program
   std::uint32_t to_state = 0;       ///< in program
   std::uint32_t condition = kNone;  ///< of from_state, where that is the cause
-  TestedConditions tested;          ///< of from_state, where a condition is the cause
+  ConditionSnapshot tested;         ///< of from_state, where a condition is the cause
   std::uint32_t schema = kNone;     ///< of kSchemaFailed and of a rollback, among all schemas
   Duration tick_time{};             ///< of kStarted, kSwapped and kRolledBack: what that tick took
   ShortText text;  ///< what the schema threw, which device was lost, or the order's reason

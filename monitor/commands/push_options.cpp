@@ -26,7 +26,7 @@ Result<double> seconds_of(const std::string& text) {
 }  // namespace
 
 void add_monitor_option(CommandLine& app, PushOptions& options) {
-  app.option("--monitor", options.monitor, "the monitor to speak to").show_default();
+  app.option("--monitor", options.monitor, "the monitor to use").show_default();
   app.option("--token-file", options.token_file,
              "file of the operator's token; not needed for a monitor on this machine");
 }
@@ -36,11 +36,11 @@ void add_push_options(CommandLine& app, PushOptions& options) {
   app.option("--robot", options.robots, "to these robots").excludes(team);
   app.option("--author", options.author, "who pushes, as the history shows it").show_default();
   app.option("--replaces", options.replaces,
-             "refuse the push where a robot runs a program with another hash than this");
+             "refuse the push if a robot runs a program with another hash than this");
   app.flag("--try", options.tries, "first compare it in simulation with the program that runs");
   app.flag("--try-only", options.tries_only, "only try it in simulation and give it to no robot");
   app.flag("--even-if-worse", options.even_if_worse,
-           "push it though it scores clearly less in simulation");
+           "push it even if it scores clearly less in simulation");
   app.option("--canary", options.canary, "the robot that runs it first");
   app.option(
       "--probation",

@@ -38,7 +38,7 @@ Result<std::unique_ptr<Trial>> TrialRoom::begin(const std::string& id, const Try
   std::string scenario = what.options.scenario;
   if (scenario.empty() && team_.score()) scenario = team_.score()->scenario;
   if (scenario.empty())
-    return Error{"no referee tells in which arena the team is; name its scenario"};
+    return Error{"no referee says in which arena the team is; name the arena's scenario"};
   return std::make_unique<Trial>(io_, simulator_, folder_ / id,
                                  TrialOrder{.next = what.files,
                                             .now = running(what.robots),

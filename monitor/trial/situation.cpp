@@ -74,7 +74,7 @@ int unseen_pieces(const Team& team, const msg::ObjectMap& map) {
 }  // namespace
 
 Result<json> situation_of(const Team& team, const std::optional<msg::ObjectMap>& map) {
-  if (!map) return Error{"the team has no map yet, and so nobody knows where its robots are"};
+  if (!map) return Error{"the team has no map yet, so the robots' poses are not known"};
   auto robots = json::array();
   for (const auto& [name, robot] : team.robots()) {
     const auto placed = std::ranges::find(map->robots, name, &msg::MapRobot::name);

@@ -315,10 +315,10 @@ TEST(Push, WhatOnlyIsTriedMayScoreWorse) {
 
 TEST(Push, ATrialThatCannotBeHeldEndsIt) {
   auto push = on_trial(order_for("io", true));
-  push.take(ProgramTried{Error{"no referee tells in which arena the team is"}}, Time{});
+  push.take(ProgramTried{Error{"no referee says in which arena the team is"}}, Time{});
   EXPECT_EQ(state(push), PushState::kFailed);
   EXPECT_THAT(acts(push), IsEmpty());
-  EXPECT_EQ(detail(push, StepKind::kTry), "no referee tells in which arena the team is");
+  EXPECT_EQ(detail(push, StepKind::kTry), "no referee says in which arena the team is");
 }
 
 TEST(Push, SaysWhoRefusedAndWhoDidNotAnswer) {

@@ -61,7 +61,7 @@ class Replies {
   [[nodiscard]] bool complete() const;
   /// Returns whether each awaited robot runs the program.
   [[nodiscard]] bool taken_by_all() const;
-  /// Returns whether no awaited robot will reply again: each has refused, confirmed or rolled back.
+  /// Returns whether each awaited robot has refused, confirmed or rolled back the program.
   [[nodiscard]] bool settled() const;
   /// Returns one reply for each robot, in the order of their names.
   [[nodiscard]] std::vector<RobotReply> all() const;

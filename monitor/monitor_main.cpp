@@ -25,7 +25,7 @@ Result<void> read_listen(const std::string& text, monitor::MonitorOptions& optio
   std::uint16_t number = 0;
   const auto [rest, wrong] = std::from_chars(port.data(), end, number);
   if (wrong != std::errc() || rest != end || address.empty())
-    return Error{"'" + text + "' is no ADDRESS:PORT, such as 127.0.0.1:8080"};
+    return Error{"'" + text + "' is not a valid ADDRESS:PORT, such as 127.0.0.1:8080"};
   options.address = address;
   options.port = number;
   return {};
@@ -39,7 +39,7 @@ Result<void> read_start(const std::string& text, monitor::MonitorOptions& option
   if (colon == text.npos || colon == 0 ||
       std::sscanf(text.c_str() + colon + 1, "%lf,%lf,%lf%c", &x_m, &y_m, &heading_deg, &rest) != 3)
     return Error{"'" + text +
-                 "' is no ROBOT:X,Y,HEADING in metres and degrees, such as io:1.5,2,90"};
+                 "' is not a valid ROBOT:X,Y,HEADING in metres and degrees, such as io:1.5,2,90"};
   options.map.starts[text.substr(0, colon)] = {{x_m, y_m}, heading_deg * galilean::kPi / 180};
   return {};
 }

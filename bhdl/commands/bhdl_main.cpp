@@ -89,8 +89,8 @@ struct Commands {
 Commands add_commands(CommandLine& app, Options& options) {
   Commands commands{app.command("check", "Check programs; exits 0 if all of them are right"),
                     app.command("describe", "Print what programs can name"),
-                    app.command("fmt", "Lay files out in the one way and name those that changed"),
-                    app.command("diff", "Print what one program does otherwise than another"),
+                    app.command("fmt", "Format files and list those that changed"),
+                    app.command("diff", "Print what one program does differently from another"),
                     app.command("graph", "Print a program's state machine"),
                     app.command("lsp",
                                 "Serve an editor over the Language Server Protocol, on stdin and "
@@ -102,7 +102,7 @@ Commands add_commands(CommandLine& app, Options& options) {
       "--check", options.check_only,
       "Write nothing, list the files that would change, and exit with 1 if there are any");
   commands.diff.option("FILE", options.files, "two programs").required().takes(2, 2);
-  commands.diff.footer("Exits 0 if they do the same, 1 if not, 2 if one of them is no program.");
+  commands.diff.footer("Exits 0 if they do the same, 1 if not, 2 if one of them is not a program.");
   commands.graph.option("FILE", options.files, "a program").required().takes(1, 1);
   commands.graph.option("--format", options.graph_format, "Format of the output")
       .one_of({"dot", "svg", "json"})
@@ -126,7 +126,7 @@ int run_language_server(const Catalog& catalog) {
 
 int run(int argc, char** argv) {
   Options options;
-  CommandLine app("Checks, lays out, compares, draws and explains BHDL programs; serves editors.",
+  CommandLine app("Checks, formats, compares, draws and explains BHDL programs; serves editors.",
                   "galilean bhdl");
   app.require_command();
   const Commands commands = add_commands(app, options);

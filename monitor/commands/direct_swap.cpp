@@ -8,7 +8,7 @@
 #include "bhdl/program/catalog_file.h"
 #include "core/wire/topic_names.h"
 #include "core/wire/writer.h"
-#include "monitor/commands/push_dialogue.h"
+#include "monitor/commands/push_session.h"
 #include "monitor/commands/team_listener.h"
 #include "monitor/pushes/json.h"
 #include "monitor/pushes/push_messages.h"
@@ -25,7 +25,7 @@ int fail(const std::string& why) {
   return kCannotReach;
 }
 
-int tell_broken(const TargetCheck& check, const DirectSwapOptions& options) {
+int print_check_errors(const TargetCheck& check, const DirectSwapOptions& options) {
   if (options.push.json)
     std::cout << nlohmann::json{{"ok", false},
                                 {"robot", check.refused_by},
@@ -63,7 +63,7 @@ int converse(TeamListener& listener, wire::Writer<msg::ProgramPush>& writer,
         msg::decode_cdr(*received.cdr, reply))
       replies.note(reply, listener.now());
   });
-  if (!writer.write(message)) return fail("DDS did not take the program; try again");
+  if (!writer.write(message)) return fail("DDS did not accept the program; try again");
   listener.wait(from_seconds(options.timeout_s), [&] { return replies.complete(); });
   return tell_replies(replies, message, options);
 }
@@ -88,7 +88,7 @@ int swap_directly(const DirectSwapOptions& options) {
   const auto check =
       check_for(targets, installed ? installed.value() : Catalog{},
                 [&](const Catalog& catalog) { return bhdl::check_file(options.file, catalog); });
-  if (!check.result.program) return tell_broken(check, options);
+  if (!check.result.program) return print_check_errors(check, options);
   if (!listener.wait(kDiscovery,
                      [&] { return writer.readers() >= static_cast<int>(names.size()); }))
     return fail("the robots do not listen for programs; they run an older version or are ending");

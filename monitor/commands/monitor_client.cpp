@@ -118,7 +118,8 @@ std::string MonitorAnswer::detail() const {
 Result<MonitorClient> MonitorClient::at(const std::string& url, const std::string& token_file) {
   const auto address = address_of(url);
   if (!address)
-    return Error{"'" + url + "' is no address of a monitor, such as http://127.0.0.1:8080"};
+    return Error{"'" + url +
+                 "' is not a valid address of a monitor, such as http://127.0.0.1:8080"};
   MonitorClient client(url, address->host, address->port);
   const bool is_near = is_loopback(without_brackets(client.host_));
   const auto file = operator_token_file(default_data_folder());
@@ -161,7 +162,7 @@ Result<MonitorAnswer> MonitorClient::request(const std::string& method, const st
   if (unknown) return nobody(unknown);
   Exchange exchange(io, message(method, path, body));
   exchange.start(endpoints);
-  io.run_for(std::chrono::seconds(kPatience_s));
+  io.run_for(std::chrono::seconds(kTimeout_s));
   if (exchange.error()) return nobody(exchange.error());
   Parser parser;
   if (const auto error = parse(parser, exchange.answer())) return nobody(error);

@@ -19,10 +19,10 @@ struct MonitorAnswer {
 };
 
 /// A client of a monitor's HTTP interface, for commands in a terminal. Each request waits for its
-/// answer, at most kPatience_s seconds.
+/// answer, at most kTimeout_s seconds.
 class MonitorClient {
  public:
-  static constexpr int kPatience_s = 20;
+  static constexpr int kTimeout_s = 20;
 
   /// `url` is the monitor's address, such as http://127.0.0.1:8080. `token_file` holds the token to
   /// send. If it is empty, this user's operator token is sent, but only to a monitor on this

@@ -7,7 +7,7 @@
 #include "bhdl/diff/diff.h"
 #include "bhdl/program/catalog_file.h"
 #include "core/command_line/command_line.h"
-#include "monitor/commands/push_dialogue.h"
+#include "monitor/commands/push_session.h"
 #include "monitor/pushes/json.h"
 
 namespace {
@@ -134,21 +134,21 @@ int main(int argc, char** argv) {
   Comparison comparison;
   std::string hash;
   bool list_as_json = false;
-  galilean::CommandLine app("Programs that were pushed, as the monitor remembers them.", kCommand);
+  galilean::CommandLine app("Lists, shows, compares and restores pushed programs.", kCommand);
   app.require_command();
   app.share_options();
   add_monitor_option(app, options);
-  auto listing = app.command("list", "the last pushes: when, what, by whom, what became of it");
+  auto listing = app.command("list", "list the last pushes, with their times, authors and results");
   listing.flag("--json", list_as_json, "as JSON");
-  auto showing = app.command("show", "a program's text");
+  auto showing = app.command("show", "print a program's text");
   showing.option("hash", hash, "the program's hash, or the beginning of it").required();
-  auto comparing = app.command("diff", "what program B does differently from program A");
+  auto comparing = app.command("diff", "print what program B does differently from program A");
   comparing.option("A", comparison.from, "a hash, or a file").required();
   comparing.option("B", comparison.to, "a hash, or a file").required();
   comparing.option("--catalog", comparison.catalog_file,
                    "JSON file of the components; without it this build's");
   comparing.flag("--json", comparison.as_json, "as JSON");
-  auto restoring = app.command("restore", "push a program once more");
+  auto restoring = app.command("restore", "push a program again");
   restoring.option("hash", hash, "the program's hash, or the beginning of it").required();
   add_push_options(restoring, options);
   if (const auto code = app.parse(argc, argv)) return *code == 0 ? EXIT_SUCCESS : kCannotReach;

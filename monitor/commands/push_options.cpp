@@ -19,14 +19,14 @@ Result<double> seconds_of(const std::string& text) {
                         : unit.empty() || unit == "s" ? 1
                                                       : 0;
   if (wrong != std::errc() || factor == 0 || !(number >= 0))
-    return Error{"'" + text + "' is no time, such as 10s"};
+    return Error{"'" + text + "' is not a valid time, such as 10s"};
   return number * factor;
 }
 
 }  // namespace
 
 void add_monitor_option(CommandLine& app, PushOptions& options) {
-  app.option("--monitor", options.monitor, "the monitor to speak to").show_default();
+  app.option("--monitor", options.monitor, "the monitor to use").show_default();
   app.option("--token-file", options.token_file,
              "file of the operator's token; not needed for a monitor on this machine");
 }
@@ -36,11 +36,11 @@ void add_push_options(CommandLine& app, PushOptions& options) {
   app.option("--robot", options.robots, "to these robots").excludes(team);
   app.option("--author", options.author, "who pushes, as the history shows it").show_default();
   app.option("--replaces", options.replaces,
-             "refuse the push where a robot runs a program with another hash than this");
+             "refuse the push if a robot runs a program with another hash than this");
   app.flag("--try", options.tries, "first compare it in simulation with the program that runs");
   app.flag("--try-only", options.tries_only, "only try it in simulation and give it to no robot");
   app.flag("--even-if-worse", options.even_if_worse,
-           "push it though it scores clearly less in simulation");
+           "push it even if it scores clearly less in simulation");
   app.option("--canary", options.canary, "the robot that runs it first");
   app.option(
       "--probation",
@@ -55,7 +55,8 @@ void add_push_options(CommandLine& app, PushOptions& options) {
 }
 
 Result<void> check_targets(const PushOptions& options) {
-  if (!options.team && options.robots.empty()) return Error{"say to whom: --team, or --robot NAME"};
+  if (!options.team && options.robots.empty())
+    return Error{"Name the robots with --team or --robot NAME."};
   return {};
 }
 

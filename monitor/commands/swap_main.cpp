@@ -5,7 +5,7 @@
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
 #include "monitor/commands/direct_swap.h"
-#include "monitor/commands/push_dialogue.h"
+#include "monitor/commands/push_session.h"
 
 namespace {
 using namespace galilean::monitor;

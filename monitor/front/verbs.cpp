@@ -16,15 +16,15 @@ constexpr std::array kVerbs{
     Verb{"top", "galilean-top", "", "The team in a terminal"},
     Verb{"record", "galilean-record", "", "Record all topics as MCAP"},
     Verb{"replay", "galilean-replay", "", "Play a recording again, as if it were live"},
-    Verb{"log", "galilean-log", "", "Look into recordings: log info FILE"},
-    Verb{"bhdl", "galilean-bhdl", "", "Check, lay out, compare and draw programs"},
-    Verb{"bhdl test", "galilean-bhdl-test", "", "Run what programs expect of themselves"},
+    Verb{"log", "galilean-log", "", "Describe a recording: log info FILE"},
+    Verb{"bhdl", "galilean-bhdl", "", "Check, format, compare and draw programs"},
+    Verb{"bhdl test", "galilean-bhdl-test", "", "Run the tests in programs"},
     Verb{"swap", "galilean-swap", "", "Give running robots another program"},
-    Verb{"programs", "galilean-programs", "", "What was pushed: list, show, diff, restore"},
-    Verb{"start", "galilean-command", "start", "Push robots' bumpers: the contest begins"},
+    Verb{"programs", "galilean-programs", "", "List, show, compare or restore pushed programs"},
+    Verb{"start", "galilean-command", "start", "Start the contest: push the robots' bumpers"},
     Verb{"hold", "galilean-command", "hold", "Make robots stand still"},
     Verb{"resume", "galilean-command", "resume", "Let robots go on"},
-    Verb{"doctor", "galilean-doctor", "", "Check what this machine lacks"},
+    Verb{"doctor", "galilean-doctor", "", "Check whether this machine has what Galilean needs"},
 };
 
 }  // namespace

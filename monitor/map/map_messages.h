@@ -7,7 +7,7 @@
 
 namespace galilean::monitor {
 
-/// What the messages of the map are made of.
+/// The parts of the map from which its messages are made.
 struct MapContents {
   const RobotGroups& groups;
   const PublishedLandmarks& landmarks;
@@ -16,7 +16,8 @@ struct MapContents {
 };
 
 /// Returns published landmarks, carried objects and robots, in the map frame. A robot that was not
-/// heard for `silent_after` is silent. `stamp_ns` is the instant `now` since the Unix epoch.
+/// heard for `silent_after` is marked as silent. `stamp_ns` is the instant `now` since the Unix
+/// epoch.
 [[nodiscard]] msg::ObjectMap objects_message(const MapContents& map, Duration silent_after,
                                              Time now, std::int64_t stamp_ns);
 /// Returns the pose of each robot's odom frame in the map frame.

@@ -36,8 +36,8 @@ class MapService {
   MapService(const MapService&) = delete;
   MapService& operator=(const MapService&) = delete;
 
-  /// Takes a message in, and lets it pass if it says nothing of the map. Any thread may call it; it
-  /// never waits for the map. Where too many messages wait, the newest are dropped.
+  /// Takes in a message, and ignores it if it does not concern the map. Any thread may call this.
+  /// It never waits for the map. If too many messages wait, the newest are dropped.
   void receive(const Message& message);
   /// The grid and the objects that were published last.
   struct Newest {
@@ -46,12 +46,12 @@ class MapService {
   };
   /// Returns nothing until a robot has said where it is.
   [[nodiscard]] std::optional<Newest> newest() const;
-  /// Returns how long the last update took, with the messages of the 20 ms before it [s]. By so
-  /// much what is published is late.
+  /// Returns how long the last update took [s], including the messages of the 20 ms before it. The
+  /// published messages are late by this time.
   [[nodiscard]] double update_s() const noexcept { return update_s_; }
 
  private:
-  /// A message without its channel, which may not live as long as it waits.
+  /// A waiting message without its channel, which may be gone before the message's turn comes.
   struct Arrived {
     Handler handler;
     Payload cdr;

@@ -13,15 +13,15 @@
 
 namespace galilean::monitor {
 
-/// What the team knows together: robots, landmarks and free floor, in one frame, "map". Robots and
-/// landmarks are estimated together, a few robots at a time (RobotGroup); the occupancy grid is
-/// drawn where they are estimated to be. docs/MAP.md tells how.
+/// The team's map: robots, landmarks and free floor in one frame, "map". Robots and landmarks are
+/// estimated jointly, a few robots at a time (RobotGroup). The occupancy grid is drawn from the
+/// estimated poses. docs/MAP.md explains how.
 ///
-/// The map is a pure function of what it is given: messages and the time go in, messages come out.
+/// The map is a pure function of its inputs: messages and the time go in, messages come out.
 class TeamMap {
  public:
-  /// `silent_after`: a robot that was not heard for so long is published as silent. `group_size`:
-  /// how many robots are estimated together at most.
+  /// A robot that was not heard for `silent_after` is published as silent. At most `group_size`
+  /// robots are estimated jointly.
   explicit TeamMap(Duration silent_after, std::size_t group_size = RobotGroups::kMaxRobots)
       : silent_after_(silent_after), groups_(group_size) {}
   TeamMap(const TeamMap&) = delete;
@@ -30,15 +30,15 @@ class TeamMap {
   /// Sets the pose of a robot's odom frame in the map frame. Requires: before the robot is heard.
   void start_at(const std::string& robot, const Pose2& origin) { groups_.start_at(robot, origin); }
 
-  /// Adds what a robot said at `now`. Poses that are not finite are let pass.
+  /// Adds what a robot said at `now`. Poses that are not finite are ignored.
   void add(const msg::RobotState& state, Time now);
   void add(const msg::Sightings& frame, Time now);
   void add(const msg::Variables& variables, Time now);
   void add(const msg::Catalog& catalog, Time now) { reports_.add(catalog, now); }
   void add(const msg::Program& program, Time now) { reports_.add(program, now); }
 
-  /// Lets certainties decay, merges duplicates, lets groups share landmarks and picks objects up
-  /// and puts them down. Call it before the messages are asked for.
+  /// Lets certainties decay, merges duplicates, shares landmarks between groups, and picks up and
+  /// puts down the objects that robots carry. Call it before you ask for the messages.
   void update(Time now);
   /// `stamp_ns` is the instant `now` since the Unix epoch.
   [[nodiscard]] msg::ObjectMap objects(Time now, std::int64_t stamp_ns) const;
@@ -46,7 +46,7 @@ class TeamMap {
   [[nodiscard]] const OccupancyGridMap& occupancy() const noexcept { return occupancy_.grid(); }
 
  private:
-  /// Predicts the robot's pose. Returns false if the message says nothing that can be used.
+  /// Predicts the robot's pose. Returns false if the message cannot be used.
   bool predict(const std::string& robot, const Pose2& in_odom, Time now);
   void add_obstacle(const std::string& robot, const msg::Variable& obstacle, Time now);
   [[nodiscard]] msg::Sightings without_carried(const msg::Sightings& frame) const;

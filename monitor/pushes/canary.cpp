@@ -30,10 +30,10 @@ bool Canary::may_run_it() const {
 }
 
 Verdict Canary::judge(Time now) {
-  if (!may_run_it()) return {Kind::kFailed, why_not(reply())};
+  if (!may_run_it()) return {Kind::kFailed, failure_reason(reply())};
   if (!replies_.taken_by_all()) {
-    if (now - sent_ < kReplyPatience) return {};
-    return {Kind::kFailed, robot_ + " did not answer within " + seconds_text(kReplyPatience)};
+    if (now - sent_ < kReplyTimeout) return {};
+    return {Kind::kFailed, robot_ + " did not answer within " + seconds_text(kReplyTimeout)};
   }
   if (!runs_since_) runs_since_ = now;
   if (now - *runs_since_ < probation_)
@@ -45,7 +45,7 @@ Verdict Canary::see(bool silent, const std::string& running_hash, Time now) cons
   if (!runs_since_) return {};
   if (silent) return {Kind::kFailed, robot_ + " fell silent on its probation"};
   // A RobotState that was sent before the swap still has the hash of the previous program.
-  const bool settled = now - *runs_since_ >= kReplyPatience / 2;
+  const bool settled = now - *runs_since_ >= kReplyTimeout / 2;
   const std::string pushed = reply().reply.hash;
   if (settled && !pushed.empty() && running_hash != pushed)
     return {Kind::kFailed, robot_ + " runs another program now: " + running_hash.substr(0, 8)};

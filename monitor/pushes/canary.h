@@ -9,21 +9,22 @@
 
 namespace galilean::monitor {
 
-/// The robot that runs a program alone for its probation, before the others get it. Pure: what the
-/// robot replies and shows, and the time, come from outside.
+/// The robot that runs a program alone for a probation, before the others get it. The class does no
+/// input or output: its owner brings the robot's replies, its state and the time.
 class Canary {
  public:
   Canary(const std::string& push_id, std::string robot, Duration probation, Time sent);
 
-  /// Returns false if the reply belongs to another push or tells nothing new.
+  /// Takes in a reply. Returns false if it belongs to another push or tells nothing new.
   bool note(const msg::ProgramReply& reply, Time now) { return replies_.note(reply, now); }
-  /// Judges by its replies and the time: the step is under way once the robot runs the program, and
-  /// done at the end of its probation.
+  /// Judges the canary by its replies and the time. The step is under way once the robot runs the
+  /// program, and done at the end of the probation.
   [[nodiscard]] Verdict judge(Time now);
-  /// Judges by what is heard of the robot besides its replies, once it runs the program.
+  /// Judges the canary by what is heard of it besides its replies. The step fails if the robot
+  /// falls silent or runs another program after it had begun to run this one.
   [[nodiscard]] Verdict see(bool silent, const std::string& running_hash, Time now) const;
 
-  /// Returns false once it has refused the program, or has gone back by itself.
+  /// Returns false once the robot has refused the program or rolled it back.
   [[nodiscard]] bool may_run_it() const;
   [[nodiscard]] RobotReply reply() const { return replies_.all().front(); }
 

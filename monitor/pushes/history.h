@@ -16,14 +16,14 @@ struct sqlite3;
 
 namespace galilean::monitor {
 
-/// Every push for ever: text, hash, who, when, to whom, how far it came and what each robot
-/// replied. What a call has returned from survives kill -9 and power loss (SQLite, write-ahead log,
-/// synchronous FULL). A program's text is kept once, under its hash. Not for several threads at
-/// once. Errors of all calls: the disk refuses.
+/// Keeps every push for ever: its program, author, time, targets, progress and replies. A change
+/// survives kill -9 and power loss once the call has returned (SQLite, write-ahead log, synchronous
+/// FULL). A program's text is stored once, under its hash. Only one thread may use the history at a
+/// time. Errors of all calls: the disk cannot be read or written.
 class History {
  public:
-  /// Makes the folder and the file where they are missing. A push that was under way when its
-  /// monitor ended is from now on remembered as interrupted.
+  /// Opens the history. Makes the folder and the file if they are missing. A push that was still
+  /// running when its monitor ended is marked as interrupted.
   [[nodiscard]] static Result<std::unique_ptr<History>> open(const std::filesystem::path& file);
   ~History();
   History(const History&) = delete;
@@ -33,14 +33,15 @@ class History {
   [[nodiscard]] Result<void> set_progress(const std::string& push_id, const Progress& progress);
   [[nodiscard]] Result<void> add_reply(const std::string& push_id, const RobotReply& reply);
 
-  /// Returns the newest `most`, the newest first.
+  /// Returns the newest pushes, at most `most` of them, the newest first.
   [[nodiscard]] Result<std::vector<PushRecord>> pushes(int most) const;
   /// Returns nothing if there was no such push.
   [[nodiscard]] Result<std::optional<PushRecord>> push(const std::string& id) const;
-  /// Returns the last time that somebody pushed this program; nothing if nobody did.
+  /// Returns the last push of this program; nothing if it was never pushed.
   [[nodiscard]] Result<std::optional<PushRecord>> last_push_of(const std::string& hash) const;
-  /// Returns the files of the program that was pushed under this hash, the main file first; the
-  /// beginning of a hash does where no other begins so. Nothing if there is none, or more than one.
+  /// Returns the files of the program with this hash, the main file first. The beginning of the
+  /// hash is enough if no other hash begins with it. Returns nothing if no program fits, or more
+  /// than one.
   [[nodiscard]] Result<std::optional<std::vector<bhdl::SourceFile>>> program(
       const std::string& hash) const;
 

@@ -12,10 +12,10 @@
 
 namespace galilean::monitor::rows {
 
-// How pushes stand in the history's tables. All throw std::runtime_error where the disk refuses.
+// Reads and writes the history's tables. All functions throw std::runtime_error if the disk cannot
+// be read or written.
 
-/// Makes the tables where they are missing. What was running when its monitor ended is from now on
-/// interrupted.
+/// Makes the tables if they are missing. Marks pushes that were still running as interrupted.
 void create_tables(sqlite3* database);
 
 void put_files(sqlite3* database, const msg::ProgramPush& push);
@@ -23,14 +23,14 @@ void put_push(sqlite3* database, const msg::ProgramPush& push);
 void put_progress(sqlite3* database, const std::string& push_id, const Progress& progress);
 void put_reply(sqlite3* database, const std::string& push_id, const RobotReply& reply);
 
-/// Returns a question for pushes, which goes on with `condition`: its parameters are yet to be
-/// bound.
+/// Returns a query for pushes that ends with `condition`. The caller binds its parameters.
 [[nodiscard]] sql::Statement select_pushes(sqlite3* database, const std::string& condition);
 [[nodiscard]] std::vector<PushRecord> records_of(sqlite3* database, sql::Statement& rows);
-/// Returns the first row's; nothing if there is none.
+/// Returns the push in the first row; nothing if there is no row.
 [[nodiscard]] std::optional<PushRecord> record_of(sqlite3* database, sql::Statement& rows);
 
-/// Returns the files of the one program whose hash begins so; nothing if none or several do.
+/// Returns the files of the program whose hash begins with `hash`; nothing if none does, or
+/// several.
 [[nodiscard]] std::optional<std::vector<bhdl::SourceFile>> files_of(sqlite3* database,
                                                                     const std::string& hash);
 

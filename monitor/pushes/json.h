@@ -23,7 +23,8 @@ namespace galilean::monitor {
 [[nodiscard]] nlohmann::json to_json(const bhdl::CheckResult& check);
 [[nodiscard]] nlohmann::json to_json(const std::vector<bhdl::SourceFile>& files);
 
-/// Reads [{path, text}], at least one. The error calls the list `name`.
+/// Reads [{path, text}] with at least one file. Errors: the list is not so; the message calls it
+/// `name`.
 [[nodiscard]] Result<std::vector<bhdl::SourceFile>> files_from_json(
     const nlohmann::json& json, const std::string& name = "files");
 

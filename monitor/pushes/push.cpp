@@ -109,8 +109,8 @@ void Push::handle(const ProgramTried& tried, Time now) {
 }
 
 void Push::handle(const SendFailed& /*failed*/, Time /*now*/) {
-  answer(unavailable("DDS did not take the program; try again."));
-  fail("DDS did not take the program; try again");
+  answer(unavailable("DDS did not accept the program; try again."));
+  fail("DDS did not accept the program; try again");
 }
 
 void Push::handle(const RequestFailed& failed, Time /*now*/) {

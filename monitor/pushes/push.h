@@ -15,50 +15,52 @@
 
 namespace galilean::monitor {
 
-/// One push, from the order to its end, as a transaction: check → try → canary → the rest, of which
-/// trying and canary may be left out. A step that fails ends it: what has not begun does not begin,
-/// and a canary goes back to what it ran.
+/// One push, from its order to its end. It is a transaction of four steps: check, try, canary,
+/// rest. Trial and canary may be left out. A step that fails ends the push, and the steps after it
+/// do not begin. If that is the canary's step, the canary is ordered back to the program that it
+/// ran before.
 ///
-/// Pure: what happens and the time come in, what it asks for goes out. Whoever owns it carries the
-/// requests out and brings what comes of them, in any order and at any time.
+/// A push does no input or output. Its owner carries its requests out, and brings their results,
+/// the robots' replies and the time, in any order and at any time.
 class Push {
  public:
   Push(PushOrder order, OrderTargets targets, PushIdentity identity);
-  /// A push that somebody made past this monitor: all that is left of it is its robots' replies.
+  /// Returns a push that was made without this monitor. It is recorded, and so are the replies.
   [[nodiscard]] static Push of_others(const msg::ProgramPush& message, const OrderTargets& targets,
                                       Time now);
 
-  /// Returns what to do now, each once, in this order; to be asked until it returns nothing.
+  /// Returns the requests that are due, each once, in the order in which to carry them out. Call it
+  /// until it returns none.
   [[nodiscard]] std::vector<PushRequest> take_requests();
-  /// Returns what whoever ordered it is to be told, once: that it is accepted, where it takes long,
-  /// else what became of it.
+  /// Returns the answer to the order, once. A push with a trial or a canary is answered as soon as
+  /// it is recorded or has ended, any other when it has ended.
   [[nodiscard]] std::optional<PushAnswer> take_answer() {
     return std::exchange(answer_, std::nullopt);
   }
 
-  /// What came of a request.
+  /// Takes in the result of a request.
   void take(const PushResult& result, Time now);
-  /// This machine could not do what was asked for.
+  /// Ends the push as failed. Call it if this machine could not carry a request out.
   void fail(const std::string& why) { end(StepState::kFailed, why); }
-  /// A robot replied. Nothing happens if it is to another push, or tells nothing new.
+  /// Takes in a robot's reply. Ignores a reply to another push, and one that tells nothing new.
   void take_reply(const msg::ProgramReply& reply, Time now);
-  /// What is heard of the canary besides its replies.
+  /// Takes in what is heard of the canary besides its replies.
   void see_canary(bool silent, const std::string& running_hash, Time now);
-  /// How many of the trial's runs are over.
+  /// Takes in how many of the trial's runs are over.
   void see_trial(std::size_t finished, std::size_t all);
-  /// Time passes.
+  /// Takes in the time.
   void update(Time now) {
     judge_canary(now);
     judge_rest(now);
   }
-  /// Errors: it is too late, as every target has been sent the program or the push is over.
+  /// Cancels the push. Errors: every target has been sent the program, or the push is over.
   [[nodiscard]] Result<void, Refusal> cancel(const std::string& who);
 
   [[nodiscard]] bool is_meant_by(const msg::ProgramReply& reply) const {
     return content_.is_meant_by(reply);
   }
   [[nodiscard]] bool is_over() const { return steps_.state() != PushState::kRunning; }
-  /// Returns whether the program did not check: there never was such a push.
+  /// Returns whether the program has errors. Such a push is not recorded.
   [[nodiscard]] bool is_refused() const noexcept { return is_refused_; }
   [[nodiscard]] bool is_ours() const noexcept { return content_.is_ours(); }
   [[nodiscard]] const PushOrder& order() const noexcept { return content_.order(); }
@@ -94,15 +96,15 @@ class Push {
   PushContent content_;
   Rollout rollout_;
   Steps steps_;
-  nlohmann::json trial_ = nullptr;  ///< what it found
+  nlohmann::json trial_ = nullptr;  ///< the trial's figures; null while there are none
   bool is_refused_ = false;
-  bool is_recording_asked_ = false;  ///< before that nobody is told of it
+  bool is_recording_asked_ = false;  ///< no progress is published before
   bool is_trial_under_way_ = false;
 
   std::vector<PushRequest> requests_;
   std::optional<PushAnswer> answer_;
   bool is_answered_ = false;
-  unsigned told_changes_ = 0;
+  unsigned told_changes_ = 0;  ///< Steps::changes() when the progress was published last
 };
 
 }  // namespace galilean::monitor

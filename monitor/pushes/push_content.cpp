@@ -28,7 +28,7 @@ void PushContent::set_program(const CheckedProgram& program) {
   for (const auto& file : program.files) message_.files.push_back({file.path, file.text});
   if (!order_.probation) return;
   // The robot's probation must last until the monitor has decided whether the canary rolls back.
-  const Duration more = order_.canary.empty() ? Duration() : kReplyPatience;
+  const Duration more = order_.canary.empty() ? Duration() : kReplyTimeout;
   message_.probation_s = static_cast<float>(to_seconds(*order_.probation + more));
 }
 
@@ -55,7 +55,7 @@ CheckProgram PushContent::check(std::vector<Target> robots) const {
 }
 
 TryProgram PushContent::trial(std::vector<std::string> robots) const {
-  TryProgram trial{.files = {}, .robots = std::move(robots), .wish = order_.trial};
+  TryProgram trial{.files = {}, .robots = std::move(robots), .options = order_.trial};
   for (const auto& file : message_.files) trial.files.push_back({file.path, file.text});
   return trial;
 }

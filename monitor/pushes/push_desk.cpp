@@ -63,12 +63,12 @@ void PushDesk::order(PushOrder order, Finish finish) {
 }
 
 void PushDesk::refuse_stale(const PushOrder& order, const Stale& stale, Finish finish) {
-  parts_.worker.run(
-      [this, hash = stale.hash] { return parts_.history.last_push_of(hash); },
-      [replaces = order.replaces, stale, finish](const auto& by) {
-        finish(by ? overtaken(replaces, stale, by.value()) : cannot_now(by.error().message));
-      },
-      [finish](const std::string& why) { finish(cannot_now(why)); });
+  parts_.worker.run([this, hash = stale.hash] { return parts_.history.last_push_of(hash); },
+                    [replaces = order.replaces, stale, finish](const auto& by) {
+                      finish(by ? replaced_meanwhile(replaces, stale, by.value())
+                                : cannot_now(by.error().message));
+                    },
+                    [finish](const std::string& why) { finish(cannot_now(why)); });
 }
 
 void PushDesk::cancel(const std::string& id, const std::string& who, const Finish& finish) {

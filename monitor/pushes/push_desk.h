@@ -19,9 +19,9 @@
 
 namespace galilean::monitor {
 
-/// Keeps the pushes that are open, and brings each what concerns it: orders, replies, time, and
-/// what came of its requests. Robots that one push is under way to are not given another. Pushes
-/// that others make are written down too.
+/// Keeps the open pushes, and brings each of them its robots' replies, the results of its requests
+/// and the time. It refuses an order for robots to which another push is under way. Pushes that are
+/// made without this monitor are recorded, too.
 ///
 /// Lives on the io_context's thread.
 class PushDesk {
@@ -30,22 +30,24 @@ class PushDesk {
 
   PushDesk(const PushExecutor::Parts& parts, const Clock& clock, wire::Participant& participant);
 
-  /// Finishes when each robot has replied or kReplyPatience is over; once it is checked, while it
-  /// is running, where it is tried or has a canary.
+  /// Begins a push, and calls `finish` when each robot has replied or kReplyTimeout is over. A
+  /// push with a trial or a canary takes longer: `finish` is called as soon as it is recorded.
+  /// Errors: the order is refused, or this machine cannot carry it out.
   void order(PushOrder order, Finish finish);
-  /// Refused: no such push is under way (kNotFound), or it is too late (kConflict).
+  /// Cancels a push. Errors: no such push is under way (kNotFound), or it is too late (kConflict).
   void cancel(const std::string& id, const std::string& who, const Finish& finish);
-  /// A push of this run of the monitor, or one that the history remembers; else kNotFound.
+  /// Calls `finish` with the push, which is open or in the history. Errors: there is no such push
+  /// (kNotFound), or the history cannot be read (kUnavailable).
   void describe(const std::string& id, Finish finish);
 
-  /// What DDS brought.
+  /// Takes in a message that DDS brought.
   void note(const msg::ProgramPush& push);
   void note(const msg::ProgramReply& reply);
 
  private:
   struct Open {
     Push push;
-    Finish finish;  ///< who ordered it waits; null once it was told
+    Finish finish;  ///< null if nobody waits for the answer, or no longer
   };
   using OpenPtr = std::shared_ptr<Open>;
 
@@ -61,7 +63,7 @@ class PushDesk {
   PushExecutor::Parts parts_;
   const Clock& clock_;
   PushExecutor executor_;
-  std::deque<OpenPtr> open_;  ///< the newest last; old ones are let go
+  std::deque<OpenPtr> open_;  ///< the newest last; old ones that are over are dropped
   boost::asio::steady_timer timer_;
 };
 

@@ -110,8 +110,8 @@ Result<void> PushExecutor::carry_out(const std::string& /*push_id*/, RollBack re
   order.hash = request.hash;
   order.reason = request.reason;
   const auto warn = [robot = request.robot] {
-    std::clog << "galilean-monitor: DDS did not take the order to " << robot
-              << " to go back; push what it is to run\n";
+    std::clog << "galilean-monitor: DDS did not accept the order to " << robot
+              << " to go back to its previous program; push the program that it is to run\n";
   };
   parts_.worker.run([this, order] { return rollbacks_.write(order); },
                     [warn](bool taken) {

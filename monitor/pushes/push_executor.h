@@ -19,10 +19,10 @@
 
 namespace galilean::monitor {
 
-/// Carries out what pushes ask for: checks, trials, DDS writes, and lines in the history.
+/// Carries out the requests of pushes: checks, trials, DDS writes, and records in the history.
 ///
-/// Lives on the io_context's thread; checking, the disk and DDS writes happen on a worker's, one
-/// after another, in the order in which they were asked for.
+/// Lives on the io_context's thread. Checks, the disk and DDS writes happen on the worker's thread,
+/// one after another, in the order of the requests.
 class PushExecutor {
  public:
   struct Parts {
@@ -30,17 +30,18 @@ class PushExecutor {
     Worker& worker;
     Team& team;
     const ProgramLibrary& library;
-    History& history;  ///< the worker's alone
+    History& history;  ///< only the worker's thread uses it
     const TrialRoom& trials;
   };
-  /// Is called on the io_context's thread, never from within `carry_out`.
+  /// Reports the result of a request. It is called on the io_context's thread, and never from
+  /// within `carry_out`.
   using Report = std::function<void(const std::string& push_id, const PushResult& result)>;
 
   PushExecutor(const Parts& parts, wire::Participant& participant, Report report);
 
-  /// Begins what the push asks for; what comes of it is reported. Errors: it could not be begun.
+  /// Begins a request of a push, whose result is then reported. Errors: it could not be begun.
   [[nodiscard]] Result<void> carry_out(const std::string& push_id, PushRequest request);
-  /// Returns the push's trial; null where none is under way.
+  /// Returns the push's trial; null if none is under way.
   [[nodiscard]] const Trial* trial(const std::string& push_id) const;
 
  private:

@@ -11,14 +11,14 @@
 
 namespace galilean::monitor {
 
-/// Returns a name for one push or command that nobody else's has.
+/// Returns a random id for a push or a command, which no other has.
 [[nodiscard]] std::string new_id();
 
-/// The message that pushes a checked program. Its id is new.
+/// Returns the message that pushes a checked program, with a new id.
 [[nodiscard]] msg::ProgramPush make_push(const bhdl::Program& program, const std::string& author,
                                          const std::vector<std::string>& targets,
                                          const std::string& replaces_hash = {});
-/// The message that tells how far a push is, stamped now.
+/// Returns the message that says how far a push is, stamped now.
 [[nodiscard]] msg::PushProgress progress_message(const PushRecord& push);
 
 }  // namespace galilean::monitor

@@ -15,59 +15,60 @@
 
 namespace galilean::monitor {
 
-/// How a program is to be tried in simulation.
-struct TrialWish {
+/// How to try a program in simulation.
+struct TrialOptions {
   bool wanted = false;
-  bool only = false;           ///< the program is tried and pushed to nobody
-  bool even_if_worse = false;  ///< the program is pushed though it scores clearly less
+  bool only = false;           ///< the program is tried, but not pushed
+  bool even_if_worse = false;  ///< the program is pushed even if it scores clearly less
   int seeds = 8;
-  double duration_s = 120;  ///< simulated
-  std::string scenario;     ///< the arena; empty: that of the referee who is heard
+  double duration_s = 120;  ///< simulated time
+  std::string scenario;     ///< the arena; empty: the one that the referee's score names
 };
 
-/// What an operator asks for: this program, for those robots, on this way.
+/// An operator's order to push a program.
 struct PushOrder {
   std::vector<bhdl::SourceFile> files;  ///< the main file first
   std::vector<std::string> targets;     ///< empty: the team
   std::string author;
-  std::string replaces =
-      {};  ///< refuse where another program than this hash runs; empty: whatever runs
-  TrialWish trial = {};
+  /// The hash of the program to replace. If another program runs, the order is refused. Empty: the
+  /// order replaces whatever runs.
+  std::string replaces = {};
+  TrialOptions trial = {};
   std::string canary = {};                 ///< the robot that runs it first; empty: all at once
-  std::optional<Duration> probation = {};  ///< of each robot, and of the canary before the others
+  std::optional<Duration> probation = {};  ///< of each robot; the rest waits for the canary's
 };
 
-/// What tells one push from all others.
+/// The identity of a push.
 struct PushIdentity {
   std::string id;
-  std::string rollback_id = {};  ///< of the order that takes it off the canary again
+  std::string rollback_id = {};  ///< the id of the order that takes it off the canary again
   std::int64_t pushed_ns = 0;    ///< since the Unix epoch
 };
 
-/// The robots that an order means.
+/// The robots that an order is for.
 struct OrderTargets {
-  std::vector<Target> awaited;      ///< with what their programs may name
-  std::vector<std::string> silent;  ///< of the team, but not heard for a while
+  std::vector<Target> awaited;      ///< the push waits for their replies
+  std::vector<std::string> silent;  ///< the team's other robots, which were not heard for a while
 
-  [[nodiscard]] std::vector<std::string> names() const;  ///< of `awaited`
+  [[nodiscard]] std::vector<std::string> names() const;  ///< the names of `awaited`
 };
-/// `named`: robots' names; empty: the team.
+/// Returns the robots with the names `named`; if it is empty, all that are not out of service.
 [[nodiscard]] OrderTargets targets_of(const std::vector<std::string>& named, const Team& team);
-/// Errors: a robot that is named is unknown (kNotFound); nobody is there to take the program, or
-/// the canary is none of those who are (kConflict).
+/// Checks that the order has robots to go to. Errors: it names an unknown robot (kNotFound); no
+/// robot is awaited, or the canary is not one of the awaited robots (kConflict).
 [[nodiscard]] Result<void, Refusal> require_targets(const PushOrder& order,
                                                     const OrderTargets& targets, const Team& team);
 
-/// Returns the program that runs where it is another one than the order is to replace.
+/// Returns the program that runs, if it is not the one that the order is to replace.
 [[nodiscard]] std::optional<Stale> stale(const PushOrder& order, const OrderTargets& targets,
                                          const Team& team);
 
-/// Returns the hash that each of `robots` is told that it replaces: none where one of them drifts,
-/// which would refuse.
+/// Returns ProgramPush::replaces_hash for `robots`: `replaces` if all of them run that program,
+/// else an empty string. With the hash, a robot that runs another program would refuse the push.
 [[nodiscard]] std::string replaced_by_each(const std::string& replaces,
                                            const std::vector<Target>& robots, const Team& team);
 
-/// Returns whether two orders mean a robot in common.
+/// Returns whether two orders have a robot in common. An empty list stands for the team.
 [[nodiscard]] bool overlap(const std::vector<std::string>& targets,
                            const std::vector<std::string>& others);
 

@@ -10,7 +10,7 @@
 
 namespace galilean::monitor {
 
-/// A push as it is told and remembered.
+/// A push as it is published and recorded.
 struct PushRecord {
   std::string id;
   std::int64_t pushed_ns = 0;  ///< since the Unix epoch

@@ -15,7 +15,7 @@
 
 namespace galilean::monitor {
 
-// What a push asks for. It goes on with what comes of it, where a result is named.
+// The requests of a push. An arrow names the result with which the push goes on, if there is one.
 
 /// Check the program against each robot's catalog. → ProgramChecked
 struct CheckProgram {
@@ -31,17 +31,17 @@ struct RecordPush {
 /// Try the program in simulation, beside the one that runs. → ProgramTried
 struct TryProgram {
   std::vector<bhdl::SourceFile> files;
-  std::vector<std::string> robots;  ///< the first of them says what runs
-  TrialWish wish;
+  std::vector<std::string> robots;  ///< the first one whose program is known says what runs
+  TrialOptions options;
 };
-/// End the trial: nobody waits for it any more.
+/// End the trial, because the push has ended before it.
 struct EndTrial {};
 /// Send the program to the robots that the message names. → SendFailed, if it fails
 struct SendProgram {
   msg::ProgramPush push;
-  bool is_for_team = false;  ///< it is what the team is meant to run from now on
+  bool is_for_team = false;  ///< the team is meant to run this program from now on
 };
-/// Order a robot to take the program off again, for the one that it ran before.
+/// Order a robot to go back from the program to the one that it ran before.
 struct RollBack {
   std::string order_id;
   std::string author;
@@ -49,26 +49,26 @@ struct RollBack {
   std::string hash;
   std::string reason;
 };
-/// Write down what a robot replied.
+/// Write a robot's reply into the history.
 struct RecordReply {
   RobotReply reply;
 };
-/// Tell and write down how far the push is.
+/// Publish how far the push is, and write it into the history.
 struct TellProgress {
   PushRecord push;
 };
 using PushRequest = std::variant<CheckProgram, RecordPush, TryProgram, EndTrial, SendProgram,
                                  RollBack, RecordReply, TellProgress>;
 
-// What comes of it.
+// The results of requests.
 
 struct CheckedProgram {
   std::string hash;
-  std::vector<bhdl::SourceFile> files;  ///< with the includes
-  std::string replaces_hash;            ///< what each robot is told that it replaces
+  std::vector<bhdl::SourceFile> files;  ///< the main file first, then the files that it includes
+  std::string replaces_hash;            ///< for ProgramPush::replaces_hash; may be empty
 };
 struct ProgramChecked {
-  Result<CheckedProgram, TargetCheck> program;  ///< else with the errors
+  Result<CheckedProgram, TargetCheck> program;  ///< or the check with the program's errors
 };
 struct PushRecorded {
   Result<void> outcome;
@@ -77,7 +77,7 @@ struct ProgramTried {
   Result<TrialFigures> figures;
 };
 struct SendFailed {};
-/// This machine could not carry out what was asked for.
+/// This machine could not carry a request out.
 struct RequestFailed {
   std::string why;
 };

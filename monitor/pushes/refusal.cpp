@@ -60,8 +60,8 @@ Refusal under_way(const PushRecord& other) {
   return refusal;
 }
 
-Refusal overtaken(const std::string& replaces, const Stale& stale,
-                  const std::optional<PushRecord>& by) {
+Refusal replaced_meanwhile(const std::string& replaces, const Stale& stale,
+                           const std::optional<PushRecord>& by) {
   const std::string who = stale.robot.empty() ? "the team" : stale.robot;
   const std::string from =
       by ? program_words(*by) + ", which " + by->author + " pushed at " + clock_time(by->pushed_ns)

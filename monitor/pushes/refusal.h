@@ -11,49 +11,49 @@
 
 namespace galilean::monitor {
 
-/// Another program than the one that an order is to replace, where one runs.
+/// A program that runs where an order is to replace another one.
 struct Stale {
-  std::string robot;  ///< that runs it; empty: the team as a whole
+  std::string robot;  ///< the robot that runs it; empty: the team as a whole
   std::string hash;
 };
 
-/// Why an order is refused, or a question about a push has no answer.
+/// The reason why an order is refused, or why a question about a push has no answer.
 struct Refusal {
   enum class Reason {
     kNotFound,    ///< there is no such robot or push
-    kConflict,    ///< it does not go together with what the robots run or do
+    kConflict,    ///< the order contradicts what the robots run or do
     kBroken,      ///< the program has errors
-    kUnavailable  ///< this machine could not do it
+    kUnavailable  ///< this machine cannot do it now
   };
   Reason reason = Reason::kConflict;
   std::string message;  ///< one sentence
 
-  // What goes with it:
-  std::optional<PushRecord> pushed = {};         ///< the push that stands against it
+  std::optional<PushRecord> pushed = {};         ///< the push that is the reason
   std::optional<std::string> running_hash = {};  ///< the program that runs instead
-  std::optional<TargetCheck> check = {};         ///< with the errors
+  std::optional<TargetCheck> check = {};         ///< the check that found errors
 };
 
-/// What whoever orders a push or asks about one is told.
+/// The answer to an order, or to a question about a push.
 using PushAnswer = Result<PushRecord, Refusal>;
 
 [[nodiscard]] Refusal not_found(std::string message);
 [[nodiscard]] Refusal conflict(std::string message);
 [[nodiscard]] Refusal unavailable(std::string message);
-/// Of a question that this machine could not look up.
+/// Returns the refusal of what this machine cannot do now. `why` is a clause.
 [[nodiscard]] Refusal cannot_now(const std::string& why);
 
-/// `other` is under way to the same robots.
+/// Returns the refusal of an order while `other` is under way to the same robots.
 [[nodiscard]] Refusal under_way(const PushRecord& other);
-/// Another program runs than the one that was to be replaced. `by`: the push that brought it; none
-/// if this monitor knows of none.
-[[nodiscard]] Refusal overtaken(const std::string& replaces, const Stale& stale,
-                                const std::optional<PushRecord>& by);
+/// Returns the refusal of an order to replace a program that no longer runs. `by` is the push that
+/// brought the program that runs; none if this monitor knows of none.
+[[nodiscard]] Refusal replaced_meanwhile(const std::string& replaces, const Stale& stale,
+                                         const std::optional<PushRecord>& by);
+/// Returns the refusal of a program with errors.
 [[nodiscard]] Refusal broken(TargetCheck check);
-/// `push` can no longer be cancelled.
+/// Returns the refusal to cancel `push`, which can no longer be cancelled.
 [[nodiscard]] Refusal too_late(const PushRecord& push);
 
-/// {pushed, running_hash, robot, diagnostics}, of which there is what goes with the refusal.
+/// Returns {pushed, running_hash, robot, diagnostics}, without what the refusal does not have.
 [[nodiscard]] nlohmann::json to_json(const Refusal& refusal);
 
 }  // namespace galilean::monitor

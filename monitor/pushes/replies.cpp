@@ -10,7 +10,7 @@ ReplyStatus reply_status(std::uint8_t number) {
   return number <= kLast ? static_cast<ReplyStatus>(number) : ReplyStatus::kUnknown;
 }
 
-std::string why_not(const RobotReply& reply) {
+std::string failure_reason(const RobotReply& reply) {
   const std::string more = reply.reply.message.empty() ? "" : ": " + reply.reply.message;
   if (reply.status == ReplyStatus::kRejected) return reply.robot + " refused it" + more;
   if (reply.status == ReplyStatus::kRolledBack) return reply.robot + " went back" + more;

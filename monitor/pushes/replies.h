@@ -12,7 +12,7 @@
 
 namespace galilean::monitor {
 
-/// How far a robot is with a push; the numbers are msg::ProgramReply_Constants'.
+/// How far a robot is with a push. The numbers are those of msg::ProgramReply_Constants.
 enum class ReplyStatus : std::uint8_t {
   kNoAnswer,
   kReceived,
@@ -24,7 +24,7 @@ enum class ReplyStatus : std::uint8_t {
 };
 [[nodiscard]] ReplyStatus reply_status(std::uint8_t number);
 
-/// The robot runs the program.
+/// Returns whether the robot runs the program.
 [[nodiscard]] inline bool runs(ReplyStatus status) {
   return status == ReplyStatus::kRunning || status == ReplyStatus::kConfirmed;
 }
@@ -33,35 +33,37 @@ enum class ReplyStatus : std::uint8_t {
 struct RobotReply {
   std::string robot;
   ReplyStatus status = ReplyStatus::kNoAnswer;
-  msg::ProgramReply reply = {};  ///< empty while there is none
-  double latency_ms = 0;         ///< from the push to the first reply that decides
+  msg::ProgramReply reply = {};  ///< empty before the first reply
+  double latency_ms = 0;         ///< from the push to the reply that accepts or refuses it
 };
 
-/// Why the robot does not run the program, in one clause: "io refused it: no camera".
-[[nodiscard]] std::string why_not(const RobotReply& reply);
+/// Returns a clause that says why the robot does not run the program, such as "io refused it: no
+/// camera".
+[[nodiscard]] std::string failure_reason(const RobotReply& reply);
 
 /// How long robots may take to build a program and reply.
-inline constexpr Duration kReplyPatience = std::chrono::seconds(2);
+inline constexpr Duration kReplyTimeout = std::chrono::seconds(2);
 
-/// The replies to one push: who was asked, and what each has said so far. Pure; whoever owns it
-/// writes the message and brings the replies. Robots that nobody asked for but that reply (a push
-/// to the team reaches all) are listed too.
+/// The replies to one push, by robot. The class does no input or output: its owner sends the push
+/// and brings the replies. A robot that was not asked but replies is listed, too, because a push to
+/// the team reaches all robots.
 class Replies {
  public:
-  /// `push_id`: of the message. `awaited`: the robots whose reply makes the push complete.
+  /// `push_id` is the id of the message. `awaited` are the robots whose replies make the push
+  /// complete.
   Replies(std::string push_id, std::vector<std::string> awaited, Time sent);
 
-  /// Lists a robot that was asked but is not waited for, as it had fallen silent.
+  /// Lists a robot whose reply is not awaited, because it had fallen silent.
   void list(const std::string& robot);
-  /// Returns false if the reply belongs to another push or tells nothing new.
+  /// Takes in a reply. Returns false if it belongs to another push or tells nothing new.
   bool note(const msg::ProgramReply& reply, Time now);
   /// Returns whether each awaited robot runs the program or refused it.
   [[nodiscard]] bool complete() const;
   /// Returns whether each awaited robot runs the program.
   [[nodiscard]] bool taken_by_all() const;
-  /// Returns whether each awaited robot has said its last word: refused, confirmed or rolled back.
+  /// Returns whether each awaited robot has refused, confirmed or rolled back the program.
   [[nodiscard]] bool settled() const;
-  /// Returns one for each robot, in the order of their names.
+  /// Returns one reply for each robot, in the order of their names.
   [[nodiscard]] std::vector<RobotReply> all() const;
 
  private:

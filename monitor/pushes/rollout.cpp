@@ -27,7 +27,7 @@ std::optional<RobotReply> Rollout::note(const msg::ProgramReply& reply, Time now
 
 Verdict Rollout::judge_rest(Time now) const {
   if (rest_->taken_by_all()) return {.kind = Verdict::Kind::kDone};
-  const bool is_over = rest_->complete() || now - rest_sent_ >= kReplyPatience;
+  const bool is_over = rest_->complete() || now - rest_sent_ >= kReplyTimeout;
   return is_over ? Verdict{Verdict::Kind::kFailed, shortcomings()} : Verdict{};
 }
 
@@ -51,7 +51,7 @@ std::string Rollout::shortcomings() const {
   for (const auto& reply : replies()) {
     if (runs(reply.status)) continue;
     if (std::ranges::find(plan_.silent, reply.robot) != plan_.silent.end()) continue;
-    text += (text.empty() ? "" : "; ") + why_not(reply);
+    text += (text.empty() ? "" : "; ") + failure_reason(reply);
   }
   return text;
 }

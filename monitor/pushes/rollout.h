@@ -11,28 +11,28 @@
 
 namespace galilean::monitor {
 
-/// To whom a program goes.
+/// The robots that a program goes to.
 struct RolloutPlan {
   std::string push_id;
-  std::vector<std::string> awaited;  ///< targets that are there to reply
-  std::vector<std::string> silent;   ///< targets that are asked, but not waited for
-  std::string canary;                ///< one of `awaited`, which runs it first; or empty
-  Duration probation = std::chrono::seconds(10);  ///< that the canary must run it for
+  std::vector<std::string> awaited;  ///< targets whose replies are awaited
+  std::vector<std::string> silent;   ///< targets that are asked, but whose replies are not awaited
+  std::string canary;                ///< one of `awaited`, which runs it first; empty: none
+  Duration probation = std::chrono::seconds(10);  ///< how long the canary must run it
 };
 
-/// How a program comes to its robots: to the canary first, if there is one, then to the rest. Pure:
-/// whoever owns it sends the program, and brings replies and time.
+/// Rolls a program out to its robots: to the canary first, if there is one, then to the rest. The
+/// class does no input or output: its owner sends the program, and brings replies and time.
 class Rollout {
  public:
   explicit Rollout(RolloutPlan plan) : plan_(std::move(plan)) {}
 
-  /// The program is being sent to the canary. Requires: there is one.
+  /// Call it when the program is sent to the canary. Requires: there is one.
   void begin_canary(Time now);
-  /// The program is being sent to all the others.
+  /// Call it when the program is sent to all the others.
   void begin_rest(Time now);
 
-  /// Returns what is known of the robot now; nothing if the reply is to another push, tells nothing
-  /// new, or comes of a robot that was not sent the program.
+  /// Takes in a reply. Returns what is known of the robot now; nothing if the reply is to another
+  /// push, tells nothing new, or comes before the program was sent to the robot.
   std::optional<RobotReply> note(const msg::ProgramReply& reply, Time now);
   /// Requires: begin_canary.
   [[nodiscard]] Verdict judge_canary(Time now) { return canary_->judge(now); }
@@ -43,7 +43,7 @@ class Rollout {
   /// Requires: begin_rest.
   [[nodiscard]] Verdict judge_rest(Time now) const;
 
-  /// Returns whether no target is left that was not sent the program.
+  /// Returns whether begin_rest() was called. Every target has then been sent the program.
   [[nodiscard]] bool has_reached_all() const noexcept { return rest_.has_value(); }
   [[nodiscard]] const RolloutPlan& plan() const noexcept { return plan_; }
   /// Returns the targets without the canary.

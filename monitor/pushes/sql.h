@@ -57,7 +57,7 @@ class Statement {
     sqlite3_bind_double(statement_.get(), ++bound_, value);
     return *this;
   }
-  /// False when there are no more rows.
+  /// Steps to the next row. Returns false if there are no more.
   bool step() {
     const int result = sqlite3_step(statement_.get());
     if (result != SQLITE_ROW && result != SQLITE_DONE) fail(database_);
@@ -89,7 +89,8 @@ class Statement {
   int bound_ = 0;
 };
 
-/// All that is executed while it lives is kept together by `commit`, or undone.
+/// A transaction. Statements that are executed while it lives take effect with `commit`; without
+/// it, they are undone.
 class Transaction {
  public:
   explicit Transaction(sqlite3* database) : database_(database) {

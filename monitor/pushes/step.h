@@ -8,12 +8,12 @@
 
 namespace galilean::monitor {
 
-/// What a program goes through before every target runs it, in this order.
+/// The steps that a program goes through before every target runs it, in their order.
 enum class StepKind : std::uint8_t {
-  kCheck,   ///< against what each target can do
-  kTry,     ///< in simulation, beside the program that runs
-  kCanary,  ///< on one robot, for its probation
-  kRest     ///< on all the others
+  kCheck,   ///< checks it against each target's catalog
+  kTry,     ///< tries it in simulation, beside the program that runs
+  kCanary,  ///< lets one robot run it for a probation
+  kRest     ///< sends it to all the others
 };
 
 enum class StepState : std::uint8_t { kWaiting, kRunning, kDone, kFailed, kCancelled, kLeftOut };
@@ -30,15 +30,15 @@ enum class PushState : std::uint8_t {
   kDone,
   kFailed,
   kCancelled,
-  kInterrupted,  ///< its monitor ended before it did
-  kForeign       ///< not made through this monitor, which does not know how it ended
+  kInterrupted,  ///< its monitor ended before the push did
+  kForeign       ///< made without this monitor, which does not know how it ended
 };
 
-/// How far a push has come, as it is told and remembered.
+/// How far a push has come.
 struct Progress {
   PushState state = PushState::kRunning;
   std::vector<Step> steps = {};
-  nlohmann::json trial = nullptr;  ///< what the trial found; null while it found nothing
+  nlohmann::json trial = nullptr;  ///< the trial's figures; null while there are none
 };
 
 }  // namespace galilean::monitor

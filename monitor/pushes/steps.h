@@ -15,13 +15,14 @@ class Steps {
 
   /// Requires: the step has not begun.
   void leave_out(StepKind kind);
-  /// Begins the next step that waits. Returns it; null where none waits any more.
+  /// Begins the next step that waits, and returns it; null if none waits.
   const Step* begin_next();
-  /// Says how far the running step is. Nothing happens where none runs.
+  /// Sets the running step's detail. Does nothing if none runs.
   void describe(const std::string& detail);
   /// Requires: a step runs.
   void finish(const std::string& detail);
-  /// The running step ends as `how`, kFailed or kCancelled; what waits is left out.
+  /// Ends the running step as `how`, which is kFailed or kCancelled. Leaves out the steps that
+  /// wait.
   void end(StepState how, const std::string& detail);
 
   [[nodiscard]] bool is_at(StepKind kind) const;
@@ -29,7 +30,7 @@ class Steps {
   /// kRunning.
   [[nodiscard]] PushState state() const;
   [[nodiscard]] const std::vector<Step>& all() const noexcept { return steps_; }
-  /// Grows whenever a step changes.
+  /// Returns a number that grows whenever a step changes.
   [[nodiscard]] unsigned changes() const noexcept { return changes_; }
 
  private:

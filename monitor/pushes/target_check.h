@@ -11,26 +11,27 @@
 
 namespace galilean::monitor {
 
-/// A robot that is to run a program, and what its programs may name.
+/// A robot that is to run a program, and its catalog.
 struct Target {
   std::string robot;
-  std::optional<msg::Catalog> catalog;  ///< none: it has not published it
+  std::optional<msg::Catalog> catalog;  ///< none: the robot has not published one
 };
 [[nodiscard]] inline Target target_of(const Robot& robot) {
   return {robot.name, robot.catalog};
 }
 
-/// A program as it would be pushed to some robots.
+/// The check of a program for the robots that are to run it.
 struct TargetCheck {
-  bhdl::CheckResult result;  ///< of the first robot that would refuse, else of the first
-  std::string refused_by;    ///< that robot; empty if the program suits all
+  bhdl::CheckResult result;  ///< for the first robot that would refuse it, else for the first
+  std::string refused_by;    ///< the robot that would refuse it; empty: none
 };
 
-/// Checks against each robot's catalog, each different catalog once; against the one that was
-/// installed where a robot has published none, and where there is no target.
+/// Checks a program against the catalogs of `targets`, each different catalog once. `installed`
+/// takes the place of a catalog that was not published or cannot be read, and serves where there
+/// is no target.
 [[nodiscard]] TargetCheck check_for(const std::vector<Target>& targets, const Catalog& installed,
                                     const std::function<bhdl::CheckResult(const Catalog&)>& check);
-/// The same for texts, with the library's includes.
+/// Checks `files`. The library has the files that they include.
 [[nodiscard]] TargetCheck check_for(const std::vector<bhdl::SourceFile>& files,
                                     const std::vector<Target>& targets,
                                     const ProgramLibrary& library);

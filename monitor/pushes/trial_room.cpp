@@ -35,17 +35,17 @@ Result<std::unique_ptr<Trial>> TrialRoom::begin(const std::string& id, const Try
                  " is not there; install it, or push without a trial"};
   auto situation = situation_of(team_, map());
   if (!situation) return situation.error();
-  std::string scenario = what.wish.scenario;
+  std::string scenario = what.options.scenario;
   if (scenario.empty() && team_.score()) scenario = team_.score()->scenario;
   if (scenario.empty())
-    return Error{"no referee tells in which arena the team is; name its scenario"};
+    return Error{"no referee says in which arena the team is; name the arena's scenario"};
   return std::make_unique<Trial>(io_, simulator_, folder_ / id,
                                  TrialOrder{.next = what.files,
                                             .now = running(what.robots),
                                             .situation = std::move(situation).value(),
                                             .scenario = std::move(scenario),
-                                            .seeds = what.wish.seeds,
-                                            .duration_s = what.wish.duration_s},
+                                            .seeds = what.options.seeds,
+                                            .duration_s = what.options.duration_s},
                                  std::move(done));
 }
 

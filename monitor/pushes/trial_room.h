@@ -14,18 +14,18 @@
 
 namespace galilean::monitor {
 
-/// Where programs are tried: clones the live team into simulators.
+/// Tries programs in simulators that start from the live team's situation.
 class TrialRoom {
  public:
-  /// `simulator`: galilean-sim. `folder`: for what the simulators read and write.
+  /// `simulator` is the path of galilean-sim. The simulators' files go into `folder`.
   TrialRoom(boost::asio::io_context& io, const Team& team, std::filesystem::path simulator,
             std::filesystem::path folder)
       : io_(io), team_(team), simulator_(std::move(simulator)), folder_(std::move(folder)) {}
 
-  /// Takes any message; keeps the newest map.
+  /// Takes in any message, and keeps the newest map.
   void receive(const Message& message);
-  /// Tries the program beside what the first of the robots runs now. `id`: of the push. Errors:
-  /// what is missing.
+  /// Begins to try the program beside the one that the robots run now. `id` is the push's. Errors:
+  /// the simulator, the team's situation or the scenario is missing.
   [[nodiscard]] Result<std::unique_ptr<Trial>> begin(const std::string& id, const TryProgram& what,
                                                      Trial::Done done) const;
 

@@ -5,7 +5,7 @@
 
 namespace galilean::monitor {
 
-/// How a step stands, by what robots did and by the time.
+/// The state of a step, judged by what the robots did and by the time.
 struct Verdict {
   enum class Kind { kPending, kUnderWay, kDone, kFailed };
   Kind kind = Kind::kPending;

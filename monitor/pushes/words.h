@@ -10,14 +10,14 @@
 
 namespace galilean::monitor {
 
-/// The words for the states of a push, as they stand on the wire, in JSON and in the history: the
-/// only place that knows them.
+/// Returns the word for a state of a push on the wire, in JSON and in the history. No other file
+/// knows these words.
 [[nodiscard]] std::string to_text(StepKind kind);
 [[nodiscard]] std::string to_text(StepState state);
 [[nodiscard]] std::string to_text(PushState state);
 [[nodiscard]] std::string to_text(ReplyStatus status);
 
-/// What a word means. Returns nothing for a word that is none of them.
+/// Returns what a word means; nothing for an unknown word.
 [[nodiscard]] std::optional<StepKind> step_kind_of(std::string_view word);
 [[nodiscard]] std::optional<StepState> step_state_of(std::string_view word);
 [[nodiscard]] std::optional<PushState> push_state_of(std::string_view word);

@@ -22,11 +22,11 @@ int info(const std::string& path, bool json) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CommandLine app("Looks into recordings of the team.");
+  CommandLine app("Describes recordings of the team.");
   app.require_command();
   std::string path;
   bool json = false;
-  auto command = app.command("info", "What a recording contains");
+  auto command = app.command("info", "Describe the contents of a recording");
   command.option("file", path, "An MCAP file").required();
   command.flag("--json", json, "As JSON, for programs");
   if (const auto code = app.parse(argc, argv)) return *code;

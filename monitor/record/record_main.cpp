@@ -97,7 +97,8 @@ int run(const Options& options) try {
   tell(options, writer, recorder.topics());
   return 0;
 } catch (const std::regex_error& error) {
-  return fail("--topics '" + options.topics + "' is no regular expression: " + error.what());
+  return fail("--topics '" + options.topics +
+              "' is not a valid regular expression: " + error.what());
 } catch (const std::exception& error) {
   return fail(error.what());
 }

@@ -107,7 +107,8 @@ class Replay {
     const auto names = live_namesakes(others.publications(), tracks_.played);
     if (names.empty()) return true;
     (void)fail(listed(names) + (names.size() == 1 ? " is" : " are") +
-               " live in this DDS domain, and two would talk at once under one name; end the live "
+               " live in this DDS domain, and a live robot and the recording would send under one "
+               "name; end the live "
                "ones, use another domain (--domain), or play all the same with --anyway");
     return false;
   }

@@ -60,7 +60,7 @@ struct Monitor::Parts {
   SendRounds rounds{io};
   Worker worker{io};
   Worker language_worker{io};
-  LanguageDesk language;
+  LanguageServerContext language;
   MapService map;
   TrialRoom trials;
   PushDesk desk;

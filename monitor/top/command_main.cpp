@@ -25,9 +25,9 @@ struct Options {
 };
 
 /// Keeps the model of the team up to date while one command is given.
-class Conversation {
+class TeamFeed {
  public:
-  explicit Conversation(wire::Participant& participant)
+  explicit TeamFeed(wire::Participant& participant)
       : team_(clock_),
         ingest_(participant, {.message = [this](const Message& m) { team_.receive(m); }},
                 [this] { wake_.ring(); }) {}
@@ -86,18 +86,17 @@ int tell(Operator::Word word, const std::string& robot, const msg::RobotState& b
   return done ? 0 : 1;
 }
 
-int command(Operator::Word word, Conversation& conversation, Operator& speaker,
-            const Options& options) {
+int command(Operator::Word word, TeamFeed& feed, Operator& speaker, const Options& options) {
   constexpr Duration kHear = std::chrono::seconds(3), kObey = std::chrono::seconds(2);
   constexpr Duration kGather = std::chrono::milliseconds(300);
-  const Team& team = conversation.team();
+  const Team& team = feed.team();
   const auto all_heard = [&] {
     for (const auto& robot : options.robots)
       if (!state_of(team, robot)) return false;
     return !names(team).empty();
   };
-  const bool heard = conversation.wait(kHear, all_heard);
-  conversation.wait(kGather, [] { return false; });
+  const bool heard = feed.wait(kHear, all_heard);
+  feed.wait(kGather, [] { return false; });
   const auto targets = options.team ? names(team) : options.robots;
   for (const auto& robot : targets)
     if (!state_of(team, robot))
@@ -106,10 +105,10 @@ int command(Operator::Word word, Conversation& conversation, Operator& speaker,
 
   std::map<std::string, msg::RobotState> before;
   for (const auto& robot : targets) before[robot] = *state_of(team, robot);
-  conversation.wait(kHear, [&] { return speaker.listeners() >= static_cast<int>(targets.size()); });
+  feed.wait(kHear, [&] { return speaker.listeners() >= static_cast<int>(targets.size()); });
   if (!speaker.say(word, options.team ? std::vector<std::string>{} : targets))
-    return std::cerr << "galilean-command: DDS did not take it; try again\n", 1;
-  conversation.wait(kObey, [&] {
+    return std::cerr << "galilean-command: DDS did not accept the command; try again.\n", 1;
+  feed.wait(kObey, [&] {
     for (const auto& robot : targets)
       if (!complied(word, before[robot], *state_of(team, robot))) return false;
     return true;
@@ -124,9 +123,9 @@ int run(Operator::Word word, const Options& options) try {
   const auto participant = wire::Participant::join("command", options.domain);
   if (!participant)
     return std::cerr << "galilean-command: " << participant.error().message << '\n', 1;
-  Conversation conversation(*participant.value());
+  TeamFeed feed(*participant.value());
   Operator speaker(*participant.value());
-  return command(word, conversation, speaker, options);
+  return command(word, feed, speaker, options);
 } catch (const std::exception& error) {
   return std::cerr << "galilean-command: " << error.what() << '\n', 1;
 }
@@ -149,10 +148,10 @@ int main(int argc, char** argv) {
   app.require_command();
   const auto hold = add(app, "hold", "Stand still until resumed", options);
   const auto resume = add(app, "resume", "Go on after a hold", options);
-  const auto start = add(app, "start", "Push a bumper: what the start state waits for", options);
+  const auto start = add(app, "start", "Push a bumper, which the start state waits for", options);
   if (const auto code = app.parse(argc, argv)) return *code;
   if (!options.team && options.robots.empty())
-    return std::cerr << "galilean-command: to whom? Give --team or --robot NAME\n", 2;
+    return std::cerr << "galilean-command: Name the robots with --team or --robot NAME.\n", 2;
   if (hold.chosen()) return run(Operator::Word::kHold, options);
   if (resume.chosen()) return run(Operator::Word::kResume, options);
   return run(Operator::Word::kStart, options);

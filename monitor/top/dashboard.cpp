@@ -25,19 +25,19 @@ std::string words(Operator::Word word) {
 }  // namespace
 
 void Dashboard::choose(std::size_t number) {
-  const auto& robots = knowledge_.team().robots();
+  const auto& robots = model_.team().robots();
   if (number < robots.size()) chosen_ = std::next(robots.begin(), static_cast<long>(number))->first;
 }
 
 void Dashboard::move(int step) {
-  const auto& robots = knowledge_.team().robots();
+  const auto& robots = model_.team().robots();
   const auto at = robots.find(chosen_);
   const long now = at == robots.end() ? 0 : std::distance(robots.begin(), at);
   if (now + step >= 0) choose(static_cast<std::size_t>(now + step));
 }
 
 void Dashboard::say(Operator::Word word, bool to_all) {
-  const View view = make_view(knowledge_, clock_, chosen_);
+  const View view = make_view(model_, clock_, chosen_);
   if (view.robots.empty()) return;
   const std::string& robot = view.robots[view.chosen].status.name;
   const bool sent = speaker_.say(word, to_all ? std::vector<std::string>{} : std::vector{robot});
@@ -63,7 +63,7 @@ bool Dashboard::press(const Terminal::Press& press) {
 
 Canvas Dashboard::draw(int columns, int rows) {
   if (help_) return lay_out_help(columns, rows);
-  View view = make_view(knowledge_, clock_, chosen_);
+  View view = make_view(model_, clock_, chosen_);
   if (clock_.now() - noticed_ < kNoticeShown) view.notice = notice_;
   return lay_out(view, columns, rows);
 }

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "monitor/top/knowledge.h"
+#include "monitor/top/dashboard_model.h"
 #include "monitor/top/operator.h"
 #include "monitor/top/terminal.h"
 #include "monitor/top/view.h"
@@ -14,8 +14,8 @@ namespace galilean::monitor::top {
 /// send commands to robots.
 class Dashboard {
  public:
-  Dashboard(const Knowledge& knowledge, const Clock& clock, Operator& speaker, std::string chosen)
-      : knowledge_(knowledge), clock_(clock), speaker_(speaker), chosen_(std::move(chosen)) {}
+  Dashboard(const DashboardModel& model, const Clock& clock, Operator& speaker, std::string chosen)
+      : model_(model), clock_(clock), speaker_(speaker), chosen_(std::move(chosen)) {}
 
   /// Handles a key. Returns false if it was the key to quit.
   [[nodiscard]] bool press(const Terminal::Press& press);
@@ -26,7 +26,7 @@ class Dashboard {
   void move(int step);
   void say(Operator::Word word, bool to_all);
 
-  const Knowledge& knowledge_;
+  const DashboardModel& model_;
   const Clock& clock_;
   Operator& speaker_;
   std::string chosen_;

@@ -41,9 +41,8 @@ Canvas lay_out(const View& view, int columns, int rows) {
   draw_title(view, canvas);
   draw_footer(view, canvas);
   if (view.robots.empty()) {
-    canvas.put(2, 0,
-               "No robot heard so far. Do they run, and in the same DDS domain "
-               "(--domain or ROS_DOMAIN_ID)?");
+    canvas.put(2, 0, "No robot has been heard yet.");
+    canvas.put(3, 0, "Check that robots run in the same DDS domain (--domain or ROS_DOMAIN_ID).");
     return canvas;
   }
   const int most_robots = std::max(3, rows / 3);

@@ -21,7 +21,7 @@ class Operator {
   /// Returns the number of readers of the command topic, which is the number of robots that listen.
   [[nodiscard]] int listeners() const { return writer_.readers(); }
   /// Sends a command to the robots of these names, or to all if `robots` is empty. kStart pushes
-  /// the front bumper. Returns false if DDS did not take the command.
+  /// the front bumper. Returns false if DDS did not accept the command.
   [[nodiscard]] bool say(Word word, const std::vector<std::string>& robots);
 
  private:

@@ -38,7 +38,7 @@ void draw_variable(const ShownVariable& variable, int row, const Area& area, Can
 /// Returns the variables in the program's order. If there are too many, those whose certainty lies
 /// between 0 and 1 come first, then the certain ones, which are often constants and pictures, then
 /// the invalid ones.
-std::vector<const ShownVariable*> most_telling_first(const std::vector<ShownVariable>& variables,
+std::vector<const ShownVariable*> by_informativeness(const std::vector<ShownVariable>& variables,
                                                      bool too_many) {
   std::vector<const ShownVariable*> order;
   for (const auto& variable : variables) order.push_back(&variable);
@@ -73,7 +73,7 @@ void draw_variables(const View& view, const Area& area, Canvas& canvas) {
   canvas.put(area.row, area.column, "VARIABLES", Style::kHeading, area.columns);
   const int count = static_cast<int>(view.variables.size()), room = area.rows - 1;
   const int shown = count <= room ? count : room - 1;
-  const auto variables = most_telling_first(view.variables, count > room);
+  const auto variables = by_informativeness(view.variables, count > room);
   for (int i = 0; i < shown; ++i)
     draw_variable(*variables[static_cast<std::size_t>(i)], area.row + 1 + i, area, canvas);
   if (shown < count)

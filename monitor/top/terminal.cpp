@@ -81,7 +81,8 @@ attr_t attributes(Style style) {
 Terminal::Terminal() {
   use_utf8();
   if (!isatty(STDOUT_FILENO) || !newterm(nullptr, stdout, stdin))
-    throw std::runtime_error("this is no terminal that can be drawn on; --once prints plain text");
+    throw std::runtime_error(
+        "standard output is not a terminal that can be drawn on; --once prints plain text");
   use_colours();
   cbreak();
   noecho();

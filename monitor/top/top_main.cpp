@@ -25,16 +25,16 @@ struct Options {
 
 constexpr int kRedrawEach_ms = 100;
 
-/// Reads the domain's messages into the dashboard's Knowledge.
-class Listening {
+/// Reads the domain's messages into a DashboardModel.
+class DashboardFeed {
  public:
-  Listening(wire::Participant& participant, const Clock& clock)
-      : knowledge_(clock),
+  DashboardFeed(wire::Participant& participant, const Clock& clock)
+      : model_(clock),
         ingest_(participant,
-                {.message = [this](const Message& message) { knowledge_.receive(message); }},
+                {.message = [this](const Message& message) { model_.receive(message); }},
                 [this] { wake_.ring(); }) {}
 
-  [[nodiscard]] const top::Knowledge& knowledge() const noexcept { return knowledge_; }
+  [[nodiscard]] const top::DashboardModel& model() const noexcept { return model_; }
   [[nodiscard]] int descriptor() const noexcept { return wake_.descriptor(); }
   void poll() {
     wake_.clear();
@@ -43,7 +43,7 @@ class Listening {
 
  private:
   Wake wake_;
-  top::Knowledge knowledge_;
+  top::DashboardModel model_;
   Ingest ingest_;
 };
 
@@ -56,19 +56,19 @@ bool all_is_known(const Team& team) {
 
 /// Prints one snapshot as plain text. Waits at most 3 s until all is known of the robots, and then
 /// 0.5 s more for robots that are discovered later. Returns 1 if there are no robots.
-int print_once(Listening& listening, Termination& termination, const Clock& clock,
+int print_once(DashboardFeed& feed, Termination& termination, const Clock& clock,
                const std::string& robot) {
   constexpr Duration kMost = std::chrono::seconds(3), kMore = std::chrono::milliseconds(500);
   Time known{};
   const Time start = clock.now();
   while (!termination.asked() && clock.now() - start < kMost) {
-    pollfd events[] = {{listening.descriptor(), POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
+    pollfd events[] = {{feed.descriptor(), POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
     ::poll(events, 2, kRedrawEach_ms);
-    listening.poll();
-    if (known == Time{} && all_is_known(listening.knowledge().team())) known = clock.now();
+    feed.poll();
+    if (known == Time{} && all_is_known(feed.model().team())) known = clock.now();
     if (known != Time{} && clock.now() - known >= kMore) break;
   }
-  const auto view = top::make_view(listening.knowledge(), clock, robot);
+  const auto view = top::make_view(feed.model(), clock, robot);
   // Room for every robot, state and variable, and for a map.
   constexpr int kColumns = 110, kAround = 6, kLeast = 30;
   const int rows =
@@ -81,17 +81,17 @@ int print_once(Listening& listening, Termination& termination, const Clock& cloc
   return view.robots.empty() ? 1 : 0;
 }
 
-int run_dashboard(Listening& listening, Termination& termination, const Clock& clock,
+int run_dashboard(DashboardFeed& feed, Termination& termination, const Clock& clock,
                   Operator& speaker, const std::string& robot) {
   top::Terminal terminal;
-  top::Dashboard dashboard(listening.knowledge(), clock, speaker, robot);
+  top::Dashboard dashboard(feed.model(), clock, speaker, robot);
   while (!termination.asked()) {
     terminal.show(dashboard.draw(terminal.columns(), terminal.rows()));
     // Messages do not wake this loop, because robots send them more often than the eye needs.
     pollfd events[] = {{STDIN_FILENO, POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
     ::poll(events, 2, kRedrawEach_ms);
     if (events[0].revents & (POLLHUP | POLLERR)) return 0;  // the terminal was closed
-    listening.poll();
+    feed.poll();
     for (auto press = terminal.take_key(); press.key != top::Terminal::Key::kNone;
          press = terminal.take_key())
       if (!dashboard.press(press)) return 0;
@@ -104,10 +104,10 @@ int run(const Options& options) try {
   const SteadyClock clock;
   const auto participant = wire::Participant::join("top", options.domain);
   if (!participant) return std::cerr << "galilean-top: " << participant.error().message << '\n', 1;
-  Listening listening(*participant.value(), clock);
-  if (options.once) return print_once(listening, termination, clock, options.robot);
+  DashboardFeed feed(*participant.value(), clock);
+  if (options.once) return print_once(feed, termination, clock, options.robot);
   Operator speaker(*participant.value());
-  return run_dashboard(listening, termination, clock, speaker, options.robot);
+  return run_dashboard(feed, termination, clock, speaker, options.robot);
 } catch (const std::exception& error) {
   return std::cerr << "galilean-top: " << error.what() << '\n', 1;
 }
@@ -117,7 +117,8 @@ int run(const Options& options) try {
 int main(int argc, char** argv) {
   Options options;
   CommandLine app(
-      "The team in a terminal: who does what, where, and how sure of it. ? shows the keys.");
+      "Shows the team in a terminal: each robot's state, pose and certainty. Press ? for the "
+      "keys.");
   add_domain_option(app, options.domain);
   app.flag("--once", options.once, "Print one snapshot as plain text, for scripts");
   app.option("--robot", options.robot, "The robot to show first");

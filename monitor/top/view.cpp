@@ -45,11 +45,11 @@ void show_team_map(const msg::ObjectMap& map, double age_s, View& view) {
         view.poses.push_back({i, {{robot.x_m, robot.y_m}, robot.heading_rad}});
 }
 
-void show_own_map(const Knowledge& knowledge, View& view) {
+void show_own_map(const DashboardModel& model, View& view) {
   const RobotStatus& status = view.robots[view.chosen].status;
   view.map_title = status.name + "'s own frame (no monitor)";
   view.poses.push_back({view.chosen, {{status.x_m, status.y_m}, status.heading_rad}});
-  if (const auto* seen = knowledge.sightings(status.name))
+  if (const auto* seen = model.sightings(status.name))
     for (const auto& sighting : seen->items)
       view.objects.push_back({sighting.object_class, {sighting.x_m, sighting.y_m}, 1});
 }
@@ -69,21 +69,21 @@ char letter_for(const std::string& name, const std::vector<ShownRobot>& others) 
   return '?';
 }
 
-View make_view(const Knowledge& knowledge, const Clock& clock, const std::string& chosen) {
+View make_view(const DashboardModel& model, const Clock& clock, const std::string& chosen) {
   View view;
-  show_robots(knowledge.team(), view);
-  view.score = knowledge.team().score();
+  show_robots(model.team(), view);
+  view.score = model.team().score();
   if (view.robots.empty()) return view;
   for (std::size_t i = 0; i < view.robots.size(); ++i)
     if (view.robots[i].status.name == chosen) view.chosen = i;
-  const Robot& robot = *knowledge.team().find(view.robots[view.chosen].status.name);
+  const Robot& robot = *model.team().find(view.robots[view.chosen].status.name);
   show_program(robot, view);
-  show_variables(knowledge.team(), robot, view);
-  if (const auto* map = knowledge.objects()) {
-    show_team_map(*map, to_seconds(clock.now() - knowledge.objects_received()), view);
-    if (const auto* floor = knowledge.floor()) view.floor = *floor;
+  show_variables(model.team(), robot, view);
+  if (const auto* map = model.objects()) {
+    show_team_map(*map, to_seconds(clock.now() - model.objects_received()), view);
+    if (const auto* floor = model.floor()) view.floor = *floor;
   } else {
-    show_own_map(knowledge, view);
+    show_own_map(model, view);
   }
   return view;
 }

@@ -7,7 +7,7 @@
 
 #include "core/geometry.h"
 #include "monitor/team/robot.h"
-#include "monitor/top/knowledge.h"
+#include "monitor/top/dashboard_model.h"
 
 namespace galilean::monitor::top {
 
@@ -51,7 +51,7 @@ struct View {
 /// Returns a snapshot with the robot named `chosen` as the chosen one, or the first robot if there
 /// is none of that name. Without a monitor's map, only the chosen robot is placed, in its own odom
 /// frame, because the robots' odom frames differ.
-[[nodiscard]] View make_view(const Knowledge& knowledge, const Clock& clock,
+[[nodiscard]] View make_view(const DashboardModel& model, const Clock& clock,
                              const std::string& chosen);
 
 /// Returns the first letter or digit of the name that none of `others` has, else any free letter or

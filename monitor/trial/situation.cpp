@@ -74,14 +74,14 @@ int unseen_pieces(const Team& team, const msg::ObjectMap& map) {
 }  // namespace
 
 Result<json> situation_of(const Team& team, const std::optional<msg::ObjectMap>& map) {
-  if (!map) return Error{"the team has no map yet, and so nobody knows where its robots are"};
+  if (!map) return Error{"the team has no map yet, so the robots' poses are not known"};
   auto robots = json::array();
   for (const auto& [name, robot] : team.robots()) {
     const auto placed = std::ranges::find(map->robots, name, &msg::MapRobot::name);
     if (!robot.state || team.silent(robot) || placed == map->robots.end()) continue;
     robots.push_back(to_json(team, robot, *placed, *map));
   }
-  if (robots.empty()) return Error{"no robot is heard whose place is known"};
+  if (robots.empty()) return Error{"no robot that is heard has a pose on the map"};
   return json{{"robots", std::move(robots)},
               {"objects", objects_json(*map)},
               {"unseen_pieces", unseen_pieces(team, *map)}};

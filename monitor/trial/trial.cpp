@@ -60,8 +60,8 @@ void Trial::attempt(Work work) try {
 }
 
 void Trial::begin() {
-  if (const auto laid_out = lay_out(); !laid_out) return fail(laid_out.error().message);
-  start_some();
+  if (const auto written = write_files(); !written) return fail(written.error().message);
+  start_pending();
 }
 
 Trial::~Trial() {
@@ -71,7 +71,7 @@ Trial::~Trial() {
   fs::remove_all(folder_, ignored);
 }
 
-Result<void> Trial::lay_out() const {
+Result<void> Trial::write_files() const {
   bool written = write_file(folder_ / "start.json", json_text(order_.situation));
   for (const auto& file : order_.now)
     written = written && write_file(below(folder_ / "now", file.path), file.text);
@@ -106,7 +106,7 @@ std::vector<std::string> Trial::command(const Run& run) const {
           program_file(run.is_next).string()};
 }
 
-void Trial::start_some() {
+void Trial::start_pending() {
   while (running_.size() < kAtOnce && !waiting_.empty()) {
     running_.push_back(std::move(waiting_.front()));
     waiting_.pop_front();
@@ -129,12 +129,13 @@ void Trial::take(const Run& run, int exit_code) {
     auto said = content(output(run, ".err"));
     while (said.ends_with('\n')) said.pop_back();
     if (said.empty()) said = "exit code " + std::to_string(exit_code);
-    return fail((run.is_next ? "the program cannot be tried: " : "what runs cannot be tried: ") +
+    return fail((run.is_next ? "the program cannot be tried: "
+                             : "the program that runs now cannot be tried: ") +
                 said);
   }
   (run.is_next ? next_ : now_).push_back(std::move(report));
   ++finished_;
-  start_some();
+  start_pending();
 }
 
 void Trial::fail(std::string why) {

@@ -59,12 +59,12 @@ class Trial {
   /// the reason.
   template <class Work>
   void attempt(Work work);
-  [[nodiscard]] Result<void> lay_out() const;
+  [[nodiscard]] Result<void> write_files() const;
   [[nodiscard]] std::filesystem::path program_file(bool is_next) const;
   [[nodiscard]] std::filesystem::path output(const Run& run, const char* extension) const;
   [[nodiscard]] std::vector<std::string> command(const Run& run) const;
   void begin();
-  void start_some();
+  void start_pending();
   void take(const Run& run, int exit_code);
   void fail(std::string why);
   void finish(Result<TrialFigures> result);

@@ -37,7 +37,8 @@ Result<std::unique_ptr<FrameSource>> open_opencv_source(const std::string& devic
   auto* const module = dlopen(path.value().c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!module) return Error{std::string("OpenCV cannot be loaded: ") + dlerror() + '.'};
   const auto make = reinterpret_cast<MakeOpencvSource>(dlsym(module, kMakeOpencvSource));
-  if (!make) return Error{path.value().string() + " is no module of this release: build it again."};
+  if (!make)
+    return Error{path.value().string() + " is not a module of this release; build it again."};
   return std::unique_ptr<FrameSource>(make(device.c_str()));
 }
 

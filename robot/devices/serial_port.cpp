@@ -86,7 +86,7 @@ void SerialPort::set_up_line() {
     return lose("comm_port asks for " + std::to_string(baud_) +
                 " baud, which is none of the usual rates: 115200 is what the board expects.");
   termios line{};
-  if (tcgetattr(file_, &line) != 0) return lose(sentence(device_, "is no serial line", errno));
+  if (tcgetattr(file_, &line) != 0) return lose(sentence(device_, "is not a serial line", errno));
   cfmakeraw(&line);
   line.c_cflag |= CLOCAL | CREAD;
   // With VMIN 1 and O_NONBLOCK, an empty line gives EAGAIN, so that 0 bytes mean a hang-up.

@@ -116,7 +116,7 @@ class Builder {
     const ComponentSpec* spec = material_.components.catalog().find(component.type);
     auto schema =
         material_.components.make(component.type, component.attributes, wiring_of(component));
-    if (!schema || !spec) throw refusal(component, "is no schema of this robot");
+    if (!schema || !spec) throw refusal(component, "is not a schema of this robot");
     const Value* gain = component.attributes.find(kGainAttribute);
     indices.emplace(component.name, made_->schemas.size());
     made_->schemas.emplace_back(std::move(schema), outputs_of(component, *spec),

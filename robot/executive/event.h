@@ -71,7 +71,7 @@ struct Event {
   std::uint32_t from_state = 0;     ///< in from_program
   std::uint32_t to_state = 0;       ///< in program
   std::uint32_t condition = kNone;  ///< of from_state, where that is the cause
-  TestedConditions tested;          ///< of from_state, where a condition is the cause
+  ConditionSnapshot tested;         ///< of from_state, where a condition is the cause
   std::uint32_t schema = kNone;     ///< of kSchemaFailed and of a rollback, among all schemas
   Duration tick_time{};             ///< of kStarted, kSwapped and kRolledBack: what that tick took
   ShortText text;  ///< what the schema threw, which device was lost, or the reason of the order

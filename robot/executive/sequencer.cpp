@@ -33,9 +33,9 @@ std::optional<std::uint32_t> first_that_holds(const RunningState& state, Time no
   return std::nullopt;
 }
 
-TestedConditions test_all(const RunningState& state, Time now) noexcept {
-  TestedConditions tested;
-  const auto count = std::min<std::size_t>(state.conditions.size(), TestedConditions::kMost);
+ConditionSnapshot test_all(const RunningState& state, Time now) noexcept {
+  ConditionSnapshot tested;
+  const auto count = std::min<std::size_t>(state.conditions.size(), ConditionSnapshot::kMost);
   for (std::size_t i = 0; i < count; ++i) {
     const RunningCondition& condition = state.conditions[i];
     tested.valid |= std::uint64_t{condition.bits->valid_at(now)} << i;

@@ -14,9 +14,9 @@ namespace galilean::robot {
 [[nodiscard]] std::optional<std::uint32_t> first_that_holds(const RunningState& state,
                                                             Time now) noexcept;
 
-/// Tests every condition of the state at `now`. Conditions beyond TestedConditions::kMost are left
+/// Tests every condition of the state at `now`. Conditions beyond ConditionSnapshot::kMost are left
 /// out.
-[[nodiscard]] TestedConditions test_all(const RunningState& state, Time now) noexcept;
+[[nodiscard]] ConditionSnapshot test_all(const RunningState& state, Time now) noexcept;
 
 /// Does what a condition does when it fires, besides changing the state. It writes the tested bit
 /// as `bit_update` says, and keeps the certainty. Then it makes its reset_variables invalid.

@@ -40,8 +40,7 @@ int run(int argc, char** argv) {
   std::vector<std::string> files;
   bool as_json = false;
   CommandLine app(
-      "Runs what programs expect of themselves, without a robot; exits 0 if all of it "
-      "comes true.",
+      "Runs the tests in programs, without a robot; the exit code is 0 if all of them pass.",
       "galilean bhdl test");
   app.option("FILE", files, "programs").required();
   app.flag("--json", as_json, "Print JSON");

@@ -53,9 +53,9 @@ void fill(const Sighting& from, msg::Sighting& to) noexcept {
 }
 
 std::vector<msg::TestedCondition> tested_conditions(const bhdl::State& state,
-                                                    const TestedConditions& tested) {
+                                                    const ConditionSnapshot& tested) {
   std::vector<msg::TestedCondition> list;
-  for (std::size_t i = 0; i < state.conditions.size() && i < TestedConditions::kMost; ++i) {
+  for (std::size_t i = 0; i < state.conditions.size() && i < ConditionSnapshot::kMost; ++i) {
     const bhdl::Condition& condition = state.conditions[i];
     msg::TestedCondition& item = list.emplace_back();
     item.to_state = condition.new_state;

@@ -184,7 +184,7 @@ void ProgramReceiver::send(msg::ProgramReply reply) {
   reply.robot = source_.robot;
   if (!replies_.write(reply))
     log_warning("the answer to push " + reply.id +
-                " could not be sent: the network does not take it");
+                " could not be sent, because DDS did not accept it");
 }
 
 }  // namespace galilean::robot

@@ -37,7 +37,7 @@ void ProgramWatch::look(const std::stop_token& stop) {
 void ProgramWatch::note_failure(const std::string& failure) {
   failure_ = failure.empty() ? ""
                              : file_.string() + " was saved, but cannot be taken over (" + failure +
-                                   "), which is tried again: look into it.";
+                                   "). This is tried again; find the cause.";
   tell_problem();
 }
 
@@ -62,7 +62,8 @@ void ProgramWatch::reload() {
   watch(whole.files);
   for (const auto& diagnostic : whole.diagnostics) log_warning(format(diagnostic));
   if (!whole.program)
-    return log_error(file_.string() + " was saved with errors: the program before runs on");
+    return log_error(file_.string() +
+                     " was saved with errors; the program that ran before goes on");
   if (whole.program->hash != taken_over) swap(std::move(*whole.program));
 }
 

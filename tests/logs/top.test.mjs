@@ -47,7 +47,7 @@ describe("galilean-top", () => {
   test("--once where nobody is heard says so after three seconds", () => {
     const once = spawnSync(program("galilean-top"), ["--once", "--domain", freshDomain()], limit);
     assert.equal(once.status, 1);
-    assert.match(once.stdout.toString(), /No robot heard/);
+    assert.match(once.stdout.toString(), /No robot has been heard/);
   });
 
   test("is drawn on 80 × 24, obeys keys, follows the window, and gives the terminal back", async () => {
@@ -84,6 +84,6 @@ describe("galilean-top", () => {
   test("refuses to draw where there is no terminal", () => {
     const ended = spawnSync(program("galilean-top"), ["--domain", domain], limit);
     assert.equal(ended.status, 1);
-    assert.match(ended.stderr.toString(), /no terminal.*--once/);
+    assert.match(ended.stderr.toString(), /not a terminal.*--once/);
   });
 });

@@ -14,19 +14,19 @@
 
 namespace galilean::monitor {
 
-/// A robot's bumpers and its gripper's light beam, as its variables tell them. The robot's catalog
-/// says which schemas write these bits, and its program into which variables. In a state that opens
-/// the gripper and does not look at the beam, what the robot held is put down.
+/// The state of a robot's bumpers and of its gripper's light beam, from the robot's variables. The
+/// catalog says which schemas write these bits, and the program says into which variables. In a
+/// state that opens the gripper and does not read the beam, the robot puts down what it held.
 class ContactSensors {
  public:
   /// An object that breaks the beam for so long moves with the robot, whether the jaws are closed
   /// or push it. What breaks it for a shorter time passes by.
   static constexpr Duration kSettled = std::chrono::milliseconds(300);
-  /// A bumper that was released so short a time ago may be touched still.
+  /// A bumper counts as touched for this long after its release.
   static constexpr Duration kReleased = std::chrono::milliseconds(300);
 
-  /// Reads where the robot's program puts gripper and bumpers. A program without those schemas, or
-  /// with errors, tells neither.
+  /// Reads which bits of which variables the robot's program writes for the beam and the bumpers. A
+  /// program with errors, or without those schemas, writes none.
   void set_program(const msg::Program& program, const Catalog& catalog);
   void update(const msg::Variables& variables, Time now);
   void update(const msg::RobotState& state) { opens_now_ = opens_.contains(state.state); }

@@ -37,7 +37,7 @@ class OccupancyGridMap {
   OccupancyGridMap();
   ~OccupancyGridMap();
 
-  /// Evidence outside of kMaxSize_m, or not finite, is let pass.
+  /// Adds evidence. Positions outside of kMaxSize_m, and those that are not finite, are ignored.
   void add_robot(const Vec2& robot_m);
   void add_view(const View& view);
   void add_obstacle(const Vec2& at_m);

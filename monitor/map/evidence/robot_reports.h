@@ -12,11 +12,11 @@
 
 namespace galilean::monitor {
 
-/// What each robot last said of itself: when it was heard, what its contact sensors tell, and where
-/// it touched an obstacle.
+/// The last reports of each robot: when it was heard, the state of its contact sensors, and the
+/// obstacles that it touched.
 class RobotReports {
  public:
-  /// The robot was heard, and nothing of what it said is kept here.
+  /// Records when a robot was heard by a message of which nothing else is kept here.
   void hear(const std::string& robot, Time now) { robots_[robot].heard = now; }
   void add(const msg::RobotState& state) { robots_[state.robot].sensors.update(state); }
   void add(const msg::Variables& variables, Time now);

@@ -10,19 +10,20 @@ namespace {
 constexpr double kFarBetter = 2;
 /// Standard deviation that is added to another group's estimate. Without it, two groups that share
 /// one position would become more certain of it with each exchange.
-constexpr double kHearsay_m = 0.05;
+constexpr double kSharedEstimateNoise_m = 0.05;
 /// Above this squared Mahalanobis distance between two groups' estimates of a piece of trash, it
 /// was more likely pushed since then.
 constexpr double kSharedMovedDistance = 4;
 
 void teach(const PublishedLandmark& known, const PublishedLandmark& learned) {
-  const Mat2 hearsay = known.position.covariance_m2 + kHearsay_m * kHearsay_m * Mat2::Identity();
-  if (learned.position.covariance_m2.trace() < kFarBetter * hearsay.trace()) return;
+  const Mat2 shared = known.position.covariance_m2 +
+                      kSharedEstimateNoise_m * kSharedEstimateNoise_m * Mat2::Identity();
+  if (learned.position.covariance_m2.trace() < kFarBetter * shared.trace()) return;
   const auto& [group, id] = learned.sources.front();
   const auto landmark = std::ranges::find(group->landmarks.all(), id, &Landmark::id);
   const JointGaussian::Term itself[] = {{landmark->block, Mat2::Identity()}};
   const Vec2 innovation = known.position.mean_m - group->joint.position(landmark->block);
-  group->joint.correct(itself, innovation, hearsay);
+  group->joint.correct(itself, innovation, shared);
 }
 
 }  // namespace

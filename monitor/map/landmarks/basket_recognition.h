@@ -10,13 +10,13 @@
 
 namespace galilean::monitor {
 
-/// Corrects a robot that is far off by a single basket. Baskets stay where they are and stand
-/// apart, so that a basket that is seen where none is known, but beside one that is known, is that
-/// one, and the robot is elsewhere than it is believed to be.
+/// Corrects a robot whose pose is far off, by a single basket. Baskets do not move, and they stand
+/// apart from one another. A basket that is seen beside a known one is therefore the known one, and
+/// the robot's pose is wrong.
 ///
-///   law  A basket is recognized if it is seen within kBasketsApart_m of a known one. A robot that
-///        is known to be lost may be further off, if no other basket comes into question. The robot
-///        is corrected after kStrangeFrames such frames in a row
+///   law  A basket is recognized if it is seen within kBasketsApart_m of a known one. If the pose
+///        is uncertain, the distance may be larger, provided that no other basket comes into
+///        question. The robot is corrected after kStrangeFrames such frames in a row
 class BasketRecognition {
  public:
   static constexpr double kBasketsApart_m = 1.2;  ///< no two baskets stand nearer to one another
@@ -25,8 +25,8 @@ class BasketRecognition {
   BasketRecognition(JointGaussian& joint, const RobotPoses& robots, const LandmarkStore& landmarks)
       : joint_(joint), robots_(robots), landmarks_(landmarks) {}
 
-  /// Associates baskets that have no landmark yet with the known basket that they are, and corrects
-  /// `robot` by them.
+  /// Associates the seen baskets that have no landmark yet with known baskets, and corrects `robot`
+  /// by them.
   void recognize(const std::string& robot, std::vector<Observation>& observations);
 
  private:

@@ -9,8 +9,8 @@
 
 namespace galilean::monitor {
 
-/// A robot's heading from all that one frame shows at once. A single object could be any of its
-/// class, several together are seldom confused.
+/// Finds a robot's heading from all objects in one frame. A single object could be any of its
+/// class; several together are seldom confused.
 ///
 ///   reads   `seen` in the robot frame (x forward, y left), `known` in the map frame
 ///   law     Of all turns within `max_rad`, the one by which most of `seen` lies on known points of

@@ -14,13 +14,12 @@ namespace galilean::monitor {
 /// slipped or it was pushed. Data association alone would mistake each landmark for its neighbour,
 /// where a frame with several landmarks tells the turn (HeadingFit).
 ///
-///   law     A turn on which enough frames in a row agree corrects the heading. Few frames are
-///   enough
-///           where the filter is uncertain enough for such a turn; more are needed where it is not.
-///           There the turn must in addition leave no more known landmarks unseen in the visible
-///           area than the heading that it replaces, and a large turn must leave fewer. Otherwise
-///           the robot is more likely at a place that is new to it, where a few objects lie by
-///           chance as known ones do
+///   law     A turn on which enough frames in a row agree corrects the heading. If the filter is
+///           uncertain enough for such a turn, few frames are enough. If it is not, more are
+///           needed, and the turn must leave no more known landmarks unseen in the visible area
+///           than the heading that it replaces; a large turn must leave fewer. Otherwise the robot
+///           is more likely at a place that is new to it, where a few objects lie by chance as
+///           known ones do
 class HeadingRecovery {
  public:
   HeadingRecovery(JointGaussian& joint, const RobotPoses& robots, LandmarkMap& landmarks)
@@ -36,10 +35,10 @@ class HeadingRecovery {
     int frames = 0;
   };
 
-  /// Returns landmarks that the robot did not add only just now, when it may have been turned
-  /// already. They are in the map frame.
+  /// Returns the known landmarks near the robot, in the map frame. Those that it added recently are
+  /// left out, because it may have been turned when it saw them.
   [[nodiscard]] std::vector<LabelledPoint> known_to(const std::string& robot, Time now) const;
-  /// Returns how many frames in a row agree on this turn, with this one.
+  /// Returns how many frames in a row agree on this turn, including the newest.
   int frames_that_agree(const std::string& robot, double turn_rad);
   /// Compares how many known landmarks are unseen in the visible area, before and after the turn.
   [[nodiscard]] bool is_plausible(double turn_rad, const msg::Sightings& frame,

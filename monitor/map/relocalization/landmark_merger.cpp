@@ -9,9 +9,9 @@
 namespace galilean::monitor {
 namespace {
 
-constexpr double kWellKnown_m = 0.10;   ///< largest standard deviation between two landmarks
-constexpr double kNeighbours_m = 0.30;  ///< duplicates by two robots are no further apart
-constexpr double kTwins_m = 0.12;       ///< duplicates by one robot are no further apart
+constexpr double kWellKnown_m = 0.10;  ///< largest standard deviation between two landmarks
+constexpr double kOtherRobotDuplicate_m = 0.30;  ///< duplicates by two robots are no further apart
+constexpr double kSameRobotDuplicate_m = 0.12;   ///< duplicates by one robot are no further apart
 constexpr double kMatchedWithin_m = 1.2;
 constexpr double kPointDeviation_m = 0.08;
 /// The standard deviation of a point in a search. It is smaller because all pairs of a class are
@@ -40,8 +40,9 @@ std::optional<LandmarkMerger::Pair> LandmarkMerger::nearest_neighbours() const {
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size(); ++j) {
       const Vec2 apart = joint_.position(all[i].block) - joint_.position(all[j].block);
-      if (apart.norm() > kNeighbours_m || !may_be_same(all[i], all[j])) continue;
-      const double within_m = share_an_observer(all[i], all[j]) ? kTwins_m : kNeighbours_m;
+      if (apart.norm() > kOtherRobotDuplicate_m || !may_be_same(all[i], all[j])) continue;
+      const double within_m =
+          share_an_observer(all[i], all[j]) ? kSameRobotDuplicate_m : kOtherRobotDuplicate_m;
       if (apart.norm() > within_m) continue;
       const Mat2 covariance = joint_.covariance(difference(all[i], all[j]));
       if (covariance.trace() > 2 * kWellKnown_m * kWellKnown_m) continue;

@@ -9,21 +9,21 @@
 
 namespace galilean::monitor {
 
-/// The rigid transformation that puts a robot back where it is, after it was wedged or pushed. What
-/// it sees then lies beside what is known by one and the same turn about the robot and one shift.
+/// Finds the rigid transformation that corrects a robot's pose after it was wedged or pushed. All
+/// that the robot sees then lies beside the known points by one turn about the robot and one shift.
 ///
 ///   law     Every two seen points are laid on every two known points of their labels that are as
-///           far apart. The turn and shift on which most seen points agree counts if at least
-///           kLeastAgreeing do, if those are most of what was seen, and if no other turn or shift
-///           does nearly as well
+///           far apart. The turn and shift on which most seen points agree is taken if at least
+///           kLeastAgreeing agree, if they are most of the seen points, and if no other turn or
+///           shift does nearly as well
 ///   units   turns up to kMaxTurn_rad, shifts of the robot up to `max_shift_m`
 struct LocalRigidFit {
   static constexpr std::size_t kLeastAgreeing = 4;
   static constexpr double kMaxTurn_rad = 1.4;
   static constexpr double kMaxShift_m = 1.2;
 
-  /// Returns the transformation from where points were seen to where they are known, and which
-  /// points agree. All points and `robot_m` are in the map frame. Nothing if it is not clear.
+  /// Returns the transformation from the seen to the known points, and the points that agree on it;
+  /// nothing if it is not clear. All points and `robot_m` are in the map frame.
   [[nodiscard]] static std::optional<RigidFit> find(const std::vector<LabelledPoint>& seen,
                                                     const std::vector<LabelledPoint>& known,
                                                     const Vec2& robot_m,

@@ -11,27 +11,29 @@
 
 namespace galilean::monitor {
 
-/// Puts robots that lost their way back to where what they see was known to be.
+/// Corrects the poses of robots that lost their way, by the known landmarks that they see again.
 ///
-///   law   A robot that recognizes nothing of what was known is put back by LocalRigidFit. So is a
-///         robot that associated its observations with the wrong landmarks: it maps all it sees
-///         beside what others know, and goes by that. Landmarks that it alone added move with it.
-///         The less certain its position is, the further away it is looked for
+///   law   A robot that recognizes none of the older landmarks is corrected by LocalRigidFit. So is
+///         a robot that associated its observations with the wrong landmarks: it adds all that it
+///         sees beside the landmarks of the others, and localizes by its own. Landmarks that it
+///         alone added move with it. The less certain its position is, the further away it is
+///         searched for
 class Relocalizer {
  public:
   Relocalizer(JointGaussian& joint, RobotPoses& robots, LandmarkMap& landmarks)
       : joint_(joint), robots_(robots), landmarks_(landmarks) {}
 
-  /// `known_to_others` are landmarks of other groups, in the map frame.
+  /// Corrects `robot`'s pose if it lost its way. `known_to_others` are landmarks of other groups,
+  /// in the map frame.
   void relocalize(const std::string& robot, Time now,
                   const std::vector<LabelledPoint>& known_to_others);
 
  private:
   [[nodiscard]] bool recognizes_nothing(const std::string& robot) const;
-  /// Lays what the robot added lately on all that is older.
+  /// Matches the landmarks that the robot added recently with all older ones.
   void relocalize_recent(const std::string& robot,
                          const std::vector<LabelledPoint>& known_to_others);
-  /// Lays all that the robot saw lately on what several robots saw.
+  /// Matches all landmarks that the robot saw lately with those that several robots saw.
   void rejoin(const std::string& robot, const std::vector<LabelledPoint>& known_to_others);
   [[nodiscard]] std::vector<const Landmark*> stable_landmarks() const;
   [[nodiscard]] LabelledPoint point_of(const Landmark& landmark) const;

@@ -85,7 +85,7 @@ void Api::answer(const HttpRequest& request, const Respond& respond) {
                          .if_none_match = request.if_none_match,
                          .accepts_gzip = request.accepts_gzip};
   (*route)->handler(request, [respond, conditions = std::move(conditions)](HttpResponse response) {
-    respond(spared(std::move(response), conditions));
+    respond(with_caching_and_compression(std::move(response), conditions));
   });
 }
 
@@ -103,7 +103,7 @@ bool Api::takes(const Route& route, const std::string& method) {
 }
 
 HttpResponse Api::not_allowed(const HttpRequest& request, const std::vector<const Route*>& here) {
-  auto response = problem(405, request.path + " does not take " + request.method + ".");
+  auto response = problem(405, request.path + " does not accept " + request.method + ".");
   std::string allowed = here.empty() ? "GET" : "";
   for (const Route* route : here) allowed += (allowed.empty() ? "" : ", ") + route->method;
   response.headers.emplace_back("Allow", allowed);

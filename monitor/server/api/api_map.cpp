@@ -18,7 +18,7 @@ void Api::add_map_routes() {
                },
                [respond, type](std::string file) {
                  if (!file.empty()) return respond(text_response(std::move(file), type));
-                 respond(problem(404, "There is no map yet: no robot has told where it is."));
+                 respond(problem(404, "There is no map yet, because no robot has sent its pose."));
                },
                unable(finish_of(respond)));
          }});

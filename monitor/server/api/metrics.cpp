@@ -57,7 +57,7 @@ std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocke
                          const HttpServer::Counts& http, double map_update_s) {
   std::ostringstream out;
   process_metrics(out);
-  metric(out, "galilean_map_update_seconds", "gauge", "What the map's last update took.",
+  metric(out, "galilean_map_update_seconds", "gauge", "Duration of the last map update.",
          map_update_s);
   const auto robots = team.statuses();
   metric(out, "galilean_robots", "gauge", "Robots ever heard.", robots.size());
@@ -66,7 +66,7 @@ std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocke
                [](const R& robot) { return robot.health == Health::kSilent ? 1 : 0; });
   robot_metric(out, robots, "age_seconds", "gauge", "Time since it was last heard.",
                [](const R& robot) { return robot.age_s; });
-  robot_metric(out, robots, "tick_seconds", "gauge", "What its last tick took.",
+  robot_metric(out, robots, "tick_seconds", "gauge", "Duration of the last tick.",
                [](const R& robot) { return robot.tick_time_us * 1e-6; });
   robot_metric(out, robots, "overruns_total", "counter", "Ticks that began a period late.",
                [](const R& robot) { return robot.overruns; });

@@ -52,8 +52,8 @@ nlohmann::json checked(const std::vector<bhdl::SourceFile>& files,
 }
 
 /// Reads `try`, which is a boolean or {only, even_if_worse, seeds, duration_s, scenario}.
-TrialWish trial_field(RequestFields& request) {
-  TrialWish trial;
+TrialOptions trial_field(RequestFields& request) {
+  TrialOptions trial;
   const nlohmann::json* value = request.find("try");
   if (!value) return trial;
   if (value->is_boolean()) {
@@ -162,7 +162,7 @@ void Operations::send(msg::Command command, Finish finish) {
   worker_.run([this, command] { return commands_.write(command); },
               [finish, id = command.id](bool taken) {
                 finish(taken ? Outcome{200, {{"id", id}}}
-                             : Outcome{503, {}, "DDS did not take the command; try again."});
+                             : Outcome{503, {}, "DDS did not accept the command; try again."});
               },
               unable(finish));
 }

@@ -32,7 +32,7 @@ constexpr std::string_view kDesktopProgram = "file://";
 
 }  // namespace
 
-bool Guard::means_us(std::string_view host) const {
+bool Guard::is_own_host(std::string_view host) const {
   const auto name = without_port(host);
   if (name == "localhost" || name == lower(listen_address_)) return true;
   boost::system::error_code not_an_address;
@@ -42,15 +42,15 @@ bool Guard::means_us(std::string_view host) const {
   return address.is_loopback() || (!not_an_address && listens.is_unspecified());
 }
 
-bool Guard::is_allowed_stranger(const std::string& origin) const {
+bool Guard::is_allowed_origin(const std::string& origin) const {
   return std::ranges::find(allowed_origins_, lower(origin), lower) != allowed_origins_.end();
 }
 
 std::string Guard::objection(const HttpRequest& request) const {
-  if (!means_us(request.host))
+  if (!is_own_host(request.host))
     return "This monitor does not answer for the host '" + request.host +
            "'; use localhost or the address that it listens on.";
-  if (request.origin.empty() || is_allowed_stranger(request.origin)) return {};
+  if (request.origin.empty() || is_allowed_origin(request.origin)) return {};
   if (lower(request.origin) == kDesktopProgram) return {};
   if (lower(authority(request.origin)) == lower(request.host)) return {};
   return "Pages from '" + request.origin +

@@ -27,10 +27,10 @@ class Guard {
   /// pass.
   [[nodiscard]] std::string objection(const HttpRequest& request) const;
   /// Returns whether the operator allowed this origin.
-  [[nodiscard]] bool is_allowed_stranger(const std::string& origin) const;
+  [[nodiscard]] bool is_allowed_origin(const std::string& origin) const;
 
  private:
-  [[nodiscard]] bool means_us(std::string_view host) const;
+  [[nodiscard]] bool is_own_host(std::string_view host) const;
 
   std::string listen_address_;
   std::vector<std::string> allowed_origins_;

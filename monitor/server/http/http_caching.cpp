@@ -37,7 +37,7 @@ bool is_known(std::string_view if_none_match, std::string_view etag) {
   return if_none_match == "*" || if_none_match.find(etag) != if_none_match.npos;
 }
 
-HttpResponse spared(HttpResponse response, const HttpRequest& request) {
+HttpResponse with_caching_and_compression(HttpResponse response, const HttpRequest& request) {
   const bool reads = request.method == "GET" || request.method == "HEAD";
   if (response.status != 200 || !response.body || says_how_it_may_be_kept(response))
     return response;

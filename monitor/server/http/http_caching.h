@@ -11,6 +11,7 @@ namespace galilean::monitor {
 /// Returns `response` with an ETag, as 304 without a body if the client has that body already, and
 /// compressed if it is a large text and the client takes gzip. Leaves a response as it is if its
 /// status is not 200 or it has a Cache-Control field already.
-[[nodiscard]] HttpResponse spared(HttpResponse response, const HttpRequest& request);
+[[nodiscard]] HttpResponse with_caching_and_compression(HttpResponse response,
+                                                        const HttpRequest& request);
 
 }  // namespace galilean::monitor

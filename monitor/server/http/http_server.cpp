@@ -12,14 +12,15 @@ using boost::asio::ip::tcp;
 using error_code = boost::system::error_code;
 }  // namespace
 
-HttpServer::HttpServer(boost::asio::io_context& io, Site site)
-    : acceptor_(io), site_(std::make_shared<Site>(std::move(site))) {}
+HttpServer::HttpServer(boost::asio::io_context& io, ServerContext context)
+    : acceptor_(io), context_(std::make_shared<ServerContext>(std::move(context))) {}
 
 Result<std::uint16_t> HttpServer::listen(const std::string& address, std::uint16_t port) {
   error_code error;
   const auto literal =
       boost::asio::ip::make_address(address == "localhost" ? "127.0.0.1" : address, error);
-  if (error) return Error{"'" + address + "' is no address to listen on, such as 127.0.0.1"};
+  if (error)
+    return Error{"'" + address + "' is not a valid address to listen on, such as 127.0.0.1"};
   const tcp::endpoint endpoint(literal, port);
   acceptor_.open(endpoint.protocol(), error);
   if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
@@ -52,8 +53,8 @@ void HttpServer::accept() {
       });
       return;
     }
-    if (site_->counts.connections < kMostConnections)
-      guarded("a new connection", [&] { serve_http(std::move(socket), site_); });
+    if (context_->counts.connections < kMostConnections)
+      guarded("a new connection", [&] { serve_http(std::move(socket), context_); });
     accept();
   });
 }

@@ -31,31 +31,31 @@ class HttpServer {
     std::uint64_t refused = 0;  ///< requests that the guard refused
   };
   /// The objects that all sessions share. They live as long as the server or one of the sessions.
-  struct Site {
+  struct ServerContext {
     Guard guard;
     Access access;
     HttpHandler handler;
     foxglove::Hub& hub;
     SendRounds& rounds;
-    LanguageDesk& language;
+    LanguageServerContext& language;
     Counts counts = {};
   };
 
-  HttpServer(boost::asio::io_context& io, Site site);
+  HttpServer(boost::asio::io_context& io, ServerContext context);
 
   /// Begins to accept connections. `address` is an IP address or "localhost"; port 0 takes any free
   /// port. Returns the port.
-  /// Errors: `address` is no address, or the port is taken or not permitted.
+  /// Errors: `address` is not a valid address, or the port is taken or not permitted.
   [[nodiscard]] Result<std::uint16_t> listen(const std::string& address, std::uint16_t port);
   /// Accepts no more connections. Those that are open stay.
   void close();
-  [[nodiscard]] const Counts& counts() const noexcept { return site_->counts; }
+  [[nodiscard]] const Counts& counts() const noexcept { return context_->counts; }
 
  private:
   void accept();
 
   boost::asio::ip::tcp::acceptor acceptor_;
-  std::shared_ptr<Site> site_;
+  std::shared_ptr<ServerContext> context_;
 };
 
 }  // namespace galilean::monitor

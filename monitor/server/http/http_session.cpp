@@ -52,13 +52,14 @@ HttpRequest plain(http::request<http::string_body>& from) {
 
 class HttpSession : public std::enable_shared_from_this<HttpSession> {
  public:
-  HttpSession(boost::asio::ip::tcp::socket socket, std::shared_ptr<HttpServer::Site> site)
-      : stream_(std::move(socket)), site_(std::move(site)) {
-    ++site_->counts.connections;
+  HttpSession(boost::asio::ip::tcp::socket socket,
+              std::shared_ptr<HttpServer::ServerContext> context)
+      : stream_(std::move(socket)), context_(std::move(context)) {
+    ++context_->counts.connections;
     error_code ignored;
     stream_.socket().set_option(boost::asio::ip::tcp::no_delay(true), ignored);
   }
-  ~HttpSession() { --site_->counts.connections; }
+  ~HttpSession() { --context_->counts.connections; }
 
   void read() {
     parser_.emplace();
@@ -69,7 +70,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
                      [self = shared_from_this()](error_code error, std::size_t) {
                        if (error) return self->fail(error);
                        const auto failure = guarded("a request", [&] { self->receive(); });
-                       if (failure) self->apologize(failure->message);
+                       if (failure) self->respond_internal_error(failure->message);
                      });
   }
 
@@ -78,9 +79,9 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     keep_alive_ = false;
     version_ = 11;
     if (error == http::error::body_limit)
-      respond(problem(413, "A request's body may have 16 MB."));
+      respond(problem(413, "The request's body is larger than 16 MB."));
     else if (error == http::error::header_limit)
-      respond(problem(431, "A request's head may have 16 kB."));
+      respond(problem(431, "The request's header is larger than 16 kB."));
     else if (error.category() == make_error_code(http::error::bad_method).category() &&
              error != http::error::end_of_stream && error != http::error::partial_message)
       respond(problem(400, "This is not HTTP: " + error.message() + "."));
@@ -94,40 +95,42 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     head_only_ = message.method() == http::verb::head;
     const bool upgrade = beast::websocket::is_upgrade(message);
     auto request = plain(message);
-    ++site_->counts.requests;
-    if (const auto objection = site_->guard.objection(request); !objection.empty()) {
-      ++site_->counts.refused;
+    ++context_->counts.requests;
+    if (const auto objection = context_->guard.objection(request); !objection.empty()) {
+      ++context_->counts.refused;
       return respond(problem(403, objection));
     }
-    request.right = site_->access.right_of(request.token);
+    request.right = context_->access.right_of(request.token);
     if (upgrade && (request.path == "/ws" || request.path == "/lsp")) {
       if (request.right == Right::kNone) return respond(refusal(Right::kNone, Right::kRead));
       if (request.path == "/lsp") return become_language_server(message);
       return become_websocket(std::move(message), request.right);
     }
-    stranger_ = site_->guard.is_allowed_stranger(request.origin) ? request.origin : std::string();
+    allowed_origin_ =
+        context_->guard.is_allowed_origin(request.origin) ? request.origin : std::string();
     stream_.expires_never();
-    site_->handler(request,
-                   [self = shared_from_this(), number = ++handled_](HttpResponse response) {
-                     // Only the first answer to a request is sent.
-                     if (self->awaits_answer_ && self->handled_ == number)
-                       self->respond(std::move(response));
-                   });
+    context_->handler(request,
+                      [self = shared_from_this(), number = ++handled_](HttpResponse response) {
+                        // Only the first answer to a request is sent.
+                        if (self->awaits_answer_ && self->handled_ == number)
+                          self->respond(std::move(response));
+                      });
   }
 
-  void apologize(const std::string& failure) {
+  void respond_internal_error(const std::string& failure) {
     if (awaits_answer_)
       respond(problem(500, "The monitor failed at this request: " + failure + "."));
   }
 
   void become_websocket(http::request<http::string_body> message, Right right) {
     stream_.expires_never();
-    serve_websocket(stream_.release_socket(), std::move(message), site_->hub, site_->rounds, right);
+    serve_websocket(stream_.release_socket(), std::move(message), context_->hub, context_->rounds,
+                    right);
   }
 
   void become_language_server(const http::request<http::string_body>& message) {
     stream_.expires_never();
-    serve_language(stream_.release_socket(), message, site_->language);
+    serve_language(stream_.release_socket(), message, context_->language);
   }
 
   void respond(HttpResponse response) {
@@ -154,7 +157,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     head_.append(http::obsolete_reason(status)).append("\r\n");
     write_field("Server", "galilean");
     write_field("X-Content-Type-Options", "nosniff");
-    if (!stranger_.empty()) write_field("Access-Control-Allow-Origin", stranger_);
+    if (!allowed_origin_.empty()) write_field("Access-Control-Allow-Origin", allowed_origin_);
     if (!response.content_type.empty()) write_field("Content-Type", response.content_type);
     for (const auto& [name, value] : response.headers) write_field(name, value);
     if (keep_alive_ != (version_ == 11))
@@ -174,12 +177,12 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   }
 
   beast::tcp_stream stream_;
-  std::shared_ptr<HttpServer::Site> site_;
+  std::shared_ptr<HttpServer::ServerContext> context_;
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   std::shared_ptr<const std::string> body_;
   std::string head_;
-  std::string stranger_;
+  std::string allowed_origin_;
   unsigned version_ = 11;
   std::uint64_t handled_ = 0;  ///< requests that the handler got
   bool awaits_answer_ = false;
@@ -189,8 +192,9 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
 
 }  // namespace
 
-void serve_http(boost::asio::ip::tcp::socket socket, std::shared_ptr<HttpServer::Site> site) {
-  std::make_shared<HttpSession>(std::move(socket), std::move(site))->read();
+void serve_http(boost::asio::ip::tcp::socket socket,
+                std::shared_ptr<HttpServer::ServerContext> context) {
+  std::make_shared<HttpSession>(std::move(socket), std::move(context))->read();
 }
 
 }  // namespace galilean::monitor

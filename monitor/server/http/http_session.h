@@ -7,6 +7,7 @@ namespace galilean::monitor {
 
 /// Serves one connection until it closes or becomes a WebSocket. The session owns itself until
 /// then.
-void serve_http(boost::asio::ip::tcp::socket socket, std::shared_ptr<HttpServer::Site> site);
+void serve_http(boost::asio::ip::tcp::socket socket,
+                std::shared_ptr<HttpServer::ServerContext> context);
 
 }  // namespace galilean::monitor

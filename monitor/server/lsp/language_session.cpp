@@ -32,8 +32,8 @@ std::string catalog_of(const Team& team, const std::string& robot) {
 
 class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
  public:
-  LanguageSession(boost::asio::ip::tcp::socket socket, LanguageDesk& desk)
-      : stream_(std::move(socket)), desk_(desk) {}
+  LanguageSession(boost::asio::ip::tcp::socket socket, LanguageServerContext& context)
+      : stream_(std::move(socket)), context_(context) {}
 
   void start(const LanguageUpgrade& upgrade) {
     stream_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
@@ -57,11 +57,11 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
   };
 
   void begin(const std::string& robot) {
-    run([self = shared_from_this(), json = catalog_of(desk_.team, robot)] {
+    run([self = shared_from_this(), json = catalog_of(context_.team, robot)] {
       const auto own = json.empty() ? Result<Catalog>(Error{}) : catalog_from_json(json);
       self->server_ = std::make_unique<bhdl::lsp::Server>(
-          own ? own.value() : self->desk_.installed,
-          std::make_unique<bhdl::lsp::DiskFolder>(self->desk_.library_folder));
+          own ? own.value() : self->context_.installed,
+          std::make_unique<bhdl::lsp::DiskFolder>(self->context_.library_folder));
       return std::vector<std::string>();
     });
     read();
@@ -96,7 +96,7 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
   template <class Job>
   void run(Job job) {
     busy_ = true;
-    desk_.worker.run(
+    context_.worker.run(
         [self = shared_from_this(), job = std::move(job)] {
           Turn turn{job()};
           turn.has_work = self->server_->has_work();
@@ -145,7 +145,7 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
   }
 
   websocket::stream<boost::asio::ip::tcp::socket> stream_;
-  LanguageDesk& desk_;
+  LanguageServerContext& context_;
   std::unique_ptr<bhdl::lsp::Server> server_;  ///< used on the worker only
   beast::flat_buffer incoming_;
   std::deque<std::string> waiting_;
@@ -160,8 +160,8 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
 }  // namespace
 
 void serve_language(boost::asio::ip::tcp::socket socket, const LanguageUpgrade& upgrade,
-                    LanguageDesk& desk) {
-  std::make_shared<LanguageSession>(std::move(socket), desk)->start(upgrade);
+                    LanguageServerContext& context) {
+  std::make_shared<LanguageSession>(std::move(socket), context)->start(upgrade);
 }
 
 }  // namespace galilean::monitor

@@ -14,7 +14,7 @@ namespace galilean::monitor {
 
 /// The parts of the monitor that the language server uses. Programs are read and checked on
 /// `worker`, which does nothing else, so that typing delays neither a push nor the page.
-struct LanguageDesk {
+struct LanguageServerContext {
   Worker& worker;
   const Team& team;
   const Catalog& installed;              ///< the catalog while no robot has published one
@@ -24,9 +24,9 @@ struct LanguageDesk {
 /// Serves the language server over one WebSocket until it closes. Each text message is one JSON-RPC
 /// message. Programs are checked against the catalog of the robot that the query names
 /// (`?robot=io`), else against that of the first robot that is not silent and has published one.
-/// The session owns itself until then. `desk` must outlive it.
+/// The session owns itself until then. `context` must outlive it.
 void serve_language(boost::asio::ip::tcp::socket socket,
                     const boost::beast::http::request<boost::beast::http::string_body>& upgrade,
-                    LanguageDesk& desk);
+                    LanguageServerContext& context);
 
 }  // namespace galilean::monitor

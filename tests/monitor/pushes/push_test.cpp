@@ -119,7 +119,7 @@ TEST(Push, WhatDdsDoesNotTakeHasFailed) {
   pass_check(push);
   push.take(SendFailed{}, Time{});
   EXPECT_EQ(state(push), PushState::kFailed);
-  EXPECT_EQ(detail(push, StepKind::kRest), "DDS did not take the program; try again");
+  EXPECT_EQ(detail(push, StepKind::kRest), "DDS did not accept the program; try again");
   EXPECT_EQ(push.take_answer()->error().reason, Refusal::Reason::kUnavailable);
 }
 
@@ -190,7 +190,7 @@ TEST(Push, ACanaryThatDoesNotAnswerOrFallsSilentIsTakenBack) {
   Push mute = ordered(order_for("io"));
   pass_check(mute);
   (void)requests_of(mute);
-  mute.update(Time{kReplyPatience});
+  mute.update(Time{kReplyTimeout});
   EXPECT_EQ(state(mute), PushState::kFailed);
   EXPECT_THAT(acts(mute), ElementsAre("roll back io"));
 
@@ -315,10 +315,10 @@ TEST(Push, WhatOnlyIsTriedMayScoreWorse) {
 
 TEST(Push, ATrialThatCannotBeHeldEndsIt) {
   auto push = on_trial(order_for("io", true));
-  push.take(ProgramTried{Error{"no referee tells in which arena the team is"}}, Time{});
+  push.take(ProgramTried{Error{"no referee says in which arena the team is"}}, Time{});
   EXPECT_EQ(state(push), PushState::kFailed);
   EXPECT_THAT(acts(push), IsEmpty());
-  EXPECT_EQ(detail(push, StepKind::kTry), "no referee tells in which arena the team is");
+  EXPECT_EQ(detail(push, StepKind::kTry), "no referee says in which arena the team is");
 }
 
 TEST(Push, SaysWhoRefusedAndWhoDidNotAnswer) {
@@ -326,7 +326,7 @@ TEST(Push, SaysWhoRefusedAndWhoDidNotAnswer) {
   pass_check(push);
   push.take_reply(said("io", kRunning), Time{});
   push.take_reply(said("ganymede", kRejected, "no camera"), Time{});
-  push.update(Time{kReplyPatience});
+  push.update(Time{kReplyTimeout});
   EXPECT_EQ(state(push), PushState::kFailed);
   EXPECT_EQ(detail(push, StepKind::kRest),
             "callisto has not answered; ganymede refused it: no camera");

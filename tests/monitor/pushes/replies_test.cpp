@@ -63,12 +63,12 @@ TEST(Replies, ANumberThatIsNotKnownDecidesAndIsNoSuccess) {
 
 TEST(Replies, EachSaysWhyItsRobotDoesNotRunTheProgram) {
   RobotReply io{.robot = "io"};
-  EXPECT_EQ(why_not(io), "io has not answered");
+  EXPECT_EQ(failure_reason(io), "io has not answered");
   io.status = ReplyStatus::kRejected;
-  EXPECT_EQ(why_not(io), "io refused it");
+  EXPECT_EQ(failure_reason(io), "io refused it");
   io.status = ReplyStatus::kRolledBack;
   io.reply.message = "it overran its ticks";
-  EXPECT_EQ(why_not(io), "io went back: it overran its ticks");
+  EXPECT_EQ(failure_reason(io), "io went back: it overran its ticks");
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST_F(BrokenHistoryTest, NothingIsPushedAndTheRobotsAreFreeForTheNextPush) {
   EXPECT_EQ(io.running_hash(), "first");
   EXPECT_EQ(post("/api/command", {{"kind", "hold"}}).status, 200U) << "the worker works on";
   EXPECT_TRUE(becomes_true([&] { return io.held(); }));
-  // Whose program was overtaken can no longer be told.
+  // Who pushed the program that runs can no longer be looked up.
   EXPECT_EQ(post("/api/push", {{"files", files(kProgram)}, {"replaces", "another"}}).status, 503U);
 }
 

@@ -118,7 +118,7 @@ class FailingHttpHandler : public testing::Test {
   asio::io_context io{1};
   SendRounds rounds{io};
   Worker worker{io};
-  LanguageDesk language{worker, team, catalog, {}};
+  LanguageServerContext language{worker, team, catalog, {}};
   HttpServer server{
       io,
       {Guard("127.0.0.1", {}), Access({"viewer", "operator"}, true),

@@ -143,7 +143,9 @@ TEST(TopLayout, AMapOfNumbersThatAreNoneIsDrawnWithoutThem) {
 }
 
 TEST(TopLayout, SaysWhatToDoWhereNoRobotIsHeard) {
-  EXPECT_THAT(lay_out({}, 100, 24).text(), HasSubstr("No robot heard"));
+  EXPECT_THAT(lay_out({}, 80, 24).text(),
+              testing::AllOf(HasSubstr("No robot has been heard yet."),
+                             HasSubstr("in the same DDS domain (--domain or ROS_DOMAIN_ID).")));
 }
 
 TEST(Canvas, NamesFromTheNetworkCannotMoveTheCursor) {

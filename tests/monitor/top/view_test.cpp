@@ -38,7 +38,7 @@ class Told : public testing::Test {
  protected:
   void tell(const std::string& topic, std::string_view type, const Bytes& bytes) {
     const Channel channel{1, topic, wire::find_schema_by_ros_type(type), wire::Delivery::kState};
-    knowledge.receive({channel, 0, 0, bytes.payload()});
+    model.receive({channel, 0, 0, bytes.payload()});
   }
   void tell_of_io() {
     tell("rt/io/variables", msg::Variables::kRosType,
@@ -82,29 +82,29 @@ class Told : public testing::Test {
   }
 
   SteppedClock clock;
-  Knowledge knowledge{clock};
+  DashboardModel model{clock};
 };
 
 TEST_F(Told, CertaintyDecaysBetweenMessages) {
   tell_of_io();
-  ASSERT_EQ(make_view(knowledge, clock, "io").variables.size(), 1u);
-  EXPECT_NEAR(make_view(knowledge, clock, "io").variables[0].certainty, 0.5, 1e-6);
+  ASSERT_EQ(make_view(model, clock, "io").variables.size(), 1u);
+  EXPECT_NEAR(make_view(model, clock, "io").variables[0].certainty, 0.5, 1e-6);
   clock.advance(std::chrono::seconds(2));
-  EXPECT_NEAR(make_view(knowledge, clock, "io").variables[0].certainty, 0.3, 1e-6);
+  EXPECT_NEAR(make_view(model, clock, "io").variables[0].certainty, 0.3, 1e-6);
   clock.advance(std::chrono::seconds(9));
-  EXPECT_EQ(make_view(knowledge, clock, "io").variables[0].certainty, 0);
+  EXPECT_EQ(make_view(model, clock, "io").variables[0].certainty, 0);
 }
 
 TEST_F(Told, WithoutAMonitorTheRobotsOwnFrameIsShown) {
   tell_of_io();
-  EXPECT_EQ(make_view(knowledge, clock, "").map_title, "io's own frame (no monitor)");
+  EXPECT_EQ(make_view(model, clock, "").map_title, "io's own frame (no monitor)");
   tell_of_map(3);
-  View view = make_view(knowledge, clock, "");
+  View view = make_view(model, clock, "");
   EXPECT_EQ(view.map_title, "the team's map");
   ASSERT_EQ(view.objects.size(), 1u);
   EXPECT_EQ(view.objects[0].position_m.x(), 3);
   clock.advance(std::chrono::seconds(6));
-  view = make_view(knowledge, clock, "");
+  view = make_view(model, clock, "");
   EXPECT_EQ(view.map_title, "io's own frame (no monitor)");
 }
 
@@ -112,7 +112,7 @@ TEST_F(Told, BytesThatAreNoMessageChangeNothing) {
   tell_of_map(3);
   tell("rt/team/objects", msg::ObjectMap::kRosType, Bytes().number<std::uint32_t>(1));
   tell_of_io();
-  EXPECT_EQ(make_view(knowledge, clock, "").objects.size(), 1u);
+  EXPECT_EQ(make_view(model, clock, "").objects.size(), 1u);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ class BoardOnAPipe {
       if (board_runs) step_board();
     }
   }
-  /// Runs with a command each tick, as a control loop gives it.
+  /// Runs with a command each tick, as a control loop does.
   void keep_driving(const DriveCommand& command, int milliseconds) {
     for (int i = 0; i < milliseconds; i += kTick_ms) {
       drive.drive(command);

@@ -7,7 +7,8 @@ namespace galilean::robot {
 
 using namespace std::string_literals;
 
-/// The robot stands in the origin and faces along y, so that its frame is the global one.
+/// Tests of a robot that stands in the origin and faces along y, so that its frame is the global
+/// one.
 class ForceTest : public SchemaTest {
  protected:
   static constexpr double kTolerance = 1e-9;

@@ -39,7 +39,7 @@ export interface Situation {
 export interface Nearness {
   /** 0: far from firing, 1: fires. */
   readonly share: number;
-  readonly words: string;
+  readonly text: string;
 }
 
 /** A time left that is shorter than this would be shown as 0.0 s. */
@@ -92,23 +92,23 @@ function distance_m(trigger: Trigger, { variables }: Situation): number | undefi
 const measures: Record<Measure, (trigger: Trigger, now: Situation) => Nearness | undefined> = {
   time_at_least: ({ limit }, { in_state_s }) => {
     const left_s = Math.max(limit - in_state_s, 0);
-    return { share: share(in_state_s / limit), words: left_s < NOW_S ? "fires now" : `in ${lasting(left_s)}` };
+    return { share: share(in_state_s / limit), text: left_s < NOW_S ? "fires now" : `in ${lasting(left_s)}` };
   },
   certainty_below: ({ locate, limit }, now) => {
     const { certainty, decay_per_s } = certaintyOf(locate, now);
-    if (certainty <= limit) return { share: 1, words: `${locate} is not known` };
+    if (certainty <= limit) return { share: 1, text: `${locate} is not known` };
     const left_s = decay_per_s > 0 ? (certainty - limit) / decay_per_s : Number.POSITIVE_INFINITY;
     const when = Number.isFinite(left_s) ? `, in ${lasting(left_s)} unless it is seen again` : "";
-    return { share: share((1 - certainty) / Math.max(1 - limit, 0.01)), words: `sure ${certainty.toFixed(2)}, lost below ${limit}${when}` };
+    return { share: share((1 - certainty) / Math.max(1 - limit, 0.01)), text: `sure ${certainty.toFixed(2)}, lost below ${limit}${when}` };
   },
   certainty_at_least: ({ locate, limit }, now) => {
     const { certainty } = certaintyOf(locate, now);
-    return { share: share(certainty / limit), words: certainty > 0 ? `sure ${certainty.toFixed(2)}, needs ${limit}` : `${locate} is not known` };
+    return { share: share(certainty / limit), text: certainty > 0 ? `sure ${certainty.toFixed(2)}, needs ${limit}` : `${locate} is not known` };
   },
   distance_at_most: (trigger, now) => {
     const away_m = distance_m(trigger, now);
-    if (away_m === undefined) return { share: 0, words: `${trigger.locate} is not known` };
-    return { share: share(trigger.limit / Math.max(away_m, 0.01)), words: `${metres(away_m)} away, fires at ${metres(trigger.limit)}` };
+    if (away_m === undefined) return { share: 0, text: `${trigger.locate} is not known` };
+    return { share: share(trigger.limit / Math.max(away_m, 0.01)), text: `${metres(away_m)} away, fires at ${metres(trigger.limit)}` };
   },
 };
 

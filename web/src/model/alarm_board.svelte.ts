@@ -2,10 +2,10 @@
 // The alarms that somebody has yet to see, and those that last.
 
 import { live } from "./live.svelte";
-import { acknowledged, alarms, type Posted, withAlarms } from "./alarms";
+import { acknowledged, alarms, type PostedAlarm, withAlarms } from "./alarms";
 
 class AlarmBoard {
-  posted = $state.raw<readonly Posted[]>([]);
+  posted = $state.raw<readonly PostedAlarm[]>([]);
   readonly unseen: number = $derived(this.posted.filter(({ seen }) => !seen).length);
 
   /** Called as time goes on: what is wrong depends on it, too. */

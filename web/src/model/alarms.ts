@@ -22,8 +22,8 @@ export interface Alarm {
   readonly advice: string;
 }
 
-/** A tick that began late is told for so long. */
-const LATE_FOR_MS = 20_000;
+/** The alarm of a tick that began late stands for so long. */
+const OVERRUN_ALARM_MS = 20_000;
 /** Whoever neither moves nor turns for so long, though nobody holds it, is stuck. */
 const STUCK_AFTER_MS = 20_000;
 /** A robot known no better than this, at two standard deviations, is drawn where it may not be. */
@@ -34,7 +34,7 @@ type Find = (robot: Robot, now_ms: number) => Omit<Alarm, "robot" | "key"> | und
 const finders: Record<Exclude<AlarmKind, "silent" | "problem" | "push" | "drift">, Find> = {
   overrun: ({ name, events, state }, now_ms) => {
     const last = events.filter(({ kind }) => kind === "late").at(-1);
-    if (!last || now_ms - last.at_ms > LATE_FOR_MS) return undefined;
+    if (!last || now_ms - last.at_ms > OVERRUN_ALARM_MS) return undefined;
     const words = `${name}'s ticks begin late (${state?.value.overruns} so far).`;
     return { kind: "overrun", words, advice: "Its computer is too slow for this program, or busy with something else." };
   },
@@ -79,7 +79,7 @@ export function alarms(team: Team, now_ms: number): Alarm[] {
 }
 
 /** An alarm on the board: it stays until it is over and somebody has seen it. */
-export interface Posted {
+export interface PostedAlarm {
   readonly alarm: Alarm;
   readonly since_ms: number;
   readonly over_ms?: number;
@@ -87,7 +87,7 @@ export interface Posted {
 }
 
 /** How long a posted alarm has lasted, or lasted until it was over, in words: "io is silent, for 12 s". */
-export function sentenceOf({ alarm, since_ms, over_ms }: Posted, now_ms: number): string {
+export function sentenceOf({ alarm, since_ms, over_ms }: PostedAlarm, now_ms: number): string {
   const words = alarm.words.replace(/\.$/, "");
   const lasted = lasting(((over_ms ?? now_ms) - since_ms) / 1000);
   if (over_ms === undefined) return `${words}, for ${lasted}`;
@@ -98,13 +98,13 @@ export function sentenceOf({ alarm, since_ms, over_ms }: Posted, now_ms: number)
 const PASSING_MS = 1500;
 
 /** The board with what is wrong now; one that comes again after it was over is a new one. */
-export function withAlarms(board: readonly Posted[], active: readonly Alarm[], now_ms: number): readonly Posted[] {
+export function withAlarms(board: readonly PostedAlarm[], active: readonly Alarm[], now_ms: number): readonly PostedAlarm[] {
   const known = new Map(board.map((posted) => [posted.alarm.key, posted]));
   const now = new Set(active.map(({ key }) => key));
   const ended = board
     .filter(({ alarm, since_ms, over_ms }) => !now.has(alarm.key) && (over_ms ?? now_ms) - since_ms >= PASSING_MS)
-    .map((posted): Posted => (posted.over_ms === undefined ? { ...posted, over_ms: now_ms } : posted));
-  const stands = active.map((alarm): Posted => {
+    .map((posted): PostedAlarm => (posted.over_ms === undefined ? { ...posted, over_ms: now_ms } : posted));
+  const stands = active.map((alarm): PostedAlarm => {
     const before = known.get(alarm.key);
     return before && before.over_ms === undefined ? { ...before, alarm } : { alarm, since_ms: now_ms, seen: false };
   });
@@ -112,6 +112,6 @@ export function withAlarms(board: readonly Posted[], active: readonly Alarm[], n
 }
 
 /** The board after somebody has seen one alarm, or all of them. */
-export function acknowledged(board: readonly Posted[], key?: string): readonly Posted[] {
+export function acknowledged(board: readonly PostedAlarm[], key?: string): readonly PostedAlarm[] {
   return board.map((posted) => (key === undefined || posted.alarm.key === key ? { ...posted, seen: true } : posted)).filter(({ seen, over_ms }) => !(seen && over_ms !== undefined));
 }

@@ -39,7 +39,7 @@ describe("schemas of one's own", () => {
     const condition: MachineTransition =
       { from_state: "a", to_state: "b", file: "", line: 1, bits_variable: "near", bit_index: 3, bit_value: true, bit_update: "same", reset_variables: [] };
     const now = { variables, age_ms: 0, in_state_s: 0, schemas: ["reach"] };
-    expect(nearnessOf(condition, triggersOf(files, ownCatalog), now)).toEqual({ share: 0.5, words: "0.50 m away, fires at 0.25 m" });
+    expect(nearnessOf(condition, triggersOf(files, ownCatalog), now)).toEqual({ share: 0.5, text: "0.50 m away, fires at 0.25 m" });
   });
 
   it("are the sum of the forces to which they give gains", () => {

@@ -25,23 +25,23 @@ const now = (changes: Partial<Situation> = {}): Situation => ({
 
 describe("how near a condition is to firing", () => {
   it("is the share of a clock's time that has passed", () => {
-    expect(nearnessOf(condition("up"), triggers, now())).toEqual({ share: 0.75, words: "in 1.0 s" });
+    expect(nearnessOf(condition("up"), triggers, now())).toEqual({ share: 0.75, text: "in 1.0 s" });
   });
   it("says that a clock whose time has passed fires now", () => {
-    expect(nearnessOf(condition("up"), triggers, now({ in_state_s: 1000 }))).toEqual({ share: 1, words: "fires now" });
+    expect(nearnessOf(condition("up"), triggers, now({ in_state_s: 1000 }))).toEqual({ share: 1, text: "fires now" });
   });
   it("counts only the trigger that the state runs", () => {
     expect(nearnessOf(condition("up"), triggers, now({ schemas: ["long"] }))?.share).toBeCloseTo(3 / 120);
     expect(nearnessOf(condition("up"), triggers, now({ schemas: [] }))).toBeUndefined();
   });
   it("is how far the robot has come, in the program's own units", () => {
-    expect(nearnessOf(condition("reached", 1), triggers, now())).toEqual({ share: 0.5, words: "0.44 m away, fires at 0.22 m" });
+    expect(nearnessOf(condition("reached", 1), triggers, now())).toEqual({ share: 0.5, text: "0.44 m away, fires at 0.22 m" });
     expect(nearnessOf(condition("near"), triggers, now())?.share).toBe(1);
   });
   it("is how much of a certainty is gone, and goes on while nothing is told", () => {
-    const { share, words } = nearnessOf(condition("lost"), triggers, now({ age_ms: 2000 }))!;
+    const { share, text } = nearnessOf(condition("lost"), triggers, now({ age_ms: 2000 }))!;
     expect(share).toBeCloseTo(0.75);
-    expect(words).toBe("sure 0.40, lost below 0.2, in 2.0 s unless it is seen again");
+    expect(text).toBe("sure 0.40, lost below 0.2, in 2.0 s unless it is seen again");
     expect(nearnessOf(condition("seen"), triggers, now({ age_ms: 2000 }))?.share).toBeCloseTo(0.8);
   });
   it("is measured from the variable that the trigger names, in both directions", () => {
@@ -49,17 +49,17 @@ describe("how near a condition is to firing", () => {
   arrived: name: "reach" locate_variable: "trash" shaft_variable: "odometer" radius: 50 bits_variable: "reached" end
 end` }], catalog);
     const variables = [variable("shaft", 1, [9, 9]), variable("odometer", 1, [1, 1]), variable("trash", 3, [1.6, 1.8])];
-    expect(nearnessOf(condition("reached"), [reach!], now({ variables }))).toEqual({ share: 0.5, words: "1.00 m away, fires at 0.50 m" });
+    expect(nearnessOf(condition("reached"), [reach!], now({ variables }))).toEqual({ share: 0.5, text: "1.00 m away, fires at 0.50 m" });
     const lost = [variable("odometer", 1, [1, 1], 0), variable("trash", 3, [1.6, 1.8])];
-    expect(nearnessOf(condition("reached"), [reach!], now({ variables: lost }))).toEqual({ share: 0, words: "trash is not known" });
+    expect(nearnessOf(condition("reached"), [reach!], now({ variables: lost }))).toEqual({ share: 0, text: "trash is not known" });
   });
   it("says what is not known, and what is sure for good", () => {
     const unknown = now({ variables: [variable("shaft", 1, [0, 0]), variable("trash", 3, [0, 0], 0)] });
-    expect(nearnessOf(condition("reached", 1), triggers, unknown)).toEqual({ share: 0, words: "trash is not known" });
-    expect(nearnessOf(condition("seen"), triggers, unknown)).toEqual({ share: 0, words: "trash is not known" });
-    expect(nearnessOf(condition("lost"), triggers, unknown)).toEqual({ share: 1, words: "trash is not known" });
+    expect(nearnessOf(condition("reached", 1), triggers, unknown)).toEqual({ share: 0, text: "trash is not known" });
+    expect(nearnessOf(condition("seen"), triggers, unknown)).toEqual({ share: 0, text: "trash is not known" });
+    expect(nearnessOf(condition("lost"), triggers, unknown)).toEqual({ share: 1, text: "trash is not known" });
     const forGood = now({ variables: [variable("trash", 3, [0, 1], 0.6, 0)] });
-    expect(nearnessOf(condition("lost"), triggers, forGood)?.words).toBe("sure 0.60, lost below 0.2");
+    expect(nearnessOf(condition("lost"), triggers, forGood)?.text).toBe("sure 0.60, lost below 0.2");
   });
   it("takes a limit that the program does not give from the catalog", () => {
     const text = 'perceptual_schemas: arrived: name: "reach" locate_variable: "trash" bits_variable: "reached" end end';
@@ -91,6 +91,6 @@ describe("a condition now", () => {
     expect(schemasOf(program, "b")).toEqual(["long"]);
     expect(schemasOf(program, "gone")).toEqual([]);
     const situation = now({ variables: [variable("up", 4, [1])], schemas: schemasOf(program, "a") });
-    expect(conditionNow(condition("up"), triggers, situation)).toEqual({ bit: true, near: { share: 0.75, words: "in 1.0 s" } });
+    expect(conditionNow(condition("up"), triggers, situation)).toEqual({ bit: true, near: { share: 0.75, text: "in 1.0 s" } });
   });
 });

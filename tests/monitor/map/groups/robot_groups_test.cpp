@@ -182,7 +182,7 @@ TEST_F(ShareLandmarksTest, AGroupBelievesAnotherThatKnowsFarBetter) {
   EXPECT_EQ(knows.poses.pose("io").position_m.norm(), 0);
 }
 
-TEST_F(ShareLandmarksTest, HearsayIsNeverAsSureAsWhatOneSawOneself) {
+TEST_F(ShareLandmarksTest, ASharedEstimateIsNeverAsSureAsAnOwnOne) {
   for (int i = 0; i < 100; ++i) share();
   const double variance_m2 = learns.poses.position("ganymede").covariance_m2.trace();
   EXPECT_GT(variance_m2, 2 * 0.025 * 0.025);

@@ -58,8 +58,8 @@ class LanguageSessionTest : public testing::Test {
   asio::io_context io{1};
   SendRounds rounds{io};
   Worker worker{io};
-  LanguageDesk desk{worker, team, installed, folder.path()};
-  HttpServer::Site site(LanguageDesk& of, bool reads_freely) {
+  LanguageServerContext context{worker, team, installed, folder.path()};
+  HttpServer::ServerContext context_of(LanguageServerContext& of, bool reads_freely) {
     return {Guard("127.0.0.1", {}),
             Access({"viewer", "operator"}, reads_freely),
             [](const HttpRequest&, const Respond&) {},
@@ -67,7 +67,7 @@ class LanguageSessionTest : public testing::Test {
             rounds,
             of};
   }
-  HttpServer server{io, site(desk, true)};
+  HttpServer server{io, context_of(context, true)};
   std::uint16_t port = 0;
   std::thread thread;
 };
@@ -129,8 +129,8 @@ TEST_F(LanguageSessionTest, ProblemsComeUnaskedAndIncludesAreTheLibrarys) {
 TEST_F(LanguageSessionTest, NothingAboveTheLibraryIsRead) {
   std::ofstream(folder / "secret.bhdl") << "variables: built_in: name: \"s\" end\n";
   std::filesystem::create_directories(folder / "library");
-  LanguageDesk inner{worker, team, installed, folder / "library"};
-  HttpServer other{io, site(inner, true)};
+  LanguageServerContext inner{worker, team, installed, folder / "library"};
+  HttpServer other{io, context_of(inner, true)};
   const auto listening = other.listen("127.0.0.1", 0);
   ASSERT_TRUE(listening);
   serve();
@@ -140,7 +140,7 @@ TEST_F(LanguageSessionTest, NothingAboveTheLibraryIsRead) {
 }
 
 TEST_F(LanguageSessionTest, WhereReadingIsNotFreeItTakesAToken) {
-  HttpServer other{io, site(desk, false)};
+  HttpServer other{io, context_of(context, false)};
   const auto listening = other.listen("127.0.0.1", 0);
   ASSERT_TRUE(listening);
   serve();

@@ -12,9 +12,9 @@ namespace galilean::monitor::top {
 
 /// The newest messages that the dashboard shows: the team, the map's objects, the occupancy grid
 /// and the robots' sightings.
-class Knowledge {
+class DashboardModel {
  public:
-  explicit Knowledge(const Clock& clock) : clock_(clock), team_(clock) {}
+  explicit DashboardModel(const Clock& clock) : clock_(clock), team_(clock) {}
 
   /// Handles a message of any type. Ignores messages that it does not show or cannot decode.
   void receive(const Message& message);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/commands/push_dialogue.h"
+#include "monitor/commands/push_session.h"
 
 #include <poll.h>
 
@@ -61,9 +61,10 @@ class StepPrinter {
   std::map<std::string, std::string> said_;
 };
 
-class Dialogue {
+/// One push through a monitor, from the order to the end.
+class PushSession {
  public:
-  Dialogue(const MonitorClient& monitor, std::string command, const PushOptions& options)
+  PushSession(const MonitorClient& monitor, std::string command, const PushOptions& options)
       : monitor_(monitor), command_(std::move(command)), options_(options) {}
 
   int push(const std::vector<bhdl::SourceFile>& files) {
@@ -165,7 +166,7 @@ void print_reply(const json& reply) {
 
 int push_through(const MonitorClient& monitor, const std::string& command,
                  const std::vector<bhdl::SourceFile>& files, const PushOptions& options) {
-  return Dialogue(monitor, command, options).push(files);
+  return PushSession(monitor, command, options).push(files);
 }
 
 }  // namespace galilean::monitor

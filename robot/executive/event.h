@@ -37,7 +37,7 @@ class ShortText {
 };
 
 /// The truth of a state's conditions before one of them fired: bit i is condition i.
-struct TestedConditions {
+struct ConditionSnapshot {
   static constexpr std::uint32_t kMost = 64;  ///< later conditions are left out
 
   std::uint64_t valid = 0;  ///< its variable is valid

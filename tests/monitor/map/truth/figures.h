@@ -10,7 +10,7 @@
 
 namespace galilean::monitor {
 
-/// A sum of squares, of errors or of Mahalanobis distances.
+/// Sums of squares, of errors or of Mahalanobis distances.
 struct Squares {
   double sum = 0;
   std::size_t count = 0;
@@ -27,21 +27,21 @@ struct Squares {
   [[nodiscard]] double rms() const { return std::sqrt(mean()); }
 };
 
-/// How a map compares with the world over some time. NEES is the mean squared Mahalanobis distance
-/// between truth and estimate. It is 2 if the covariances are right.
+/// How well a map agrees with the world over some time. The NEES is the mean squared Mahalanobis
+/// distance between truth and estimate. It is 2 if the covariances describe the errors correctly.
 struct Figures {
   Squares robot_m2, robot_nees, dead_reckoning_m2;
-  Squares trash_m2, trash_nees;    ///< of trash that was seen in the last kLately_s
-  Squares basket_m2, basket_nees;  ///< of all baskets that are published
+  Squares trash_m2, trash_nees;    ///< trash seen in the last kLately_s
+  Squares basket_m2, basket_nees;  ///< all published baskets
   std::size_t published = 0;       ///< trash in the map that was seen in the last kLately_s
-  std::size_t right = 0;           ///< how many of those are there
+  std::size_t right = 0;           ///< how many of `published` exist
   std::size_t real = 0;            ///< trash that robots truly saw in the last kLately_s
-  std::size_t found = 0;           ///< how many of those are in the map
+  std::size_t found = 0;           ///< how many of `real` are in the map
   std::size_t all_published = 0, all_real = 0, baskets_published = 0, baskets_right = 0, looks = 0;
 
   static constexpr double kLately_s = 10;
-  static constexpr double kSame_m =
-      0.30;  ///< a published landmark this near to an object counts as that object
+  /// A published landmark that is nearer than this to a real object stands for it.
+  static constexpr double kSame_m = 0.30;
 
   void add(const Figures& other);
   [[nodiscard]] double precision() const {
@@ -50,7 +50,7 @@ struct Figures {
   [[nodiscard]] double recall() const { return real ? double(found) / double(real) : 1; }
 };
 
-/// Compares a mapped contest with the truth, each second from `from_s` to `to_s` of the contest.
+/// Compares the map of a contest with the truth, each second from `from_s` to `to_s`.
 class TruthWatch {
  public:
   TruthWatch(MappedContest& contest, double from_s, double to_s);
@@ -64,7 +64,7 @@ class TruthWatch {
   void look_at_baskets(const MappedContest& contest, const msg::ObjectMap& map);
 
   double from_s_, to_s_;
-  std::map<std::size_t, Time> seen_;  ///< when a robot last truly saw the piece with this index
+  std::map<std::size_t, Time> seen_;  ///< by piece of trash: when a robot last truly saw it
   Figures figures_;
 };
 

@@ -116,8 +116,9 @@ void AttributeReader::check_matching_counts(const ComponentSpec& spec, const Wor
     if (*count == 0 || *count == *expected) continue;
     diagnostics_.error(type.at, "value/count",
                        in_quotes(each.name) + " of " + label(owner) + " has " +
-                           std::to_string(*count) + " entries and " + in_quotes(each.one_for_each) +
-                           " has " + std::to_string(*expected) + ": give one for each");
+                           std::to_string(*count) + " entries, but " +
+                           in_quotes(each.one_for_each) + " has " + std::to_string(*expected) +
+                           ": give one for each entry of " + in_quotes(each.one_for_each));
   }
 }
 
@@ -130,17 +131,17 @@ void AttributeReader::warn_of_unread(const ComponentSpec& spec,
   for (std::size_t i = 0; i < given.size(); ++i) {
     const AttributeSpec& each = spec.attributes[i];
     if (given[i] == nullptr || given[i]->inherited) continue;
-    const auto warn = [&](const std::string& other, const char* why, std::string hint) {
-      diagnostics_.warning(
-          given[i]->name.at, "value/unread",
-          "nobody reads " + in_quotes(each.name) + " of " + label(owner) + why + in_quotes(other),
-          std::move(hint));
+    const auto warn = [&](const std::string& why, std::string hint) {
+      diagnostics_.warning(given[i]->name.at, "value/unread",
+                           in_quotes(each.name) + " of " + label(owner) + " has no effect" + why,
+                           std::move(hint));
     };
     if (!each.only_with.empty() && !names_something(values, each.only_with))
-      warn(each.only_with, ", which is without ",
+      warn(" without " + in_quotes(each.only_with),
            "give it " + in_quotes(each.only_with) + ", or take this away");
     if (!each.only_without.empty() && names_something(values, each.only_without))
-      warn(each.only_without, ", which goes by its ", "take one of the two away");
+      warn(", because " + label(owner) + " has " + in_quotes(each.only_without),
+           "take one of the two away");
   }
 }
 

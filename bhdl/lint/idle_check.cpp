@@ -130,7 +130,7 @@ void warn_of_unwritten_variables(const Program& program, const SchemaUses& uses,
       diagnostics.warning(variable.location, "variable/never-written",
                           "no schema writes " + in_quotes(variable.name) + ", which " +
                               idle_schema_in_words(*use.component) +
-                              " reads: it stays invalid for ever",
+                              " reads: it never becomes valid",
                           "add a schema that writes it, or make it valid from the start");
     }
   }

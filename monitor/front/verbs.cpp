@@ -18,7 +18,7 @@ constexpr std::array kVerbs{
     Verb{"replay", "galilean-replay", "", "Play a recording again, as if it were live"},
     Verb{"log", "galilean-log", "", "Look into recordings: log info FILE"},
     Verb{"bhdl", "galilean-bhdl", "", "Check, lay out, compare and draw programs"},
-    Verb{"bhdl test", "galilean-bhdl-test", "", "Run what programs expect of themselves"},
+    Verb{"bhdl test", "galilean-bhdl-test", "", "Test the expectations of programs"},
     Verb{"swap", "galilean-swap", "", "Give running robots another program"},
     Verb{"programs", "galilean-programs", "", "What was pushed: list, show, diff, restore"},
     Verb{"start", "galilean-command", "start", "Push robots' bumpers: the contest begins"},

@@ -19,7 +19,7 @@ CheckedTree check_loaded(SyntaxTree tree, const std::string& main_file,
   CheckedTree checked = check_tree(std::move(tree), main_file, vocabulary, diagnostics);
   if (depth == Depth::kErrorsAndWarnings && !diagnostics.has_errors())
     warn_of_suspects(checked.program, vocabulary,
-                     {checked.tree, checked.bases, checked.unused_constants, main_file},
+                     {checked.tree, checked.extended, checked.unused_constants, main_file},
                      diagnostics);
   return checked;
 }

@@ -20,7 +20,8 @@ Result<void> check_name(const std::string& name) {
   const bool good = !name.empty() && name.size() <= 64 && !(name[0] >= '0' && name[0] <= '9') &&
                     std::ranges::all_of(name, is_allowed);
   if (good) return {};
-  return Error{"a robot's name has letters, digits and _ only and begins with a letter"};
+  return Error{
+      "a robot's name consists of 1 to 64 letters, digits and _, and does not begin with a digit"};
 }
 
 /// Returns the device as the frame source names it. It calls the simulator's shared memory

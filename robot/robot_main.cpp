@@ -28,7 +28,7 @@ namespace {
 constexpr Duration kLinePause = std::chrono::milliseconds(2);
 constexpr Duration kCameraPause = std::chrono::milliseconds(5);
 /// How long a last stop needs to get through the line.
-constexpr Duration kFarewell = std::chrono::milliseconds(100);
+constexpr Duration kStopFlushTime = std::chrono::milliseconds(100);
 
 void wait_for(const Termination& termination) {
   pollfd signal{termination.descriptor(), POLLIN, 0};
@@ -114,7 +114,7 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
     wait_for(termination);
   }
   devices.devices().motor_drive.stop();
-  std::this_thread::sleep_for(kFarewell);
+  std::this_thread::sleep_for(kStopFlushTime);
   log_info("the robot has stopped");
   return 0;
 }

@@ -23,25 +23,26 @@ class AttributeReader {
                                      const std::vector<AttributeNode>& attributes) const;
 
  private:
-  void read_one(const AttributeNode& attribute, const AttributeSpec& spec, const Owner& owner,
-                AttributeValues& values) const;
+  void read_one(const AttributeNode& attribute, const AttributeSpec& spec,
+                const AttributeContext& context, AttributeValues& values) const;
   void refuse_second(const AttributeSpec& spec, const Word& second, const Word& first,
-                     const Owner& owner) const;
+                     const AttributeContext& context) const;
   void refuse_unknown(const ComponentSpec& spec, const Word& name) const;
-  void refuse_missing(const AttributeSpec& spec, const Word& type, const Owner& owner) const;
-  void fill_in(const AttributeSpec& spec, const Word& type, const Owner& owner,
+  void refuse_missing(const AttributeSpec& spec, const Word& type,
+                      const AttributeContext& context) const;
+  void fill_in(const AttributeSpec& spec, const Word& type, const AttributeContext& context,
                AttributeValues& values) const;
-  void check_matching_counts(const ComponentSpec& spec, const Word& type, const Owner& owner,
-                             const AttributeValues& values) const;
+  void check_matching_counts(const ComponentSpec& spec, const Word& type,
+                             const AttributeContext& context, const AttributeValues& values) const;
   /// `given` is in the order of the spec's attributes. nullptr means that the attribute is not
   /// given.
   void warn_of_unread(const ComponentSpec& spec, const std::vector<const AttributeNode*>& given,
-                      const Owner& owner, const AttributeValues& values) const;
+                      const AttributeContext& context, const AttributeValues& values) const;
   void warn_of_alias(const AttributeSpec& spec, const Word& name) const;
   [[nodiscard]] bool constants_exist(const AttributeNode& attribute, const AttributeSpec& spec,
-                                     const Owner& owner) const;
+                                     const AttributeContext& context) const;
   void check_names(const AttributeNode& attribute, const AttributeSpec& spec,
-                   const Owner& owner) const;
+                   const AttributeContext& context) const;
 
   const Symbols& symbols_;
   bool text_is_whole_;

@@ -150,7 +150,7 @@ CheckedTree check_tree(SyntaxTree tree, const std::string& main_file, const Voca
   return_lost_attributes(tree, vocabulary, diagnostics);
   const bool text_is_whole = !diagnostics.has_errors();
   std::vector<Word> unused_constants = put_in_constants(tree, diagnostics);
-  Bases bases = inherit(tree, vocabulary, text_is_whole, diagnostics);
+  ExtendedNames extended = inherit(tree, vocabulary, text_is_whole, diagnostics);
   const Symbols symbols = declare_names(tree, vocabulary, diagnostics);
   ProgramReader reader(vocabulary, symbols, text_is_whole, diagnostics);
   for (const auto& node : tree) std::visit([&](const auto& each) { reader.read(each); }, node);
@@ -159,7 +159,7 @@ CheckedTree check_tree(SyntaxTree tree, const std::string& main_file, const Voca
     diagnostics.error({main_file, 1, 1}, "state/none",
                       "the program has no state: a robot would not know what to do",
                       "add one with 'states:'");
-  return {std::move(program), std::move(tree), std::move(bases), std::move(unused_constants)};
+  return {std::move(program), std::move(tree), std::move(extended), std::move(unused_constants)};
 }
 
 }  // namespace galilean::bhdl

@@ -16,7 +16,7 @@ namespace galilean::bhdl {
 struct CheckedTree {
   Program program;
   SyntaxTree tree;  ///< constants are replaced by their values, and bases are inherited
-  Bases bases;
+  ExtendedNames extended;
   std::vector<Word> unused_constants;
 };
 

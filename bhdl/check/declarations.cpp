@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "bhdl/check/owner.h"
+#include "bhdl/check/attribute_context.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
 #include "bhdl/syntax/keywords.h"

@@ -39,8 +39,8 @@ ComponentSpec make_expect() {
   return {
       .name = "expect",
       .help =
-          "A test of the program's behaviour, without a robot: what is given, and which "
-          "states must come of it. Robots ignore it.",
+          "A test of the program's behaviour, without a robot. It says what is given and which "
+          "states must follow. Robots ignore it.",
       .attributes = {
           name_spec(),
           optional_name("from_state", "state", "where it begins; else in the start state"),
@@ -86,7 +86,7 @@ AttributeSpec position() {
 ComponentSpec make_given() {
   return {
       .name = "given",
-      .help = "Makes a variable what it says for as long as it says, whatever schemas write.",
+      .help = "Gives a variable a fixed value for a time. Values that schemas write are replaced.",
       .attributes = {
           optional_name("bits_variable", variable_type_name<Bits>(),
                         "the variable, if it holds bits"),

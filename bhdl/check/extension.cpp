@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "bhdl/check/owner.h"
+#include "bhdl/check/attribute_context.h"
 #include "bhdl/check/state_specs.h"
 #include "bhdl/check/symbols.h"
 #include "bhdl/source/names.h"
@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view kExtends = "extends";
 
 /// A component or a state in the tree. It may extend another.
-struct Heir {
+struct Derived {
   enum class Stage { kOpen, kOnTheWay, kDone };
 
   NameSpace space = NameSpace::kState;
@@ -33,13 +33,13 @@ bool is_extends(const AttributeNode& attribute) {
   return attribute.name.text == kExtends;
 }
 
-const AttributeNode* extends_of(const Heir& heir) {
-  const auto found = std::ranges::find_if(*heir.attributes, is_extends);
-  return found == heir.attributes->end() ? nullptr : &*found;
+const AttributeNode* extends_of(const Derived& derived) {
+  const auto found = std::ranges::find_if(*derived.attributes, is_extends);
+  return found == derived.attributes->end() ? nullptr : &*found;
 }
 
-const ValueNode* base_name(const Heir& heir) {
-  const AttributeNode* extends = extends_of(heir);
+const ValueNode* base_name(const Derived& derived) {
+  const AttributeNode* extends = extends_of(derived);
   return extends == nullptr ? nullptr : &extends->values.front();
 }
 
@@ -52,101 +52,102 @@ class Inheritance {
     for (auto& node : section.components) {
       const ComponentSpec* spec = vocabulary_.find(node.type.text);
       if (spec != nullptr && !is_device(spec->kind))
-        heirs_.push_back({name_space(spec->kind), spec, node.type, &node.attributes, nullptr});
+        derived_.push_back({name_space(spec->kind), spec, node.type, &node.attributes, nullptr});
     }
   }
   void add(StateNode& node) {
-    heirs_.push_back(
+    derived_.push_back(
         {NameSpace::kState, &state_spec(), node.keyword, &node.attributes, &node.conditions});
   }
   template <class Other>
   void add(Other&) {}
 
-  Bases resolve() && {
-    if (std::ranges::none_of(heirs_, [](const Heir& heir) { return extends_of(heir) != nullptr; }))
+  ExtendedNames resolve() && {
+    if (std::ranges::none_of(derived_,
+                             [](const Derived& derived) { return extends_of(derived) != nullptr; }))
       return {};
-    for (auto& heir : heirs_)
-      if (const ValueNode* name = given_name(*heir.attributes))
-        by_name_[index(heir.space)].try_emplace(name->text, &heir);
-    for (auto& heir : heirs_) check(heir);
-    for (auto& heir : heirs_) resolve(heir);
-    for (auto& heir : heirs_) std::erase_if(*heir.attributes, is_extends);
-    return std::move(bases_);
+    for (auto& derived : derived_)
+      if (const ValueNode* name = given_name(*derived.attributes))
+        by_name_[index(derived.space)].try_emplace(name->text, &derived);
+    for (auto& derived : derived_) check(derived);
+    for (auto& derived : derived_) resolve(derived);
+    for (auto& derived : derived_) std::erase_if(*derived.attributes, is_extends);
+    return std::move(extended_);
   }
 
  private:
   static std::size_t index(NameSpace space) noexcept { return static_cast<std::size_t>(space); }
 
-  void check(const Heir& heir) {
-    const ValueNode* name = base_name(heir);
+  void check(const Derived& derived) {
+    const ValueNode* name = base_name(derived);
     if (name == nullptr) return;
-    const bool one = std::ranges::count_if(*heir.attributes, is_extends) == 1 &&
-                     extends_of(heir)->values.size() == 1;
+    const bool one = std::ranges::count_if(*derived.attributes, is_extends) == 1 &&
+                     extends_of(derived)->values.size() == 1;
     if (!one || name->kind != ValueNode::Kind::kText)
-      diagnostics_.error(
-          extends_of(heir)->name.at, "type/wrong-value",
-          "'extends' of " + label({heir.type, *heir.attributes}) + " takes one name in quotes");
-    else if (base_of(heir) == nullptr && text_is_whole_)
-      refuse_undefined(heir, *name);
+      diagnostics_.error(extends_of(derived)->name.at, "type/wrong-value",
+                         "'extends' of " + label({derived.type, *derived.attributes}) +
+                             " takes one name in quotes");
+    else if (base_of(derived) == nullptr && text_is_whole_)
+      refuse_undefined(derived, *name);
   }
 
   // A base is completed before what extends it. The chain is walked without recursion, because it
   // may be as long as the program.
-  void resolve(Heir& heir) {
-    std::vector<Heir*> chain;
-    for (Heir* each = &heir; each != nullptr && each->stage == Heir::Stage::kOpen;) {
-      each->stage = Heir::Stage::kOnTheWay;
+  void resolve(Derived& derived) {
+    std::vector<Derived*> chain;
+    for (Derived* each = &derived; each != nullptr && each->stage == Derived::Stage::kOpen;) {
+      each->stage = Derived::Stage::kOnTheWay;
       chain.push_back(each);
       each = base_of(*each);
-      if (each != nullptr && each->stage == Heir::Stage::kOnTheWay) refuse_cycle(*chain.back());
+      if (each != nullptr && each->stage == Derived::Stage::kOnTheWay) refuse_cycle(*chain.back());
     }
     for (; !chain.empty(); chain.pop_back()) {
-      Heir& next = *chain.back();
-      Heir* base = base_of(next);
-      if (base != nullptr && base->stage == Heir::Stage::kDone) inherit(next, *base);
-      next.stage = Heir::Stage::kDone;
+      Derived& next = *chain.back();
+      Derived* base = base_of(next);
+      if (base != nullptr && base->stage == Derived::Stage::kDone) inherit(next, *base);
+      next.stage = Derived::Stage::kDone;
     }
   }
 
-  [[nodiscard]] Heir* base_of(const Heir& heir) const {
-    const ValueNode* name = base_name(heir);
+  [[nodiscard]] Derived* base_of(const Derived& derived) const {
+    const ValueNode* name = base_name(derived);
     if (name == nullptr) return nullptr;
-    const auto& names = by_name_[index(heir.space)];
+    const auto& names = by_name_[index(derived.space)];
     const auto found = names.find(name->text);
     return found == names.end() ? nullptr : found->second;
   }
 
-  void inherit(Heir& heir, const Heir& base) {
+  void inherit(Derived& derived, const Derived& base) {
     if (told_) return;
-    if (heir.spec != base.spec) return refuse_type(heir, base);
-    note(heir.space, base_name(heir)->text);
-    const auto own = own_attributes(heir);
+    if (derived.spec != base.spec) return refuse_type(derived, base);
+    note(derived.space, base_name(derived)->text);
+    const auto own = own_attributes(derived);
     std::vector<AttributeNode> inherited;
     for (const auto& attribute : *base.attributes)
-      if (!own.contains(own_name(heir, attribute)) && !is_extends(attribute) &&
+      if (!own.contains(own_name(derived, attribute)) && !is_extends(attribute) &&
           attribute.name.text != name_spec().name)
         inherited.push_back(attribute);
     std::vector<ComponentNode> conditions;
     if (base.conditions != nullptr) conditions = *base.conditions;
-    if (!fits(inherited, conditions, *base_name(heir))) return;
+    if (!fits(inherited, conditions, *base_name(derived))) return;
     for (auto& attribute : inherited) {
       attribute.inherited = true;
-      heir.attributes->push_back(std::move(attribute));
+      derived.attributes->push_back(std::move(attribute));
     }
     for (auto& condition : conditions) {
       condition.inherited = true;
-      heir.conditions->push_back(std::move(condition));
+      derived.conditions->push_back(std::move(condition));
     }
   }
 
   // An attribute is the same under its name and under an alias.
-  static std::string_view own_name(const Heir& heir, const AttributeNode& attribute) {
-    const AttributeSpec* spec = heir.spec->find(attribute.name.text);
+  static std::string_view own_name(const Derived& derived, const AttributeNode& attribute) {
+    const AttributeSpec* spec = derived.spec->find(attribute.name.text);
     return spec == nullptr ? attribute.name.text : std::string_view(spec->name);
   }
-  static std::unordered_set<std::string_view> own_attributes(const Heir& heir) {
+  static std::unordered_set<std::string_view> own_attributes(const Derived& derived) {
     std::unordered_set<std::string_view> own;
-    for (const auto& attribute : *heir.attributes) own.insert(own_name(heir, attribute));
+    for (const auto& attribute : *derived.attributes) own.insert(own_name(derived, attribute));
     return own;
   }
 
@@ -165,56 +166,57 @@ class Inheritance {
   }
 
   void note(NameSpace space, std::string_view name) {
-    if (space == NameSpace::kState) bases_.states.insert(name);
-    if (space == NameSpace::kPerceptualSchema) bases_.perceptual_schemas.insert(name);
-    if (space == NameSpace::kMotorSchema) bases_.motor_schemas.insert(name);
+    if (space == NameSpace::kState) extended_.states.insert(name);
+    if (space == NameSpace::kPerceptualSchema) extended_.perceptual_schemas.insert(name);
+    if (space == NameSpace::kMotorSchema) extended_.motor_schemas.insert(name);
   }
 
-  void refuse_cycle(const Heir& heir) {
-    diagnostics_.error(base_name(heir)->at, "extends/cycle",
-                       label({heir.type, *heir.attributes}) + " extends " +
-                           in_quotes(base_name(heir)->text) + ", which extends it",
+  void refuse_cycle(const Derived& derived) {
+    diagnostics_.error(base_name(derived)->at, "extends/cycle",
+                       label({derived.type, *derived.attributes}) + " extends " +
+                           in_quotes(base_name(derived)->text) + ", which extends it",
                        "take one 'extends:' of the circle away");
   }
 
-  void refuse_type(const Heir& heir, const Heir& base) {
-    diagnostics_.error(base_name(heir)->at, "extends/wrong-type",
-                       label({heir.type, *heir.attributes}) + " cannot extend " +
+  void refuse_type(const Derived& derived, const Derived& base) {
+    diagnostics_.error(base_name(derived)->at, "extends/wrong-type",
+                       label({derived.type, *derived.attributes}) + " cannot extend " +
                            label({base.type, *base.attributes}) +
                            ", which is of another type: see " + place(base.type.at));
   }
 
-  [[nodiscard]] std::string nearest_base(const Heir& heir, std::string_view name) const {
+  [[nodiscard]] std::string nearest_base(const Derived& derived, std::string_view name) const {
     if (diagnostics_.full()) return {};
     std::vector<std::string_view> names;
-    for (const auto& each : heirs_)
+    for (const auto& each : derived_)
       if (const ValueNode* other = given_name(*each.attributes);
-          other != nullptr && each.space == heir.space)
+          other != nullptr && each.space == derived.space)
         names.push_back(other->text);
     return nearest(name, names);
   }
 
-  void refuse_undefined(const Heir& heir, const ValueNode& name) {
+  void refuse_undefined(const Derived& derived, const ValueNode& name) {
     diagnostics_.error(name.at, "extends/undefined",
-                       label({heir.type, *heir.attributes}) + " extends " + in_quotes(name.text) +
-                           ", but there is no such " + std::string(in_words(heir.space)),
-                       did_you_mean(nearest_base(heir, name.text)));
+                       label({derived.type, *derived.attributes}) + " extends " +
+                           in_quotes(name.text) + ", but there is no such " +
+                           std::string(in_words(derived.space)),
+                       did_you_mean(nearest_base(derived, name.text)));
   }
 
   const Vocabulary& vocabulary_;
   bool text_is_whole_;
   Diagnostics& diagnostics_;
-  std::vector<Heir> heirs_;
-  std::array<std::unordered_map<std::string_view, Heir*>, 6> by_name_;
-  Bases bases_;
+  std::vector<Derived> derived_;
+  std::array<std::unordered_map<std::string_view, Derived*>, 6> by_name_;
+  ExtendedNames extended_;
   std::size_t inherited_ = 0;
   bool told_ = false;
 };
 
 }  // namespace
 
-Bases inherit(SyntaxTree& tree, const Vocabulary& vocabulary, bool text_is_whole,
-              Diagnostics& diagnostics) {
+ExtendedNames inherit(SyntaxTree& tree, const Vocabulary& vocabulary, bool text_is_whole,
+                      Diagnostics& diagnostics) {
   Inheritance inheritance(vocabulary, text_is_whole, diagnostics);
   for (auto& node : tree) std::visit([&](auto& each) { inheritance.add(each); }, node);
   return std::move(inheritance).resolve();

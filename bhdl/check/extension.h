@@ -14,7 +14,7 @@ namespace galilean::bhdl {
 inline constexpr std::size_t kMostInheritedValues = 100'000;
 
 /// The names that others extend. Such a state or schema need not be used itself.
-struct Bases {
+struct ExtendedNames {
   std::unordered_set<std::string_view> states;
   std::unordered_set<std::string_view> perceptual_schemas;
   std::unordered_set<std::string_view> motor_schemas;
@@ -24,7 +24,7 @@ struct Bases {
 /// lists that it does not give itself, and the base's conditions behind its own. Afterwards no
 /// `extends` is left. Reports bases that do not exist (if `text_is_whole`), that are of another
 /// type, or that extend each other.
-[[nodiscard]] Bases inherit(SyntaxTree& tree, const Vocabulary& vocabulary, bool text_is_whole,
-                            Diagnostics& diagnostics);
+[[nodiscard]] ExtendedNames inherit(SyntaxTree& tree, const Vocabulary& vocabulary,
+                                    bool text_is_whole, Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

@@ -83,7 +83,7 @@ ComponentSpec make_condition() {
 const AttributeSpec& name_spec() {
   static const AttributeSpec spec{.name = "name",
                                   .type = AttributeType::kText,
-                                  .help = "what the rest of the program calls it by"};
+                                  .help = "the name by which the rest of the program refers to it"};
   return spec;
 }
 

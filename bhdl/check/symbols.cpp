@@ -91,11 +91,12 @@ void Symbols::refuse_undefined(NameSpace wanted, const Word& name, const std::st
                     help);
 }
 
-void Symbols::check_reference(const AttributeSpec& spec, const ValueNode& name, const Owner& owner,
-                              bool text_is_whole, Diagnostics& diagnostics) const {
+void Symbols::check_reference(const AttributeSpec& spec, const ValueNode& name,
+                              const AttributeContext& context, bool text_is_whole,
+                              Diagnostics& diagnostics) const {
   if (spec.refers_to.empty()) return;
   const NameSpace wanted = referred_space(spec.refers_to);
-  const auto subject = [&] { return in_quotes(spec.name) + " of " + label(owner); };
+  const auto subject = [&] { return in_quotes(spec.name) + " of " + label(context); };
   const Entry* entry = find(wanted, name.text);
   if (entry == nullptr) {
     if (text_is_whole)
@@ -118,12 +119,13 @@ void Symbols::check_state(const Word& name, const std::string& subject, bool tex
 }
 
 void Symbols::refuse_undefined_constant(const AttributeSpec& spec, const ValueNode& word,
-                                        const Owner& owner, Diagnostics& diagnostics) const {
+                                        const AttributeContext& context,
+                                        Diagnostics& diagnostics) const {
   const auto& constants = in_order_[index(NameSpace::kConstant)];
   const auto near = diagnostics.full() ? std::string() : nearest(word.text, constants);
   diagnostics.error(
       word.at, "name/undefined-constant",
-      in_quotes(spec.name) + " of " + label(owner) + " takes " + expectation(spec) +
+      in_quotes(spec.name) + " of " + label(context) + " takes " + expectation(spec) +
           "; there is no constant " + in_quotes(word.text),
       near.empty() ? Hint("write the number, or name it under 'define:'") : did_you_mean(near));
 }

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "bhdl/check/owner.h"
+#include "bhdl/check/attribute_context.h"
 #include "bhdl/source/diagnostic.h"
 #include "bhdl/syntax/syntax.h"
 
@@ -35,11 +35,12 @@ class Symbols {
 
   /// Reports a name that is not of the kind that `spec.refers_to` demands. A name that is declared
   /// nowhere is not reported if `text_is_whole` is false, because the unread part may declare it.
-  void check_reference(const AttributeSpec& spec, const ValueNode& name, const Owner& owner,
-                       bool text_is_whole, Diagnostics& diagnostics) const;
+  void check_reference(const AttributeSpec& spec, const ValueNode& name,
+                       const AttributeContext& context, bool text_is_whole,
+                       Diagnostics& diagnostics) const;
   /// Reports a bare word that stands in place of numbers and names no constant.
   void refuse_undefined_constant(const AttributeSpec& spec, const ValueNode& word,
-                                 const Owner& owner, Diagnostics& diagnostics) const;
+                                 const AttributeContext& context, Diagnostics& diagnostics) const;
   /// Checks the name of a state outside every component, as check_reference does. `subject` begins
   /// the sentence.
   void check_state(const Word& name, const std::string& subject, bool text_is_whole,

@@ -54,9 +54,9 @@ double converted(double number, const Unit& from, const AttributeSpec& spec) {
 
 class ValueReader {
  public:
-  ValueReader(const AttributeNode& attribute, const AttributeSpec& spec, const Owner& owner,
-              Diagnostics& diagnostics)
-      : attribute_(attribute), spec_(spec), owner_(owner), diagnostics_(diagnostics) {}
+  ValueReader(const AttributeNode& attribute, const AttributeSpec& spec,
+              const AttributeContext& context, Diagnostics& diagnostics)
+      : attribute_(attribute), spec_(spec), context_(context), diagnostics_(diagnostics) {}
 
   std::optional<Value> read() {
     const auto broken = [](const ValueNode& value) { return value.kind == Kind::kBroken; };
@@ -201,12 +201,12 @@ class ValueReader {
   }
 
   [[nodiscard]] std::string subject() const {
-    return in_quotes(spec_.name) + " of " + label(owner_);
+    return in_quotes(spec_.name) + " of " + label(context_);
   }
 
   const AttributeNode& attribute_;
   const AttributeSpec& spec_;
-  const Owner& owner_;
+  const AttributeContext& context_;
   Diagnostics& diagnostics_;
 };
 
@@ -221,8 +221,8 @@ Value to_si(Value value, const Unit& unit) {
 }
 
 std::optional<Value> read_value(const AttributeNode& attribute, const AttributeSpec& spec,
-                                const Owner& owner, Diagnostics& diagnostics) {
-  auto value = ValueReader(attribute, spec, owner, diagnostics).read();
+                                const AttributeContext& context, Diagnostics& diagnostics) {
+  auto value = ValueReader(attribute, spec, context, diagnostics).read();
   if (!value) return std::nullopt;
   return to_si(std::move(*value), spec.unit);
 }

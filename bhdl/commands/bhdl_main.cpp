@@ -87,10 +87,10 @@ struct Commands {
 };
 
 Commands add_commands(CommandLine& app, Options& options) {
-  Commands commands{app.command("check", "Check programs; exits 0 if all of them are right"),
-                    app.command("describe", "Print what programs can name"),
-                    app.command("fmt", "Format files and list those that changed"),
-                    app.command("diff", "Print what one program does differently from another"),
+  Commands commands{app.command("check", "Check programs; exits with 0 if none has errors"),
+                    app.command("describe", "Print the components that programs can use"),
+                    app.command("fmt", "Format files and print the names of those that changed"),
+                    app.command("diff", "Print how two programs differ"),
                     app.command("graph", "Print a program's state machine"),
                     app.command("lsp",
                                 "Serve an editor over the Language Server Protocol, on stdin and "

@@ -81,7 +81,8 @@ std::string code(const Line& line) {
 std::size_t comment_column(std::span<const Line> run) {
   std::size_t column = 0;
   for (const auto& line : run)
-    if (!line.remark.empty() && width(line) <= kWidestLine) column = std::max(column, width(line));
+    if (!line.trailing_comment.empty() && width(line) <= kWidestLine)
+      column = std::max(column, width(line));
   return column;
 }
 
@@ -89,9 +90,9 @@ void write(std::span<const Line> run, std::string& text) {
   const std::size_t column = comment_column(run);
   for (const auto& line : run) {
     std::string written = code(line);
-    if (!line.remark.empty()) {
+    if (!line.trailing_comment.empty()) {
       pad(written, column);
-      written.append("  ").append(line.remark);
+      written.append("  ").append(line.trailing_comment);
     }
     text.append(line.after_blank_line ? "\n" : "").append(written) += '\n';
   }

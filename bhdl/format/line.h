@@ -16,9 +16,9 @@ inline constexpr std::size_t kWidestLine = 110;
 /// A line as it will be written, before it is aligned with its neighbours.
 struct Line {
   std::size_t indent = 0;
-  std::string label;               ///< of a one-line block; else empty
-  std::vector<std::string> cells;  ///< behind the label, two blanks apart
-  std::string_view remark;         ///< the comment at its end
+  std::string label;                  ///< of a one-line block; else empty
+  std::vector<std::string> cells;     ///< behind the label, two blanks apart
+  std::string_view trailing_comment;  ///< the comment at its end
   bool after_blank_line = false;
   bool is_comment = false;
   std::string shape;        ///< lines of the same shape stand in columns; empty: in none

@@ -43,7 +43,7 @@ class LineBreaker {
       one_line_block(i, indent, section);
     } else {
       begin_line(indent, opening.text, opening.after_blank_line);
-      end_line(opening.remark);
+      end_line(opening.trailing_comment);
       at_beginning_ = true;
       parts(i + 1, opening.close, indent + kIndent, opening.aligns_labels ? i + 1 : 0);
       comments(closing, indent + kIndent);
@@ -51,7 +51,7 @@ class LineBreaker {
       line_is_open_ = false;
       if (closing.hidden()) return opening.close + 1;
       begin_line(indent, closing.text, false);
-      end_line(closing.remark);
+      end_line(closing.trailing_comment);
     }
     return opening.close + 1;
   }
@@ -60,7 +60,7 @@ class LineBreaker {
     const Piece& piece = pieces_[i];
     if (piece.role != Role::kEndOfFile) {
       begin_line(indent, piece.text, piece.after_blank_line);
-      end_line(piece.remark);
+      end_line(piece.trailing_comment);
     }
     return i + 1;
   }
@@ -77,14 +77,14 @@ class LineBreaker {
       begin_line(indent, text, name.after_blank_line);
     else
       return filled_attribute(i, end, indent);
-    if (!pieces_[end - 1].remark.empty()) end_line(pieces_[end - 1].remark);
+    if (!pieces_[end - 1].trailing_comment.empty()) end_line(pieces_[end - 1].trailing_comment);
     return end;
   }
 
   std::size_t filled_attribute(std::size_t i, std::size_t end, std::size_t indent) {
     begin_line(indent, pieces_[i].text, pieces_[i].after_blank_line);
     const std::size_t first = lines_.size();
-    if (!pieces_[i].remark.empty()) end_line(pieces_[i].remark);
+    if (!pieces_[i].trailing_comment.empty()) end_line(pieces_[i].trailing_comment);
     for (std::size_t value = i + 1; value < end; ++value) {
       comments(pieces_[value], indent + kIndent);
       fill(pieces_[value], indent + kIndent, false);
@@ -104,7 +104,7 @@ class LineBreaker {
       lines_.back().cells.back().append(1, ' ').append(value.text);
     else
       begin_line(indent, value.text, on_new_line && value.after_blank_line);
-    if (!value.remark.empty()) end_line(value.remark);
+    if (!value.trailing_comment.empty()) end_line(value.trailing_comment);
   }
 
   void one_line_block(std::size_t i, std::size_t indent, std::size_t section) {
@@ -116,12 +116,13 @@ class LineBreaker {
     line.section = section;
     line.cells = std::move(block.cells);
     line.shape = std::move(block.shape);
-    end_line(pieces_[last_written(pieces_, i)].remark);
+    end_line(pieces_[last_written(pieces_, i)].trailing_comment);
   }
 
   [[nodiscard]] bool has_comments_inside(std::size_t from, std::size_t end) const {
     for (std::size_t i = from; i < end; ++i)
-      if ((i > from && !pieces_[i].before.empty()) || (i + 1 < end && !pieces_[i].remark.empty()))
+      if ((i > from && !pieces_[i].before.empty()) ||
+          (i + 1 < end && !pieces_[i].trailing_comment.empty()))
         return true;
     return false;
   }
@@ -148,8 +149,8 @@ class LineBreaker {
     line_is_open_ = true;
   }
 
-  void end_line(std::string_view remark) {
-    lines_.back().remark = remark;
+  void end_line(std::string_view trailing_comment) {
+    lines_.back().trailing_comment = trailing_comment;
     line_is_open_ = false;
   }
 

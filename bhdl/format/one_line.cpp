@@ -65,7 +65,7 @@ bool fits_one_line(const Pieces& pieces, std::size_t opened, std::size_t indent)
   for (std::size_t i = opened; i <= last; ++i) {
     const Piece& piece = pieces[i];
     const bool broken = i > opened && (piece.begins_line || !piece.before.empty());
-    if ((broken && !piece.hidden()) || (i < last && !piece.remark.empty())) return false;
+    if ((broken && !piece.hidden()) || (i < last && !piece.trailing_comment.empty())) return false;
     characters += character_count(piece.text);
     if (characters > kWidestLine) return false;
   }

@@ -25,10 +25,10 @@ struct Piece {
   std::string text;  ///< the text as it will be written; empty: a close that needs no `end`
   bool begins_line = false;
   bool after_blank_line = false;
-  std::vector<Comment> before;  ///< on lines of their own
-  std::string_view remark;      ///< the comment behind it on its line; empty: none
-  std::size_t close = 0;        ///< of an opening piece: the index of its closing one
-  bool aligns_labels = false;   ///< of an opening piece: the labels of its parts stand in a column
+  std::vector<Comment> before;        ///< on lines of their own
+  std::string_view trailing_comment;  ///< the comment behind it on its line; empty: none
+  std::size_t close = 0;              ///< of an opening piece: the index of its closing one
+  bool aligns_labels = false;  ///< of an opening piece: the labels of its parts stand in a column
 
   [[nodiscard]] bool hidden() const noexcept { return text.empty(); }
 };

@@ -30,8 +30,8 @@ const Token& PieceList::more() {
 void PieceList::add_remark(const Comment& comment) {
   if (pieces_.back().role == Piece::Role::kClose && comment.text == ";") return;
   Piece& piece = pieces_[last_written_];
-  if (piece.remark.empty())
-    piece.remark = comment.text;
+  if (piece.trailing_comment.empty())
+    piece.trailing_comment = comment.text;
   else
     pending_.push_back({comment.text, false});
 }

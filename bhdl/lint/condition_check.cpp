@@ -64,8 +64,9 @@ class ConditionChecker {
 
   void warn_of_second(const Condition& condition, const Condition& first) {
     diagnostics_.warning(condition.location, "condition/never",
-                         "this condition never fires: that of line " +
-                             std::to_string(first.location.line) + " tests the same before it",
+                         "this condition never fires: the condition in line " +
+                             std::to_string(first.location.line) +
+                             " tests the same bit for the same value first",
                          "take one of them away, or test another bit");
   }
 

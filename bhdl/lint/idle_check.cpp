@@ -44,9 +44,9 @@ std::unordered_set<const Component*> listed_schemas(const Program& program,
   return listed;
 }
 
-bool is_base(const Component& schema, const Bases& bases) {
+bool is_extended(const Component& schema, const ExtendedNames& extended) {
   const bool moves = schema.kind == ComponentKind::kMotorSchema;
-  return (moves ? bases.motor_schemas : bases.perceptual_schemas).contains(schema.name);
+  return (moves ? extended.motor_schemas : extended.perceptual_schemas).contains(schema.name);
 }
 
 // The catalog shows which attributes are gains: a list of numbers, one for each entry of another
@@ -130,7 +130,7 @@ void warn_of_unwritten_variables(const Program& program, const SchemaUses& uses,
       diagnostics.warning(variable.location, "variable/never-written",
                           "no schema writes " + in_quotes(variable.name) + ", which " +
                               idle_schema_in_words(*use.component) +
-                              " reads: it stays invalid for ever",
+                              " reads: it never becomes valid",
                           "add a schema that writes it, or make it valid from the start");
     }
   }
@@ -141,7 +141,7 @@ void warn_of_unused_schemas(const Program& program, const SchemaUses& uses, cons
   const auto listed = listed_schemas(program, uses);
   for (const auto& use : uses.all())
     if (use.component->location.file == text.main_file && !listed.contains(use.component) &&
-        !is_base(*use.component, text.bases))
+        !is_extended(*use.component, text.extended))
       diagnostics.warning(use.component->location, "schema/unused",
                           "no state lists " + idle_schema_in_words(*use.component),
                           "list it in a state, or take it away");

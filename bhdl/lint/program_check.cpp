@@ -14,8 +14,8 @@ void warn_of_suspects(const Program& program, const Vocabulary& vocabulary, cons
                       Diagnostics& diagnostics) {
   const StateGraph graph(program);
   const SchemaUses uses(program, vocabulary);
-  warn_of_unreachable_states(program, graph, text.bases, diagnostics);
-  warn_of_traps(program, graph, diagnostics);
+  warn_of_unreachable_states(program, graph, text.extended, diagnostics);
+  warn_of_dead_ends(program, graph, diagnostics);
   warn_of_endless_driving(program, uses, graph, diagnostics);
   warn_of_certain_conditions(program, uses, graph, diagnostics);
   warn_of_wiring(program, uses, text.tree, diagnostics);

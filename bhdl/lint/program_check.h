@@ -15,7 +15,7 @@ namespace galilean::bhdl {
 /// The texts and trees behind a program, which the program itself does not hold.
 struct ProgramText {
   const SyntaxTree& tree;  ///< the tree that the program was read from
-  const Bases& bases;
+  const ExtendedNames& extended;
   const std::vector<Word>& unused_constants;
   std::string_view main_file;
 };

@@ -7,16 +7,16 @@
 
 namespace galilean::bhdl {
 
-void warn_of_unreachable_states(const Program& program, const StateGraph& graph, const Bases& bases,
-                                Diagnostics& diagnostics) {
+void warn_of_unreachable_states(const Program& program, const StateGraph& graph,
+                                const ExtendedNames& extended, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < program.states.size(); ++i)
-    if (!graph.reached(i) && !bases.states.contains(program.states[i].name))
+    if (!graph.reached(i) && !extended.states.contains(program.states[i].name))
       diagnostics.warning(program.states[i].location, "state/unreachable",
                           "no condition leads to the state " + in_quotes(program.states[i].name),
                           "name it as a new_state, or as 'start_state:'");
 }
 
-void warn_of_traps(const Program& program, const StateGraph& graph, Diagnostics& diagnostics) {
+void warn_of_dead_ends(const Program& program, const StateGraph& graph, Diagnostics& diagnostics) {
   if (graph.reached_states() < 2) return;
   for (std::size_t i = 0; i < program.states.size(); ++i) {
     const State& state = program.states[i];

@@ -8,11 +8,11 @@
 namespace galilean::bhdl {
 
 /// Warns of every state that neither the start state nor a swap leads to and that none extends.
-void warn_of_unreachable_states(const Program& program, const StateGraph& graph, const Bases& bases,
-                                Diagnostics& diagnostics);
+void warn_of_unreachable_states(const Program& program, const StateGraph& graph,
+                                const ExtendedNames& extended, Diagnostics& diagnostics);
 
 /// Warns of a state that runs motor schemas, or has conditions, and is never left for another, in a
 /// program that gets to other states. A state that has neither is meant as an end.
-void warn_of_traps(const Program& program, const StateGraph& graph, Diagnostics& diagnostics);
+void warn_of_dead_ends(const Program& program, const StateGraph& graph, Diagnostics& diagnostics);
 
 }  // namespace galilean::bhdl

@@ -50,11 +50,10 @@ void warn_of_endless_driving(const Program& program, const SchemaUses& uses,
     const State& state = program.states[i];
     return diagnostics.warning(
         state.location, "state/never-stops",
-        "from the state " + in_quotes(state.name) +
-            " on, nothing stops the motors: it drives them, and so does every state that it leads "
-            "to; the way there: " +
+        "the program cannot stop the motors after it enters " + in_quotes(state.name) +
+            ": this state drives them, and so does every state that it leads to; the way there: " +
             graph.way_to(i),
-        "give it a condition to a state that lists no schema which drives",
+        "add a condition that leads to a state without a driving schema",
         graph.places_on_way_to(i));
   }
 }

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "bhdl/check/owner.h"
+#include "bhdl/check/attribute_context.h"
 #include "bhdl/source/text.h"
 #include "core/catalog/wiring.h"
 #include "core/variable/type_name.h"

@@ -108,8 +108,8 @@ const ComponentSpec* spec_of(const Block& block, const Vocabulary& vocabulary) {
   return block.kind == BlockKind::kExpect ? &expect_spec() : nullptr;
 }
 
-bool CatalogSense::is_attribute(NodeKind block, std::string_view type,
-                                std::string_view label) const {
+bool CatalogLabelResolver::is_attribute(NodeKind block, std::string_view type,
+                                        std::string_view label) const {
   Block of;
   of.kind = block_kind(block).value_or(BlockKind::kSection);
   of.word = type;
@@ -117,7 +117,7 @@ bool CatalogSense::is_attribute(NodeKind block, std::string_view type,
   return spec != nullptr && spec->find(label) != nullptr;
 }
 
-bool CatalogSense::is_component(std::string_view label) const {
+bool CatalogLabelResolver::is_component(std::string_view label) const {
   return vocabulary_.find(label) != nullptr;
 }
 

@@ -7,7 +7,7 @@
 
 #include "bhdl/check/vocabulary.h"
 #include "bhdl/lsp/text_index.h"
-#include "bhdl/syntax/label_sense.h"
+#include "bhdl/syntax/label_resolver.h"
 
 namespace galilean::bhdl::lsp {
 
@@ -40,9 +40,9 @@ struct Block {
 [[nodiscard]] const ComponentSpec* spec_of(const Block& block, const Vocabulary& vocabulary);
 
 /// Answers the parser's questions from the catalog.
-class CatalogSense : public LabelSense {
+class CatalogLabelResolver : public LabelResolver {
  public:
-  explicit CatalogSense(const Vocabulary& vocabulary) : vocabulary_(vocabulary) {}
+  explicit CatalogLabelResolver(const Vocabulary& vocabulary) : vocabulary_(vocabulary) {}
   [[nodiscard]] bool is_attribute(NodeKind block, std::string_view type,
                                   std::string_view label) const override;
   [[nodiscard]] bool is_component(std::string_view label) const override;

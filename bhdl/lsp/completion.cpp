@@ -224,7 +224,7 @@ class Completer {
       attribute({.name = "extends",
                  .type = AttributeType::kName,
                  .refers_to = spec->name,
-                 .help = "takes over what another has, but for its name"});
+                 .help = "copies all attributes of another one except its name"});
     if (block.kind == BlockKind::kState) component(condition_spec(), false);
     if (block.kind == BlockKind::kExpect)
       for (const auto& step : step_specs()) component(step, false);

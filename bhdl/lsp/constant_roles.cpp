@@ -6,21 +6,21 @@ namespace {
 
 void note_uses(const ParsedFile& file, ConstantRoles& roles) {
   for (const auto& mention : file.mentions().names)
-    if (mention.space == NameSpace::kConstant && mention.stands_for)
-      roles[mention.name].set(static_cast<std::size_t>(*mention.stands_for));
+    if (mention.space == NameSpace::kConstant && mention.referenced_space)
+      roles[mention.name].set(static_cast<std::size_t>(*mention.referenced_space));
 }
 
 // If a constant uses another in its definition, what the first names the second names, too. Returns
 // whether anything changed.
-bool hand_down(const ParsedFile& file, ConstantRoles& roles) {
+bool propagate(const ParsedFile& file, ConstantRoles& roles) {
   bool changed = false;
   for (const auto& defined : file.mentions().defined) {
     const auto user = roles.find(defined.constant);
     if (defined.is_text || user == roles.end()) continue;
-    const Roles handed_down = user->second;
+    const Roles propagated = user->second;
     Roles& known = roles[defined.value];
-    changed = changed || (known | handed_down) != known;
-    known |= handed_down;
+    changed = changed || (known | propagated) != known;
+    known |= propagated;
   }
   return changed;
 }
@@ -34,7 +34,7 @@ ConstantRoles constant_roles(const ProgramFiles& program) {
   bool changed = true;
   for (int depth = 0; changed && depth < kDeepestChain; ++depth) {
     changed = false;
-    for (const auto& file : program) changed = hand_down(*file, roles) || changed;
+    for (const auto& file : program) changed = propagate(*file, roles) || changed;
   }
   return roles;
 }

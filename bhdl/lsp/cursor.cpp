@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "bhdl/source/lexeme.h"
-#include "bhdl/syntax/beginning.h"
+#include "bhdl/syntax/prefix.h"
 
 namespace galilean::bhdl::lsp {
 namespace {
@@ -65,8 +65,8 @@ bool takes_value(const ParseTree& tree, const Node& node) {
 /// Reads what is open where a text breaks off.
 class OpenEnd {
  public:
-  OpenEnd(const ParseTree& whole, const Beginning& beginning, Cursor& cursor)
-      : whole_(whole), beginning_(beginning), tree_(beginning.tree), cursor_(cursor) {}
+  OpenEnd(const ParseTree& whole, const Prefix& prefix, Cursor& cursor)
+      : whole_(whole), prefix_(prefix), tree_(prefix.tree), cursor_(cursor) {}
 
   void read() {
     read(tree_.roots());
@@ -116,8 +116,8 @@ class OpenEnd {
         cursor_.around.empty() ? ComponentKind{} : cursor_.around.back().components;
     auto block = block_of(tree_, node, components);
     if (!block || !open || end_word(tree_, node)) return;
-    if (block->kind == BlockKind::kStates && beginning_.states)
-      block = block_of(whole_, *beginning_.states, {});
+    if (block->kind == BlockKind::kStates && prefix_.states)
+      block = block_of(whole_, *prefix_.states, {});
     cursor_.around.push_back(*block);
     cursor_.given.clear();
     add_given(tree_, node, 0);
@@ -149,7 +149,7 @@ class OpenEnd {
   }
 
   const ParseTree& whole_;
-  const Beginning& beginning_;
+  const Prefix& prefix_;
   const ParseTree& tree_;
   Cursor& cursor_;
 };
@@ -164,8 +164,8 @@ Cursor cursor_at(const ParseTree& tree, std::size_t offset, const Vocabulary& vo
   cursor.in_text = line.text_quote.has_value();
   cursor.word = {cursor.in_text ? line.text_begin : word_begin(text, offset), offset};
   const std::size_t before = cursor.in_text ? *line.text_quote : cursor.word.begin;
-  const Beginning beginning = read_beginning(tree, before, CatalogSense(vocabulary));
-  OpenEnd open(tree, beginning, cursor);
+  const Prefix prefix = parse_prefix(tree, before, CatalogLabelResolver(vocabulary));
+  OpenEnd open(tree, prefix, cursor);
   open.read();
   std::size_t behind = offset;
   while (behind < text.size() && in_word(text[behind])) ++behind;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/lsp/mention.h"
 
-#include "bhdl/check/owner.h"
+#include "bhdl/check/attribute_context.h"
 #include "bhdl/lsp/entity.h"
 
 namespace galilean::bhdl::lsp {

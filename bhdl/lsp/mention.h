@@ -19,7 +19,7 @@ struct Mention {
   std::string_view type;  ///< the type of what is declared: "locate"; empty for states and
                           ///< constants
   /// Of a constant in an attribute: the space of the names that the attribute takes.
-  std::optional<NameSpace> stands_for = std::nullopt;
+  std::optional<NameSpace> referenced_space = std::nullopt;
 };
 
 /// A text or a constant in a constant's definition. What a text names is known only where the

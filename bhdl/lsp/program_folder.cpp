@@ -18,7 +18,7 @@ Result<std::string, ReadFailure> DiskFolder::read(const std::string& path,
                                                   std::size_t most_bytes) const {
   const fs::path place = place_of(path);
   if (place.empty())
-    return ReadFailure{"file/not-found", in_quotes(path) + " is on no disk: save it first"};
+    return ReadFailure{"file/not-found", in_quotes(path) + " was never saved: save it first"};
   return DiskSources("").read(place.string(), most_bytes);
 }
 

@@ -35,12 +35,12 @@ bool is_misspelling(std::string_view written, const std::string& meant) {
 
 }  // namespace
 
-Json quick_fixes(const Session& session, const DiagnosticDesk& desk, const Json& params) {
+Json quick_fixes(const Session& session, const DiagnosticPublisher& publisher, const Json& params) {
   const FilePointer file = session.file(params);
   const ByteRange wanted = session.bytes(*file, params.at("range"));
   Json actions = Json::array();
   if (!wants_fixes(params)) return actions;
-  for (const auto& each : desk.of(file->path)) {
+  for (const auto& each : publisher.of(file->path)) {
     const ByteRange whole = range_of(*file, each);
     if (each.replacement.empty() || whole.end < wanted.begin || wanted.end < whole.begin) continue;
     const ByteRange range = without_quotes(*file, whole);

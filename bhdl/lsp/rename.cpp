@@ -50,7 +50,8 @@ void refuse_unreadable(const Name& name, const std::string& new_text) {
   if (constant ? is_word(new_text) : fits_in_quotes(new_text)) return;
   throw Refusal(RpcError::kInvalidParams,
                 in_quotes(new_text) + " cannot be a name: " +
-                    (constant ? "a constant's is of letters, digits and _"
+                    (constant ? "a constant's name consists of letters, digits and _, and does not "
+                                "begin with a digit"
                               : "it needs a character, and has no quotes and no line ends"));
 }
 

@@ -136,8 +136,8 @@ Json Server::request(std::string_view method, const Json& params,
     return nullptr;
   }
   if (method == kCodeAction) {
-    if (desk_.due()) before = work();
-    return quick_fixes(session(), desk_, params);
+    if (publisher_.due()) before = work();
+    return quick_fixes(session(), publisher_, params);
   }
   const auto* feature = std::ranges::find(kFeatures, method, &Feature::method);
   if (feature == kFeatures.end())
@@ -150,12 +150,12 @@ void Server::notice(std::string_view method, const Json& params) {
   if (phase_ != Phase::kReady) return;
   const auto sync = [&](void (*take)(const Session&, const Json&)) {
     take(session(), params);
-    desk_.note_change();
+    publisher_.note_change();
   };
   if (method == "textDocument/didOpen") return sync(did_open);
   if (method == "textDocument/didChange") return sync(did_change);
   if (method == "textDocument/didClose") return sync(did_close);
-  if (method == "workspace/didChangeWatchedFiles") desk_.note_change();
+  if (method == "workspace/didChangeWatchedFiles") publisher_.note_change();
 }
 
 Json Server::initialize(const Json& params) {
@@ -168,7 +168,8 @@ Json Server::initialize(const Json& params) {
 
 std::vector<std::string> Server::work() {
   std::vector<std::string> out;
-  for (const auto& notification : desk_.publish(session())) out.push_back(dumped(notification));
+  for (const auto& notification : publisher_.publish(session()))
+    out.push_back(dumped(notification));
   return out;
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bhdl/lsp/diagnostic_desk.h"
+#include "bhdl/lsp/diagnostic_publisher.h"
 
 namespace galilean::bhdl::lsp {
 
@@ -24,7 +24,7 @@ class Server {
   /// Handles one message. Returns the messages to send, in order: mostly one answer, or nothing.
   [[nodiscard]] std::vector<std::string> receive(std::string_view message);
 
-  [[nodiscard]] bool has_work() const noexcept { return desk_.due(); }
+  [[nodiscard]] bool has_work() const noexcept { return publisher_.due(); }
   [[nodiscard]] std::vector<std::string> work();
 
   /// Returns the exit status once the client has said `exit`: 0 if it said `shutdown` before, else
@@ -45,7 +45,7 @@ class Server {
   std::unique_ptr<ProgramFolder> folder_;
   Workspace workspace_;
   Client client_;
-  DiagnosticDesk desk_;
+  DiagnosticPublisher publisher_;
   Phase phase_ = Phase::kNew;
   std::optional<int> exit_status_;
 };

@@ -53,7 +53,7 @@ class Loader {
     if (deep)
       diagnostics_.error(
           at, "include/too-deep",
-          "includes lie more than " + std::to_string(kDeepestInclude) + " files deep here");
+          "includes are nested more than " + std::to_string(kDeepestInclude) + " files deep here");
     else if (many && !told_too_many_)
       diagnostics_.error(at, "include/too-many",
                          "a program has at most " + std::to_string(kMostFiles) + " files and " +

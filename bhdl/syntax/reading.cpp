@@ -8,13 +8,13 @@
 namespace galilean::bhdl {
 
 // The text before the first token belongs to the first item.
-void FaultNote::begin_item(const TokenStream& tokens) {
+void FaultyRange::begin_item(const TokenStream& tokens) {
   begin_ = tokens.next() == 0 ? 0 : reading_.tree.offset_of(tokens.peek().whole());
 }
 
 // The lexer is ahead of the parser. The faulty bytes end behind its farthest token, because it may
 // have found the mistake there.
-void FaultNote::end_item(const TokenStream& tokens) {
+void FaultyRange::end_item(const TokenStream& tokens) {
   const std::size_t found = reading_.faults.count();
   if (found == known_) return;
   const std::string_view farthest = tokens.farthest().whole();
@@ -28,12 +28,12 @@ Reading read_text(std::string_view file, std::string_view text) {
   Reading reading{{text, {}, {}}, {}, {}};
   TokenStream tokens(file, reading.tree, reading.faults);
   FileParser parser(tokens, std::nullopt, reading.faults);
-  FaultNote note(reading);
-  note.end_item(tokens);
+  FaultyRange range(reading);
+  range.end_item(tokens);
   while (!parser.done()) {
-    note.begin_item(tokens);
+    range.begin_item(tokens);
     parser.item();
-    note.end_item(tokens);
+    range.end_item(tokens);
   }
   tokens.drop_look_ahead();
   return reading;

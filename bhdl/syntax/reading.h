@@ -27,9 +27,9 @@ struct Reading {
 [[nodiscard]] Reading read_text(std::string_view file, std::string_view text);
 
 /// Updates `faulty` while a text is read item by item.
-class FaultNote {
+class FaultyRange {
  public:
-  explicit FaultNote(Reading& reading) : reading_(reading) {}
+  explicit FaultyRange(Reading& reading) : reading_(reading) {}
   void begin_item(const TokenStream& tokens);
   void end_item(const TokenStream& tokens);
 

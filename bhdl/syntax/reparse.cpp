@@ -99,12 +99,12 @@ class Reparser {
 
   Reading read(TokenStream& tokens, std::optional<std::uint32_t> states) {
     FileParser parser(tokens, states, reading_.faults);
-    FaultNote note(reading_);
-    note.end_item(tokens);
+    FaultyRange range(reading_);
+    range.end_item(tokens);
     while (!parser.done()) {
-      note.begin_item(tokens);
+      range.begin_item(tokens);
       parser.item();
-      note.end_item(tokens);
+      range.end_item(tokens);
       if (const Item* same = same_item(tokens, parser)) {
         const Token at = tokens.peek();
         tokens.drop_look_ahead();

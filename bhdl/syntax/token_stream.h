@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "bhdl/syntax/label_sense.h"
+#include "bhdl/syntax/label_resolver.h"
 #include "bhdl/syntax/lexer.h"
 #include "bhdl/syntax/parse_tree.h"
 
@@ -19,12 +19,12 @@ class TokenStream {
   }
   /// Goes on behind the tree's tokens, at `first`, which is a token of the tree's text.
   TokenStream(std::string_view file, ParseTree& tree, const Token& first, bool after_number,
-              Diagnostics& diagnostics, const LabelSense* sense = nullptr)
+              Diagnostics& diagnostics, const LabelResolver* resolver = nullptr)
       : file_(file),
         tree_(tree),
         lexer_(file, tree.text, first, after_number, diagnostics),
         next_(tree.tokens.size()),
-        sense_(sense) {
+        resolver_(resolver) {
     look_ahead();
   }
 
@@ -90,10 +90,11 @@ class TokenStream {
   /// Returns whether a bare label stands here that the block at hand is known to have as an
   /// attribute.
   [[nodiscard]] bool at_known_attribute(NodeKind block, std::string_view type) const {
-    return sense_ != nullptr && at_bare_label() && sense_->is_attribute(block, type, peek().text);
+    return resolver_ != nullptr && at_bare_label() &&
+           resolver_->is_attribute(block, type, peek().text);
   }
   [[nodiscard]] bool at_known_component() const {
-    return sense_ != nullptr && at_bare_label() && sense_->is_component(peek().text);
+    return resolver_ != nullptr && at_bare_label() && resolver_->is_component(peek().text);
   }
   /// Returns whether the text ends behind the label at hand.
   [[nodiscard]] bool text_ends_at_label() const noexcept {
@@ -138,7 +139,7 @@ class TokenStream {
   ParseTree& tree_;
   Lexer lexer_;
   std::size_t next_ = 0;
-  const LabelSense* sense_ = nullptr;
+  const LabelResolver* resolver_ = nullptr;
 };
 
 /// A node of the tree that ends where this object's scope does.

@@ -17,7 +17,8 @@ constexpr std::array<std::string_view, 4> kAccess{"none", "read", "write", "upda
 template <class E, std::size_t N>
 E parse_word(const std::array<std::string_view, N>& words, const std::string& word) {
   const auto found = std::find(words.begin(), words.end(), word);
-  if (found == words.end()) throw std::runtime_error("unknown word '" + word + "'");
+  if (found == words.end())
+    throw std::runtime_error("'" + word + "' is not a known kind, type or access");
   return static_cast<E>(found - words.begin());
 }
 

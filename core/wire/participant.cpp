@@ -41,19 +41,19 @@ std::string configuration() {
 }
 
 Result<dds_domainid_t> domain_id(int domain) {
+  long number = domain;
   if (domain < 0) {
     const char* given = std::getenv("ROS_DOMAIN_ID");
     if (!given || !*given) return dds_domainid_t{0};
     char* end = nullptr;
-    const long number = std::strtol(given, &end, 10);
+    number = std::strtol(given, &end, 10);
     if (*end)
       return Error{std::string("ROS_DOMAIN_ID is '") + given +
                    "'; it must be a number from 0 to 232"};
-    domain = static_cast<int>(number);
   }
-  if (domain < 0 || domain > 232)
-    return Error{"the DDS domain must be from 0 to 232, not " + std::to_string(domain)};
-  return static_cast<dds_domainid_t>(domain);
+  if (number < 0 || number > 232)
+    return Error{"the DDS domain must be from 0 to 232, not " + std::to_string(number)};
+  return static_cast<dds_domainid_t>(number);
 }
 
 }  // namespace

@@ -23,10 +23,10 @@ struct FreeEndpoint {
 using Endpoint = std::unique_ptr<dds_builtintopic_endpoint_t, FreeEndpoint>;
 
 /// Returns the samples to Cyclone, even if the callback throws.
-struct Taken {
+struct TakenSamples {
   std::span<ddsi_serdata*> samples;
 
-  ~Taken() {
+  ~TakenSamples() {
     for (ddsi_serdata* sample : samples) ddsi_serdata_unref(sample);
   }
 };
@@ -67,7 +67,7 @@ void Reader::take(const std::function<void(const Received&)>& receive) {
   std::vector<std::uint8_t> bytes;
   for (int count;
        (count = dds_takecdr(entity_.handle(), samples, kAtOnce, infos, DDS_ANY_STATE)) > 0;) {
-    const Taken taken{{samples, static_cast<std::size_t>(count)}};
+    const TakenSamples taken{{samples, static_cast<std::size_t>(count)}};
     for (int i = 0; i < count; ++i) {
       if (infos[i].valid_data) {
         bytes.resize(ddsi_serdata_size(samples[i]));

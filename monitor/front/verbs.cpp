@@ -18,7 +18,7 @@ constexpr std::array kVerbs{
     Verb{"replay", "galilean-replay", "", "Play a recording again, as if it were live"},
     Verb{"log", "galilean-log", "", "Describe a recording: log info FILE"},
     Verb{"bhdl", "galilean-bhdl", "", "Check, format, compare and draw programs"},
-    Verb{"bhdl test", "galilean-bhdl-test", "", "Run the tests in programs"},
+    Verb{"bhdl test", "galilean-bhdl-test", "", "Test the expectations of programs"},
     Verb{"swap", "galilean-swap", "", "Give running robots another program"},
     Verb{"programs", "galilean-programs", "", "List, show, compare or restore pushed programs"},
     Verb{"start", "galilean-command", "start", "Start the contest: push the robots' bumpers"},

@@ -14,7 +14,7 @@ namespace {
 
 /// Devices that do nothing. Device settings are read before the devices exist, but the declarations
 /// demand a Wiring.
-class Unconnected final : public CommPort, public MotorDrive, public FrameGrabber {
+class NullDevices final : public CommPort, public MotorDrive, public FrameGrabber {
  public:
   void sense(Time) noexcept override {}
   [[nodiscard]] bool healthy() const noexcept override { return false; }
@@ -38,9 +38,9 @@ class Unconnected final : public CommPort, public MotorDrive, public FrameGrabbe
 }  // namespace
 
 DeviceSettings DeviceSettings::of(const bhdl::Program& program) {
-  static Unconnected unconnected;  // made once, because its frame is large and nothing writes it
+  static NullDevices null_devices;  // made once, because its frame is large and nothing writes it
   VariableStore no_variables;
-  const Devices no_devices{unconnected, unconnected, unconnected};
+  const Devices no_devices{null_devices, null_devices, null_devices};
   const Wiring wiring{no_variables, no_devices, Random(0)};
   DeviceSettings result;
   for (const auto& device : program.devices) {

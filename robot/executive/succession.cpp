@@ -5,7 +5,7 @@ namespace galilean::robot {
 
 /// Returns what is held against the running program. Without a last good program the verdict is
 /// empty, because nothing could take its place.
-Verdict Succession::judgement() noexcept {
+Verdict Succession::pending_fault() noexcept {
   Verdict verdict = probation_.failed() ? probation_.verdict() : Verdict{};
   while (const auto order = intake_.take_order())
     if (verdict.fault == Fault::kNone && order->program == running_id())

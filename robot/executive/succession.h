@@ -32,7 +32,7 @@ class Succession {
   /// `health` is that of the devices before this tick.
   template <class Install>
   void advance(Time now, const DeviceHealth& health, Install install) noexcept {
-    if (const Verdict verdict = judgement(); verdict.fault != Fault::kNone)
+    if (const Verdict verdict = pending_fault(); verdict.fault != Fault::kNone)
       retire(roll_back(verdict, now, health, install));
     else if (auto next = intake_.take())
       retire(take_over(std::move(next), now, health, install));
@@ -70,7 +70,7 @@ class Succession {
     return replaced;
   }
 
-  [[nodiscard]] Verdict judgement() noexcept;
+  [[nodiscard]] Verdict pending_fault() noexcept;
   [[nodiscard]] std::unique_ptr<RunningProgram> predecessor(Fault fault) noexcept;
   [[nodiscard]] std::unique_ptr<RunningProgram> keep(std::unique_ptr<RunningProgram> replaced,
                                                      bool proven) noexcept;

@@ -23,7 +23,7 @@ void stamp(Variable<Image>* image, const Frame& frame, const Tick& tick) noexcep
 }  // namespace
 
 void Look::describe(Declaration<Look>& is) {
-  is.help("Takes a new camera picture apart into supercomponents and intensity.");
+  is.help("Splits a new camera picture into supercomponents and intensity.");
   is.writes(&Look::red_, "red_variable", "red less green and blue")
       .optional()
       .role(Role::kChannel, "superred");

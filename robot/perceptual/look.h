@@ -11,7 +11,7 @@ struct Devices;
 
 namespace galilean::robot {
 
-/// Takes a new camera picture apart.
+/// Splits a new camera picture into supercomponents and intensity.
 ///
 ///   reads   frame_grabber
 ///   writes  red_variable, green_variable, blue_variable: the supercomponents; dark_variable: the

@@ -33,14 +33,14 @@ void print(const std::string& file, const Outcome& outcome) {
   for (const auto& each : outcome.diagnostics) std::cerr << bhdl::format(each) << '\n';
   for (const auto& each : outcome.verdicts) std::cout << in_words(each);
   if (outcome.checked && outcome.verdicts.empty())
-    std::cout << file << ": it expects nothing; add `expect:`\n";
+    std::cout << file << " has no expectations; add one with `expect:`\n";
 }
 
 int run(int argc, char** argv) {
   std::vector<std::string> files;
   bool as_json = false;
   CommandLine app(
-      "Runs the tests in programs, without a robot; the exit code is 0 if all of them pass.",
+      "Tests the expectations of programs without a robot; exits with 0 if all come true.",
       "galilean bhdl test");
   app.option("FILE", files, "programs").required();
   app.flag("--json", as_json, "Print JSON");

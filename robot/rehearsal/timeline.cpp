@@ -7,6 +7,16 @@
 #include "bhdl/source/text.h"
 
 namespace galilean::robot {
+namespace {
+
+/// Returns the name of a schema that an event names by its index.
+const std::string& schema_name(const bhdl::Program& program, std::size_t schema) {
+  const auto& perceptual = program.perceptual_schemas;
+  return schema < perceptual.size() ? perceptual[schema].name
+                                    : program.motor_schemas[schema - perceptual.size()].name;
+}
+
+}  // namespace
 
 Timeline::Timeline(const bhdl::Program& program) : program_(program) {
   const auto start = std::ranges::find(program.states, program.start_state, &bhdl::State::name);
@@ -19,8 +29,8 @@ void Timeline::on_event(const Event& event) noexcept {
   if (event.kind == Event::Kind::kTransition)
     stays_.push_back({event.to_state, time_s, event.condition});
   if (event.kind == Event::Kind::kSchemaFailed && failure_.empty())
-    failure_ =
-        "a schema threw at " + bhdl::number_text(time_s) + " s: " + std::string(event.text.view());
+    failure_ = "schema " + bhdl::in_quotes(schema_name(program_, event.schema)) + " threw at " +
+               bhdl::number_text(time_s) + " s: " + std::string(event.text.view());
 }
 
 const Timeline::Stay& Timeline::at(double time_s) const {

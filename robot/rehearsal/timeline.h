@@ -34,7 +34,7 @@ class Timeline final : public TickObserver {
   /// Returns "2.35 s: wander → back_up, since bumpers[0] is 1", or "0 s: starts in wander" for
   /// the first stay.
   [[nodiscard]] std::string in_words(std::size_t stay) const;
-  /// Returns when the first schema failed and what it threw, or an empty text if none failed.
+  /// Returns which schema failed first, when, and what it threw, or an empty text if none failed.
   [[nodiscard]] const std::string& failure() const noexcept { return failure_; }
 
  private:

@@ -12,9 +12,10 @@ std::string AcceptedSenders::objection(const std::optional<std::string>& sender)
   if (accepts(kAny) || (sender && accepts(*sender))) return {};
   std::string list;
   for (const std::string& name : names_) list += (list.empty() ? "" : ", ") + name;
-  const std::string from = sender ? "from '" + *sender + "'" : "from somebody who has left already";
-  return "it came " + from + ", and this robot takes programs from " + list +
-         " only: push through the monitor, or start the robot with --accept-swaps-from " +
+  const std::string from =
+      sender ? "from '" + *sender + "'" : "from a participant that has already left";
+  return "it came " + from + ", but this robot accepts programs only from " + list +
+         ": push through the monitor, or start the robot with --accept-swaps-from " +
          (sender ? *sender : kAny);
 }
 

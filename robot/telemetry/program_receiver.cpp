@@ -102,7 +102,7 @@ void ProgramReceiver::take_from(wire::Reader& reader) {
 template <class M>
 std::string ProgramReceiver::handle_or_fail(const M& message) {
   const std::string failure = failure_of([&] { handle(message); });
-  return failure.empty() ? "" : "this robot failed on it: " + failure;
+  return failure.empty() ? "" : "this robot could not handle it: " + failure;
 }
 
 void ProgramReceiver::handle(const msg::ProgramRollback& message) {
@@ -144,12 +144,13 @@ void ProgramReceiver::handle(const msg::ProgramPush& message) {
 
 std::string ProgramReceiver::objection(const msg::ProgramPush& push,
                                        const std::vector<bhdl::SourceFile>& files) const {
-  if (files.empty()) return "no file came with it";
+  if (files.empty()) return "the push contains no file";
   if (bhdl::program_hash(files) != push.hash)
-    return "its hash is not that of its files: they were changed on the way";
+    return "its hash does not match its files: they were changed on the way";
   const std::string running = ledger_.running().hash();
   if (!push.replaces_hash.empty() && push.replaces_hash != running)
-    return "it is to replace " + push.replaces_hash + ", but " + running + " runs";
+    return "it is meant to replace program " + push.replaces_hash + ", but program " + running +
+           " runs";
   return objection_to_rules(push);
 }
 

@@ -38,10 +38,11 @@ Replies PushLedger::join_running(Push push) {
 std::optional<std::string> PushLedger::roll_back(Push order, std::string_view reason) {
   const std::lock_guard lock(mutex_);
   if (order.hash != running_.hash())
-    return "it is to be taken off, but " + running_.hash() + " runs";
-  if (!running_.has_predecessor) return "no program ran before it that it could give way to";
+    return "it cannot be rolled back, because program " + running_.hash() + " runs";
+  if (!running_.has_predecessor)
+    return "it cannot be rolled back, because no program ran before it";
   if (!executive_.roll_back(running_.program->id, reason))
-    return "too many such orders wait for the control loop";
+    return "too many rollback orders wait for the control loop";
   orders_.emplace(running_.program->id, std::move(order));
   return std::nullopt;
 }
@@ -72,7 +73,7 @@ Replies PushLedger::started(const Event& event) {
   Replies replies;
   for (auto [order, end] = orders_.equal_range(event.from_program); order != end; ++order) {
     msg::ProgramReply& made = replies.emplace_back(reply(order->second, status::REJECTED));
-    made.message = "another program had taken its place before";
+    made.message = "another program had already replaced it";
   }
   orders_.erase(event.from_program);
   for (auto [push, end] = pushes_.equal_range(event.program); push != end; ++push) {

@@ -40,7 +40,8 @@ std::string fault_of(const Event& rollback, const Description& of) {
       return std::to_string(Probation::kOverrunsInARow) +
              " ticks in a row took longer than their period";
     case Fault::kDeviceLost:
-      return std::string(rollback.text.view()) + " was lost, which answered before the swap";
+      return std::string(rollback.text.view()) +
+             " answered before the swap and does not answer now";
     case Fault::kThrashed:
       return "it changed its state more than " +
              std::to_string(of.probation.most_transitions_per_s) + " times within a second";

@@ -80,7 +80,7 @@ void FileWatch::add_one(const fs::path& file) {
 
 bool FileWatch::watch(Folder& folder) const {
   folder.watch = inotify_add_watch(inotify_, folder.path.c_str(), kLookedFor);
-  folder.why_not = folder.watch < 0 ? errno : 0;
+  folder.watch_error = folder.watch < 0 ? errno : 0;
   return folder.watch >= 0;
 }
 
@@ -92,7 +92,7 @@ std::string FileWatch::problem() const {
   for (const Folder& folder : folders_)
     if (folder.watch < 0)
       return "Saves in " + folder.path.string() + " are not noticed (" +
-             std::strerror(folder.why_not) + "): " + advice(folder.why_not) + '.';
+             std::strerror(folder.watch_error) + "): " + advice(folder.watch_error) + '.';
   return "";
 }
 
@@ -132,7 +132,7 @@ bool FileWatch::is_save(int watch, unsigned mask, const char* name) {
     // A folder that was moved away would still be watched at its new place.
     inotify_rm_watch(inotify_, watch);
     folder->watch = -1;
-    folder->why_not = ENOENT;
+    folder->watch_error = ENOENT;
     return false;
   }
   if (!folder->files.contains(name)) return false;

@@ -37,8 +37,8 @@ class FileWatch {
   struct Folder {
     std::filesystem::path path;
     std::set<std::string, std::less<>> files;
-    int watch = -1;   ///< inotify's number; -1: the folder cannot be watched
-    int why_not = 0;  ///< errno if the folder cannot be watched, else 0
+    int watch = -1;       ///< inotify's number; -1: the folder cannot be watched
+    int watch_error = 0;  ///< errno if the folder cannot be watched, else 0
   };
 
   void add_one(const std::filesystem::path& file);

@@ -36,8 +36,8 @@ void ProgramWatch::look(const std::stop_token& stop) {
 
 void ProgramWatch::note_failure(const std::string& failure) {
   failure_ = failure.empty() ? ""
-                             : file_.string() + " was saved, but cannot be taken over (" + failure +
-                                   "). This is tried again; find the cause.";
+                             : file_.string() + " was saved, but could not be loaded (" + failure +
+                                   "). The robot tries again. Check the cause.";
   tell_problem();
 }
 

@@ -98,7 +98,7 @@ void LiveContest::run(const std::atomic<bool>& ending) {
 }
 
 void LiveContest::step() {
-  suffer_faults();
+  apply_faults();
   start_when_ready();
   const auto now_ms = static_cast<std::uint32_t>(step_ * static_cast<std::uint64_t>(kStep.count()));
   for (auto& robot : robots_) robot->run_board(now_ms);
@@ -108,10 +108,10 @@ void LiveContest::step() {
   ++step_;
 }
 
-void LiveContest::suffer_faults() {
+void LiveContest::apply_faults() {
   if (step_ % kStepsASecond != 0) return;
   for (auto& robot : robots_)
-    if (const auto plugged = robot->suffer(options_.faults, now_s()); !plugged)
+    if (const auto plugged = robot->apply_faults(options_.faults, now_s()); !plugged)
       std::cerr << "galilean-sim: " << plugged.error().message << "\n";
 }
 

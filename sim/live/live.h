@@ -45,7 +45,7 @@ class LiveContest {
   LiveContest(const Scenario& scenario, std::unique_ptr<World> world, RunFolder folder,
               std::unique_ptr<wire::Participant> participant, const LiveOptions& options);
   void step();
-  void suffer_faults();
+  void apply_faults();
   void start_when_ready();
   void push_bumpers(std::uint8_t switches);
   [[nodiscard]] bool anybody_moves() const;

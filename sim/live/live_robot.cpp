@@ -23,7 +23,7 @@ Result<bool> LiveRobot::open_ring() {
   return true;
 }
 
-Result<bool> LiveRobot::suffer(const std::vector<DeviceFault>& faults, double now_s) {
+Result<bool> LiveRobot::apply_faults(const std::vector<DeviceFault>& faults, double now_s) {
   if (is_faulty(faults, FaultyDevice::kSerial, name_, now_s))
     line_.unplug();
   else if (auto line = line_.plug_in(); !line)

@@ -26,7 +26,7 @@ class LiveRobot {
 
   /// Unplugs the devices that are faulty at `now_s` and plugs in the others. Each call tries again
   /// to plug in a device that could not be plugged in before.
-  [[nodiscard]] Result<bool> suffer(const std::vector<DeviceFault>& faults, double now_s);
+  [[nodiscard]] Result<bool> apply_faults(const std::vector<DeviceFault>& faults, double now_s);
   void run_board(std::uint32_t now_ms) { board_.update(now_ms); }
   void take_picture(const Scene& scene, Renderer& renderer);
 

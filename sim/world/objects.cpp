@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kBasketMass_kg = 3;
 constexpr double kChairMass_kg = 4;
-constexpr double kRubbingArm_m = 0.15;  // mean distance of a chair's four feet from its middle
+constexpr double kFrictionArm_m = 0.15;  // mean distance of a chair's four feet from its middle
 constexpr double kFloorFriction = 0.45;
 
 b2Body& add_disc(Physics& physics, BodyTag tag, const Vec2& at_m, double radius_m, double mass_kg) {
@@ -36,7 +36,7 @@ double less(double speed, double loss) {
 
 /// Slows a body by floor friction. `arm_m` is the mean distance from the middle at which the floor
 /// rubs, which slows turning.
-void rub_body(b2Body& body, double arm_m, double dt_s) {
+void apply_floor_friction(b2Body& body, double arm_m, double dt_s) {
   if (!body.IsAwake()) return;
   const double loss = kFloorFriction * kGravity_mps2 * dt_s;
   const Vec2 velocity = from_b2(body.GetLinearVelocity());
@@ -99,9 +99,9 @@ std::array<Vec2, 4> chair_legs_m(double pitch_m) noexcept {
 
 void Objects::rub(double dt_s) {
   for (auto& piece : pieces_)
-    if (piece.body) rub_body(*piece.body, shape_of(piece.kind).radius_m / 2, dt_s);
-  for (b2Body* basket : baskets_) rub_body(*basket, kBasketRadius_m / 2, dt_s);
-  for (b2Body* chair : chairs_) rub_body(*chair, kRubbingArm_m, dt_s);
+    if (piece.body) apply_floor_friction(*piece.body, shape_of(piece.kind).radius_m / 2, dt_s);
+  for (b2Body* basket : baskets_) apply_floor_friction(*basket, kBasketRadius_m / 2, dt_s);
+  for (b2Body* chair : chairs_) apply_floor_friction(*chair, kFrictionArm_m, dt_s);
 }
 
 void Objects::remove_piece(std::size_t index) {

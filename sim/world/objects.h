@@ -28,7 +28,8 @@ inline constexpr double kChairLegRadius_m = 0.015;
 /// Returns where every piece lies at the start: first the placed ones, then the strewn ones. A
 /// strewn place is drawn again until it keeps the scenario's clearance. Errors: the arena has no
 /// room for the pieces.
-[[nodiscard]] Result<std::vector<PlacedPiece>> strew(const Scenario& scenario, Random random);
+[[nodiscard]] Result<std::vector<PlacedPiece>> scatter_pieces(const Scenario& scenario,
+                                                              Random random);
 
 /// The bodies that can be pushed: pieces, baskets and chairs. They rub on the floor:
 /// a body at speed v loses min(v, mu g dt) a step.

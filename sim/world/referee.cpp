@@ -33,7 +33,7 @@ void Referee::advance(double dt_s) noexcept {
   phase_ = Phase::kOver;
 }
 
-void Referee::saw_hit(const Hit& hit) {
+void Referee::record_collision(const Hit& hit) {
   const bool counts = phase_ == Phase::kRunning && hit.other.kind != BodyKind::kPiece &&
                       hit.approach_mps >= rules_.collision_speed_mps;
   if (!counts) return;
@@ -45,7 +45,7 @@ void Referee::saw_hit(const Hit& hit) {
   call(hit.robot, RefereeCall::What::kCollision, -rules_.penalty_per_collision);
 }
 
-bool Referee::saw_release(std::size_t robot, double to_basket_m) {
+bool Referee::record_release(std::size_t robot, double to_basket_m) {
   if (phase_ != Phase::kRunning || to_basket_m > rules_.basket_zone_m) return false;
   ++tallies_[robot].deposited;
   call(robot, RefereeCall::What::kDeposited, rules_.points_per_piece);

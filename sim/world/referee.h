@@ -40,12 +40,12 @@ class Referee {
   /// Starts the clock.
   void start() noexcept;
   void advance(double dt_s) noexcept;
-  /// Takes a touch that began. It counts if it is hard enough, the other body is no piece, and the
-  /// same two did not just collide.
-  void saw_hit(const Hit& hit);
+  /// Takes a touch that began. It counts as a collision if it is hard enough, the other body is no
+  /// piece, and the same two did not just collide.
+  void record_collision(const Hit& hit);
   /// Takes the release of a piece at a distance from the nearest basket. Returns whether the piece
   /// is thrown away.
-  [[nodiscard]] bool saw_release(std::size_t robot, double to_basket_m);
+  [[nodiscard]] bool record_release(std::size_t robot, double to_basket_m);
 
   [[nodiscard]] Phase phase() const noexcept { return phase_; }
   [[nodiscard]] double elapsed_s() const noexcept { return elapsed_s_; }

@@ -13,10 +13,10 @@ constexpr double kFullPwm = 1000;
 constexpr double kStraightDeadZone_pwm = 190;
 constexpr double kTurnDeadZone_pwm = 315;
 constexpr double kTopSpeed_mps = 0.6;
-constexpr double kStall_n = 12;         // of a tread at full power; friction is higher: it stalls
-constexpr double kTreadMass_kg = 0.6;   // as the floor feels it, with rotor and gears
-constexpr double kFriction = 0.7;       // rubber on carpet
-constexpr double kWanderingTime_s = 1;  // time constant with which the slip changes
+constexpr double kStall_n = 12;        // of a tread at full power; friction is higher: it stalls
+constexpr double kTreadMass_kg = 0.6;  // as the floor feels it, with rotor and gears
+constexpr double kFriction = 0.7;      // rubber on carpet
+constexpr double kSlipTimeConstant_s = 1;  // time constant with which the slip changes
 
 /// Returns the impulse [Ns] that equalises the speeds of two masses, as far as friction allows.
 double coupling(double tread_mps, double body_mps, double body_kg, double most_ns) {
@@ -58,19 +58,19 @@ void Treads::run_motor(Tread& tread, double dt_s) noexcept {
   tread.speed_mps = (tread.speed_mps + rate * free_mps) / (1 + rate);
 }
 
-void Treads::wander(double dt_s) noexcept {
+void Treads::vary_slip(double dt_s) noexcept {
   const double share =
       slip_.straight_noise + scrub() * (slip_.turning_noise - slip_.straight_noise);
-  const double keep = 1 - dt_s / kWanderingTime_s;
+  const double keep = 1 - dt_s / kSlipTimeConstant_s;
   const double kick = share * std::sqrt(1 - keep * keep);
-  left_.wandering = keep * left_.wandering + kick * random_.normal();
-  right_.wandering = keep * right_.wandering + kick * random_.normal();
+  left_.slip = keep * left_.slip + kick * random_.normal();
+  right_.slip = keep * right_.slip + kick * random_.normal();
 }
 
 BodyVelocity Treads::step(const BodyVelocity& body, double dt_s) noexcept {
   run_motor(left_, dt_s);
   run_motor(right_, dt_s);
-  wander(dt_s);
+  vary_slip(dt_s);
 
   const double left_mps = left_.speed_mps * left_.grip();
   const double right_mps = right_.speed_mps * right_.grip();

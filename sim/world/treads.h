@@ -44,16 +44,16 @@ class Treads {
     double pwm = 0;
     double speed_mps = 0;
     double travel_m = 0;
-    double scale = 1;      ///< metres of floor a metre of tread
-    double wandering = 0;  ///< share of the travel gained or lost at present
+    double scale = 1;  ///< metres of floor a metre of tread
+    double slip = 0;   ///< share of the travel gained or lost at present
 
     [[nodiscard]] std::int32_t counts() const noexcept;
-    [[nodiscard]] double grip() const noexcept { return scale * (1 + wandering); }
+    [[nodiscard]] double grip() const noexcept { return scale * (1 + slip); }
   };
 
   [[nodiscard]] double scrub() const noexcept;
   void run_motor(Tread& tread, double dt_s) noexcept;
-  void wander(double dt_s) noexcept;
+  void vary_slip(double dt_s) noexcept;
 
   Slip slip_;
   Random random_;

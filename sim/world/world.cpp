@@ -37,7 +37,7 @@ Result<std::unique_ptr<World>> World::make(const Scenario& scenario, std::size_t
                  std::to_string(scenario.starts.size()) + " robots, not for " +
                  std::to_string(robots)};
   const Random random(seed);
-  auto pieces = strew(scenario, random.child("pieces"));
+  auto pieces = scatter_pieces(scenario, random.child("pieces"));
   if (!pieces) return pieces.error();
   return std::unique_ptr<World>(new World(scenario, pieces.value(), robots, random));
 }
@@ -60,7 +60,7 @@ void World::step() {
   objects_.rub(kStep_s);
   for (auto& robot : robots_) robot->before_step(kStep_s);
   physics_.step(kStep_s);
-  for (const Hit& hit : physics_.hits()) referee_.saw_hit(hit);
+  for (const Hit& hit : physics_.hits()) referee_.record_collision(hit);
   for (std::size_t i = 0; i < robots_.size(); ++i)
     if (robots_[i]->after_step(physics_.touches())) judge_release(i);
   referee_.advance(kStep_s);
@@ -71,7 +71,7 @@ void World::judge_release(std::size_t robot) {
   if (!let_go || let_go->kind != BodyKind::kPiece) return;
   if (!objects_.pieces()[let_go->index].body) return;  // two robots held it; the other was first
   const Vec2 at = from_b2(objects_.pieces()[let_go->index].body->GetPosition());
-  if (!referee_.saw_release(robot, to_nearest_basket_m(at))) return;
+  if (!referee_.record_release(robot, to_nearest_basket_m(at))) return;
   for (auto& each : robots_) each->gripper().forget(*let_go);
   objects_.remove_piece(let_go->index);
 }

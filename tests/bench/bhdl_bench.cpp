@@ -71,7 +71,7 @@ void parse_and_check(benchmark::State& state) {
     const CheckedTree checked = check_tree(parse("program.bhdl", text, diagnostics), "program.bhdl",
                                            robot_vocabulary(), diagnostics);
     warn_of_suspects(checked.program, robot_vocabulary(),
-                     {checked.tree, checked.bases, checked.unused_constants, "program.bhdl"},
+                     {checked.tree, checked.extended, checked.unused_constants, "program.bhdl"},
                      diagnostics);
     benchmark::DoNotOptimize(checked);
     if (diagnostics.has_errors()) return state.SkipWithError("the program has errors");

@@ -192,11 +192,14 @@ TEST(Wire, ATypeThatIsNoneIsRefusedByName) {
 
 TEST(Wire, DomainsThatAreNoneAreRefusedInASentence) {
   EXPECT_FALSE(Participant::join("x", 233).ok());
-  setenv("ROS_DOMAIN_ID", "seven", 1);
-  const auto joined = Participant::join("x");
-  unsetenv("ROS_DOMAIN_ID");
-  ASSERT_FALSE(joined.ok());
-  EXPECT_NE(joined.error().message.find("seven"), std::string::npos);
+  // The last one would be domain 1 in 32 bits.
+  for (const char* given : {"seven", "233", "-1", "4294967297"}) {
+    setenv("ROS_DOMAIN_ID", given, 1);
+    const auto joined = Participant::join("x");
+    unsetenv("ROS_DOMAIN_ID");
+    ASSERT_FALSE(joined.ok()) << given;
+    EXPECT_NE(joined.error().message.find(given), std::string::npos) << joined.error().message;
+  }
 }
 
 TEST(Schemas, AreFoundByBothNames) {

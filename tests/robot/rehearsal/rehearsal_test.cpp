@@ -10,6 +10,7 @@
 #include "robot/executive/executive.h"
 #include "robot/rehearsal/given_program.h"
 #include "robot/rehearsal/still_devices.h"
+#include "robot/rehearsal/timeline.h"
 
 namespace galilean::robot {
 namespace {
@@ -179,6 +180,21 @@ TEST(Rehearsal, AFailureSaysWhereWhatAndWhy) {
                                "2 s\n"));
   EXPECT_THAT(words, HasSubstr("  0 s: starts in wait\n"
                                "  1 s: wait → back_up, since bumpers[2] is 1\n"));
+}
+
+TEST(Rehearsal, ASchemaThatThrowsIsNamed) {
+  const auto program = program_with("");
+  const auto failure_of_schema = [&program](std::uint32_t schema) {
+    Timeline timeline(program);
+    Event event{.kind = Event::Kind::kSchemaFailed};
+    event.time = Time{std::chrono::milliseconds(1500)};
+    event.schema = schema;
+    event.text = ShortText("no room");
+    timeline.on_event(event);
+    return timeline.failure();
+  };
+  EXPECT_EQ(failure_of_schema(1), "schema 'detect' threw at 1.5 s: no room");
+  EXPECT_EQ(failure_of_schema(5), "schema 'add' threw at 1.5 s: no room");
 }
 
 TEST(Rehearsal, AStateThatIsLeftTooEarlyIsAFailure) {

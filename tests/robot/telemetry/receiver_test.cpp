@@ -84,7 +84,7 @@ TEST_F(ReceiverTest, APushThatItFailsOnIsRejectedAndTheNextOneRuns) {
   io.send(io.push(renamed(kWaits, "\"go\"", "\"move\"")));
   const auto rejected = replies.wait_for(has_status(status::REJECTED));
   ASSERT_TRUE(rejected);
-  EXPECT_EQ(rejected->message, "this robot failed on it: no room");
+  EXPECT_EQ(rejected->message, "this robot could not handle it: no room");
   const auto next = io.push(renamed(kWaits, "\"go\"", "\"run\""));
   io.send(next);
   EXPECT_TRUE(io.tick_until([&] {

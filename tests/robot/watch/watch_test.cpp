@@ -237,7 +237,7 @@ TEST_F(WatchTest, TellsWhatItCannotDoAndDoesItLater) {
   };
   start();
   write(file, with_state("second"));
-  EXPECT_TRUE(comes_to_tell("my.bhdl was saved, but cannot be taken over (no room)"));
+  EXPECT_TRUE(comes_to_tell("my.bhdl was saved, but could not be loaded (no room)"));
   EXPECT_TRUE(comes_to("second"));
   write(file, with_state("third"));
   EXPECT_TRUE(comes_to("third"));

@@ -16,22 +16,22 @@ Referee running(const Rules& rules = {}) {
 
 TEST(Referee, CountsHardTouchesOncePerPairAndPause) {
   Referee referee = running();
-  referee.saw_hit({0, kWall, 0.05});
+  referee.record_collision({0, kWall, 0.05});
   EXPECT_EQ(referee.collisions(), 0U);
-  referee.saw_hit({0, kWall, 0.2});
-  referee.saw_hit({0, kWall, 0.2});
+  referee.record_collision({0, kWall, 0.2});
+  referee.record_collision({0, kWall, 0.2});
   EXPECT_EQ(referee.collisions(), 1U);
-  referee.saw_hit({0, {BodyKind::kFurniture, 3}, 0.2});
-  referee.saw_hit({1, kWall, 0.2});
+  referee.record_collision({0, {BodyKind::kFurniture, 3}, 0.2});
+  referee.record_collision({1, kWall, 0.2});
   EXPECT_EQ(referee.collisions(), 3U);
   referee.advance(5);
-  referee.saw_hit({0, kWall, 0.2});
+  referee.record_collision({0, kWall, 0.2});
   EXPECT_EQ(referee.robots()[0].collisions, 3U);
 }
 
 TEST(Referee, PiecesMayBeTouched) {
   Referee referee = running();
-  referee.saw_hit({0, {BodyKind::kPiece, 0}, 0.3});
+  referee.record_collision({0, {BodyKind::kPiece, 0}, 0.3});
   EXPECT_EQ(referee.collisions(), 0U);
 }
 
@@ -39,14 +39,14 @@ TEST(Referee, NothingCountsBeforeTheStartOrAfterTheEnd) {
   Rules rules;
   rules.duration_s = 10;
   Referee referee(rules, 1);
-  EXPECT_FALSE(referee.saw_release(0, 0.1));
+  EXPECT_FALSE(referee.record_release(0, 0.1));
   referee.advance(5);
   EXPECT_EQ(referee.elapsed_s(), 0);
   referee.start();
   referee.advance(11);
   EXPECT_EQ(referee.phase(), Phase::kOver);
   EXPECT_EQ(referee.remaining_s(), 0);
-  EXPECT_FALSE(referee.saw_release(0, 0.1));
+  EXPECT_FALSE(referee.record_release(0, 0.1));
   EXPECT_EQ(referee.score(), 0);
 }
 
@@ -55,9 +55,9 @@ TEST(Referee, ScoreIsPointsLessPenalties) {
   rules.points_per_piece = 7;
   rules.penalty_per_collision = 2;
   Referee referee = running(rules);
-  EXPECT_TRUE(referee.saw_release(1, rules.basket_zone_m));
-  EXPECT_FALSE(referee.saw_release(1, rules.basket_zone_m + 0.01));
-  referee.saw_hit({0, kWall, 1});
+  EXPECT_TRUE(referee.record_release(1, rules.basket_zone_m));
+  EXPECT_FALSE(referee.record_release(1, rules.basket_zone_m + 0.01));
+  referee.record_collision({0, kWall, 1});
   EXPECT_EQ(referee.score(), 5);
   EXPECT_EQ(referee.robots()[1].deposited, 1U);
 }
@@ -68,15 +68,15 @@ TEST(Referee, KeepsTheNewestCallsWithTheirPoints) {
   rules.penalty_per_collision = 2;
   Referee referee = running(rules);
   referee.advance(3);
-  referee.saw_hit({0, kWall, 1});
-  EXPECT_TRUE(referee.saw_release(1, 0));
+  referee.record_collision({0, kWall, 1});
+  EXPECT_TRUE(referee.record_release(1, 0));
   ASSERT_EQ(referee.calls().size(), 2U);
   EXPECT_EQ(referee.calls()[0].what, RefereeCall::What::kCollision);
   EXPECT_EQ(referee.calls()[0].points, -2);
   EXPECT_EQ(referee.calls()[1].robot, 1U);
   EXPECT_EQ(referee.calls()[1].elapsed_s, 3);
   EXPECT_EQ(referee.calls()[1].points, 7);
-  for (int i = 0; i < 100; ++i) EXPECT_TRUE(referee.saw_release(0, 0));
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(referee.record_release(0, 0));
   EXPECT_EQ(referee.calls().size(), 64U);
   EXPECT_EQ(referee.calls().front().robot, 0U);
 }

@@ -12,7 +12,7 @@ namespace galilean::bhdl::lsp {
 
 /// Checks the programs that the open files are part of, and publishes what changed. A program is
 /// checked again only when one of its files has changed.
-class DiagnosticDesk {
+class DiagnosticPublisher {
  public:
   /// Notes that a document was opened, changed or closed.
   void note_change() noexcept { due_ = true; }

@@ -45,7 +45,7 @@ bool is_free(const Scenario& scenario, const std::vector<PlacedPiece>& pieces, c
 
 }  // namespace
 
-Result<std::vector<PlacedPiece>> strew(const Scenario& scenario, Random random) {
+Result<std::vector<PlacedPiece>> scatter_pieces(const Scenario& scenario, Random random) {
   std::vector<PlacedPiece> pieces = scenario.placed;
   const double edge_m = scenario.clearance_m;
   for (int kind = 0; kind < kPieceKinds; ++kind)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bhdl/check/owner.h"
+#include "bhdl/check/attribute_context.h"
 
 #include "bhdl/source/text.h"
 
@@ -13,9 +13,9 @@ const ValueNode* given_name(const std::vector<AttributeNode>& attributes) noexce
   return nullptr;
 }
 
-std::string label(const Owner& owner) {
-  const ValueNode* name = given_name(owner.attributes);
-  return std::string(owner.type.text) +
+std::string label(const AttributeContext& context) {
+  const ValueNode* name = given_name(context.attributes);
+  return std::string(context.type.text) +
          (name == nullptr ? std::string() : " " + in_quotes(name->text));
 }
 

@@ -7,9 +7,9 @@ namespace galilean::bhdl {
 
 /// Answers what a label without a value means, from knowledge of the catalog. Where a text breaks
 /// off at such a label, as it does while it is typed, the grammar alone cannot decide.
-class LabelSense {
+class LabelResolver {
  public:
-  virtual ~LabelSense() = default;
+  virtual ~LabelResolver() = default;
   /// Returns whether a block of this kind and type has an attribute of that name.
   [[nodiscard]] virtual bool is_attribute(NodeKind block, std::string_view type,
                                           std::string_view label) const = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bhdl/lsp/diagnostic_desk.h"
+#include "bhdl/lsp/diagnostic_publisher.h"
 
 #include <algorithm>
 #include <set>
@@ -89,13 +89,13 @@ Json diagnostic_to_json(const Session& session, const ParsedFile& file,
   return json;
 }
 
-const std::vector<Diagnostic>& DiagnosticDesk::of(const std::string& path) const {
+const std::vector<Diagnostic>& DiagnosticPublisher::of(const std::string& path) const {
   static const std::vector<Diagnostic> none;
   const auto found = current_.find(path);
   return found == current_.end() ? none : found->second;
 }
 
-void DiagnosticDesk::check_programs(const Session& session) {
+void DiagnosticPublisher::check_programs(const Session& session) {
   std::map<std::string, Checked> checked;
   for (const auto& [path, document] : session.workspace.open_documents())
     for (auto& files : session.workspace.programs_with(path)) {
@@ -116,7 +116,7 @@ void DiagnosticDesk::check_programs(const Session& session) {
 }
 
 // A program whose main file is not open adds only what concerns the open files.
-DiagnosticDesk::OfPath DiagnosticDesk::merged(const Session& session) const {
+DiagnosticPublisher::OfPath DiagnosticPublisher::merged(const Session& session) const {
   OfPath all;
   for (const auto& open : session.workspace.open_documents()) all[open.first];
   for (const auto& [main_path, program] : checked_) {
@@ -127,7 +127,7 @@ DiagnosticDesk::OfPath DiagnosticDesk::merged(const Session& session) const {
   return all;
 }
 
-std::vector<Json> DiagnosticDesk::publish(const Session& session) {
+std::vector<Json> DiagnosticPublisher::publish(const Session& session) {
   due_ = false;
   check_programs(session);
   current_ = merged(session);

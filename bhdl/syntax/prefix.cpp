@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bhdl/syntax/beginning.h"
+#include "bhdl/syntax/prefix.h"
 
 #include "bhdl/syntax/file_parser.h"
 #include "bhdl/syntax/item.h"
@@ -27,20 +27,20 @@ std::optional<Item> last_item_before(const ParseTree& tree, std::size_t end) {
 
 }  // namespace
 
-Beginning read_beginning(const ParseTree& whole, std::size_t end, const LabelSense& sense) {
-  Beginning beginning{{whole.text.substr(0, end), {}, {}}, {}};
+Prefix parse_prefix(const ParseTree& whole, std::size_t end, const LabelResolver& resolver) {
+  Prefix prefix{{whole.text.substr(0, end), {}, {}}, {}};
   const auto item = last_item_before(whole, end);
-  if (!item) return beginning;
-  beginning.states = item->states;
+  if (!item) return prefix;
+  prefix.states = item->states;
   const std::uint32_t first = whole.nodes[item->node].first_token;
   const bool after_number = first > 0 && whole.tokens[first - 1].kind == TokenKind::kNumber;
   Diagnostics unheard;
-  TokenStream tokens({}, beginning.tree, whole.tokens[first], after_number, unheard, &sense);
+  TokenStream tokens({}, prefix.tree, whole.tokens[first], after_number, unheard, &resolver);
   std::optional<std::uint32_t> states;
   if (item->states) states = tokens.open(NodeKind::kStates);
   FileParser(tokens, states, unheard).parse();
   tokens.drop_look_ahead();
-  return beginning;
+  return prefix;
 }
 
 }  // namespace galilean::bhdl

@@ -13,11 +13,11 @@ namespace {
 void work(const Worker::Round& round, const Worker::Report& report, const std::stop_token& stop) {
   std::string told;
   while (!stop.stop_requested()) {
-    std::string failure = failure_of([&] { round(stop); });
-    const bool failed = !failure.empty();
-    const bool is_told = failure == told || failure_of([&] { report(failure); }).empty();
+    const auto done = attempt([&] { round(stop); });
+    std::string failure = done ? "" : done.error().message;
+    const bool is_told = failure == told || attempt([&] { report(failure); });
     if (is_told) told = std::move(failure);
-    if (failed) static_cast<void>(failure_of([&] { sleep_for(Worker::kTryAgain, stop); }));
+    if (!done) static_cast<void>(attempt([&] { sleep_for(Worker::kTryAgain, stop); }));
   }
 }
 

@@ -41,8 +41,8 @@ bool put(const std::string& file, const std::string& old_text, const std::string
     return std::cout.good();
   }
   if (!changes) return true;
-  if (const auto problem = replace_file(file, new_text)) {
-    std::cerr << "galilean-bhdl: " << problem->message << '\n';
+  if (const auto replaced = replace_file(file, new_text); !replaced) {
+    std::cerr << "galilean-bhdl: " << replaced.error().message << '\n';
     return false;
   }
   std::cout << file << '\n';

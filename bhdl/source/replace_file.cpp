@@ -34,7 +34,7 @@ Error cannot_write(const std::string& path, const std::string& reason) {
 
 }  // namespace
 
-std::optional<Error> replace_file(const std::filesystem::path& path, std::string_view text) {
+Result<void> replace_file(const std::filesystem::path& path, std::string_view text) {
   std::error_code failed;
   const std::string target = std::filesystem::canonical(path, failed).string();
   if (failed) return cannot_write(path.string(), failed.message());
@@ -44,7 +44,7 @@ std::optional<Error> replace_file(const std::filesystem::path& path, std::string
   const bool done = fill_beside(descriptor, target, text);
   int reason = errno;
   ::close(descriptor);
-  if (done && ::rename(beside.c_str(), target.c_str()) == 0) return std::nullopt;
+  if (done && ::rename(beside.c_str(), target.c_str()) == 0) return {};
   if (done) reason = errno;
   ::unlink(beside.c_str());
   return cannot_write(target, std::strerror(reason));

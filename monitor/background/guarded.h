@@ -3,7 +3,6 @@
 
 #include <exception>
 #include <iostream>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,14 +12,14 @@
 namespace galilean::monitor {
 
 /// Runs `work`, and keeps an exception from ending its caller: a session, a timer that arms itself
-/// anew or a thread. Writes the exception to stderr as the failure of `what`. Returns the
-/// exception's message, or nothing if `work` did not throw. Exceptions that are no std::exception
-/// pass through.
+/// anew or a thread. Writes the exception to stderr as the failure of `what`. Exceptions that
+/// are no std::exception pass through.
+/// Errors: `work` threw; the error is the exception's message.
 template <class Work>
-std::optional<Error> guarded(std::string_view what, Work&& work) {
+Result<void> guarded(std::string_view what, Work&& work) {
   try {
     std::forward<Work>(work)();
-    return std::nullopt;
+    return {};
   } catch (const std::exception& error) {
     std::clog << "galilean-monitor: " + std::string(what) + " failed: " + error.what() + "\n"
               << std::flush;

@@ -26,7 +26,7 @@ class Worker {
   /// Runs a job that has no result.
   template <class Job>
   void run(Job job) {
-    boost::asio::post(pool_, [job = std::move(job)]() mutable { guarded("a job", job); });
+    boost::asio::post(pool_, [job = std::move(job)]() mutable { (void)guarded("a job", job); });
   }
   /// Runs `job`, then calls `then` with its result on the io_context's thread. If one of the two
   /// throws, calls `otherwise` with the exception's message on the io_context's thread.
@@ -35,13 +35,13 @@ class Worker {
     boost::asio::post(pool_, [this, job = std::move(job), then = std::move(then),
                               otherwise = std::move(otherwise)]() mutable {
       std::optional<decltype(job())> result;
-      auto failure = guarded("a job", [&] { result.emplace(job()); });
+      auto done = guarded("a job", [&] { result.emplace(job()); });
       // The job is destroyed on the io_context's thread, because it may be a session's last owner.
       boost::asio::post(
           io_, [job = std::move(job), then = std::move(then), otherwise = std::move(otherwise),
-                result = std::move(result), failure = std::move(failure)]() mutable {
-            if (!failure) failure = guarded("a job's end", [&] { then(*std::move(result)); });
-            if (failure) guarded("a job's failure", [&] { otherwise(failure->message); });
+                result = std::move(result), done = std::move(done)]() mutable {
+            if (done) done = guarded("a job's end", [&] { then(*std::move(result)); });
+            if (!done) (void)guarded("a job's failure", [&] { otherwise(done.error().message); });
           });
     });
   }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -10,15 +9,12 @@
 
 namespace galilean::mcap {
 
-/// The error of an operation, or nothing if the operation succeeded.
-using Failure = std::optional<Error>;
-
 /// The destination of a recording: a file, or a faulty disk in a test.
 class ByteSink {
  public:
   virtual ~ByteSink() = default;
   /// Appends all of `bytes`. After a failure, a part of them may have been written.
-  [[nodiscard]] virtual Failure write(std::span<const std::uint8_t> bytes) = 0;
+  virtual Result<void> write(std::span<const std::uint8_t> bytes) = 0;
 };
 
 /// A file on disk. It has no buffer of its own, so the bytes of a successful write stay in the file
@@ -33,9 +29,9 @@ class FileSink final : public ByteSink {
   FileSink& operator=(FileSink&&) = delete;
   ~FileSink() override;
 
-  [[nodiscard]] Failure write(std::span<const std::uint8_t> bytes) override;
+  Result<void> write(std::span<const std::uint8_t> bytes) override;
   /// Waits until all that was written is on the disk, so that it survives a loss of power.
-  [[nodiscard]] Failure sync();
+  Result<void> sync();
 
  private:
   FileSink(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}

@@ -23,7 +23,7 @@ FileSink::~FileSink() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
-Failure FileSink::write(std::span<const std::uint8_t> bytes) {
+Result<void> FileSink::write(std::span<const std::uint8_t> bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
@@ -33,7 +33,7 @@ Failure FileSink::write(std::span<const std::uint8_t> bytes) {
   return {};
 }
 
-Failure FileSink::sync() {
+Result<void> FileSink::sync() {
   // EINVAL and EROFS mean a pipe or a device, which cannot be synchronized.
   if (fsync(descriptor_) == 0 || errno == EINVAL || errno == EROFS) return {};
   return Error{path_ + " cannot be written: " + std::strerror(errno)};

@@ -15,24 +15,24 @@ constexpr std::size_t kFooterFieldsBeforeCrc = kRecordHead + 8 + 8;
 
 Writer::Writer(ByteSink& sink, WriterOptions options) : sink_(sink), options_(std::move(options)) {}
 
-Failure Writer::emit(ByteView bytes) {
-  if (failure_) return failure_;
-  failure_ = sink_.write(bytes);
-  if (failure_) return failure_;
+Result<void> Writer::emit(ByteView bytes) {
+  if (!outcome_) return outcome_;
+  outcome_ = sink_.write(bytes);
+  if (!outcome_) return outcome_;
   position_ += bytes.size();
   data_crc_ = crc32(bytes, data_crc_);
   return {};
 }
 
 template <class Record>
-Failure Writer::emit_record(const Record& record) {
+Result<void> Writer::emit_record(const Record& record) {
   scratch_.clear();
   append(scratch_, record);
   return emit(scratch_);
 }
 
-Failure Writer::begin() {
-  if (const auto failure = emit(kMagic)) return failure;
+Result<void> Writer::begin() {
+  if (auto done = emit(kMagic); !done) return done;
   return emit_record(Header{options_.profile, options_.library});
 }
 
@@ -50,21 +50,21 @@ std::uint16_t Writer::add_channel(Channel channel) {
   return channels_.back().id;
 }
 
-Failure Writer::write(const Message& message) {
-  if (failure_) return failure_;
+Result<void> Writer::write(const Message& message) {
+  if (!outcome_) return outcome_;
   if (chunk_is_due(message.log_ns))
-    if (const auto failure = close_chunk()) return failure;
+    if (auto done = close_chunk(); !done) return done;
   chunk_.add(message);
   const bool first = statistics_.messages++ == 0;
   ++statistics_.channel_messages[message.channel_id];
   statistics_.start_ns = first ? message.log_ns : std::min(statistics_.start_ns, message.log_ns);
   statistics_.end_ns = std::max(statistics_.end_ns, message.log_ns);
-  return chunk_.records().size() >= options_.chunk_bytes ? close_chunk() : Failure{};
+  return chunk_.records().size() >= options_.chunk_bytes ? close_chunk() : Result<void>{};
 }
 
-Failure Writer::write(const Metadata& metadata) {
+Result<void> Writer::write(const Metadata& metadata) {
   const std::uint64_t offset = position_;
-  if (const auto failure = emit_record(metadata)) return failure;
+  if (auto done = emit_record(metadata); !done) return done;
   metadata_indexes_.push_back({offset, position_ - offset, metadata.name});
   ++statistics_.metadata;
   return {};
@@ -75,12 +75,12 @@ bool Writer::chunk_is_due(std::uint64_t now_ns) const {
   return chunk_.end_ns() != 0 && now_ns >= chunk_.start_ns() + span_ns;
 }
 
-Failure Writer::close_chunk_if_due(std::uint64_t now_ns) {
-  return chunk_is_due(now_ns) ? close_chunk() : failure_;
+Result<void> Writer::close_chunk_if_due(std::uint64_t now_ns) {
+  return chunk_is_due(now_ns) ? close_chunk() : outcome_;
 }
 
-Failure Writer::close_chunk() {
-  if (failure_ || chunk_.empty()) return failure_;
+Result<void> Writer::close_chunk() {
+  if (!outcome_ || chunk_.empty()) return outcome_;
   Chunk chunk{chunk_.start_ns(),       chunk_.end_ns(), chunk_.records().size(),
               crc32(chunk_.records()), kCompression,    compressor_.compress(chunk_.records())};
   ChunkIndex index{.start_ns = chunk.start_ns,
@@ -89,16 +89,16 @@ Failure Writer::close_chunk() {
                    .compression = kCompression,
                    .compressed_size = chunk.records.size(),
                    .uncompressed_size = chunk.uncompressed_size};
-  if (const auto failure = emit_record(chunk)) return failure;
+  if (auto done = emit_record(chunk); !done) return done;
   index.length = position_ - index.offset;
-  if (const auto failure = write_message_indexes(index)) return failure;
+  if (auto done = write_message_indexes(index); !done) return done;
   chunk_indexes_.push_back(std::move(index));
   ++statistics_.chunks;
   chunk_.clear();
   return {};
 }
 
-Failure Writer::write_message_indexes(ChunkIndex& index) {
+Result<void> Writer::write_message_indexes(ChunkIndex& index) {
   scratch_.clear();
   for (const auto& [channel, messages] : chunk_.indexes()) {
     if (messages.entries.empty()) continue;
@@ -109,9 +109,9 @@ Failure Writer::write_message_indexes(ChunkIndex& index) {
   return emit(scratch_);
 }
 
-Failure Writer::end() {
-  if (const auto failure = close_chunk()) return failure;
-  if (const auto failure = emit_record(DataEnd{data_crc_})) return failure;
+Result<void> Writer::end() {
+  if (auto done = close_chunk(); !done) return done;
+  if (auto done = emit_record(DataEnd{data_crc_}); !done) return done;
   return write_summary();
 }
 
@@ -124,7 +124,7 @@ void Writer::append_group(Opcode opcode, const Records& records, Bytes& summary,
   if (length > 0) append(offsets, SummaryOffset{opcode, start, length});
 }
 
-Failure Writer::write_summary() {
+Result<void> Writer::write_summary() {
   Bytes summary, offsets;
   append_group(Opcode::kSchema, schemas_, summary, offsets);
   append_group(Opcode::kChannel, channels_, summary, offsets);

@@ -25,33 +25,33 @@ class Writer {
   explicit Writer(ByteSink& sink, WriterOptions options = {});
 
   /// Writes the start of the file. Call it once, before all others.
-  [[nodiscard]] Failure begin();
+  Result<void> begin();
   /// Returns the new schema's id, from 1. Schemas and channels stand in the file before their first
   /// message, and again in the summary.
   [[nodiscard]] std::uint16_t add_schema(std::string name, std::string encoding, std::string data);
   /// Returns the new channel's id, from 1; `channel.id` is ignored.
   [[nodiscard]] std::uint16_t add_channel(Channel channel);
   /// Adds a message to the open chunk, and copies its data.
-  [[nodiscard]] Failure write(const Message& message);
+  Result<void> write(const Message& message);
   /// Writes a metadata record at once, before the open chunk.
-  [[nodiscard]] Failure write(const Metadata& metadata);
+  Result<void> write(const Metadata& metadata);
   /// Closes the chunk if its span is over at `now_ns`, so that messages do not stay in memory while
   /// no more arrive.
-  [[nodiscard]] Failure close_chunk_if_due(std::uint64_t now_ns);
+  Result<void> close_chunk_if_due(std::uint64_t now_ns);
   /// Closes the last chunk and writes the summary. Call nothing that writes after it.
-  [[nodiscard]] Failure end();
+  Result<void> end();
 
   [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
   [[nodiscard]] std::uint64_t bytes_written() const noexcept { return position_; }
 
  private:
   bool chunk_is_due(std::uint64_t now_ns) const;
-  Failure close_chunk();
-  Failure write_message_indexes(ChunkIndex& index);
-  Failure write_summary();
-  Failure emit(ByteView bytes);
+  Result<void> close_chunk();
+  Result<void> write_message_indexes(ChunkIndex& index);
+  Result<void> write_summary();
+  Result<void> emit(ByteView bytes);
   template <class Record>
-  Failure emit_record(const Record& record);
+  Result<void> emit_record(const Record& record);
   template <class Records>
   void append_group(Opcode opcode, const Records& records, Bytes& summary, Bytes& offsets) const;
 
@@ -62,7 +62,7 @@ class Writer {
   Bytes scratch_;
   std::uint64_t position_ = 0;
   std::uint32_t data_crc_ = 0;
-  Failure failure_;
+  Result<void> outcome_;
   std::vector<Schema> schemas_;
   std::vector<Channel> channels_;
   std::vector<ChunkIndex> chunk_indexes_;

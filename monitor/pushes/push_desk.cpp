@@ -104,9 +104,9 @@ void PushDesk::advance(Open& open) {
   for (auto asked = push.take_requests(); !asked.empty(); asked = push.take_requests())
     for (auto& request : asked) {
       Result<void> begun;
-      const auto thrown =
+      const auto carried_out =
           guarded("a push", [&] { begun = executor_.carry_out(push.id(), std::move(request)); });
-      if (thrown) push.take(RequestFailed{thrown->message}, clock_.now());
+      if (!carried_out) push.take(RequestFailed{carried_out.error().message}, clock_.now());
       if (!begun) push.fail(begun.error().message);
     }
   const auto answer = push.take_answer();
@@ -115,7 +115,7 @@ void PushDesk::advance(Open& open) {
 
 void PushDesk::watch() {
   for (const auto& open : std::deque(open_))
-    if (!open->push.is_over()) guarded("watching a push", [&] { watch(*open); });
+    if (!open->push.is_over()) (void)guarded("watching a push", [&] { watch(*open); });
   timer_.expires_after(kWatchEach);
   timer_.async_wait([this](boost::system::error_code error) {
     if (!error) watch();

@@ -33,28 +33,28 @@ int fail(const std::string& sentence) {
 }
 
 /// Records for `duration_s` seconds, or without end if that is 0, until termination is asked for.
-/// Returns the failure that ended the recording sooner, if there was one.
-mcap::Failure record(Recorder& recorder, Termination& termination, double duration_s) {
+/// Errors: the recording ended sooner, because it could not be written.
+Result<void> record(Recorder& recorder, Termination& termination, double duration_s) {
   constexpr int kLookAtClockEach_ms = 100;
   const SteadyClock clock;
   while (!termination.asked() &&
          (duration_s == 0 || to_seconds(clock.now() - Time{}) < duration_s)) {
     pollfd events[] = {{recorder.descriptor(), POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
     poll(events, 2, kLookAtClockEach_ms);
-    if (auto failure = recorder.pump()) return failure;
+    if (auto done = recorder.pump(); !done) return done;
   }
   return {};
 }
 
-mcap::Failure begin(mcap::Writer& writer) {
-  if (auto failure = writer.begin()) return failure;
+Result<void> begin(mcap::Writer& writer) {
+  if (auto done = writer.begin(); !done) return done;
   return writer.write(mcap::Metadata{
       "galilean",
       {{"version", GALILEAN_VERSION}, {"started", monitor::iso_time(wire::wall_clock_ns())}}});
 }
 
-mcap::Failure end(mcap::Writer& writer, mcap::FileSink& file) {
-  if (auto failure = writer.end()) return failure;
+Result<void> end(mcap::Writer& writer, mcap::FileSink& file) {
+  if (auto done = writer.end(); !done) return done;
   return file.sync();
 }
 
@@ -87,13 +87,13 @@ int run(const Options& options) try {
   if (!file) return fail(file.error().message);
 
   mcap::Writer writer(file.value(), {.library = "galilean " GALILEAN_VERSION});
-  auto failure = begin(writer);
+  auto done = begin(writer);
   Recorder recorder(
       *participant.value(), writer, std::move(chosen),
       [](const std::string& problem) { std::cerr << "galilean-record: " << problem << '\n'; });
-  if (!failure) failure = record(recorder, termination, options.duration_s);
-  if (!failure) failure = end(writer, file.value());
-  if (failure) return fail(failure->message + "; what was recorded until then can still be read");
+  if (done) done = record(recorder, termination, options.duration_s);
+  if (done) done = end(writer, file.value());
+  if (!done) return fail(done.error().message + "; what was recorded until then can still be read");
   tell(options, writer, recorder.topics());
   return 0;
 } catch (const std::regex_error& error) {

@@ -47,12 +47,12 @@ Recorder::~Recorder() {
   for (const auto& subscription : subscriptions_) subscription->reader.reset();
 }
 
-mcap::Failure Recorder::pump() {
+Result<void> Recorder::pump() {
   wake_.clear();
   if (topics_changed_.exchange(false)) subscribe_to_new();
   for (const auto& subscription : subscriptions_)
     if (subscription->ready.exchange(false))
-      if (const auto failure = record(*subscription)) return failure;
+      if (auto done = record(*subscription); !done) return done;
   return writer_.close_chunk_if_due(static_cast<std::uint64_t>(wire::wall_clock_ns()));
 }
 
@@ -107,15 +107,15 @@ std::uint16_t Recorder::channel_for(const std::string& name, const wire::Schema&
   return writer_.add_channel(std::move(channel));
 }
 
-mcap::Failure Recorder::record(Subscription& subscription) {
-  mcap::Failure failure;
+Result<void> Recorder::record(Subscription& subscription) {
+  Result<void> done;
   subscription.reader->take([&](const wire::Received& received) {
-    if (failure) return;
-    failure = writer_.write({subscription.channel, ++subscription.sequence,
-                             static_cast<std::uint64_t>(wire::wall_clock_ns()),
-                             static_cast<std::uint64_t>(received.sent_ns), received.cdr});
+    if (!done) return;
+    done = writer_.write({subscription.channel, ++subscription.sequence,
+                          static_cast<std::uint64_t>(wire::wall_clock_ns()),
+                          static_cast<std::uint64_t>(received.sent_ns), received.cdr});
   });
-  return failure;
+  return done;
 }
 
 }  // namespace galilean::monitor

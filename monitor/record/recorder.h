@@ -42,7 +42,7 @@ class Recorder {
   [[nodiscard]] int descriptor() const noexcept { return wake_.descriptor(); }
   /// Records the messages that came since the last call. Never waits for more.
   /// Errors: the file cannot be written.
-  [[nodiscard]] mcap::Failure pump();
+  [[nodiscard]] Result<void> pump();
   [[nodiscard]] std::size_t topics() const noexcept { return subscriptions_.size(); }
 
  private:
@@ -52,7 +52,7 @@ class Recorder {
   void subscribe_to_new();
   void subscribe(const std::string& topic, const wire::Schema& schema);
   std::uint16_t channel_for(const std::string& name, const wire::Schema& schema);
-  mcap::Failure record(Subscription& subscription);
+  Result<void> record(Subscription& subscription);
 
   wire::Participant& participant_;
   mcap::Writer& writer_;

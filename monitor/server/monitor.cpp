@@ -123,12 +123,15 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
 
 Ingest::Callbacks Monitor::Parts::callbacks() {
   // An exception from one topic or message must not keep the next ones from being handled.
-  return {
-      [this](const Channel& channel) { guarded(channel.topic, [&] { hub.add_channel(channel); }); },
-      [this](const Message& message) { guarded(message.channel.topic, [&] { receive(message); }); },
-      [](const std::string& problem) {
-        std::clog << "galilean-monitor: " << problem << std::endl;
-      }};
+  return {[this](const Channel& channel) {
+            (void)guarded(channel.topic, [&] { hub.add_channel(channel); });
+          },
+          [this](const Message& message) {
+            (void)guarded(message.channel.topic, [&] { receive(message); });
+          },
+          [](const std::string& problem) {
+            std::clog << "galilean-monitor: " << problem << std::endl;
+          }};
 }
 
 void Monitor::Parts::receive(const Message& message) {
@@ -141,7 +144,7 @@ void Monitor::Parts::receive(const Message& message) {
 }
 
 void Monitor::Parts::tell_regularly() {
-  guarded("telling the clients", [this] {
+  (void)guarded("telling the clients", [this] {
     hub.send_time(wire::wall_clock_ns());
     hub.send_parameters(team_parameters(team));
     if (hub.graph_is_watched()) hub.send_graph(connection_graph(graph.topics()));
@@ -183,7 +186,7 @@ std::string Monitor::new_operator_token() const {
 
 void Monitor::run() {
   // An exception that comes this far has ended its handler. The others go on.
-  while (!parts_->io.stopped()) guarded("a handler", [this] { parts_->io.run(); });
+  while (!parts_->io.stopped()) (void)guarded("a handler", [this] { parts_->io.run(); });
 }
 
 void Monitor::stop() {

@@ -5,7 +5,7 @@
 
 namespace galilean::robot {
 
-std::string AcceptedSenders::objection(const std::optional<std::string>& sender) const {
+Result<void> AcceptedSenders::accept(const std::optional<std::string>& sender) const {
   const auto accepts = [this](const std::string& name) {
     return std::ranges::find(names_, name) != names_.end();
   };
@@ -14,9 +14,9 @@ std::string AcceptedSenders::objection(const std::optional<std::string>& sender)
   for (const std::string& name : names_) list += (list.empty() ? "" : ", ") + name;
   const std::string from =
       sender ? "from '" + *sender + "'" : "from a participant that has already left";
-  return "it came " + from + ", but this robot accepts programs only from " + list +
-         ": push through the monitor, or start the robot with --accept-swaps-from " +
-         (sender ? *sender : kAny);
+  return Error{"it came " + from + ", but this robot accepts programs only from " + list +
+               ": push through the monitor, or start the robot with --accept-swaps-from " +
+               (sender ? *sender : kAny)};
 }
 
 }  // namespace galilean::robot

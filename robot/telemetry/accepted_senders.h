@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/result.h"
 #include "core/wire/participant.h"
 
 namespace galilean::robot {
@@ -19,9 +20,9 @@ class AcceptedSenders {
   explicit AcceptedSenders(std::vector<std::string> names = {wire::kMonitorName})
       : names_(std::move(names)) {}
 
-  /// Returns why the robot accepts nothing from `sender` and what to do, or an empty text if it
-  /// accepts. The name of a sender that has left is not known.
-  [[nodiscard]] std::string objection(const std::optional<std::string>& sender) const;
+  /// Errors: the robot accepts nothing from `sender`; the error says why and what to do. The name
+  /// of a sender that has left is not known.
+  [[nodiscard]] Result<void> accept(const std::optional<std::string>& sender) const;
 
  private:
   std::vector<std::string> names_;

@@ -13,7 +13,8 @@ CommandReceiver::CommandReceiver(const TelemetrySource& source, const Worker::Re
     : source_(source), reader_(source.participant, wire::kCommandTopic, msg::Command::kRosType) {
   // A thread of DDS calls this function. An exception from it would end the process.
   const auto take_or_report = [this, report] {
-    static_cast<void>(failure_of([&] { report(failure_of([&] { take(); })); }));
+    const auto taken = attempt([&] { take(); });
+    static_cast<void>(attempt([&] { report(taken ? "" : taken.error().message); }));
   };
   reader_.on_data(take_or_report);
   take_or_report();

@@ -39,13 +39,14 @@ std::vector<msg::Diagnostic> to_messages(const std::vector<bhdl::Diagnostic>& di
 
 constexpr float kLongestProbation_s = 3600;
 
-/// Returns why a push's rules of probation are not valid, or an empty text if they are.
-std::string objection_to_rules(const msg::ProgramPush& push) {
+/// Errors: the push's rules of probation are not valid.
+Result<void> check_rules(const msg::ProgramPush& push) {
   if (!(push.probation_s >= 0 && push.probation_s <= kLongestProbation_s))
-    return "its probation must last from 0 to 3600 s, not " + std::to_string(push.probation_s);
+    return Error{"its probation must last from 0 to 3600 s, not " +
+                 std::to_string(push.probation_s)};
   if (push.most_transitions_per_s > ProbationRules::kMostCounted)
-    return "its limit must be at most " + std::to_string(ProbationRules::kMostCounted) +
-           " transitions a second, not " + std::to_string(push.most_transitions_per_s);
+    return Error{"its limit must be at most " + std::to_string(ProbationRules::kMostCounted) +
+                 " transitions a second, not " + std::to_string(push.most_transitions_per_s)};
   return {};
 }
 
@@ -93,24 +94,27 @@ void ProgramReceiver::take_from(wire::Reader& reader) {
     if (!msg::decode_cdr(received.cdr, message)) return;
     if (!is_meant(source_.robot, message.targets)) return;
     if (message.targets.empty() && !source_.executive.in_service()) return;
-    std::string why = source_.accepted_senders.objection(reader.sender(received));
-    if (why.empty()) why = handle_or_fail(message);
-    if (!why.empty()) reject({message.id, message.hash, {}}, std::move(why));
+    if (const auto done = handle_from(reader.sender(received), message); !done)
+      reject({message.id, message.hash, {}}, done.error().message);
   });
 }
 
 template <class M>
-std::string ProgramReceiver::handle_or_fail(const M& message) {
-  const std::string failure = failure_of([&] { handle(message); });
-  return failure.empty() ? "" : "this robot could not handle it: " + failure;
+Result<void> ProgramReceiver::handle_from(const std::optional<std::string>& sender,
+                                          const M& message) {
+  if (auto accepted = source_.accepted_senders.accept(sender); !accepted) return accepted;
+  if (const auto done = attempt([&] { handle(message); }); !done)
+    return Error{"this robot could not handle it: " + done.error().message};
+  return {};
 }
 
 void ProgramReceiver::handle(const msg::ProgramRollback& message) {
   const PushLedger::Push order{message.id, message.hash, {}};
   log_info(message.author + " ordered a rollback of program " + message.hash.substr(0, 8));
   wait_until_runs(message.hash);
-  if (auto why = ledger_.roll_back(order, "by " + message.author + ": " + message.reason))
-    reject(order, std::move(*why));
+  const std::string reason = "by " + message.author + ": " + message.reason;
+  if (const auto ordered = ledger_.roll_back(order, reason); !ordered)
+    reject(order, ordered.error().message);
 }
 
 /// Waits up to 200 ms for a program that was pushed just now, whose first tick may still be to
@@ -126,8 +130,8 @@ void ProgramReceiver::wait_until_runs(const std::string& hash) const {
 void ProgramReceiver::handle(const msg::ProgramPush& message) {
   PushLedger::Push push{message.id, message.hash, {}};
   auto files = files_of(message);
-  if (std::string why = objection(message, files); !why.empty())
-    return reject(push, std::move(why));
+  if (const auto admitted = admit(message, files); !admitted)
+    return reject(push, admitted.error().message);
   log_info(message.author + " pushed program " + files.front().path + " (" +
            push.hash.substr(0, 8) + ")");
   send({.id = push.id,
@@ -142,16 +146,16 @@ void ProgramReceiver::handle(const msg::ProgramPush& message) {
               std::move(push));
 }
 
-std::string ProgramReceiver::objection(const msg::ProgramPush& push,
-                                       const std::vector<bhdl::SourceFile>& files) const {
-  if (files.empty()) return "the push contains no file";
+Result<void> ProgramReceiver::admit(const msg::ProgramPush& push,
+                                    const std::vector<bhdl::SourceFile>& files) const {
+  if (files.empty()) return Error{"the push contains no file"};
   if (bhdl::program_hash(files) != push.hash)
-    return "its hash does not match its files: they were changed on the way";
+    return Error{"its hash does not match its files: they were changed on the way"};
   const std::string running = ledger_.running().hash();
   if (!push.replaces_hash.empty() && push.replaces_hash != running)
-    return "it is meant to replace program " + push.replaces_hash + ", but program " + running +
-           " runs";
-  return objection_to_rules(push);
+    return Error{"it is meant to replace program " + push.replaces_hash + ", but program " +
+                 running + " runs"};
+  return check_rules(push);
 }
 
 void ProgramReceiver::run_program(bhdl::Program program, const ProbationRules& rules,

@@ -30,15 +30,16 @@ class ProgramReceiver {
   void wait_and_take(const std::stop_token& stop);
   template <class M>
   void take_from(wire::Reader& reader);
-  /// Returns why handling the message failed, or an empty text if it did not.
+  /// Handles the message if its sender is accepted. Errors: it is not, or handling it threw.
   template <class M>
-  [[nodiscard]] std::string handle_or_fail(const M& message);
+  [[nodiscard]] Result<void> handle_from(const std::optional<std::string>& sender,
+                                         const M& message);
   void handle(const msg::ProgramPush& push);
   void handle(const msg::ProgramRollback& order);
   void wait_until_runs(const std::string& hash) const;
-  /// Returns why the push is refused before it is read, or an empty text if it is not.
-  [[nodiscard]] std::string objection(const msg::ProgramPush& push,
-                                      const std::vector<bhdl::SourceFile>& files) const;
+  /// Errors: the push is refused before its program is read.
+  [[nodiscard]] Result<void> admit(const msg::ProgramPush& push,
+                                   const std::vector<bhdl::SourceFile>& files) const;
   void run_program(bhdl::Program program, const ProbationRules& rules, PushLedger::Push push);
   void reject(const PushLedger::Push& push, std::string why,
               std::vector<msg::Diagnostic> diagnostics = {});

@@ -35,16 +35,16 @@ Replies PushLedger::join_running(Push push) {
   return replies;
 }
 
-std::optional<std::string> PushLedger::roll_back(Push order, std::string_view reason) {
+Result<void> PushLedger::roll_back(Push order, std::string_view reason) {
   const std::lock_guard lock(mutex_);
   if (order.hash != running_.hash())
-    return "it cannot be rolled back, because program " + running_.hash() + " runs";
+    return Error{"it cannot be rolled back, because program " + running_.hash() + " runs"};
   if (!running_.has_predecessor)
-    return "it cannot be rolled back, because no program ran before it";
+    return Error{"it cannot be rolled back, because no program ran before it"};
   if (!executive_.roll_back(running_.program->id, reason))
-    return "too many rollback orders wait for the control loop";
+    return Error{"too many rollback orders wait for the control loop"};
   orders_.emplace(running_.program->id, std::move(order));
-  return std::nullopt;
+  return {};
 }
 
 Replies PushLedger::answers(const Event& event) {

@@ -38,9 +38,9 @@ class PushLedger {
                                        Push push);
   /// Enters a push of the program that runs already. No program is exchanged. Returns the answers.
   [[nodiscard]] std::vector<msg::ProgramReply> join_running(Push push);
-  /// Orders the executive to roll back the program that `order` names by its hash. Returns the
-  /// reason if it does not.
-  [[nodiscard]] std::optional<std::string> roll_back(Push order, std::string_view reason);
+  /// Orders the executive to roll back the program that `order` names by its hash.
+  /// Errors: another program runs, none ran before it, or too many orders wait.
+  [[nodiscard]] Result<void> roll_back(Push order, std::string_view reason);
   /// Returns the answers that `event` causes.
   [[nodiscard]] std::vector<msg::ProgramReply> answers(const Event& event);
 

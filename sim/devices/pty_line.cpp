@@ -24,8 +24,8 @@ Error PtyLine::failure(const std::string& what) {
   return error;
 }
 
-Result<bool> PtyLine::plug_in() {
-  if (is_open()) return true;
+Result<void> PtyLine::plug_in() {
+  if (is_open()) return {};
   std::array<char, 128> device{};
   termios raw{};
   cfmakeraw(&raw);
@@ -37,7 +37,7 @@ Result<bool> PtyLine::plug_in() {
   unlink(link_.c_str());
   if (symlink(device.data(), link_.c_str()) != 0)
     return failure("the link to " + std::string(device.data()) + " cannot be made");
-  return true;
+  return {};
 }
 
 void PtyLine::unplug() {

@@ -19,7 +19,7 @@ class PtyLine final : public robot::ByteStream {
   PtyLine(const PtyLine&) = delete;
   PtyLine& operator=(const PtyLine&) = delete;
 
-  [[nodiscard]] Result<bool> plug_in();
+  Result<void> plug_in();
   void unplug();
 
   std::size_t read(std::span<std::uint8_t> bytes) override;

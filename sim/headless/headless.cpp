@@ -47,14 +47,14 @@ HeadlessContest::HeadlessContest(const Scenario& scenario, const Registry& compo
   }
 }
 
-Result<bool> HeadlessContest::load(const bhdl::Program& program) {
+Result<void> HeadlessContest::load(const bhdl::Program& program) {
   for (auto& robot : robots_)
     if (const auto loaded = robot->load(program); !loaded)
       return Error{robot->name() + ": " + loaded.error().message};
-  return true;
+  return {};
 }
 
-Result<bool> HeadlessContest::run() {
+Result<void> HeadlessContest::run() {
   if (auto ready = wait_for_robots(); !ready) return ready;
   start();
   while (world_->referee().phase() == Phase::kRunning) {
@@ -63,10 +63,10 @@ Result<bool> HeadlessContest::run() {
     if (options_.after_step) options_.after_step(clock_.now());
     if (options_.trace && (step_ - started_) % kStepsASecond == 0) write_trace();
   }
-  return true;
+  return {};
 }
 
-Result<bool> HeadlessContest::wait_for_robots() {
+Result<void> HeadlessContest::wait_for_robots() {
   for (auto& robot : robots_)
     while (!robot->connected()) {
       if (step_ >= kMostWait) {
@@ -76,7 +76,7 @@ Result<bool> HeadlessContest::wait_for_robots() {
       }
       step();
     }
-  return true;
+  return {};
 }
 
 void HeadlessContest::start() {

@@ -42,7 +42,7 @@ class HeadlessContest {
       const HeadlessOptions& options);
 
   /// Runs the contest to its end. Errors: a robot never connected; the message is that robot's.
-  Result<bool> run();
+  Result<void> run();
 
   [[nodiscard]] const World& world() const noexcept { return *world_; }
   [[nodiscard]] std::size_t robot_count() const noexcept { return robots_.size(); }
@@ -54,8 +54,8 @@ class HeadlessContest {
  private:
   HeadlessContest(const Scenario& scenario, const Registry& components,
                   std::unique_ptr<World> world, const HeadlessOptions& options);
-  Result<bool> load(const bhdl::Program& program);
-  Result<bool> wait_for_robots();
+  Result<void> load(const bhdl::Program& program);
+  Result<void> wait_for_robots();
   void start();
   void step();
   void take_pictures(Time now);

@@ -10,27 +10,27 @@ LiveRobot::LiveRobot(World& world, std::size_t index, const std::string& folder,
       line_(folder + "/" + name_ + ".serial"),
       board_(world.robot(index), line_, name_) {}
 
-Result<bool> LiveRobot::plug_in() {
+Result<void> LiveRobot::plug_in() {
   if (auto line = line_.plug_in(); !line) return line;
   return open_ring();
 }
 
-Result<bool> LiveRobot::open_ring() {
-  if (ring_) return true;
+Result<void> LiveRobot::open_ring() {
+  if (ring_) return {};
   auto ring = robot::FrameRingWriter::create(ring_name_);
   if (!ring) return ring.error();
   ring_ = std::move(ring).value();
-  return true;
+  return {};
 }
 
-Result<bool> LiveRobot::apply_faults(const std::vector<DeviceFault>& faults, double now_s) {
+Result<void> LiveRobot::apply_faults(const std::vector<DeviceFault>& faults, double now_s) {
   if (is_faulty(faults, FaultyDevice::kSerial, name_, now_s))
     line_.unplug();
   else if (auto line = line_.plug_in(); !line)
     return line;
   if (!is_faulty(faults, FaultyDevice::kCamera, name_, now_s)) return open_ring();
   ring_.reset();
-  return true;
+  return {};
 }
 
 void LiveRobot::take_picture(const Scene& scene, Renderer& renderer) {

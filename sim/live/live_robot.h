@@ -22,11 +22,11 @@ class LiveRobot {
   /// shared memory.
   LiveRobot(World& world, std::size_t index, const std::string& folder, std::string ring);
   /// Plugs in both devices: the serial line and the camera.
-  [[nodiscard]] Result<bool> plug_in();
+  Result<void> plug_in();
 
   /// Unplugs the devices that are faulty at `now_s` and plugs in the others. Each call tries again
   /// to plug in a device that could not be plugged in before.
-  [[nodiscard]] Result<bool> apply_faults(const std::vector<DeviceFault>& faults, double now_s);
+  Result<void> apply_faults(const std::vector<DeviceFault>& faults, double now_s);
   void run_board(std::uint32_t now_ms) { board_.update(now_ms); }
   void take_picture(const Scene& scene, Renderer& renderer);
 
@@ -37,7 +37,7 @@ class LiveRobot {
   [[nodiscard]] bool connected() const noexcept { return board_.heard(); }
 
  private:
-  [[nodiscard]] Result<bool> open_ring();
+  Result<void> open_ring();
 
   std::string name_;
   std::size_t index_;

@@ -70,10 +70,10 @@ TEST(Worker, EndsWhereItsRoundsFail) {
 }
 
 TEST(FailureOf, IsWhatWasThrownInWords) {
-  EXPECT_EQ(failure_of([] {}), "");
-  EXPECT_EQ(failure_of([] { throw std::runtime_error("no paper"); }), "no paper");
-  EXPECT_NE(failure_of([] { throw std::runtime_error(""); }), "");
-  EXPECT_NE(failure_of([] { throw 7; }), "");
+  EXPECT_TRUE(attempt([] {}));
+  EXPECT_EQ(attempt([] { throw std::runtime_error("no paper"); }).error().message, "no paper");
+  EXPECT_NE(attempt([] { throw std::runtime_error(""); }).error().message, "");
+  EXPECT_NE(attempt([] { throw 7; }).error().message, "");
 }
 
 }  // namespace

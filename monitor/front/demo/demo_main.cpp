@@ -114,8 +114,8 @@ int run(const DemoOptions& options) try {
   ignore_broken_pipes();
   Termination termination;
   Ensemble ensemble(options, termination);
-  if (const auto failure = ensemble.start()) {
-    complain(failure->message);
+  if (const auto started = ensemble.start(); !started) {
+    complain(started.error().message);
     return 1;
   }
   const auto participant = wire::Participant::join("demo", options.domain);

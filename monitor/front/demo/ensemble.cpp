@@ -42,20 +42,20 @@ std::string Ensemble::operator_link() const {
          (token ? "/#token=" + token.value() : "");
 }
 
-std::optional<Error> Ensemble::start() {
+Result<void> Ensemble::start() {
   forget_old_runs(logs_.parent_path(), kKeptRuns - 1);
   std::error_code error;
   fs::create_directories(logs_, error);
   if (error) return Error{logs_.string() + " cannot be made: " + error.message()};
-  if (auto failure = start_simulator()) return failure;
+  if (auto started = start_simulator(); !started) return started;
   auto ready = await_line("\"ready\"");
   if (!ready) return ready.error();
-  if (auto failure = start_recorder()) return failure;
-  if (auto failure = start_robots(ready.value())) return failure;
+  if (auto started = start_recorder(); !started) return started;
+  if (auto started = start_robots(ready.value()); !started) return started;
   return start_monitor();
 }
 
-std::optional<Error> Ensemble::add(std::string name, std::vector<std::string> command, bool fatal) {
+Result<void> Ensemble::add(std::string name, std::vector<std::string> command, bool fatal) {
   command[0] = sibling(command[0]);
   if (!is_program(command[0])) return Error{command[0] + " is not there; build it first"};
   if (options_.domain >= 0)
@@ -66,7 +66,7 @@ std::optional<Error> Ensemble::add(std::string name, std::vector<std::string> co
   return {};
 }
 
-std::optional<Error> Ensemble::start_simulator() {
+Result<void> Ensemble::start_simulator() {
   return add("sim",
              {"galilean-sim", "--live", "--scenario", options_.scenario, "--robots",
               std::to_string(options_.robots), "--seed", std::to_string(options_.seed), "--run",
@@ -74,7 +74,7 @@ std::optional<Error> Ensemble::start_simulator() {
              true);
 }
 
-std::optional<Error> Ensemble::start_robots(const std::string& ready_line) try {
+Result<void> Ensemble::start_robots(const std::string& ready_line) try {
   const auto ready = nlohmann::json::parse(ready_line);
   lines_ = ready.value("folder", std::string());
   const std::string program = find_file(options_.bhdl, "programs", ".bhdl").string();
@@ -99,25 +99,26 @@ std::optional<Error> Ensemble::start_robots(const std::string& ready_line) try {
                                      "--seed",
                                      std::to_string(++seed)};
     if (options_.watch) command.push_back("--watch");
-    if (auto failure = add(name, std::move(command), false)) return failure;
+    if (auto added = add(name, std::move(command), false); !added) return added;
   }
   return {};
 } catch (const nlohmann::json::exception& error) {
   return Error{"the simulator's ready line cannot be read: " + std::string(error.what())};
 }
 
-std::optional<Error> Ensemble::start_monitor() {
+Result<void> Ensemble::start_monitor() {
   const std::string place = "127.0.0.1:" + std::to_string(options_.port);
   std::vector<std::string> command{"galilean-monitor", "--listen", place};
   for (const auto& start : starts_) command.insert(command.end(), {"--start", start});
   for (const auto& origin : options_.allowed_origins)
     command.insert(command.end(), {"--allow-origin", origin});
-  if (auto failure = add("monitor", command, true)) return failure;
+  if (auto added = add("monitor", command, true); !added) return added;
   const auto answered = await_line("http://");
-  return answered ? std::nullopt : std::optional(answered.error());
+  if (!answered) return answered.error();
+  return {};
 }
 
-std::optional<Error> Ensemble::start_recorder() {
+Result<void> Ensemble::start_recorder() {
   if (options_.record.empty()) return {};
   return add("record", {"galilean-record", "--out", options_.record}, false);
 }

@@ -24,8 +24,8 @@ class Ensemble {
   Ensemble& operator=(const Ensemble&) = delete;
 
   /// Starts all, and returns when the monitor serves. Waits at most 30 s each for the simulator and
-  /// for the monitor. Returns the reason if one of the processes did not start, else nothing.
-  [[nodiscard]] std::optional<Error> start();
+  /// for the monitor. Errors: one of the processes did not start, or termination was asked for.
+  Result<void> start();
 
   struct Loss {
     std::string name, ending, log_end;
@@ -49,12 +49,11 @@ class Ensemble {
     bool fatal;
     bool lost = false;
   };
-  [[nodiscard]] std::optional<Error> start_simulator();
-  [[nodiscard]] std::optional<Error> start_robots(const std::string& ready_line);
-  [[nodiscard]] std::optional<Error> start_monitor();
-  [[nodiscard]] std::optional<Error> start_recorder();
-  [[nodiscard]] std::optional<Error> add(std::string name, std::vector<std::string> command,
-                                         bool fatal);
+  Result<void> start_simulator();
+  Result<void> start_robots(const std::string& ready_line);
+  Result<void> start_monitor();
+  Result<void> start_recorder();
+  Result<void> add(std::string name, std::vector<std::string> command, bool fatal);
   /// Waits for the first line with `mark` in the log of the process that was started last.
   /// Errors: the process ends, no such line comes within 30 s, or termination is asked for.
   [[nodiscard]] Result<std::string> await_line(std::string_view mark);

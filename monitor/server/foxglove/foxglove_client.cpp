@@ -79,8 +79,8 @@ void Hub::Client::receive_text(std::string_view text) {
   const auto known = kOperations.find(op);
   if (known == kOperations.end())
     return refuse("This server does not know the operation \"" + op.substr(0, 40) + "\".");
-  const auto failure = guarded("a client's message", [&] { known->second(*this, fields); });
-  if (failure) return refuse("The monitor cannot do this now: " + failure->message + ".");
+  const auto done = guarded("a client's message", [&] { known->second(*this, fields); });
+  if (!done) return refuse("The monitor cannot do this now: " + done.error().message + ".");
   if (!fields.ok()) refuse(fields.objection());
 }
 
@@ -149,9 +149,9 @@ void Hub::Client::call(const ServiceCall& call) {
                      answered = std::make_shared<bool>()](const Result<nlohmann::json>& result) {
     if (*alive && !std::exchange(*answered, true)) answer(service_id, call_id, result);
   };
-  const auto failure =
+  const auto called =
       guarded("a service call", [&] { hub_.handlers_[service_id - 1](request.value(), once); });
-  if (failure) once(Error{"The monitor cannot do this now: " + failure->message + "."});
+  if (!called) once(Error{"The monitor cannot do this now: " + called.error().message + "."});
 }
 
 void Hub::Client::answer(std::uint32_t service_id, std::uint32_t call_id,

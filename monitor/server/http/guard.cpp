@@ -46,16 +46,16 @@ bool Guard::is_allowed_origin(const std::string& origin) const {
   return std::ranges::find(allowed_origins_, lower(origin), lower) != allowed_origins_.end();
 }
 
-std::string Guard::objection(const HttpRequest& request) const {
+Result<void> Guard::admit(const HttpRequest& request) const {
   if (!is_own_host(request.host))
-    return "This monitor does not answer for the host '" + request.host +
-           "'; use localhost or the address that it listens on.";
+    return Error{"This monitor does not answer for the host '" + request.host +
+                 "'; use localhost or the address that it listens on."};
   if (request.origin.empty() || is_allowed_origin(request.origin)) return {};
   if (lower(request.origin) == kDesktopProgram) return {};
   if (lower(authority(request.origin)) == lower(request.host)) return {};
-  return "Pages from '" + request.origin +
-         "' may not use this monitor; start it with --allow-origin " + request.origin +
-         " if they should.";
+  return Error{"Pages from '" + request.origin +
+               "' may not use this monitor; start it with --allow-origin " + request.origin +
+               " if they should."};
 }
 
 }  // namespace galilean::monitor

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/result.h"
 #include "monitor/server/http/http_messages.h"
 
 namespace galilean::monitor {
@@ -23,9 +24,8 @@ class Guard {
   Guard(std::string listen_address, std::vector<std::string> allowed_origins)
       : listen_address_(std::move(listen_address)), allowed_origins_(std::move(allowed_origins)) {}
 
-  /// Returns why the request is refused, as a sentence; the string is empty if the request may
-  /// pass.
-  [[nodiscard]] std::string objection(const HttpRequest& request) const;
+  /// Errors: the request is refused; the error is a sentence for its author.
+  [[nodiscard]] Result<void> admit(const HttpRequest& request) const;
   /// Returns whether the operator allowed this origin.
   [[nodiscard]] bool is_allowed_origin(const std::string& origin) const;
 

@@ -54,7 +54,7 @@ void HttpServer::accept() {
       return;
     }
     if (context_->counts.connections < kMostConnections)
-      guarded("a new connection", [&] { serve_http(std::move(socket), context_); });
+      (void)guarded("a new connection", [&] { serve_http(std::move(socket), context_); });
     accept();
   });
 }

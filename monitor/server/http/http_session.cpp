@@ -69,8 +69,8 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     http::async_read(stream_, buffer_, *parser_,
                      [self = shared_from_this()](error_code error, std::size_t) {
                        if (error) return self->fail(error);
-                       const auto failure = guarded("a request", [&] { self->receive(); });
-                       if (failure) self->respond_internal_error(failure->message);
+                       const auto done = guarded("a request", [&] { self->receive(); });
+                       if (!done) self->respond_internal_error(done.error().message);
                      });
   }
 
@@ -96,9 +96,9 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     const bool upgrade = beast::websocket::is_upgrade(message);
     auto request = plain(message);
     ++context_->counts.requests;
-    if (const auto objection = context_->guard.objection(request); !objection.empty()) {
+    if (const auto admitted = context_->guard.admit(request); !admitted) {
       ++context_->counts.refused;
-      return respond(problem(403, objection));
+      return respond(problem(403, admitted.error().message));
     }
     request.right = context_->access.right_of(request.token);
     if (upgrade && (request.path == "/ws" || request.path == "/lsp")) {

@@ -74,7 +74,7 @@ class WebSocketSession final : public foxglove::Link,
   /// Runs `work`, and closes the connection if it throws, because it may have been done by half.
   template <class Work>
   void attempt(Work work) {
-    if (guarded("a client of /ws", work))
+    if (!guarded("a client of /ws", work))
       close_with(websocket::close_code::internal_error, "the monitor failed; its log says why");
   }
 

@@ -89,7 +89,7 @@ class BatchingSocket {
     }
     void send_waiting() override {
       if (writing || failed) return;
-      if (guarded("sending to a client", [this] { write_waiting(); })) close();
+      if (!guarded("sending to a client", [this] { write_waiting(); })) close();
     }
     void write_waiting() {
       const auto source = outbox.lock();

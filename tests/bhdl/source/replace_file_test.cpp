@@ -32,7 +32,7 @@ class ReplaceFile : public testing::Test {
 
 TEST_F(ReplaceFile, KeepsTheModeAndLeavesNothingBeside) {
   fs::permissions(folder_ / "a.bhdl", fs::perms(0640));
-  EXPECT_FALSE(replace_file(folder_ / "a.bhdl", "new"));
+  EXPECT_TRUE(replace_file(folder_ / "a.bhdl", "new"));
   EXPECT_EQ(contents("a.bhdl"), "new");
   EXPECT_EQ(fs::status(folder_ / "a.bhdl").permissions(), fs::perms(0640));
   EXPECT_EQ(files(), 1);
@@ -40,15 +40,15 @@ TEST_F(ReplaceFile, KeepsTheModeAndLeavesNothingBeside) {
 
 TEST_F(ReplaceFile, WritesThroughALink) {
   fs::create_symlink("a.bhdl", folder_ / "link.bhdl");
-  EXPECT_FALSE(replace_file(folder_ / "link.bhdl", "new"));
+  EXPECT_TRUE(replace_file(folder_ / "link.bhdl", "new"));
   EXPECT_TRUE(fs::is_symlink(folder_ / "link.bhdl"));
   EXPECT_EQ(contents("a.bhdl"), "new");
 }
 
 TEST_F(ReplaceFile, SaysWhyItCannot) {
-  const auto problem = replace_file(folder_ / "none.bhdl", "new");
-  ASSERT_TRUE(problem);
-  EXPECT_NE(problem->message.find("none.bhdl"), std::string::npos);
+  const auto replaced = replace_file(folder_ / "none.bhdl", "new");
+  ASSERT_FALSE(replaced);
+  EXPECT_NE(replaced.error().message.find("none.bhdl"), std::string::npos);
   EXPECT_EQ(files(), 1);
 }
 

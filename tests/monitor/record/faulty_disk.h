@@ -12,7 +12,7 @@ namespace galilean::mcap {
 class FaultyDisk final : public ByteSink {
  public:
   explicit FaultyDisk(std::size_t capacity = SIZE_MAX) : capacity_(capacity) {}
-  [[nodiscard]] Failure write(std::span<const std::uint8_t> bytes) override {
+  Result<void> write(std::span<const std::uint8_t> bytes) override {
     const std::size_t fitting = std::min(bytes.size(), capacity_ - bytes_.size());
     bytes_.insert(bytes_.end(), bytes.begin(),
                   bytes.begin() + static_cast<std::ptrdiff_t>(fitting));

@@ -39,7 +39,7 @@ TEST(Crc32, IsThatOfZlib) {
 TEST(Mcap, GivesBackWhatWasWritten) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const RandomRecording recording(seed, 200);
-    ASSERT_FALSE(recording.failure);
+    ASSERT_TRUE(recording.written);
     ScanEnd end;
     EXPECT_EQ(read_all(recording.disk.bytes(), &end), recording.messages);
     EXPECT_TRUE(end.complete);
@@ -73,13 +73,13 @@ TEST(Mcap, AnEmptyRecordingIsWhole) {
 TEST(Mcap, ChunksCloseByTimeToo) {
   FaultyDisk disk;
   Writer writer(disk);
-  ASSERT_FALSE(writer.begin());
+  ASSERT_TRUE(writer.begin());
   const auto channel = writer.add_channel({.topic = "/t", .message_encoding = "cdr"});
   const Bytes data{1, 2, 3};
-  ASSERT_FALSE(writer.write(Message{channel, 1, 5'000'000'000, 5'000'000'000, data}));
-  ASSERT_FALSE(writer.close_chunk_if_due(5'999'999'999));
+  ASSERT_TRUE(writer.write(Message{channel, 1, 5'000'000'000, 5'000'000'000, data}));
+  ASSERT_TRUE(writer.close_chunk_if_due(5'999'999'999));
   EXPECT_EQ(writer.statistics().chunks, 0u);
-  ASSERT_FALSE(writer.close_chunk_if_due(6'000'000'000));
+  ASSERT_TRUE(writer.close_chunk_if_due(6'000'000'000));
   EXPECT_EQ(writer.statistics().chunks, 1u);
   EXPECT_EQ(read_all(disk.bytes()).size(), 1u);
 }
@@ -112,8 +112,8 @@ TEST(Mcap, AFullDiskLeavesWhatWasWrittenReadable) {
   const std::size_t whole = RandomRecording(7, 120).disk.bytes().size();
   for (std::size_t capacity = sizeof kMagic; capacity < whole; capacity += 13) {
     const RandomRecording recording(7, 120, capacity);
-    ASSERT_TRUE(recording.failure);
-    EXPECT_EQ(recording.failure->message, "the disk is full");
+    ASSERT_FALSE(recording.written);
+    EXPECT_EQ(recording.written.error().message, "the disk is full");
     const auto got = read_all(recording.disk.bytes());
     EXPECT_EQ(got,
               std::vector(recording.messages.begin(),
@@ -237,9 +237,9 @@ TEST(FileSink, TellsThatTheDiskIsFull) {
   auto file = FileSink::create("/dev/full", true);
   ASSERT_TRUE(file.ok());
   const Bytes bytes(100);
-  const auto failure = file.value().write(bytes);
-  ASSERT_TRUE(failure);
-  EXPECT_EQ(failure->message, "/dev/full cannot be written: No space left on device");
+  const auto written = file.value().write(bytes);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().message, "/dev/full cannot be written: No space left on device");
 }
 
 TEST(FileSink, DoesNotReplaceARecordingUnasked) {

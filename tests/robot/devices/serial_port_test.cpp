@@ -141,7 +141,7 @@ TEST_F(SerialLine, WhatIsNoSerialLineIsNamed) {
   SerialPort file("/dev/null", 115200);
   file.maintain(now);
   EXPECT_FALSE(file.is_open());
-  EXPECT_NE(file.problem().find("no serial line"), std::string::npos) << file.problem();
+  EXPECT_NE(file.problem().find("is not a serial line"), std::string::npos) << file.problem();
   Board board(path);
   SerialPort odd(path, 12345);
   odd.maintain(now);

@@ -246,13 +246,13 @@ TEST_F(ReceiverTest, RefusesProgramsOfStrangersAndObeysTheirCommands) {
 }
 
 TEST(AcceptedSenders, AreTheMonitorOrThoseThatAreNamedOrAny) {
-  EXPECT_EQ(AcceptedSenders().objection(wire::kMonitorName), "");
-  EXPECT_NE(AcceptedSenders().objection("swap"), "");
-  EXPECT_NE(AcceptedSenders().objection(std::nullopt), "");
+  EXPECT_TRUE(AcceptedSenders().accept(wire::kMonitorName));
+  EXPECT_FALSE(AcceptedSenders().accept("swap"));
+  EXPECT_FALSE(AcceptedSenders().accept(std::nullopt));
   const AcceptedSenders two({"swap", "page"});
-  EXPECT_EQ(two.objection("page"), "");
-  EXPECT_THAT(two.objection(wire::kMonitorName), HasSubstr("swap, page"));
-  EXPECT_EQ(AcceptedSenders({AcceptedSenders::kAny}).objection(std::nullopt), "");
+  EXPECT_TRUE(two.accept("page"));
+  EXPECT_THAT(two.accept(wire::kMonitorName).error().message, HasSubstr("swap, page"));
+  EXPECT_TRUE(AcceptedSenders({AcceptedSenders::kAny}).accept(std::nullopt));
 }
 
 TEST_F(ReceiverTest, RefusesWhatWasChangedOnTheWay) {

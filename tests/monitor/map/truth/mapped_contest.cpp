@@ -44,7 +44,7 @@ MappedContest::MappedContest(const Options& options)
 void MappedContest::run(
     const std::function<void(const MappedContest&, const msg::ObjectMap&)>& look) {
   look_ = look;
-  required(contest_->run());
+  if (const auto ran = contest_->run(); !ran) throw std::runtime_error(ran.error().message);
 }
 
 void MappedContest::after_step(Time now) {

@@ -13,7 +13,7 @@ bool passes(const Guard& guard, const std::string& host, const std::string& orig
   HttpRequest request;
   request.host = host;
   request.origin = origin;
-  return guard.objection(request).empty();
+  return guard.admit(request).ok();
 }
 
 TEST(Guard, LetsLoopbackNamesThroughOnAnyPort) {

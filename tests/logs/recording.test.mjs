@@ -199,7 +199,7 @@ describe("a recording", () => {
     const cases = [
       [["--out", file("whole.mcap")], /exists already/],
       [["--out", "/nonexistent/x.mcap"], /No such file or directory/],
-      [["--out", file("x.mcap"), "--topics", "("], /no regular expression/],
+      [["--out", file("x.mcap"), "--topics", "("], /not a valid regular expression/],
     ];
     for (const [options, reason] of cases) {
       const ended = spawnSync(program("galilean-record"), [...options, "--domain", domain], limit);

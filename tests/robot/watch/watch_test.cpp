@@ -262,7 +262,7 @@ TEST_F(WatchTest, SaysWhereASaveIsBroken) {
   start();
   write(file, "state: nmae: \"second\" end\n");
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-  const auto told = [this] { return log->text().find("runs on") != std::string::npos; };
+  const auto told = [this] { return log->text().find("goes on") != std::string::npos; };
   while (!told() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
   watch.reset();
   EXPECT_THAT(log->text(), HasSubstr("my.bhdl:1:8: error: "));

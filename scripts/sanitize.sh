@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # sanitize.sh address,undefined|thread: builds the unit tests with these sanitizers and runs them.
-# ThreadSanitizer runs what has threads and no DDS (THREADS in the tests' CMakeLists.txt): Cyclone is
-# not built with it, and its locks would all look like races.
+# ThreadSanitizer runs what has threads (THREADS in the tests' CMakeLists.txt). Cyclone is not built with
+# it: tests/sanitizers/thread.supp names what it then reports wrongly.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 kind=$1

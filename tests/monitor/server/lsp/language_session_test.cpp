@@ -4,13 +4,14 @@
 
 #include <gmock/gmock.h>
 
+#include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>
-#include <boost/beast/websocket.hpp>
+#include <boost/beast/http.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "monitor/server/http/http_server.h"
+#include "tests/monitor/server/lsp/editor_page.h"
 #include "tests/temporary_folder.h"
 
 namespace galilean::monitor {
@@ -26,13 +27,35 @@ Catalog catalog_with(const std::string& component) {
   return {{{component, ComponentKind::kVariable, "A variable.", {}}}};
 }
 
+/// Accepts WebSockets of the language server alone, on an io_context.
+class Listener {
+ public:
+  Listener(asio::io_context& io, LanguageServerContext& context)
+      : acceptor_(io, {asio::ip::address_v4::loopback(), 0}), context_(context) {
+    accept();
+  }
+  [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
+
+ private:
+  void accept() {
+    acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
+      if (error) return;
+      beast::flat_buffer buffer;
+      beast::http::request<beast::http::string_body> upgrade;
+      beast::http::read(socket, buffer, upgrade);
+      serve_language(std::move(socket), upgrade, context_);
+      accept();
+    });
+  }
+
+  tcp::acceptor acceptor_;
+  LanguageServerContext& context_;
+};
+
 class LanguageSessionTest : public testing::Test {
  protected:
   void SetUp() override {
     std::ofstream(folder / "parts.bhdl") << "variables: built_in: name: \"shared\" end\n";
-    const auto listening = server.listen("127.0.0.1", 0);
-    ASSERT_TRUE(listening) << listening.error().message;
-    port = listening.value();
   }
   void serve() {
     thread = std::thread([this] { io.run(); });
@@ -54,71 +77,17 @@ class LanguageSessionTest : public testing::Test {
   SteadyClock clock;
   Team team{clock};
   const Catalog installed = catalog_with("built_in");
-  foxglove::Hub hub{"monitor", [](std::uint32_t, bool) {}};
   asio::io_context io{1};
-  SendRounds rounds{io};
   Worker worker{io};
   LanguageServerContext context{worker, team, installed, folder.path()};
-  HttpServer::ServerContext context_of(LanguageServerContext& of, bool reads_freely) {
-    return {Guard("127.0.0.1", {}),
-            Access({"viewer", "operator"}, reads_freely),
-            [](const HttpRequest&, const Respond&) {},
-            hub,
-            rounds,
-            of};
-  }
-  HttpServer server{io, context_of(context, true)};
-  std::uint16_t port = 0;
+  Listener listener{io, context};
+  const std::uint16_t port = listener.port();
   std::thread thread;
-};
-
-/// An editor in a browser.
-class Page {
- public:
-  explicit Page(std::uint16_t port, const std::string& target = "/lsp",
-                const std::string& origin = {})
-      : stream_(io_) {
-    beast::get_lowest_layer(stream_).connect({asio::ip::address_v4::loopback(), port});
-    stream_.set_option(beast::websocket::stream_base::decorator([=](auto& message) {
-      if (!origin.empty()) message.set(beast::http::field::origin, origin);
-    }));
-    stream_.handshake("127.0.0.1:" + std::to_string(port), target);
-  }
-  void send(const json& message) { stream_.write(asio::buffer(message.dump())); }
-  json next() {
-    beast::flat_buffer buffer;
-    stream_.read(buffer);
-    return json::parse(beast::buffers_to_string(buffer.data()));
-  }
-  json ask(const std::string& method, const json& params) {
-    send({{"jsonrpc", "2.0"}, {"id", ++last_id_}, {"method", method}, {"params", params}});
-    for (;;)
-      if (auto answer = next(); answer.value("id", 0) == last_id_) return answer;
-  }
-  void start(const std::string& text) {
-    (void)ask("initialize", {{"capabilities", json::object()}});
-    send({{"jsonrpc", "2.0"},
-          {"method", "textDocument/didOpen"},
-          {"params",
-           {{"textDocument", {{"uri", "file:///mine.bhdl"}, {"version", 1}, {"text", text}}}}}});
-  }
-  /// What may stand at the text's beginning of a component.
-  std::string proposed() {
-    return ask("textDocument/completion",
-               {{"textDocument", {{"uri", "file:///mine.bhdl"}}},
-                {"position", {{"line", 1}, {"character", 0}}}})["result"]["items"]
-        .dump();
-  }
-
- private:
-  asio::io_context io_;
-  beast::websocket::stream<tcp::socket> stream_;
-  int last_id_ = 0;
 };
 
 TEST_F(LanguageSessionTest, ProblemsComeUnaskedAndIncludesAreTheLibrarys) {
   serve();
-  Page page(port);
+  EditorPage page(port);
   page.start("include \"parts.bhdl\"\ninclude \"none.bhdl\"\nstates: state: name: \"a\" end end\n");
   const json published = page.next();
   EXPECT_EQ(published["method"], "textDocument/publishDiagnostics");
@@ -130,60 +99,57 @@ TEST_F(LanguageSessionTest, NothingAboveTheLibraryIsRead) {
   std::ofstream(folder / "secret.bhdl") << "variables: built_in: name: \"s\" end\n";
   std::filesystem::create_directories(folder / "library");
   LanguageServerContext inner{worker, team, installed, folder / "library"};
-  HttpServer other{io, context_of(inner, true)};
-  const auto listening = other.listen("127.0.0.1", 0);
-  ASSERT_TRUE(listening);
+  const Listener other{io, inner};
   serve();
-  Page page(listening.value());
+  EditorPage page(other.port());
   page.start("include \"../secret.bhdl\"\nstates: state: name: \"a\" end end\n");
   EXPECT_EQ(page.next()["params"]["diagnostics"][0]["code"], "include/not-found");
-}
-
-TEST_F(LanguageSessionTest, WhereReadingIsNotFreeItTakesAToken) {
-  HttpServer other{io, context_of(context, false)};
-  const auto listening = other.listen("127.0.0.1", 0);
-  ASSERT_TRUE(listening);
-  serve();
-  EXPECT_THROW(Page(listening.value()), beast::system_error);
-  EXPECT_THROW(Page(listening.value(), "/lsp?token=wrong"), beast::system_error);
-  EXPECT_NO_THROW(Page(listening.value(), "/lsp?robot=io&token=viewer"));
 }
 
 TEST_F(LanguageSessionTest, TheCatalogIsARobotsWhereOneIsKnown) {
   publish_catalog("ganymede", "of_ganymede");
   publish_catalog("io", "of_io");
   serve();
-  Page first(port);
+  EditorPage first(port);
   first.start("variables:\n");
   EXPECT_THAT(first.proposed(), HasSubstr("of_ganymede"));
-  Page named(port, "/lsp?robot=io");
+  EditorPage named(port, "/lsp?robot=io");
   named.start("variables:\n");
   EXPECT_THAT(named.proposed(), HasSubstr("of_io"));
 }
 
+TEST_F(LanguageSessionTest, EditorsThatAskAtTheSameTimeGetTheirOwnAnswers) {
+  publish_catalog("ganymede", "of_ganymede");
+  publish_catalog("io", "of_io");
+  serve();
+  const auto ask = [this](const std::string& robot) {
+    EditorPage page(port, "/lsp?robot=" + robot);
+    page.start("variables:\n");
+    for (int i = 0; i < 20; ++i) EXPECT_THAT(page.proposed(), HasSubstr("of_" + robot));
+  };
+  std::thread other(ask, "ganymede");
+  ask("io");
+  other.join();
+}
+
 TEST_F(LanguageSessionTest, WithoutARobotItIsTheInstalledOne) {
   serve();
-  Page page(port, "/lsp?robot=nobody");
+  EditorPage page(port, "/lsp?robot=nobody");
   page.start("variables:\n");
   EXPECT_THAT(page.proposed(), HasSubstr("built_in"));
 }
 
 TEST_F(LanguageSessionTest, WhatIsNoMessageIsAnsweredAndTheNextOneHeard) {
   serve();
-  Page page(port);
+  EditorPage page(port);
   page.send("a text");
   EXPECT_EQ(page.next()["error"]["code"], -32600);
   EXPECT_TRUE(page.ask("initialize", {{"capabilities", nullptr}}).contains("result"));
 }
 
-TEST_F(LanguageSessionTest, APageFromElsewhereIsRefused) {
-  serve();
-  EXPECT_THROW(Page(port, "/lsp", "https://elsewhere.example"), beast::system_error);
-}
-
 TEST_F(LanguageSessionTest, ExitEndsTheConnection) {
   serve();
-  Page page(port);
+  EditorPage page(port);
   page.start("");
   (void)page.ask("shutdown", nullptr);
   page.send({{"jsonrpc", "2.0"}, {"method", "exit"}});

@@ -6,7 +6,7 @@
 #include "core/wire/topic_names.h"
 #include "tests/robot/telemetry/telemetry_robot.h"
 
-// Odometry, forces and diagnostics of a robot: their fields, frames and rates.
+// Odometry, forces and diagnostics of a robot: their fields and frames.
 
 namespace galilean::robot {
 namespace {
@@ -42,10 +42,6 @@ class TopicsTest : public testing::Test {
     io.tick_until([&] { return !mailbox.all().empty(); });
     return mailbox.wait();
   }
-  void drive_on(double distance_m) {
-    io.robot.port.next.left_travel_m += distance_m;
-    io.robot.port.next.right_travel_m += distance_m;
-  }
 
   TelemetryRobot io;
 };
@@ -77,24 +73,6 @@ TEST_F(TopicsTest, OdometryIsInMetresAndRadiansOfTheRobotsOwnFrame) {
   EXPECT_NEAR(message->twist.twist.angular.z, 0.2 / (2 * half_track_m), 1e-6) << "rad/s";
   EXPECT_EQ(message->header.frame_id, io.name + "/odom");
   EXPECT_EQ(message->child_frame_id, io.name + "/base_link");
-}
-
-TEST_F(TopicsTest, OdometryComesTenTimesASecond) {
-  auto odometry = io.mailbox<msg::Odometry>("odom");
-  ASSERT_TRUE(first(odometry));
-  // The robot drives on between two reports, so that each tells where it was made.
-  constexpr int kReports = 20;
-  for (int i = 1; i <= kReports; ++i) {
-    drive_on(1);
-    io.robot.tick(2);
-    ASSERT_TRUE(odometry.wait_for([&](const msg::Odometry& each) {
-      return each.pose.pose.position.x > i - 0.5;
-    })) << "no report in 100 ms";
-  }
-  const auto all = odometry.all();
-  const auto reports = std::ranges::count_if(
-      all, [](const msg::Odometry& each) { return each.pose.pose.position.x > 0.5; });
-  EXPECT_NEAR(static_cast<double>(reports), kReports, 1);
 }
 
 TEST_F(TopicsTest, ForcesAreThoseOfTheSchemasWithTheirGains) {

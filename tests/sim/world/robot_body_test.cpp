@@ -73,6 +73,25 @@ TEST(RobotBody, SwitchesAreNumberedCounterClockwiseFromTheFront) {
   }
 }
 
+TEST(RobotBody, ACornerThatMeetsATablePressesItsFrontSwitchAlone) {
+  // A small table stands ahead of the front left or the front right corner, beside the gripper.
+  const struct {
+    double table_y_m;
+    int bumpers;
+  } cases[] = {{3 + 0.24, 0b00000010}, {3 - 0.24, 0b10000000}};
+  for (const auto& expected : cases) {
+    Scenario scenario = bare_floor();
+    scenario.furniture = {{FurnitureKind::kTable, {{4, expected.table_y_m}, 0}, {0.2, 0.2}, 0.74}};
+    const auto world = world_of(scenario);
+    int touched = 0;
+    for (int i = 0; i < 1000 && touched == 0; ++i) {
+      run(*world, {500, 500, 1000}, World::kStep_s);
+      touched = world->robot(0).inputs().bumpers;
+    }
+    EXPECT_EQ(touched, expected.bumpers) << "table at " << expected.table_y_m;
+  }
+}
+
 TEST(RobotBody, ALoosePieceDoesNotPressASwitch) {
   Scenario scenario = bare_floor();
   scenario.placed = {{PieceKind::kCan, {3.6, 3.13}}};

@@ -34,7 +34,7 @@ class LanguageUpgradeTest : public testing::Test {
   const TemporaryFolder folder;
   SteadyClock clock;
   Team team{clock};
-  const Catalog installed;
+  const Catalog installed{};
   foxglove::Hub hub{"monitor", [](std::uint32_t, bool) {}};
   boost::asio::io_context io{1};
   SendRounds rounds{io};

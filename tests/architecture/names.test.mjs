@@ -18,7 +18,7 @@ const [schemas, others] = [named('schema'), named('settings')];
 const VOCABULARY = ['core/device/device_names.h', 'core/variable/type_name.h', 'web/src/model/variable_text.ts'];
 /** The same word for something else. */
 const OTHER_MEANINGS = {
-  lost: ['web/src/feed/feed.ts', 'web/src/model/live.svelte.ts', 'web/src/shell/Announcer.svelte', 'web/src/shell/Header.svelte'], // a connection
+  lost: ['web/src/feed/feed.ts', 'web/src/feed/feed_server.ts', 'web/src/model/live.svelte.ts', 'web/src/shell/Announcer.svelte', 'web/src/shell/Header.svelte'], // a connection
   dock: ['web/src/shell/Dock.svelte'], // of panels
   noise: ['sim/camera/renderer.cpp'], // of a camera's pixels
   bits: ['web/src/plots/quantities.ts'], // what is plotted

@@ -8,18 +8,20 @@ const tab = playedTab();
 const { at, until } = tab;
 const text = (wanted) => until((words) => document.querySelector("[data-testid=connection]").textContent.includes(words), wanted);
 
-test("a monitor that went away is told of, with for how long", async () => {
+test("a monitor that went away is told of, with for how long, and no robot is accused", async () => {
   await at("team-row-io").waitFor();
   await tab.fixture.stop();
-  await text("nothing heard for 1");
+  await text("nothing heard for 3");
   await at("timeline-gap").waitFor();
-  await until(() => document.querySelector("[data-testid=team-row-io]")?.dataset.silent === "true");
+  await until(() => document.querySelector("[data-testid=team-rows]").dataset.stale === "true");
+  assert.equal(await tab.row("io").getAttribute("data-silent"), "false", "nothing is known against io");
+  assert.equal(await at("alarm-count").count(), 0);
 });
 
 test("it is live again by itself, and the gap stays on the timeline", async () => {
   tab.fixture = await startFixture({}, new URL(tab.url).port);
   await text("live");
-  await until(() => document.querySelector("[data-testid=team-row-io]")?.dataset.silent === "false");
+  await until(() => document.querySelector("[data-testid=team-rows]").dataset.stale === "false");
   assert.equal(await at("timeline-gap").count(), 1);
   assert.match(await at("timeline-gap").getAttribute("title"), /^Nothing was heard from the monitor for \d/);
 });

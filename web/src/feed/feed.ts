@@ -5,10 +5,18 @@ import { type Decode, decoderOf } from "./decoder";
 import { isAlwaysWanted } from "./topics";
 
 export type Connection = "connecting" | "live" | "lost";
-export type Listener = (topic: string, message: unknown, received_ms: number) => void;
+/** A message as it came, which is decoded only where somebody looks at it. */
+export interface Arrival {
+  readonly topic: string;
+  readonly decode: () => unknown;
+  /** When the monitor received it, on the page's clock. */
+  readonly received_ms: number;
+}
 
 export interface FeedEvents {
-  message: Listener;
+  arrival: (arrival: Arrival) => void;
+  /** The monitor's time, on the page's clock: it tells its time ten times a second. */
+  time: (monitor_ms: number) => void;
   connection: (connection: Connection, attempt: number) => void;
   /** Something of the feed that the reader should know, in one sentence. */
   trouble: (sentence: string) => void;
@@ -16,7 +24,9 @@ export interface FeedEvents {
 
 const SUBPROTOCOLS = ["foxglove.sdk.v1", "foxglove.websocket.v1"];
 const FIRST_RETRY_MS = 500;
-const LONGEST_RETRY_MS = 5000;
+const LONGEST_RETRY_MS = 1000;
+/** A connection without a word for one to two of these periods is dead, though nobody closed it. */
+const DEAF_PERIOD_MS = 5000;
 
 interface Subscription {
   channel: Channel;
@@ -24,8 +34,9 @@ interface Subscription {
 }
 
 /**
- * The page's only socket: reads the monitor's topics by Foxglove's protocol, decodes their CDR, and
- * connects again by itself. Topics that cost something (pictures) are read only while wanted.
+ * The page's only socket: reads the monitor's topics by Foxglove's protocol, and connects again by itself,
+ * also where the connection is dead without having been closed. Topics that cost something (pictures) are
+ * read only while wanted.
  */
 export class Feed {
   #client: FoxgloveClient | undefined;
@@ -36,6 +47,9 @@ export class Feed {
   #wanted = new Map<string, number>();
   #attempt = 0;
   #retry: ReturnType<typeof setTimeout> | undefined;
+  #watch: ReturnType<typeof setInterval> | undefined;
+  /** Whether anything came since the connection was looked at last. */
+  #heard = false;
   #ended = false;
 
   constructor(
@@ -47,22 +61,25 @@ export class Feed {
     this.events.connection("connecting", this.#attempt);
     const client = new FoxgloveClient({ ws: new WebSocket(this.url, SUBPROTOCOLS) });
     this.#client = client;
-    client.on("serverInfo", () => {
-      this.#attempt = 0;
-      this.events.connection("live", 0);
-    });
-    client.on("advertise", (channels) => channels.forEach((channel) => this.#advertised(channel)));
-    client.on("unadvertise", (ids) => ids.forEach((id) => this.#withdrawn(id)));
-    client.on("message", (data) => this.#received(data));
-    client.on("status", (status) => status.level > 0 && this.events.trouble(status.message));
+    /** What is still said on a connection that was abandoned is not heard. */
+    const whileCurrent = <A extends unknown[]>(act: (...said: A) => void) => (...said: A) => {
+      if (this.#client === client) act(...said);
+    };
+    client.on("serverInfo", whileCurrent(() => this.#begun()));
+    client.on("advertise", whileCurrent((channels) => channels.forEach((channel) => this.#advertised(channel))));
+    client.on("unadvertise", whileCurrent((ids) => ids.forEach((id) => this.#withdrawn(id))));
+    client.on("message", whileCurrent((data) => this.#received(data)));
+    client.on("time", whileCurrent(({ timestamp }) => this.events.time(this.#pageTime_ms(timestamp))));
+    client.on("status", whileCurrent((status) => status.level > 0 && this.events.trouble(status.message)));
     client.on("error", () => {}); // a close follows, and tells the reader
-    client.on("close", () => this.#closed());
+    client.on("close", whileCurrent(() => this.#closed()));
   }
 
   /** Ends the connection, for good. */
   disconnect(): void {
     this.#ended = true;
     clearTimeout(this.#retry);
+    clearInterval(this.#watch);
     this.#client?.close();
   }
 
@@ -122,17 +139,35 @@ export class Feed {
   }
 
   #received({ subscriptionId, timestamp, data }: MessageData): void {
+    const received_ms = this.#pageTime_ms(timestamp);
     const subscription = this.#subscriptions.get(subscriptionId);
     if (!subscription) return;
-    const received_ms = this.#clock.received_ms(Number(timestamp / 1000n) / 1000, Date.now());
-    try {
-      this.events.message(subscription.channel.topic, subscription.decode(data), received_ms);
-    } catch (error) {
-      this.events.trouble(`a message on ${subscription.channel.topic} was damaged: ${(error as Error).message}`);
-    }
+    this.events.arrival({ topic: subscription.channel.topic, decode: () => subscription.decode(data), received_ms });
+  }
+
+  #pageTime_ms(timestamp_ns: bigint): number {
+    this.#heard = true;
+    return this.#clock.received_ms(Number(timestamp_ns / 1000n) / 1000, Date.now());
+  }
+
+  #begun(): void {
+    this.#attempt = 0;
+    this.#heard = true;
+    this.#watch = setInterval(() => this.#lookWhetherHeard(), DEAF_PERIOD_MS);
+    this.events.connection("live", 0);
+  }
+
+  /** A dead connection may take minutes to close, for which nobody waits. */
+  #lookWhetherHeard(): void {
+    const [client, heard] = [this.#client, this.#heard];
+    this.#heard = false;
+    if (heard) return;
+    this.#closed();
+    client?.close();
   }
 
   #closed(): void {
+    clearInterval(this.#watch);
     this.#client = undefined;
     this.#channels.clear();
     this.#subscriptions.clear();

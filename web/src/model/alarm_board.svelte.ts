@@ -10,7 +10,7 @@ class AlarmBoard {
 
   /** Called as time goes on: what is wrong depends on it, too. */
   refresh(): void {
-    this.posted = withAlarms(this.posted, alarms(live.present, live.present_ms), live.present_ms);
+    this.posted = withAlarms(this.posted, alarms(live.present, live.known_present_ms), live.present_ms);
   }
 
   acknowledge(key?: string): void {

@@ -2,8 +2,11 @@
 // What the panels see: the team now or at a chosen instant, the robot chosen, and the page's clock.
 
 import { flushSync } from "svelte";
-import { type Connection, Feed } from "../feed/feed";
+import type { Connection } from "../feed/feed";
+import type { Batch } from "../feed/inbox";
+import { PageFeed } from "../feed/page_feed";
 import { tellsWhatHappens } from "../feed/topics";
+import { plural } from "../lib/format";
 import { browserFrames, Redraw } from "../lib/redraw";
 import { type Gap, withGap } from "./gaps";
 import { History, type Instant } from "./history";
@@ -19,6 +22,8 @@ const AGEING_MS = 100;
 const CALM_AGEING_MS = 1000;
 /** It goes along with what is drawn anyway: alone it is drawn where nothing else was for so many times as long. */
 const PATIENCE = 1.5;
+/** A page that knows no newer time of the monitor's is behind, and says so. */
+const BEHIND_MS = 2000;
 
 class Live {
   connection = $state<Connection>("connecting");
@@ -31,6 +36,9 @@ class Live {
   /** The instant that the panels show; undefined: now. */
   instant_ms = $state<number>();
   #now_ms = $state(Date.now());
+  /** The monitor's time when it told the newest of what is shown; undefined: it has told nothing yet. */
+  #told_ms = $state<number>();
+  #toldNext_ms: number | undefined;
   #shown = $state.raw<Team>(emptyTeam);
   #team: Team = emptyTeam;
   #history = new History();
@@ -38,8 +46,8 @@ class Live {
   #calm = matchMedia("(prefers-reduced-motion: reduce)");
   #redraw = new Redraw(() => this.#draw(), browserFrames());
 
-  feed = new Feed(withToken(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`), {
-    message: (topic, message, received_ms) => this.#heard(topic, message, received_ms),
+  feed = new PageFeed(withToken(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`), {
+    batch: (batch) => this.#take(batch),
     connection: (connection) => this.#connected(connection),
     trouble: (sentence) => (this.trouble = sentence),
   });
@@ -51,6 +59,15 @@ class Live {
   );
   readonly now_ms: number = $derived(this.instant_ms ?? this.#now_ms);
   readonly present_ms: number = $derived(this.#now_ms);
+  /**
+   * The newest time of which the monitor told how things stood. Whether a robot is silent is judged by this and
+   * not by the page's clock: a page that is behind, or without a monitor, knows nothing against a robot.
+   */
+  readonly known_present_ms: number = $derived(Math.min(this.#now_ms, this.#told_ms ?? this.#now_ms));
+  readonly known_ms: number = $derived(this.instant_ms ?? this.known_present_ms);
+  readonly behind_ms: number = $derived(this.#now_ms - this.known_present_ms);
+  /** Whether what is shown as the present is older than an operator may take it for. */
+  readonly isBehind: boolean = $derived(this.behind_ms > BEHIND_MS);
   readonly present: Team = $derived(this.#shown);
   readonly robots: Robot[] = $derived(
     [...this.team.robots.values()].sort((a, b) => a.identity.index - b.identity.index),
@@ -101,9 +118,16 @@ class Live {
     this.lost_ms = undefined;
   }
 
-  #heard(topic: string, message: unknown, received_ms: number): void {
-    this.#listeners.get(topic)?.forEach((listener) => listener(message));
-    this.#fold(apply(this.#team, topic, message, received_ms), tellsWhatHappens(topic));
+  #take({ news, told_ms, dropped }: Batch): void {
+    let [team, atOnce] = [this.#team, false];
+    for (const { topic, message, received_ms, count } of news) {
+      this.#listeners.get(topic)?.forEach((listener) => listener(message));
+      team = apply(team, topic, message, received_ms, count);
+      atOnce ||= tellsWhatHappens(topic);
+    }
+    if (told_ms > 0) this.#toldNext_ms = told_ms;
+    if (dropped > 0) this.trouble = `The page slept too long: ${plural(dropped, "event")} of the robots were dropped.`;
+    this.#fold(team, atOnce);
   }
 
   // Messages are folded as they come and drawn at most once a frame, however many there are.
@@ -128,7 +152,7 @@ class Live {
       this.#shown = this.#team;
       this.#history.record(this.#team, now_ms);
     }
-    if (now_ms - this.#now_ms >= this.#ageing_ms) this.#now_ms = now_ms;
+    if (now_ms - this.#now_ms >= this.#ageing_ms) [this.#now_ms, this.#told_ms] = [now_ms, this.#toldNext_ms];
     flushSync();
   }
 }

@@ -8,9 +8,10 @@ export interface MessageRate {
   readonly per_s?: number;
 }
 
-export function withMessage(rate: MessageRate | undefined, at_ms: number): MessageRate {
-  if (!rate || at_ms < rate.from_ms) return { from_ms: at_ms, count: 1 };
+/** After `more` messages, the last of which came at `at_ms`. */
+export function withMessages(rate: MessageRate | undefined, at_ms: number, more = 1): MessageRate {
+  if (!rate || at_ms < rate.from_ms) return { from_ms: at_ms, count: more };
   const passed_ms = at_ms - rate.from_ms;
-  if (passed_ms < WINDOW_MS) return { ...rate, count: rate.count + 1 };
-  return { from_ms: at_ms, count: 1, per_s: (rate.count * 1000) / passed_ms };
+  if (passed_ms < WINDOW_MS) return { ...rate, count: rate.count + more };
+  return { from_ms: at_ms, count: more, per_s: (rate.count * 1000) / passed_ms };
 }

@@ -5,7 +5,7 @@ import { type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
 import { contestBegan_ms, withEvents } from "./events";
 import { identityOf } from "./identity";
 import type { Robot, Team } from "./model";
-import { withMessage } from "./message_rate";
+import { withMessages } from "./message_rate";
 import { withMoment, withVariables } from "./moments";
 import { replyOf, withPush, withReply, withStep } from "./pushes";
 import { clockOffset_ms, onPageClock_ms, wentBack } from "./robot_clock";
@@ -112,8 +112,8 @@ const ofTeam: { [K in TeamTopic]: Reduce<Team, never> } = {
   }),
 };
 
-/** The team after a message; the same team where the topic says nothing of it. */
-export function apply(team: Team, topic: string, message: unknown, received_ms: number): Team {
+/** The team after a message, the newest of `count`; the same team where the topic says nothing of it. */
+export function apply(team: Team, topic: string, message: unknown, received_ms: number, count = 1): Team {
   const named = robotTopicOf(topic);
   if (!named) return ofTeam[topic as TeamTopic]?.(team, message as never, received_ms) ?? team;
   if (named.kind === "program_reply") {
@@ -123,6 +123,7 @@ export function apply(team: Team, topic: string, message: unknown, received_ms: 
   const reduce = ofRobot[named.kind as keyof typeof ofRobot];
   if (!reduce) return team;
   const before = robotNamed(team, named.robot, received_ms);
-  const robot = reduce({ ...before, heard_ms: Math.max(before.heard_ms, received_ms), rate: withMessage(before.rate, received_ms) }, message as never, received_ms);
+  const heard = { ...before, heard_ms: Math.max(before.heard_ms, received_ms), rate: withMessages(before.rate, received_ms, count) };
+  const robot = reduce(heard, message as never, received_ms);
   return { ...team, robots: new Map(team.robots).set(named.robot, robot) };
 }

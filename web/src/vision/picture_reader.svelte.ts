@@ -2,7 +2,7 @@
 import type { CompressedImage, Time } from "../feed/messages";
 import { type Picture, pictureTopic } from "../feed/topics";
 import { live } from "../model/live.svelte";
-import type { Feed } from "../feed/feed";
+import type { PageFeed } from "../feed/page_feed";
 import { Latest } from "../lib/latest";
 
 const RATE_OVER = 10;
@@ -22,7 +22,7 @@ export class PictureReader {
   #pictures = new Latest();
 
   /** Until the returned function is called, which no picture outlives; `drawn` is told of each one on the canvas. */
-  read(feed: Feed, robot: string, picture: Picture, canvas: HTMLCanvasElement, drawn?: () => void): () => void {
+  read(feed: PageFeed, robot: string, picture: Picture, canvas: HTMLCanvasElement, drawn?: () => void): () => void {
     const topic = pictureTopic(robot, picture);
     if (topic !== this.#topic) this.#begin(topic);
     const release = feed.want(topic);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { beforeEach, expect, it, vi } from "vitest";
-import type { Feed } from "../../src/feed/feed";
+import type { PageFeed } from "../../src/feed/page_feed";
 import { PictureReader } from "../../src/vision/picture_reader.svelte";
 import { Questions } from "../fixture/answers";
 import { live } from "../fixture/fake_live.svelte";
@@ -8,7 +8,7 @@ import { live } from "../fixture/fake_live.svelte";
 vi.mock("../../src/model/live.svelte", () => import("../fixture/fake_live.svelte"));
 
 const taken = (sec: number) => ({ header: { stamp: { sec, nsec: 0 }, frame_id: "" }, format: "jpeg", data: new Uint8Array() });
-const feed = { want: () => () => {} } as unknown as Feed;
+const feed = { want: () => () => {} } as unknown as PageFeed;
 let decoders: Questions;
 let closed: number;
 let shown: unknown[];

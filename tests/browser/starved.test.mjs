@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A page that has a twentieth of a processor accuses no robot, says how far it is behind where it is, and shows
+// the present within a second of being fed again.
+import assert from "node:assert/strict";
+import { setTimeout as pause } from "node:timers/promises";
+import { after, before, test } from "node:test";
+import { startFixture, Tab } from "./tab.mjs";
+
+const STARVED_MS = 60_000;
+const CAUGHT_UP_MS = 1000;
+
+/** Counts, from within the page, every row that is called silent and every alarm, as they are drawn. */
+function watchAccusations() {
+  window.accusations = [];
+  const look = () => {
+    for (const row of document.querySelectorAll("[data-silent=true]")) window.accusations.push(`${row.dataset.testid} is silent`);
+    if (document.body.textContent.includes("is silent")) window.accusations.push("an alarm");
+  };
+  new MutationObserver(look).observe(document.body, { subtree: true, childList: true, attributes: true, characterData: true });
+}
+
+/** By how much the contest's clock on the page differs from the fixture's. */
+async function clockError_s(tab) {
+  const [minutes, seconds] = (await tab.at("clock").textContent()).match(/\d+/g).map(Number);
+  const { score } = await tab.api("/api/status");
+  return Math.abs(minutes * 60 + seconds - score.remaining_s);
+}
+
+for (const robots of [3, 30]) {
+  const tab = new Tab();
+  before(async () => {
+    tab.fixture = await startFixture({ robots });
+    await tab.open(tab.fixture.url);
+    await tab.row("io").waitFor();
+  });
+  after(async () => {
+    await tab.close();
+    await tab.fixture?.stop();
+  });
+
+  test(`a starved page with ${robots} robots accuses nobody and catches up within a second`, async () => {
+    const cdp = await tab.page.context().newCDPSession(tab.page);
+    await tab.page.evaluate(watchAccusations);
+    await cdp.send("Emulation.setCPUThrottlingRate", { rate: 20 });
+    await pause(STARVED_MS);
+    await cdp.send("Emulation.setCPUThrottlingRate", { rate: 1 });
+    const fed_ms = Date.now();
+    await tab.until(() => document.querySelector("[data-testid=connection]").textContent.trim() === "live");
+    assert.ok(Date.now() - fed_ms < CAUGHT_UP_MS, `live again after ${Date.now() - fed_ms} ms`);
+    const error_s = await clockError_s(tab);
+    assert.ok(error_s < 2, `the contest's clock is wrong by ${error_s} s`);
+    assert.deepEqual(await tab.page.evaluate(() => [...new Set(window.accusations)]), []);
+  });
+}

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The thread in which the feed runs.
+import { FeedServer, type Order } from "./feed_server";
+
+const server = new FeedServer((report) => postMessage(report));
+onmessage = ({ data }: MessageEvent<Order>) => server.obey(data);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import type { Connection } from "./feed";
+import type { Order, Report } from "./feed_server";
+import type { Batch } from "./inbox";
+
+export interface PageFeedEvents {
+  batch: (batch: Batch) => void;
+  connection: (connection: Connection, attempt: number) => void;
+  /** Something of the feed that the reader should know, in one sentence. */
+  trouble: (sentence: string) => void;
+}
+
+/** The page's end of the feed, which runs in a thread of its own. */
+export class PageFeed {
+  #worker: Worker | undefined;
+  #wanted = new Map<string, number>();
+
+  constructor(
+    private readonly url: string,
+    private readonly events: PageFeedEvents,
+  ) {}
+
+  connect(): void {
+    this.#worker = new Worker(new URL("./feed_worker.ts", import.meta.url), { type: "module" });
+    this.#worker.onmessage = ({ data }: MessageEvent<Report>) => this.#reported(data);
+    this.#worker.onerror = ({ message }) => this.events.trouble(`the page's reader failed (${message}): reload the page`);
+    this.#order({ kind: "connect", url: this.url });
+    for (const topic of this.#wanted.keys()) this.#order({ kind: "want", topic });
+  }
+
+  /** Reads `topic` until the returned function is called. */
+  want(topic: string): () => void {
+    const count = this.#wanted.get(topic) ?? 0;
+    this.#wanted.set(topic, count + 1);
+    if (count === 0) this.#order({ kind: "want", topic });
+    return () => this.#release(topic);
+  }
+
+  #release(topic: string): void {
+    const count = (this.#wanted.get(topic) ?? 0) - 1;
+    if (count > 0) {
+      this.#wanted.set(topic, count);
+      return;
+    }
+    this.#wanted.delete(topic);
+    this.#order({ kind: "release", topic });
+  }
+
+  #reported(report: Report): void {
+    if (report.kind === "connection") this.events.connection(report.connection, report.attempt);
+    else if (report.kind === "trouble") this.events.trouble(report.sentence);
+    else this.#take(report.batch);
+  }
+
+  #take(batch: Batch): void {
+    try {
+      this.events.batch(batch);
+    } finally {
+      this.#order({ kind: "ready" });
+    }
+  }
+
+  #order(order: Order): void {
+    this.#worker?.postMessage(order);
+  }
+}

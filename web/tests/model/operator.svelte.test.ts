@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import { beforeEach, expect, it, vi } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 import { Operator } from "../../src/model/operator.svelte";
 import type { Questions } from "../fixture/answers";
+import { live, runs } from "../fixture/fake_live.svelte";
 
 const monitor = vi.hoisted(() => ({ questions: undefined as unknown as Questions }));
 vi.mock("../../src/feed/api", async () => {
@@ -32,4 +33,41 @@ it("tells of a failure until the next word", async () => {
   expect(operator.failure).toBeUndefined();
   await questions.of("command").answer({ id: "1" });
   expect(operator.failure).toBeUndefined();
+});
+
+describe("after STOP ALL", () => {
+  const robot = (name: string, held: boolean, received_ms: number) => ({ ...runs(name, { name: "a.bhdl", hash: "aaaa", files: [] }), heard_ms: received_ms, state: { received_ms, value: { program_hash: "aaaa", held, out_of_service: false } } });
+  let ordered_ms: number;
+  beforeEach(() => {
+    live.reset();
+    operator.stopAll();
+    ordered_ms = Date.now();
+    live.robots = [robot("io", true, ordered_ms + 100), robot("callisto", false, ordered_ms - 100)];
+  });
+  const told = () => questions.asked.map(({ told }) => told[1]);
+
+  it("those are told again every second that have not confirmed", () => {
+    operator.refreshStop(ordered_ms + 500);
+    operator.refreshStop(ordered_ms + 1500);
+    operator.refreshStop(ordered_ms + 1600);
+    operator.refreshStop(ordered_ms + 2600);
+    expect(told()).toEqual([[], ["callisto"], ["callisto"]]);
+  });
+  it("the report goes some seconds after all have confirmed", () => {
+    live.robots = [robot("io", true, ordered_ms + 100)];
+    operator.refreshStop(ordered_ms + 200);
+    operator.refreshStop(ordered_ms + 5100);
+    expect(operator.stopping?.stopped).toEqual(["io"]);
+    operator.refreshStop(ordered_ms + 5300);
+    expect(operator.stopping).toBeUndefined();
+  });
+  it("nobody is told again once robots are resumed, or the report is dismissed", () => {
+    operator.resume(["io"]);
+    operator.refreshStop(ordered_ms + 5000);
+    expect(operator.stopping).toBeUndefined();
+    operator.stopAll();
+    operator.dismissStop();
+    operator.refreshStop(ordered_ms + 9000);
+    expect(told()).toEqual([[], ["io"], []]);
+  });
 });

@@ -39,7 +39,7 @@ void Api::add_routes() {
                      parts_.map.update_s()),
         "text/plain; version=0.0.4; charset=utf-8"));
   });
-  get("/api/status", [this](auto&, auto& respond) { status(respond); });
+  get("/api/status", [this](auto& request, auto& respond) { status(request.right, respond); });
   get("/api/team", [this](auto&, auto& respond) { respond(json_response(to_json(parts_.team))); });
   get("/api/strategies", [this](auto&, auto& respond) {
     respond(json_response({{"strategies", strategies_json(parts_.team)}}));
@@ -176,13 +176,14 @@ void Api::pushed_program(const std::string& hash, const Respond& respond) {
                     unable(finish_of(respond)));
 }
 
-void Api::status(const Respond& respond) const {
+void Api::status(Right right, const Respond& respond) const {
   auto robots = nlohmann::json::array();
   for (const auto& robot : parts_.team.statuses()) robots.push_back(to_json(robot));
   const auto& score = parts_.team.score();
   respond(json_response({{"name", "galilean-monitor"},
                          {"version", GALILEAN_VERSION},
                          {"scenario", score ? score->scenario : ""},
+                         {"may_steer", right == Right::kOperate},
                          {"program_hash", parts_.team.program_hash()},
                          {"robots", std::move(robots)},
                          {"score", score_json(parts_.team)}}));

@@ -58,7 +58,7 @@ class Api {
   void pushes(const Respond& respond);
   void cancel_push(const HttpRequest& request, const Respond& respond);
   void pushed_program(const std::string& hash, const Respond& respond);
-  void status(const Respond& respond) const;
+  void status(Right right, const Respond& respond) const;
 
   Parts parts_;
   std::vector<Route> routes_;

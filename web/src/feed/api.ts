@@ -164,6 +164,7 @@ export function command(kind: CommandKind, targets: readonly string[], argument 
   return call("/api/command", { kind, targets, argument });
 }
 
-export function status(): Promise<{ name: string; scenario: string; version: string }> {
+/** `may_steer`: whether the token that the page has gives the right to. */
+export function status(): Promise<{ name: string; scenario: string; version: string; may_steer: boolean }> {
   return call("/api/status");
 }

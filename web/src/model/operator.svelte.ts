@@ -4,6 +4,7 @@
 import { type CommandKind, command } from "../feed/api";
 import { Attempts } from "../lib/attempts.svelte";
 import { live } from "./live.svelte";
+import { rights } from "./rights.svelte";
 import { type StopProgress, stopProgress } from "./stop_order";
 
 /** Whoever has not confirmed a stop is told again so often. */
@@ -33,10 +34,10 @@ export class Operator {
     return this.#attempts.failure;
   }
 
-  /** Acts at once. */
+  /** Acts at once. A viewer that may not steer is told so by the monitor. */
   stopAll(): void {
     this.askingToResume = false;
-    this.#ordered_ms = this.#told_ms = Date.now();
+    if (rights.maySteer) this.#ordered_ms = this.#told_ms = Date.now();
     this.#confirmed_ms = undefined;
     void this.#say("hold", [], "STOP did not reach the robots");
   }

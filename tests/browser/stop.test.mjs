@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// STOP ALL says who has stopped and who has not confirmed it, until all have.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { playedTab } from "./tab.mjs";
+
+const tab = playedTab({ ahead: 60, deaf: "ganymede", silent: "callisto" });
+const { at } = tab;
+
+test("a stop names who has not answered and who drives on", async () => {
+  await tab.untilRow("callisto", "data-silent", "true");
+  await at("stop-all").click();
+  await tab.untilIs("stop-report", "data-stopped", "1");
+  await tab.until(() => /1 of 3 stopped; callisto has not answered for \d+.* s, ganymede answers but has not stopped for [1-9]/.test(document.querySelector("[data-testid=stop-report]").textContent));
+  assert.equal(await at("stop-report").getAttribute("role"), "alert");
+});
+
+test("once the robots are let go nothing is said of the stop", async () => {
+  await at("resume-all").click();
+  await tab.page.getByRole("button", { name: "Let 1 robot move" }).click();
+  await at("stop-report").waitFor({ state: "detached" });
+});
+
+tab.testComplaints();

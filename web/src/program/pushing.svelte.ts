@@ -19,6 +19,8 @@ export interface Question {
 /** How the program on the bench comes to robots, and how they come back to what ran before. */
 export class Pushing {
   #question = $state.raw<Question>();
+  /** From the confirming click on, until somebody closes the answers. */
+  #isFollowed = $state(false);
   #checks = new Latest();
   /** The way that the next push takes. */
   tries = $state(false);
@@ -36,6 +38,16 @@ export class Pushing {
   /** What waits for the one confirming click. It is withdrawn when what stands on the bench is no longer what it is about. */
   get question(): Question | undefined {
     return this.#question?.draft === this.bench.draft ? this.#question : undefined;
+  }
+
+  /** Whether there is a question or are answers that somebody should look at. */
+  get isShown(): boolean {
+    return this.question !== undefined || this.#isFollowed;
+  }
+
+  close(): void {
+    this.withdraw();
+    this.#isFollowed = false;
   }
 
   /** Puts the question once `check` has come to its end, unless the bench has another text by then. */
@@ -57,6 +69,7 @@ export class Pushing {
   /** Pushes what was asked about. */
   async confirm({ draft, targets }: Question): Promise<void> {
     this.withdraw();
+    this.#isFollowed = true;
     const canary = this.canary !== "" && targets.length !== 1 ? this.canary : "";
     const way = { tries: this.tries, canary, probation_s: this.probation_s, replaces: runningHash(targets) };
     try {

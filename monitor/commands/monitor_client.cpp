@@ -111,7 +111,8 @@ std::string without_brackets(const std::string& host) {
 }  // namespace
 
 std::string MonitorAnswer::detail() const {
-  if (json.is_object() && json.contains("detail")) return json["detail"].get<std::string>();
+  const auto detail = json.is_object() ? json.find("detail") : json.end();
+  if (detail != json.end() && detail->is_string()) return detail->get<std::string>();
   return "the monitor answered " + std::to_string(status);
 }
 
@@ -166,8 +167,12 @@ Result<MonitorAnswer> MonitorClient::request(const std::string& method, const st
   if (exchange.error()) return nobody(exchange.error());
   Parser parser;
   if (const auto error = parse(parser, exchange.answer())) return nobody(error);
-  return MonitorAnswer{static_cast<int>(parser.get().result_int()),
+  MonitorAnswer answer{static_cast<int>(parser.get().result_int()),
                        nlohmann::json::parse(parser.get().body(), nullptr, false)};
+  if (answer.ok() && !answer.json.is_object())
+    return Error{"what answers at " + url_ +
+                 " is no monitor of Galilean; name the monitor's address with --monitor"};
+  return answer;
 }
 
 }  // namespace galilean::monitor

@@ -32,7 +32,8 @@ class MonitorClient {
                                                 const std::string& token_file);
 
   /// Both return the monitor's answer, also if it is a refusal.
-  /// Errors: nobody answers in time, or the answer is no HTTP.
+  /// Errors: nobody answers in time, the answer is no HTTP, or it is a success without the JSON
+  /// object that a monitor sends.
   [[nodiscard]] Result<MonitorAnswer> get(const std::string& path) const;
   [[nodiscard]] Result<MonitorAnswer> post(const std::string& path,
                                            const nlohmann::json& body) const;

@@ -35,6 +35,8 @@ void print_diagnostic(const json& diagnostic, std::ostream& out) {
   out << diagnostic.value("file", "") << ':' << diagnostic.value("line", 0) << ':'
       << diagnostic.value("column", 0) << ": " << diagnostic.value("severity", "") << ": "
       << diagnostic.value("message", "") << '\n';
+  if (const auto hint = diagnostic.value("hint", ""); !hint.empty())
+    out << "  hint: " << hint << '\n';
 }
 
 std::optional<PushState> state_of(const json& push) {

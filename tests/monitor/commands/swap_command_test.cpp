@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `galilean swap` and `galilean programs`, against a monitor and without one.
+#include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/write.hpp>
 #include <csignal>
+#include <thread>
 
 #include "monitor/front/process.h"
 #include "tests/free_domain.h"
@@ -33,6 +38,11 @@ TEST_F(SwapCommandTest, SwapPrintsEachStepAndProgramsRemembersThem) {
   const auto other = run_command(swap + (folder / "other.bhdl").string() + " --robot io");
   EXPECT_EQ(other.exit_code, 0) << other.output;
   EXPECT_EQ(run_command(swap + (folder / "broken.bhdl").string() + " --team").exit_code, 1);
+
+  write("typo.bhdl", "states:\n  state:\n    nmae: \"wait\"\n  end\nend\n");
+  const auto typo = run_command(swap + (folder / "typo.bhdl").string() + " --team");
+  EXPECT_EQ(typo.exit_code, 1);
+  EXPECT_THAT(typo.output, HasSubstr("\n  hint: did you mean 'name'?\n"));
 
   const std::string programs = GALILEAN_PROGRAMS + monitor_option;
   const auto list = run_command(programs + "list").output;
@@ -67,6 +77,26 @@ TEST_F(SwapCommandTest, CtrlCCancelsWhatHasNotBegunAndTakesTheCanaryBack) {
   EXPECT_TRUE(becomes_true([&] { return io.running_hash() == "first"; }));
   EXPECT_EQ(ganymede.running_hash(), "first");
   EXPECT_EQ(get("/api/pushes").as_json()["pushes"][0]["state"], "cancelled");
+}
+
+TEST_F(SwapCommandTest, AnotherServerOnTheMonitorsPortIsNamedAsSuch) {
+  boost::asio::io_context io;
+  using boost::asio::ip::tcp;
+  tcp::acceptor acceptor(io, {boost::asio::ip::address_v4::loopback(), 0});
+  std::thread server([&] {
+    auto socket = acceptor.accept();
+    std::array<char, 4096> request{};
+    socket.read_some(boost::asio::buffer(request));
+    boost::asio::write(
+        socket,
+        boost::asio::buffer(std::string_view("HTTP/1.1 200 OK\r\nContent-Length: 5\r\n\r\nhello")));
+  });
+  const std::string url = "http://127.0.0.1:" + std::to_string(acceptor.local_endpoint().port());
+  const auto list = run_command(std::string(GALILEAN_PROGRAMS) + " --monitor " + url + " list");
+  server.join();
+  EXPECT_EQ(list.exit_code, 2) << list.output;
+  EXPECT_THAT(list.output, HasSubstr("is no monitor of Galilean"));
+  EXPECT_EQ(std::ranges::count(list.output, '\n'), 1) << list.output;
 }
 
 TEST_F(SwapCommandTest, SwapWithoutAMonitorThereSaysSoInOneLine) {

@@ -49,6 +49,12 @@ TEST_F(ServerTest, WhoHasNoOperatorsTokenMayReadHereAndSteerNothing) {
   EXPECT_EQ(request(http::verb::post, "/api/command", hold, {{"Authorization", "Bearer x"}}).status,
             403U);
   EXPECT_EQ(get("/api/status").status, 200U) << "on loopback reading is free";
+  const auto may_steer = [&](auto... token) {
+    return request(http::verb::get, "/api/status", {}, token...).as_json()["may_steer"];
+  };
+  EXPECT_EQ(may_steer(), false);
+  EXPECT_EQ(may_steer(bearer("viewer.token")), false);
+  EXPECT_EQ(may_steer(bearer("operator.token")), true);
   const auto open_door = run_command(std::string(GALILEAN_SWAP) + " --monitor http://" + host() +
                                      " --token-file " + (folder / "viewer.token").string() +
                                      " --team " + (folder / "good.bhdl").string());

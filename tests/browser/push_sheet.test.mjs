@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A push on a laptop of 1366 x 768: the question, the ways and the answers are in sight without scrolling.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { LAPTOP, playedTab } from "./tab.mjs";
+
+const tab = playedTab({ ahead: 60 });
+const { at } = tab;
+
+/** Whether all of an element is in the window and nothing lies over its middle. */
+async function isInSight(locator) {
+  const { x, y, width, height } = await locator.boundingBox();
+  const isInside = x >= 0 && y >= 0 && x + width <= LAPTOP.width && y + height <= LAPTOP.height;
+  return isInside && locator.evaluate((element) => {
+    const box = element.getBoundingClientRect();
+    const top = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
+    return element.contains(top) || top.contains(element);
+  });
+}
+
+test("what the program does otherwise, the targets, the ways and the click are in sight", async () => {
+  await at("program-select").selectOption("sit_and_spin.bhdl");
+  await at("push-button").click();
+  for (const part of ["program-changes", "push-try", "push-canary", "push-confirm"]) {
+    await at(part).waitFor();
+    assert.ok(await isInSight(at(part)), `${part} is hidden`);
+  }
+  assert.match(await at("push-sheet").innerText(), /sit_and_spin\.bhdl \w+ to the team \(3 robots\)/);
+});
+
+test("Escape closes the sheet and pushes nothing", async () => {
+  const running = await tab.row("io").getAttribute("data-hash");
+  await tab.page.keyboard.press("Escape");
+  await at("push-sheet").waitFor({ state: "detached" });
+  assert.equal(await tab.row("io").getAttribute("data-hash"), running);
+});
+
+test("each robot's answer is in sight, until somebody closes the sheet", async () => {
+  await at("push-button").click();
+  await at("push-confirm").click();
+  for (const robot of ["io", "ganymede", "callisto"]) {
+    await tab.untilReply(robot, ["running", "confirmed"]);
+    assert.ok(await isInSight(at(`reply-${robot}`)), `${robot}'s answer is hidden`);
+  }
+  await tab.page.keyboard.press("Escape");
+  await at("push-sheet").waitFor({ state: "detached" });
+  await at("reply-io").waitFor();
+});
+
+tab.testComplaints();

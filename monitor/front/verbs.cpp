@@ -22,6 +22,7 @@ constexpr std::array kVerbs{
     Verb{"swap", "galilean-swap", "", "Give running robots another program"},
     Verb{"programs", "galilean-programs", "", "List, show, compare or restore pushed programs"},
     Verb{"start", "galilean-command", "start", "Start the contest: push the robots' bumpers"},
+    Verb{"stop", "galilean-command", "stop", "Make every robot stand still, at once"},
     Verb{"hold", "galilean-command", "hold", "Make robots stand still"},
     Verb{"resume", "galilean-command", "resume", "Let robots go on"},
     Verb{"doctor", "galilean-doctor", "", "Check whether this machine has what Galilean needs"},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// galilean-command hold|resume|start sends an operator's command to robots and prints the result.
+// galilean-command stop|hold|resume|start sends an operator's command to robots and prints the
+// result.
 #include <poll.h>
 
 #include <functional>
@@ -119,13 +120,22 @@ int command(Operator::Word word, TeamFeed& feed, Operator& speaker, const Option
   return result;
 }
 
-int run(Operator::Word word, const Options& options) try {
+/// Tells whoever listens to stand still before it is known who is there, then as `command`.
+int stop(TeamFeed& feed, Operator& speaker, const Options& options) {
+  constexpr Duration kFirstListener = std::chrono::seconds(1);
+  if (feed.wait(kFirstListener, [&] { return speaker.listeners() > 0; }) &&
+      !speaker.say(Operator::Word::kHold, {}))
+    std::cerr << "galilean-command: DDS did not accept the command, which is sent again\n";
+  return command(Operator::Word::kHold, feed, speaker, options);
+}
+
+int run(Operator::Word word, const Options& options, bool at_once = false) try {
   const auto participant = wire::Participant::join("command", options.domain);
   if (!participant)
     return std::cerr << "galilean-command: " << participant.error().message << '\n', 1;
   TeamFeed feed(*participant.value());
   Operator speaker(*participant.value());
-  return command(word, feed, speaker, options);
+  return at_once ? stop(feed, speaker, options) : command(word, feed, speaker, options);
 } catch (const std::exception& error) {
   return std::cerr << "galilean-command: " << error.what() << '\n', 1;
 }
@@ -149,7 +159,13 @@ int main(int argc, char** argv) {
   const auto hold = add(app, "hold", "Stand still until resumed", options);
   const auto resume = add(app, "resume", "Go on after a hold", options);
   const auto start = add(app, "start", "Push a bumper, which the start state waits for", options);
+  auto stopping = app.command("stop", "Every robot stands still, at once, until resumed");
+  add_domain_option(stopping, options.domain);
   if (const auto code = app.parse(argc, argv)) return *code;
+  if (stopping.chosen()) {
+    options.team = true;
+    return run(Operator::Word::kHold, options, true);
+  }
   if (!options.team && options.robots.empty())
     return std::cerr << "galilean-command: Name the robots with --team or --robot NAME.\n", 2;
   if (hold.chosen()) return run(Operator::Word::kHold, options);

@@ -82,6 +82,15 @@ test('another strategy while the team runs', async (t) => {
     for (const robot of after.robots) assert.ok(robot.tick > 0 && robot.problems.length === 0, JSON.stringify(robot));
   });
 
+  await t.test('stop holds every robot and says so, and resume lets them go on', async () => {
+    const stopped = galilean(['stop'], { domain });
+    assert.equal(stopped.status, 0, stopped.stdout + stopped.stderr);
+    assert.deepEqual(stopped.stdout.trim().split('\n').sort(), ['callisto: stands still', 'ganymede: stands still', 'io: stands still']);
+    await eventually(async () => (await status(url)).robots.every((robot) => robot.held));
+    assert.equal(galilean(['resume', '--team'], { domain }).status, 0);
+    await eventually(async () => (await status(url)).robots.every((robot) => !robot.held));
+  });
+
   await t.test('one robot is swapped back, and is shown as drifting', async () => {
     const pushed = galilean(['swap', `${programs}/office_cleanup.bhdl`, '--robot', 'io', '--monitor', url]);
     assert.equal(pushed.status, 0, pushed.stdout + pushed.stderr);

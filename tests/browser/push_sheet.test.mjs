@@ -28,6 +28,20 @@ test("what the program does otherwise, the targets, the ways and the click are i
   assert.match(await at("push-sheet").innerText(), /sit_and_spin\.bhdl \w+ to the team \(3 robots\)/);
 });
 
+test("the differences follow what the robots run, while the question stands", async () => {
+  const named = () => at("program-changes").innerText();
+  const before = await named();
+  await tab.page.evaluate(async () => {
+    const { files } = await (await fetch("/api/programs/office_cleanup.bhdl")).json();
+    const theirs = [{ path: "theirs.bhdl", text: `${files[0].text}; from another page\n` }];
+    await fetch("/api/push", { method: "POST", body: JSON.stringify({ files: theirs }) });
+  });
+  await tab.page.waitForFunction((text) => {
+    const now = document.querySelector("[data-testid=program-changes]")?.innerText ?? "";
+    return now !== text && now.includes("theirs.bhdl");
+  }, before);
+});
+
 test("Escape closes the sheet and pushes nothing", async () => {
   const running = await tab.row("io").getAttribute("data-hash");
   await tab.page.keyboard.press("Escape");

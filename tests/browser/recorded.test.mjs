@@ -82,7 +82,8 @@ test("why: changes come with their causes and with times as recent as they were"
 test("the timeline has bars of every robot, within its span", async () => {
   const rows = at("timeline").locator(".row");
   for (const robot of ROBOTS) {
-    const row = rows.filter({ hasText: robot });
+    // By its name alone: the words of a mark may contain it ("collision").
+    const row = rows.filter({ has: tab.page.locator(".name span", { hasText: new RegExp(`^${robot}$`) }) });
     await row.locator("rect").first().waitFor();
     const beyond = await row.evaluate((each) => {
       const { left, right } = each.getBoundingClientRect();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import { LSPClient, type LSPClientConfig } from "@codemirror/lsp-client";
+import { LSPClient, type LSPClientConfig, type Transport } from "@codemirror/lsp-client";
 import { type Bench, BenchWorkspace } from "./bench_workspace";
 
 /** Requests whose answers are changes of the text that was asked about. */
@@ -11,10 +11,30 @@ const CHANGES = new Set(["textDocument/formatting", "textDocument/rename"]);
  */
 export class BenchClient extends LSPClient {
   readonly files: BenchWorkspace;
+  /** Undefined while not connected. */
+  #server: Transport | undefined;
 
   constructor(bench: Bench, config: LSPClientConfig) {
     super({ ...config, workspace: (client) => new BenchWorkspace(client, bench) });
     this.files = this.workspace as BenchWorkspace;
+  }
+
+  override connect(server: Transport): this {
+    this.#server = server;
+    return super.connect(server);
+  }
+
+  override disconnect(): void {
+    this.#server = undefined;
+    super.disconnect();
+  }
+
+  /** Where the server never answers, nothing is told and nothing is wrong; the base class would leave a rejection that nobody handles. */
+  override notification<Params>(method: string, params: Params): void {
+    const server = this.#server;
+    if (!server) return;
+    const tell = () => server.send(JSON.stringify({ jsonrpc: "2.0", method, params }));
+    this.initializing.then(tell, () => {});
   }
 
   /** Errors: the answer would change a text that was edited meanwhile. */

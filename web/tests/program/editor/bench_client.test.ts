@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { Transport } from "@codemirror/lsp-client";
-import { beforeEach, expect, it } from "vitest";
+import { beforeEach, expect, it, vi } from "vitest";
 import { BenchClient } from "../../../src/program/editor/bench_client";
 
 const A = "file:///a.bhdl";
@@ -79,4 +79,39 @@ it("gives no two texts of a file the same version, though it leaves the bench be
   edit();
   await Promise.resolve();
   expect(new Set(server.versions).size).toBe(3);
+});
+
+class MuteServer extends SlowServer {
+  override send(): void {}
+}
+
+it("leaves no rejection to nobody where the server never answers, and where the editor closes before it does", async () => {
+  const left: unknown[] = [];
+  const note = (reason: unknown) => left.push(reason);
+  process.on("unhandledRejection", note);
+  vi.useFakeTimers();
+  for (const closes of [false, true]) {
+    const mute = new BenchClient({ display: () => Promise.resolve(null), edited: () => {} }, {});
+    mute.files.put([{ path: "a.bhdl", text: "a" }]);
+    mute.connect(new MuteServer()).initializing.catch(() => {});
+    mute.files.put([{ path: "b.bhdl", text: "b" }]);
+    if (closes) mute.disconnect();
+    await vi.advanceTimersByTimeAsync(10_000);
+  }
+  vi.useRealTimers();
+  await new Promise(setImmediate);
+  process.off("unhandledRejection", note);
+  expect(left).toEqual([]);
+});
+
+it("tells a server what was told before it had answered, in order", async () => {
+  client.disconnect();
+  const next = new SlowServer();
+  const ready = client.connect(next).initializing;
+  edit();
+  client.sync();
+  await ready;
+  await Promise.resolve();
+  expect(next.versions).toEqual([...next.versions].sort((a, b) => a - b));
+  expect(next.versions.length).toBeGreaterThan(0);
 });

@@ -10,6 +10,9 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <utility>
+
+#include "robot/watch/links.h"
 
 namespace galilean::robot {
 namespace {
@@ -59,23 +62,34 @@ FileWatch::~FileWatch() {
   close(inotify_);
 }
 
-void FileWatch::add(const fs::path& file) {
-  std::error_code unknown;
-  const fs::path whole = fs::absolute(file, unknown).lexically_normal();
-  add_one(whole);
-  const fs::path target = fs::canonical(whole, unknown);
-  if (!unknown && target != whole) add_one(target);
+void FileWatch::add(const std::vector<fs::path>& files) {
+  files_.insert(files.begin(), files.end());
+  std::vector<Folder> before = std::exchange(folders_, wanted_folders());
+  for (Folder& folder : folders_) watch(folder);
+  for (const Folder& folder : before) release(folder.watch);
 }
 
-void FileWatch::add_one(const fs::path& file) {
-  const fs::path path = file.parent_path();
-  auto folder = std::ranges::find(folders_, path, &Folder::path);
-  if (folder == folders_.end()) {
-    folders_.push_back({.path = path, .files = {}});
-    folder = std::prev(folders_.end());
-    watch(*folder);
+std::vector<FileWatch::Folder> FileWatch::wanted_folders() const {
+  std::vector<Folder> folders;
+  const auto want = [&](const fs::path& place, bool is_file) {
+    const fs::path path = place.parent_path();
+    auto folder = std::ranges::find(folders, path, &Folder::path);
+    if (folder == folders.end()) folder = folders.insert(folder, Folder{.path = path, .names = {}});
+    folder->names.insert(place.filename().string());
+    folder->holds_file |= is_file;
+  };
+  for (const fs::path& file : files_) {
+    const FollowedPath followed = follow_links(file);
+    for (const fs::path& link : followed.links) want(link, false);
+    want(followed.file, true);
   }
-  folder->files.insert(file.filename().string());
+  return folders;
+}
+
+/// Ends a watch, unless a folder has the same.
+void FileWatch::release(int watch) const {
+  if (watch >= 0 && std::ranges::find(folders_, watch, &Folder::watch) == folders_.end())
+    inotify_rm_watch(inotify_, watch);
 }
 
 bool FileWatch::watch(Folder& folder) const {
@@ -85,12 +99,13 @@ bool FileWatch::watch(Folder& folder) const {
 }
 
 bool FileWatch::folder_missing() const noexcept {
-  return std::ranges::any_of(folders_, [](const Folder& folder) { return folder.watch < 0; });
+  return std::ranges::any_of(
+      folders_, [](const Folder& folder) { return folder.holds_file && folder.watch < 0; });
 }
 
 std::string FileWatch::problem() const {
   for (const Folder& folder : folders_)
-    if (folder.watch < 0)
+    if (folder.holds_file && folder.watch < 0)
       return "Saves in " + folder.path.string() + " are not noticed (" +
              std::strerror(folder.watch_error) + "): " + advice(folder.watch_error) + '.';
   return "";
@@ -108,7 +123,7 @@ bool FileWatch::find_again() {
   for (Folder& folder : folders_)
     if (folder.watch < 0 && watch(folder))
       found |= std::ranges::any_of(
-          folder.files, [&](const std::string& file) { return is_there(folder.path / file); });
+          folder.names, [&](const std::string& name) { return is_there(folder.path / name); });
   return found;
 }
 
@@ -135,7 +150,7 @@ bool FileWatch::is_save(int watch, unsigned mask, const char* name) {
     folder->watch_error = ENOENT;
     return false;
   }
-  if (!folder->files.contains(name)) return false;
+  if (!folder->names.contains(name)) return false;
   return (mask & (IN_CLOSE_WRITE | IN_MOVED_TO)) || is_link(folder->path / name);
 }
 

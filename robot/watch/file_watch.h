@@ -9,9 +9,10 @@
 namespace galilean::robot {
 
 /// Notices when one of several files was saved, in whichever way editors save: written in place,
-/// written elsewhere and renamed, linked, or removed first. It watches the files' folders by
-/// inotify. A folder that is gone is tried again in `take` until it is back. It belongs to one
-/// thread.
+/// written elsewhere and renamed, linked, or removed first. A file was also saved if a link on its
+/// path leads elsewhere now, such as a link to a folder. It watches the folders of the files and of
+/// those links by inotify. A folder that is gone is tried again in `take` until it is back. It
+/// belongs to one thread.
 class FileWatch {
  public:
   /// Errors: throws std::system_error if the system grants no watch.
@@ -20,8 +21,9 @@ class FileWatch {
   FileWatch(const FileWatch&) = delete;
   FileWatch& operator=(const FileWatch&) = delete;
 
-  /// Adds a file, and the file that it links to. It need not exist.
-  void add(const std::filesystem::path& file);
+  /// Adds files, which need not exist, to those that are watched. Follows the links on all paths
+  /// anew. Requires: it is called after each save, because the save may have changed a link.
+  void add(const std::vector<std::filesystem::path>& files);
 
   /// Returns a file descriptor for poll, which is readable when there is something to take.
   [[nodiscard]] int descriptor() const noexcept { return inotify_; }
@@ -36,18 +38,21 @@ class FileWatch {
  private:
   struct Folder {
     std::filesystem::path path;
-    std::set<std::string, std::less<>> files;
+    std::set<std::string, std::less<>> names;  ///< of files and links in it
+    bool holds_file = false;                   ///< holds more than links
     int watch = -1;       ///< inotify's number; -1: the folder cannot be watched
     int watch_error = 0;  ///< errno if the folder cannot be watched, else 0
   };
 
-  void add_one(const std::filesystem::path& file);
+  [[nodiscard]] std::vector<Folder> wanted_folders() const;
   bool watch(Folder& folder) const;
+  void release(int watch) const;
   [[nodiscard]] bool find_again();
   [[nodiscard]] bool read_events();
   [[nodiscard]] bool is_save(int watch, unsigned mask, const char* name);
 
   int inotify_;
+  std::set<std::filesystem::path> files_;
   std::vector<Folder> folders_;
 };
 

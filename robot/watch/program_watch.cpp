@@ -18,7 +18,6 @@ constexpr int kLookAgain_ms = 50;
 ProgramWatch::ProgramWatch(std::filesystem::path file, const Catalog& catalog, Executive& executive,
                            Tell tell)
     : file_(std::move(file)), vocabulary_(catalog), executive_(executive), tell_(std::move(tell)) {
-  files_.add(file_);
   watch(bhdl::check_file(file_, vocabulary_).files);
   worker_ = Worker([this](const std::stop_token& stop) { look(stop); },
                    [this](const std::string& failure) { note_failure(failure); });
@@ -68,7 +67,9 @@ void ProgramWatch::reload() {
 }
 
 void ProgramWatch::watch(const std::vector<bhdl::SourceFile>& sources) {
-  for (const auto& source : sources) files_.add(file_.parent_path() / source.path);
+  std::vector<std::filesystem::path> files{file_};
+  for (const auto& source : sources) files.push_back(file_.parent_path() / source.path);
+  files_.add(files);
 }
 
 void ProgramWatch::swap(bhdl::Program program) {

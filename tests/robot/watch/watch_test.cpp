@@ -153,6 +153,46 @@ TEST_F(WatchTest, FollowsALink) {
   EXPECT_TRUE(comes_to("second"));
 }
 
+/// Makes `link` lead to `folder` in one step, as `ln -sfn` and Kubernetes' ConfigMaps do.
+void flip(const fs::path& link, const fs::path& folder) {
+  const fs::path aside = link.string() + "_new";
+  fs::create_directory_symlink(folder, aside);
+  fs::rename(aside, link);
+}
+
+TEST_F(WatchTest, FollowsALinkToAFolderThatIsFlipped) {
+  for (const std::string state : {"first", "second", "third"}) {
+    fs::create_directory(folder / state);
+    write(folder / state / "my.bhdl", with_state(state));
+  }
+  flip(folder / "current", "first");
+  file = folder / "current/my.bhdl";
+  start();
+  flip(folder / "current", "second");
+  EXPECT_TRUE(comes_to("second"));
+  fs::remove_all(folder / "first");
+  flip(folder / "current", folder / "third");
+  EXPECT_TRUE(comes_to("third"));
+  write(folder / "third/my.bhdl", with_state("fourth"));
+  EXPECT_TRUE(comes_to("fourth"));
+  EXPECT_TRUE(comes_to_tell(""));
+}
+
+TEST_F(WatchTest, FollowsALinkToAFileInAFolderThatIsFlipped) {
+  for (const std::string state : {"first", "second", "third"}) {
+    fs::create_directory(folder / ("..day " + state));
+    write(folder / ("..day " + state) / "my.bhdl", with_state(state));
+  }
+  fs::remove(file);
+  flip(folder / "..data", "..day first");
+  fs::create_symlink("..data/my.bhdl", file);
+  start();
+  for (const std::string state : {"second", "third"}) {
+    flip(folder / "..data", "..day " + state);
+    EXPECT_TRUE(comes_to(state));
+  }
+}
+
 TEST_F(WatchTest, FindsAFolderAgainThatWasReplaced) {
   const fs::path place = folder / "place";
   fs::create_directory(place);

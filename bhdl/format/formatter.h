@@ -18,6 +18,7 @@ struct Formatted {
 };
 
 /// Lays out one file. Included files are not read, and names need not exist. Every comment is kept.
+/// Lines end as most of the text's lines do, with \n or with \r\n.
 /// A text that was laid out before stays as it is. Takes time and memory linear in the text.
 [[nodiscard]] Formatted format_text(const std::string& file, std::string_view text);
 

@@ -67,6 +67,23 @@ TEST(FormattedRandomPrograms, AreLeftAloneWhenTheyCannotBeRead) {
   EXPECT_GT(laid_out, 100) << "slight damage should often leave a text that can be read";
 }
 
+TEST(FormattedRandomPrograms, AreTheSameWithTheLineEndsOfWindows) {
+  const auto with_windows_line_ends = [](const std::string& text) {
+    std::string result;
+    for (const char each : text)
+      if (each != '\r') result += each == '\n' ? "\r\n" : std::string(1, each);
+    return result;
+  };
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    const std::string text = RandomProgram(seed).program();
+    const auto result = format_text("program.bhdl", with_windows_line_ends(text));
+    ASSERT_TRUE(result.text) << "seed " << seed;
+    const auto plain = format_text("program.bhdl", text);
+    ASSERT_EQ(result.text, with_windows_line_ends(plain.text.value())) << "seed " << seed;
+    expect_stable(text, *result.text);
+  }
+}
+
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))

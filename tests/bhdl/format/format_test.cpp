@@ -154,9 +154,9 @@ TEST(Format, BreaksAListWhereACommentStands) {
 
 TEST(Format, TakesThePublishedListingsQuirksAway) {
   expect_layout(
-      "\uFEFFvariables:\r\nforce:\r\nname: “rear” value: <0,–1>\r\nbits: name: “b” end:\r\n"
-      "percp_schemas:\r\nobstacle_detector:\r\nname: “front”\r\ntranslation: <0.0 21.0>\r\nend;\r\n"
-      "state:\r\nname: “s”\r\npercp_schemas: “front”, “back”\r\nend:\r\nend:",
+      "\uFEFFvariables:\nforce:\nname: “rear” value: <0,–1>\nbits: name: “b” end:\n"
+      "percp_schemas:\nobstacle_detector:\nname: “front”\ntranslation: <0.0 21.0>\nend;\n"
+      "state:\nname: “s”\npercp_schemas: “front”, “back”\nend:\nend:",
       "variables:\n"
       "  force:\n"
       "    name: \"rear\"  value: <0, -1>\n"
@@ -174,6 +174,24 @@ TEST(Format, TakesThePublishedListingsQuirksAway) {
       "    \"front\" \"back\"\n"
       "  end\n"
       "end\n");
+}
+
+/// Returns the text with each of its line ends replaced.
+std::string with_line_ends(std::string_view text, std::string_view line_end) {
+  std::string result;
+  for (const char each : text) each == '\n' ? result.append(line_end) : result.append(1, each);
+  return result;
+}
+
+TEST(Format, KeepsTheLineEndsThatMostLinesHave) {
+  const std::string text = "state:\nname: \"go\" ; where\nend\n; the end\n";
+  const std::string laid_out = "state:\n  name: \"go\"  ; where\nend\n; the end\n";
+  const std::string windows = with_line_ends(laid_out, "\r\n");
+  expect_layout(with_line_ends(text, "\r\n"), windows);
+  expect_layout("; a\n" + with_line_ends(text, "\r\n"), "; a\r\n" + windows);
+  expect_layout("; a\r\n" + text, "; a\n" + laid_out);
+  expect_layout("; a\n; b\r\n", "; a\n; b\n");
+  expect_layout(with_line_ends(text, "\r"), laid_out);
 }
 
 TEST(Format, WritesIncludeStartAndSwapOneWay) {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "bhdl/source/names.h"
+#include "core/spelling.h"
 
 namespace galilean::front {
 namespace {
@@ -41,7 +41,7 @@ const Verb* find_verb(std::string_view name) noexcept {
 }
 
 std::string unknown_verb(std::string_view name) {
-  const std::string meant = bhdl::nearest(name, bhdl::names_of(kVerbs));
+  const std::string meant = nearest(name, names_of(kVerbs));
   return "galilean: there is no '" + std::string(name) + "'" +
          (meant.empty() ? "; 'galilean help' lists what there is"
                         : "; did you mean '" + meant + "'?");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bhdl/source/names.h"
+#include "core/spelling.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-namespace galilean::bhdl {
+namespace galilean {
 namespace {
 
 TEST(EditDistance, CountsLettersAddedLeftOutChangedAndSwapped) {
@@ -32,5 +32,10 @@ TEST(Nearest, IsTheFirstOfTheNearestOrNothing) {
   EXPECT_EQ(nearest("", names), "");
 }
 
+TEST(Nearest, IsNothingForAWordThatIsAllWrong) {
+  EXPECT_EQ(nearest("p", std::vector<std::string_view>{"h"}), "");
+  EXPECT_EQ(nearest("ab", std::vector<std::string_view>{"xy"}), "");
+}
+
 }  // namespace
-}  // namespace galilean::bhdl
+}  // namespace galilean

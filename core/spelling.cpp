@@ -31,6 +31,21 @@ bool differ_in_letters(std::string_view a, std::string_view b, int limit) noexce
   return std::popcount(letters(a) ^ letters(b)) > 2 * limit;
 }
 
+/// Returns the name that is as near to `word` as `near` is, and whose length is nearest.
+std::string of_nearest_length(std::string_view word, std::string_view near,
+                              std::span<const std::string_view> names) {
+  const int distance = edit_distance(word, near, tolerance(word));
+  const auto length_difference = [&](std::string_view name) {
+    return std::abs(static_cast<int>(name.size()) - static_cast<int>(word.size()));
+  };
+  std::string_view best = near;
+  for (const std::string_view name : names)
+    if (edit_distance(word, name, distance) == distance &&
+        length_difference(name) < length_difference(best))
+      best = name;
+  return std::string(best);
+}
+
 }  // namespace
 
 int edit_distance(std::string_view a, std::string_view b, int limit) {
@@ -74,6 +89,15 @@ std::string nearest(std::string_view word, std::span<const std::string_view> nam
     found = name;
   }
   return found;
+}
+
+std::string meant_name(std::string_view word, std::span<const std::string_view> names) {
+  constexpr std::size_t kLeastBeginning = 3;
+  if (const std::string near = nearest(word, names); !near.empty())
+    return of_nearest_length(word, near, names);
+  const auto begins = [&](std::string_view name) { return name.starts_with(word); };
+  if (word.size() < kLeastBeginning || std::ranges::count_if(names, begins) != 1) return "";
+  return std::string(*std::ranges::find_if(names, begins));
 }
 
 }  // namespace galilean

@@ -21,6 +21,11 @@ namespace galilean {
 /// near. Only the first thousands of names are searched, to limit the time for a hint.
 [[nodiscard]] std::string nearest(std::string_view word, std::span<const std::string_view> names);
 
+/// Returns the name that `word` may be a misspelling of, or the only one that it is the beginning
+/// of, or an empty text. Of several that are as near, one of the nearest length is taken.
+[[nodiscard]] std::string meant_name(std::string_view word,
+                                     std::span<const std::string_view> names);
+
 /// Returns the names of `specs`, in their order.
 template <class Specs>
 [[nodiscard]] std::vector<std::string_view> names_of(const Specs& specs) {

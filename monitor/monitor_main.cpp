@@ -12,8 +12,6 @@ namespace {
 namespace monitor = galilean::monitor;
 using galilean::CommandLine, galilean::Error, galilean::Result;
 
-constexpr int kCannotStart = 2;
-
 /// Reads "127.0.0.1:8080", "[::1]:8080" or a port alone.
 Result<void> read_listen(const std::string& text, monitor::MonitorOptions& options) {
   const auto colon = text.rfind(':');
@@ -48,7 +46,7 @@ int run(const monitor::MonitorOptions& options) {
   auto made = monitor::Monitor::make(options);
   if (!made) {
     std::cerr << "galilean-monitor: " << made.error().message << std::endl;
-    return kCannotStart;
+    return galilean::kFailed;
   }
   const auto& running = made.value();
   const bool is_ipv6 = options.address.find(':') != std::string::npos;
@@ -71,7 +69,7 @@ int main(int argc, char** argv) {
   options.data_folder = monitor::default_data_folder();
   double silent_after_s = 2;
   CommandLine app("Watches and steers a team of robots, and serves the page that shows it.",
-                  "galilean-monitor");
+                  "galilean monitor");
   app.option(
       "--listen", [&](const std::string& text) { return read_listen(text, options); },
       "where to serve, ADDRESS:PORT (127.0.0.1:8080)");
@@ -92,7 +90,7 @@ int main(int argc, char** argv) {
       "where a robot's odometry begins in the map, ROBOT:X,Y,HEADING in m and degrees");
   app.option("--allow-origin", options.allowed_origins,
              "another page that may use this monitor, as https://host[:port]");
-  if (const auto code = app.parse(argc, argv)) return *code == 0 ? EXIT_SUCCESS : kCannotStart;
+  if (const auto code = app.parse(argc, argv)) return *code;
   options.map.silent_after = galilean::from_seconds(silent_after_s);
   return run(options);
 }

@@ -46,7 +46,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   Options options;
   std::string serial;
   std::string camera;
-  CommandLine app("Runs one robot from a BHDL program.", "galilean-robot");
+  CommandLine app("Runs one robot from a BHDL program.", "galilean robot");
   app.option("--name", options.name, "the robot's name, which is part of its topics' names")
       .check(check_name)
       .show_default();
@@ -82,11 +82,11 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
       .show_default();
   app.flag("--print-catalog", options.print_catalog,
            "print the components that a program may name, as JSON, and exit");
-  if (const auto code = app.parse(argc, argv)) return {std::nullopt, *code == 0 ? 0 : 1};
+  if (const auto code = app.parse(argc, argv)) return {std::nullopt, *code};
   settle_files(options, watch.given());
   if (options.bhdl_file.empty() && !options.print_catalog) {
     std::cerr << "galilean-robot: --bhdl FILE is missing: name the program to run\n";
-    return {std::nullopt, 1};
+    return {std::nullopt, kWrongUsage};
   }
   if (!serial.empty()) options.serial = serial;
   if (!camera.empty()) options.camera = camera_device(camera);

@@ -25,7 +25,7 @@ struct Options {
   bool print_catalog = false;
 };
 
-/// The options, or the exit code: 0 if help was asked for, 1 if the options are wrong and the
+/// The options, or the exit code: 0 if help was asked for, 2 if the options are wrong and the
 /// reason was printed.
 struct ParsedOptions {
   std::optional<Options> options;

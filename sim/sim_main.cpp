@@ -50,10 +50,10 @@ void declare(CommandLine& app, Options& options) {
 
 int main(int argc, char** argv) {
   galilean::CommandLine app(
-      "Galilean's simulator: an office, its robots' boards and cameras, a referee");
+      "Galilean's simulator: an office, its robots' boards and cameras, a referee", "galilean sim");
   Options options;
   declare(app, options);
   declare_live(app, options);
-  if (const auto code = app.parse(argc, argv)) return *code == 0 ? 0 : galilean::sim::kBadInput;
+  if (const auto code = app.parse(argc, argv)) return *code;
   return galilean::sim::run(options);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +15,7 @@
 #include "bhdl/program/catalog_file.h"
 #include "bhdl/program/machine.h"
 #include "core/command_line/command_line.h"
+#include "core/installation.h"
 #include "core/plural.h"
 
 namespace galilean::bhdl {
@@ -83,6 +86,7 @@ struct Commands {
   CommandLine format;
   CommandLine diff;
   CommandLine graph;
+  CommandLine test;
   CommandLine language_server;
 };
 
@@ -92,6 +96,7 @@ Commands add_commands(CommandLine& app, Options& options) {
                     app.command("fmt", "Format files and print the names of those that changed"),
                     app.command("diff", "Print how two programs differ"),
                     app.command("graph", "Print a program's state machine"),
+                    app.command("test", "Test the expectations of programs"),
                     app.command("lsp",
                                 "Serve an editor over the Language Server Protocol, on stdin and "
                                 "stdout")};
@@ -107,7 +112,8 @@ Commands add_commands(CommandLine& app, Options& options) {
   commands.graph.option("--format", options.graph_format, "Format of the output")
       .one_of({"dot", "svg", "json"})
       .show_default();
-  for (auto* command : {&commands.check, &commands.describe, &commands.diff})
+  commands.test.option("FILE", options.files, "programs").required();
+  for (auto* command : {&commands.check, &commands.describe, &commands.diff, &commands.test})
     command->flag("--json", options.json, "Print JSON");
   for (auto* command : {&commands.check, &commands.describe, &commands.diff, &commands.graph,
                         &commands.language_server})
@@ -117,6 +123,18 @@ Commands add_commands(CommandLine& app, Options& options) {
       "--stdio",
       "Accepted because some editors pass it: the server always uses standard input and output");
   return commands;
+}
+
+/// Becomes the program that tests, which has a robot's schemas. Returns only if it cannot.
+int become_test(char** rest) {
+  std::string program = (program_folder() / "galilean-bhdl-test").string();
+  std::vector<char*> arguments{program.data()};
+  for (; *rest; ++rest) arguments.push_back(*rest);
+  arguments.push_back(nullptr);
+  execv(program.c_str(), arguments.data());
+  std::cerr << "galilean-bhdl: " << program << " cannot be started: " << std::strerror(errno)
+            << '\n';
+  return kFailed;
 }
 
 int run_language_server(const Catalog& catalog) {
@@ -131,7 +149,8 @@ int run(int argc, char** argv) {
   app.require_command();
   const Commands commands = add_commands(app, options);
   const auto failure = [&] { return commands.diff.chosen() ? 2 : 1; };
-  if (const auto code = app.parse(argc, argv)) return *code == 0 ? 0 : failure();
+  if (const auto code = app.parse(argc, argv)) return *code;
+  if (commands.test.chosen()) return become_test(argv + 2);
   if (commands.format.chosen()) return run_format(options.files, options.check_only);
   const auto catalog = load_catalog(options.catalog_path);
   if (!catalog) {

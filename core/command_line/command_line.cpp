@@ -2,7 +2,10 @@
 #include "core/command_line/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <utility>
+
+#include "core/command_line/unknown_word.h"
 
 namespace galilean {
 namespace {
@@ -108,8 +111,14 @@ std::optional<int> CommandLine::parse(int count, const char* const* arguments) {
   try {
     app_->parse(count, arguments);
     return std::nullopt;
+  } catch (const CLI::Success& help) {
+    return app_->exit(help);
+  } catch (const CLI::RequiredError& error) {
+    return refuse(unknown_word(*app_).value_or(error.what()));
+  } catch (const CLI::ExtrasError& error) {
+    return refuse(unknown_word(*app_).value_or(error.what()));
   } catch (const CLI::ParseError& error) {
-    return app_->exit(error);
+    return refuse(error.what());
   }
 }
 
@@ -117,8 +126,15 @@ bool CommandLine::chosen() const {
   return app_->parsed();
 }
 
-void CommandLine::refuse(const std::string& sentence) const {
-  app_->exit(CLI::ValidationError(sentence));
+int CommandLine::refuse(const std::string& sentence) const {
+  const CLI::App* command = app_.get();
+  std::string name = command->get_name();
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().front();
+    name += ' ' + command->get_name();
+  }
+  std::cerr << name << ": " << sentence << "\n'" << name << " --help' lists what there is.\n";
+  return kWrongUsage;
 }
 
 }  // namespace galilean

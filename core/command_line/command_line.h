@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/command_line/exit_code.h"
 #include "core/command_line/option.h"
 
 namespace CLI {
@@ -29,8 +30,8 @@ class CommandLine {
   /// Reads an option's text. Errors: the text is not accepted; the error says why in one sentence.
   using Reader = std::function<Result<void>(const std::string&)>;
 
-  /// `name` stands in --help. Without it --help shows the name that the program was started by.
-  explicit CommandLine(const std::string& description, const std::string& name = {});
+  /// `name` is what users type, such as "galilean record". It stands in --help and in messages.
+  CommandLine(const std::string& description, const std::string& name);
   ~CommandLine();
   CommandLine(CommandLine&&) noexcept;
   CommandLine& operator=(CommandLine&&) = delete;
@@ -69,12 +70,13 @@ class CommandLine {
 
   /// Reads the arguments, of which the first is the program. Returns nothing if the program is to
   /// go on, and the exit code otherwise. The exit code is 0 if --help was asked for and printed. It
-  /// is another number if the arguments are wrong and the reason was printed.
+  /// is kWrongUsage if the arguments are wrong and the reason was printed. For an unknown word the
+  /// reason says what may have been meant.
   [[nodiscard]] std::optional<int> parse(int count, const char* const* arguments);
   /// Returns whether this command was given.
   [[nodiscard]] bool chosen() const;
-  /// Prints why the arguments are wrong, as parse() does.
-  void refuse(const std::string& sentence) const;
+  /// Prints why the arguments are wrong, as parse() does. Returns kWrongUsage.
+  [[nodiscard]] int refuse(const std::string& sentence) const;
 
  private:
   explicit CommandLine(std::shared_ptr<CLI::App> app);

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "bhdl/program/catalog_file.h"
+#include "core/command_line/exit_code.h"
 #include "core/wire/topic_names.h"
 #include "core/wire/writer.h"
 #include "monitor/commands/push_session.h"
@@ -22,7 +23,7 @@ constexpr auto kDiscovery = std::chrono::seconds(3);
 
 int fail(const std::string& why) {
   std::cerr << "galilean swap: " << why << std::endl;
-  return kCannotReach;
+  return kFailed;
 }
 
 int print_check_errors(const TargetCheck& check, const DirectSwapOptions& options) {
@@ -35,7 +36,7 @@ int print_check_errors(const TargetCheck& check, const DirectSwapOptions& option
     for (const auto& diagnostic : check.result.diagnostics)
       std::cerr << bhdl::format(diagnostic) << '\n';
   if (!options.push.json) std::cerr << "galilean swap: nothing was pushed" << std::endl;
-  return kPushRefused;
+  return kFailed;
 }
 
 int tell_replies(const Replies& replies, const msg::ProgramPush& message,
@@ -49,7 +50,7 @@ int tell_replies(const Replies& replies, const msg::ProgramPush& message,
               << std::endl;
   else
     for (const auto& reply : told) print_reply(reply);
-  return replies.taken_by_all() ? EXIT_SUCCESS : kPushRefused;
+  return replies.taken_by_all() ? EXIT_SUCCESS : kFailed;
 }
 
 /// Sends the message, waits for the replies and prints them. Returns the exit code.

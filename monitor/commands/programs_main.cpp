@@ -17,11 +17,12 @@ using nlohmann::json;
 using Files = std::vector<bhdl::SourceFile>;
 
 constexpr const char* kCommand = "galilean programs";
-constexpr int kDiffer = 1;
+// As diff does: what differs is no failure of the command.
+constexpr int kDiffer = 1, kNotCompared = 2;
 
-int fail(const std::string& why) {
+int fail(const std::string& why, int exit_code = galilean::kFailed) {
   std::cerr << kCommand << ": " << why << std::endl;
-  return kCannotReach;
+  return exit_code;
 }
 
 std::string clock_text(std::int64_t since_epoch_ns) {
@@ -103,11 +104,11 @@ struct Comparison {
 
 int diff(const MonitorClient& monitor, const Comparison& what) {
   const auto catalog = bhdl::load_catalog(what.catalog_file);
-  if (!catalog) return fail(catalog.error().message);
+  if (!catalog) return fail(catalog.error().message, kNotCompared);
   const auto before = program_named(monitor, what.from, catalog.value());
-  if (!before) return fail(before.error().message);
+  if (!before) return fail(before.error().message, kNotCompared);
   const auto after = program_named(monitor, what.to, catalog.value());
-  if (!after) return fail(after.error().message);
+  if (!after) return fail(after.error().message, kNotCompared);
   const auto changes = bhdl::differences(before.value(), after.value(), catalog.value());
   if (what.as_json)
     std::cout << json{{"same", changes.empty()},
@@ -151,11 +152,12 @@ int main(int argc, char** argv) {
   auto restoring = app.command("restore", "push a program again");
   restoring.option("hash", hash, "the program's hash, or the beginning of it").required();
   add_push_options(restoring, options);
-  if (const auto code = app.parse(argc, argv)) return *code == 0 ? EXIT_SUCCESS : kCannotReach;
+  if (const auto code = app.parse(argc, argv)) return *code;
   if (const auto targets = check_targets(options); restoring.chosen() && !targets)
-    return app.refuse(targets.error().message), kCannotReach;
+    return app.refuse(targets.error().message);
   const auto monitor = MonitorClient::at(options.monitor, options.token_file);
-  if (!monitor) return fail(monitor.error().message);
+  if (!monitor)
+    return fail(monitor.error().message, comparing.chosen() ? kNotCompared : galilean::kFailed);
   if (listing.chosen()) return list(monitor.value(), list_as_json);
   if (showing.chosen()) return show(monitor.value(), hash);
   if (comparing.chosen()) return diff(monitor.value(), comparison);

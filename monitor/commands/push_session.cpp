@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 
+#include "core/command_line/exit_code.h"
 #include "core/plural.h"
 #include "core/termination.h"
 #include "monitor/pushes/json.h"
@@ -87,7 +88,7 @@ class PushSession {
  private:
   int fail(const std::string& why) const {
     std::cerr << command_ << ": " << why << std::endl;
-    return kCannotReach;
+    return kFailed;
   }
 
   void show(const json& push) {
@@ -122,8 +123,7 @@ class PushSession {
       for (const auto& diagnostic : diagnostics) print_diagnostic(diagnostic, std::cerr);
       std::cerr << command_ << ": " << answer.detail() << std::endl;
     }
-    const bool judged = answer.status == 409 || answer.status == 422;
-    return judged ? kPushRefused : kCannotReach;
+    return kFailed;
   }
 
   int tell_end(json push) const {
@@ -134,7 +134,7 @@ class PushSession {
     } else {
       for (const auto& reply : push.value("replies", json::array())) print_reply(reply);
     }
-    return is_done ? EXIT_SUCCESS : kPushRefused;
+    return is_done ? EXIT_SUCCESS : kFailed;
   }
 
   Termination termination_;

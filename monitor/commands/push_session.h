@@ -9,10 +9,6 @@
 
 namespace galilean::monitor {
 
-/// The exit codes of commands that push.
-inline constexpr int kPushRefused = 1;
-inline constexpr int kCannotReach = 2;
-
 /// Pushes a program through a monitor. Prints each step as it happens, and each robot's answer.
 /// Ctrl-C cancels the push as far as it has not begun. `command` is the command's name in messages.
 /// Returns the process' exit code.

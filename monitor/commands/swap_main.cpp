@@ -16,12 +16,12 @@ int swap_through_monitor(const DirectSwapOptions& options) {
   const auto files = bhdl::check_file(options.file, {}).files;
   if (files.empty()) {
     std::cerr << "galilean swap: " << options.file << " cannot be read" << std::endl;
-    return kCannotReach;
+    return galilean::kFailed;
   }
   const auto monitor = MonitorClient::at(options.push.monitor, options.push.token_file);
   if (!monitor) {
     std::cerr << "galilean swap: " << monitor.error().message << std::endl;
-    return kCannotReach;
+    return galilean::kFailed;
   }
   return push_through(monitor.value(), "galilean swap", files, options.push);
 }
@@ -45,8 +45,8 @@ int main(int argc, char** argv) {
   app.option("--timeout", options.timeout_s, "seconds to wait for answers (with --direct)")
       .positive();
   galilean::add_domain_option(app, options.domain, "with --direct");
-  if (const auto code = app.parse(argc, argv)) return *code == 0 ? EXIT_SUCCESS : kCannotReach;
+  if (const auto code = app.parse(argc, argv)) return *code;
   if (const auto targets = check_targets(options.push); !targets)
-    return app.refuse(targets.error().message), kCannotReach;
+    return app.refuse(targets.error().message);
   return direct ? swap_directly(options) : swap_through_monitor(options);
 }

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <vector>
 
+#include "core/command_line/exit_code.h"
 #include "monitor/front/siblings.h"
 #include "monitor/front/verbs.h"
 
@@ -24,7 +25,7 @@ int become(const Verb& verb, char** rest) {
   execv(program.c_str(), arguments.data());
   std::cerr << "galilean: " << program << " cannot be started: " << std::strerror(errno)
             << (errno == ENOENT ? "; it has not been built" : "") << '\n';
-  return 127;
+  return galilean::kFailed;
 }
 
 }  // namespace
@@ -34,9 +35,9 @@ int main(int argc, char** argv) {
   if (name == "version" || name == "--version")
     return std::cout << "galilean " GALILEAN_VERSION "\n", 0;
   if (name == "help" || name == "--help" || name == "-h") return std::cout << usage(), 0;
-  if (name.empty()) return std::cerr << usage(), 2;
+  if (name.empty()) return std::cerr << usage(), galilean::kWrongUsage;
   const std::string two_words = argc > 2 ? name + ' ' + argv[2] : "";
   if (const Verb* verb = find_verb(two_words)) return become(*verb, argv + 3);
   if (const Verb* verb = find_verb(name)) return become(*verb, argv + 2);
-  return std::cerr << unknown_verb(name) << '\n', 2;
+  return std::cerr << unknown_verb(name) << '\n', galilean::kWrongUsage;
 }

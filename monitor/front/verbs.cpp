@@ -28,6 +28,9 @@ constexpr std::array kVerbs{
     Verb{"doctor", "galilean-doctor", "", "Check whether this machine has what Galilean needs"},
 };
 
+/// What `galilean` does by itself.
+constexpr std::array<std::string_view, 4> kOwnWords{"version", "help", "--version", "--help"};
+
 }  // namespace
 
 std::span<const Verb> verbs() noexcept {
@@ -41,7 +44,9 @@ const Verb* find_verb(std::string_view name) noexcept {
 }
 
 std::string unknown_verb(std::string_view name) {
-  const std::string meant = nearest(name, names_of(kVerbs));
+  auto names = names_of(kVerbs);
+  for (const auto& word : kOwnWords) names.push_back(word);
+  const std::string meant = meant_name(name, names);
   return "galilean: there is no '" + std::string(name) + "'" +
          (meant.empty() ? "; 'galilean help' lists what there is"
                         : "; did you mean '" + meant + "'?");

@@ -22,7 +22,7 @@ int info(const std::string& path, bool json) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CommandLine app("Describes recordings of the team.");
+  CommandLine app("Describes recordings of the team.", "galilean log");
   app.require_command();
   std::string path;
   bool json = false;

@@ -162,7 +162,8 @@ int run(const Options& options) try {
 
 int main(int argc, char** argv) {
   Options options;
-  CommandLine app("Plays a recording of a team again, for the monitor, top, Foxglove or rviz2.");
+  CommandLine app("Plays a recording of a team again, for the monitor, top, Foxglove or rviz2.",
+                  "galilean replay");
   app.option("file", options.file, "An MCAP file that galilean record made").required();
   app.option("--rate", options.rate, "Speed of the replay: 2 is twice as fast as recorded")
       .between(0.01, 100.0);

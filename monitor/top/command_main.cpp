@@ -154,7 +154,7 @@ int run(Operator::Word word, const Options& options, bool at_once = false) try {
 
 int main(int argc, char** argv) {
   Options options;
-  CommandLine app("Gives robots an operator's command.");
+  CommandLine app("Gives robots an operator's command.", "galilean");
   app.require_command();
   const auto hold = add(app, "hold", "Stand still until resumed", options);
   const auto resume = add(app, "resume", "Go on after a hold", options);

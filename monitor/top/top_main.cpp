@@ -118,7 +118,8 @@ int main(int argc, char** argv) {
   Options options;
   CommandLine app(
       "Shows the team in a terminal: each robot's state, pose and certainty. Press ? for the "
-      "keys.");
+      "keys.",
+      "galilean top");
   add_domain_option(app, options.domain);
   app.flag("--once", options.once, "Print one snapshot as plain text, for scripts");
   app.option("--robot", options.robot, "The robot to show first");

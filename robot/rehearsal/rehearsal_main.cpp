@@ -44,7 +44,7 @@ int run(int argc, char** argv) {
       "galilean bhdl test");
   app.option("FILE", files, "programs").required();
   app.flag("--json", as_json, "Print JSON");
-  if (const auto code = app.parse(argc, argv)) return *code == 0 ? 0 : 1;
+  if (const auto code = app.parse(argc, argv)) return *code;
   Registry components;
   add_components(components);
   bool passed = true;

@@ -32,6 +32,20 @@ TEST(Nearest, IsTheFirstOfTheNearestOrNothing) {
   EXPECT_EQ(nearest("", names), "");
 }
 
+TEST(MeantName, OfThoseAsNearIsTheOneOfNearestLength) {
+  const std::vector<std::string_view> names{"top", "start", "stop"};
+  EXPECT_EQ(meant_name("tsop", names), "stop");
+  EXPECT_EQ(meant_name("stpo", names), "stop");
+  EXPECT_EQ(meant_name("tp", names), "top");
+}
+
+TEST(MeantName, IsTheOnlyOneThatTheWordBegins) {
+  const std::vector<std::string_view> names{"monitor", "programs", "progress"};
+  EXPECT_EQ(meant_name("mon", names), "monitor");
+  EXPECT_EQ(meant_name("prog", names), "");
+  EXPECT_EQ(meant_name("mo", names), "");
+}
+
 TEST(Nearest, IsNothingForAWordThatIsAllWrong) {
   EXPECT_EQ(nearest("p", std::vector<std::string_view>{"h"}), "");
   EXPECT_EQ(nearest("ab", std::vector<std::string_view>{"xy"}), "");

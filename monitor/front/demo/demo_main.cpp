@@ -150,7 +150,8 @@ int run(const DemoOptions& options) try {
 
 int main(int argc, char** argv) {
   DemoOptions options;
-  CommandLine app("Starts the simulator, robots and the monitor on this machine; Ctrl-C ends all.");
+  CommandLine app("Starts the simulator, robots and the monitor on this machine; Ctrl-C ends all.",
+                  "galilean demo");
   app.option("--robots", options.robots, "Number of robots").between(1, 16).show_default();
   app.option("--port", options.port, "Port of the page on 127.0.0.1")
       .between(1, 65535)

@@ -21,7 +21,8 @@ int main(int argc, char** argv) {
   using namespace galilean::front;
   int port = 8080, domain = -1;
   galilean::CommandLine app(
-      "Checks whether this machine can run a team; the exit code is 0 if it can.");
+      "Checks whether this machine can run a team; the exit code is 0 if it can.",
+      "galilean doctor");
   app.option("--port", port, "Port of the page").between(1, 65535).show_default();
   galilean::add_domain_option(app, domain);
   if (const auto code = app.parse(argc, argv)) return *code;

@@ -29,7 +29,7 @@ Reading read(CommandLine& line, std::vector<const char*> arguments) {
 }
 
 TEST(CommandLine, WritesWhatIsGivenAndLeavesTheRest) {
-  CommandLine line("A program.");
+  CommandLine line("A program.", "program");
   std::string file;
   int robots = 3;
   double rate_hz = 20;
@@ -70,7 +70,7 @@ TEST(CommandLine, HelpIsPrintedAndEndsWell) {
 /// failure.
 TEST(CommandLine, RefusesWhatIsWrongAndSaysIt) {
   const auto refused = [](std::vector<const char*> arguments) {
-    CommandLine line("A program.");
+    CommandLine line("A program.", "program");
     std::string file, format;
     int robots = 0;
     double timeout_s = 1, from_s = 0;
@@ -91,7 +91,7 @@ TEST(CommandLine, RefusesWhatIsWrongAndSaysIt) {
         [](const std::string& text) -> Result<void> { return Error{text + " is no place"}; },
         "where");
     const auto reading = read(line, std::move(arguments));
-    return reading.code.value_or(0) > 0 ? reading.errors : "accepted";
+    return reading.code == kWrongUsage ? reading.errors : "accepted";
   };
   EXPECT_THAT(refused({}), HasSubstr("file is required"));
   EXPECT_THAT(refused({"f", "--robots", "17"}), HasSubstr("Value 17 not in range"));
@@ -107,7 +107,7 @@ TEST(CommandLine, RefusesWhatIsWrongAndSaysIt) {
 }
 
 TEST(CommandLine, EachTextOfARepeatedOptionIsRead) {
-  CommandLine line("A program.");
+  CommandLine line("A program.", "program");
   std::vector<std::string> texts;
   line.options(
       "--start",
@@ -121,7 +121,7 @@ TEST(CommandLine, EachTextOfARepeatedOptionIsRead) {
 }
 
 TEST(CommandLine, OneCommandIsChosen) {
-  CommandLine line("A program.");
+  CommandLine line("A program.", "program");
   line.require_command();
   const auto list = line.command("list", "what there is");
   auto show = line.command("show", "one of them");
@@ -131,11 +131,42 @@ TEST(CommandLine, OneCommandIsChosen) {
   EXPECT_TRUE(show.chosen());
   EXPECT_FALSE(list.chosen());
   EXPECT_EQ(hash, "0123");
-  EXPECT_GT(read(line, {}).code, 0);
+  EXPECT_EQ(read(line, {}).code, kWrongUsage);
+}
+
+TEST(CommandLine, SaysWhatMayHaveBeenMeant) {
+  const auto told = [](std::vector<const char*> arguments) {
+    CommandLine line("Describes recordings.", "galilean log");
+    line.require_command();
+    line.share_options();
+    int port = 0;
+    line.option("-p,--port", port, "a port");
+    auto info = line.command("info", "describe a recording");
+    line.command("check", "check a recording");
+    std::string file;
+    info.option("file", file, "a recording").required();
+    info.flag("--json", "as JSON");
+    return read(line, std::move(arguments)).errors;
+  };
+  EXPECT_EQ(told({"inof", "a.mcap"}),
+            "galilean log: there is no command 'inof'; did you mean 'info'?\n"
+            "'galilean log --help' lists what there is.\n");
+  EXPECT_EQ(told({"info", "--josn", "a.mcap"}),
+            "galilean log info: there is no option '--josn'; did you mean '--json'?\n"
+            "'galilean log info --help' lists what there is.\n");
+  EXPECT_THAT(told({"info", "--josn"}), HasSubstr("did you mean '--json'?"));
+  EXPECT_THAT(told({"info", "a.mcap", "--prot=80"}), HasSubstr("'--prot'; did you mean '--port'?"));
+  EXPECT_THAT(told({"--prot", "80", "chekc"}), HasSubstr("'--prot'; did you mean '--port'?"));
+  EXPECT_THAT(told({"info", "a.mcap", "--hepl"}), HasSubstr("did you mean '--help'?"));
+  EXPECT_THAT(told({"che"}), HasSubstr("did you mean 'check'?"));
+  EXPECT_THAT(told({"xyzzy"}), HasSubstr("there is no command 'xyzzy'\n"));
+  EXPECT_THAT(told({"info", "a", "-x"}), HasSubstr("there is no option '-x'\n"));
+  EXPECT_THAT(told({"info", "a", "b"}), HasSubstr("'b' is one word too many\n"));
+  EXPECT_THAT(told({"info"}), HasSubstr("file is required"));
 }
 
 TEST(CommandLine, ADomainIsOneThatPortsAllow) {
-  CommandLine line("A program.");
+  CommandLine line("A program.", "program");
   int domain = -1;
   add_domain_option(line, domain);
   EXPECT_EQ(read(line, {}).code, std::nullopt);
@@ -146,7 +177,7 @@ TEST(CommandLine, ADomainIsOneThatPortsAllow) {
 }
 
 TEST(CommandLine, TellsWhetherAnOptionWasGiven) {
-  CommandLine line("A program.");
+  CommandLine line("A program.", "program");
   std::string file;
   const auto watch = line.option("--watch", file, "a file").takes(0, 1);
   EXPECT_EQ(read(line, {}).code, std::nullopt);

@@ -55,7 +55,7 @@ TEST_F(SwapCommandTest, SwapPrintsEachStepAndProgramsRemembersThem) {
   EXPECT_THAT(diff.output, HasSubstr("wait"));
   EXPECT_EQ(run_command(programs + "restore " + first_hash + " --robot io").exit_code, 0);
   EXPECT_EQ(io.running_hash(), first_hash);
-  EXPECT_EQ(run_command(programs + "show 0123").exit_code, 2);
+  EXPECT_EQ(run_command(programs + "show 0123").exit_code, 1);
 }
 
 TEST_F(SwapCommandTest, CtrlCCancelsWhatHasNotBegunAndTakesTheCanaryBack) {
@@ -94,7 +94,7 @@ TEST_F(SwapCommandTest, AnotherServerOnTheMonitorsPortIsNamedAsSuch) {
   const std::string url = "http://127.0.0.1:" + std::to_string(acceptor.local_endpoint().port());
   const auto list = run_command(std::string(GALILEAN_PROGRAMS) + " --monitor " + url + " list");
   server.join();
-  EXPECT_EQ(list.exit_code, 2) << list.output;
+  EXPECT_EQ(list.exit_code, 1) << list.output;
   EXPECT_THAT(list.output, HasSubstr("is no monitor of Galilean"));
   EXPECT_EQ(std::ranges::count(list.output, '\n'), 1) << list.output;
 }
@@ -103,7 +103,7 @@ TEST_F(SwapCommandTest, SwapWithoutAMonitorThereSaysSoInOneLine) {
   const auto alone =
       run_command(std::string(GALILEAN_SWAP) + " --monitor http://127.0.0.1:1 --team " +
                   (folder / "good.bhdl").string());
-  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_EQ(alone.exit_code, 1);
   EXPECT_THAT(alone.output, HasSubstr("no monitor answers at http://127.0.0.1:1"));
   EXPECT_EQ(std::ranges::count(alone.output, '\n'), 1);
 }
@@ -129,7 +129,7 @@ TEST_F(SwapCommandTest, SwapWithoutAMonitorPrintsEachRobotsAnswer) {
   EXPECT_THAT(broken.output, HasSubstr("broken.bhdl:3:5: error: "));
   EXPECT_THAT(broken.output, HasSubstr("nothing was pushed"));
   const auto unknown = run_command(swap + (folder / "good.bhdl").string() + " --robot europa");
-  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_EQ(unknown.exit_code, 1);
   EXPECT_THAT(unknown.output, HasSubstr("heard are ganymede, io"));
 }
 
@@ -137,7 +137,7 @@ TEST_F(SwapCommandTest, SwapWithoutARobotSaysSoInOneLine) {
   const auto alone =
       run_command(std::string(GALILEAN_SWAP) + " --direct --domain " +
                   std::to_string(free_domain()) + " --team " + (folder / "good.bhdl").string());
-  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_EQ(alone.exit_code, 1);
   EXPECT_EQ(std::ranges::count(alone.output, '\n'), 1);
 }
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `galilean` says of its verbs, of a word that it does not know, and how that ends.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { galilean } from './tools.mjs';
+
+const listed = galilean(['help']).stdout.match(/^ {2}\S+( \S+)?(?= {2,})/gm).map((line) => line.trim());
+const verbs = listed.filter((verb) => !['version', 'help'].includes(verb));
+
+for (const verb of verbs)
+  test(`${verb} --help names it as users type it, and no path`, () => {
+    const { status, stdout, stderr } = galilean([...verb.split(' '), '--help']);
+    assert.deepEqual([status, stderr], [0, '']);
+    assert.match(stdout, new RegExp(`^Usage: galilean ${verb}( |$)`, 'm'));
+    assert.doesNotMatch(stdout, /\/bin\//);
+  });
+
+for (const verb of verbs)
+  test(`${verb} with an option that it does not have ends with 2 and says so`, () => {
+    const { status, stdout, stderr } = galilean([...verb.split(' '), '--xyzzy']);
+    assert.deepEqual([status, stdout], [2, '']);
+    assert.equal(stderr, `galilean ${verb}: there is no option '--xyzzy'\n'galilean ${verb} --help' lists what there is.\n`);
+  });
+
+const misspelt = [
+  ['stpo', /galilean: there is no 'stpo'; did you mean 'stop'\?/],
+  ['log inof', /there is no command 'inof'; did you mean 'info'\?/],
+  ['bhdl chekc x.bhdl', /there is no command 'chekc'; did you mean 'check'\?/],
+  ['bhdl tset x.bhdl', /there is no command 'tset'; did you mean 'test'\?/],
+  ['bhdl check --jsno x.bhdl', /galilean bhdl check: there is no option '--jsno'; did you mean '--json'\?/],
+  ['demo --prot 8081', /there is no option '--prot'; did you mean '--port'\?/],
+  ['programs lsit', /there is no command 'lsit'; did you mean 'list'\?/],
+  ['hold --tema', /there is no option '--tema'; did you mean '--team'\?/],
+  ['record --oot run.mcap', /there is no option '--oot'; did you mean '--out'\?/],
+  ['xyzzy', /there is no 'xyzzy'; 'galilean help' lists what there is/],
+  ['log xyzzy', /there is no command 'xyzzy'\n/],
+];
+for (const [words, said] of misspelt)
+  test(`galilean ${words}`, () => {
+    const { status, stdout, stderr } = galilean(words.split(' '));
+    assert.deepEqual([status, stdout], [2, '']);
+    assert.match(stderr, said);
+  });
+
+const endings = [
+  ['', 2], ['demo --port 99999', 2], ['demo --port many', 2], ['log', 2], ['log info', 2], ['record', 2], ['robot', 2],
+  ['swap x.bhdl', 2], ['bhdl graph --format png x.bhdl', 2], ['hold', 2], ['hold --team --robot io', 2],
+  ['log info /none.mcap', 1], ['replay /none.mcap', 1], ['bhdl check /none.bhdl', 1], ['robot --bhdl /none.bhdl', 1],
+  ['programs list --monitor http://127.0.0.1:1', 1], ['programs diff a b --monitor http://127.0.0.1:1', 2],
+  ['monitor --listen 127.0.0.1:0 --data /dev/null/none', 1],
+];
+for (const [words, code] of endings)
+  test(`galilean ${words} ends with ${code} and says why`, () => {
+    const { status, stdout, stderr } = galilean(words.split(' ').filter(Boolean));
+    assert.equal(status, code, stdout + stderr);
+    assert.notEqual(stderr, '');
+  });

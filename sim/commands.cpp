@@ -14,6 +14,7 @@
 #include "sim/headless/report.h"
 #include "sim/live/live.h"
 #include "sim/live/snapshot.h"
+#include "sim/scenario/enlarge.h"
 
 namespace galilean::sim {
 namespace {
@@ -47,7 +48,8 @@ int run_headless(const Options& options, const Scenario& scenario) {
     how.start = &*start;
     how.robots = start->robots.size();
   }
-  auto contest = HeadlessContest::make(scenario, components, program.value(), how);
+  auto contest =
+      HeadlessContest::make(enlarged_for(scenario, how.robots), components, program.value(), how);
   if (!contest) return complain(contest.error(), kBadInput);
   const auto began = std::chrono::steady_clock::now();
   if (const auto done = contest.value()->run(); !done) return complain(done.error(), kFailed);
@@ -57,7 +59,8 @@ int run_headless(const Options& options, const Scenario& scenario) {
   return 0;
 }
 
-int take_snapshot(const Options& options, const Scenario& scenario) {
+int take_snapshot(const Options& options, const Scenario& shipped) {
+  const Scenario scenario = enlarged_for(shipped, options.robots);
   auto world = World::make(scenario, options.robots, options.seed);
   if (!world) return complain(world.error(), kBadInput);
   std::size_t robot = 0;
@@ -88,7 +91,7 @@ Result<std::vector<DeviceFault>> parse_faults(const Options& options) {
 int run_live(const Options& options, const Scenario& scenario) {
   auto faults = parse_faults(options);
   if (!faults) return complain(faults.error(), kBadInput);
-  Scenario timed = scenario;
+  Scenario timed = enlarged_for(scenario, options.robots);
   if (options.duration_s > 0) timed.rules.duration_s = options.duration_s;
   ignore_broken_pipes();
   for (const int number : {SIGINT, SIGTERM, SIGHUP})

@@ -15,7 +15,7 @@ struct Options {
   bool json = false;
   std::string scenario = "office";
   std::string bhdl = "office_cleanup";
-  std::size_t robots = 3;
+  std::uint64_t robots = 3;
   std::uint64_t seed = 1;
   double duration_s = 0;  ///< 0: the scenario's
   std::string start;      ///< a file: the situation to go on from; empty: the scenario's start

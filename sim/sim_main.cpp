@@ -2,6 +2,7 @@
 
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "core/command_line/robots_option.h"
 #include "sim/commands.h"
 
 namespace {
@@ -31,7 +32,7 @@ void declare(CommandLine& app, Options& options) {
       .show_default();
   app.option("--bhdl", options.bhdl, "A program that ships, or a BHDL file (headless)")
       .show_default();
-  app.option("--robots", options.robots, "Number of robots").between(1, 64).show_default();
+  galilean::add_robots_option(app, options.robots);
   app.option("--seed", options.seed, "Seed of the random number generators").show_default();
   app.option("--duration", options.duration_s,
              "Length of the contest in seconds; without it the scenario's")

@@ -20,7 +20,8 @@ namespace galilean::wire {
 namespace {
 
 /// Returns Cyclone's settings. Cyclone tells the processes of a machine apart by their participant
-/// index, which counts from 0 to MaxAutoParticipantIndex. The default of 9 is too low. The peer on
+/// index, which counts from 0 to MaxAutoParticipantIndex. The default of 9 is too low. 119 is the
+/// highest that leaves the ports of the next domain alone (DDSI-RTPS 2.2, 9.6.1). The peer on
 /// loopback finds the processes where there is no multicast. Cyclone's shared-memory mode is off.
 std::string configuration() {
   std::ostringstream peers;
@@ -32,7 +33,7 @@ std::string configuration() {
   }
   std::string xml =
       "<Domain id=\"any\"><Discovery><ParticipantIndex>auto</ParticipantIndex>"
-      "<MaxAutoParticipantIndex>100</MaxAutoParticipantIndex><Peers>" +
+      "<MaxAutoParticipantIndex>119</MaxAutoParticipantIndex><Peers>" +
       peers.str() +
       "</Peers></Discovery><SharedMemory><Enable>false</Enable></SharedMemory>"
       "</Domain>";
@@ -96,7 +97,7 @@ Result<std::unique_ptr<Participant>> Participant::join(const std::string& name, 
     return Error{"DDS domain " + std::to_string(id.value()) + " cannot be joined (" +
                  dds_strretcode(participant) +
                  "); check that a network interface is up (loopback is enough) and that fewer than "
-                 "100 processes are in it"};
+                 "120 processes are in it"};
   state->participant = Entity(participant);
   return std::unique_ptr<Participant>(new Participant(std::move(state)));
 }

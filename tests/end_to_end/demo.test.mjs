@@ -5,7 +5,7 @@ import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { test } from 'node:test';
-import { eventually, freshDomain, getJson, processesIn, Running, scratchFolder, sharedMemory, startTeam } from './tools.mjs';
+import { eventually, freshDomain, galilean, getJson, processesIn, Running, scratchFolder, sharedMemory, startTeam } from './tools.mjs';
 
 const limit = { timeout: 120_000 };
 
@@ -35,6 +35,15 @@ test('Ctrl-C ends all and leaves nothing behind', limit, async (t) => {
   assert.equal(ringsOf(runOf(team)).length, 3);
   assert.deepEqual(await team.stop('SIGINT'), { code: 0, signal: null });
   await nothingIsLeft(domain, runOf(team));
+});
+
+test('sixteen robots start, and a hundred and one are refused', limit, async (t) => {
+  const { url, domain } = await startTeam(t, ['--robots', '16']);
+  assert.equal(processesIn(domain).length, 19);
+  await eventually(async () => (await getJson(`${url}/api/status`)).robots.filter((robot) => robot.program_hash).length === 16);
+  const refused = galilean(['demo', '--robots', '101'], { cwd: scratchFolder(t) });
+  assert.equal(refused.status, 2);
+  assert.match(refused.stderr, /from 1 to 100 robots, not 101/);
 });
 
 test('when the demo itself is killed, the others end too', limit, async (t) => {

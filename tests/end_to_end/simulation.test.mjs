@@ -29,6 +29,14 @@ for (const program of ['office_cleanup', 'sit_and_spin']) {
   });
 }
 
+test('a hundred robots have places in an office that grows, and one more is refused', () => {
+  const result = contest('--robots', '100', '--duration', '0.5');
+  assert.equal(result.robots.length, 100);
+  const { status, stderr } = galilean(['sim', '--headless', '--robots', '101']);
+  assert.equal(status, 2);
+  assert.match(stderr, /from 1 to 100 robots, not 101, because a DDS domain has room for no more/);
+});
+
 test('a scenario that is none ends with one clear line', (t) => {
   const file = `${scratchFolder(t)}/bad.json`;
   writeFileSync(file, '{"name": "bad", "arena": {"width_m": "wide"}}');

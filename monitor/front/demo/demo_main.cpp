@@ -8,6 +8,7 @@
 #include "core/clock.h"
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "core/command_line/robots_option.h"
 #include "core/termination.h"
 #include "core/wake.h"
 #include "monitor/front/demo/ensemble.h"
@@ -152,7 +153,7 @@ int main(int argc, char** argv) {
   DemoOptions options;
   CommandLine app("Starts the simulator, robots and the monitor on this machine; Ctrl-C ends all.",
                   "galilean demo");
-  app.option("--robots", options.robots, "Number of robots").between(1, 16).show_default();
+  add_robots_option(app, options.robots);
   app.option("--port", options.port, "Port of the page on 127.0.0.1")
       .between(1, 65535)
       .show_default();

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto kStartsWithin = std::chrono::seconds(30);
+constexpr std::uint64_t kStartsWithin_s = 30;  // and one more for each robot
 constexpr auto kLookEach = std::chrono::milliseconds(10);
 constexpr std::size_t kLogLines = 5;
 constexpr const char* kAutostart_s = "1";  // counted from the connection of the last robot
@@ -125,7 +125,8 @@ Result<void> Ensemble::start_recorder() {
 
 Result<std::string> Ensemble::await_line(std::string_view mark) {
   Process& process = members_.back().process;
-  const auto deadline = std::chrono::steady_clock::now() + kStartsWithin;
+  const std::chrono::seconds most(kStartsWithin_s + options_.robots);
+  const auto deadline = std::chrono::steady_clock::now() + most;
   while (std::chrono::steady_clock::now() < deadline) {
     const bool running = process.running();
     if (auto line = line_with(process.log(), mark)) return *line;
@@ -135,7 +136,8 @@ Result<std::string> Ensemble::await_line(std::string_view mark) {
                    last_lines(process.log(), kLogLines)};
     std::this_thread::sleep_for(kLookEach);
   }
-  return Error{process.name() + " is not ready after 30 s; see " + process.log().string()};
+  return Error{process.name() + " is not ready after " + std::to_string(most.count()) + " s; see " +
+               process.log().string()};
 }
 
 std::vector<Ensemble::Loss> Ensemble::losses() {

@@ -23,8 +23,9 @@ class Ensemble {
   Ensemble(const Ensemble&) = delete;
   Ensemble& operator=(const Ensemble&) = delete;
 
-  /// Starts all, and returns when the monitor serves. Waits at most 30 s each for the simulator and
-  /// for the monitor. Errors: one of the processes did not start, or termination was asked for.
+  /// Starts all, and returns when the monitor serves. Waits at most 30 s, and one more for each
+  /// robot, for the simulator and as long for the monitor. Errors: one of the processes did not
+  /// start, or termination was asked for.
   Result<void> start();
 
   struct Loss {
@@ -55,7 +56,7 @@ class Ensemble {
   Result<void> start_recorder();
   Result<void> add(std::string name, std::vector<std::string> command, bool fatal);
   /// Waits for the first line with `mark` in the log of the process that was started last.
-  /// Errors: the process ends, no such line comes within 30 s, or termination is asked for.
+  /// Errors: the process ends, no such line comes in time, or termination is asked for.
   [[nodiscard]] Result<std::string> await_line(std::string_view mark);
   void sweep() const;
 

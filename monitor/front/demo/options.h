@@ -10,7 +10,7 @@ namespace galilean::front {
 
 /// The options of `galilean demo`.
 struct DemoOptions {
-  int robots = 3;
+  std::uint64_t robots = 3;
   int port = 8080;
   std::string scenario = "office";
   std::string bhdl = "office_cleanup";  ///< a file, or the name of an installed program

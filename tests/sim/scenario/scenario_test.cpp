@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/scenario/enlarge.h"
 #include "sim/world/world.h"
 
 namespace galilean::sim {
@@ -70,6 +71,44 @@ TEST(Scenario, UnknownNameListsThoseThatShip) {
   const auto scenario = load_scenario("offfice");
   ASSERT_FALSE(scenario);
   EXPECT_THAT(scenario.error().message, HasSubstr("empty, office, practice"));
+}
+
+TEST(Scenario, StaysAsItIsForAsManyRobotsAsItHasPlaces) {
+  const Scenario office = load_scenario("office").value();
+  const Scenario same = enlarged_for(office, office.starts.size());
+  EXPECT_EQ(same.starts.size(), office.starts.size());
+  EXPECT_EQ(same.arena.width_m, office.arena.width_m);
+  EXPECT_EQ(same.lights.size(), office.lights.size());
+}
+
+TEST(Scenario, GrowsForAHundredRobotsAndHasRoomForEach) {
+  for (const auto& name : shipped_scenarios()) {
+    const Scenario scenario = load_scenario(name).value();
+    for (const std::size_t robots : {std::size_t{9}, std::size_t{16}, std::size_t{100}}) {
+      const Scenario large = enlarged_for(scenario, robots);
+      ASSERT_GE(large.starts.size(), robots) << name;
+      for (std::size_t i = 0; i < large.starts.size(); ++i) {
+        const Vec2& at_m = large.starts[i].position_m;
+        EXPECT_TRUE(at_m.x() < large.arena.width_m && at_m.y() < large.arena.depth_m) << name << i;
+        for (std::size_t k = 0; k < i; ++k)
+          EXPECT_GT((at_m - large.starts[k].position_m).norm(), 0.7) << name << i << ' ' << k;
+      }
+      const auto world = World::make(large, robots, 1);
+      EXPECT_TRUE(world) << world.error().message;
+    }
+  }
+}
+
+TEST(Scenario, GrowsByWholeCopiesOfItself) {
+  const Scenario office = load_scenario("office").value();
+  const Scenario large = enlarged_for(office, 16);
+  EXPECT_EQ(large.starts.size(), 2 * office.starts.size());
+  EXPECT_EQ(large.baskets_m.size(), 2 * office.baskets_m.size());
+  EXPECT_EQ(World::make(large, 16, 1).value()->objects().pieces().size(), 48U);
+  EXPECT_EQ(large.arena.width_m * large.arena.depth_m,
+            2 * office.arena.width_m * office.arena.depth_m);
+  for (std::size_t i = 0; i < office.starts.size(); ++i)
+    EXPECT_EQ(large.starts[i].position_m, office.starts[i].position_m);
 }
 
 TEST(Scenario, TooManyPiecesOrRobotsAreRefused) {

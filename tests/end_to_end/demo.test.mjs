@@ -30,10 +30,14 @@ async function nothingIsLeft(domain, run) {
 }
 
 test('Ctrl-C ends all and leaves nothing behind', limit, async (t) => {
-  const { team, domain } = await startTeam(t);
+  const { team, domain, url } = await startTeam(t);
   assert.equal(processesIn(domain).length, 6);  // demo, sim, three robots, monitor
   assert.equal(ringsOf(runOf(team)).length, 3);
+  await eventually(async () => (await getJson(`${url}/api/status`)).score?.elapsed_s > 0);
   assert.deepEqual(await team.stop('SIGINT'), { code: 0, signal: null });
+  for (const robot of ['io', 'ganymede', 'callisto'])
+    assert.match(team.output, new RegExp(`^  ${robot} +office_cleanup.*drove [0-9.]+ m, threw away`, 'm'));
+  assert.match(team.output, /^ {2}referee +contest running, \d+ of 24 pieces, .* points after [0-9.]+ s, [0-9.]+ s left$/m);
   await nothingIsLeft(domain, runOf(team));
 });
 

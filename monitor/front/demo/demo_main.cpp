@@ -140,8 +140,10 @@ int run(const DemoOptions& options) try {
   const bool interrupted = termination.asked();
   const auto problems = ensemble.end();
   for (const auto& problem : problems) complain(problem);
-  if (outcome.fatal_loss || !problems.empty()) return 1;
-  return options.headless_for_s ? judge(evidence, outcome, interrupted) : 0;
+  if (outcome.fatal_loss || !problems.empty()) return std::cout << evidence.summary(), kFailed;
+  if (options.headless_for_s) return judge(evidence, outcome, interrupted);
+  std::cout << '\n' << evidence.summary();  // behind the terminal's ^C
+  return 0;
 } catch (const std::exception& error) {
   complain(error.what());
   return 1;

@@ -39,7 +39,7 @@ std::vector<std::string> Evidence::shortcomings() const {
   std::vector<std::string> missing;
   for (const auto& [robot, deeds] : deeds_) {
     if (deeds.messages == 0)
-      missing.push_back(robot + " was never heard");
+      missing.push_back(robot + " sent nothing");
     else if (deeds.program_hash.empty())
       missing.push_back(robot + " runs no program");
     else if (deeds.transitions == 0)
@@ -58,10 +58,13 @@ std::string Evidence::summary() const {
         << deeds.state << "' after " << plural(deeds.transitions, "transition") << "; drove "
         << deeds.driven_m << " m, threw away " << plural(deposited_by(robot), "piece") << ", "
         << plural(deeds.overruns, "late tick") << "\n";
-  out << "  referee     " << (score_.phase.empty() ? "not heard" : score_.phase) << ", "
-      << score_.deposited << " of " << plural(score_.pieces, "piece") << ", "
-      << plural(score_.collisions, "collision") << ", " << score_.points << " points after "
-      << score_.elapsed_s << " s\n";
+  if (score_.phase.empty())
+    out << "  referee     sent no score\n";
+  else
+    out << "  referee     contest " << score_.phase << ", " << score_.deposited << " of "
+        << plural(score_.pieces, "piece") << ", " << plural(score_.collisions, "collision") << ", "
+        << score_.points << " points after " << score_.elapsed_s << " s, " << score_.remaining_s
+        << " s left\n";
   return out.str();
 }
 

@@ -34,7 +34,7 @@ TEST(Evidence, EachShortcomingIsNamed) {
   idle.program_hash.clear();
   evidence.note(idle);
   EXPECT_THAT(evidence.shortcomings(),
-              ElementsAre("callisto was never heard", "europa runs no program",
+              ElementsAre("callisto sent nothing", "europa runs no program",
                           "ganymede never left its state 'wander'",
                           "io drove less than a metre and threw nothing away"));
 }
@@ -48,10 +48,33 @@ TEST(Evidence, APieceThrownAwayCountsAsWork) {
   EXPECT_THAT(evidence.shortcomings(), IsEmpty());
 }
 
+TEST(Evidence, ItsSummaryTellsOfEachRobotTheScoreAndTheTimeThatIsLeft) {
+  Evidence evidence({"io"});
+  EXPECT_THAT(evidence.summary(), testing::HasSubstr("referee     sent no score\n"));
+  evidence.note(at("io", 0, 3));
+  evidence.note(at("io", 2, 4));
+  msg::Score score;
+  score.phase = "running";
+  score.pieces = 24;
+  score.deposited = 3;
+  score.points = 29;
+  score.collisions = 1;
+  score.elapsed_s = 60;
+  score.remaining_s = 540;
+  score.robots.push_back({"io", 3, 1});
+  evidence.note(score);
+  EXPECT_THAT(evidence.summary(),
+              testing::HasSubstr("in 'wander' after 4 transitions; drove 2.0 m, "
+                                 "threw away 3 pieces"));
+  EXPECT_THAT(evidence.summary(),
+              testing::HasSubstr("contest running, 3 of 24 pieces, 1 collision, 29.0 points after "
+                                 "60.0 s, 540.0 s left\n"));
+}
+
 TEST(Evidence, StrangersDoNotCount) {
   Evidence evidence({"io"});
   for (int i = 0; i < 50; ++i) evidence.note(at("ganymede", i, 4));
-  EXPECT_THAT(evidence.shortcomings(), ElementsAre("io was never heard"));
+  EXPECT_THAT(evidence.shortcomings(), ElementsAre("io sent nothing"));
 }
 
 }  // namespace

@@ -87,11 +87,11 @@ Result<std::vector<const Robot*>> TeamListener::find(const std::vector<std::stri
     if (names.empty() || std::ranges::find(names, name) != names.end()) found.push_back(&robot);
   if (team_.robots().empty())
     return Error{
-        "no robot is heard; check that robots run and that they are in the same DDS "
-        "domain (--domain, ROS_DOMAIN_ID)"};
+        "no robot sends its state; check that robots run, and in the same DDS domain "
+        "(--domain or ROS_DOMAIN_ID)"};
   for (const auto& name : names)
     if (!team_.find(name))
-      return Error{"robot '" + name + "' is not heard; heard are " + list_of(team_.robots())};
+      return Error{"robot '" + name + "' sends no state; these do: " + list_of(team_.robots())};
   return found;
 }
 

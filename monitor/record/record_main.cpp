@@ -62,8 +62,8 @@ void tell(const Options& options, const mcap::Writer& writer, std::size_t topics
   const auto& statistics = writer.statistics();
   if (statistics.messages == 0)
     std::cerr
-        << "galilean-record: no robot was heard; check that robots run, in the same DDS domain "
-           "(--domain or ROS_DOMAIN_ID)\n";
+        << "galilean-record: no robot sent anything; check that robots run, and in the same DDS "
+           "domain (--domain or ROS_DOMAIN_ID)\n";
   std::printf("%s: %s of %s in %.1f s, %.1f MB\n", options.out.c_str(),
               plural(statistics.messages, "message").c_str(), plural(topics, "topic").c_str(),
               static_cast<double>(statistics.end_ns - statistics.start_ns) * 1e-9,

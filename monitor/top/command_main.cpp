@@ -19,6 +19,9 @@ namespace {
 using namespace galilean;
 using namespace galilean::monitor;
 
+constexpr std::string_view kCheck =
+    "check that robots run, and in the same DDS domain (--domain or ROS_DOMAIN_ID)\n";
+
 struct Options {
   std::vector<std::string> robots;
   bool team = false;
@@ -77,7 +80,8 @@ int tell(Operator::Word word, const std::string& robot, const msg::RobotState& b
   const bool done = complied(word, before, now);
   if (word == Operator::Word::kStart) {
     std::cout << robot << ": "
-              << (done ? before.state + " → " + now.state : "bumper pushed; stays in " + now.state)
+              << (done ? before.state + " → " + now.state
+                       : "its bumper was pushed, but it stays in " + now.state)
               << '\n';
     return 0;
   }
@@ -101,8 +105,9 @@ int command(Operator::Word word, TeamFeed& feed, Operator& speaker, const Option
   const auto targets = options.team ? names(team) : options.robots;
   for (const auto& robot : targets)
     if (!state_of(team, robot))
-      return std::cerr << "galilean-command: " << robot << " is not heard\n", 1;
-  if (!heard || targets.empty()) return std::cerr << "galilean-command: no robot is heard\n", 1;
+      return std::cerr << "galilean-command: " << robot << " sends no state; " << kCheck, 1;
+  if (!heard || targets.empty())
+    return std::cerr << "galilean-command: no robot sends its state; " << kCheck, 1;
 
   std::map<std::string, msg::RobotState> before;
   for (const auto& robot : targets) before[robot] = *state_of(team, robot);
@@ -144,7 +149,7 @@ int run(Operator::Word word, const Options& options, bool at_once = false) try {
                               Options& options) {
   auto verb = app.command(name, help);
   auto robots = verb.option("--robot", options.robots, "The robots to command");
-  const auto team = verb.flag("--team", options.team, "Command every robot that is heard");
+  const auto team = verb.flag("--team", options.team, "Command every robot that sends its state");
   add_domain_option(verb, options.domain);
   robots.excludes(team);
   return verb;

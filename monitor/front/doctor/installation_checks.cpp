@@ -42,7 +42,7 @@ Check check_devices() {
   std::string list;
   for (const auto& device : found) list += (list.empty() ? "" : ", ") + device;
   return {"real devices", true,
-          list.empty() ? "no serial board and no camera; the simulator needs none" : list};
+          list.empty() ? "there is no serial board and no camera; the simulator needs none" : list};
 }
 
 }  // namespace galilean::front

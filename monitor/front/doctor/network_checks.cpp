@@ -63,7 +63,7 @@ Check check_port(int port) {
   close(listener);
   if (free) return {what, true, "free for the page"};
   return {what, false, std::strerror(problem),
-          "a monitor may run already; else choose another: --port, --listen"};
+          "a monitor may run already; if none does, choose another port by --port or --listen"};
 }
 
 Check check_loopback() {
@@ -75,8 +75,10 @@ Check check_loopback() {
 Check check_multicast() {
   if (has_interface(IFF_UP | IFF_MULTICAST))
     return {"multicast", true, "robots on other machines are found by themselves"};
-  return {"multicast", true,
-          "none; on this machine all works, for others set GALILEAN_PEERS to their addresses"};
+  return {
+      "multicast", true,
+      "no interface has it; programs on this machine find one another without it; for robots on "
+      "other machines set GALILEAN_PEERS to their addresses"};
 }
 
 Check check_dds(int domain) try {

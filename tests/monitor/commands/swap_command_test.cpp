@@ -130,7 +130,7 @@ TEST_F(SwapCommandTest, SwapWithoutAMonitorPrintsEachRobotsAnswer) {
   EXPECT_THAT(broken.output, HasSubstr("nothing was pushed"));
   const auto unknown = run_command(swap + (folder / "good.bhdl").string() + " --robot europa");
   EXPECT_EQ(unknown.exit_code, 1);
-  EXPECT_THAT(unknown.output, HasSubstr("heard are ganymede, io"));
+  EXPECT_THAT(unknown.output, HasSubstr("these do: ganymede, io"));
 }
 
 TEST_F(SwapCommandTest, SwapWithoutARobotSaysSoInOneLine) {

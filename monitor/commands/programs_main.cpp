@@ -7,6 +7,7 @@
 #include "bhdl/diff/diff.h"
 #include "bhdl/program/catalog_file.h"
 #include "core/command_line/command_line.h"
+#include "monitor/access/tokens.h"
 #include "monitor/commands/push_session.h"
 #include "monitor/pushes/json.h"
 
@@ -46,12 +47,21 @@ std::string outcomes(const json& replies) {
   return text;
 }
 
-int list(const MonitorClient& monitor, bool as_json) {
+/// Says that there is no push yet. `url` names the monitor.
+void tell_empty(const std::string& url) {
+  std::cerr << kCommand << ": no program was pushed yet through the monitor at " << url
+            << ". It looks in history.sqlite in the folder of its --data, which is "
+            << default_data_folder().string() << " unless it was told another.\n";
+}
+
+int list(const MonitorClient& monitor, const std::string& url, bool as_json) {
   const auto answer = monitor.get("/api/pushes");
   if (!answer) return fail(answer.error().message);
   if (!answer.value().ok()) return fail(answer.value().detail());
   if (as_json) return std::cout << answer.value().json.dump(1) << std::endl, EXIT_SUCCESS;
-  for (const auto& push : answer.value().json["pushes"])
+  const auto& pushes = answer.value().json["pushes"];
+  if (pushes.empty()) tell_empty(url);
+  for (const auto& push : pushes)
     std::cout << clock_text(push.value("pushed_ns", std::int64_t{})) << "  "
               << push.value("hash", "").substr(0, 12) << "  " << std::left << std::setw(24)
               << push.value("program", "") << ' ' << std::setw(10) << push.value("author", "")
@@ -158,7 +168,7 @@ int main(int argc, char** argv) {
   const auto monitor = MonitorClient::at(options.monitor, options.token_file);
   if (!monitor)
     return fail(monitor.error().message, comparing.chosen() ? kNotCompared : galilean::kFailed);
-  if (listing.chosen()) return list(monitor.value(), list_as_json);
+  if (listing.chosen()) return list(monitor.value(), options.monitor, list_as_json);
   if (showing.chosen()) return show(monitor.value(), hash);
   if (comparing.chosen()) return diff(monitor.value(), comparison);
   return restore(monitor.value(), hash, options);

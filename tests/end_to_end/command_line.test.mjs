@@ -2,7 +2,7 @@
 // What `galilean` says of its verbs, of a word that it does not know, and how that ends.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { galilean } from './tools.mjs';
+import { galilean, startMonitor } from './tools.mjs';
 
 const listed = galilean(['help']).stdout.match(/^ {2}\S+( \S+)?(?= {2,})/gm).map((line) => line.trim());
 const verbs = listed.filter((verb) => !['version', 'help'].includes(verb));
@@ -55,3 +55,13 @@ for (const [words, code] of endings)
     assert.equal(status, code, stdout + stderr);
     assert.notEqual(stderr, '');
   });
+
+test('programs list says that nothing was pushed, and where that would be', async (t) => {
+  const { url, cwd } = await startMonitor(t);
+  const options = ['--monitor', url, '--token-file', `${cwd}/operator.token`];
+  const { status, stdout, stderr } = galilean(['programs', 'list', ...options]);
+  assert.deepEqual([status, stdout], [0, '']);
+  assert.ok(stderr.startsWith(`galilean programs: no program was pushed yet through the monitor at ${url}. It looks in `), stderr);
+  assert.match(stderr, /history\.sqlite/);
+  assert.deepEqual(JSON.parse(galilean(['programs', 'list', '--json', ...options]).stdout).pushes, []);
+});

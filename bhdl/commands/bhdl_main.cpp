@@ -17,6 +17,7 @@
 #include "core/command_line/command_line.h"
 #include "core/installation.h"
 #include "core/plural.h"
+#include "core/visible_text.h"
 
 namespace galilean::bhdl {
 namespace {
@@ -40,7 +41,7 @@ nlohmann::json check_to_json(const std::string& file, const CheckResult& result)
 void print_check(const std::string& file, const CheckResult& result) {
   for (const auto& diagnostic : result.diagnostics) std::cerr << format(diagnostic) << '\n';
   if (result.program)
-    std::cout << file << ": ok, " << plural(result.program->states.size(), "state") << ", "
+    std::cout << visible(file) << ": ok, " << plural(result.program->states.size(), "state") << ", "
               << result.program->hash.substr(0, 12) << '\n';
 }
 

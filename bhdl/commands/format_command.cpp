@@ -7,6 +7,7 @@
 #include "bhdl/format/formatter.h"
 #include "bhdl/source/replace_file.h"
 #include "bhdl/syntax/loader.h"
+#include "core/visible_text.h"
 
 namespace galilean::bhdl {
 namespace {
@@ -53,13 +54,13 @@ bool format_file(const std::string& file, bool check_only) {
   const auto text = read_text(file);
   const std::string shown = file == kStandardInput ? "<stdin>" : file;
   if (!text) {
-    std::cerr << shown << ":1:1: error: " << text.error().message << '\n';
+    std::cerr << visible(shown) << ":1:1: error: " << text.error().message << '\n';
     return false;
   }
   const Formatted formatted = format_text(shown, text.value());
   for (const auto& diagnostic : formatted.diagnostics) std::cerr << format(diagnostic) << '\n';
   if (formatted.text) return put(file, text.value(), *formatted.text, check_only);
-  std::cerr << "galilean-bhdl: " << shown << " is left as it is\n";
+  std::cerr << "galilean-bhdl: " << visible(shown) << " is left as it is\n";
   return false;
 }
 

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "core/visible_text.h"
+
 namespace galilean::bhdl {
 
 std::string_view to_string(Severity severity) noexcept {
@@ -12,10 +14,10 @@ std::string_view to_string(Severity severity) noexcept {
 }
 
 std::string format(const Diagnostic& diagnostic) {
-  std::string text = diagnostic.file + ':' + std::to_string(diagnostic.line) + ':' +
+  std::string text = visible(diagnostic.file) + ':' + std::to_string(diagnostic.line) + ':' +
                      std::to_string(diagnostic.column) + ": ";
-  text.append(to_string(diagnostic.severity)).append(": ").append(diagnostic.message);
-  if (!diagnostic.hint.empty()) text.append("\n  hint: ").append(diagnostic.hint);
+  text.append(to_string(diagnostic.severity)).append(": ").append(visible(diagnostic.message));
+  if (!diagnostic.hint.empty()) text.append("\n  hint: ").append(visible(diagnostic.hint));
   return text;
 }
 

@@ -47,7 +47,7 @@ struct Diagnostic {
 };
 
 /// Returns `file:line:column: error: message`, and the hint on a line of its own. There is no final
-/// newline.
+/// newline. Invisible characters are shown as their codes, such as U+200B.
 [[nodiscard]] std::string format(const Diagnostic& diagnostic);
 void to_json(nlohmann::json& json, const Diagnostic& diagnostic);
 [[nodiscard]] bool any_error(const std::vector<Diagnostic>& diagnostics) noexcept;

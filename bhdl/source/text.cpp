@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/visible_text.h"
+
 namespace galilean::bhdl {
 namespace {
 
@@ -104,10 +106,10 @@ std::size_t character_count(std::string_view text) noexcept {
 }
 
 std::string in_quotes(std::string_view text) {
-  if (text.size() <= kLongestQuoted) return "'" + std::string(text) + "'";
+  if (text.size() <= kLongestQuoted) return "'" + visible(text) + "'";
   std::size_t size = kLongestQuoted;
   while (size > 0 && continues(static_cast<unsigned char>(text[size]))) --size;
-  return "'" + std::string(text.substr(0, size)) + "…'";
+  return "'" + visible(text.substr(0, size)) + "…'";
 }
 
 std::string number_text(double number) {

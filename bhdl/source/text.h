@@ -26,7 +26,8 @@ struct BadText {
 /// Returns how many characters a UTF-8 text has.
 [[nodiscard]] std::size_t character_count(std::string_view text) noexcept;
 
-/// Returns `'text'`. A long text is cut, so that the message stays readable.
+/// Returns `'text'`, in which invisible characters are shown as their codes, such as U+200B. A long
+/// text is cut, so that the message stays readable.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 /// Returns the shortest decimal text that reads back as `number`.
 [[nodiscard]] std::string number_text(double number);

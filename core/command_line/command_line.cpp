@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/command_line/unknown_word.h"
+#include "core/visible_text.h"
 
 namespace galilean {
 namespace {
@@ -133,7 +134,8 @@ int CommandLine::refuse(const std::string& sentence) const {
     command = command->get_subcommands().front();
     name += ' ' + command->get_name();
   }
-  std::cerr << name << ": " << sentence << "\n'" << name << " --help' lists what there is.\n";
+  std::cerr << name << ": " << visible(sentence) << "\n'" << name
+            << " --help' lists what there is.\n";
   return kWrongUsage;
 }
 

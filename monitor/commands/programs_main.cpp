@@ -7,6 +7,7 @@
 #include "bhdl/diff/diff.h"
 #include "bhdl/program/catalog_file.h"
 #include "core/command_line/command_line.h"
+#include "core/visible_text.h"
 #include "monitor/access/tokens.h"
 #include "monitor/commands/push_session.h"
 #include "monitor/pushes/json.h"
@@ -14,6 +15,7 @@
 namespace {
 using namespace galilean::monitor;
 namespace bhdl = galilean::bhdl;
+using galilean::visible;
 using nlohmann::json;
 using Files = std::vector<bhdl::SourceFile>;
 
@@ -36,14 +38,16 @@ std::string clock_text(std::int64_t since_epoch_ns) {
 
 std::string joined(const json& names) {
   std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ",") + name.get<std::string>();
+  for (const auto& name : names)
+    text += (text.empty() ? "" : ",") + visible(name.get<std::string>());
   return text.empty() ? "team" : text;
 }
 
 std::string outcomes(const json& replies) {
   std::string text;
   for (const auto& reply : replies)
-    text += (text.empty() ? "" : ", ") + reply.value("robot", "") + " " + reply.value("status", "");
+    text += (text.empty() ? "" : ", ") +
+            visible(reply.value("robot", "") + " " + reply.value("status", ""));
   return text;
 }
 
@@ -63,10 +67,11 @@ int list(const MonitorClient& monitor, const std::string& url, bool as_json) {
   if (pushes.empty()) tell_empty(url);
   for (const auto& push : pushes)
     std::cout << clock_text(push.value("pushed_ns", std::int64_t{})) << "  "
-              << push.value("hash", "").substr(0, 12) << "  " << std::left << std::setw(24)
-              << push.value("program", "") << ' ' << std::setw(10) << push.value("author", "")
-              << ' ' << std::setw(12) << push.value("state", "") << "to " << joined(push["targets"])
-              << ": " << outcomes(push["replies"]) << '\n';
+              << visible(push.value("hash", "").substr(0, 12)) << "  " << std::left << std::setw(24)
+              << visible(push.value("program", "")) << ' ' << std::setw(10)
+              << visible(push.value("author", "")) << ' ' << std::setw(12)
+              << visible(push.value("state", "")) << "to " << joined(push["targets"]) << ": "
+              << outcomes(push["replies"]) << '\n';
   return EXIT_SUCCESS;
 }
 

@@ -12,6 +12,7 @@
 #include "core/command_line/exit_code.h"
 #include "core/plural.h"
 #include "core/termination.h"
+#include "core/visible_text.h"
 #include "monitor/pushes/json.h"
 #include "monitor/pushes/words.h"
 
@@ -33,11 +34,11 @@ json request_of(const std::vector<bhdl::SourceFile>& files, const PushOptions& o
 }
 
 void print_diagnostic(const json& diagnostic, std::ostream& out) {
-  out << diagnostic.value("file", "") << ':' << diagnostic.value("line", 0) << ':'
-      << diagnostic.value("column", 0) << ": " << diagnostic.value("severity", "") << ": "
-      << diagnostic.value("message", "") << '\n';
+  out << visible(diagnostic.value("file", "")) << ':' << diagnostic.value("line", 0) << ':'
+      << diagnostic.value("column", 0) << ": " << visible(diagnostic.value("severity", "")) << ": "
+      << visible(diagnostic.value("message", "")) << '\n';
   if (const auto hint = diagnostic.value("hint", ""); !hint.empty())
-    out << "  hint: " << hint << '\n';
+    out << "  hint: " << visible(hint) << '\n';
 }
 
 std::optional<PushState> state_of(const json& push) {
@@ -56,7 +57,7 @@ class StepPrinter {
       const bool is_idle = state == StepState::kWaiting || state == StepState::kLeftOut;
       if (is_idle || said_[name] == line) continue;
       said_[name] = line;
-      std::cout << std::left << std::setw(8) << name << line << std::endl;
+      std::cout << std::left << std::setw(8) << visible(name) << visible(line) << std::endl;
     }
   }
 
@@ -150,7 +151,8 @@ class PushSession {
 void print_reply(const json& reply) {
   const auto word = reply.value("status", "");
   const auto status = reply_status_of(word);
-  std::cout << std::left << std::setw(14) << reply.value("robot", "") << std::setw(12) << word;
+  std::cout << std::left << std::setw(14) << visible(reply.value("robot", "")) << std::setw(12)
+            << visible(word);
   if (status != ReplyStatus::kNoAnswer)
     std::cout << std::fixed << std::setprecision(1) << reply.value("latency_ms", 0.0) << " ms";
   if (status == ReplyStatus::kRunning)
@@ -158,7 +160,7 @@ void print_reply(const json& reply) {
               << plural(reply.value("kept_variables", json::array()).size(), "variable")
               << ", swapped in a tick of " << reply.value("swap_tick_us", 0.0) << " us";
   if (const auto message = reply.value("message", ""); !message.empty())
-    std::cout << "  " << message;
+    std::cout << "  " << visible(message);
   std::cout << '\n';
   for (const auto& diagnostic : reply.value("diagnostics", json::array())) {
     std::cout << "  ";

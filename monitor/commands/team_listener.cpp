@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/visible_text.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -17,7 +19,7 @@ bool is_heard_by_team_tools(const Channel& channel) {
 
 std::string list_of(const std::map<std::string, Robot, std::less<>>& robots) {
   std::string names;
-  for (const auto& [name, robot] : robots) names += (names.empty() ? "" : ", ") + name;
+  for (const auto& [name, robot] : robots) names += (names.empty() ? "" : ", ") + visible(name);
   return names;
 }
 
@@ -91,7 +93,8 @@ Result<std::vector<const Robot*>> TeamListener::find(const std::vector<std::stri
         "(--domain or ROS_DOMAIN_ID)"};
   for (const auto& name : names)
     if (!team_.find(name))
-      return Error{"robot '" + name + "' sends no state; these do: " + list_of(team_.robots())};
+      return Error{"robot '" + visible(name) +
+                   "' sends no state; these do: " + list_of(team_.robots())};
   return found;
 }
 

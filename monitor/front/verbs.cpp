@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/spelling.h"
+#include "core/visible_text.h"
 
 namespace galilean::front {
 namespace {
@@ -47,7 +48,7 @@ std::string unknown_verb(std::string_view name) {
   auto names = names_of(kVerbs);
   for (const auto& word : kOwnWords) names.push_back(word);
   const std::string meant = meant_name(name, names);
-  return "galilean: there is no '" + std::string(name) + "'" +
+  return "galilean: there is no '" + visible(name) + "'" +
          (meant.empty() ? "; 'galilean help' lists what there is"
                         : "; did you mean '" + meant + "'?");
 }

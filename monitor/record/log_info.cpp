@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/plural.h"
+#include "core/visible_text.h"
 #include "monitor/record/times.h"
 
 namespace galilean::monitor {
@@ -41,13 +42,16 @@ std::string compression(const mcap::Summary& summary) {
 }
 
 void describe_channels(std::ostream& out, const mcap::Summary& summary) {
-  const auto all = rows(summary);
+  auto all = rows(summary);
   std::size_t widest = 5;
-  for (const auto& row : all) widest = std::max(widest, row.topic.size());
+  for (auto& row : all) {
+    row.topic = visible(row.topic);
+    widest = std::max(widest, row.topic.size());
+  }
   for (const auto& row : all)
     out << "  " << std::left << std::setw(static_cast<int>(widest)) << row.topic << std::right
-        << std::setw(9) << row.messages << std::setw(8) << row.rate_hz << " Hz  " << row.type
-        << '\n';
+        << std::setw(9) << row.messages << std::setw(8) << row.rate_hz << " Hz  "
+        << visible(row.type) << '\n';
 }
 
 }  // namespace
@@ -63,15 +67,17 @@ std::string describe(const std::string& path, const mcap::Summary& summary) {
   if (summary.recovered)
     out << path << " was not closed properly; recovered " << plural(statistics.messages, "message")
         << "\n";
-  for (const auto& damage : summary.damage) out << "damage: " << damage << '\n';
+  for (const auto& damage : summary.damage) out << "damage: " << visible(damage) << '\n';
   out << "file:      " << path << ", " << static_cast<double>(summary.bytes) * 1e-6 << " MB\n"
-      << "by:        " << summary.header.library << ", profile " << summary.header.profile << '\n';
+      << "by:        " << visible(summary.header.library) << ", profile "
+      << visible(summary.header.profile) << '\n';
   if (statistics.messages > 0)
     out << "from:      " << iso_time(static_cast<std::int64_t>(statistics.start_ns)) << '\n'
         << "to:        " << iso_time(static_cast<std::int64_t>(statistics.end_ns)) << '\n';
   out << "duration:  " << duration_s(summary) << " s\n"
       << "messages:  " << statistics.messages << '\n'
-      << "chunks:    " << statistics.chunks << ", compression " << compression(summary) << '\n'
+      << "chunks:    " << statistics.chunks << ", compression " << visible(compression(summary))
+      << '\n'
       << "channels:  " << summary.channels.size() << '\n';
   describe_channels(out, summary);
   return out.str();

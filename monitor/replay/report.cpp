@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/plural.h"
+#include "core/visible_text.h"
 #include "monitor/record/log_info.h"
 #include "monitor/record/times.h"
 
@@ -13,7 +14,7 @@ namespace galilean::monitor {
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + visible(names[i]);
   return text;
 }
 
@@ -24,7 +25,7 @@ std::string before_playing(const std::string& path, const mcap::Summary& summary
   if (summary.recovered)
     out << path << " was not closed properly; plays the "
         << plural(summary.statistics.messages, "message") << " that could be recovered\n";
-  for (const auto& damage : summary.damage) out << "damage: " << damage << '\n';
+  for (const auto& damage : summary.damage) out << "damage: " << visible(damage) << '\n';
   out << path << ": " << plural(tracks.played.size(), "topic") << ", " << duration_s(summary)
       << " s, from " << iso_time(static_cast<std::int64_t>(summary.statistics.start_ns)) << '\n';
   if (!tracks.commands.empty())

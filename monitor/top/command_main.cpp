@@ -9,6 +9,7 @@
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
 #include "core/termination.h"
+#include "core/visible_text.h"
 #include "core/wake.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/team/team.h"
@@ -79,14 +80,14 @@ int tell(Operator::Word word, const std::string& robot, const msg::RobotState& b
          const msg::RobotState& now) {
   const bool done = complied(word, before, now);
   if (word == Operator::Word::kStart) {
-    std::cout << robot << ": "
-              << (done ? before.state + " → " + now.state
-                       : "its bumper was pushed, but it stays in " + now.state)
+    std::cout << visible(robot) << ": "
+              << visible(done ? before.state + " → " + now.state
+                              : "its bumper was pushed, but it stays in " + now.state)
               << '\n';
     return 0;
   }
   const bool hold = word == Operator::Word::kHold;
-  std::cout << robot << ": "
+  std::cout << visible(robot) << ": "
             << (done ? (hold ? "stands still" : "goes on") : "did not answer; try again") << '\n';
   return done ? 0 : 1;
 }
@@ -105,7 +106,8 @@ int command(Operator::Word word, TeamFeed& feed, Operator& speaker, const Option
   const auto targets = options.team ? names(team) : options.robots;
   for (const auto& robot : targets)
     if (!state_of(team, robot))
-      return std::cerr << "galilean-command: " << robot << " sends no state; " << kCheck, 1;
+      return std::cerr << "galilean-command: " << visible(robot) << " sends no state; " << kCheck,
+             1;
   if (!heard || targets.empty())
     return std::cerr << "galilean-command: no robot sends its state; " << kCheck, 1;
 

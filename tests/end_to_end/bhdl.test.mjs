@@ -39,6 +39,16 @@ test('errors have file, line, column and a hint, and all come in one run', (t) =
   assert.match(text, /program\.bhdl:9:\d+: error: .*moev/);
 });
 
+test('what cannot be seen is shown by its code, in names and as a stray character', (t) => {
+  const stray = check(t, `${minimal}\u200b`);
+  assert.match(stray.stderr, /error: the character 'U\+200B' has no meaning here/);
+  const name = check(t, minimal.replace('motor_schemas: "move"', 'motor_schemas: "mo\u202Eve\u00A0"'));
+  assert.match(name.stderr, /error: .*'moU\+202EveU\+00A0'/);
+  assert.doesNotMatch(stray.stderr + name.stderr, /[\u200b\u202e\u00a0]/);
+  const file = galilean(['bhdl', 'check', '/none\x1b[31m.bhdl']);
+  assert.match(file.stderr, /^\/noneU\+001B\[31m\.bhdl/);
+});
+
 test('--json gives codes and positions', (t) => {
   const { status, stdout } = check(t, minimal.replace('input_force', 'input_forse'), '--json');
   assert.equal(status, 1);

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/plural.h"
+#include "core/visible_text.h"
 
 namespace galilean::front {
 namespace {
@@ -43,7 +44,7 @@ std::vector<std::string> Evidence::shortcomings() const {
     else if (deeds.program_hash.empty())
       missing.push_back(robot + " runs no program");
     else if (deeds.transitions == 0)
-      missing.push_back(robot + " never left its state '" + deeds.state + "'");
+      missing.push_back(robot + " never left its state '" + visible(deeds.state) + "'");
     else if (deeds.driven_m < kEnough_m && deposited_by(robot) == 0)
       missing.push_back(robot + " drove less than a metre and threw nothing away");
   }
@@ -54,10 +55,10 @@ std::string Evidence::summary() const {
   std::ostringstream out;
   out << std::fixed << std::setprecision(1);
   for (const auto& [robot, deeds] : deeds_)
-    out << "  " << std::left << std::setw(12) << robot << deeds.program_name << ", in '"
-        << deeds.state << "' after " << plural(deeds.transitions, "transition") << "; drove "
-        << deeds.driven_m << " m, threw away " << plural(deposited_by(robot), "piece") << ", "
-        << plural(deeds.overruns, "late tick") << "\n";
+    out << "  " << std::left << std::setw(12) << robot << visible(deeds.program_name) << ", in '"
+        << visible(deeds.state) << "' after " << plural(deeds.transitions, "transition")
+        << "; drove " << deeds.driven_m << " m, threw away " << plural(deposited_by(robot), "piece")
+        << ", " << plural(deeds.overruns, "late tick") << "\n";
   if (score_.phase.empty())
     out << "  referee     sent no score\n";
   else

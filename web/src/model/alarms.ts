@@ -2,7 +2,7 @@
 // What an operator must hear of.
 
 import { ellipseOf } from "./ellipse";
-import { drifts, programShares } from "./drift";
+import { drifts, hashesUnderWay, programShares } from "./drift";
 import { lasting } from "../lib/format";
 import type { Robot, Team } from "./model";
 import { isSilent } from "./silence";
@@ -57,7 +57,7 @@ function ofRobot(robot: Robot, team: Team, now_ms: number): Alarm[] {
   const state = robot.state?.value;
   if (state?.out_of_service) return [];
   const found = Object.values(finders).flatMap((find) => find(robot, now_ms) ?? []);
-  const drift = drifts(robot, programShares(inService(team)))
+  const drift = drifts(robot, programShares(inService(team)), hashesUnderWay(team.pushes, now_ms))
     ? [of("drift", `${robot.name} runs ${state?.program_name}, another program than the team.`, "Push the team's program to it, or leave it as a trial.", state?.program_hash)]
     : [];
   const problems = (state?.problems ?? []).map((problem) => of("problem", `${robot.name}: ${problem}`, "", problem));

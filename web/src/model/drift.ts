@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type { Robot } from "./model";
+import type { Push, Robot } from "./model";
 
 export interface ProgramShare {
   readonly hash: string;
@@ -20,7 +20,17 @@ export function programShares(robots: Iterable<Robot>): ProgramShare[] {
   return [...shares.values()].sort((a, b) => b.robots.length - a.robots.length);
 }
 
-export function drifts(robot: Robot, shares: readonly ProgramShare[]): boolean {
+/** A push of which nothing is heard any more, as when the monitor went away, is not under way for ever. A probation lasts an hour at most. */
+const UNDER_WAY_AT_MOST_MS = 7_200_000;
+
+/** The hashes of the programs that a running push is bringing to the robots: to its canary first, or to one after the other. */
+export function hashesUnderWay(pushes: readonly Push[], now_ms: number): ReadonlySet<string> {
+  return new Set(pushes.filter(({ state, hash, at_ms }) => state === "running" && hash !== "" && now_ms - at_ms < UNDER_WAY_AT_MOST_MS).map(({ hash }) => hash));
+}
+
+/** Whether the robot runs another program than the team. A program that is under way is neither drift nor yet the team's. */
+export function drifts(robot: Robot, shares: readonly ProgramShare[], underWay: ReadonlySet<string> = new Set()): boolean {
   const hash = robot.state?.value.program_hash;
-  return Boolean(hash) && shares.length > 1 && shares[0]?.hash !== hash;
+  if (!hash || underWay.has(hash) || shares.length < 2) return false;
+  return shares.find((share) => !underWay.has(share.hash))?.hash !== hash;
 }

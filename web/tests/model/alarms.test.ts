@@ -37,6 +37,11 @@ describe("alarms", () => {
     const one = (robot: string, program_hash: string): Told => [`/${robot}/state`, state({ robot, program_hash }), T0_MS];
     expect(kinds([one("io", "a"), one("ganymede", "a"), one("callisto", "b")], T0_MS)).toEqual(["callisto drift"]);
   });
+  it("tell nothing of a canary's program while its push runs", () => {
+    const one = (robot: string, program_hash: string): Told => [`/${robot}/state`, state({ robot, program_hash }), T0_MS];
+    const progress = { stamp: { sec: 0, nsec: 0 }, id: "p1", author: "operator", program: "b.bhdl", hash: "b", targets: [], state: "running", steps: [] };
+    expect(kinds([one("io", "a"), one("ganymede", "a"), one("callisto", "b"), ["/team/push_progress", progress, T0_MS]], T0_MS)).toEqual([]);
+  });
   it("measure a robot's program by those that are in service", () => {
     const one = (robot: string, program_hash: string, out_of_service = false): Told => [`/${robot}/state`, state({ robot, program_hash, out_of_service }), T0_MS];
     expect(kinds([one("io", "a"), one("ganymede", "b", true), one("callisto", "b", true)], T0_MS)).toEqual([]);

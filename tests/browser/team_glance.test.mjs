@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The team at a glance, as it is played: its alarms, each robot's health, and what is no alarm.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { playedTab } from "./tab.mjs";
+
+const tab = playedTab({ ahead: 60 });
+const { at, untilRow } = tab;
+
+test("a canary that runs the new program first is no alarm", async () => {
+  await tab.until(() => document.querySelectorAll("[data-testid^=team-row-][data-hash]").length === 3);
+  const hash = await at("team-row-io").getAttribute("data-hash");
+  await tab.page.evaluate(() => {
+    window.alarms = [];
+    new MutationObserver(() => window.alarms.push(...[...document.querySelectorAll("[data-alarm]")].map(({ dataset }) => dataset.alarm)))
+      .observe(document.body, { subtree: true, childList: true });
+  });
+  const { programs } = await tab.api("/api/programs");
+  const { files } = await tab.api(`/api/programs/${programs.find(({ name }) => name === "sit_and_spin.bhdl").name}`);
+  const pushed = tab.api("/api/push", { files, canary: "io" });
+  await tab.until((before) => document.querySelector("[data-testid=team-row-io]").dataset.hash !== before, hash);
+  assert.equal(await at("team-row-callisto").getAttribute("data-hash"), hash, "the others run what they ran");
+  const { hash: pushedHash } = await pushed;
+  for (const robot of ["io", "ganymede", "callisto"]) await untilRow(robot, "data-hash", pushedHash);
+  assert.deepEqual(await tab.page.evaluate(() => window.alarms), []);
+});
+
+tab.testComplaints();

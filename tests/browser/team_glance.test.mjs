@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { playedTab } from "./tab.mjs";
 
-const tab = playedTab({ ahead: 60 });
+const tab = playedTab({ ahead: 60, looping: "ganymede" });
 const { at, untilRow } = tab;
 
 test("a canary that runs the new program first is no alarm", async () => {
@@ -22,7 +22,14 @@ test("a canary that runs the new program first is no alarm", async () => {
   assert.equal(await at("team-row-callisto").getAttribute("data-hash"), hash, "the others run what they ran");
   const { hash: pushedHash } = await pushed;
   for (const robot of ["io", "ganymede", "callisto"]) await untilRow(robot, "data-hash", pushedHash);
-  assert.deepEqual(await tab.page.evaluate(() => window.alarms), []);
+  assert.deepEqual(await tab.page.evaluate(() => window.alarms.filter((kind) => kind === "drift")), []);
+});
+
+test("a robot that goes round the same states is an alarm that says which, and how often", async () => {
+  const alarm = at("alarms").locator("[data-alarm=loop][data-robot=ganymede]");
+  await alarm.waitFor();
+  assert.match(await alarm.innerText(), /ganymede goes round wander_for_trash → move_to_trash → grab_trash → backup1, \d+ times in \d+(\.\d)? s\s/);
+  assert.equal(await at("alarms").locator("[data-alarm=loop]").count(), 1, "a healthy robot is said to loop");
 });
 
 tab.testComplaints();

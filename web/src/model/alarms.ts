@@ -3,11 +3,13 @@
 
 import { ellipseOf } from "./ellipse";
 import { drifts, hashesUnderWay, programShares } from "./drift";
+import { callsOn } from "./events";
 import { lasting } from "../lib/format";
+import { loopOf } from "./loops";
 import type { Robot, Team } from "./model";
 import { isSilent } from "./silence";
 
-export type AlarmKind = "silent" | "overrun" | "drift" | "stuck" | "uncertain" | "problem" | "push";
+export type AlarmKind = "silent" | "overrun" | "drift" | "stuck" | "loop" | "uncertain" | "problem" | "push";
 
 export interface Alarm {
   /** The same as long as it is the same alarm. */
@@ -18,6 +20,8 @@ export interface Alarm {
   readonly words: string;
   /** The words once it is over, without how long it lasted; without them the alarm is called over. */
   readonly past?: string;
+  /** The words say for how long. */
+  readonly timed?: true;
   /** What to do about it. */
   readonly advice: string;
 }
@@ -29,7 +33,7 @@ const STUCK_AFTER_MS = 20_000;
 /** A robot known no better than this, at two standard deviations, is drawn where it may not be. */
 const UNCERTAIN_M = 0.8;
 
-type Find = (robot: Robot, now_ms: number) => Omit<Alarm, "robot" | "key"> | undefined;
+type Find = (robot: Robot, now_ms: number, team: Team) => Omit<Alarm, "robot" | "key"> | undefined;
 
 const finders: Record<Exclude<AlarmKind, "silent" | "problem" | "push" | "drift">, Find> = {
   overrun: ({ name, events, state }, now_ms) => {
@@ -42,7 +46,17 @@ const finders: Record<Exclude<AlarmKind, "silent" | "problem" | "push" | "drift"
     if (!state || !standing || now_ms - standing.since_ms < STUCK_AFTER_MS) return undefined;
     const { held, out_of_service, state: doing } = state.value;
     if (held || out_of_service || doing === program?.value.start_state) return undefined;
-    return { kind: "stuck", words: `${name} has not moved for ${Math.round((now_ms - standing.since_ms) / 1000)} s in ${doing}.`, advice: "Look whether something holds it, or hold it and lift it free." };
+    return { kind: "stuck", words: `${name} has not moved for ${Math.round((now_ms - standing.since_ms) / 1000)} s in ${doing}.`, timed: true, advice: "Look whether something holds it, or hold it and lift it free." };
+  },
+  loop: (robot, now_ms, { score, contest_began_ms }) => {
+    if (!robot.state || robot.state.value.held) return undefined;
+    const deposits_ms = callsOn(robot.name, score, contest_began_ms).filter(({ points }) => points > 0).map(({ at_ms }) => at_ms);
+    const order = robot.program?.value.states.map(({ name }) => name) ?? [];
+    const loop = loopOf(robot.bars, { deposits_ms, trail: robot.trail }, order, now_ms);
+    if (!loop) return undefined;
+    const [round, lasted] = [loop.states.join(" → "), lasting((now_ms - loop.from_ms) / 1000)];
+    const words = `${robot.name} goes round ${round}, ${loop.rounds} times in ${lasted}.`;
+    return { kind: "loop", words, past: `${robot.name} went round ${round}`, timed: true, advice: "Look why nothing comes of it: the Why panel tells each change's cause. Hold it, or lift it free." };
   },
   uncertain: ({ name, placed }) => {
     const radius_m = placed ? ellipseOf(placed).major_m : 0;
@@ -56,7 +70,7 @@ function ofRobot(robot: Robot, team: Team, now_ms: number): Alarm[] {
   if (isSilent(robot, now_ms)) return [{ ...of("silent", `${robot.name} is silent.`, "Check its power and its network; it is shown where it was last heard."), past: `${robot.name} was silent` }];
   const state = robot.state?.value;
   if (state?.out_of_service) return [];
-  const found = Object.values(finders).flatMap((find) => find(robot, now_ms) ?? []);
+  const found = Object.values(finders).flatMap((find) => find(robot, now_ms, team) ?? []);
   const drift = drifts(robot, programShares(inService(team)), hashesUnderWay(team.pushes, now_ms))
     ? [of("drift", `${robot.name} runs ${state?.program_name}, another program than the team.`, "Push the team's program to it, or leave it as a trial.", state?.program_hash)]
     : [];
@@ -90,7 +104,7 @@ export interface PostedAlarm {
 export function sentenceOf({ alarm, since_ms, over_ms }: PostedAlarm, now_ms: number): string {
   const words = alarm.words.replace(/\.$/, "");
   const lasted = lasting(((over_ms ?? now_ms) - since_ms) / 1000);
-  if (over_ms === undefined) return `${words}, for ${lasted}`;
+  if (over_ms === undefined) return alarm.timed ? words : `${words}, for ${lasted}`;
   return alarm.past ? `${alarm.past} for ${lasted}` : `${words}; over after ${lasted}`;
 }
 

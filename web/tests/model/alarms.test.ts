@@ -2,7 +2,7 @@
 import { describe, expect, it } from "vitest";
 import { ProgramReply_Constants } from "../../src/feed/messages";
 import { acknowledged, type Alarm, alarms, sentenceOf, withAlarms } from "../../src/model/alarms";
-import { mapRobot, state, T0_MS, told } from "./told";
+import { mapRobot, state, T0_MS, time, told, transition } from "./told";
 
 type Told = [string, unknown, number];
 const kinds = (messages: Told[], now_ms: number) => alarms(told(messages), now_ms).map(({ kind, robot }) => `${robot} ${kind}`);
@@ -59,6 +59,15 @@ describe("alarms", () => {
     const notYet: Told[] = [0, 10, 19].map((s) => ["/io/state", state(moving), T0_MS + s * 1000]);
     expect(kinds(notYet, T0_MS + 19_000)).toEqual([]);
   });
+  it("tell of a robot that goes round the same states without getting anywhere", () => {
+    const states = ["grab", "backup", "remember", "wander"];
+    const changes = Array.from({ length: 57 }, (_, i): Told => ["/io/transition", transition(i + 1, states[i % 4]!, T0_MS + i * 178), T0_MS + i * 178]);
+    const end_ms = T0_MS + 10_000;
+    const last = (held: boolean): Told => ["/io/state", state({ at_ms: end_ms, state: "grab", transitions: 57n, state_since: time(T0_MS + 56 * 178), held }), end_ms];
+    const looping: Told[] = [["/io/state", state({ at_ms: T0_MS - 5000 }), T0_MS - 5000], ...changes, last(false)];
+    expect(alarms(told(looping), end_ms).map(({ kind, words }) => [kind, words])).toEqual([["loop", "io goes round backup → remember → wander → grab, 14 times in 10 s."]]);
+    expect(kinds([...looping, last(true)], end_ms)).toEqual([]);
+  });
   it("do not call a robot stuck that waits to be started", () => {
     const program = { start_state: "wander", states: [], transitions: [], files: [], name: "", hash: "", robot: "io", stamp: { sec: 0, nsec: 0 } };
     const waiting: Told[] = [["/io/program", program, T0_MS], ...[0, 10, 21].map((s): Told => ["/io/state", state(moving), T0_MS + s * 1000])];
@@ -110,6 +119,11 @@ describe("the sentence of a posted alarm", () => {
   it("says how long it lasts, and in the past tense how long it lasted", () => {
     expect(sentenceOf({ alarm: silent, since_ms: 1000, seen: false }, 13_000)).toBe("io is silent, for 12 s");
     expect(sentenceOf({ alarm: silent, since_ms: 1000, over_ms: 13_000, seen: false }, 99_000)).toBe("io was silent for 12 s");
+  });
+  it("adds no duration to words that say it", () => {
+    const alarm: Alarm = { key: "loop io", kind: "loop", robot: "io", words: "io goes round a → b, 14 times in 10 s.", past: "io went round a → b", timed: true, advice: "" };
+    expect(sentenceOf({ alarm, since_ms: 1000, seen: false }, 3000)).toBe("io goes round a → b, 14 times in 10 s");
+    expect(sentenceOf({ alarm, since_ms: 1000, over_ms: 13_000, seen: false }, 99_000)).toBe("io went round a → b for 12 s");
   });
   it("calls another alarm over", () => {
     const alarm: Alarm = { key: "problem io", kind: "problem", robot: "io", words: "io: no picture", advice: "" };

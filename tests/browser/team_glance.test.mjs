@@ -32,4 +32,18 @@ test("a robot that goes round the same states is an alarm that says which, and h
   assert.equal(await at("alarms").locator("[data-alarm=loop]").count(), 1, "a healthy robot is said to loop");
 });
 
+test("the Why panel counts its rounds in one line, which opens to each change", async () => {
+  await at("team-row-ganymede").getByRole("button").first().click();
+  const rounds = at("why-rounds").first();
+  await tab.until(() => Number(document.querySelector("[data-testid=why-rounds]")?.dataset.rounds) >= 5);
+  assert.match(await rounds.innerText(), /( → \w+){3} × \d+ in \d/);
+  const single = at("why").locator("[data-stamp-s]", { hasText: /backup1 → wander_for_trash(?!can)/ });
+  assert.equal(await single.count(), 0, "what repeats itself is still listed");
+  await rounds.getByRole("button").first().click();
+  await tab.until(() => document.querySelectorAll("[data-testid=why-rounds] [data-stamp-s]").length > 12);
+  const before = await rounds.getAttribute("data-rounds");
+  await tab.until((then) => Number(document.querySelector("[data-testid=why-rounds]").dataset.rounds) > Number(then), before);
+  assert.ok((await rounds.locator("[data-stamp-s]").count()) > 12, "a newer round closed them");
+});
+
 tab.testComplaints();

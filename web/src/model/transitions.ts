@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { Transition } from "../feed/messages";
+import { cycleAtEnd } from "./cycles";
 
 const KEPT = 100;
 
@@ -16,4 +17,44 @@ export function withTransition(list: readonly Transition[], next: Transition): r
 /** How many changes were never heard of between two that follow one another in the list. */
 export function missedBetween(earlier: Transition, later: Transition): number {
   return Math.max(Number(later.number - earlier.number) - 1, 0);
+}
+
+/** Fewer rounds than these are listed change by change. */
+const COUNTED_ROUNDS = 3;
+
+/** Changes that go round the same states again and again, or one change alone. */
+export interface ChangeGroup {
+  /** The newest first. */
+  readonly changes: readonly Transition[];
+  /** How often they go round; 1: a change alone. */
+  readonly rounds: number;
+  /** The states that they go round, beginning with the one that the earliest change entered. */
+  readonly states: readonly string[];
+}
+
+/** The changes, the newest group first, with those that repeat themselves put together. */
+export function groupedChanges(list: readonly Transition[]): ChangeGroup[] {
+  const groups: ChangeGroup[] = [];
+  for (let end = list.length; end > 0; ) {
+    const group = lastGroup(list, end);
+    groups.push(group);
+    end -= group.changes.length;
+  }
+  return groups;
+}
+
+function lastGroup(list: readonly Transition[], end: number): ChangeGroup {
+  const same = (a: number, b: number) => list[a]!.to_state === list[b]!.to_state && list[a]!.from_state === list[b]!.from_state;
+  const cycle = cycleAtEnd(end, heardSince(list, end), COUNTED_ROUNDS, same);
+  if (!cycle) return { changes: [list[end - 1]!], rounds: 1, states: [list[end - 1]!.to_state] };
+  const changes = list.slice(cycle.from, end).reverse();
+  const states = list.slice(cycle.from, cycle.from + cycle.length).map(({ to_state }) => to_state);
+  return { changes, rounds: Math.floor(changes.length / cycle.length), states };
+}
+
+/** The index since which no change was missed. */
+function heardSince(list: readonly Transition[], end: number): number {
+  let from = end - 1;
+  while (from > 0 && missedBetween(list[from - 1]!, list[from]!) === 0) from -= 1;
+  return from;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
-import { missedBetween, withTransition } from "../../src/model/transitions";
+import { groupedChanges, missedBetween, withTransition } from "../../src/model/transitions";
 import { T0_MS, transition } from "./told";
 
 describe("the list of transitions", () => {
@@ -19,5 +19,32 @@ describe("the list of transitions", () => {
   });
   it("begins anew when the robot does", () => {
     expect(numbers(withTransition(list, transition(1, "a", T0_MS + 60_000)))).toEqual([1]);
+  });
+});
+
+describe("changes that repeat themselves", () => {
+  const through = (states: readonly string[], first = 1) =>
+    states.map((state, i) => ({ ...transition(first + i, state), from_state: states[i - 1] ?? "start" }));
+  const round = (rounds: number) => Array.from({ length: rounds * 4 }, (_, i) => ["grab", "backup", "remember", "wander"][i % 4]!);
+  const told = (list: ReturnType<typeof through>) => groupedChanges(list).map(({ states, rounds, changes }) => [states.join(" "), rounds, changes.length]);
+
+  it("are put together and counted, the others stay alone", () => {
+    expect(told(through(["wander", "avoid", "wander", ...round(14), "free"]))).toEqual([
+      ["free", 1, 1], ["grab backup remember wander", 14, 56], ["wander", 1, 1], ["avoid", 1, 1], ["wander", 1, 1],
+    ]);
+  });
+  it("are no group below three rounds", () => {
+    expect(told(through(round(2)))).toHaveLength(8);
+  });
+  it("keep every change, the newest first", () => {
+    const list = through(["free", ...round(5)]);
+    expect(groupedChanges(list).flatMap(({ changes }) => changes)).toEqual([...list].reverse());
+  });
+  it("are not put together across changes that were not heard", () => {
+    const list = [...through(round(2)), ...through(round(2), 20)];
+    expect(groupedChanges(list).every(({ rounds }) => rounds === 1)).toBe(true);
+  });
+  it("are none where there is no change", () => {
+    expect(groupedChanges([])).toEqual([]);
   });
 });

@@ -125,7 +125,7 @@ export function withAlarms(board: readonly PostedAlarm[], active: readonly Alarm
   return [...stands, ...ended.filter(({ seen }) => !seen)].sort((a, b) => Number(a.seen) - Number(b.seen) || b.since_ms - a.since_ms);
 }
 
-/** The board after somebody has seen one alarm, or all of them. */
-export function acknowledged(board: readonly PostedAlarm[], key?: string): readonly PostedAlarm[] {
-  return board.map((posted) => (key === undefined || posted.alarm.key === key ? { ...posted, seen: true } : posted)).filter(({ seen, over_ms }) => !(seen && over_ms !== undefined));
+/** The board after somebody has seen the alarms with these keys, or all of them. */
+export function acknowledged(board: readonly PostedAlarm[], keys?: readonly string[]): readonly PostedAlarm[] {
+  return board.map((posted) => (keys === undefined || keys.includes(posted.alarm.key) ? { ...posted, seen: true } : posted)).filter(({ seen, over_ms }) => !(seen && over_ms !== undefined));
 }

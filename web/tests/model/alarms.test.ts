@@ -137,7 +137,7 @@ describe("the board of alarms", () => {
   it("keeps an alarm that is over until somebody has seen it", () => {
     const over = withAlarms(withAlarms([], [alarm], 1000), [], 4000);
     expect(over).toEqual([{ alarm, since_ms: 1000, over_ms: 4000, seen: false }]);
-    expect(acknowledged(over, alarm.key)).toEqual([]);
+    expect(acknowledged(over, [alarm.key])).toEqual([]);
   });
   it("keeps one that was seen as long as it lasts, quietly", () => {
     const seen = acknowledged(withAlarms([], [alarm], 1000));

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Alarms of several robots in a team of thirty: one line for all that fell silent, which opens to each.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { playedTab } from "./tab.mjs";
+
+const tab = playedTab({ ahead: 60, robots: 30, silent: "io,callisto,robot7,robot9,robot20", ailing: "ganymede" });
+const { at, until } = tab;
+const group = () => at("alarms").locator("[data-alarm-group=silent]").first();
+
+test("those that are silent are one line that counts and names them, other alarms stand alone", async () => {
+  await until(() => document.querySelector("[data-alarm-group=silent]")?.dataset.count === "5");
+  assert.match(await group().innerText(), /5 robots silent: .*io, .*callisto|5 robots silent: (?=.*io)(?=.*callisto)(?=.*robot20)/);
+  await at("alarms").locator("[data-alarm=problem][data-robot=ganymede]").waitFor();
+  assert.equal(await at("alarms").locator("[data-alarm=silent]").count(), 0);
+});
+
+test("it opens to each of them, and one is seen alone", async () => {
+  await group().getByRole("button", { name: /^List each/ }).click();
+  const callisto = at("alarms").locator("[data-alarm=silent][data-robot=callisto]");
+  assert.match(await callisto.innerText(), /callisto is silent, for \d/);
+  await callisto.getByRole("button", { name: /^Seen/ }).click();
+  await until(() => document.querySelector("[data-alarm-group=silent]")?.dataset.count === "4");
+});
+
+test("the rest is seen with one click, and no other alarm with it", async () => {
+  await group().getByRole("button", { name: /^Seen: 4 robots silent/ }).click();
+  await until(() => document.querySelector("[data-alarm-group=silent]")?.dataset.seen === "true");
+  assert.equal(await group().getAttribute("data-count"), "5");
+  assert.equal(await at("alarms").locator("[data-alarm=problem]").getAttribute("data-seen"), "false");
+});
+
+tab.testComplaints();

@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { playedTab } from "./tab.mjs";
 
 const tab = playedTab({ ahead: 60, robots: 30, silent: "io,callisto,robot7,robot9,robot20", ailing: "ganymede" });
-const { at, until } = tab;
+const { at, until, untilRow } = tab;
 const group = () => at("alarms").locator("[data-alarm-group=silent]").first();
 
 test("those that are silent are one line that counts and names them, other alarms stand alone", async () => {
@@ -28,6 +28,27 @@ test("the rest is seen with one click, and no other alarm with it", async () => 
   await until(() => document.querySelector("[data-alarm-group=silent]")?.dataset.seen === "true");
   assert.equal(await group().getAttribute("data-count"), "5");
   assert.equal(await at("alarms").locator("[data-alarm=problem]").getAttribute("data-seen"), "false");
+});
+
+const inGrid = () => at("team-rows").locator("[data-testid^=team-row-]").evaluateAll((cells) => cells.map(({ dataset }) => [dataset.testid.replace("team-row-", ""), dataset.trouble]));
+
+test("thirty robots stand in a grid, those in trouble first and then by name, and keep their places", async () => {
+  const before = await inGrid();
+  assert.equal(before.length, 30);
+  assert.deepEqual(before.slice(0, 6).map(([name]) => name), ["callisto", "ganymede", "io", "robot7", "robot9", "robot20"]);
+  assert.deepEqual([...new Set(before.map(([, trouble]) => trouble))], ["true", "false"]);
+  assert.deepEqual(before.slice(6, 9).map(([name]) => name), ["robot4", "robot5", "robot6"]);
+  await tab.page.waitForTimeout(1500);
+  assert.deepEqual(await inGrid(), before);
+});
+
+test("the robot that is chosen in the grid has a row of its own, with its health and what can be done", async () => {
+  await at("team-row-robot5").getByRole("button").click();
+  await at("health-robot5").waitFor();
+  await at("team-chosen").getByRole("button", { name: "Hold" }).click();
+  await untilRow("robot5", "data-held", "true");
+  await at("team-chosen").getByRole("button", { name: "Resume" }).click();
+  await untilRow("robot5", "data-held", "false");
 });
 
 tab.testComplaints();

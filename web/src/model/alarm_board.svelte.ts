@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The alarms that somebody has yet to see, and those that last.
 
-import { type AlarmGroup, groupedAlarms } from "./alarm_groups";
+import { type AlarmGroup, groupedAlarms, wordsByRobot } from "./alarm_groups";
 import { live } from "./live.svelte";
 import { acknowledged, alarms, type PostedAlarm, withAlarms } from "./alarms";
 
@@ -10,6 +10,8 @@ class AlarmBoard {
   readonly unseen: number = $derived(this.posted.filter(({ seen }) => !seen).length);
 
   readonly groups: readonly AlarmGroup[] = $derived(groupedAlarms(this.posted));
+  /** What lasts, in words, of each robot that has an alarm. */
+  readonly wordsByRobot: ReadonlyMap<string, readonly string[]> = $derived(wordsByRobot(this.posted));
 
   /** Called as time goes on: what is wrong depends on it, too. */
   refresh(): void {

@@ -47,3 +47,10 @@ function groupOf(key: string, posted: readonly PostedAlarm[]): AlarmGroup {
   const [{ alarm, seen, over_ms }] = posted as readonly [PostedAlarm];
   return { key, kind: alarm.kind, posted, seen, over: over_ms !== undefined };
 }
+
+/** What lasts, in words, of each robot that has an alarm. */
+export function wordsByRobot(board: readonly PostedAlarm[]): Map<string, string[]> {
+  const words = new Map<string, string[]>();
+  for (const { alarm, over_ms } of board) if (over_ms === undefined) words.set(alarm.robot, [...(words.get(alarm.robot) ?? []), alarm.words]);
+  return words;
+}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { expect, it } from "vitest";
-import { groupedAlarms, groupWords } from "../../src/model/alarm_groups";
+import { groupedAlarms, groupWords, wordsByRobot } from "../../src/model/alarm_groups";
 import { acknowledged, type AlarmKind, type PostedAlarm } from "../../src/model/alarms";
 
 const one = (kind: AlarmKind, robot: string, more: Partial<PostedAlarm> = {}): PostedAlarm =>
@@ -31,4 +31,9 @@ it("is acknowledged as a whole, and nothing else with it", () => {
   const [group] = groupedAlarms(board);
   const after = acknowledged(board, group!.posted.map(({ alarm }) => alarm.key));
   expect(after.map(({ alarm, seen }) => [alarm.robot, seen])).toEqual([["io", true], ["callisto", true], ["europa", false]]);
+});
+
+it("tells the words of each robot whose alarms last, seen or not", () => {
+  const board = [one("stuck", "io"), one("problem", "io", { seen: true }), one("silent", "callisto", { over_ms: 5000 })];
+  expect([...wordsByRobot(board)]).toEqual([["io", ["io is stuck.", "io is problem."]]]);
 });

@@ -93,6 +93,24 @@ test("keys go from item to item, and choose one", async () => {
   await tab.page.keyboard.press("Enter");
 });
 
+test("each robot has its name beside it, things when asked, and none lies over another", async () => {
+  for (const robot of ["io", "ganymede", "callisto"]) await at("map-labels").locator(`[data-label="robot ${robot}"]`).waitFor({ state: "attached" });
+  const named = () => at("map-labels").locator("[data-label]").count();
+  const few = await named();
+  await at("map-layers").click();
+  await at("layer-things").check();
+  await until((before) => document.querySelectorAll("[data-testid=map-labels] [data-label]").length > before + 3, few);
+  const over = await tab.page.evaluate(() => {
+    const must = new Set([...document.querySelectorAll("[data-testid=map] [aria-pressed=true][data-item]")].map(({ dataset }) => dataset.item));
+    const texts = [...document.querySelectorAll("[data-testid=map-labels] [data-label]")].filter(({ dataset }) => !must.has(dataset.label) && !dataset.label.startsWith("robot"));
+    const boxes = texts.map((text) => [text.textContent, text.getBoundingClientRect()]);
+    return boxes.flatMap(([a, one], i) => boxes.slice(i + 1).filter(([, other]) => one.left < other.right - 2 && other.left < one.right - 2 && one.top < other.bottom - 4 && other.top < one.bottom - 4).map(([b]) => `${a} over ${b}`));
+  });
+  assert.deepEqual(over, []);
+  await at("layer-things").uncheck();
+  await tab.page.keyboard.press("Escape");
+});
+
 test("it pans and zooms by pointer, wheel and keys, and fits again", async () => {
   const fitted = await shownPart();
   const floor = await tab.page.locator("[data-testid=map] .floor").boundingBox();

@@ -9,6 +9,8 @@ export const layerNames = {
   views: "fields of view",
   sightings: "who sees what now",
   ellipses: "where each may be (86 %)",
+  names: "names of robots",
+  things: "names of things",
 } as const;
 
 export type Layer = keyof typeof layerNames;
@@ -20,7 +22,7 @@ interface Kept {
 }
 
 const KEY = "galilean.map";
-const STANDARD: Kept = { layers: { trails: true, views: true, sightings: true, ellipses: true }, forces: "chosen" };
+const STANDARD: Kept = { layers: { trails: true, views: true, sightings: true, ellipses: true, names: true, things: false }, forces: "chosen" };
 
 class MapChoice {
   layers = $state({ ...STANDARD.layers });

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the labels of the map's items stand, in pixels, y down: beside their item, and none over another or over a robot.
+
+export const sides = ["right", "left", "below", "above"] as const;
+export type LabelSide = (typeof sides)[number];
+
+export interface Label {
+  readonly key: string;
+  readonly text: string;
+  /** The middle of its item, and how far the item reaches around it. */
+  readonly x: number;
+  readonly y: number;
+  readonly reach: number;
+  /** It is shown whatever lies there: somebody chose its item or points at it. */
+  readonly must?: boolean;
+  /** Other labels keep clear of its item. */
+  readonly solid?: boolean;
+}
+
+/** A label's left end and its line. */
+export interface LabelPlace {
+  readonly dx: number;
+  readonly dy: number;
+}
+
+interface Box {
+  readonly left: number;
+  readonly right: number;
+  readonly top: number;
+  readonly bottom: number;
+}
+
+const LETTER_PX = 6.4;
+const ASCENT_PX = 9;
+const DESCENT_PX = 3;
+const GAP_PX = 3;
+
+const widthOf = (text: string) => text.length * LETTER_PX;
+const overlap = (a: Box, b: Box) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+
+/** Where its text begins, from the middle of its item. */
+export function placeOf({ text, reach }: Label, side: LabelSide): LabelPlace {
+  const [width, off] = [widthOf(text), reach + GAP_PX];
+  if (side === "right") return { dx: off, dy: DESCENT_PX + 1 };
+  if (side === "left") return { dx: -off - width, dy: DESCENT_PX + 1 };
+  return { dx: -width / 2, dy: side === "below" ? off + ASCENT_PX : -off };
+}
+
+function boxOf(label: Label, side: LabelSide): Box {
+  const { dx, dy } = placeOf(label, side);
+  const [left, line] = [label.x + dx, label.y + dy];
+  return { left, right: left + widthOf(label.text), top: line - ASCENT_PX, bottom: line + DESCENT_PX };
+}
+
+/**
+ * The side of each label that finds room. Those that must be shown come first, then those that stand already, then
+ * the others, each in the order given. One that stands keeps its side while it is free: so nothing flickers.
+ */
+export function placeLabels(labels: readonly Label[], before: ReadonlyMap<string, LabelSide> = new Map()): ReadonlyMap<string, LabelSide> {
+  const bodies = labels.filter(({ solid }) => solid).map(({ key, x, y, reach }) => ({ key, left: x - reach, right: x + reach, top: y - reach, bottom: y + reach }));
+  const taken: Box[] = [];
+  const placed = new Map<string, LabelSide>();
+  const rank = ({ key, must }: Label) => (must ? 0 : before.has(key) ? 1 : 2);
+  for (const label of [...labels].sort((a, b) => rank(a) - rank(b))) {
+    const stood = before.get(label.key);
+    const tried = stood ? [stood, ...sides.filter((side) => side !== stood)] : sides;
+    const isFree = (side: LabelSide) => {
+      const box = boxOf(label, side);
+      return !taken.some((other) => overlap(box, other)) && !bodies.some((body) => body.key !== label.key && overlap(box, body));
+    };
+    const side = tried.find(isFree) ?? (label.must ? tried[0] : undefined);
+    if (!side) continue;
+    placed.set(label.key, side);
+    taken.push(boxOf(label, side));
+  }
+  return placed;
+}

@@ -105,6 +105,7 @@ export const rooms = {
     timeline: ['lib', 'model', 'parts', 'layout'],
     referee: ['lib', 'feed', 'model', 'parts', 'layout'],
     team: ['lib', 'feed', 'model', 'parts', 'layout'],
+    wall: ['lib', 'model', 'parts', 'graph', 'map', 'referee'],
     shell: ANY,
   },
 };

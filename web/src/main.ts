@@ -2,5 +2,9 @@
 import { mount } from "svelte";
 import "./app.css";
 import App from "./App.svelte";
+import Wall from "./wall/Wall.svelte";
 
-export default mount(App, { target: document.getElementById("page")! });
+/** `/?wall` is the page for a beamer. */
+const page = new URLSearchParams(location.search).has("wall") ? Wall : App;
+
+export default mount(page, { target: document.getElementById("page")! });

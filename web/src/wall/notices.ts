@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a wall says in its widest letters: what is wrong with the connection, and what is wrong with the robots.
+
+import { lasting, plural } from "../lib/format";
+import { type PostedAlarm, sentenceOf } from "../model/alarms";
+import type { Robot } from "../model/model";
+
+export interface Notice {
+  readonly kind: "connection" | "alarm" | "held";
+  readonly words: string;
+}
+
+/** What the page knows of its connection; times in ms. */
+export interface Link {
+  /** Whether the monitor was heard at all since the page was opened. */
+  readonly wasLive: boolean;
+  readonly lostFor_ms: number | undefined;
+  readonly behind_ms: number;
+  readonly isBehind: boolean;
+}
+
+/** So many alarms have room; of more, their number is told. */
+const ALARMS = 2;
+
+export function linkNotice({ wasLive, lostFor_ms, behind_ms, isBehind }: Link): Notice | undefined {
+  const of = (words: string): Notice => ({ kind: "connection", words });
+  if (!wasLive) return of(lostFor_ms === undefined ? "Connecting to the monitor…" : `The monitor does not answer, for ${lasting(lostFor_ms / 1000)}.`);
+  if (lostFor_ms !== undefined) return of(`Nothing heard for ${lasting(lostFor_ms / 1000)}: this page is ${lasting(behind_ms / 1000)} behind.`);
+  return isBehind ? of(`This page is ${lasting(behind_ms / 1000)} behind.`) : undefined;
+}
+
+export function alarmNotices(posted: readonly PostedAlarm[], now_ms: number): Notice[] {
+  const active = posted.filter(({ over_ms }) => over_ms === undefined);
+  const shown = active.length > ALARMS ? ALARMS - 1 : ALARMS;
+  const told = active.slice(0, shown).map((each): Notice => ({ kind: "alarm", words: `${sentenceOf(each, now_ms)}.` }));
+  const left = active.length - told.length;
+  return left > 0 ? [...told, { kind: "alarm", words: `${plural(left, "more alarm")}.` }] : told;
+}
+
+/** All that are in service stand still at somebody's word. */
+export function heldNotice(robots: readonly Robot[]): Notice | undefined {
+  const inService = robots.filter(({ state }) => state && !state.value.out_of_service);
+  const held = inService.length > 0 && inService.every(({ state }) => state?.value.held);
+  return held ? { kind: "held", words: inService.length === 1 ? "The robot is held." : "All robots are held." } : undefined;
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import { expect, test } from "vitest";
+import type { PostedAlarm } from "../../src/model/alarms";
+import { identityOf } from "../../src/model/identity";
+import type { Robot } from "../../src/model/model";
+import { alarmNotices, heldNotice, linkNotice } from "../../src/wall/notices";
+import { CELLS, conditionOf, shownRobots } from "../../src/wall/wall_robots";
+
+const NOW_MS = 100_000;
+
+function robot(name: string, state: object = {}, heard_ms = NOW_MS): Robot {
+  const value = { held: false, out_of_service: false, problems: [], ...state };
+  return { name, identity: identityOf(name, []), heard_ms, state: { value, received_ms: heard_ms } } as unknown as Robot;
+}
+const alarm = (words: string, over_ms?: number): PostedAlarm =>
+  ({ alarm: { key: words, kind: "problem", robot: "io", words, advice: "" }, since_ms: NOW_MS - 12_000, seen: false, ...(over_ms && { over_ms }) }) as PostedAlarm;
+
+test("a robot's condition is the worst that is known of it", () => {
+  expect(conditionOf(robot("io"), NOW_MS)).toBe("well");
+  expect(conditionOf(robot("io", { held: true }), NOW_MS)).toBe("held");
+  expect(conditionOf(robot("io", { held: true, problems: ["no camera"] }), NOW_MS)).toBe("problem");
+  expect(conditionOf(robot("io", { held: true }, NOW_MS - 5000), NOW_MS)).toBe("silent");
+});
+
+test("where there is no room for all, those in trouble stay, in their order", () => {
+  const robots = Array.from({ length: CELLS + 5 }, (_, i) => robot(`robot${i}`, { held: i === CELLS + 2 }));
+  const { shown, left } = shownRobots(robots, NOW_MS);
+  expect([shown.length, left]).toEqual([CELLS - 1, 6]);
+  expect(shown.at(-1)?.name).toBe(`robot${CELLS + 2}`);
+  expect(shownRobots(robots.slice(0, CELLS), NOW_MS)).toMatchObject({ left: 0 });
+});
+
+test("the connection is told of as it is", () => {
+  const link = { wasLive: true, lostFor_ms: undefined, behind_ms: 0, isBehind: false };
+  expect(linkNotice(link)).toBeUndefined();
+  expect(linkNotice({ ...link, behind_ms: 12_000, isBehind: true })?.words).toBe("This page is 12 s behind.");
+  expect(linkNotice({ ...link, lostFor_ms: 11_000, behind_ms: 12_000, isBehind: true })?.words).toBe("Nothing heard for 11 s: this page is 12 s behind.");
+  expect(linkNotice({ ...link, wasLive: false })?.words).toBe("Connecting to the monitor…");
+  expect(linkNotice({ ...link, wasLive: false, lostFor_ms: 30_000 })?.words).toBe("The monitor does not answer, for 30 s.");
+});
+
+test("of many alarms one is told whole and the others are counted; what is over is not told", () => {
+  const words = (posted: PostedAlarm[]) => alarmNotices(posted, NOW_MS).map((notice) => notice.words);
+  expect(words([alarm("a."), alarm("b."), alarm("c.", NOW_MS)])).toEqual(["a, for 12 s.", "b, for 12 s."]);
+  expect(words([alarm("a."), alarm("b."), alarm("c.")])).toEqual(["a, for 12 s.", "2 more alarms."]);
+});
+
+test("that all are held is said of those in service", () => {
+  expect(heldNotice([])).toBeUndefined();
+  expect(heldNotice([robot("io", { held: true }), robot("ganymede")])).toBeUndefined();
+  expect(heldNotice([robot("io", { held: true }), robot("ganymede", { held: true }), robot("callisto", { out_of_service: true })])?.words).toBe("All robots are held.");
+});

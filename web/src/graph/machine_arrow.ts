@@ -63,3 +63,12 @@ function loop({ x, y, width, height }: Box): string {
   const right = x + width;
   return `M${round({ x: right - 12, y })} C${round({ x: right - 8, y: y - LOOP_PX })} ${round({ x: right + LOOP_PX, y: y - 4 })} ${round({ x: right, y: y + height / 2 })}`;
 }
+
+/** The middle of an arrow's path, for words that stand on it. */
+export function middleOf(path: string): Point {
+  const numbers = (path.match(/-?[\d.]+/g) ?? []).map(Number);
+  const points = numbers.flatMap((x, i) => (i % 2 === 0 ? [{ x, y: numbers[i + 1]! }] : []));
+  const weights = points.length === 4 ? [1, 3, 3, 1] : [1, 2, 1];
+  const sum = (of: (point: Point) => number) => points.reduce((all, point, i) => all + of(point) * weights[i]!, 0) / weights.reduce((a, b) => a + b, 0);
+  return { x: sum(({ x }) => x), y: sum(({ y }) => y) };
+}

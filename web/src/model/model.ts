@@ -18,6 +18,7 @@ import type {
 } from "../feed/messages";
 import type { Catalog } from "../bhdl/catalog";
 import type { Reply } from "../feed/api";
+import type { Coverages } from "./coverage";
 import type { RobotEvent } from "./events";
 import type { Identity } from "./identity";
 import type { MessageRate } from "./message_rate";
@@ -81,6 +82,8 @@ export interface Robot {
   readonly transitions: readonly Transition[];
   /** By the number of the transition, of those that happened while the page listened. */
   readonly moments: ReadonlyMap<bigint, Moment>;
+  /** What has happened at all, of each program. */
+  readonly coverages?: Coverages;
   readonly bars: readonly StateBar[];
   readonly programs: readonly ProgramChange[];
   readonly events: readonly RobotEvent[];

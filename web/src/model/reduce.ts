@@ -2,6 +2,7 @@
 import { catalogOf } from "../bhdl/catalog";
 import type * as wire from "../feed/messages";
 import { type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
+import { withSeenState, withTransitionCounted } from "./coverage";
 import { contestBegan_ms, withEvents } from "./events";
 import { identityOf } from "./identity";
 import type { Robot, Team } from "./model";
@@ -40,7 +41,7 @@ function barsBefore(robot: Robot, clocked: Robot): Robot["bars"] {
 function withoutFuture(robot: Robot, { stamp, transitions: count }: wire.RobotState): Robot {
   if (!robot.state || !wentBack(robot.state.value.stamp, stamp)) return robot;
   const transitions = robot.transitions.filter(({ number }) => number <= count);
-  return { ...robot, transitions, moments: new Map([...robot.moments].filter(([number]) => number <= count)) };
+  return { ...robot, transitions, coverages: new Map(), moments: new Map([...robot.moments].filter(([number]) => number <= count)) };
 }
 
 function withState(heard: Robot, value: wire.RobotState, received_ms: number): Robot {
@@ -51,6 +52,7 @@ function withState(heard: Robot, value: wire.RobotState, received_ms: number): R
     ...clocked,
     state: { value, received_ms },
     standing: standing(robot.standing, value, received_ms),
+    coverages: withSeenState(robot.coverages ?? new Map(), value),
     events: withEvents(robot.events, robot.state?.value, value, received_ms),
     bars: withBar(barsBefore(robot, clocked), {
       number: value.transitions,
@@ -65,8 +67,9 @@ function withChange(robot: Robot, transition: wire.Transition): Robot {
   const transitions = withTransition(robot.transitions, transition);
   if (transitions === robot.transitions) return robot;
   const moments = withMoment(robot.moments, transition, robot.variables?.value);
-  if (robot.clock_offset_ms === undefined) return { ...robot, transitions, moments };
-  return { ...robot, transitions, moments, bars: withBar(robot.bars, barOf(robot, transition)) };
+  const coverages = withTransitionCounted(robot.coverages ?? new Map(), robot.transitions, transition);
+  if (robot.clock_offset_ms === undefined) return { ...robot, transitions, moments, coverages };
+  return { ...robot, transitions, moments, coverages, bars: withBar(robot.bars, barOf(robot, transition)) };
 }
 
 const ofRobot: { [K in Exclude<RobotTopic, "program_reply">]: Reduce<Robot, never> } = {

@@ -96,6 +96,7 @@ export const rooms = {
     graph: ['feed'],
     'program/editor': ['lib', 'feed', 'bhdl', 'model'],
     program: ['lib', 'feed', 'model', 'layout', 'graph', 'program/editor'],
+    gains: ['lib', 'feed', 'bhdl', 'model', 'parts', 'layout', 'program'],
     vision: ['lib', 'feed', 'bhdl', 'model', 'parts', 'layout', 'program'],
     map: ['lib', 'feed', 'bhdl', 'model', 'parts', 'layout', 'vision'],
     plots: ['lib', 'feed', 'model', 'layout'],

@@ -21,7 +21,13 @@ export type Role =
 
 export interface AttributeSpec {
   readonly name: string;
+  readonly type?: string;
   readonly unit?: string;
+  /** Of a number, in its unit. */
+  readonly minimum?: number;
+  readonly maximum?: number;
+  /** Of a list: the attribute whose values it has one for each of. */
+  readonly one_for_each?: string;
   readonly default?: unknown;
   /** Of a name: the type of variable that it means. */
   readonly refers_to?: string;

@@ -64,6 +64,8 @@ export interface PushWay {
   probation_s?: number;
   /** Refuse where another program than this runs. */
   replaces?: string;
+  /** Why, in a few words; it stands in the history beside who pushed it. */
+  reason?: string;
 }
 
 /** A program that somebody pushed before, by the hash that tells it from others of its name. */
@@ -148,8 +150,9 @@ export function check(files: readonly SourceFile[], robot?: string, against?: re
 
 /** Empty `targets` mean the whole team. */
 export function push(files: readonly SourceFile[], targets: readonly string[], way: PushWay = {}): Promise<PushResult> {
-  const { tries, ...rest } = way;
-  return call("/api/push", { files, targets, author: "operator", try: tries ?? false, ...rest });
+  const { tries, reason, ...rest } = way;
+  const author = reason ? `operator (${reason})` : "operator";
+  return call("/api/push", { files, targets, author, try: tries ?? false, ...rest });
 }
 
 export function readPush(id: string): Promise<PushResult> {

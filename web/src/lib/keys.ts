@@ -21,7 +21,9 @@ export function onKey(key: string, does: string, act: () => void, anywhere = fal
   };
 }
 
-function isTyping(target: EventTarget | null): boolean {
+/** A slider takes arrows and the like, and no letters: STOP ALL works on it. */
+function isTyping(target: EventTarget | null, key: string): boolean {
+  if (target instanceof HTMLInputElement && target.type === "range") return key.length > 1;
   return target instanceof HTMLElement && (target.isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName));
 }
 
@@ -29,7 +31,7 @@ export function pressed(event: KeyboardEvent): void {
   if (event.altKey) return;
   const chord = event.ctrlKey || event.metaKey ? `Ctrl+${event.key}` : event.key;
   const key = keys.get(chord);
-  if (!key || (!key.anywhere && isTyping(event.target))) return;
+  if (!key || (!key.anywhere && isTyping(event.target, event.key))) return;
   event.preventDefault();
   key.act();
 }

@@ -5,6 +5,7 @@
 import type { Component } from "svelte";
 import type { PanelName } from "../layout/arrangement.svelte";
 import MachinePanel from "../machine/MachinePanel.svelte";
+import GainsPanel from "../gains/GainsPanel.svelte";
 import MapPanel from "../map/MapPanel.svelte";
 import PlotsPanel from "../plots/PlotsPanel.svelte";
 import ProgramPanel from "../program/ProgramPanel.svelte";
@@ -82,6 +83,13 @@ export const panels: readonly PanelKind[] = [
     about: "The contest's clock, score and penalties, each call, and how the programs compare that were run in it.",
     component: RefereePanel,
     behind: "why",
+  },
+  {
+    id: "gains",
+    title: "Gains",
+    about: "Gains and thresholds of the running program, to be moved while it runs: each goes the way of a push as soon as the hand rests, and into the draft.",
+    component: GainsPanel,
+    behind: "program",
   },
 ];
 

@@ -17,11 +17,9 @@ find_package(mrpt-tfest REQUIRED)
 find_package(mrpt-poses REQUIRED)
 
 # Without a config file of their own.
-foreach(name zstd ncursesw tinfo)
-  find_library(${name}_LIBRARY ${name} REQUIRED)
-  add_library(system::${name} INTERFACE IMPORTED)
-  target_link_libraries(system::${name} INTERFACE ${${name}_LIBRARY})
-endforeach()
+find_library(zstd_LIBRARY zstd REQUIRED)
+add_library(system::zstd INTERFACE IMPORTED)
+target_link_libraries(system::zstd INTERFACE ${zstd_LIBRARY})
 
 # OpenCV's config file comes with libopencv-dev alone, which pulls Qt in: find the four libraries by name.
 find_path(OPENCV_INCLUDE_DIR opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)

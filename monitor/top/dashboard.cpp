@@ -3,7 +3,7 @@
 
 #include <cctype>
 
-#include "monitor/top/layout.h"
+#include "monitor/top/panels/layout.h"
 
 namespace galilean::monitor::top {
 namespace {
@@ -46,11 +46,11 @@ void Dashboard::say(Operator::Word word, bool to_all) {
   noticed_ = clock_.now();
 }
 
-bool Dashboard::press(const Terminal::Press& press) {
-  if (press.key == Terminal::Key::kNone || press.key == Terminal::Key::kResized) return true;
+bool Dashboard::press(const Press& press) {
+  if (press.key == Key::kNone) return true;
   if (std::exchange(help_, false)) return press.letter != 'q';
-  if (press.key == Terminal::Key::kUp) move(-1);
-  if (press.key == Terminal::Key::kDown) move(+1);
+  if (press.key == Key::kUp) move(-1);
+  if (press.key == Key::kDown) move(+1);
   const char letter = press.letter;
   if (letter >= '1' && letter <= '9') choose(static_cast<std::size_t>(letter - '1'));
   const bool to_all = std::isupper(static_cast<unsigned char>(letter));

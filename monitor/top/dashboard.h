@@ -3,10 +3,11 @@
 
 #include <string>
 
-#include "monitor/top/dashboard_model.h"
+#include "monitor/top/model/dashboard_model.h"
+#include "monitor/top/model/view.h"
 #include "monitor/top/operator.h"
-#include "monitor/top/terminal.h"
-#include "monitor/top/view.h"
+#include "monitor/top/screen/canvas.h"
+#include "monitor/top/screen/keys.h"
 
 namespace galilean::monitor::top {
 
@@ -18,7 +19,7 @@ class Dashboard {
       : model_(model), clock_(clock), speaker_(speaker), chosen_(std::move(chosen)) {}
 
   /// Handles a key. Returns false if it was the key to quit.
-  [[nodiscard]] bool press(const Terminal::Press& press);
+  [[nodiscard]] bool press(const Press& press);
   [[nodiscard]] Canvas draw(int columns, int rows);
 
  private:

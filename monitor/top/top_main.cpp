@@ -10,7 +10,9 @@
 #include "core/wake.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/top/dashboard.h"
-#include "monitor/top/layout.h"
+#include "monitor/top/panels/layout.h"
+#include "monitor/top/screen/job_control.h"
+#include "monitor/top/screen/terminal.h"
 
 namespace {
 
@@ -20,10 +22,12 @@ using namespace galilean::monitor;
 struct Options {
   int domain = -1;
   bool once = false;
+  bool ascii = false;
   std::string robot;
 };
 
 constexpr int kRedrawEach_ms = 100;
+constexpr int kUnusable = 2;  ///< the exit code where there is no terminal to use
 
 /// Reads the domain's messages into a DashboardModel.
 class DashboardFeed {
@@ -81,18 +85,46 @@ int print_once(DashboardFeed& feed, Termination& termination, const Clock& clock
   return view.robots.empty() ? 1 : 0;
 }
 
-int run_dashboard(DashboardFeed& feed, Termination& termination, const Clock& clock,
-                  Operator& speaker, const std::string& robot) {
-  top::Terminal terminal;
-  top::Dashboard dashboard(feed.model(), clock, speaker, robot);
-  while (!termination.asked()) {
+/// What ends the dashboard or changes its screen, besides keys.
+struct Signals {
+  Termination termination;
+  top::JobControl jobs;
+};
+
+/// Gives the terminal back while the process is stopped.
+void obey(top::JobControl& jobs, top::Terminal& terminal) {
+  for (auto event = jobs.take(); event != top::JobControl::Event::kNone; event = jobs.take()) {
+    terminal.leave();
+    if (event == top::JobControl::Event::kStop) top::JobControl::stop();
+    terminal.enter();
+  }
+}
+
+/// Waits for a key, a signal or the time of the next screen. Returns false if the terminal is gone.
+bool wait(const Signals& signals, top::Terminal& terminal) {
+  pollfd events[] = {{STDIN_FILENO, POLLIN, 0},
+                     {signals.termination.descriptor(), POLLIN, 0},
+                     {signals.jobs.descriptor(), POLLIN, 0},
+                     {terminal.output(), POLLOUT, 0}};
+  // Messages do not wake this loop, because robots send them more often than the eye needs.
+  ::poll(events, terminal.is_behind() ? 4 : 3, kRedrawEach_ms);
+  if (events[0].revents & (POLLHUP | POLLERR | POLLNVAL)) return false;
+  return !(events[0].revents & POLLIN) || terminal.read_keys();
+}
+
+int run_dashboard(DashboardFeed& feed, Signals& signals, const Clock& clock, Operator& speaker,
+                  const Options& options) {
+  const top::Look look{top::colours_of(top::process_environment),
+                       options.ascii || !top::is_utf8(top::process_environment)};
+  top::Terminal terminal(look, false);
+  top::Dashboard dashboard(feed.model(), clock, speaker, options.robot);
+  while (!signals.termination.asked()) {
+    terminal.measure();
     terminal.show(dashboard.draw(terminal.columns(), terminal.rows()));
-    // Messages do not wake this loop, because robots send them more often than the eye needs.
-    pollfd events[] = {{STDIN_FILENO, POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
-    ::poll(events, 2, kRedrawEach_ms);
-    if (events[0].revents & (POLLHUP | POLLERR)) return 0;  // the terminal was closed
+    if (!wait(signals, terminal)) return 0;
+    obey(signals.jobs, terminal);
     feed.poll();
-    for (auto press = terminal.take_key(); press.key != top::Terminal::Key::kNone;
+    for (auto press = terminal.take_key(); press.key != top::Key::kNone;
          press = terminal.take_key())
       if (!dashboard.press(press)) return 0;
   }
@@ -100,14 +132,16 @@ int run_dashboard(DashboardFeed& feed, Termination& termination, const Clock& cl
 }
 
 int run(const Options& options) try {
-  Termination termination;
+  if (const auto usable = top::Terminal::check(top::process_environment); !usable && !options.once)
+    return std::cerr << "galilean-top: " << usable.error().message << '\n', kUnusable;
+  Signals signals;
   const SteadyClock clock;
   const auto participant = wire::Participant::join("top", options.domain);
   if (!participant) return std::cerr << "galilean-top: " << participant.error().message << '\n', 1;
   DashboardFeed feed(*participant.value(), clock);
-  if (options.once) return print_once(feed, termination, clock, options.robot);
+  if (options.once) return print_once(feed, signals.termination, clock, options.robot);
   Operator speaker(*participant.value());
-  return run_dashboard(feed, termination, clock, speaker, options.robot);
+  return run_dashboard(feed, signals, clock, speaker, options);
 } catch (const std::exception& error) {
   return std::cerr << "galilean-top: " << error.what() << '\n', 1;
 }
@@ -122,6 +156,7 @@ int main(int argc, char** argv) {
       "galilean top");
   add_domain_option(app, options.domain);
   app.flag("--once", options.once, "Print one snapshot as plain text, for scripts");
+  app.flag("--ascii", options.ascii, "Draw ASCII alone, as where the locale is not UTF-8");
   app.option("--robot", options.robot, "The robot to show first");
   if (const auto code = app.parse(argc, argv)) return *code;
   return run(options);

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "core/plural.h"
-#include "monitor/top/panels.h"
+#include "monitor/top/panels/panels.h"
 
 namespace galilean::monitor::top {
 namespace {

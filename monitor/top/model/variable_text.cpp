@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/variable_text.h"
+#include "monitor/top/model/variable_text.h"
 
 #include <array>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include "core/geometry.h"
 #include "monitor/team/robot.h"
-#include "monitor/top/dashboard_model.h"
+#include "monitor/top/model/dashboard_model.h"
 
 namespace galilean::monitor::top {
 

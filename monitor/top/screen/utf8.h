@@ -11,7 +11,7 @@ namespace galilean::monitor::top {
 [[nodiscard]] char32_t take_character(std::string_view& text);
 void append_utf8(std::string& to, char32_t character);
 /// Returns whether a character is one cell wide in every terminal and does not move the cursor.
-/// Such are Latin, Greek, Cyrillic, punctuation, arrows, boxes and blocks.
+/// Such are Latin, Greek, Cyrillic, punctuation, arrows, boxes, blocks and Braille.
 [[nodiscard]] bool is_plain(char32_t character) noexcept;
 /// Returns the number of cells that the text takes, one for each character.
 [[nodiscard]] int width_of(std::string_view text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/view.h"
+#include "monitor/top/model/view.h"
 
 #include <gtest/gtest.h>
 

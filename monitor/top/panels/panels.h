@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "monitor/top/canvas.h"
-#include "monitor/top/view.h"
+#include "monitor/top/model/view.h"
+#include "monitor/top/screen/canvas.h"
 
 namespace galilean::monitor::top {
 

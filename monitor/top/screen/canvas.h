@@ -18,23 +18,32 @@ enum class Style : std::uint8_t {
   kCurrent,
   kWarning,
   kAlarm,
+  kGood,
+  kStop,  ///< the order to stop all, and who has not confirmed it
   kTrash,
   kBasket,
   kObstacle,
   kRobot  ///< the first robot's style; kRobotStyles styles follow each other from here
 };
 inline constexpr int kRobotStyles = 6;
-/// Returns the style of the robot at this index. Robots share styles if there are more of them.
+/// Returns the style of the robot with this number. Robots share styles if there are more of them.
 [[nodiscard]] Style robot_style(std::size_t number) noexcept;
 
 struct Cell {
   char32_t glyph = U' ';
   Style style = Style::kPlain;
+
+  bool operator==(const Cell&) const = default;
 };
 
 /// A rectangle of a canvas, in cells.
 struct Area {
   int row = 0, column = 0, rows = 0, columns = 0;
+
+  [[nodiscard]] bool contains(int at_row, int at_column) const noexcept {
+    return at_row >= row && at_row < row + rows && at_column >= column &&
+           at_column < column + columns;
+  }
 };
 
 /// A screen of text in memory. Cells outside of it are ignored.
@@ -52,6 +61,8 @@ class Canvas {
   /// Writes the text so that it ends before `column`.
   void put_right(int row, int column, std::string_view text, Style style = Style::kPlain);
   void set(int row, int column, char32_t glyph, Style style);
+  /// Fills an area with blanks in one style.
+  void fill(const Area& area, Style style);
 
   [[nodiscard]] int columns() const noexcept { return columns_; }
   [[nodiscard]] int rows() const noexcept { return rows_; }

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "monitor/top/panels.h"
+#include "monitor/top/panels/panels.h"
 
 namespace galilean::monitor::top {
 namespace {

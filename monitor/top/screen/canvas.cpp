@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/canvas.h"
+#include "monitor/top/screen/canvas.h"
 
 #include <algorithm>
 
-#include "monitor/top/utf8.h"
+#include "monitor/top/screen/utf8.h"
 
 namespace galilean::monitor::top {
 
@@ -19,6 +19,12 @@ Canvas::Canvas(int columns, int rows)
 void Canvas::set(int row, int column, char32_t glyph, Style style) {
   if (row < 0 || row >= rows_ || column < 0 || column >= columns_) return;
   cells_[index(row, column)] = {is_plain(glyph) ? glyph : U'?', style};
+}
+
+void Canvas::fill(const Area& area, Style style) {
+  for (int row = area.row; row < area.row + area.rows; ++row)
+    for (int column = area.column; column < area.column + area.columns; ++column)
+      set(row, column, U' ', style);
 }
 
 int Canvas::put(int row, int column, std::string_view text, Style style, int width) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/dashboard_model.h"
+#include "monitor/top/model/dashboard_model.h"
 
 #include "core/wire/messages.h"
 #include "core/wire/topic_names.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "monitor/top/panels.h"
-#include "monitor/top/utf8.h"
+#include "monitor/top/panels/panels.h"
+#include "monitor/top/screen/utf8.h"
 
 namespace galilean::monitor::top {
 namespace {

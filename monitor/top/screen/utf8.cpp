@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/utf8.h"
+#include "monitor/top/screen/utf8.h"
 
 namespace galilean::monitor::top {
 namespace {
@@ -57,7 +57,8 @@ bool is_plain(char32_t character) noexcept {
   };
   return within(0x20, 0x7e) || within(0xa0, 0xac) || within(0xae, 0x2ff) || within(0x370, 0x482) ||
          within(0x48a, 0x52f) || within(0x2010, 0x2027) || within(0x2190, 0x21ff) ||
-         within(0x2500, 0x25ff);
+         within(0x2500, 0x25ff) || within(0x2800, 0x28ff) || character == U'−' ||
+         character == U'≠' || character == U'✓';
 }
 
 int width_of(std::string_view text) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/layout.h"
+#include "monitor/top/panels/layout.h"
 
 #include <algorithm>
 #include <array>
 
-#include "monitor/top/panels.h"
+#include "monitor/top/panels/panels.h"
 
 namespace galilean::monitor::top {
 namespace {
@@ -66,7 +66,7 @@ Canvas lay_out_help(int columns, int rows) {
       "LEAST SURE: the valid variable that the robot is least certain of.",
       "TICK: the longest time lately that a control tick took, in microseconds.",
       "",
-      "Any key: back"};
+      "q quits here, too; any other key goes back."};
   canvas.put(0, 0, "Keys", Style::kBold);
   for (std::size_t i = 0; i < kLines.size(); ++i) canvas.put(static_cast<int>(i) + 2, 2, kLines[i]);
   return canvas;

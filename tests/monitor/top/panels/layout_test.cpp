@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/layout.h"
+#include "monitor/top/panels/layout.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "monitor/top/utf8.h"
-#include "monitor/top/variable_text.h"
+#include "monitor/top/screen/utf8.h"
+#include "monitor/top/model/variable_text.h"
 
 namespace galilean::monitor::top {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/view.h"
+#include "monitor/top/model/view.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 
 #include "core/wire/messages.h"
-#include "monitor/top/variable_text.h"
+#include "monitor/top/model/variable_text.h"
 
 namespace galilean::monitor::top {
 namespace {

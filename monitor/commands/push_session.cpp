@@ -21,18 +21,6 @@ namespace {
 
 using nlohmann::json;
 
-json request_of(const std::vector<bhdl::SourceFile>& files, const PushOptions& options) {
-  json request{{"files", to_json(files)},
-               {"targets", options.robots},
-               {"author", options.author},
-               {"replaces", options.replaces},
-               {"canary", options.canary}};
-  if (options.tries || options.tries_only)
-    request["try"] = {{"only", options.tries_only}, {"even_if_worse", options.even_if_worse}};
-  if (options.probation_s) request["probation_s"] = *options.probation_s;
-  return request;
-}
-
 void print_diagnostic(const json& diagnostic, std::ostream& out) {
   out << visible(diagnostic.value("file", "")) << ':' << diagnostic.value("line", 0) << ':'
       << diagnostic.value("column", 0) << ": " << visible(diagnostic.value("severity", "")) << ": "
@@ -72,7 +60,7 @@ class PushSession {
       : monitor_(monitor), command_(std::move(command)), options_(options) {}
 
   int push(const std::vector<bhdl::SourceFile>& files) {
-    const auto answer = monitor_.post("/api/push", request_of(files, options_));
+    const auto answer = monitor_.post("/api/push", push_request(files, options_));
     if (!answer) return fail(answer.error().message);
     if (!answer.value().ok()) return tell_refusal(answer.value());
     json push = answer.value().json;
@@ -147,6 +135,19 @@ class PushSession {
 };
 
 }  // namespace
+
+nlohmann::json push_request(const std::vector<bhdl::SourceFile>& files,
+                            const PushOptions& options) {
+  json request{{"files", to_json(files)},
+               {"targets", options.robots},
+               {"author", options.author},
+               {"replaces", options.replaces},
+               {"canary", options.canary}};
+  if (options.tries || options.tries_only)
+    request["try"] = {{"only", options.tries_only}, {"even_if_worse", options.even_if_worse}};
+  if (options.probation_s) request["probation_s"] = *options.probation_s;
+  return request;
+}
 
 void print_reply(const json& reply) {
   const auto word = reply.value("status", "");

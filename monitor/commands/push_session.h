@@ -9,6 +9,10 @@
 
 namespace galilean::monitor {
 
+/// Returns the body of POST /api/push.
+[[nodiscard]] nlohmann::json push_request(const std::vector<bhdl::SourceFile>& files,
+                                          const PushOptions& options);
+
 /// Pushes a program through a monitor. Prints each step as it happens, and each robot's answer.
 /// Ctrl-C cancels the push as far as it has not begun. `command` is the command's name in messages.
 /// Returns the process' exit code.

@@ -1,39 +1,98 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 
-#include "monitor/top/model/dashboard_model.h"
+#include "monitor/top/model/past.h"
 #include "monitor/top/model/view.h"
 #include "monitor/top/operator.h"
-#include "monitor/top/screen/canvas.h"
+#include "monitor/top/panels/layout.h"
+#include "monitor/top/pusher.h"
 #include "monitor/top/screen/keys.h"
 
 namespace galilean::monitor::top {
 
-/// The dashboard's state: the chosen robot, the help page and the last notice. Keys change it and
-/// send commands to robots.
+/// The dashboard's state: what is chosen, filtered, scrolled and asked. Keys change it and give
+/// orders to robots.
 class Dashboard {
  public:
-  Dashboard(const DashboardModel& model, const Clock& clock, Operator& speaker, std::string chosen)
-      : model_(model), clock_(clock), speaker_(speaker), chosen_(std::move(chosen)) {}
+  /// What the dashboard shows and what it steers with.
+  struct Parts {
+    const DashboardModel& model;
+    const History& history;
+    const Clock& clock;
+    /// Tells robots a word, or all robots if there are no names. Returns false if that failed.
+    std::function<bool(Operator::Word, const std::vector<std::string>& robots)> say;
+    Pusher& pusher;
+  };
 
+  Dashboard(Parts parts, std::string chosen);
+
+  /// Looks for alarms, and tells again those that have not confirmed the order to stop. Call it
+  /// some times a second.
+  void update();
   /// Handles a key. Returns false if it was the key to quit.
   [[nodiscard]] bool press(const Press& press);
   [[nodiscard]] Canvas draw(int columns, int rows);
 
  private:
+  enum class Mode { kTeam, kHelp, kQuestion, kFilter, kFile, kPush };
+
+  bool press_letter(char letter);
+  void press_with_team(const Press& press);
+  void press_with_text(const Press& press);
+  void press_with_sheet(const Press& press);
+  void click(const Press& press);
+  void scroll(Panel panel, int lines);
   void choose(std::size_t number);
   void move(int step);
-  void say(Operator::Word word, bool to_all);
+  /// Chooses the first robot until all have had time to be heard, unless somebody chose one.
+  void settle(Time now);
+  [[nodiscard]] View view() const;
+  [[nodiscard]] Surroundings surroundings() const;
+  [[nodiscard]] std::string& typed();
 
-  const DashboardModel& model_;
-  const Clock& clock_;
-  Operator& speaker_;
-  std::string chosen_;
-  bool help_ = false;
+  void go_back(Duration step);
+  void go_to(std::optional<Time> instant);
+  void acknowledge_first();
+
+  void say(Operator::Word word, bool to_all);
+  void ask(std::string question, std::function<void()> yes);
+  void answer(char letter);
+  void stop_all();
+  void begin_push(bool last_good, bool to_all);
+  void check(const std::string& file);
+  void press_with_push(const Press& press);
+  [[nodiscard]] std::string push_keys(const PushReport& report) const;
+  void tell(std::string notice);
+
+  Parts parts_;
+  AlarmFinder finder_;
+  AlarmBoard board_;
+  Choice choice_;
+  bool is_settled_ = false;  ///< the choice stays, whoever is heard
+  std::optional<Time> first_heard_;
+  Mode mode_ = Mode::kTeam;
+  Tab tab_ = Tab::kAll;
+  Scrolls scrolls_;
+  std::vector<Region> regions_;
+  Sheet help_;
+  int push_scroll_ = 0;
+  std::optional<Time> instant_;  ///< none: the present
+  std::unique_ptr<Past> past_;
   std::string notice_;
   Time noticed_{};
+  std::string question_;
+  std::function<void()> yes_;
+  std::string file_;
+  PushWish wish_;
+  bool with_canary_ = false;
+  std::optional<Time> stop_ordered_;
+  Time stop_told_{};
+  std::optional<Time> all_stopped_;
 };
 
 }  // namespace galilean::monitor::top

@@ -8,8 +8,10 @@
 #include "core/command_line/domain_option.h"
 #include "core/termination.h"
 #include "core/wake.h"
+#include "monitor/commands/push_options.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/top/dashboard.h"
+#include "monitor/top/monitor_pusher.h"
 #include "monitor/top/panels/layout.h"
 #include "monitor/top/screen/job_control.h"
 #include "monitor/top/screen/terminal.h"
@@ -23,7 +25,9 @@ struct Options {
   int domain = -1;
   bool once = false;
   bool ascii = false;
+  bool no_mouse = false;
   std::string robot;
+  PushOptions push;
 };
 
 constexpr int kRedrawEach_ms = 100;
@@ -34,11 +38,21 @@ class DashboardFeed {
  public:
   DashboardFeed(wire::Participant& participant, const Clock& clock)
       : model_(clock),
-        ingest_(participant,
-                {.message = [this](const Message& message) { model_.receive(message); }},
-                [this] { wake_.ring(); }) {}
+        history_(clock),
+        ingest_(
+            participant,
+            {.message =
+                 [this](const Message& message) {
+                   model_.receive(message);
+                   history_.note(message);
+                 }},
+            [this] { wake_.ring(); },
+            [](const Channel& channel) {
+              return top::DashboardModel::shows(channel.schema->ros_type);
+            }) {}
 
   [[nodiscard]] const top::DashboardModel& model() const noexcept { return model_; }
+  [[nodiscard]] const top::History& history() const noexcept { return history_; }
   [[nodiscard]] int descriptor() const noexcept { return wake_.descriptor(); }
   void poll() {
     wake_.clear();
@@ -48,6 +62,7 @@ class DashboardFeed {
  private:
   Wake wake_;
   top::DashboardModel model_;
+  top::History history_;
   Ingest ingest_;
 };
 
@@ -72,13 +87,17 @@ int print_once(DashboardFeed& feed, Termination& termination, const Clock& clock
     if (known == Time{} && all_is_known(feed.model().team())) known = clock.now();
     if (known != Time{} && clock.now() - known >= kMore) break;
   }
-  const auto view = top::make_view(feed.model(), clock, robot);
+  top::AlarmFinder finder;
+  top::AlarmBoard board;
+  board.update(finder.find(feed.model(), clock.now()), clock.now());
+  const auto view = top::make_view(
+      {feed.model(), clock, feed.model().identities(), &feed.history(), &board}, {.robot = robot});
   // Room for every robot, state and variable, and for a map.
-  constexpr int kColumns = 110, kAround = 6, kLeast = 30;
-  const int rows =
-      std::max(kLeast, kAround + static_cast<int>(3 * view.robots.size() + view.states.size() +
-                                                  view.variables.size()));
-  auto canvas = top::lay_out(view, kColumns, rows);
+  constexpr int kColumns = 110, kAround = 16, kLeast = 36;
+  const auto lines = 3 * view.robots.size() + view.machine.states.size() +
+                     view.machine.conditions.size() + view.variables.size();
+  const int rows = std::max(kLeast, kAround + static_cast<int>(lines) * 4 / 3);
+  auto canvas = top::lay_out(view, {}, kColumns, rows).canvas;
   for (int column = 0; column < kColumns; ++column)  // clears the help on keys
     canvas.set(rows - 1, column, U' ', top::Style::kPlain);
   std::cout << canvas.text();
@@ -116,9 +135,14 @@ int run_dashboard(DashboardFeed& feed, Signals& signals, const Clock& clock, Ope
                   const Options& options) {
   const top::Look look{top::colours_of(top::process_environment),
                        options.ascii || !top::is_utf8(top::process_environment)};
-  top::Terminal terminal(look, false);
-  top::Dashboard dashboard(feed.model(), clock, speaker, options.robot);
+  top::MonitorPusher pusher(options.push);
+  top::Dashboard dashboard(
+      {feed.model(), feed.history(), clock,
+       [&](Operator::Word word, const auto& robots) { return speaker.say(word, robots); }, pusher},
+      options.robot);
+  top::Terminal terminal(look, !options.no_mouse);
   while (!signals.termination.asked()) {
+    dashboard.update();
     terminal.measure();
     terminal.show(dashboard.draw(terminal.columns(), terminal.rows()));
     if (!wait(signals, terminal)) return 0;
@@ -151,13 +175,15 @@ int run(const Options& options) try {
 int main(int argc, char** argv) {
   Options options;
   CommandLine app(
-      "Shows the team in a terminal: each robot's state, pose and certainty. Press ? for the "
-      "keys.",
+      "Shows and steers the team in a terminal: each robot's state, pose and certainty, why it "
+      "changed, and programs. Press ? for the keys.",
       "galilean top");
   add_domain_option(app, options.domain);
   app.flag("--once", options.once, "Print one snapshot as plain text, for scripts");
   app.flag("--ascii", options.ascii, "Draw ASCII alone, as where the locale is not UTF-8");
+  app.flag("--no-mouse", options.no_mouse, "Leave the mouse to the terminal, which selects text");
   app.option("--robot", options.robot, "The robot to show first");
+  add_monitor_option(app, options.push);
   if (const auto code = app.parse(argc, argv)) return *code;
   return run(options);
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/top/model/dashboard_model.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/wire/messages.h"
 #include "core/wire/topic_names.h"
 
@@ -9,6 +12,14 @@ namespace {
 /// The age at which objects and sightings are no longer shown. A monitor sends objects five times a
 /// second, and a robot sends sightings with each camera frame, so the sender has then stopped.
 constexpr Duration kStaleAfter = std::chrono::seconds(5);
+/// A reply that was sent so long before it was received is an old one, which DDS keeps for those
+/// who join later.
+constexpr std::int64_t kOldReply_ns = 10'000'000'000;
+constexpr std::array<std::string_view, 11> kShown{
+    msg::RobotState::kRosType,   msg::Transition::kRosType,    msg::Variables::kRosType,
+    msg::Program::kRosType,      msg::Catalog::kRosType,       msg::Score::kRosType,
+    msg::ObjectMap::kRosType,    msg::OccupancyGrid::kRosType, msg::Sightings::kRosType,
+    msg::PushProgress::kRosType, msg::ProgramReply::kRosType};
 }  // namespace
 
 template <class M>
@@ -27,8 +38,35 @@ void DashboardModel::receive(const Message& message) {
     note(message, floor_);
   else if (type == msg::Sightings::kRosType)
     note(message, sightings_[message.channel.topic]);
+  else if (type == msg::ProgramReply::kRosType)
+    note_reply(message);
+  else if (type == msg::PushProgress::kRosType)
+    note_push(message);
   else
     team_.receive(message);
+  for (const auto& [name, robot] : team_.robots()) identities_.meet(name);
+}
+
+bool DashboardModel::shows(std::string_view ros_type) noexcept {
+  return std::ranges::find(kShown, ros_type) != kShown.end();
+}
+
+void DashboardModel::note_reply(const Message& message) {
+  msg::ProgramReply reply;
+  if (message.received_ns - message.sent_ns > kOldReply_ns) return;
+  if (!msg::decode_cdr(*message.cdr, reply)) return;
+  replies_.push_back(std::move(reply));
+  if (replies_.size() > kRepliesKept) replies_.pop_front();
+}
+
+void DashboardModel::note_push(const Message& message) {
+  msg::PushProgress push;
+  if (msg::decode_cdr(*message.cdr, push)) pushed_names_[push.id] = push.program;
+}
+
+std::string DashboardModel::pushed_name(const std::string& push_id) const {
+  const auto found = pushed_names_.find(push_id);
+  return found == pushed_names_.end() ? std::string() : found->second;
 }
 
 const msg::ObjectMap* DashboardModel::objects() const noexcept {

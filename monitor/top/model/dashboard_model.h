@@ -1,25 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/wire/messages.h"
 #include "monitor/team/team.h"
+#include "monitor/top/model/identity.h"
 
 namespace galilean::monitor::top {
 
-/// The newest messages that the dashboard shows: the team, the map's objects, the occupancy grid
-/// and the robots' sightings.
+/// The newest messages that the dashboard shows: the team, the map's objects, the occupancy grid,
+/// the robots' sightings and what became of pushes.
 class DashboardModel {
  public:
+  static constexpr std::size_t kRepliesKept = 128;
+
   explicit DashboardModel(const Clock& clock) : clock_(clock), team_(clock) {}
 
+  /// Returns whether the dashboard shows messages of this type.
+  [[nodiscard]] static bool shows(std::string_view ros_type) noexcept;
   /// Handles a message of any type. Ignores messages that it does not show or cannot decode.
   void receive(const Message& message);
 
   [[nodiscard]] const Team& team() const noexcept { return team_; }
+  [[nodiscard]] const Identities& identities() const noexcept { return identities_; }
+  /// Returns the robots' answers to pushes since this was made, the oldest first.
+  [[nodiscard]] const std::deque<msg::ProgramReply>& replies() const noexcept { return replies_; }
+  /// Returns the name of the program that a push brought, or an empty string.
+  [[nodiscard]] std::string pushed_name(const std::string& push_id) const;
   /// Returns the map's objects; nullptr if no message with them came in the last 5 s.
   [[nodiscard]] const msg::ObjectMap* objects() const noexcept;
   [[nodiscard]] Time objects_received() const noexcept {
@@ -39,8 +51,14 @@ class DashboardModel {
   template <class M>
   bool note(const Message& message, std::optional<Heard<M>>& to);
 
+  void note_reply(const Message& message);
+  void note_push(const Message& message);
+
   const Clock& clock_;
   Team team_;
+  Identities identities_;
+  std::deque<msg::ProgramReply> replies_;
+  std::map<std::string, std::string> pushed_names_;  ///< by the push's id
   std::optional<Heard<msg::ObjectMap>> objects_;
   std::optional<Heard<msg::OccupancyGrid>> floor_;
   std::map<std::string, std::optional<Heard<msg::Sightings>>> sightings_;  ///< by topic

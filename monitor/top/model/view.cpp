@@ -6,31 +6,42 @@
 #include <cmath>
 
 #include "core/wire/messages.h"
-#include "monitor/top/model/variable_text.h"
+#include "monitor/top/model/view_parts.h"
 
 namespace galilean::monitor::top {
 namespace {
 
-void show_robots(const Team& team, View& view) {
+bool has_unseen_alarm(const AlarmBoard* board, const std::string& robot) {
+  return board && std::ranges::any_of(board->posted(), [&](const PostedAlarm& posted) {
+           return !posted.seen && posted.alarm.robot == robot;
+         });
+}
+
+/// Returns 0 for those that need somebody most.
+int rank_of(const ShownRobot& robot) {
+  if (robot.status.health == Health::kSilent) return 0;
+  if (robot.has_unseen_alarm) return 1;
+  return robot.status.health == Health::kTroubled ? 2 : 3;
+}
+
+void show_robots(const Sources& sources, const Choice& choice, View& view) {
+  std::string chosen = choice.robot;
+  const Team& team = sources.model.team();
+  if (!team.find(chosen) && !team.robots().empty()) chosen = team.robots().begin()->first;
+  view.known_robots = team.robots().size();
   for (auto& status : team.statuses()) {
-    const char letter = letter_for(status.name, view.robots);
-    view.robots.push_back({letter, std::move(status)});
+    const bool is_wanted = contains(status.name, choice.robot_filter) ||
+                           contains(status.state, choice.robot_filter) ||
+                           contains(status.program_name, choice.robot_filter);
+    if (!is_wanted && status.name != chosen) continue;
+    const Identity& identity = sources.identities.of(status.name);
+    const bool alarmed = has_unseen_alarm(sources.board, status.name);
+    view.robots.push_back({identity.letter, identity.number, std::move(status), alarmed});
   }
-}
-
-void show_program(const Robot& robot, View& view) {
-  const std::string current = robot.state ? robot.state->state : "";
-  if (robot.program)
-    for (const auto& state : robot.program->states)
-      view.states.push_back({state.name, state.name == current});
-  else if (!current.empty())
-    view.states.push_back({current, true});
-}
-
-void show_variables(const Team& team, const Robot& robot, View& view) {
-  for (const auto& variable : robot.variables.items)
-    view.variables.push_back(
-        {variable.name, variable_text(variable), team.certainty_now(robot, variable)});
+  std::ranges::stable_sort(view.robots, {}, rank_of);
+  const auto at = std::ranges::find_if(
+      view.robots, [&](const ShownRobot& robot) { return robot.status.name == chosen; });
+  view.chosen = at == view.robots.end() ? 0 : static_cast<std::size_t>(at - view.robots.begin());
 }
 
 void show_team_map(const msg::ObjectMap& map, double age_s, View& view) {
@@ -56,29 +67,26 @@ void show_own_map(const DashboardModel& model, View& view) {
 
 }  // namespace
 
-char letter_for(const std::string& name, const std::vector<ShownRobot>& others) {
-  const auto taken = [&](char letter) {
-    return std::any_of(others.begin(), others.end(),
-                       [&](const ShownRobot& other) { return other.letter == letter; });
+bool contains(std::string_view text, std::string_view part) {
+  const auto same = [](unsigned char a, unsigned char b) {
+    return std::tolower(a) == std::tolower(b);
   };
-  const std::string spare = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
-  for (const char c : name + spare) {
-    const auto letter = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    if (spare.find(letter) != std::string::npos && !taken(letter)) return letter;
-  }
-  return '?';
+  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end() ||
+         part.empty();
 }
 
-View make_view(const DashboardModel& model, const Clock& clock, const std::string& chosen) {
+View make_view(const Sources& sources, const Choice& choice) {
   View view;
-  show_robots(model.team(), view);
+  const auto& [model, clock, identities, history, board] = sources;
+  view.now = clock.now();
+  show_robots(sources, choice, view);
   view.score = model.team().score();
+  if (board) view.alarms = board->posted();
   if (view.robots.empty()) return view;
-  for (std::size_t i = 0; i < view.robots.size(); ++i)
-    if (view.robots[i].status.name == chosen) view.chosen = i;
   const Robot& robot = *model.team().find(view.robots[view.chosen].status.name);
-  show_program(robot, view);
-  show_variables(model.team(), robot, view);
+  show_machine(robot, view);
+  show_changes(robot, to_seconds(clock.now() - robot.state_received), view);
+  show_variables(sources, robot, choice.variable_filter, view);
   if (const auto* map = model.objects()) {
     show_team_map(*map, to_seconds(clock.now() - model.objects_received()), view);
     if (const auto* floor = model.floor()) view.floor = *floor;

@@ -7,22 +7,51 @@
 
 #include "core/geometry.h"
 #include "monitor/team/robot.h"
+#include "monitor/top/model/alarms.h"
 #include "monitor/top/model/dashboard_model.h"
+#include "monitor/top/model/history.h"
 
 namespace galilean::monitor::top {
 
 struct ShownRobot {
-  char letter = '?';
+  std::string letter = "?";
+  std::size_t number = 0;  ///< of its colour
   RobotStatus status;
+  bool has_unseen_alarm = false;
+};
+/// A condition that leads out of the present state.
+struct ShownCondition {
+  std::string text;  ///< "bumpers[1] = 1"
+  std::string to_state;
+  std::optional<bool> bit;  ///< as it is now; none while its variable is invalid
+  bool wanted = true;       ///< the bit that it waits for
+
+  [[nodiscard]] bool holds() const noexcept { return bit == wanted; }
 };
 struct ShownState {
   std::string name;
   bool current = false;
+  bool before = false;  ///< the robot came from it
+};
+struct ShownMachine {
+  std::string program;
+  std::vector<ShownState> states;          ///< in the order of the text
+  std::vector<ShownCondition> conditions;  ///< of the present state; the first that holds fires
+};
+/// A change of state, and why.
+struct ShownChange {
+  double ago_s = 0;
+  std::string from_state, to_state;
+  std::string cause;
+  std::string place;                  ///< "office.bhdl:31", or empty
+  std::vector<std::string> held_too;  ///< states to which a later condition would have led
+  std::uint64_t missed = 0;           ///< changes before this one that were not heard
 };
 struct ShownVariable {
   std::string name;
   std::string value;
-  double certainty = 0;  ///< from 0 to 1; 0 if the variable is invalid
+  double certainty = 0;             ///< from 0 to 1; 0 if the variable is invalid
+  std::vector<double> recent = {};  ///< what the curve shows, the oldest first; NaN: invalid
 };
 struct ShownObject {
   std::string object_class;
@@ -36,26 +65,40 @@ struct ShownPose {
 
 /// A snapshot of the team that can be drawn without a clock and without the messages behind it.
 struct View {
-  std::vector<ShownRobot> robots;
+  std::vector<ShownRobot> robots;  ///< those in trouble first
+  std::size_t known_robots = 0;    ///< also those that the filter hides
   std::size_t chosen = 0;
-  std::vector<ShownState> states;        ///< the states of the chosen robot's program
+  ShownMachine machine;                  ///< the chosen robot's program
+  std::vector<ShownChange> changes;      ///< of the chosen robot, the newest first
   std::vector<ShownVariable> variables;  ///< the chosen robot's variables
+  std::size_t known_variables = 0;
+  std::vector<PostedAlarm> alarms;
+  Time now{};
   std::optional<msg::Score> score;
   std::string map_title;
   std::vector<ShownObject> objects;
   std::vector<ShownPose> poses;
   std::optional<msg::OccupancyGrid> floor;  ///< the occupancy grid, in the frame of the objects
-  std::string notice;
 };
 
-/// Returns a snapshot with the robot named `chosen` as the chosen one, or the first robot if there
-/// is none of that name. Without a monitor's map, only the chosen robot is placed, in its own odom
-/// frame, because the robots' odom frames differ.
-[[nodiscard]] View make_view(const DashboardModel& model, const Clock& clock,
-                             const std::string& chosen);
+/// What a snapshot is made of. `model` and `clock` are the present or the past.
+struct Sources {
+  const DashboardModel& model;
+  const Clock& clock;
+  const Identities& identities;
+  const History* history = nullptr;   ///< none: variables have no curves
+  const AlarmBoard* board = nullptr;  ///< none: there are no alarms
+};
+/// What somebody wants to see.
+struct Choice {
+  std::string robot;            ///< the chosen robot; if there is none of that name, the first
+  std::string robot_filter;     ///< shows robots with this in their name, state or program
+  std::string variable_filter;  ///< shows variables with this in their name
+};
 
-/// Returns the first letter or digit of the name that none of `others` has, else any free letter or
-/// digit, else '?'.
-[[nodiscard]] char letter_for(const std::string& name, const std::vector<ShownRobot>& others);
+/// Returns a snapshot. Robots that are silent come first, then those with alarms, each in the order
+/// of their names. The chosen robot is shown whatever the filter. Without a monitor's map, only the
+/// chosen robot is placed, in its own odom frame, because the robots' odom frames differ.
+[[nodiscard]] View make_view(const Sources& sources, const Choice& choice);
 
 }  // namespace galilean::monitor::top

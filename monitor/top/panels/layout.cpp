@@ -2,74 +2,164 @@
 #include "monitor/top/panels/layout.h"
 
 #include <algorithm>
-#include <array>
 
 #include "monitor/top/panels/panels.h"
+#include "monitor/top/screen/utf8.h"
 
 namespace galilean::monitor::top {
 namespace {
 
 constexpr const char* kKeys =
-    "↑↓ 1-9 choose  h hold  r resume  s start  (H R S: all)  ? help  q quit";
+    "h hold  r resume  . STOP ALL  p push  Tab panels  / filter  ? keys  q quit";
+constexpr int kGap = 2;
 
-void draw_footer(const View& view, Canvas& canvas) {
-  const int row = canvas.rows() - 1;
-  if (view.notice.empty())
-    canvas.put(row, 0, kKeys, Style::kDim);
-  else
-    canvas.put(row, 0, view.notice, Style::kBold);
-}
+/// The panels of one screen, drawn one after another.
+class Page {
+ public:
+  Page(const View& view, const Surroundings& around, int columns, int rows)
+      : view_(view), around_(around), screen_{Canvas(columns, rows), {}, around.scrolls} {}
 
-/// Draws the map on the left, and on the right the chosen robot's states above its variables.
-void draw_lower(const View& view, const Area& area, Canvas& canvas) {
-  constexpr int kGap = 2;
-  const int left = area.columns * 2 / 5;
-  draw_map(view, {area.row, area.column, area.rows, left}, canvas);
-  const int column = area.column + left + kGap, columns = area.columns - left - kGap;
-  // The states get the rows that the variables do not need.
-  const int left_over = area.rows - 1 - static_cast<int>(view.variables.size());
-  const int states = std::min(static_cast<int>(view.states.size()) + 1,
-                              std::max({4, area.rows * 2 / 5, left_over}));
-  draw_states(view, {area.row, column, states, columns}, canvas);
-  draw_variables(view, {area.row + states, column, area.rows - states, columns}, canvas);
+  Screen draw() {
+    Canvas& canvas = screen_.canvas;
+    draw_title(view_, canvas);
+    if (!around_.remark.empty())
+      canvas.put_right(0, canvas.columns(), " " + around_.remark, Style::kWarning);
+    draw_footer();
+    int row = 1;
+    if (!around_.banner.empty()) {
+      canvas.fill({row, 0, 1, canvas.columns()}, Style::kStop);
+      canvas.put(row++, 1, around_.banner, Style::kStop, canvas.columns() - 1);
+    }
+    if (view_.robots.empty()) {
+      canvas.put(row + 1, 0, "No robot has been heard yet.");
+      canvas.put(row + 2, 0,
+                 "Check that robots run in the same DDS domain (--domain or ROS_DOMAIN_ID).");
+      return std::move(screen_);
+    }
+    row = draw_upper(row);
+    draw_lower({row, 0, canvas.rows() - 1 - row, canvas.columns()});
+    return std::move(screen_);
+  }
+
+ private:
+  void draw_footer() {
+    Canvas& canvas = screen_.canvas;
+    if (around_.footer.empty())
+      canvas.put(canvas.rows() - 1, 0, kKeys, Style::kDim);
+    else
+      canvas.put(canvas.rows() - 1, 0, around_.footer, Style::kBold);
+  }
+
+  /// Draws the team and the alarms. Returns the row below them.
+  int draw_upper(int row) {
+    Canvas& canvas = screen_.canvas;
+    const int columns = canvas.columns(), most_robots = std::max(3, canvas.rows() / 3);
+    std::size_t first = 0;
+    const int used = draw_team(view_, {row, 0, most_robots, columns}, first, canvas);
+    for (int i = 1; i < used && first < view_.robots.size(); ++i, ++first)
+      screen_.regions.push_back(
+          {Panel::kTeam, {row + i, 0, 1, columns}, view_.robots[first].status.name});
+    row += used;
+    return row + draw_alarms(view_, {row, 0, std::max(2, canvas.rows() / 12), columns}, canvas);
+  }
+
+  void draw_lower(const Area& area) {
+    constexpr int kThreeColumns = 180;
+    if (around_.tab == Tab::kMap) return put(Panel::kMap, area);
+    const int left = area.columns * 2 / 5;
+    put(Panel::kMap, {area.row, area.column, area.rows, left});
+    const Area rest{area.row, left + kGap, area.rows, area.columns - left - kGap};
+    if (around_.tab == Tab::kMachine) return put(Panel::kMachine, rest);
+    if (around_.tab == Tab::kVariables) return put(Panel::kVariables, rest);
+    if (around_.tab == Tab::kWhy) return put(Panel::kWhy, rest);
+    if (area.columns < kThreeColumns) return stack(rest);
+    const int middle = rest.columns * 2 / 5;
+    stack_machine_and_why({rest.row, rest.column, rest.rows, middle});
+    put(Panel::kVariables,
+        {rest.row, rest.column + middle + kGap, rest.rows, rest.columns - middle - kGap});
+  }
+
+  /// Draws the machine above the variables, and the reasons below them if there is room.
+  void stack(const Area& area) {
+    constexpr int kLeastForWhy = 26, kLeastWhy = 7;
+    const int why = area.rows >= kLeastForWhy ? std::max(kLeastWhy, area.rows / 4) : 0;
+    const int rows = area.rows - why;
+    // The machine gets the rows that the variables do not need.
+    const int left_over = rows - 1 - static_cast<int>(view_.variables.size());
+    const int machine = std::min(machine_lines(view_), std::max({4, rows / 2, left_over}));
+    put(Panel::kMachine, {area.row, area.column, machine, area.columns});
+    put(Panel::kVariables, {area.row + machine, area.column, rows - machine, area.columns});
+    put(Panel::kWhy, {area.row + rows, area.column, why, area.columns});
+  }
+
+  void stack_machine_and_why(const Area& area) {
+    const int machine = std::min(machine_lines(view_), std::max(4, area.rows * 3 / 5));
+    put(Panel::kMachine, {area.row, area.column, machine, area.columns});
+    put(Panel::kWhy, {area.row + machine, area.column, area.rows - machine, area.columns});
+  }
+
+  void put(Panel panel, const Area& area) {
+    if (area.rows <= 0 || area.columns <= 0) return;
+    screen_.regions.push_back({panel, area});
+    Scrolls& scrolls = screen_.scrolls;
+    switch (panel) {
+      case Panel::kMap:
+        return draw_map(view_, area, screen_.canvas);
+      case Panel::kMachine:
+        return draw_machine(view_, area, scrolls.machine, screen_.canvas);
+      case Panel::kVariables:
+        return draw_variables(view_, area, scrolls.variables, screen_.canvas);
+      case Panel::kWhy:
+        return draw_why(view_, area, scrolls.why, screen_.canvas);
+      case Panel::kTeam:
+        break;
+    }
+  }
+
+  const View& view_;
+  const Surroundings& around_;
+  Screen screen_;
+};
+
+Screen too_small(const std::string& footer, int columns, int rows) {
+  Screen screen{Canvas(columns, rows)};
+  screen.canvas.put(0, 0, "This window is too small:", Style::kBold);
+  screen.canvas.put(1, 0,
+                    std::to_string(columns) + " × " + std::to_string(rows) + " cells, needs " +
+                        std::to_string(kLeastColumns) + " × " + std::to_string(kLeastRows) + ".");
+  screen.canvas.put(2, 0, ". stops all robots, q quits.");
+  screen.canvas.put(4, 0, footer, Style::kStop);
+  return screen;
 }
 
 }  // namespace
 
-Canvas lay_out(const View& view, int columns, int rows) {
-  Canvas canvas(columns, rows);
-  draw_title(view, canvas);
-  draw_footer(view, canvas);
-  if (view.robots.empty()) {
-    canvas.put(2, 0, "No robot has been heard yet.");
-    canvas.put(3, 0, "Check that robots run in the same DDS domain (--domain or ROS_DOMAIN_ID).");
-    return canvas;
-  }
-  const int most_robots = std::max(3, rows / 3);
-  int row = 1 + draw_team(view, {1, 0, most_robots, columns}, canvas);
-  row += draw_problems(view, {row, 0, 2, columns}, canvas);
-  draw_lower(view, {row, 0, rows - 1 - row, columns}, canvas);
-  return canvas;
+Tab after(Tab tab) noexcept {
+  return tab == Tab::kMap ? Tab::kAll : static_cast<Tab>(static_cast<int>(tab) + 1);
 }
 
-Canvas lay_out_help(int columns, int rows) {
-  Canvas canvas(columns, rows);
-  static constexpr std::array kLines{
-      "↑ ↓, 1-9   choose a robot: its states and variables are shown",
-      "h, H       hold: the robot chosen, or all, stand still until resumed",
-      "r, R       resume",
-      "s, S       start: push a bumper, which is what the start state waits for",
-      "q, Ctrl-C  quit; the robots go on",
-      "",
-      "A grey robot has not been heard for 2 s; its age is in the table.",
-      "A bar is a variable's certainty now; it decays until a schema writes it again.",
-      "LEAST SURE: the valid variable that the robot is least certain of.",
-      "TICK: the longest time lately that a control tick took, in microseconds.",
-      "",
-      "q quits here, too; any other key goes back."};
-  canvas.put(0, 0, "Keys", Style::kBold);
-  for (std::size_t i = 0; i < kLines.size(); ++i) canvas.put(static_cast<int>(i) + 2, 2, kLines[i]);
-  return canvas;
+Screen lay_out(const View& view, const Surroundings& around, int columns, int rows) {
+  if (columns < kLeastColumns || rows < kLeastRows)
+    return too_small(around.banner.empty() ? around.footer : around.banner, columns, rows);
+  return Page(view, around, columns, rows).draw();
+}
+
+void lay_over(Sheet& sheet, Canvas& canvas) {
+  const int columns = canvas.columns(), most = canvas.rows() - 6;
+  const int count = static_cast<int>(sheet.lines.size());
+  const int room = std::clamp(count, 1, std::max(1, most));
+  const int row = canvas.rows() - 1 - room - 1;
+  sheet.scroll = clamped_scroll(sheet.scroll, count, room);
+  canvas.fill({row, 0, canvas.rows() - row, columns}, Style::kPlain);
+  for (int column = 0; column < columns; ++column) canvas.set(row, column, U'─', Style::kDim);
+  canvas.put(row, 2, " " + sheet.title + " ", Style::kBold, columns - 2);
+  for (int i = 0; i < std::min(room, count); ++i) {
+    const auto& line = sheet.lines[static_cast<std::size_t>(sheet.scroll + i)];
+    canvas.put(row + 1 + i, 1, line.text, line.style, columns - 1);
+  }
+  std::string keys = sheet.keys;
+  if (count > room) keys += "  ↑↓ scroll";
+  canvas.put(canvas.rows() - 1, 0, keys, Style::kBold);
 }
 
 }  // namespace galilean::monitor::top

@@ -1,15 +1,68 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include "monitor/top/model/view.h"
 #include "monitor/top/screen/canvas.h"
 
 namespace galilean::monitor::top {
 
-/// Returns the whole dashboard for a screen of this size. Screens of at least 80 × 24 cells show
-/// all that is essential.
-[[nodiscard]] Canvas lay_out(const View& view, int columns, int rows);
-/// Returns the help page, which explains the keys.
-[[nodiscard]] Canvas lay_out_help(int columns, int rows);
+inline constexpr int kLeastColumns = 80, kLeastRows = 24;
+
+/// What fills the lower part of the screen: all panels, or one beside the map, or the map alone.
+enum class Tab : std::uint8_t { kAll, kMachine, kVariables, kWhy, kMap };
+[[nodiscard]] Tab after(Tab tab) noexcept;
+
+/// The lines above the first one that each panel shows.
+struct Scrolls {
+  int machine = 0, variables = 0, why = 0;
+
+  bool operator==(const Scrolls&) const = default;
+};
+
+/// What lies over the lower part of the screen: a question, the help, a push.
+struct Sheet {
+  struct Line {
+    std::string text;
+    Style style = Style::kPlain;
+  };
+  std::string title;
+  std::vector<Line> lines;
+  std::string keys;  ///< what can be pressed
+  int scroll = 0;
+};
+
+/// What a screen shows besides the team.
+struct Surroundings {
+  Tab tab = Tab::kAll;
+  Scrolls scrolls = {};
+  std::string banner = {};  ///< below the title: the order to stop all
+  std::string footer = {};  ///< the last line; empty: the keys
+  std::string remark = {};  ///< at the right of the title: what cannot be done, or which time it is
+};
+
+enum class Panel : std::uint8_t { kTeam, kMap, kMachine, kVariables, kWhy };
+/// Where a panel or a robot's line of the team is on the screen.
+struct Region {
+  Panel panel = Panel::kTeam;
+  Area area;
+  std::string robot = {};
+};
+
+struct Screen {
+  Canvas canvas;
+  std::vector<Region> regions = {};
+  Scrolls scrolls = {};  ///< put right where a panel has fewer lines
+};
+
+/// Returns the whole dashboard for a screen of this size. A screen of less than 80 × 24 cells says
+/// that it is too small.
+[[nodiscard]] Screen lay_out(const View& view, const Surroundings& around, int columns, int rows);
+
+/// Draws a sheet over the screen's lower part. Puts `sheet.scroll` right.
+void lay_over(Sheet& sheet, Canvas& canvas);
 
 }  // namespace galilean::monitor::top

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "monitor/top/panels/panels.h"
 #include "monitor/top/screen/utf8.h"
@@ -64,15 +65,18 @@ class Projection {
     metres_a_column_ = std::max(size.x() / area.columns, size.y() / (area.rows * kCellAspect));
     center_m_ = (bounds.low + bounds.high) / 2;
   }
-  [[nodiscard]] int column(double x_m) const {
-    return area_.column + static_cast<int>(std::floor((x_m - center_m_.x()) / metres_a_column_ +
-                                                      area_.columns / 2.0));
+  /// Returns the column, and which of the `parts` equal parts of it the point lies in.
+  [[nodiscard]] std::pair<int, int> column_and_part(double x_m, int parts) const {
+    return split(area_.column, (x_m - center_m_.x()) / metres_a_column_ + area_.columns / 2.0,
+                 parts);
   }
-  [[nodiscard]] int row(double y_m) const {
-    return area_.row +
-           static_cast<int>(std::floor((center_m_.y() - y_m) / (metres_a_column_ * kCellAspect) +
-                                       area_.rows / 2.0));
+  [[nodiscard]] std::pair<int, int> row_and_part(double y_m, int parts) const {
+    return split(area_.row,
+                 (center_m_.y() - y_m) / (metres_a_column_ * kCellAspect) + area_.rows / 2.0,
+                 parts);
   }
+  [[nodiscard]] int column(double x_m) const { return column_and_part(x_m, 1).first; }
+  [[nodiscard]] int row(double y_m) const { return row_and_part(y_m, 1).first; }
   [[nodiscard]] bool within(int row, int column) const {
     return row >= area_.row && row < area_.row + area_.rows && column >= area_.column &&
            column < area_.column + area_.columns;
@@ -80,6 +84,12 @@ class Projection {
   [[nodiscard]] double metres_a_column() const { return metres_a_column_; }
 
  private:
+  static std::pair<int, int> split(int begin, double cells, int parts) {
+    const double whole = std::floor(cells);
+    const int part = static_cast<int>((cells - whole) * parts);
+    return {begin + static_cast<int>(whole), std::min(part, parts - 1)};
+  }
+
   Area area_;
   Vec2 center_m_;
   double metres_a_column_;
@@ -90,13 +100,25 @@ void put_within(const Projection& projection, int row, int column, char32_t glyp
   if (projection.within(row, column)) canvas.set(row, column, glyph, style);
 }
 
+/// Returns the bit of a Braille character for the dot in this row (of 4) and column (of 2).
+char32_t dot(int row, int column) {
+  constexpr std::array<char32_t, 8> kDots{0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80};
+  return kDots[static_cast<std::size_t>(row * 2 + column)];
+}
+
+/// Draws what is occupied as Braille dots, eight to a cell of the screen, and what is free as "·".
 void draw_floor(const msg::OccupancyGrid& floor, const Projection& projection, Canvas& canvas) {
+  constexpr char32_t kNoDots = 0x2800;
   for_each_known(floor, [&](const Vec2& middle, bool occupied) {
-    const int row = projection.row(middle.y()), column = projection.column(middle.x());
+    const auto [row, dot_row] = projection.row_and_part(middle.y(), 4);
+    const auto [column, dot_column] = projection.column_and_part(middle.x(), 2);
     if (!projection.within(row, column)) return;
-    // A screen cell is occupied if any part of it is, so free does not overwrite occupied.
-    if (occupied || canvas.at(row, column).glyph == U' ')
-      canvas.set(row, column, occupied ? U'▒' : U'·', Style::kDim);
+    const char32_t before = canvas.at(row, column).glyph;
+    const char32_t dots = before >= kNoDots && before <= kNoDots + 0xff ? before : kNoDots;
+    if (occupied)
+      canvas.set(row, column, dots | dot(dot_row, dot_column), Style::kPlain);
+    else if (before == U' ')
+      canvas.set(row, column, U'·', Style::kDim);
   });
 }
 
@@ -122,10 +144,12 @@ void draw_robot(const ShownRobot& robot, const ShownPose& shown, const Projectio
   const long eighth = std::lround(wrap_angle(shown.pose.heading_rad) / (kPi / 4));
   const auto sector = static_cast<std::size_t>((eighth + 8) % 8);
   const Style style =
-      robot.status.health == Health::kSilent ? Style::kDim : robot_style(shown.robot);
+      robot.status.health == Health::kSilent ? Style::kDim : robot_style(robot.number);
   put_within(projection, row + kDown[sector], column + kRight[sector], kArrows[sector], style,
              canvas);
-  put_within(projection, row, column, static_cast<char32_t>(robot.letter), style, canvas);
+  std::string_view letters = robot.letter;
+  for (int right = 0; !letters.empty(); ++right)
+    put_within(projection, row, column + right, take_character(letters), style, canvas);
 }
 
 /// Draws the map's title, and its scale if there is room.

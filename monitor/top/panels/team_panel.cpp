@@ -31,14 +31,16 @@ std::string clock_text(double seconds) {
   return text.data();
 }
 
+constexpr int kLetters = 3;  ///< cells for a robot's letter
+
 /// The first column of each field of the table. Names, states and programs share the width beyond
 /// 80 cells.
 struct Columns {
-  int name = 4, state, for_s, program, hash, age, tick, lowest;
+  int name = 3 + kLetters, state, for_s, program, hash, age, tick, lowest;
 
   explicit Columns(int width) {
     const int spare = std::max(0, width - 80);
-    state = name + 11 + spare / 4;
+    state = name + 9 + spare / 4;
     for_s = state + 19 + spare / 4;
     program = for_s + 7;
     hash = program + 13 + spare / 4;
@@ -62,14 +64,14 @@ Style health_style(const RobotStatus& status) {
   return status.health == Health::kTroubled ? Style::kWarning : Style::kPlain;
 }
 
-void draw_robot(const ShownRobot& robot, std::size_t number, bool chosen, int row, int width,
-                Canvas& canvas) {
+void draw_robot(const ShownRobot& robot, bool chosen, int row, int width, Canvas& canvas) {
   const RobotStatus& status = robot.status;
   const Columns at(width);
   const Style style = health_style(status);
   canvas.put(row, 0, chosen ? "▶" : " ", Style::kBold);
-  if (!status.problems.empty()) canvas.put(row, 1, "!", Style::kAlarm);
-  canvas.put(row, 2, std::string(1, robot.letter), robot_style(number));
+  if (robot.has_unseen_alarm || !status.problems.empty()) canvas.put(row, 1, "!", Style::kAlarm);
+  const bool silent = status.health == Health::kSilent;
+  canvas.put(row, 2, robot.letter, silent ? Style::kDim : robot_style(robot.number), kLetters);
   canvas.put(row, at.name, status.name, chosen ? Style::kBold : style, at.state - at.name - 1);
   canvas.put(row, at.state, status.state + flags(status), status.held ? Style::kWarning : style,
              at.for_s - at.state - 1);
@@ -100,7 +102,10 @@ void draw_heads(int row, int width, Canvas& canvas) {
 }  // namespace
 
 void draw_title(const View& view, Canvas& canvas) {
-  int column = canvas.put(0, 0, plural(view.robots.size(), "robot"), Style::kBold);
+  std::string robots = plural(view.known_robots, "robot");
+  if (view.robots.size() < view.known_robots)
+    robots = std::to_string(view.robots.size()) + " of " + robots;
+  int column = canvas.put(0, 0, robots, Style::kBold);
   if (!view.score) return;
   const msg::Score& score = *view.score;
   column = canvas.put(0, column, "  " + score.scenario + " " + score.phase, Style::kPlain);
@@ -111,17 +116,17 @@ void draw_title(const View& view, Canvas& canvas) {
   canvas.put(0, column, "  " + plural(score.collisions, "collision"));
 }
 
-int draw_team(const View& view, const Area& area, Canvas& canvas) {
+int draw_team(const View& view, const Area& area, std::size_t& first_robot, Canvas& canvas) {
   draw_heads(area.row, area.columns, canvas);
   const int room = area.rows - 1, count = static_cast<int>(view.robots.size());
   const int shown = count <= room ? count : std::max(0, room - 1);
   // The lines are scrolled so that the chosen robot always shows.
   const int first =
       std::clamp(static_cast<int>(view.chosen) - shown + 1, 0, std::max(0, count - shown));
+  first_robot = static_cast<std::size_t>(first);
   for (int i = 0; i < shown; ++i) {
     const auto number = static_cast<std::size_t>(first + i);
-    draw_robot(view.robots[number], number, number == view.chosen, area.row + 1 + i, area.columns,
-               canvas);
+    draw_robot(view.robots[number], number == view.chosen, area.row + 1 + i, area.columns, canvas);
   }
   if (shown == count) return 1 + shown;
   canvas.put(area.row + 1 + shown, Columns(area.columns).name,
@@ -129,14 +134,16 @@ int draw_team(const View& view, const Area& area, Canvas& canvas) {
   return 2 + shown;
 }
 
-int draw_problems(const View& view, const Area& area, Canvas& canvas) {
-  if (view.robots.empty()) return 0;
-  const RobotStatus& status = view.robots[view.chosen].status;
+int draw_alarms(const View& view, const Area& area, Canvas& canvas) {
+  const auto most = static_cast<std::size_t>(std::max(area.rows, 0));
+  const auto lines = alarm_lines(view.alarms, view.now, most);
   int rows = 0;
-  for (const auto& problem : status.problems) {
+  for (const auto& line : lines) {
     if (rows == area.rows) break;
-    canvas.put(area.row + rows++, area.column, "! " + status.name + ": " + problem, Style::kAlarm,
-               area.columns);
+    const Style style = line.seen || line.over ? Style::kDim : Style::kAlarm;
+    const std::string sign = line.over ? "✓ " : "! ";
+    canvas.put(area.row + rows++, area.column, sign + line.text + (line.seen ? "  (seen)" : ""),
+               style, area.columns);
   }
   return rows;
 }

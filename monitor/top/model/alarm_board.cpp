@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/plural.h"
+#include "monitor/top/model/alarms.h"
+
+namespace galilean::monitor::top {
+namespace {
+
+/// What was over sooner was none: a robot that was just started is heard before its program is.
+constexpr Duration kPassing = std::chrono::milliseconds(1500);
+
+std::string names_of(const std::vector<const PostedAlarm*>& group) {
+  std::string names;
+  for (const auto* each : group)
+    if (names.find(each->alarm.robot) == names.npos)
+      names += (names.empty() ? "" : ", ") + each->alarm.robot;
+  return names;
+}
+
+std::string words_of(AlarmKind kind, std::size_t count) {
+  const std::string robots = plural(count, "robot");
+  switch (kind) {
+    case AlarmKind::kSilent:
+      return robots + (count == 1 ? " is silent" : " are silent");
+    case AlarmKind::kLate:
+      return robots + (count == 1 ? " begins its ticks late" : " begin their ticks late");
+    case AlarmKind::kDrift:
+      return robots + (count == 1 ? " runs" : " run") + " another program than the team";
+    case AlarmKind::kStuck:
+      return robots + (count == 1 ? " does not move" : " do not move");
+    case AlarmKind::kUncertain:
+      return robots + " may not be where the map shows " + (count == 1 ? "it" : "them");
+    case AlarmKind::kPush:
+      return robots + " refused or went back from a push";
+    case AlarmKind::kProblem:
+      break;
+  }
+  return plural(count, "problem");
+}
+
+AlarmLine line_of(const std::vector<const PostedAlarm*>& group, Time now) {
+  AlarmLine line;
+  for (const auto* each : group) line.keys.push_back(each->alarm.key);
+  line.seen = std::ranges::all_of(group, [](const auto* each) { return each->seen; });
+  line.over = std::ranges::all_of(group, [](const auto* each) { return each->over.has_value(); });
+  if (group.size() == 1) {
+    line.text = sentence_of(*group[0], now);
+    line.robot = group[0]->alarm.robot;
+  } else {
+    line.text = words_of(group[0]->alarm.kind, group.size()) + ": " + names_of(group);
+  }
+  return line;
+}
+
+}  // namespace
+
+void AlarmBoard::update(const std::vector<Alarm>& active, Time now) {
+  std::vector<PostedAlarm> next;
+  const auto known = [&](const std::string& key) {
+    return std::ranges::find_if(
+        posted_, [&](const auto& each) { return each.alarm.key == key && !each.over; });
+  };
+  for (const auto& alarm : active) {
+    const auto before = known(alarm.key);
+    next.push_back(before == posted_.end() ? PostedAlarm{alarm, now}
+                                           : PostedAlarm{alarm, before->since, {}, before->seen});
+  }
+  for (auto posted : posted_) {
+    const bool lasts = std::ranges::any_of(
+        active, [&](const Alarm& alarm) { return alarm.key == posted.alarm.key; });
+    if (lasts || posted.seen || posted.over.value_or(now) - posted.since < kPassing) continue;
+    if (!posted.over) posted.over = now;
+    next.push_back(std::move(posted));
+  }
+  std::ranges::stable_sort(next, [](const PostedAlarm& a, const PostedAlarm& b) {
+    return a.seen != b.seen ? b.seen : a.since > b.since;
+  });
+  posted_ = std::move(next);
+}
+
+void AlarmBoard::acknowledge(const std::vector<std::string>& keys) {
+  for (auto& posted : posted_)
+    if (keys.empty() || std::ranges::find(keys, posted.alarm.key) != keys.end()) posted.seen = true;
+  std::erase_if(posted_, [](const PostedAlarm& posted) { return posted.seen && posted.over; });
+}
+
+std::string lasting(double duration_s) {
+  char text[32];
+  const double whole = std::max(duration_s, 0.0);
+  if (whole < 10)
+    std::snprintf(text, sizeof text, "%.1f s", whole);
+  else if (whole < 120)
+    std::snprintf(text, sizeof text, "%.0f s", whole);
+  else if (whole < 7200)
+    std::snprintf(text, sizeof text, "%.0f min", whole / 60);
+  else
+    std::snprintf(text, sizeof text, "%.0f h", whole / 3600);
+  return text;
+}
+
+std::string sentence_of(const PostedAlarm& posted, Time now) {
+  const std::string lasted = lasting(to_seconds(posted.over.value_or(now) - posted.since));
+  if (!posted.over) return posted.alarm.words + ", for " + lasted;
+  return posted.alarm.past.empty() ? posted.alarm.words + "; over after " + lasted
+                                   : posted.alarm.past + " for " + lasted;
+}
+
+std::vector<AlarmLine> alarm_lines(const std::vector<PostedAlarm>& posted, Time now,
+                                   std::size_t most) {
+  std::vector<std::vector<const PostedAlarm*>> groups;
+  const bool grouped = posted.size() > most;
+  for (const auto& each : posted) {
+    const auto same = std::ranges::find_if(groups, [&](const auto& group) {
+      return grouped && group[0]->alarm.kind == each.alarm.kind && group[0]->seen == each.seen &&
+             group[0]->over.has_value() == each.over.has_value();
+    });
+    if (same == groups.end())
+      groups.push_back({&each});
+    else
+      same->push_back(&each);
+  }
+  std::vector<AlarmLine> lines;
+  for (const auto& group : groups) lines.push_back(line_of(group, now));
+  return lines;
+}
+
+}  // namespace galilean::monitor::top

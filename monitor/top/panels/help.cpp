@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/top/panels/help.h"
+
+#include <array>
+
+namespace galilean::monitor::top {
+
+Sheet help_sheet() {
+  static constexpr std::array kLines{
+      "↑ ↓ j k 1-9  choose a robot; those in trouble come first. A click chooses, too.",
+      "Tab          all panels, the states, the variables, the reasons, the map alone",
+      "PgUp PgDn    scroll the panel; the mouse's wheel scrolls what it points at",
+      "/            show only robots or, where they fill the screen, variables with a word in them",
+      "← →          a second back or on in time; Home as far as it is kept; l or End: now",
+      "a, A         the first alarm was seen; all were seen",
+      "",
+      ".            STOP ALL, at once; the line on top says who has not confirmed it",
+      "h, H         hold: the robot chosen, or all, stand still until resumed",
+      "r, R         resume the robot chosen, or all; asks first",
+      "s, S         start: push a bumper, which is what the start state waits for",
+      "p, P         push a program: check, differences, canary; asks first (needs a monitor)",
+      "u, U         restore the last good program; asks first (needs a monitor)",
+      "q, Ctrl-C    quit; the robots go on. Ctrl-Z: back to the shell, fg: here again",
+      "",
+      "A robot that has not been heard for 2 s is silent and grey; its age is in the table.",
+      "A bar is a variable's certainty now; it decays until a schema writes it again. The curve",
+      "beside it: bits, a force's length, a shaft's speed, how certain a position is.",
+      "LEAST SURE: the valid variable that the robot is least certain of.",
+      "TICK: the longest time lately that a control tick took, in microseconds."};
+  Sheet sheet{.title = "Keys", .lines = {}, .keys = "q quits here, too; any other key goes back"};
+  for (const char* line : kLines) sheet.lines.push_back({line});
+  return sheet;
+}
+
+}  // namespace galilean::monitor::top

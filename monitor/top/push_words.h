@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "monitor/top/pusher.h"
+
+namespace galilean::monitor::top {
+
+// These put a monitor's answers into words. All may throw if the JSON is not as
+// docs/openapi.yaml says.
+
+/// Of POST /api/check.
+[[nodiscard]] PushReport report_of_check(const nlohmann::json& answer, const std::string& file);
+/// Of POST /api/push and GET /api/pushes/ID.
+[[nodiscard]] PushReport report_of_push(const nlohmann::json& answer);
+/// Of an answer that is an error, with the sentence that says why.
+[[nodiscard]] PushReport report_of_refusal(const nlohmann::json& answer, const std::string& why);
+
+}  // namespace galilean::monitor::top

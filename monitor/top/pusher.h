@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bhdl/source/source_file.h"
+#include "monitor/top/panels/layout.h"
+
+namespace galilean::monitor::top {
+
+/// What is to be pushed, and to whom.
+struct PushWish {
+  std::string file;                    ///< on this machine; empty: the last good program
+  std::vector<std::string> robots;     ///< empty: the team
+  std::string canary;                  ///< the robot that would run it first; empty: none
+  std::string runs_hash;               ///< of the program that runs now
+  std::vector<bhdl::SourceFile> runs;  ///< its text, which the differences are told from
+};
+
+/// How far a push has come.
+struct PushReport {
+  enum class Stage : std::uint8_t {
+    kNone,
+    kChecking,
+    kRefused,  ///< nothing was pushed
+    kReady,    ///< it was checked, and waits for a yes
+    kPushing,
+    kDone,
+    kFailed
+  };
+  Stage stage = Stage::kNone;
+  std::string title;
+  std::vector<Sheet::Line> lines;
+};
+
+/// Pushes programs. No call waits.
+class Pusher {
+ public:
+  virtual ~Pusher() = default;
+  /// Returns why nothing can be pushed, in one sentence; empty if it can.
+  [[nodiscard]] virtual std::string hindrance() const = 0;
+  /// Checks the program and finds how it differs from the one that runs.
+  virtual void check(const PushWish& wish) = 0;
+  /// Pushes what was checked. Requires: the stage is kReady.
+  virtual void push(bool with_canary) = 0;
+  /// Cancels the push, or forgets what was checked.
+  virtual void cancel() = 0;
+  [[nodiscard]] virtual PushReport report() const = 0;
+};
+
+}  // namespace galilean::monitor::top

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/top/dashboard.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/monitor/top/model/told.h"
+
+namespace galilean::monitor::top {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+class FakePusher : public Pusher {
+ public:
+  [[nodiscard]] std::string hindrance() const override { return why_not; }
+  void check(const PushWish& wish) override { wished = wish; }
+  void push(bool with_canary) override { pushed = with_canary ? "with canary" : "to all"; }
+  void cancel() override { ++cancelled; }
+  [[nodiscard]] PushReport report() const override { return told; }
+
+  std::string why_not;
+  PushReport told;
+  std::optional<PushWish> wished;
+  std::string pushed;
+  int cancelled = 0;
+};
+
+class Steered : public Told {
+ protected:
+  void SetUp() override {
+    for (const char* name : {"callisto", "ganymede", "io"}) tell_of({.robot = name});
+    dashboard.update();
+  }
+  void receive(const Message& message) override {
+    Told::receive(message);
+    history.note(message);
+  }
+  void press(std::string_view letters) {
+    for (const char letter : letters) EXPECT_TRUE(dashboard.press({Key::kLetter, letter}));
+  }
+  void press(Key key) { EXPECT_TRUE(dashboard.press({key})); }
+  std::string screen() { return dashboard.draw(80, 24).text(); }
+
+  History history{clock};
+  FakePusher pusher;
+  std::vector<std::string> said;
+  Dashboard dashboard{{model, history, clock,
+                       [this](Operator::Word word, const std::vector<std::string>& robots) {
+                         std::string words = word == Operator::Word::kHold     ? "hold"
+                                             : word == Operator::Word::kResume ? "resume"
+                                                                               : "start";
+                         for (const auto& robot : robots) words += " " + robot;
+                         said.push_back(words);
+                         return true;
+                       },
+                       pusher},
+                      ""};
+};
+
+using Said = std::vector<std::string>;
+
+TEST_F(Steered, HoldIsSaidAtOnceAndResumeAsks) {
+  press("h");
+  EXPECT_EQ(said, Said{"hold callisto"});
+  EXPECT_THAT(screen(), HasSubstr("told callisto to hold"));
+  press("R");
+  EXPECT_THAT(screen(), HasSubstr("Resume all robots? y / n"));
+  press("n");
+  EXPECT_EQ(said.size(), 1u);
+  press("ry");
+  EXPECT_EQ(said, (Said{"hold callisto", "resume callisto"}));
+}
+
+TEST_F(Steered, StopAllIsSaidAtOnceAndAgainToThoseWhoHaveNotConfirmed) {
+  press("?.");
+  EXPECT_EQ(said, Said{"hold"});
+  EXPECT_THAT(screen(), HasSubstr("STOP ALL: 0 of 3 stopped; callisto has not answered"));
+  clock.advance(milliseconds(500));
+  for (const char* name : {"callisto", "io"}) tell_of({.robot = name, .held = true});
+  tell_of({.robot = "ganymede"});
+  dashboard.update();
+  EXPECT_EQ(said.size(), 1u);
+  clock.advance(milliseconds(600));
+  dashboard.update();
+  EXPECT_EQ(said, (Said{"hold", "hold ganymede"}));
+  EXPECT_THAT(screen(), HasSubstr("2 of 3 stopped; ganymede answers but has not stopped"));
+  tell_of({.robot = "ganymede", .held = true});
+  dashboard.update();
+  EXPECT_THAT(screen(), HasSubstr("All 3 robots have stopped."));
+  clock.advance(seconds(6));
+  dashboard.update();
+  EXPECT_THAT(screen(), Not(HasSubstr("STOP ALL:")));
+}
+
+TEST_F(Steered, StopAllWorksInASmallWindowAndWhileAQuestionIsAsked) {
+  press("r.");
+  EXPECT_EQ(said, Said{"hold"});
+  EXPECT_THAT(dashboard.draw(40, 10).text(), HasSubstr("STOP ALL: 0 of 3"));
+}
+
+TEST_F(Steered, SilentRobotsComeFirst) {
+  clock.advance(seconds(3));
+  for (const char* name : {"callisto", "ganymede"}) tell_of({.robot = name, .x_m = 1});
+  dashboard.update();
+  EXPECT_THAT(screen(), ContainsRegex("! ?I +io(.|\n)*callisto(.|\n)*ganymede"));
+  EXPECT_THAT(screen(), HasSubstr("! io is silent, for 0.0 s"));
+  press("a");
+  EXPECT_THAT(screen(), HasSubstr("(seen)"));
+  press("1h");
+  EXPECT_EQ(said, Said{"hold io"});
+}
+
+TEST_F(Steered, TheFilterShowsTheChosenRobotAndThoseThatMatch) {
+  press("/");
+  press("GANY");
+  EXPECT_THAT(screen(), HasSubstr("Robots with: GANY_"));
+  EXPECT_THAT(screen(), HasSubstr("2 of 3 robots"));
+  press(Key::kEnter);
+  press("h");  // a letter is a command again
+  EXPECT_EQ(said, Said{"hold callisto"});
+  press("/");
+  press(Key::kEscape);
+  EXPECT_THAT(screen(), Not(HasSubstr("2 of 3 robots")));
+}
+
+TEST_F(Steered, AClickChoosesARobot) {
+  (void)screen();
+  EXPECT_TRUE(dashboard.press({Key::kClick, 0, 4, 30}));
+  press("h");
+  EXPECT_EQ(said, Said{"hold io"});
+  EXPECT_TRUE(dashboard.press({Key::kWheelUp, 0, 3, 30}));
+  press("h");
+  EXPECT_EQ(said.back(), "hold ganymede");
+}
+
+TEST_F(Steered, GoingBackShowsWhatWasAndTheEndKeyTheNow) {
+  for (int i = 0; i < 20; ++i, clock.advance(milliseconds(500)))
+    tell_of({.state = i < 10 ? "earlier" : "later", .x_m = 0.1 * i});
+  press("k");
+  EXPECT_THAT(screen(), HasSubstr("later"));
+  for (int i = 0; i < 7; ++i) press(Key::kLeft);
+  EXPECT_THAT(screen(), HasSubstr("7.0 s ago (l: now)"));
+  EXPECT_THAT(screen(), ContainsRegex("io +earlier"));
+  for (int i = 0; i < 6; ++i) press(Key::kRight);
+  EXPECT_THAT(screen(), ContainsRegex("io +later"));
+  press(Key::kHome);
+  EXPECT_THAT(screen(), HasSubstr("10 s ago"));
+  press("l");
+  EXPECT_THAT(screen(), Not(HasSubstr(" ago (l: now)")));
+}
+
+TEST_F(Steered, WhereNothingCanBePushedItSaysSoBeforehand) {
+  pusher.why_not = "the monitor's operator token is needed to push";
+  EXPECT_THAT(screen(), HasSubstr("cannot push"));
+  press("p");
+  EXPECT_THAT(screen(), HasSubstr("Cannot push: the monitor's operator token is needed to push"));
+  EXPECT_FALSE(pusher.wished);
+}
+
+TEST_F(Steered, APushIsCheckedShownAndAskedFor) {
+  press("P");
+  press("office.bhdl");
+  EXPECT_THAT(screen(), HasSubstr("Push which file? office.bhdl_"));
+  press(Key::kEnter);
+  ASSERT_TRUE(pusher.wished);
+  EXPECT_EQ(pusher.wished->file, "office.bhdl");
+  EXPECT_TRUE(pusher.wished->robots.empty());
+  pusher.told = {PushReport::Stage::kReady, "Push office.bhdl 3f2a", {{"2 differences"}}};
+  EXPECT_THAT(screen(), HasSubstr("2 differences"));
+  EXPECT_THAT(screen(),
+              HasSubstr("Push to all robots?  y yes   Esc no   c callisto runs it first"));
+  press("cy");
+  EXPECT_EQ(pusher.pushed, "with canary");
+}
+
+TEST_F(Steered, RestoringIsForTheChosenRobotAndMayBeLeft) {
+  press("u");
+  ASSERT_TRUE(pusher.wished);
+  EXPECT_EQ(pusher.wished->file, "");
+  EXPECT_EQ(pusher.wished->robots, std::vector<std::string>{"callisto"});
+  pusher.told.stage = PushReport::Stage::kReady;
+  press(Key::kEscape);
+  EXPECT_EQ(pusher.cancelled, 1);
+  EXPECT_EQ(pusher.pushed, "");
+}
+
+TEST_F(Steered, QuitsByItsKeyAlone) {
+  EXPECT_FALSE(dashboard.press({Key::kLetter, 'q'}));
+  press("?");
+  EXPECT_THAT(screen(), HasSubstr("any other key goes back"));
+  press("x/q");  // typed into the filter
+  EXPECT_THAT(screen(), HasSubstr("Robots with: q_"));
+}
+
+}  // namespace
+}  // namespace galilean::monitor::top

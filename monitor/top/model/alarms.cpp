@@ -81,7 +81,7 @@ void AlarmFinder::find_of(const Robot& robot, const DashboardModel& model, Time 
   const bool waits = robot.program && robot.program->start_state == state.state;
   if (!state.held && !waits && now - memory.stands_since >= kStuckAfter)
     add(AlarmKind::kStuck, "stuck", name + " does not move in " + state.state);
-  if (model.team().status(robot).drifting)
+  if (state.program_hash != team_hash_)
     add(AlarmKind::kDrift, "drift",
         name + " runs " + state.program_name + ", another program than the team");
   for (const auto& problem : state.problems)
@@ -91,6 +91,7 @@ void AlarmFinder::find_of(const Robot& robot, const DashboardModel& model, Time 
 
 std::vector<Alarm> AlarmFinder::find(const DashboardModel& model, Time now) {
   std::vector<Alarm> alarms;
+  team_hash_ = model.team().program_hash();
   for (const auto& [name, robot] : model.team().robots()) {
     if (robot.state) remember(memories_[name], *robot.state, now);
     find_of(robot, model, now, alarms);

@@ -42,6 +42,7 @@ class AlarmFinder {
   void find_of(const Robot& robot, const DashboardModel& model, Time now,
                std::vector<Alarm>& alarms);
 
+  std::string team_hash_;  ///< of the program that the team runs
   std::map<std::string, Memory> memories_;
 };
 

@@ -44,7 +44,8 @@ void DashboardModel::receive(const Message& message) {
     note_push(message);
   else
     team_.receive(message);
-  for (const auto& [name, robot] : team_.robots()) identities_.meet(name);
+  if (identities_.count() < team_.robots().size())
+    for (const auto& [name, robot] : team_.robots()) identities_.meet(name);
 }
 
 bool DashboardModel::shows(std::string_view ros_type) noexcept {

@@ -77,7 +77,7 @@ describe("galilean-top", () => {
   let runs = 0;
   async function run(options = "") {
     const mark = `run ${++runs}: pid`;
-    type(`clear; mode=$(stty -g); sh -c 'echo ${mark} $$; sleep 0.3; exec "${program("galilean-top")}" --domain ${domain} ${options}'; echo code $?; [ "$mode" = "$(stty -g)" ] && echo same mode`, "Enter");
+    type(`stty sane; clear; mode=$(stty -g); sh -c 'echo ${mark} $$; sleep 0.3; exec "${program("galilean-top")}" --domain ${domain} ${options}'; echo code $?; [ "$mode" = "$(stty -g)" ] && echo same mode`, "Enter");
     const pid = Number((await shows(new RegExp(`^${mark} (\\d+)`, "m")))[1]);
     await shows(/▶.?G +ganymede/);
     return pid;

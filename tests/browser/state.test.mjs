@@ -2,7 +2,7 @@
 // Why, state machine, variables, plots and timeline of a played team: what a robot does, and why.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { playedTab } from "./tab.mjs";
+import { LAPTOP, playedTab } from "./tab.mjs";
 
 const tab = playedTab({ ahead: 40 });
 const { at, until } = tab;
@@ -62,6 +62,22 @@ test("the state machine fits its panel, lights the current state, and says how l
   assert.equal(await at("machine-state").innerText(), current);
   assert.match(await at("machine-since").innerText(), /^\d+(\.\d)? s$/);
   await until(() => document.querySelector("[data-testid=machine] .arrow.lit"));
+});
+
+test("the states keep their places when the panel changes size, until they are placed anew", async () => {
+  const places = () => at("machine").locator("g[data-state]").evaluateAll((states) => states.map((state) => `${state.dataset.state} ${state.getAttribute("transform")}`));
+  const width = () => at("machine").locator(".room").evaluate(({ clientWidth }) => clientWidth);
+  const [before, before_px] = [await places(), await width()];
+  for (const size of [{ width: 1900, height: 460 }, { width: 1100, height: 1000 }]) {
+    await tab.page.setViewportSize(size);
+    await until((known) => document.querySelector("[data-testid=machine] .room").clientWidth !== known, before_px);
+    assert.deepEqual(await places(), before);
+  }
+  await tab.page.setViewportSize({ width: 1900, height: 460 });
+  await at("machine-anew").click();
+  await at("machine-anew").waitFor({ state: "detached" });
+  assert.notDeepEqual(await places(), before);
+  await tab.page.setViewportSize(LAPTOP);
 });
 
 test("a state's conditions show their bits live, by pointer and by keyboard alike", async () => {

@@ -53,6 +53,19 @@ test("an instant of a change is shown everywhere, and one key leads back", async
   await at("timeline-cursor").waitFor({ state: "detached" });
 });
 
+test("the past is told from the present, and what acts says that it acts now", async () => {
+  await at("past-notice").waitFor({ state: "detached" });
+  await at("timeline").locator(".rows").focus();
+  await tab.page.keyboard.press("ArrowLeft");
+  await tab.page.keyboard.press("ArrowLeft");
+  assert.match(await at("past-notice").innerText(), /Shown as it was at \d\d:\d\d:\d\d, \d+(\.\d)? s ago\.[^]*Alarms and the map's floor are the present's\. Every button acts now\./);
+  assert.match(await at("figures-at").innerText(), /^at \d\d:\d\d:\d\d$/);
+  assert.equal((await at("push-button").innerText()).trim(), "Push now…");
+  await at("past-live").click();
+  await at("figures-at").waitFor({ state: "detached" });
+  assert.equal((await at("push-button").innerText()).trim(), "Push…");
+});
+
 test("the state machine fits its panel, lights the current state, and says how long it lasts", async () => {
   const graph = at("machine").locator("svg[data-scale]");
   assert.ok(Number(await graph.getAttribute("data-scale")) >= 0.85);

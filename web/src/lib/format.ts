@@ -33,6 +33,11 @@ export function lasting(duration_s: number): string {
   return whole < 7200 ? `${Math.round(whole / 60)} min` : `${Math.round(whole / 3600)} h`;
 }
 
+/** The time of day: "12:03:11". */
+export function dayTime(at_ms: number): string {
+  return new Date(at_ms).toLocaleTimeString("en-GB");
+}
+
 /** A delay: milliseconds below a second, then seconds and more: "85 ms", "1.4 s", "21 s". */
 export function delay(duration_ms: number): string {
   return duration_ms < 999.5 ? `${duration_ms.toFixed(0)} ms` : lasting(duration_ms / 1000);
@@ -45,7 +50,7 @@ export function when(at_ms: number, now_ms: number): string {
   const ago_s = (now_ms - at_ms) / 1000;
   if (ago_s < 1) return "now";
   if (ago_s < RECENT_S) return `${Math.round(ago_s)} s ago`;
-  return new Date(at_ms).toLocaleTimeString("en-GB");
+  return dayTime(at_ms);
 }
 
 /** A hash as people compare it. */

@@ -69,12 +69,17 @@ class Live {
   /** Whether what is shown as the present is older than an operator may take it for. */
   readonly isBehind: boolean = $derived(this.behind_ms > BEHIND_MS);
   readonly present: Team = $derived(this.#shown);
+  readonly isPast: boolean = $derived(this.instant_ms !== undefined);
+  /** Ends the name of a button that acts on the robots: while an instant of the past is shown, it says that it acts now. */
+  readonly now: string = $derived(this.isPast ? " now" : "");
   readonly robots: Robot[] = $derived(
     [...this.team.robots.values()].sort((a, b) => a.identity.index - b.identity.index),
   );
   readonly robot: Robot | undefined = $derived(
     this.robots.find((robot) => robot.name === this.chosen) ?? this.robots[0],
   );
+  /** The chosen robot as it is, whatever instant is shown: what acts on it must not go by the past. */
+  readonly presentRobot: Robot | undefined = $derived(this.#shown.robots.get(this.robot?.name ?? ""));
 
   start(): void {
     this.feed.connect();

@@ -29,7 +29,7 @@ export class Checks {
   }
 
   readonly #current: Verdict | undefined = $derived.by(() => (this.#verdict?.draft === this.bench.draft ? this.#verdict : undefined));
-  readonly #isComparedWithRunning: boolean = $derived(this.#current?.against?.hash === live.robot?.program?.value.hash);
+  readonly #isComparedWithRunning: boolean = $derived(this.#current?.against?.hash === live.presentRobot?.program?.value.hash);
   readonly diagnostics: FixableDiagnostic[] = $derived.by(() =>
     this.verdict ? withKnownFixes(this.verdict.diagnostics, this.typed.problems) : this.typed.problems,
   );
@@ -58,7 +58,7 @@ export class Checks {
   /** Asks the monitor. Its answer counts unless the text changes, or it is asked again, before it comes. */
   async examine(): Promise<void> {
     const { draft } = this.bench;
-    const against = live.robot?.program?.value;
+    const against = live.presentRobot?.program?.value;
     await this.#asked.take(api.check(draft.files, live.robot?.name, against?.files), (result) => this.#note({ draft, result, against }));
   }
 

@@ -5,7 +5,7 @@ import type { Program } from "../feed/messages";
 import { live } from "../model/live.svelte";
 
 function robotsOf(targets: readonly string[]): readonly string[] {
-  return targets.length ? targets : live.robots.map(({ name }) => name);
+  return targets.length ? targets : [...live.present.robots.keys()];
 }
 
 export function runningProgram(targets: readonly string[]): Program | undefined {

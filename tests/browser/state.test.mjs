@@ -130,7 +130,7 @@ test("a number is plotted as it changes, and its certainty beside it", async () 
   const shown = () => plot.locator("[data-line]").innerText();
   const before = await shown();
   await until((text) => document.querySelector("[data-testid=plot] [data-line]").innerText !== text, before);
-  assert.match(await shown(), /^-?\d+\.\d\d/);
+  assert.match(await shown(), /^−?\d+\.\d\d/);
   await quantity("trash", "certainty").click();
   await until(() => document.querySelectorAll("[data-testid=plot]").length === 2);
 });

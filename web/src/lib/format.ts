@@ -9,13 +9,27 @@ export function signed(value: number, digits: number): string {
 }
 
 export function metres(value_m: number): string {
-  return `${signed(value_m, 2)} m`;
+  return inUnit(value_m, "m");
+}
+
+/** A certainty, 0 to 1: "0.92" */
+export function sureness(certainty: number): string {
+  return certainty.toFixed(2);
+}
+
+/** Digits after the point, by unit. */
+const DIGITS: Readonly<Record<string, number>> = { "°": 0, "°/s": 0 };
+
+/** A number of that unit; without a unit, a bare one: "−0.40 m", "90°", "1.00" */
+export function inUnit(value: number, unit: string): string {
+  const space = unit === "" || unit.startsWith("°") ? "" : " ";
+  return `${signed(value, DIGITS[unit] ?? 2)}${space}${unit}`;
 }
 
 /** Whole degrees, −180 to 180. */
 export function degrees(angle_rad: number): string {
   const turned = Math.atan2(Math.sin(angle_rad), Math.cos(angle_rad));
-  return `${signed((turned * 180) / Math.PI, 0)}°`;
+  return inUnit((turned * 180) / Math.PI, "°");
 }
 
 /** "07:42" */
@@ -28,8 +42,8 @@ export function clock(duration_s: number): string {
 /** How long something has lasted: "0.4 s", "12 s", "3 min", "2 h". */
 export function lasting(duration_s: number): string {
   const whole = Math.max(duration_s, 0);
-  if (whole < 10) return `${whole.toFixed(1)} s`;
-  if (whole < 120) return `${Math.round(whole)} s`;
+  if (whole < 9.95) return `${whole.toFixed(1)} s`;
+  if (whole < 119.5) return `${Math.round(whole)} s`;
   return whole < 7200 ? `${Math.round(whole / 60)} min` : `${Math.round(whole / 3600)} h`;
 }
 
@@ -66,5 +80,5 @@ export function shortened(name: string, longest: number): string {
 }
 
 export function plural(count: number, one: string, many = `${one}s`): string {
-  return `${count} ${count === 1 ? one : many}`;
+  return `${signed(count, 0)} ${Math.abs(count) === 1 ? one : many}`;
 }

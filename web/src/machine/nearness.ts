@@ -5,7 +5,7 @@
 import type { Catalog } from "../bhdl/catalog";
 import { type ComponentText, componentsOf } from "../bhdl/components";
 import { type MachineTransition, type Program, type SourceFile, type Variable, Variable_Constants } from "../feed/messages";
-import { lasting, metres } from "../lib/format";
+import { lasting, metres, sureness } from "../lib/format";
 import { certaintyAt } from "../model/certainty";
 import { typeWord } from "../model/variable_text";
 
@@ -44,6 +44,7 @@ export interface Nearness {
 
 /** A time left that is shorter than this would be shown as 0.0 s. */
 const NOW_S = 0.05;
+const FIRES = "fires now";
 /** From here on a condition counts as near. */
 export const NEAR = 0.75;
 
@@ -92,22 +93,24 @@ function distance_m(trigger: Trigger, { variables }: Situation): number | undefi
 const measures: Record<Measure, (trigger: Trigger, now: Situation) => Nearness | undefined> = {
   time_at_least: ({ limit }, { in_state_s }) => {
     const left_s = Math.max(limit - in_state_s, 0);
-    return { share: share(in_state_s / limit), text: left_s < NOW_S ? "fires now" : `in ${lasting(left_s)}` };
+    return { share: share(in_state_s / limit), text: left_s < NOW_S ? FIRES : `in ${lasting(left_s)}` };
   },
   certainty_below: ({ locate, limit }, now) => {
     const { certainty, decay_per_s } = certaintyOf(locate, now);
-    if (certainty <= limit) return { share: 1, text: `${locate} is not known` };
+    if (certainty <= limit) return { share: 1, text: `${FIRES}: ${locate} is not known` };
     const left_s = decay_per_s > 0 ? (certainty - limit) / decay_per_s : Number.POSITIVE_INFINITY;
     const when = Number.isFinite(left_s) ? `, in ${lasting(left_s)} unless it is seen again` : "";
-    return { share: share((1 - certainty) / Math.max(1 - limit, 0.01)), text: `sure ${certainty.toFixed(2)}, lost below ${limit}${when}` };
+    return { share: share((1 - certainty) / Math.max(1 - limit, 0.01)), text: `sure ${sureness(certainty)}, lost below ${limit}${when}` };
   },
   certainty_at_least: ({ locate, limit }, now) => {
     const { certainty } = certaintyOf(locate, now);
-    return { share: share(certainty / limit), text: certainty > 0 ? `sure ${certainty.toFixed(2)}, needs ${limit}` : `${locate} is not known` };
+    if (certainty >= limit) return { share: 1, text: `${FIRES}: sure ${sureness(certainty)}, needs ${limit}` };
+    return { share: share(certainty / limit), text: certainty > 0 ? `sure ${sureness(certainty)}, needs ${limit}` : `${locate} is not known` };
   },
   distance_at_most: (trigger, now) => {
     const away_m = distance_m(trigger, now);
     if (away_m === undefined) return { share: 0, text: `${trigger.locate} is not known` };
+    if (away_m <= trigger.limit) return { share: 1, text: `${FIRES}: ${metres(away_m)} away, fires at ${metres(trigger.limit)}` };
     return { share: share(trigger.limit / Math.max(away_m, 0.01)), text: `${metres(away_m)} away, fires at ${metres(trigger.limit)}` };
   },
 };

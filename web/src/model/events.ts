@@ -14,13 +14,13 @@ const KEPT = 200;
 
 function differences(before: RobotState, now: RobotState): Omit<RobotEvent, "at_ms">[] {
   const events: Omit<RobotEvent, "at_ms">[] = [];
-  if (now.held !== before.held) events.push({ kind: now.held ? "held" : "resumed", words: now.held ? "held" : "resumed" });
+  if (now.held !== before.held) events.push({ kind: now.held ? "held" : "resumed", words: now.held ? "was told to hold, and stands still" : "was told to go on" });
   if (now.out_of_service !== before.out_of_service) {
-    const kind = now.out_of_service ? "decommissioned" : "commissioned";
-    events.push({ kind, words: kind });
+    if (now.out_of_service) events.push({ kind: "decommissioned", words: "was taken out of service" });
+    else events.push({ kind: "commissioned", words: "was put into service again" });
   }
   for (const problem of now.problems) if (!before.problems.includes(problem)) events.push({ kind: "problem", words: problem });
-  if (before.problems.length > 0 && now.problems.length === 0) events.push({ kind: "well", words: "no problem any more" });
+  if (before.problems.length > 0 && now.problems.length === 0) events.push({ kind: "well", words: "has no problem any more" });
   if (now.overruns > before.overruns) events.push({ kind: "late", words: `a tick began late (${now.overruns} so far)` });
   return events;
 }

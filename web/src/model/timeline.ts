@@ -41,6 +41,37 @@ export function drawnBars(bars: readonly StateBar[], from_ms: number, to_ms: num
     .filter((bar) => bar.to_ms > bar.from_ms);
 }
 
+interface Stretch {
+  readonly from_ms: number;
+  readonly to_ms: number;
+}
+
+/** The longest part of a bar that no gap covers: there its name is read. Gaps are in their order of time. */
+export function namedPart({ from_ms, to_ms }: Stretch, gaps: readonly Stretch[]): Stretch {
+  const parts: Stretch[] = [];
+  let begin_ms = from_ms;
+  for (const gap of gaps) {
+    if (gap.to_ms <= begin_ms || gap.from_ms >= to_ms) continue;
+    parts.push({ from_ms: begin_ms, to_ms: Math.max(gap.from_ms, begin_ms) });
+    begin_ms = Math.min(gap.to_ms, to_ms);
+  }
+  parts.push({ from_ms: begin_ms, to_ms });
+  return parts.reduce((best, part) => (part.to_ms - part.from_ms > best.to_ms - best.from_ms ? part : best));
+}
+
+/** Narrower labels say nothing. */
+const LEAST_LABEL_PX = 20;
+
+/** The labels of marks in a row, each shortened so that it ends before the next mark; empty where there is no room. */
+export function markLabels(marks: readonly { readonly x_px: number; readonly words: string }[], end_px: number): string[] {
+  return marks.map(({ x_px, words }, i) => {
+    const room_px = (marks[i + 1]?.x_px ?? end_px) - x_px - MARK_PX;
+    return room_px < LEAST_LABEL_PX ? "" : labelled(words, room_px);
+  });
+}
+
+/** A mark and the space before and after its label. */
+const MARK_PX = 12;
 const CHARACTER_PX = 6.8;
 
 /** A state's name in so much room: whole, or shortened in the middle. */

@@ -2,7 +2,7 @@
 // The numbers of a variable, each with its name and unit, as the table shows them and plots draw them.
 
 import { type Variable, Variable_Constants } from "../feed/messages";
-import { degrees, metres, signed } from "../lib/format";
+import { degrees, inUnit, metres, signed, sureness } from "../lib/format";
 
 export interface Quantity {
   readonly key: string;
@@ -16,15 +16,15 @@ type Read = (values: ArrayLike<number>) => Quantity[];
 const at = (values: ArrayLike<number>, i: number): number => values[i] ?? 0;
 const inMetres = (key: string, value: number): Quantity => ({ key, unit: "m", value, text: metres(value) });
 const inDegrees = (key: string, value: number): Quantity => ({ key, unit: "°", value: (value * 180) / Math.PI, text: degrees(value) });
-const bare = (key: string, value: number, digits = 2): Quantity => ({ key, unit: "", value, text: signed(value, digits) });
+const bare = (key: string, value: number): Quantity => ({ key, unit: "", value, text: inUnit(value, "") });
 
 const READERS: Readonly<Record<number, Read>> = {
   [Variable_Constants.SHAFT]: (v) => [
     inMetres("x", at(v, 0)),
     inMetres("y", at(v, 1)),
     inDegrees("heading", at(v, 2)),
-    { key: "speed", unit: "m/s", value: at(v, 3), text: `${signed(at(v, 3), 2)} m/s` },
-    { key: "turn rate", unit: "°/s", value: (at(v, 4) * 180) / Math.PI, text: `${signed((at(v, 4) * 180) / Math.PI, 0)}°/s` },
+    { key: "speed", unit: "m/s", value: at(v, 3), text: inUnit(at(v, 3), "m/s") },
+    { key: "turn rate", unit: "°/s", value: (at(v, 4) * 180) / Math.PI, text: inUnit((at(v, 4) * 180) / Math.PI, "°/s") },
   ],
   [Variable_Constants.IMAGE]: (v) => [{ key: "frame", unit: "", value: at(v, 2), text: `frame ${at(v, 2)}` }],
   [Variable_Constants.LOCATE]: (v) => {
@@ -57,6 +57,15 @@ export interface PlotLine {
   /** A quantity's key, or "certainty". */
   readonly quantity: string;
   readonly unit: string;
+}
+
+/** Those that count something. */
+const WHOLE = new Set(["frame", "bits"]);
+
+/** A value of a line, as the table shows it. */
+export function lineText({ quantity, unit }: PlotLine, value: number): string {
+  if (quantity === CERTAINTY) return sureness(value);
+  return WHOLE.has(quantity) ? signed(value, 0) : inUnit(value, unit);
 }
 
 export function lineKey({ robot, variable, quantity }: PlotLine): string {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
-import { clock, degrees, delay, lasting, metres, shortened, when } from "../../src/lib/format";
+import { clock, degrees, delay, inUnit, lasting, metres, shortened, sureness, when } from "../../src/lib/format";
 
 describe("numbers and times", () => {
   it("have units and a true minus", () => {
@@ -24,6 +24,15 @@ describe("numbers and times", () => {
 it("shortens a long name in its middle", () => {
   expect(shortened("wander_for_trashcan", 11)).toBe("wande…shcan");
   expect(shortened("start", 11)).toBe("start");
+});
+
+it("never says sixty of what is one of the next unit", () => {
+  expect([9.94, 9.97, 119.4, 119.6].map(lasting)).toEqual(["9.9 s", "10 s", "119 s", "2 min"]);
+});
+
+it("writes a number the same wherever it stands", () => {
+  expect([inUnit(-0.404, "m"), inUnit(1.2, "m/s"), inUnit(89.6, "°"), inUnit(-3.4, "°/s"), inUnit(1, "")]).toEqual(["−0.40 m", "1.20 m/s", "90°", "−3°/s", "1.00"]);
+  expect(sureness(0.916)).toBe("0.92");
 });
 
 it("says a delay in milliseconds below a second, else in seconds and more", () => {

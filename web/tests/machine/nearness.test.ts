@@ -57,9 +57,14 @@ end` }], catalog);
     const unknown = now({ variables: [variable("shaft", 1, [0, 0]), variable("trash", 3, [0, 0], 0)] });
     expect(nearnessOf(condition("reached", 1), triggers, unknown)).toEqual({ share: 0, text: "trash is not known" });
     expect(nearnessOf(condition("seen"), triggers, unknown)).toEqual({ share: 0, text: "trash is not known" });
-    expect(nearnessOf(condition("lost"), triggers, unknown)).toEqual({ share: 1, text: "trash is not known" });
+    expect(nearnessOf(condition("lost"), triggers, unknown)).toEqual({ share: 1, text: "fires now: trash is not known" });
     const forGood = now({ variables: [variable("trash", 3, [0, 1], 0.6, 0)] });
     expect(nearnessOf(condition("lost"), triggers, forGood)?.text).toBe("sure 0.60, lost below 0.2");
+  });
+  it("says that it fires now where it does", () => {
+    const near = now({ variables: [variable("shaft", 1, [0, 0, 0, 0, 0]), variable("trash", 3, [0, 0.1], 0.9, 0)] });
+    expect(nearnessOf(condition("seen"), triggers, near)).toMatchObject({ share: 1, text: expect.stringMatching(/^fires now: sure 0.90, needs /) });
+    expect(nearnessOf(condition("reached", 1), triggers, near)).toEqual({ share: 1, text: "fires now: 0.10 m away, fires at 0.22 m" });
   });
   it("takes a limit that the program does not give from the catalog", () => {
     const text = 'perceptual_schemas: arrived: name: "reach" locate_variable: "trash" bits_variable: "reached" end end';

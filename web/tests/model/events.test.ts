@@ -9,9 +9,9 @@ const kinds = (...states: Parameters<typeof state>[0][]) =>
 
 describe("a robot's events", () => {
   it("are read from how its state differs from the one before", () => {
-    expect(kinds({ held: true }, { held: true }, { held: false })).toEqual([["resumed", "resumed"]]);
-    expect(kinds({}, { problems: ["camera: gone"] }, {})).toEqual([["problem", "camera: gone"], ["well", "no problem any more"]]);
-    expect(kinds({}, { out_of_service: true, overruns: 3 })).toEqual([["decommissioned", "decommissioned"], ["late", "a tick began late (3 so far)"]]);
+    expect(kinds({ held: true }, { held: true }, { held: false })).toEqual([["resumed", "was told to go on"]]);
+    expect(kinds({}, { problems: ["camera: gone"] }, {})).toEqual([["problem", "camera: gone"], ["well", "has no problem any more"]]);
+    expect(kinds({}, { out_of_service: true, overruns: 3 })).toEqual([["decommissioned", "was taken out of service"], ["late", "a tick began late (3 so far)"]]);
   });
   it("are none where it was well and stays so", () => {
     expect(kinds({}, {}, {})).toEqual([]);

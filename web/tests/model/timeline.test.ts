@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
-import { drawnBars, labelled, withBar, withProgram } from "../../src/model/timeline";
+import { drawnBars, labelled, markLabels, namedPart, withBar, withProgram } from "../../src/model/timeline";
 import { robotOf, state, T0_MS, told, transition } from "./told";
 
 describe("the timeline", () => {
@@ -61,5 +61,24 @@ describe("the timeline", () => {
       { state: "wander", from_ms: T0_MS + 1000, to_ms: T0_MS + 9000 },
       { state: "grab", from_ms: T0_MS + 9000, to_ms: late },
     ]);
+  });
+});
+
+describe("the name of a bar", () => {
+  it("stands in the longest part that no gap covers", () => {
+    const bar = { from_ms: 0, to_ms: 100 };
+    expect(namedPart(bar, [])).toEqual(bar);
+    expect(namedPart(bar, [{ from_ms: 20, to_ms: 30 }])).toEqual({ from_ms: 30, to_ms: 100 });
+    expect(namedPart(bar, [{ from_ms: 10, to_ms: 20 }, { from_ms: 70, to_ms: 200 }])).toEqual({ from_ms: 20, to_ms: 70 });
+    expect(namedPart(bar, [{ from_ms: -50, to_ms: 200 }])).toEqual({ from_ms: 0, to_ms: 0 });
+  });
+});
+
+describe("the labels of marks", () => {
+  it("end before the next mark, and are left out where they have no room", () => {
+    const marks = [{ x_px: 0, words: "office_cleanup a3f9, operator" }, { x_px: 100, words: "office b2, me" }, { x_px: 110, words: "wander c1" }];
+    const labels = markLabels(marks, 400);
+    expect(labels[0]).toContain("…");
+    expect(labels.slice(1)).toEqual(["", "wander c1"]);
   });
 });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import type { Variable } from "../../src/feed/messages";
-import { quantitiesOf, valueOf } from "../../src/plots/quantities";
+import { lineText, quantitiesOf, valueOf } from "../../src/plots/quantities";
 import { Samples } from "../../src/plots/samples";
 import { isShown, kindsOf } from "../../src/variables/variable_filter";
 import { T0_MS, time } from "../model/told";
@@ -14,6 +14,11 @@ describe("the numbers of a variable", () => {
     const texts = quantitiesOf(variable("to_trash", 5, [-1, 0])).map(({ key, text }) => [key, text]);
     expect(texts.slice(0, 2)).toEqual([["length", "1.00"], ["angle", "90°"]]);
     expect(quantitiesOf(variable("trash", 3, [1, 2, 0.04, 0, 0.01, 0])).map(({ text }) => text)).toEqual(["1.00 m", "2.00 m", "± 0.20 m"]);
+  });
+  it("read the same in a plot's legend as in the table", () => {
+    for (const [type, values] of [[1, [1.234, 2, 3, 0.25, -0.5]], [2, [640, 480, 17]], [5, [-1, 0.5]]] as const)
+      for (const { key: quantity, unit, value, text } of quantitiesOf(variable("v", type, [...values])))
+        expect([quantity, lineText({ robot: "io", variable: "v", quantity, unit }, value)]).toEqual([quantity, text.replace("frame ", "")]);
   });
   it("leave a gap in a plot where the variable is invalid, but its certainty is 0 then", () => {
     const invalid = [variable("trash", 3, [1, 2, 0, 0, 0, 0], { valid: false })];

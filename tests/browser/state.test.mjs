@@ -93,6 +93,18 @@ test("the states keep their places when the panel changes size, until they are p
   await tab.page.setViewportSize(LAPTOP);
 });
 
+test("a name that has no room is shortened in its middle, and whole on hover", async () => {
+  const doing = at("machine-state");
+  await doing.evaluate(({ style }) => (style.width = "60px"));
+  const name = doing.locator(".name.cut");
+  await name.waitFor();
+  assert.match(await name.getAttribute("data-short"), /^\w+…\w+$/);
+  const [drawn_px, room_px] = await name.evaluate((element) => [Number.parseFloat(getComputedStyle(element, "::before").width), element.clientWidth]);
+  assert.ok(drawn_px <= room_px + 1, `${drawn_px} of ${room_px} px`);
+  assert.equal(await doing.locator(".name").getAttribute("title"), await doing.innerText());
+  await doing.evaluate((element) => element.removeAttribute("style"));
+});
+
 test("a state's conditions show their bits live, by pointer and by keyboard alike", async () => {
   const state = at("state-wander_for_trash");
   await state.hover();

@@ -79,6 +79,15 @@ export function shortened(name: string, longest: number): string {
   return `${name.slice(0, Math.ceil(ends / 2))}…${name.slice(name.length - Math.floor(ends / 2))}`;
 }
 
+/** A name with as much of its middle left out as it takes to fit; `width` measures a text in pixels. */
+export function fitted(name: string, room_px: number, width: (text: string) => number): string {
+  for (let longest = name.length; longest > 2; longest -= 1) {
+    const text = shortened(name, longest);
+    if (width(text) <= room_px) return text;
+  }
+  return shortened(name, 2);
+}
+
 export function plural(count: number, one: string, many = `${one}s`): string {
   return `${signed(count, 0)} ${Math.abs(count) === 1 ? one : many}`;
 }

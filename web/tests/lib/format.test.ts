@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
-import { clock, degrees, delay, inUnit, lasting, metres, shortened, sureness, when } from "../../src/lib/format";
+import { clock, degrees, delay, fitted, inUnit, lasting, metres, shortened, sureness, when } from "../../src/lib/format";
 
 describe("numbers and times", () => {
   it("have units and a true minus", () => {
@@ -24,6 +24,13 @@ describe("numbers and times", () => {
 it("shortens a long name in its middle", () => {
   expect(shortened("wander_for_trashcan", 11)).toBe("wande…shcan");
   expect(shortened("start", 11)).toBe("start");
+});
+
+it("leaves out no more of a name than it takes to fit", () => {
+  const width = (text: string) => text.length * 7;
+  expect(fitted("wander_for_trashcan", 77, width)).toBe("wande…shcan");
+  expect(fitted("wander_for_trashcan", 133, width)).toBe("wander_for_trashcan");
+  expect(fitted("wander", 3, width)).toBe("w…");
 });
 
 it("never says sixty of what is one of the next unit", () => {

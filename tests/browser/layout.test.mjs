@@ -131,6 +131,35 @@ test("one panel fills the page, and goes back among the others", async () => {
   assert.deepEqual(await opened(), [...STANDARD].sort());
 });
 
+test("the address carries robot, instant and plots, and never the token; elsewhere it shows the same", async () => {
+  await at("variables").locator('[data-variable="shaft"] [data-quantity="heading"]').click();
+  await at("team-row-ganymede").locator("button.choose").click();
+  await until(() => location.search === "?robot=ganymede&plots=io:shaft:heading");
+  await tab.page.keyboard.press("ArrowLeft");
+  await until(() => /&at=\d{4}-\d\d-\d\dT[\d:.]+Z&/.test(location.search));
+  await tab.page.keyboard.press("l");
+  await until(() => !location.search.includes("at="));
+  const other = await tab.browser.newPage({ viewport: tab.page.viewportSize() });
+  await other.goto(`${tab.page.url()}#token=secret`);
+  await other.locator('[data-testid=plot][data-lines="io shaft heading"]').waitFor();
+  await other.locator('[data-testid="machine"]').getByText("ganymede").waitFor();
+  await other.getByTestId("team-row-callisto").locator("button.choose").click();
+  await other.waitForFunction(() => location.search.startsWith("?robot=callisto"));
+  assert.equal(other.url().includes("secret"), false);
+  await other.close();
+});
+
+test("what makes no sense in an address is left out, with a sentence", async () => {
+  const other = await tab.browser.newPage({ viewport: tab.page.viewportSize() });
+  await other.goto(new URL("/?robot=nobody&at=yesterday&plots=io:shaft:x,io:shaft:weight&layout=z(", tab.url).href);
+  await other.locator('[data-testid=plot][data-lines="io shaft x"]').waitFor();
+  await other.getByText("the robot nobody, which is not heard").waitFor();
+  const told = await other.getByTestId("trouble").innerText();
+  assert.match(told, /plot of io shaft weight/);
+  await other.waitForFunction(() => location.search === "?plots=io:shaft:x");
+  await other.close();
+});
+
 test("a phone shows one panel at a time, with STOP ALL under the thumb", async () => {
   const phone = await tab.browser.newPage({ viewport: PHONE, hasTouch: true, isMobile: true });
   await phone.goto(tab.url);

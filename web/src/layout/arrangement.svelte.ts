@@ -32,6 +32,8 @@ class Arrangement {
   /** The one panel that fills the page. */
   filling = $state<string>();
   isStandard = $state(true);
+  /** The address asks for an arrangement that makes no sense. */
+  isLinkBroken = false;
   panels = $state.raw<readonly PanelName[]>([]);
   #standard: Node | undefined;
 
@@ -44,6 +46,7 @@ class Arrangement {
     const linked = new URLSearchParams(location.search).get(PARAMETER);
     const kept = keptLayout();
     const own = (linked && this.#read(linked)) || (kept && this.#withNew(this.#read(kept.layout), kept.known));
+    this.isLinkBroken = linked !== null && !this.#read(linked);
     this.isStandard = !own;
     this.tree = own || this.#standard;
   }
@@ -63,6 +66,11 @@ class Arrangement {
     const behind = this.panels.find(({ id }) => id === panel)?.behind;
     const next = opened(this.tree, panel, behind);
     if (!this.tree || stackWith(this.tree, panel)?.shown !== panel) this.#arrange(next);
+  }
+
+  /** Brings a panel to the front for what an address asks for: the arrangement that is kept stays the reader's. */
+  bringForward(panel: string): void {
+    this.tree = opened(this.tree, panel, this.panels.find(({ id }) => id === panel)?.behind);
   }
 
   close(panel: string): void {
@@ -104,9 +112,9 @@ class Arrangement {
     withoutParameter();
   }
 
-  /** A link to the page as it is arranged, for others: it carries no token. */
-  link(): string {
-    return `${location.origin}${location.pathname}${this.tree ? `?${PARAMETER}=${textOf(this.tree)}` : ""}`;
+  /** The arrangement as a link has it; undefined where every panel is closed. */
+  get text(): string | undefined {
+    return this.tree && textOf(this.tree);
   }
 
   #read(text: string): Node | undefined {
@@ -151,7 +159,10 @@ function keptLayout(): Kept | undefined {
 
 /** What the reader changed is no longer what the link says. */
 function withoutParameter(): void {
-  if (new URLSearchParams(location.search).has(PARAMETER)) history.replaceState(null, "", location.pathname);
+  const query = new URLSearchParams(location.search);
+  if (!query.has(PARAMETER)) return;
+  query.delete(PARAMETER);
+  history.replaceState(null, "", location.pathname + `?${query}`.replace(/\?$/, ""));
 }
 
 export const arrangement = new Arrangement();

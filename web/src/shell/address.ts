@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of the page's address that tells what is looked at. It is made of what is named here alone, so that
+// nothing else that stood in an address, such as a token, comes into it.
+
+/** One plotted number: its robot, variable and quantity. */
+export type PlotName = readonly [robot: string, variable: string, quantity: string];
+
+export interface View {
+  readonly robot?: string | undefined;
+  /** Undefined: the present. */
+  readonly at_ms?: number | undefined;
+  readonly plots: readonly PlotName[];
+  /** The arrangement, as a shared link has it. */
+  readonly layout?: string | undefined;
+}
+
+const INSTANT = /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z$/;
+
+function plotsOf(text: string | null, faults: string[]): PlotName[] {
+  if (!text) return [];
+  return text.split(",").flatMap((each): PlotName[] => {
+    const [robot, variable, quantity, ...more] = each.split(":");
+    if (robot && variable && quantity && more.length === 0) return [[robot, variable, quantity]];
+    faults.push(`The address asks for the plot “${each}”, which is no ROBOT:VARIABLE:QUANTITY.`);
+    return [];
+  });
+}
+
+/** Reads an address's query. What makes no sense in it is left out, with a sentence each. */
+export function viewOf(search: string): { readonly view: View; readonly faults: readonly string[] } {
+  const given = new URLSearchParams(search);
+  const faults: string[] = [];
+  const at = given.get("at");
+  const at_ms = at !== null && INSTANT.test(at) ? Date.parse(at) : Number.NaN;
+  if (at !== null && Number.isNaN(at_ms)) faults.push(`The address asks for the instant “${at}”, which is no time such as 2024-01-01T12:00:00Z.`);
+  const view: View = {
+    robot: given.get("robot") || undefined,
+    at_ms: Number.isNaN(at_ms) ? undefined : at_ms,
+    plots: plotsOf(given.get("plots"), faults),
+    layout: given.get("layout") || undefined,
+  };
+  return { view, faults };
+}
+
+/** The query that viewOf reads; empty for a page as it opens. */
+export function searchOf({ robot, at_ms, plots, layout }: View): string {
+  const query = new URLSearchParams();
+  if (robot) query.set("robot", robot);
+  if (at_ms !== undefined) query.set("at", new Date(at_ms).toISOString());
+  if (plots.length > 0) query.set("plots", plots.map((plot) => plot.join(":")).join(","));
+  if (layout) query.set("layout", layout);
+  const text = query.toString().replace(/%3A/g, ":").replace(/%2C/g, ",").replace(/%28/g, "(").replace(/%29/g, ")").replace(/%27/g, "'");
+  return text ? `?${text}` : "";
+}

@@ -37,8 +37,9 @@ constexpr auto kMakers =
     table_of<msg::RobotState, msg::Transition, msg::Variables, msg::Forces, msg::Sightings,
              msg::Program, msg::ProgramPush, msg::ProgramRollback, msg::ProgramReply,
              msg::PushProgress, msg::Catalog, msg::Command, msg::ObjectMap, msg::Score,
-             msg::CompressedImage, msg::Odometry, msg::OccupancyGrid, msg::TFMessage,
-             msg::MarkerArray, msg::DiagnosticArray, msg::Log>();
+             msg::SimulationOrder, msg::SimulationEvent, msg::SimulationState, msg::CompressedImage,
+             msg::Odometry, msg::OccupancyGrid, msg::TFMessage, msg::MarkerArray,
+             msg::DiagnosticArray, msg::Log>();
 
 }  // namespace
 

@@ -35,6 +35,8 @@ HeadlessContest::HeadlessContest(const Scenario& scenario, const Registry& compo
                                  std::unique_ptr<World> world, const HeadlessOptions& options)
     : options_(options),
       world_(std::move(world)),
+      contest_start_(*world_),
+      instructor_(*world_, pace_, contest_start_),
       scene_(scene_of(scenario)),
       renderer_({}, scenario.camera, Random(options.seed).child("camera")),
       picture_steps_(static_cast<std::uint64_t>(
@@ -58,10 +60,20 @@ Result<void> HeadlessContest::run() {
   if (auto ready = wait_for_robots(); !ready) return ready;
   start();
   while (world_->referee().phase() == Phase::kRunning) {
+    if (auto obeyed = obey_orders(); !obeyed) return obeyed;
     step();
     for (auto& robot : robots_) robot->note(World::kStep_s);
     if (options_.after_step) options_.after_step(clock_.now());
     if (options_.trace && (step_ - started_) % kStepsASecond == 0) write_trace();
+  }
+  return {};
+}
+
+Result<void> HeadlessContest::obey_orders() {
+  for (; obeyed_ < options_.orders.size(); ++obeyed_) {
+    const auto& [step, order] = options_.orders[obeyed_];
+    if (step > step_ - started_) return {};
+    if (const auto done = instructor_.carry_out(order); !done) return done.error();
   }
   return {};
 }

@@ -10,10 +10,17 @@
 #include "core/catalog/registry.h"
 #include "core/clock.h"
 #include "core/result.h"
+#include "sim/control/instructor.h"
 #include "sim/headless/headless_robot.h"
 #include "sim/headless/situation.h"
 
 namespace galilean::sim {
+
+/// An instructor's order and the contest's step before which it is carried out; 0 is the first.
+struct TimedOrder {
+  std::uint64_t step = 0;
+  msg::SimulationOrder order;
+};
 
 struct HeadlessOptions {
   std::size_t robots = 3;
@@ -24,6 +31,7 @@ struct HeadlessOptions {
   std::ostream* trace = nullptr;  ///< one JSON object a robot and simulated second; may be null
   std::vector<robot::TickObserver*> observers;  ///< of the robots, in their order; may be fewer
   std::function<void(Time now)> after_step;     ///< while the contest runs; may be empty
+  std::vector<TimedOrder> orders;               ///< in the order of their steps
 };
 
 /// A contest in one process and one thread, as fast as the machine allows. It has the world and a
@@ -41,7 +49,8 @@ class HeadlessContest {
       const Scenario& scenario, const Registry& components, const bhdl::Program& program,
       const HeadlessOptions& options);
 
-  /// Runs the contest to its end. Errors: a robot never connected; the message is that robot's.
+  /// Runs the contest to its end. Errors: a robot never connected; the message is that robot's. Or
+  /// an order cannot be carried out.
   Result<void> run();
 
   [[nodiscard]] const World& world() const noexcept { return *world_; }
@@ -57,12 +66,17 @@ class HeadlessContest {
   Result<void> load(const bhdl::Program& program);
   Result<void> wait_for_robots();
   void start();
+  Result<void> obey_orders();
   void step();
   void take_pictures(Time now);
   void write_trace() const;
 
   HeadlessOptions options_;
   std::unique_ptr<World> world_;
+  Pace pace_;
+  ContestStart contest_start_;
+  Instructor instructor_;
+  std::size_t obeyed_ = 0;  ///< orders
   SteppedClock clock_;
   SteppedClock stopwatch_;  ///< stands still, so that no tick takes time
   Scene scene_;

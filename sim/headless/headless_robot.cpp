@@ -60,12 +60,16 @@ void HeadlessRobot::tune(const robot::DeviceSettings& settings) noexcept {
 }
 
 void HeadlessRobot::run_board(Time now) {
+  if (body_.broken().serial_line == line_connected_) {
+    line_connected_ = !line_connected_;
+    line_.connect(line_connected_);
+  }
   link_.pump(now);
   board_.update(static_cast<std::uint32_t>(now.time_since_epoch() / std::chrono::milliseconds(1)));
 }
 
 void HeadlessRobot::take_picture(Time now) {
-  if (!uses_camera_) return;
+  if (!uses_camera_ || body_.broken().camera) return;
   camera_.expose();
   grabber_.pump(now);
 }

@@ -75,6 +75,7 @@ class HeadlessRobot final : private robot::DeviceTuner {
   const Catalog& catalog_;
   std::optional<Pose2> first_belief_;
   robot::BytePipe line_;
+  bool line_connected_ = true;
   SimulatedBoard board_;
   SimulatedCamera camera_;
   robot::MicrocontrollerLink link_;

@@ -7,13 +7,14 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "sim/control/truth.h"
+
 namespace galilean::sim {
 namespace {
 
 constexpr auto kStep = std::chrono::milliseconds(10);
 constexpr std::uint64_t kStepsASecond = 100;
-constexpr std::uint64_t kPushSteps = kStepsASecond / 2;
-constexpr std::uint8_t kPushedSwitches = 1;  // the front switch
+constexpr auto kPublishPeriod = std::chrono::milliseconds(100);
 /// The longest delay that the simulator catches up. If the machine was busy or asleep for longer,
 /// the rest of that time is dropped.
 constexpr auto kMostBehind = std::chrono::milliseconds(250);
@@ -43,6 +44,9 @@ LiveContest::LiveContest(const Scenario& scenario, std::unique_ptr<World> world,
       folder_(std::move(folder)),
       participant_(std::move(participant)),
       score_(*participant_),
+      desk_(*participant_, options.run),
+      start_(*world_),
+      instructor_(*world_, pace_, start_),
       scene_(scene_of(scenario)),
       renderer_({}, scenario.camera, Random(options.seed).child("camera")),
       picture_steps_(static_cast<std::uint64_t>(
@@ -89,35 +93,75 @@ double LiveContest::now_s() const noexcept {
 void LiveContest::run(const std::atomic<bool>& ending) {
   auto due = std::chrono::steady_clock::now();
   while (!ending) {
-    step();
-    due += kStep;
+    obey_orders();
+    if (pace_.take_step())
+      step();
+    else
+      stand_still();
+    if (std::chrono::steady_clock::now() - published_ >= kPublishPeriod) publish();
+    due += pace_.real_time(kStep);
     const auto now = std::chrono::steady_clock::now();
     if (now - due > kMostBehind) due = now;
     std::this_thread::sleep_until(due);
   }
 }
 
+void LiveContest::obey_orders() {
+  const auto orders = desk_.take();
+  for (const auto& order : orders) carry_out(order);
+}
+
+void LiveContest::carry_out(const msg::SimulationOrder& order) {
+  const auto done = instructor_.carry_out(order);
+  if (done && order.order.ends_with("_contest")) starts_by_itself_ = false;
+  if (done) apply_faults();
+  publish();  // before the answer, so that who hears the answer can read what changed
+  msg::SimulationEvent event;
+  event.order_id = order.id;
+  event.author = order.author;
+  event.order = order.order;
+  event.subject = order.subject;
+  event.done = done.ok();
+  event.text = done ? done.value() : done.error().message;
+  event.step = step_;
+  event.simulated_s = now_s();
+  desk_.tell(std::move(event));
+}
+
+void LiveContest::publish() {
+  published_ = std::chrono::steady_clock::now();
+  score_.show(*world_);
+  auto truth = truth_of(*world_, pace_);
+  truth.step = step_;
+  truth.simulated_s = now_s();
+  desk_.show(std::move(truth));
+}
+
+void LiveContest::stand_still() {
+  for (auto& robot : robots_) robot->ignore_commands();
+}
+
 void LiveContest::step() {
-  apply_faults();
+  if (step_ % kStepsASecond == 0) apply_faults();
   start_when_ready();
   const auto now_ms = static_cast<std::uint32_t>(step_ * static_cast<std::uint64_t>(kStep.count()));
   for (auto& robot : robots_) robot->run_board(now_ms);
   take_pictures();
   world_->step();
-  if (step_ % 10 == 0) score_.show(*world_);
   ++step_;
 }
 
 void LiveContest::apply_faults() {
-  if (step_ % kStepsASecond != 0) return;
   for (auto& robot : robots_)
     if (const auto plugged = robot->apply_faults(options_.faults, now_s()); !plugged)
       std::cerr << "galilean-sim: " << plugged.error().message << "\n";
 }
 
 void LiveContest::start_when_ready() {
-  if (world_->referee().phase() == Phase::kWaiting && anybody_moves()) world_->referee().start();
-  if (!options_.autostart_s) return;
+  start_.before_step();
+  if (starts_by_itself_ && world_->referee().phase() == Phase::kWaiting && anybody_moves())
+    world_->referee().start();
+  if (!starts_by_itself_ || !options_.autostart_s) return;
   if (!connected_step_) {
     for (const auto& robot : robots_)
       if (!robot->connected()) return;
@@ -125,13 +169,7 @@ void LiveContest::start_when_ready() {
   }
   const std::uint64_t push =
       *connected_step_ + static_cast<std::uint64_t>(*options_.autostart_s * kStepsASecond);
-  if (step_ == push) push_bumpers(kPushedSwitches);
-  if (step_ == push + kPushSteps) push_bumpers(0);
-}
-
-void LiveContest::push_bumpers(std::uint8_t switches) {
-  for (std::size_t i = 0; i < robots_.size(); ++i) world_->robot(i).push_bumpers(switches);
-  world_->referee().start();
+  if (step_ == push) start_.start();
 }
 
 bool LiveContest::anybody_moves() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,9 +10,13 @@
 #include <vector>
 
 #include "core/result.h"
+#include "sim/control/contest_start.h"
+#include "sim/control/instructor.h"
+#include "sim/control/pace.h"
 #include "sim/live/faults.h"
 #include "sim/live/live_robot.h"
 #include "sim/live/run_folder.h"
+#include "sim/telemetry/order_desk.h"
 #include "sim/telemetry/score_publisher.h"
 
 namespace galilean::sim {
@@ -28,7 +33,9 @@ struct LiveOptions {
 
 /// The world in real time, for robots in processes of their own. Robots may end and come back:
 /// their lines and cameras stay. The referee starts the contest by pushing a bumper of each robot.
-/// If an operator started them before, the contest's clock begins when the first one moves.
+/// If an operator started them before, the contest's clock begins when the first one moves, unless
+/// an instructor had a word in the contest before. Between two steps it carries out the orders that
+/// instructors send over DDS. While it is paused, the boards and the cameras are silent.
 class LiveContest {
  public:
   [[nodiscard]] static Result<std::unique_ptr<LiveContest>> make(const Scenario& scenario,
@@ -44,10 +51,13 @@ class LiveContest {
  private:
   LiveContest(const Scenario& scenario, std::unique_ptr<World> world, RunFolder folder,
               std::unique_ptr<wire::Participant> participant, const LiveOptions& options);
+  void obey_orders();
+  void carry_out(const msg::SimulationOrder& order);
   void step();
+  void stand_still();
   void apply_faults();
   void start_when_ready();
-  void push_bumpers(std::uint8_t switches);
+  void publish();
   [[nodiscard]] bool anybody_moves() const;
   void take_pictures();
   [[nodiscard]] double now_s() const noexcept;
@@ -57,6 +67,12 @@ class LiveContest {
   RunFolder folder_;
   std::unique_ptr<wire::Participant> participant_;
   ScorePublisher score_;
+  OrderDesk desk_;
+  Pace pace_;
+  ContestStart start_;
+  Instructor instructor_;
+  bool starts_by_itself_ = true;  ///< until an instructor starts, pauses or resets the contest
+  std::chrono::steady_clock::time_point published_{};
   Scene scene_;
   Renderer renderer_;
   std::vector<std::unique_ptr<LiveRobot>> robots_;

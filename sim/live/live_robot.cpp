@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/live/live_robot.h"
 
+#include <array>
+
 namespace galilean::sim {
 
 LiveRobot::LiveRobot(World& world, std::size_t index, const std::string& folder, std::string ring)
     : name_(robot_name(index)),
       index_(index),
+      body_(world.robot(index)),
       ring_name_(std::move(ring)),
       line_(folder + "/" + name_ + ".serial"),
       board_(world.robot(index), line_, name_) {}
@@ -24,13 +27,20 @@ Result<void> LiveRobot::open_ring() {
 }
 
 Result<void> LiveRobot::apply_faults(const std::vector<DeviceFault>& faults, double now_s) {
-  if (is_faulty(faults, FaultyDevice::kSerial, name_, now_s))
+  const BrokenParts& broken = body_.broken();
+  if (broken.serial_line || is_faulty(faults, FaultyDevice::kSerial, name_, now_s))
     line_.unplug();
   else if (auto line = line_.plug_in(); !line)
     return line;
-  if (!is_faulty(faults, FaultyDevice::kCamera, name_, now_s)) return open_ring();
+  if (!broken.camera && !is_faulty(faults, FaultyDevice::kCamera, name_, now_s)) return open_ring();
   ring_.reset();
   return {};
+}
+
+void LiveRobot::ignore_commands() {
+  std::array<std::uint8_t, 512> bytes;
+  while (line_.read(bytes) > 0) {
+  }
 }
 
 void LiveRobot::take_picture(const Scene& scene, Renderer& renderer) {

@@ -24,11 +24,14 @@ class LiveRobot {
   /// Plugs in both devices: the serial line and the camera.
   Result<void> plug_in();
 
-  /// Unplugs the devices that are faulty at `now_s` and plugs in the others. Each call tries again
-  /// to plug in a device that could not be plugged in before.
+  /// Unplugs the devices that are faulty at `now_s` or that are broken, and plugs in the others.
+  /// Each call tries again to plug in a device that could not be plugged in before.
   Result<void> apply_faults(const std::vector<DeviceFault>& faults, double now_s);
   void run_board(std::uint32_t now_ms) { board_.update(now_ms); }
   void take_picture(const Scene& scene, Renderer& renderer);
+  /// Throws away what the robot sent to its board. It is called while simulated time stands still,
+  /// so that no old command reaches the motors when it goes on.
+  void ignore_commands();
 
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   [[nodiscard]] const std::string& serial_path() const noexcept { return line_.name(); }
@@ -41,6 +44,7 @@ class LiveRobot {
 
   std::string name_;
   std::size_t index_;
+  const RobotBody& body_;
   std::string ring_name_;
   PtyLine line_;
   SimulatedBoard board_;

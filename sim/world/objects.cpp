@@ -55,13 +55,8 @@ const PieceShape& shape_of(PieceKind kind) noexcept {
 }
 
 Objects::Objects(const Scenario& scenario, const std::vector<PlacedPiece>& pieces, Physics& physics)
-    : physics_(physics) {
-  for (const auto& piece : pieces) {
-    const BodyTag tag{BodyKind::kPiece, static_cast<std::uint16_t>(pieces_.size())};
-    const PieceShape& shape = shape_of(piece.kind);
-    pieces_.push_back(
-        {piece.kind, &add_disc(physics, tag, piece.position_m, shape.radius_m, shape.mass_kg)});
-  }
+    : physics_(physics), first_pieces_(pieces), first_baskets_m_(scenario.baskets_m) {
+  for (const auto& piece : pieces) add_piece(piece);
   for (const Vec2& at : scenario.baskets_m) {
     const BodyTag tag{BodyKind::kBasket, static_cast<std::uint16_t>(baskets_.size())};
     baskets_.push_back(&add_disc(physics, tag, at, kBasketRadius_m, kBasketMass_kg));
@@ -90,6 +85,7 @@ void Objects::add_chair(const Chair& chair, std::uint16_t number) {
     body.CreateFixture(&fixture);
   }
   chairs_.push_back(&body);
+  first_chairs_.push_back(chair.pose);
 }
 
 std::array<Vec2, 4> chair_legs_m(double pitch_m) noexcept {
@@ -102,6 +98,29 @@ void Objects::rub(double dt_s) {
     if (piece.body) apply_floor_friction(*piece.body, shape_of(piece.kind).radius_m / 2, dt_s);
   for (b2Body* basket : baskets_) apply_floor_friction(*basket, kBasketRadius_m / 2, dt_s);
   for (b2Body* chair : chairs_) apply_floor_friction(*chair, kFrictionArm_m, dt_s);
+}
+
+b2Body& Objects::make_piece(const PlacedPiece& piece, std::size_t index) {
+  const PieceShape& shape = shape_of(piece.kind);
+  return add_disc(physics_, {BodyKind::kPiece, static_cast<std::uint16_t>(index)}, piece.position_m,
+                  shape.radius_m, shape.mass_kg);
+}
+
+std::size_t Objects::add_piece(const PlacedPiece& piece) {
+  pieces_.push_back({piece.kind, &make_piece(piece, pieces_.size())});
+  return pieces_.size() - 1;
+}
+
+void Objects::reset() {
+  for (std::size_t i = first_pieces_.size(); i < pieces_.size(); ++i)
+    if (pieces_[i].body) remove_piece(i);
+  pieces_.resize(first_pieces_.size());
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    if (!pieces_[i].body) pieces_[i].body = &make_piece(first_pieces_[i], i);
+    put(*pieces_[i].body, {first_pieces_[i].position_m, 0});
+  }
+  for (std::size_t i = 0; i < baskets_.size(); ++i) put(*baskets_[i], {first_baskets_m_[i], 0});
+  for (std::size_t i = 0; i < chairs_.size(); ++i) put(*chairs_[i], first_chairs_[i]);
 }
 
 void Objects::remove_piece(std::size_t index) {

@@ -49,11 +49,19 @@ class Objects {
   void rub(double dt_s);
   /// Takes a piece out of the arena.
   void remove_piece(std::size_t index);
+  /// Adds a piece and returns its number.
+  std::size_t add_piece(const PlacedPiece& piece);
+  /// Puts everything back to where it was at first. Pieces that were added since then are removed.
+  void reset();
 
  private:
   void add_chair(const Chair& chair, std::uint16_t number);
+  [[nodiscard]] b2Body& make_piece(const PlacedPiece& piece, std::size_t index);
 
   Physics& physics_;
+  std::vector<PlacedPiece> first_pieces_;
+  std::vector<Vec2> first_baskets_m_;
+  std::vector<Pose2> first_chairs_;
   std::vector<Piece> pieces_;
   std::vector<b2Body*> baskets_;
   std::vector<b2Body*> chairs_;

@@ -40,6 +40,13 @@ Pose2 pose_of(const b2Body& body) noexcept {
   return {from_b2(body.GetPosition()), body.GetAngle()};
 }
 
+void put(b2Body& body, const Pose2& pose) {
+  body.SetTransform(to_b2(pose.position_m), static_cast<float>(pose.heading_rad));
+  body.SetLinearVelocity(b2Vec2(0, 0));
+  body.SetAngularVelocity(0);
+  body.SetAwake(true);
+}
+
 b2PolygonShape box_shape(const Vec2& size_m, const Vec2& centre_m, double angle_rad) {
   constexpr double kThinnest_m = 0.001;
   const Vec2 half = (size_m / 2).array() - b2_polygonRadius;

@@ -56,6 +56,7 @@ class Physics final : private b2ContactListener {
   Physics& operator=(const Physics&) = delete;
 
   [[nodiscard]] b2World& world() noexcept { return world_; }
+  [[nodiscard]] const b2World& world() const noexcept { return world_; }
   void step(double dt_s);
 
   /// Returns the touches of the last step in Box2D's order, which is the same for the same history.
@@ -83,5 +84,7 @@ class Physics final : private b2ContactListener {
   return {v.x, v.y};
 }
 [[nodiscard]] Pose2 pose_of(const b2Body& body) noexcept;
+/// Puts a body at a place, where it stands still.
+void put(b2Body& body, const Pose2& pose);
 
 }  // namespace galilean::sim

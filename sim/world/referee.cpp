@@ -9,6 +9,8 @@ const char* to_string(Phase phase) noexcept {
       return "waiting";
     case Phase::kRunning:
       return "running";
+    case Phase::kPaused:
+      return "paused";
     case Phase::kOver:
       break;
   }
@@ -22,7 +24,11 @@ const char* to_string(RefereeCall::What what) noexcept {
 Referee::Referee(const Rules& rules, std::size_t robots) : rules_(rules), tallies_(robots) {}
 
 void Referee::start() noexcept {
-  if (phase_ == Phase::kWaiting) phase_ = Phase::kRunning;
+  if (phase_ == Phase::kWaiting || phase_ == Phase::kPaused) phase_ = Phase::kRunning;
+}
+
+void Referee::pause() noexcept {
+  if (phase_ == Phase::kRunning) phase_ = Phase::kPaused;
 }
 
 void Referee::advance(double dt_s) noexcept {

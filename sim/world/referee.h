@@ -12,7 +12,7 @@
 
 namespace galilean::sim {
 
-enum class Phase { kWaiting, kRunning, kOver };
+enum class Phase { kWaiting, kRunning, kPaused, kOver };
 [[nodiscard]] const char* to_string(Phase phase) noexcept;
 
 /// The counts of one robot on the score sheet.
@@ -37,8 +37,12 @@ class Referee {
  public:
   Referee(const Rules& rules, std::size_t robots);
 
-  /// Starts the clock.
+  /// Starts the clock of a contest that waits, or lets it go on if it is paused.
   void start() noexcept;
+  /// Stops the clock of a running contest. Nothing counts until `start`.
+  void pause() noexcept;
+  /// Clears the clock and the sheet. The contest waits for its start again.
+  void reset() { *this = Referee(rules_, tallies_.size()); }
   void advance(double dt_s) noexcept;
   /// Takes a touch that began. It counts as a collision if it is hard enough, the other body is no
   /// piece, and the same two did not just collide.

@@ -57,7 +57,8 @@ robot::firmware::Inputs RobotBody::inputs() const {
 
 void RobotBody::apply(const robot::firmware::Outputs& outputs) {
   powered_ = outputs.left_pwm != 0 || outputs.right_pwm != 0;
-  treads_.set_pwm(outputs.left_pwm, outputs.right_pwm);
+  treads_.set_pwm(broken_.left_wheel ? 0 : outputs.left_pwm,
+                  broken_.right_wheel ? 0 : outputs.right_pwm);
   gripper_.set_servo(outputs.gripper_permille);
 }
 
@@ -67,6 +68,15 @@ void RobotBody::before_step(double dt_s) {
       treads_.step({velocity.x, velocity.y, body_.GetAngularVelocity()}, dt_s);
   body_.SetLinearVelocity(body_.GetWorldVector(to_b2({after.forward_mps, after.left_mps})));
   body_.SetAngularVelocity(static_cast<float>(after.turn_radps));
+}
+
+void RobotBody::place(const Pose2& pose) {
+  if (const auto held = gripper_.held()) gripper_.forget(*held);
+  put(body_, pose);
+}
+
+void RobotBody::push(const Vec2& impulse_ns) {
+  body_.ApplyLinearImpulseToCenter(to_b2(impulse_ns), true);
 }
 
 bool RobotBody::after_step(const std::vector<Touch>& touches) {

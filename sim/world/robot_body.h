@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "robot/firmware/hardware.h"
+#include "sim/world/broken_parts.h"
 #include "sim/world/gripper.h"
 #include "sim/world/treads.h"
 
@@ -35,7 +36,18 @@ class RobotBody {
   [[nodiscard]] const b2Body& body() const noexcept { return body_; }
   [[nodiscard]] Gripper& gripper() noexcept { return gripper_; }
   [[nodiscard]] const Gripper& gripper() const noexcept { return gripper_; }
-  [[nodiscard]] std::uint8_t bumpers() const noexcept { return pressed_ | pushed_; }
+  /// Returns what the board's pins say of the switches.
+  [[nodiscard]] std::uint8_t bumpers() const noexcept {
+    return static_cast<std::uint8_t>(((pressed_ | pushed_) & ~broken_.dead_bumpers) |
+                                     broken_.stuck_bumpers);
+  }
+  [[nodiscard]] BrokenParts& broken() noexcept { return broken_; }
+  [[nodiscard]] const BrokenParts& broken() const noexcept { return broken_; }
+  /// Puts the robot at a place, where it stands still. Its hands let go of what they hold, which is
+  /// no release that counts.
+  void place(const Pose2& pose);
+  /// Requires: the robot is in the arena. `impulse_ns` is a vector in the arena's frame.
+  void push(const Vec2& impulse_ns);
   [[nodiscard]] bool powered() const noexcept { return powered_; }
 
  private:
@@ -48,6 +60,7 @@ class RobotBody {
   std::uint8_t pressed_ = 0;
   std::uint8_t pushed_ = 0;
   bool powered_ = false;
+  BrokenParts broken_;
 };
 
 }  // namespace galilean::sim

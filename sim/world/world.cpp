@@ -53,6 +53,7 @@ World::World(const Scenario& scenario, const std::vector<PlacedPiece>& pieces, s
     const Pose2 start = jittered(scenario_.starts[i], scenario_, own);
     robots_.push_back(std::make_unique<RobotBody>(physics_, static_cast<std::uint16_t>(i), start,
                                                   scenario_.slip, own.child("body")));
+    first_poses_.push_back(start);
   }
 }
 
@@ -72,8 +73,34 @@ void World::judge_release(std::size_t robot) {
   if (!objects_.pieces()[let_go->index].body) return;  // two robots held it; the other was first
   const Vec2 at = from_b2(objects_.pieces()[let_go->index].body->GetPosition());
   if (!referee_.record_release(robot, to_nearest_basket_m(at))) return;
-  for (auto& each : robots_) each->gripper().forget(*let_go);
-  objects_.remove_piece(let_go->index);
+  remove_piece(let_go->index);
+}
+
+void World::let_go_of(BodyTag body) {
+  for (auto& each : robots_) each->gripper().forget(body);
+}
+
+void World::place(b2Body& body, const Pose2& pose) {
+  const BodyTag tag = tag_of(body);
+  if (tag.kind == BodyKind::kRobot) return robots_[tag.index]->place(pose);
+  let_go_of(tag);
+  put(body, pose);
+}
+
+std::string World::drop(const PlacedPiece& piece) {
+  const auto index = static_cast<std::uint16_t>(objects_.add_piece(piece));
+  return name_of({BodyKind::kPiece, index});
+}
+
+void World::remove_piece(std::size_t index) {
+  let_go_of({BodyKind::kPiece, static_cast<std::uint16_t>(index)});
+  objects_.remove_piece(index);
+}
+
+void World::reset() {
+  for (std::size_t i = 0; i < robots_.size(); ++i) robots_[i]->place(first_poses_[i]);
+  objects_.reset();
+  referee_.reset();
 }
 
 double World::to_nearest_basket_m(const Vec2& from_m) const {

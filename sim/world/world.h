@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/result.h"
@@ -37,6 +38,21 @@ class World {
   [[nodiscard]] const Objects& objects() const noexcept { return objects_; }
   [[nodiscard]] Referee& referee() noexcept { return referee_; }
   [[nodiscard]] const Referee& referee() const noexcept { return referee_; }
+  /// Returns the body that is called so, or nullptr if none is in the arena: a robot by its name,
+  /// "can_3", "basket_1" or "chair_2".
+  [[nodiscard]] b2Body* find_body(std::string_view name) const;
+  /// Returns the name of a body, which for what never moves is "a wall" or "table_1".
+  [[nodiscard]] std::string name_of(BodyTag tag) const;
+  /// Puts a body, which is no wall or furniture that is fixed, at a place, where it stands still.
+  void place(b2Body& body, const Pose2& pose);
+  /// Adds a piece and returns its name.
+  std::string drop(const PlacedPiece& piece);
+  /// Takes a piece out of the arena. It does not count as thrown away.
+  void remove_piece(std::size_t index);
+  /// Puts every body back to where it was at first, and the referee's clock and sheet to zero.
+  /// Parts that are broken stay broken.
+  void reset();
+  [[nodiscard]] const b2World& bodies() const noexcept { return physics_.world(); }
   [[nodiscard]] double to_nearest_basket_m(const Vec2& from_m) const;
 
   /// Adds poses and velocities of all bodies and the referee's sheet, to the last bit.
@@ -47,10 +63,13 @@ class World {
         const Random& random);
   void judge_release(std::size_t robot);
 
+  void let_go_of(BodyTag body);
+
   Scenario scenario_;
   Physics physics_;
   Objects objects_;
   std::vector<std::unique_ptr<RobotBody>> robots_;
+  std::vector<Pose2> first_poses_;  ///< of the robots
   Referee referee_;
 };
 

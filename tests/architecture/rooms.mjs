@@ -48,9 +48,10 @@ export const rooms = {
     world: ['scenario'],
     camera: ['scenario', 'world'],
     devices: ['world', 'camera'],
+    control: ['world'],
     telemetry: ['world'],
-    headless: ['scenario', 'world', 'devices'],
-    live: ['camera', 'devices', 'telemetry'],
+    headless: ['scenario', 'world', 'control', 'devices'],
+    live: ['camera', 'control', 'devices', 'telemetry'],
   },
   monitor: {
     '.': ANY,

@@ -46,6 +46,38 @@ TEST(Contest, SameSeedSameHashAndAnotherSeedAnother) {
   EXPECT_NE(hash(2), first);
 }
 
+TEST(Contest, TheSameOrdersBeforeTheSameStepsGiveTheSameHash) {
+  const auto hash = [](std::uint64_t step) {
+    HeadlessOptions options{.robots = 2, .seed = 1, .duration_s = 20};
+    msg::SimulationOrder push, broken;
+    push.order = "push";
+    push.subject = "io";
+    push.impulse_ns = 5;
+    broken.order = "break";
+    broken.subject = "ganymede";
+    broken.part = "serial_line";
+    options.orders = {{step, push}, {step + 300, broken}};
+    broken.order = "mend";
+    options.orders.push_back({step + 500, broken});
+    return contest("office", options)->hash();
+  };
+  const std::uint64_t first = hash(500);
+  EXPECT_EQ(hash(500), first);
+  EXPECT_NE(hash(501), first);
+  EXPECT_NE(contest("office", {.robots = 2, .seed = 1, .duration_s = 20})->hash(), first);
+}
+
+TEST(Contest, AnOrderThatCannotBeCarriedOutEndsTheRun) {
+  HeadlessOptions options{.robots = 1, .seed = 1, .duration_s = 5};
+  msg::SimulationOrder order;
+  order.order = "jump";
+  options.orders = {{10, order}};
+  auto made =
+      HeadlessContest::make(load_scenario("office").value(), components(), program(), options);
+  ASSERT_TRUE(made);
+  EXPECT_FALSE(made.value()->run());
+}
+
 // Every compiler must agree on them: who changes what happens in a contest changes them on purpose.
 TEST(Contest, EndsInTheKnownStateWithEveryCompiler) {
   constexpr std::array<std::uint64_t, 5> kKnown{0xe0d95485e16652a2, 0x05a77358f3f0fab1,

@@ -8,6 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "core/wire/participant.h"
+#include "core/wire/reader.h"
+#include "core/wire/topic_names.h"
+#include "core/wire/writer.h"
 #include "robot/devices/microcontroller_link.h"
 #include "robot/devices/motor_drive.h"
 #include "robot/devices/serial_port.h"
@@ -107,6 +111,62 @@ TEST(Live, UnpluggedDevicesComeBack) {
   EXPECT_TRUE(robot.wait_until([&] { return robot.link.healthy(); })) << robot.link.problem();
   robot.frames = 0;
   EXPECT_TRUE(robot.wait_until([&] { return robot.frames >= 3; })) << robot.camera.problem();
+}
+
+/// An instructor in a process of its own, as far as DDS can tell.
+struct Teacher {
+  /// Sends an order twice, and again until it is answered, for ten seconds at most.
+  msg::SimulationEvent says(msg::SimulationOrder order) {
+    order.id = std::to_string(++said);
+    order.author = "teacher";
+    msg::SimulationEvent answer;
+    for (int i = 0; i < 1000 && answer.order_id != order.id; ++i) {
+      const bool sent = i % 20 != 0 || (orders.write(order) && orders.write(order));
+      EXPECT_TRUE(sent);
+      std::this_thread::sleep_for(10ms);
+      events.take([&](const wire::Received& received) {
+        msg::SimulationEvent event;
+        if (msg::decode_cdr(received.cdr, event) && event.order_id == order.id) answer = event;
+      });
+    }
+    return answer;
+  }
+
+  std::unique_ptr<wire::Participant> member = wire::Participant::join("teacher", kDomain).value();
+  wire::Writer<msg::SimulationOrder> orders{*member, wire::kSimulationOrderTopic};
+  wire::Reader events{*member, wire::kSimulationEventTopic, msg::SimulationEvent::kRosType};
+  int said = 0;
+};
+
+TEST(Live, AnInstructorPausesBreaksAndMends) {
+  const std::string run = own_run("taught");
+  const Simulator simulator({.robots = 1, .run = run, .domain = kDomain});
+  Robot robot(simulator.ready()["robots"][0]);
+  ASSERT_TRUE(robot.wait_until([&] { return robot.link.healthy(); }));
+  Teacher teacher;
+  msg::SimulationOrder order;
+  order.simulation = run;
+  order.order = "pause";
+  const auto paused = teacher.says(order);
+  EXPECT_TRUE(paused.done) << paused.text;
+  EXPECT_EQ(paused.author, "teacher");
+  EXPECT_TRUE(robot.wait_until([&] { return !robot.link.healthy(); }));
+  order.order = "go_on";
+  const auto went_on = teacher.says(order);
+  EXPECT_TRUE(went_on.done);
+  EXPECT_EQ(went_on.step, paused.step);
+  EXPECT_EQ(went_on.number, paused.number + 1);
+  EXPECT_TRUE(robot.wait_until([&] { return robot.link.healthy(); })) << robot.link.problem();
+  order.order = "break";
+  order.subject = "io";
+  order.part = "camera";
+  EXPECT_TRUE(teacher.says(order).done);
+  EXPECT_TRUE(robot.wait_until([&] { return !robot.camera.problem().empty(); }));
+  order.order = "mend";
+  EXPECT_TRUE(teacher.says(order).done);
+  robot.frames = 0;
+  EXPECT_TRUE(robot.wait_until([&] { return robot.frames >= 3; })) << robot.camera.problem();
+  EXPECT_FALSE(teacher.says(order).done);
 }
 
 TEST(Live, NothingStaysBehindAndARunIsNotSimulatedTwice) {

@@ -13,6 +13,7 @@ constexpr std::array kVerbs{
     Verb{"demo", "galilean-demo", "", "Simulator, robots and monitor together, on this machine"},
     Verb{"robot", "galilean-robot", "", "One robot: a BHDL program on its devices"},
     Verb{"sim", "galilean-sim", "", "The simulated office, live or as fast as possible"},
+    Verb{"sim ctl", "galilean-sim-ctl", "", "An instructor's orders to a running simulation"},
     Verb{"monitor", "galilean-monitor", "", "The team in a browser, with its map"},
     Verb{"top", "galilean-top", "", "The team in a terminal"},
     Verb{"record", "galilean-record", "", "Record all topics as MCAP"},

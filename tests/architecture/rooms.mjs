@@ -85,6 +85,7 @@ export const rooms = {
     'top/panels': ['team', 'top/screen', 'top/model'],
     top: ['commands', 'ingest', 'pushes', 'team', 'top/screen', 'top/model', 'top/panels'],
     commands: ['access', 'ingest', 'pushes', 'team'],
+    simulation: [],
     front: [],
     'front/demo': ['access', 'ingest', 'front'],
     'front/doctor': ['front'],

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { galilean, programs, scratchFolder } from './tools.mjs';
+import { eventually, freshDomain, galilean, getJson, programs, scratchFolder, startTeam } from './tools.mjs';
 
 function contest(...options) {
   const { status, stdout, stderr } = galilean(['sim', '--headless', '--scenario', 'office', '--json', ...options]);
@@ -46,4 +46,46 @@ test('a scenario that is none ends with one clear line', (t) => {
     assert.equal(stderr.trim().split('\n').length, 1, stderr);
     assert.ok(stderr.includes(scenario), stderr);
   }
+});
+
+test('an instructor pauses, moves and breaks while a team runs, and all of it is recorded', async (t) => {
+  const { team, domain, cwd, url } = await startTeam(t, ['--robots', '1', '--record', 'taught.mcap']);
+  const said = (...args) => galilean(['sim', 'ctl', ...args], { domain });
+  const done = (...args) => {
+    const { status, stdout, stderr } = said(...args);
+    assert.equal(status, 0, stderr);
+    return stdout.trim();
+  };
+  const truth = () => JSON.parse(done('truth'));
+  const problems = async () => (await getJson(`${url}/api/status`)).robots[0]?.problems ?? [];
+  const quiet = async () => (await problems()).length === 0 && (await getJson(`${url}/api/status`)).robots.length === 1;
+  await eventually(quiet);
+
+  assert.equal(done('pause'), 'paused the simulation');
+  const { step } = truth();
+  await eventually(async () => (await problems()).some((sentence) => /microcontroller/.test(sentence)));
+  assert.equal(truth().step, step);
+  assert.equal(done('move', 'io', '6.2', '4.6'), 'moved io to (6.20, 4.60) m');
+  const io = truth().bodies.find(({ name }) => name === 'io');
+  assert.ok(Math.hypot(io.x_m - 6.2, io.y_m - 4.6) < 1e-3, JSON.stringify(io));
+  done('go-on');
+  await eventually(quiet);
+
+  done('break', 'io', 'camera');
+  await eventually(async () => (await problems()).some((sentence) => /camera|picture/i.test(sentence)));
+  done('mend', 'io', 'camera');
+  await eventually(quiet);
+
+  const refused = said('move', 'io', '0', '0');
+  assert.equal(refused.status, 1);
+  assert.match(refused.stderr, /^galilean sim ctl: io cannot stand at .*a wall\n$/);
+  assert.equal((await team.stop()).code, 0);
+  const { stdout } = galilean(['log', 'info', 'taught.mcap'], { cwd });
+  assert.match(stdout, /\/simulation\/event/);
+});
+
+test('where no simulation runs, an order says so', () => {
+  const { status, stderr } = galilean(['sim', 'ctl', 'pause'], { domain: freshDomain() });
+  assert.equal(status, 1);
+  assert.match(stderr, /^galilean sim ctl: no simulation is heard; .*\n$/);
 });

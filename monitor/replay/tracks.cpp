@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
+#include <string>
+#include <string_view>
 
 #include "core/wire/schemas.h"
 #include "core/wire/topic_names.h"
@@ -15,10 +18,24 @@ constexpr std::array<std::string_view, 4> kMadeByMonitor{
 constexpr std::array<std::string_view, 3> kShared{wire::kTfTopic, wire::kDiagnosticsTopic,
                                                   wire::kLogTopic};
 
+/// Returns the words of an IDL text without its comments, each with one blank behind it.
+std::string words_of(std::string_view idl) {
+  std::string words;
+  while (!idl.empty()) {
+    const auto end = std::min(idl.find('\n'), idl.size());
+    const auto code = idl.substr(0, end);
+    std::istringstream line(std::string(code.substr(0, code.find("//"))));
+    for (std::string word; line >> word;) words += word + ' ';
+    idl.remove_prefix(std::min(end + 1, idl.size()));
+  }
+  return words;
+}
+
+/// Comments and layout are no part of a type: messages of another release may differ in them alone.
 bool is_known(const mcap::Channel& channel, const mcap::Schema& schema) {
   const auto* known = wire::find_schema_by_ros_type(schema.name);
-  return known && channel.message_encoding == "cdr" && known->idl == schema.data &&
-         channel.topic.starts_with('/');
+  return known && channel.message_encoding == "cdr" && channel.topic.starts_with('/') &&
+         (known->idl == schema.data || words_of(known->idl) == words_of(schema.data));
 }
 
 }  // namespace

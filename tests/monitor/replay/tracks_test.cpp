@@ -39,10 +39,20 @@ TEST(Tracks, TypesOfOthersAndOfOtherReleasesAreLeftOut) {
   auto recording = recording_with({{"/scan", "sensor_msgs/msg/LaserScan"},
                                    {"/io/state", "galilean_msgs/msg/RobotState"},
                                    {"/io/variables", "galilean_msgs/msg/Variables"}});
-  recording.schemas[2].data += "\n// as it was once";
+  recording.schemas[2].data += "\nmodule more {};";
   const auto tracks = tracks_of(recording);
   EXPECT_EQ(tracks.foreign, (std::vector<std::string>{"/io/state", "/scan"}));
   EXPECT_TRUE(tracks.played.contains(3));
+}
+
+TEST(Tracks, AReleaseThatDiffersInCommentsAndLayoutAloneIsPlayed) {
+  auto recording = recording_with({{"/io/state", "galilean_msgs/msg/RobotState"},
+                                   {"/referee/score", "galilean_msgs/msg/Score"}});
+  recording.schemas[1].data += "\n\n  // as it was once";
+  const auto comment = recording.schemas[2].data.find("//");
+  ASSERT_NE(comment, std::string::npos);
+  recording.schemas[2].data.insert(comment + 2, " in other words:\n//");
+  EXPECT_EQ(tracks_of(recording).played.size(), 2u);
 }
 
 TEST(Tracks, LiveNamesakesAreThoseThatWriteTheSameTopics) {

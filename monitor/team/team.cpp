@@ -17,14 +17,21 @@ bool note_as(Team& team, const Message& message) {
 }
 
 using Note = bool (*)(Team&, const Message&);
-constexpr std::array<std::pair<std::string_view, Note>, 6> kNotes{{
+constexpr std::array<std::pair<std::string_view, Note>, 7> kNotes{{
     {msg::RobotState::kRosType, note_as<msg::RobotState>},
     {msg::Transition::kRosType, note_as<msg::Transition>},
     {msg::Variables::kRosType, note_as<msg::Variables>},
     {msg::Program::kRosType, note_as<msg::Program>},
     {msg::Catalog::kRosType, note_as<msg::Catalog>},
     {msg::Score::kRosType, note_as<msg::Score>},
+    {msg::ObjectMap::kRosType, note_as<msg::ObjectMap>},
 }};
+
+/// Returns the age as a duration that a clock can hold, whatever was sent.
+Duration plausible_age(float age_s) {
+  constexpr float kMost_s = 86400;
+  return from_seconds(age_s >= 0 && age_s <= kMost_s ? age_s : kMost_s);
+}
 
 }  // namespace
 
@@ -77,6 +84,15 @@ void Team::note(const msg::Catalog& catalog) {
 void Team::note(const msg::Score& score) {
   score_ = score;
   tally_.note(score);
+}
+
+void Team::note(const msg::ObjectMap& map) {
+  for (const auto& told : map.robots) {
+    const auto [place, is_new] = robots_.try_emplace(told.name);
+    if (!is_new) continue;
+    place->second.name = told.name;
+    place->second.heard = clock_.now() - plausible_age(told.age_s);
+  }
 }
 
 const Robot* Team::find(std::string_view robot) const noexcept {

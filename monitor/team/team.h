@@ -15,8 +15,8 @@
 namespace galilean::monitor {
 
 /// A model of the team: every robot that ever sent a message, by name, and the referee's score. A
-/// robot that falls silent stays. The model depends on the messages and the clock only. For use by
-/// one thread.
+/// robot that falls silent stays, and so does one that fell silent before this began, if a monitor
+/// tells of it. The model depends on the messages and the clock only. For use by one thread.
 class Team {
  public:
   static constexpr Duration kDefaultSilentAfter = std::chrono::seconds(2);
@@ -36,6 +36,9 @@ class Team {
   void note(const msg::Program& program);
   void note(const msg::Catalog& catalog);
   void note(const msg::Score& score);
+  /// Adds the robots that a monitor knows and that have sent nothing here. They are as old as it
+  /// tells, and have no state.
+  void note(const msg::ObjectMap& map);
   /// Notes the hash of a program that was pushed to the whole team.
   void note_push(const std::string& hash) { pushed_hash_ = hash; }
 
@@ -44,7 +47,7 @@ class Team {
   [[nodiscard]] const std::map<std::string, Robot, std::less<>>& robots() const noexcept {
     return robots_;
   }
-  /// Returns the robot of this name, or nullptr if it never sent a message.
+  /// Returns the robot of this name, or nullptr if nobody told of it.
   [[nodiscard]] const Robot* find(std::string_view robot) const noexcept;
   [[nodiscard]] const std::optional<msg::Score>& score() const noexcept { return score_; }
 

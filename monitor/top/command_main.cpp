@@ -3,6 +3,8 @@
 // result.
 #include <poll.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iostream>
 
@@ -92,6 +94,19 @@ int tell(Operator::Word word, const std::string& robot, const msg::RobotState& b
   return done ? 0 : 1;
 }
 
+/// Tells of the robots that are known to be in the team, send nothing, and are none of `told`.
+/// Returns whether there are such.
+bool tell_silent(const Team& team, const std::vector<std::string>& told) {
+  bool any = false;
+  for (const auto& [name, robot] : team.robots()) {
+    if (!team.silent(robot) || std::ranges::find(told, name) != told.end()) continue;
+    std::cout << visible(name) << ": has sent nothing for " << std::lround(team.age_s(robot))
+              << " s, so it is not known what it does\n";
+    any = true;
+  }
+  return any;
+}
+
 int command(Operator::Word word, TeamFeed& feed, Operator& speaker, const Options& options) {
   constexpr Duration kHear = std::chrono::seconds(3), kObey = std::chrono::seconds(2);
   constexpr Duration kGather = std::chrono::milliseconds(300);
@@ -108,8 +123,10 @@ int command(Operator::Word word, TeamFeed& feed, Operator& speaker, const Option
     if (!state_of(team, robot))
       return std::cerr << "galilean-command: " << visible(robot) << " sends no state; " << kCheck,
              1;
-  if (!heard || targets.empty())
+  if (!heard || targets.empty()) {
+    (void)tell_silent(team, {});
     return std::cerr << "galilean-command: no robot sends its state; " << kCheck, 1;
+  }
 
   std::map<std::string, msg::RobotState> before;
   for (const auto& robot : targets) before[robot] = *state_of(team, robot);
@@ -124,7 +141,8 @@ int command(Operator::Word word, TeamFeed& feed, Operator& speaker, const Option
   int result = 0;
   for (const auto& robot : targets)
     result |= tell(word, robot, before[robot], *state_of(team, robot));
-  return result;
+  const bool all_told = !options.team || !tell_silent(team, targets);
+  return word == Operator::Word::kHold && !all_told ? 1 : result;
 }
 
 /// Tells whoever listens to stand still before it is known who is there, then as `command`.

@@ -119,6 +119,11 @@ test('a robot that is killed is silent, stays in the team, and the others run on
   const top = galilean(['top', '--once'], { domain });
   assert.equal(top.status, 0);
   assert.match(top.stdout, /^.*I io +\w+/m);
+  assert.match(top.stdout, /callisto .*silent/);
+  const stopped = galilean(['stop'], { domain });
+  assert.equal(stopped.status, 1, stopped.stdout + stopped.stderr);
+  assert.match(stopped.stdout, /^ganymede: stands still$/m);
+  assert.match(stopped.stdout, /^callisto: has sent nothing for \d+ s, so it is not known what it does$/m);
 });
 
 test('camera and serial line unplugged: the robot says which, and comes back', async (t) => {

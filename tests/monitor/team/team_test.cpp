@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace galilean::monitor {
 namespace {
 
@@ -104,6 +106,21 @@ TEST_F(TeamTest, ARobotThatStartsAnewForgetsItsTransitions) {
   team.note(transition(7));
   team.note(state_of("io", "a", 1));
   EXPECT_TRUE(team.find("io")->transitions.empty());
+}
+
+TEST_F(TeamTest, ARobotThatDiedBeforeIsKnownFromTheMonitor) {
+  clock.advance(1h);
+  team.note(state_of("io", "a"));
+  msg::ObjectMap map;
+  for (const auto& [name, age_s] : {std::pair{"io", 50.F}, {"ganymede", 7.5F}, {"callisto", NAN}})
+    map.robots.emplace_back().name = name, map.robots.back().age_s = age_s;
+  team.note(map);
+  EXPECT_EQ(status("io").health, Health::kWell);
+  EXPECT_EQ(status("ganymede").health, Health::kSilent);
+  EXPECT_DOUBLE_EQ(status("ganymede").age_s, 7.5);
+  EXPECT_EQ(status("callisto").health, Health::kSilent);
+  team.note(state_of("ganymede", "a"));
+  EXPECT_EQ(status("ganymede").health, Health::kWell);
 }
 
 TEST_F(TeamTest, DamagedBytesAreTold) {

@@ -12,7 +12,7 @@ test("a stop names who has not answered and who drives on", async () => {
   await at("stop-all").click();
   await tab.untilIs("stop-report", "data-stopped", "1");
   await tab.until(() => /1 of 3 stopped; callisto has not answered for \d+.* s, ganymede answers but has not stopped for [1-9]/.test(document.querySelector("[data-testid=stop-report]").textContent));
-  assert.equal(await at("stop-report").getAttribute("role"), "alert");
+  assert.equal(await at("stop-report").getByRole("alert").innerText(), "1 stopped, 2 not confirmed");
 });
 
 test("once the robots are let go nothing is said of the stop", async () => {

@@ -14,17 +14,20 @@ export const rights = new Rights();
 
 /** For a button that steers: where this viewer may not, it looks so, says where to get the right, and does nothing else. */
 export function steers(button: HTMLButtonElement): void {
-  const title = button.title;
   $effect(() => {
     const isBarred = !rights.maySteer;
     button.setAttribute("aria-disabled", String(isBarred));
-    button.title = isBarred ? HOW_TO_STEER : title;
     if (!isBarred) return;
+    const { title } = button;
+    button.title = HOW_TO_STEER;
     const explain = (event: MouseEvent): void => {
       event.stopImmediatePropagation();
       live.trouble = HOW_TO_STEER;
     };
     button.addEventListener("click", explain, { capture: true });
-    return () => button.removeEventListener("click", explain, { capture: true });
+    return () => {
+      button.title = title;
+      button.removeEventListener("click", explain, { capture: true });
+    };
   });
 }

@@ -21,6 +21,7 @@ interface Verdict {
 export class Checks {
   #verdict = $state.raw<Verdict>();
   #drawn = $state.raw<{ readonly generation: number; readonly machine: Machine }>();
+  #unanswered = $state.raw<Draft>();
   #asked = new Latest();
   readonly typed: TypedProblems;
 
@@ -55,11 +56,21 @@ export class Checks {
     return this.#current !== undefined && this.#isComparedWithRunning;
   }
 
+  /** The monitor was asked about the text as it stands, and could not be reached or gave no answer. */
+  get isUnanswered(): boolean {
+    return this.#unanswered === this.bench.draft;
+  }
+
   /** Asks the monitor. Its answer counts unless the text changes, or it is asked again, before it comes. */
   async examine(): Promise<void> {
     const { draft } = this.bench;
     const against = live.presentRobot?.program?.value;
-    await this.#asked.take(api.check(draft.files, live.robot?.name, against?.files), (result) => this.#note({ draft, result, against }));
+    const answer = api.check(draft.files, live.robot?.name, against?.files);
+    answer.then(
+      () => (this.#unanswered = undefined),
+      () => (this.#unanswered = draft),
+    );
+    await this.#asked.take(answer, (result) => this.#note({ draft, result, against }));
   }
 
   /** The monitor refused to push a draft, which may have left the bench since. */

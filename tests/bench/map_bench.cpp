@@ -31,7 +31,8 @@ int main(int count, char** arguments) try {
   bool rough = false;
   MappedContest::Options options;
   galilean::CommandLine app(
-      "How right the map is after three minutes of a contest, against the world's truth.");
+      "How right the map is after three minutes of a contest, against the world's truth.",
+      "map_bench");
   app.option("seeds", seeds, "from 1 on").show_default();
   app.option("--scenario", options.scenario, "one that ships, or a file").show_default();
   app.option("--robots", options.robots, "how many").show_default();

@@ -39,7 +39,7 @@ TEST(Simulations, OneOfSeveralMustBeNamedAndASilentOneIsGone) {
 
 std::optional<msg::SimulationOrder> order_of(std::vector<const char*> words) {
   words.insert(words.begin(), "ctl");
-  CommandLine app("");
+  CommandLine app("", "galilean");
   const OrderOptions options(app);
   EXPECT_FALSE(app.parse(static_cast<int>(words.size()), words.data()));
   return options.order();

@@ -39,7 +39,8 @@ std::string in_words(const std::string& what, const std::string& meant) {
 
 std::string unknown_option(const std::string& word, const Names& names) {
   const std::string option = word.substr(0, word.find('='));
-  const std::string meant = meant_name(option.substr(option.find_first_not_of('-')), names);
+  const auto name = option.find_first_not_of('-');
+  const std::string meant = name == option.npos ? "" : meant_name(option.substr(name), names);
   return in_words("option '" + option + "'", meant.empty() ? meant : "--" + meant);
 }
 

@@ -30,6 +30,7 @@ const misspelt = [
   ['bhdl check --jsno x.bhdl', /galilean bhdl check: there is no option '--jsno'; did you mean '--json'\?/],
   ['demo --prot 8081', /there is no option '--prot'; did you mean '--port'\?/],
   ['programs lsit', /there is no command 'lsit'; did you mean 'list'\?/],
+  ['demo --=x', /there is no option '--'/],
   ['hold --tema', /there is no option '--tema'; did you mean '--team'\?/],
   ['record --oot run.mcap', /there is no option '--oot'; did you mean '--out'\?/],
   ['xyzzy', /there is no 'xyzzy'; 'galilean help' lists what there is/],

@@ -113,12 +113,22 @@ export function numberText(value: number, step: number): string {
   return String(Number(value.toFixed(digits)));
 }
 
-/** The files with these numbers, by their tunables' keys, and every other character as it was; numbers that they lack are left out. */
-export function withNumbers(files: readonly SourceFile[], catalog: Catalog, numbers: ReadonlyMap<string, number>): SourceFile[] {
+/** With all its digits, and without the exponent that BHDL does not know. */
+function exactText(value: number): string {
+  const text = String(value);
+  return text.includes("e") ? value.toFixed(20).replace(/0+$/, "") : text;
+}
+
+/**
+ * The files with these numbers, by their tunables' keys, and every other character as it was; numbers that they lack are
+ * left out. Numbers of a hand are rounded to their sliders' steps; `isExact`: they stood in the text before.
+ */
+export function withNumbers(files: readonly SourceFile[], catalog: Catalog, numbers: ReadonlyMap<string, number>, isExact = false): SourceFile[] {
   const changes = tunablesIn(files, catalog).filter(({ key, value }) => numbers.has(key) && numbers.get(key) !== value);
   changes.sort((a, b) => b.place.from - a.place.from);
   return files.map(({ path, text }, file) => {
     const mine = changes.filter(({ place }) => place.file === file);
-    return { path, text: mine.reduce((all, { key, step, place }) => all.slice(0, place.from) + numberText(numbers.get(key)!, step) + all.slice(place.to), text) };
+    const textOf = ({ key, step }: Tunable) => (isExact ? exactText(numbers.get(key)!) : numberText(numbers.get(key)!, step));
+    return { path, text: mine.reduce((all, each) => all.slice(0, each.place.from) + textOf(each) + all.slice(each.place.to), text) };
   });
 }

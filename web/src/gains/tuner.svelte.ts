@@ -33,6 +33,8 @@ interface Move {
 }
 
 interface Flight {
+  /** Where it goes: answers count only while the sliders are aimed there. */
+  readonly target: string;
   readonly moves: readonly Move[];
   readonly numbers: ReadonlyMap<string, number>;
   readonly isUndo: boolean;
@@ -50,15 +52,17 @@ export class Tuner {
   #waitsForUndo = false;
   #rest: ReturnType<typeof setTimeout> | undefined;
 
-  /** Of the team those that are heard: nobody knows what a silent robot runs, and it would not answer. */
-  readonly targets: readonly string[] = $derived.by(() => {
+  /** Of the team those that are in service and heard: nobody knows what a silent robot runs, and it would not answer. */
+  readonly reached: readonly string[] = $derived.by(() => {
     if (this.target) return [this.target];
-    const heard = live.robots.filter((robot) => !isSilent(robot, live.known_present_ms));
-    return heard.length === live.robots.length ? [] : heard.map(({ name }) => name);
+    const robots = [...live.present.robots.values()];
+    return robots.filter((robot) => !robot.state?.value.out_of_service && !isSilent(robot, live.known_present_ms)).map(({ name }) => name);
   });
-  /** What the robots run; undefined where they do not run the same: then no one program is changed. */
-  readonly program = $derived.by(() => (runningHash(this.targets) ? runningProgram(this.targets) : undefined));
-  readonly catalog = $derived.by(() => live.present.robots.get(this.targets[0] ?? live.robots[0]?.name ?? "")?.catalog);
+  /** Whom a push names: nobody where it reaches the whole team. */
+  readonly targets: readonly string[] = $derived.by(() => (!this.target && this.reached.length === live.present.robots.size ? [] : this.reached));
+  /** What the robots run; undefined where they do not run the same, or none is reached: then no one program is changed. */
+  readonly program = $derived.by(() => (this.reached.length > 0 && runningHash(this.targets) ? runningProgram(this.targets) : undefined));
+  readonly catalog = $derived.by(() => live.present.robots.get(this.reached[0] ?? "")?.catalog);
   readonly tunables: readonly Tunable[] = $derived(this.program && this.catalog ? tunablesIn(this.program.files, this.catalog) : []);
 
   get isBusy(): boolean {
@@ -72,11 +76,15 @@ export class Tuner {
 
   /** Where the slider stands: where the hand put it until the robots have answered, and then where they run it. */
   valueOf({ key, value }: Tunable): number {
-    return this.#waiting.get(key) ?? this.#flight?.numbers.get(key) ?? value;
+    return this.#waiting.get(key) ?? this.#flightHere?.numbers.get(key) ?? value;
   }
 
   isUnderWay(key: string): boolean {
-    return this.#waiting.has(key) || this.#flight?.numbers.has(key) === true;
+    return this.#waiting.has(key) || this.#flightHere?.numbers.has(key) === true;
+  }
+
+  get #flightHere(): Flight | undefined {
+    return this.#flight?.target === this.target ? this.#flight : undefined;
   }
 
   answerOf(key: string): Answer | undefined {
@@ -93,7 +101,6 @@ export class Tuner {
   undo(): void {
     const { last } = this;
     if (!last || this.isBusy) return;
-    this.#done = this.#done.slice(0, -1);
     this.#waitsForUndo = true;
     this.#wait(last.key, last.from);
   }
@@ -101,6 +108,7 @@ export class Tuner {
   /** Of another robot nothing is known yet. */
   aim(target: string): void {
     clearTimeout(this.#rest);
+    this.#rest = undefined;
     this.target = target;
     this.#waiting = new Map();
     this.#answers = new Map();
@@ -110,18 +118,22 @@ export class Tuner {
   #wait(key: string, value: number): void {
     this.#waiting = new Map(this.#waiting).set(key, value);
     clearTimeout(this.#rest);
-    this.#rest = setTimeout(() => void this.#send(), REST_MS);
+    this.#rest = setTimeout(() => {
+      this.#rest = undefined;
+      void this.#send();
+    }, REST_MS);
   }
 
   async #send(): Promise<void> {
     const { program, catalog, targets } = this;
-    if (this.#flight || this.#waiting.size === 0) return;
+    // While the hand moves, what it rests at is sent by and by.
+    if (this.#flight || this.#rest !== undefined || this.#waiting.size === 0) return;
     const moves = this.#movesOf(this.#waiting);
-    const flight: Flight = { moves, numbers: this.#waiting, isUndo: this.#waitsForUndo };
+    const flight: Flight = { target: this.target, moves, numbers: this.#waiting, isUndo: this.#waitsForUndo };
     [this.#flight, this.#waiting, this.#waitsForUndo] = [flight, new Map(), false];
     try {
       if (!program || !catalog) throw new Error("It is not known what the robots run.");
-      if (moves.length > 0) await this.#push(flight, withNumbers(program.files, catalog, flight.numbers), targets, program.hash);
+      if (moves.length > 0) await this.#push(flight, withNumbers(program.files, catalog, flight.numbers, flight.isUndo), targets, program.hash);
     } catch (error) {
       this.#answer(flight, { pushId: "", replies: [], failure: (error as Error).message });
     } finally {
@@ -147,7 +159,7 @@ export class Tuner {
     this.#answer(flight, { pushId: ended.id, replies: ended.replies });
     if (!ended.replies.some(({ status }) => status === "running" || status === "confirmed")) return;
     await this.#told(ended.hash, targets);
-    if (!flight.isUndo) this.#done = [...this.#done, ...flight.moves];
+    if (flight.target === this.target) this.#done = flight.isUndo ? this.#done.slice(0, -1) : [...this.#done, ...flight.moves];
     if (catalog) writeToDraft(files, catalog, flight.numbers);
   }
 
@@ -167,7 +179,8 @@ export class Tuner {
     while (Date.now() < until_ms && (runningHash(targets) !== hash || runningProgram(targets)?.hash !== hash)) await pause(50);
   }
 
-  #answer({ moves }: Flight, answer: Answer): void {
+  #answer({ target, moves }: Flight, answer: Answer): void {
+    if (target !== this.target) return;
     const answers = new Map(this.#answers);
     for (const { key } of moves) answers.set(key, answer);
     this.#answers = answers;
@@ -177,7 +190,7 @@ export class Tuner {
   #reasonOf(moves: readonly Move[]): string {
     const steps = new Map(this.tunables.map(({ key, step }) => [key, step]));
     const text = (key: string, value: number) => numberText(value, steps.get(key) ?? 1e-6);
-    return moves.map(({ key, label, from, to }) => `gain ${label} ${from} → ${text(key, to)}`).join(", ");
+    return moves.map(({ key, label, from, to }) => `${label} ${from} → ${text(key, to)}`).join(", ");
   }
 }
 

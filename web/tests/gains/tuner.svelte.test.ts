@@ -63,7 +63,25 @@ describe("a number that is moved", () => {
     expect(questions.count("push")).toBe(0);
     await rest();
     expect(questions.count("push")).toBe(1);
-    expect(questions.of("push").told).toEqual([files(1.5), [], { replaces: "hash of 1", reason: "gain c · gain of noise 1 → 1.5" }]);
+    expect(questions.of("push").told).toEqual([files(1.5), [], { replaces: "hash of 1", reason: "c · gain of noise 1 → 1.5" }]);
+  });
+  it("is not sent while the hand moves it again, though a push has ended meanwhile", async () => {
+    tuner.move(NOISE, 1.5);
+    await rest();
+    tuner.move(NOISE, 1.6);
+    await take(1.5);
+    expect(questions.count("push")).toBe(1);
+    await rest();
+    expect(pushed()).toBe(text(1.6));
+  });
+  it("goes to no robot that is out of service or silent, and where none is left it goes nowhere", async () => {
+    const io = live.robots[0]!;
+    const out = { ...runs("ganymede", program(1)), catalog } as typeof io;
+    live.robots = [io, { ...out, state: { ...out.state!, value: { ...out.state!.value, out_of_service: true } } }];
+    expect(tuner.targets).toEqual(["io"]);
+    expect(tuner.program?.hash).toBe("hash of 1");
+    live.robots = [live.robots[1]!];
+    expect(tuner.program).toBeUndefined();
   });
   it("waits while a push is under way, and then the last value counts, put into what runs by then", async () => {
     tuner.move(NOISE, 1.5);
@@ -133,6 +151,18 @@ describe("undo", () => {
     expect(pushed()).toBe(text(1));
     await take(1);
     expect(tuner.last).toBeUndefined();
+  });
+  it("brings back every digit that stood there, and may be tried again where it was refused", async () => {
+    run(0.0625);
+    tuner.move(NOISE, 1.5);
+    await rest();
+    await take(1.5);
+    tuner.undo();
+    await rest();
+    expect(pushed()).toBe(text(0.0625));
+    await questions.of("push").answer(result(0.0625, "done", "refused"));
+    await vi.advanceTimersByTimeAsync(100);
+    expect(tuner.last?.from).toBe(0.0625);
   });
 });
 

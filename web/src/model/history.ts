@@ -38,8 +38,8 @@ export class History {
     return [...this.#old, ...this.#fine];
   }
 
-  /** The team as it was at `at_ms`, or at the earliest instant known. */
-  at(at_ms: number): Team | undefined {
+  /** The newest instant that was kept until `at_ms`, or the earliest one known. */
+  at(at_ms: number): Instant | undefined {
     const instants = this.instants;
     let low = 0;
     let high = instants.length;
@@ -48,7 +48,7 @@ export class History {
       if (instants[middle]!.at_ms <= at_ms) low = middle + 1;
       else high = middle;
     }
-    return instants[Math.max(low - 1, 0)]?.team;
+    return instants[Math.max(low - 1, 0)];
   }
 
   #age(instant: Instant): void {

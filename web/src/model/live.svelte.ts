@@ -52,11 +52,9 @@ class Live {
     trouble: (sentence) => (this.trouble = sentence),
   });
 
-  readonly team: Team = $derived(
-    this.instant_ms === undefined
-      ? this.#shown
-      : { ...(this.#history.at(this.instant_ms) ?? this.#shown), grid: this.#shown.grid },
-  );
+  /** What is kept of the instant that is shown; undefined: the present is. */
+  readonly #past: Instant | undefined = $derived(this.instant_ms === undefined ? undefined : this.#history.at(this.instant_ms));
+  readonly team: Team = $derived(this.#past ? { ...this.#past.team, grid: this.#shown.grid } : this.#shown);
   readonly now_ms: number = $derived(this.instant_ms ?? this.#now_ms);
   readonly present_ms: number = $derived(this.#now_ms);
   /**
@@ -64,7 +62,7 @@ class Live {
    * not by the page's clock: a page that is behind, or without a monitor, knows nothing against a robot.
    */
   readonly known_present_ms: number = $derived(Math.min(this.#now_ms, this.#told_ms ?? this.#now_ms));
-  readonly known_ms: number = $derived(this.instant_ms ?? this.known_present_ms);
+  readonly known_ms: number = $derived(this.#past?.at_ms ?? this.instant_ms ?? this.known_present_ms);
   readonly behind_ms: number = $derived(this.#now_ms - this.known_present_ms);
   /** Whether what is shown as the present is older than an operator may take it for. */
   readonly isBehind: boolean = $derived(this.behind_ms > BEHIND_MS);
@@ -156,6 +154,8 @@ class Live {
     if (this.#shown !== this.#team) {
       this.#shown = this.#team;
       this.#history.record(this.#team, now_ms);
+      // What is forgotten is not shown under its old time.
+      if (this.instant_ms !== undefined && this.instant_ms < this.earliest_ms) this.instant_ms = this.earliest_ms;
     }
     if (now_ms - this.#now_ms >= this.#ageing_ms) [this.#now_ms, this.#told_ms] = [now_ms, this.#toldNext_ms];
     flushSync();

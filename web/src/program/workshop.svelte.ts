@@ -31,9 +31,9 @@ export class Workshop {
     return (await this.attempts.make(() => this.bench.load(key, this.library.read(key)))) === true;
   }
 
-  /** Puts what a robot runs on the bench. */
+  /** Puts what a robot runs now on the bench, whatever instant is shown. */
   takeRunning(): void {
-    const program = live.robot?.program?.value;
+    const program = live.presentRobot?.program?.value;
     if (program) this.#take(program.files);
   }
 
@@ -52,7 +52,7 @@ export class Workshop {
    * Returns false if something else is chosen meanwhile.
    */
   async #takeByHash(hash: string | undefined): Promise<boolean> {
-    const running = live.robots.find(({ program }) => program?.value.hash === hash)?.program?.value;
+    const running = [...live.present.robots.values()].find(({ program }) => program?.value.hash === hash)?.program?.value;
     if (running) this.#take(running.files);
     else if (!hash) this.takeRunning();
     // Where somebody types meanwhile, that stays, as everything that is edited does.

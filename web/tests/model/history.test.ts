@@ -10,7 +10,7 @@ it("gives the team as it was at an instant, for ten minutes back", () => {
     const at_ms = T0_MS + second * 1000;
     history.record(told([["/io/state", state({ at_ms, state: `state${second}` }), at_ms]]), at_ms);
   }
-  const shown = (second: number) => robotOf(history.at(T0_MS + second * 1000)!).state?.value.state;
+  const shown = (second: number) => robotOf(history.at(T0_MS + second * 1000)!.team).state?.value.state;
   expect(shown(650)).toBe("state650");
   expect(shown(650.7)).toBe("state650");
   expect(shown(3)).toBe("state100");

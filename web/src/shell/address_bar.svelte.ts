@@ -44,9 +44,10 @@ class AddressBar {
     this.#tell([
       ...(isRobotHeard ? [] : [`The address asks for the robot ${wanted.robot}, which is not heard.`]),
       ...left.map((plot) => `The address asks for a plot of ${plot.join(" ")}, which nobody tells.`),
-      ...this.#showInstant(wanted.at_ms),
+      ...(live.isPast || live.chosen !== wanted.robot ? [] : this.#showInstant(wanted.at_ms)),
     ]);
-    if (!isRobotHeard) live.chosen = undefined;
+    // Whoever chose another robot meanwhile keeps it.
+    if (!isRobotHeard && live.chosen === wanted.robot) live.chosen = undefined;
   }
 
   /** Called whenever what is looked at changes. */

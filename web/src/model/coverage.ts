@@ -57,7 +57,7 @@ export function withTransitionCounted(all: Coverages, earlier: readonly Transiti
   const from = ofItsOwn && from_state !== "" ? counted(begun.entered, from_state, 0) : begun.entered;
   return withProgram(all, program_hash, {
     since: isBefore(stamp, begun.since) ? stamp : begun.since,
-    fromStart: begun.fromStart || isFirst,
+    fromStart: begun.fromStart || (isFirst && (!known || isBefore(stamp, known.since) || [...known.entered.values()].every((times) => times === 0))),
     entered: counted(from, to_state, 1),
     fired: ofItsOwn ? counted(begun.fired, conditionKey(next), 1) : begun.fired,
     missed: Math.max(begun.missed + missedBefore(earlier, next), 0),

@@ -12,6 +12,8 @@ const LASTS_MS = 5000;
 const ROUND_MS = 3000;
 /** Who gets farther than this in a second, on the whole, gets somewhere: it follows a line or a wall. */
 const GETS_ON_MPS = 0.05;
+/** How far back that is looked at: whoever drives round the arena is not back where it began so soon. */
+const LOOKS_BACK_MS = 8000;
 
 export interface Loop {
   /** In the order in which the robot enters them. */
@@ -60,9 +62,12 @@ function getsOn(trail: readonly TrailPoint[], from_ms: number, now_ms: number): 
   const last = trail.at(-1);
   if (!last) return false;
   // A trail has no new point while the robot stands: the last one before is where it was then.
-  const before = trail.filter(({ at_ms }) => at_ms <= from_ms).at(-1) ?? trail[0]!;
-  const began_ms = Math.max(from_ms, before.at_ms);
-  return Math.hypot(last.x_m - before.x_m, last.y_m - before.y_m) > (GETS_ON_MPS * (now_ms - began_ms)) / 1000;
+  const since_ms = Math.max(from_ms, now_ms - LOOKS_BACK_MS);
+  const start = Math.max(trail.filter(({ at_ms }) => at_ms <= since_ms).length - 1, 0);
+  const [before, lately] = [trail[start]!, trail.slice(start)];
+  const began_ms = Math.max(since_ms, before.at_ms);
+  const farthest_m = Math.max(...lately.map(({ x_m, y_m }) => Math.hypot(x_m - before.x_m, y_m - before.y_m)));
+  return farthest_m > (GETS_ON_MPS * (now_ms - began_ms)) / 1000;
 }
 
 /** The states in their order, beginning with the one that stands first in the program: so the words stay the same. */

@@ -4,6 +4,7 @@
 import { lasting, plural } from "../lib/format";
 import { type PostedAlarm, sentenceOf } from "../model/alarms";
 import type { Robot } from "../model/model";
+import { isSilent } from "../model/silence";
 
 export interface Notice {
   readonly kind: "connection" | "alarm" | "held";
@@ -37,9 +38,9 @@ export function alarmNotices(posted: readonly PostedAlarm[], now_ms: number): No
   return left > 0 ? [...told, { kind: "alarm", words: `${plural(left, "more alarm")}.` }] : told;
 }
 
-/** All that are in service stand still at somebody's word. */
-export function heldNotice(robots: readonly Robot[]): Notice | undefined {
-  const inService = robots.filter(({ state }) => state && !state.value.out_of_service);
+/** All that are in service and heard stand still at somebody's word. */
+export function heldNotice(robots: readonly Robot[], known_ms: number): Notice | undefined {
+  const inService = robots.filter((robot) => robot.state && !robot.state.value.out_of_service && !isSilent(robot, known_ms));
   const held = inService.length > 0 && inService.every(({ state }) => state?.value.held);
   return held ? { kind: "held", words: inService.length === 1 ? "The robot is held." : "All robots are held." } : undefined;
 }

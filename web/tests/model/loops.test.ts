@@ -60,6 +60,15 @@ describe("no loop is", () => {
     expect(loop(bars), "standing it would be one").toBeDefined();
     expect(loop(bars, { deposits_ms: [], trail: going(0.25, 16) })).toBeUndefined();
   });
+  it("following a line that leads round, however long", () => {
+    const bars = goingRound(["left_of_line", "right_of_line"], 200, [400]);
+    const round: TrailPoint[] = Array.from({ length: 160 * 5 }, (_, i) => ({ x_m: 0.5 * Math.cos(i * 0.08), y_m: 0.5 * Math.sin(i * 0.08), at_ms: T0_MS + i * 200 }));
+    for (let seen = 40; seen <= bars.length; seen += 5) {
+      const until_ms = endOf(bars.slice(0, seen));
+      const trail = round.filter(({ at_ms }) => at_ms <= until_ms && at_ms > until_ms - 60_000);
+      expect(loop(bars.slice(0, seen), { deposits_ms: [], trail })).toBeUndefined();
+    }
+  });
   it("a bit that flickers on its threshold for a moment", () => {
     expect(loop(goingRound(["near", "far"], 20, [40]))).toBeUndefined();
   });

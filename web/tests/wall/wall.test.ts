@@ -45,8 +45,10 @@ test("of many alarms one is told whole and the others are counted; what is over 
   expect(words([alarm("a."), alarm("b."), alarm("c.")])).toEqual(["a, for 12 s.", "2 more alarms."]);
 });
 
-test("that all are held is said of those in service", () => {
-  expect(heldNotice([])).toBeUndefined();
-  expect(heldNotice([robot("io", { held: true }), robot("ganymede")])).toBeUndefined();
-  expect(heldNotice([robot("io", { held: true }), robot("ganymede", { held: true }), robot("callisto", { out_of_service: true })])?.words).toBe("All robots are held.");
+test("that all are held is said of those in service, and by no word of a silent one", () => {
+  const words = (...robots: Robot[]) => heldNotice(robots, NOW_MS)?.words;
+  expect(words()).toBeUndefined();
+  expect(words(robot("io", { held: true }), robot("ganymede"))).toBeUndefined();
+  expect(words(robot("io", { held: true }), robot("ganymede", { held: true }), robot("callisto", { out_of_service: true }))).toBe("All robots are held.");
+  expect(words(robot("io", { held: true }, NOW_MS - 5000))).toBeUndefined();
 });

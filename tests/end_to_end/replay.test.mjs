@@ -44,7 +44,7 @@ describe('a recorded team', () => {
 
     const refused = said(['run.mcap'], { domain });
     assert.equal(refused.status, 1);
-    assert.match(refused.stderr, /callisto, ganymede, io and referee are live in this DDS domain.*--anyway\n$/);
+    assert.match(refused.stderr, /callisto, ganymede, io, referee and simulation are live in this DDS domain.*--anyway\n$/);
     assert.equal(refused.stdout, '');
     await team.stop();
   });

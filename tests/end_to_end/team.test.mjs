@@ -118,7 +118,7 @@ test('a robot that is killed is silent, stays in the team, and the others run on
   assert.equal(wellOf(answer).length, 2);
   const top = galilean(['top', '--once'], { domain });
   assert.equal(top.status, 0);
-  assert.match(top.stdout, /^.*I io +\w+/m);
+  assert.match(top.stdout, /^.*I +io +\w+/m);
   assert.match(top.stdout, /callisto .*silent/);
   const stopped = galilean(['stop'], { domain });
   assert.equal(stopped.status, 1, stopped.stdout + stopped.stderr);

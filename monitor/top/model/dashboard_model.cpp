@@ -33,7 +33,7 @@ bool DashboardModel::note(const Message& message, std::optional<Heard<M>>& to) {
 void DashboardModel::receive(const Message& message) {
   const auto type = message.channel.schema->ros_type;
   if (type == msg::ObjectMap::kRosType)
-    note(message, objects_);
+    note_objects(message);
   else if (type == msg::OccupancyGrid::kRosType)
     note(message, floor_);
   else if (type == msg::Sightings::kRosType)
@@ -50,6 +50,10 @@ void DashboardModel::receive(const Message& message) {
 
 bool DashboardModel::shows(std::string_view ros_type) noexcept {
   return std::ranges::find(kShown, ros_type) != kShown.end();
+}
+
+void DashboardModel::note_objects(const Message& message) {
+  if (note(message, objects_)) team_.note(objects_->message);
 }
 
 void DashboardModel::note_reply(const Message& message) {

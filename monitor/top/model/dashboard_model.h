@@ -51,6 +51,7 @@ class DashboardModel {
   template <class M>
   bool note(const Message& message, std::optional<Heard<M>>& to);
 
+  void note_objects(const Message& message);
   void note_reply(const Message& message);
   void note_push(const Message& message);
 

@@ -33,7 +33,7 @@ test("a condition that is about to fire is told before it does", async () => {
   await until(() => {
     const states = [...document.querySelectorAll("[data-testid=machine] [data-state]")].map(({ dataset }) => dataset.state);
     const said = document.querySelector("[data-testid=machine-nearest]")?.innerText ?? "";
-    const [, state] = /^near (\w+) (?:in \d+(?:\.\d)? (?:s|min)|fires now|sure \d\.\d\d, (?:lost below|needs) \d.*|\S+ c?m away, fires at \S+ c?m|\w+ is not known)$/.exec(said) ?? [];
+    const [, state] = /^(?:near|now) (\w+) (?:fires now: )?(?:in \d+(?:\.\d)? (?:s|min)|fires now|sure \d\.\d\d, (?:lost below|needs) \d.*|\S+ c?m away, fires at \S+ c?m|\w+ is not known)$/.exec(said) ?? [];
     return states.includes(state);
   });
 });

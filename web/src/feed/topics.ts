@@ -12,7 +12,7 @@ export type TeamTopic = (typeof teamTopics)[number];
 export type Picture = string;
 export const CAMERA: Picture = "camera";
 
-const NOT_ROBOTS = new Set(["team", "referee"]);
+const NOT_ROBOTS = new Set(["team", "referee", "simulation"]);
 
 /** The robot and the rest of "/io/state", or undefined where no robot is named. */
 export function robotTopicOf(topic: string): { robot: string; kind: string } | undefined {

@@ -27,7 +27,7 @@ test("a slider that rests is one push to the team, which says what it changes", 
   await row().locator("[data-answer=good]").filter({ hasText: "taken" }).waitFor();
   const [push, ...more] = await pushes();
   assert.deepEqual(more, []);
-  assert.equal(push.author, "operator (gain combine · gain of noise 0.4 → 0.44)");
+  assert.equal(push.author, "operator (combine · gain of noise 0.4 → 0.44)");
   const { files } = await tab.api(`/api/pushed/${push.hash}`);
   assert.match(files[0].text, /gains: 1 0\.44 ; how much each counts/);
 });

@@ -65,10 +65,11 @@ for (const robots of [3, 30]) {
 
     test("every robot's state, the score and the time are there", async () => {
       await tab.at("wall-robot-ganymede").filter({ hasText: "_" }).waitFor();
-      assert.equal(await tab.page.locator("[data-testid^=wall-robot-]").count(), robots);
+      const shown = (name) => tab.until(([what, count]) => document.querySelectorAll(what).length === count, [`[data-testid^=${name}-robot-]`, robots]);
+      await shown("wall");
       assert.match(await tab.at("wall-clock").innerText(), /^\d\d:\d\d\s+left$/);
       assert.match(await tab.at("wall-score").innerText(), /^\d+\s+of 24 deposited$/);
-      assert.equal(await tab.page.locator("[data-testid=wall-map] [data-testid^=map-robot-]").count(), robots);
+      await shown("map");
     });
 
     test("a robot that is silent is called so in its place and in large letters", async () => {

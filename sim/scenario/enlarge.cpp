@@ -76,11 +76,13 @@ Scenario enlarged_for(const Scenario& scenario, std::size_t robots) {
   large.arena.width_m *= static_cast<double>(copies.columns);
   large.arena.depth_m *= static_cast<double>(copies.rows);
   move_outer_lights(scenario.arena, large.arena, large.lights);
-  for (std::size_t copy = 1; copy < copies.columns * copies.rows; ++copy)
+  for (std::size_t copy = 1; copy < copies.columns * copies.rows; ++copy) {
+    const std::size_t column = copy % copies.columns, row = copy / copies.columns;
     add_copy(scenario,
-             {static_cast<double>(copy % copies.columns) * scenario.arena.width_m,
-              static_cast<double>(copy / copies.columns) * scenario.arena.depth_m},
+             {static_cast<double>(column) * scenario.arena.width_m,
+              static_cast<double>(row) * scenario.arena.depth_m},
              large);
+  }
   return large;
 }
 

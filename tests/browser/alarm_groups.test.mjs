@@ -38,7 +38,8 @@ test("thirty robots stand in a grid, those in trouble first and then by name, an
   assert.deepEqual(before.slice(0, 6).map(([name]) => name), ["callisto", "ganymede", "io", "robot7", "robot9", "robot20"]);
   assert.deepEqual([...new Set(before.map(([, trouble]) => trouble))], ["true", "false"]);
   assert.deepEqual(before.slice(6, 9).map(([name]) => name), ["robot4", "robot5", "robot6"]);
-  await tab.page.waitForTimeout(1500);
+  const told = await at("clock").textContent();
+  await tab.until((text) => document.querySelector("[data-testid=clock]").textContent !== text, told);
   assert.deepEqual(await inGrid(), before);
 });
 

@@ -59,7 +59,9 @@ class Dashboard {
   void go_to(std::optional<Time> instant);
   void acknowledge_first();
 
-  void say(Operator::Word word, bool to_all);
+  /// Returns the name of the robot that is shown, or an empty text where none is heard.
+  [[nodiscard]] std::string shown_robot() const;
+  void say(Operator::Word word, const std::string& robot, bool to_all);
   void ask(std::string question, std::function<void()> yes);
   void answer(char letter);
   void stop_all();

@@ -68,10 +68,13 @@ void Dashboard::stop_all() {
             : "DDS did not take the order to stop; it is sent again every second");
 }
 
-void Dashboard::say(Operator::Word word, bool to_all) {
+std::string Dashboard::shown_robot() const {
   const View shown = view();
-  if (shown.robots.empty()) return;
-  const std::string robot = shown.robots[shown.chosen].status.name;
+  return shown.robots.empty() ? std::string() : shown.robots[shown.chosen].status.name;
+}
+
+void Dashboard::say(Operator::Word word, const std::string& robot, bool to_all) {
+  if (robot.empty()) return tell("No robot is heard that could be told.");
   if (word == Operator::Word::kResume) stop_ordered_.reset();
   const bool sent =
       parts_.say(word, to_all ? std::vector<std::string>{} : std::vector<std::string>{robot});
@@ -92,18 +95,21 @@ void Dashboard::answer(char letter) {
 }
 
 bool Dashboard::press_letter(char letter) {
+  // What is asked about is what is told later, whatever is chosen by then.
+  const std::string robot = shown_robot();
   if (letter >= '1' && letter <= '9') choose(static_cast<std::size_t>(letter - '1'));
   const bool to_all = std::isupper(static_cast<unsigned char>(letter));
   switch (std::tolower(static_cast<unsigned char>(letter))) {
     case 'h':
-      say(Operator::Word::kHold, to_all);
+      say(Operator::Word::kHold, robot, to_all);
       break;
     case 'r':
-      ask("Resume " + (to_all || choice_.robot.empty() ? "all robots" : choice_.robot) + "?",
-          [this, to_all] { say(Operator::Word::kResume, to_all); });
+      if (robot.empty()) break;
+      ask("Resume " + (to_all ? "all robots" : robot) + "?",
+          [this, robot, to_all] { say(Operator::Word::kResume, robot, to_all); });
       break;
     case 's':
-      say(Operator::Word::kStart, to_all);
+      say(Operator::Word::kStart, robot, to_all);
       break;
     case 'a':
       to_all ? board_.acknowledge() : acknowledge_first();
@@ -141,8 +147,8 @@ void Dashboard::begin_push(bool last_good, bool to_all) {
     return;
   }
   if (const auto why = parts_.pusher.hindrance(); !why.empty()) return tell("Cannot push: " + why);
-  const Robot* robot = parts_.model.team().find(choice_.robot);
-  if (!robot) return;
+  const Robot* robot = parts_.model.team().find(shown_robot());
+  if (!robot) return tell("Cannot push: no robot is heard.");
   wish_ = {};
   with_canary_ = false;
   if (!to_all) wish_.robots = {robot->name};

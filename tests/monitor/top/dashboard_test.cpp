@@ -76,6 +76,21 @@ TEST_F(Steered, HoldIsSaidAtOnceAndResumeAsks) {
   EXPECT_EQ(said, (Said{"hold callisto", "resume callisto"}));
 }
 
+TEST_F(Steered, WhoIsAskedAboutIsWhoIsTold) {
+  Said told;
+  Dashboard mistyped{{model, history, clock,
+                      [&told](Operator::Word, const std::vector<std::string>& robots) {
+                        told = robots;
+                        return true;
+                      },
+                      pusher},
+                     "calisto"};
+  EXPECT_TRUE(mistyped.press({Key::kLetter, 'r'}));
+  EXPECT_THAT(mistyped.draw(80, 24).text(), HasSubstr("Resume callisto? y / n"));
+  EXPECT_TRUE(mistyped.press({Key::kLetter, 'y'}));
+  EXPECT_EQ(told, Said{"callisto"});
+}
+
 TEST_F(Steered, StopAllIsSaidAtOnceAndAgainToThoseWhoHaveNotConfirmed) {
   press("?.");
   EXPECT_EQ(said, Said{"hold"});

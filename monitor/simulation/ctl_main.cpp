@@ -7,6 +7,7 @@
 
 #include "core/account.h"
 #include "core/command_line/domain_option.h"
+#include "core/visible_text.h"
 #include "core/wire/ros_time.h"
 #include "monitor/simulation/order_options.h"
 #include "monitor/simulation/simulation_client.h"
@@ -27,7 +28,7 @@ struct Options {
 };
 
 int fail(const std::string& why) {
-  std::cerr << "galilean sim ctl: " << why << std::endl;
+  std::cerr << "galilean sim ctl: " << visible(why) << std::endl;
   return 1;
 }
 
@@ -53,7 +54,7 @@ int run(const Options& options, std::optional<msg::SimulationOrder> order) try {
   if (options.json)
     std::cout << to_json(event) << std::endl;
   else if (event.done)
-    std::cout << event.text << std::endl;
+    std::cout << visible(event.text) << std::endl;
   else
     return fail(event.text);
   return event.done ? 0 : 1;

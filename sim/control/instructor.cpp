@@ -35,6 +35,12 @@ bool is_between(double number, double least, double most) {
   return number >= least && number <= most;
 }
 
+/// Returns whether an angle is one that a 32-bit float holds without losing its direction.
+bool is_heading(double heading_rad) {
+  constexpr double kMost_rad = 1000;
+  return is_between(heading_rad, -kMost_rad, kMost_rad);
+}
+
 std::optional<PieceKind> piece_kind(std::string_view name) {
   for (const PieceKind kind : {PieceKind::kCan, PieceKind::kCup, PieceKind::kWad})
     if (name == to_string(kind)) return kind;
@@ -103,8 +109,8 @@ Instructor::Answer Instructor::move(const Order& order) {
   if (!found) return found.error();
   if (const auto in_arena = inside(order); !in_arena) return in_arena.error();
   b2Body& moved = *found.value();
-  if (order.turns && !std::isfinite(order.heading_rad)) return Error{"the heading is no number"};
-  const Pose2 pose{place_of(order), order.turns ? order.heading_rad : moved.GetAngle()};
+  if (order.turns && !is_heading(order.heading_rad)) return Error{"the heading is no angle"};
+  const Pose2 pose{place_of(order), order.turns ? wrap_angle(order.heading_rad) : moved.GetAngle()};
   if (const auto there = occupant(world_.bodies(), moved, pose))
     return Error{order.subject + " cannot stand at " + place_text(pose.position_m) +
                  ": it would stand in " + world_.name_of(*there)};
@@ -118,7 +124,7 @@ Instructor::Answer Instructor::push(const Order& order) {
   if (!(order.impulse_ns > 0 && order.impulse_ns <= kHardestPush_ns))
     return Error{"a push of " + number_text(order.impulse_ns) +
                  " Ns is out of range: expected more than 0, and at most 20"};
-  if (!std::isfinite(order.heading_rad)) return Error{"the direction is no number"};
+  if (!is_heading(order.heading_rad)) return Error{"the direction is no angle"};
   found.value()->push(unit_vector(order.heading_rad) * order.impulse_ns);
   return "pushed " + order.subject + " with " + number_text(order.impulse_ns) + " Ns";
 }

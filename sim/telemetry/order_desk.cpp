@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/failure.h"
+#include "core/visible_text.h"
 #include "core/wire/ros_time.h"
 #include "core/wire/topic_names.h"
 
@@ -15,9 +16,10 @@ namespace {
 constexpr std::size_t kIdsKept = 256;
 
 std::string log_line(const msg::SimulationEvent& event) {
-  const std::string who = "galilean-sim: " + event.author;
-  return event.done ? who + " " + event.text
-                    : who + "'s order '" + event.order + "' was refused: " + event.text;
+  const std::string who = "galilean-sim: " + visible(event.author);
+  return event.done
+             ? who + " " + visible(event.text)
+             : who + "'s order '" + visible(event.order) + "' was refused: " + visible(event.text);
 }
 
 }  // namespace

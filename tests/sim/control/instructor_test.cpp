@@ -119,6 +119,11 @@ TEST_F(InstructorTest, MovesARobotWithItsHeadingAndAThingWithAnother) {
   turned.heading_rad = kPi / 2;
   done(turned);
   EXPECT_NEAR(world->robot(1).pose().heading_rad, kPi / 2, 1e-6);
+  for (const double wrong : {1e300, -1e300, std::nan("")}) {
+    turned.heading_rad = wrong;
+    EXPECT_EQ(refused(turned), "the heading is no angle");
+  }
+  EXPECT_NEAR(world->robot(1).pose().heading_rad, kPi / 2, 1e-6);
   done(at("move", "can_1", 4, 2));
   ASSERT_TRUE(seen("can_1"));
   EXPECT_NEAR(seen("can_1")->y_m, 2, 1e-6);

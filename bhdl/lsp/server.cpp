@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <array>
 
-#include "bhdl/lsp/completion.h"
-#include "bhdl/lsp/document_symbols.h"
-#include "bhdl/lsp/document_sync.h"
-#include "bhdl/lsp/formatting.h"
-#include "bhdl/lsp/hover.h"
-#include "bhdl/lsp/navigation.h"
-#include "bhdl/lsp/quick_fix.h"
-#include "bhdl/lsp/rename.h"
+#include "bhdl/lsp/features/completion.h"
+#include "bhdl/lsp/features/document_symbols.h"
+#include "bhdl/lsp/features/document_sync.h"
+#include "bhdl/lsp/features/formatting.h"
+#include "bhdl/lsp/features/hover.h"
+#include "bhdl/lsp/features/navigation.h"
+#include "bhdl/lsp/features/quick_fix.h"
+#include "bhdl/lsp/features/rename.h"
 #include "bhdl/source/text.h"
 #include "core/json_text.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bhdl/lsp/diagnostic_publisher.h"
+#include "bhdl/lsp/features/diagnostic_publisher.h"
 
 namespace galilean::bhdl::lsp {
 

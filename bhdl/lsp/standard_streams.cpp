@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <iostream>
 
-#include "bhdl/lsp/framing.h"
+#include "bhdl/lsp/protocol/framing.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

@@ -25,7 +25,10 @@ export const rooms = {
     format: ['source', 'syntax'],
     diff: ['source', 'program', 'check'],
     graph: ['source', 'program'],
-    lsp: ['.', 'source', 'syntax', 'check', 'format'],
+    'lsp/documents': ['source', 'syntax', 'check'],
+    'lsp/protocol': ['source', 'lsp/documents'],
+    'lsp/features': ['.', 'source', 'syntax', 'check', 'format', 'lsp/documents', 'lsp/protocol'],
+    lsp: ['source', 'lsp/protocol', 'lsp/features'],
     commands: ANY,
   },
   robot: {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "bhdl/lsp/uri.h"
+#include "bhdl/lsp/documents/uri.h"
 
 namespace galilean::bhdl::lsp {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bhdl/format/formatter.h"
-#include "bhdl/lsp/block.h"
+#include "bhdl/lsp/documents/block.h"
 #include "core/random.h"
 #include "tests/bhdl/lsp/editor.h"
 #include "tests/bhdl/small_catalog.h"

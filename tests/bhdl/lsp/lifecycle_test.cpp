@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "bhdl/lsp/framing.h"
+#include "bhdl/lsp/protocol/framing.h"
 #include "tests/bhdl/lsp/editor.h"
 #include "tests/bhdl/small_catalog.h"
 

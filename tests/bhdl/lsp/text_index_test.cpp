@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bhdl/lsp/text_index.h"
+#include "bhdl/lsp/documents/text_index.h"
 
 #include <gtest/gtest.h>
 
-#include "bhdl/lsp/uri.h"
+#include "bhdl/lsp/documents/uri.h"
 #include "tests/bhdl/lsp/editor.h"
 
 namespace galilean::bhdl::lsp {

@@ -11,9 +11,9 @@
 #include "core/wire/writer.h"
 #include "monitor/commands/push_session.h"
 #include "monitor/commands/team_listener.h"
-#include "monitor/pushes/json.h"
-#include "monitor/pushes/push_messages.h"
-#include "monitor/pushes/replies.h"
+#include "monitor/pushes/history/json.h"
+#include "monitor/pushes/history/push_messages.h"
+#include "monitor/pushes/history/replies.h"
 #include "monitor/pushes/target_check.h"
 
 namespace galilean::monitor {

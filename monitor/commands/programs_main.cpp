@@ -10,7 +10,7 @@
 #include "core/visible_text.h"
 #include "monitor/access/tokens.h"
 #include "monitor/commands/push_session.h"
-#include "monitor/pushes/json.h"
+#include "monitor/pushes/history/json.h"
 
 namespace {
 using namespace galilean::monitor;

@@ -13,8 +13,8 @@
 #include "core/plural.h"
 #include "core/termination.h"
 #include "core/visible_text.h"
-#include "monitor/pushes/json.h"
-#include "monitor/pushes/words.h"
+#include "monitor/pushes/history/json.h"
+#include "monitor/pushes/history/words.h"
 
 namespace galilean::monitor {
 namespace {

@@ -10,8 +10,8 @@
 #include "monitor/pushes/push_order.h"
 #include "monitor/pushes/push_requests.h"
 #include "monitor/pushes/refusal.h"
-#include "monitor/pushes/rollout.h"
-#include "monitor/pushes/steps.h"
+#include "monitor/pushes/rollout/rollout.h"
+#include "monitor/pushes/rollout/steps.h"
 
 namespace galilean::monitor {
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "monitor/pushes/history/push_record.h"
 #include "monitor/pushes/push_order.h"
-#include "monitor/pushes/push_record.h"
 #include "monitor/pushes/push_requests.h"
-#include "monitor/pushes/rollout.h"
-#include "monitor/pushes/steps.h"
+#include "monitor/pushes/rollout/rollout.h"
+#include "monitor/pushes/rollout/steps.h"
 
 namespace galilean::monitor {
 

@@ -6,7 +6,7 @@
 
 #include "core/wire/ros_time.h"
 #include "monitor/background/guarded.h"
-#include "monitor/pushes/push_messages.h"
+#include "monitor/pushes/history/push_messages.h"
 
 namespace galilean::monitor {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/wire/ros_time.h"
 #include "core/wire/topic_names.h"
-#include "monitor/pushes/push_messages.h"
+#include "monitor/pushes/history/push_messages.h"
 
 namespace galilean::monitor {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/wire/participant.h"
 #include "core/wire/writer.h"
 #include "monitor/background/worker.h"
-#include "monitor/pushes/history.h"
+#include "monitor/pushes/history/history.h"
 #include "monitor/pushes/push_requests.h"
 #include "monitor/pushes/trial_room.h"
 #include "monitor/team/team.h"

@@ -8,8 +8,8 @@
 #include "bhdl/program/program.h"
 #include "core/result.h"
 #include "core/wire/messages.h"
+#include "monitor/pushes/history/push_record.h"
 #include "monitor/pushes/push_order.h"
-#include "monitor/pushes/push_record.h"
 #include "monitor/pushes/target_check.h"
 #include "monitor/trial/figures.h"
 

@@ -4,8 +4,8 @@
 #include <ctime>
 #include <utility>
 
-#include "monitor/pushes/json.h"
-#include "monitor/pushes/words.h"
+#include "monitor/pushes/history/json.h"
+#include "monitor/pushes/history/words.h"
 
 namespace galilean::monitor {
 namespace {

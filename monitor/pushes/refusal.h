@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/result.h"
-#include "monitor/pushes/push_record.h"
+#include "monitor/pushes/history/push_record.h"
 #include "monitor/pushes/target_check.h"
 
 namespace galilean::monitor {

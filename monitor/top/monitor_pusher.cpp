@@ -6,8 +6,8 @@
 #include "bhdl/check.h"
 #include "core/failure.h"
 #include "monitor/commands/push_session.h"
-#include "monitor/pushes/json.h"
-#include "monitor/pushes/words.h"
+#include "monitor/pushes/history/json.h"
+#include "monitor/pushes/history/words.h"
 #include "monitor/top/push_words.h"
 
 namespace galilean::monitor::top {

@@ -2,7 +2,7 @@
 #include "monitor/top/push_words.h"
 
 #include "core/plural.h"
-#include "monitor/pushes/words.h"
+#include "monitor/pushes/history/words.h"
 
 namespace galilean::monitor::top {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/json_text.h"
-#include "monitor/pushes/json.h"
+#include "monitor/pushes/history/json.h"
 #include "monitor/server/api/metrics.h"
 #include "monitor/server/api/team_json.h"
 #include "monitor/server/http/http_caching.h"

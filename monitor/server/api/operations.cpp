@@ -8,8 +8,8 @@
 #include "core/wire/participant.h"
 #include "core/wire/ros_time.h"
 #include "core/wire/topic_names.h"
-#include "monitor/pushes/json.h"
-#include "monitor/pushes/push_messages.h"
+#include "monitor/pushes/history/json.h"
+#include "monitor/pushes/history/push_messages.h"
 #include "monitor/server/text/request_fields.h"
 
 namespace galilean::monitor {

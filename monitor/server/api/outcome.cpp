@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/api/outcome.h"
 
-#include "monitor/pushes/json.h"
+#include "monitor/pushes/history/json.h"
 
 namespace galilean::monitor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/pushes/history.h"
+#include "monitor/pushes/history/history.h"
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
@@ -12,7 +12,7 @@
 #include "core/random.h"
 #include "core/wire/messages.h"
 #include "core/wire/ros_time.h"
-#include "monitor/pushes/sql.h"
+#include "monitor/pushes/history/sql.h"
 #include "tests/temporary_folder.h"
 
 namespace galilean::monitor {

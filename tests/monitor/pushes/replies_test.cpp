@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/pushes/replies.h"
+#include "monitor/pushes/history/replies.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/pushes/words.h"
+#include "monitor/pushes/history/words.h"
 
 #include <gtest/gtest.h>
 

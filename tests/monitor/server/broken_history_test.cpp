@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A disk that fails: who asks is told so, and nothing is sent that would not be remembered.
-#include "monitor/pushes/sql.h"
+#include "monitor/pushes/history/sql.h"
 #include "tests/monitor/scripted_robot.h"
 #include "tests/monitor/server/server_fixture.h"
 

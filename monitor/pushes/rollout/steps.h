@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "monitor/pushes/step.h"
+#include "monitor/pushes/history/step.h"
 
 namespace galilean::monitor {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "monitor/pushes/replies.h"
-#include "monitor/pushes/verdict.h"
+#include "monitor/pushes/history/replies.h"
+#include "monitor/pushes/rollout/verdict.h"
 
 namespace galilean::monitor {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/pushes/push_messages.h"
+#include "monitor/pushes/history/push_messages.h"
 
 #include <random>
 
 #include "core/wire/ros_time.h"
-#include "monitor/pushes/words.h"
+#include "monitor/pushes/history/words.h"
 
 namespace galilean::monitor {
 

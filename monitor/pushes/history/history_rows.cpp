@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/pushes/history_rows.h"
+#include "monitor/pushes/history/history_rows.h"
 
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "core/json_text.h"
 #include "core/wire/ros_time.h"
-#include "monitor/pushes/words.h"
+#include "monitor/pushes/history/words.h"
 
 namespace galilean::monitor::rows {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "bhdl/program/program.h"
 #include "core/wire/messages.h"
-#include "monitor/pushes/push_record.h"
+#include "monitor/pushes/history/push_record.h"
 
 namespace galilean::monitor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/pushes/steps.h"
+#include "monitor/pushes/rollout/steps.h"
 
 #include <algorithm>
 

@@ -7,8 +7,8 @@
 
 #include "bhdl/program/program.h"
 #include "core/wire/messages.h"
-#include "monitor/pushes/push_record.h"
-#include "monitor/pushes/sql.h"
+#include "monitor/pushes/history/push_record.h"
+#include "monitor/pushes/history/sql.h"
 
 namespace galilean::monitor::rows {
 

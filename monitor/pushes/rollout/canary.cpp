@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/pushes/canary.h"
+#include "monitor/pushes/rollout/canary.h"
 
 #include <array>
 #include <cstdio>

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "monitor/pushes/replies.h"
-#include "monitor/pushes/step.h"
+#include "monitor/pushes/history/replies.h"
+#include "monitor/pushes/history/step.h"
 
 namespace galilean::monitor {
 

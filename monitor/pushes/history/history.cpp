@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/pushes/history.h"
+#include "monitor/pushes/history/history.h"
 
-#include "monitor/pushes/history_rows.h"
-#include "monitor/pushes/sql.h"
+#include "monitor/pushes/history/history_rows.h"
+#include "monitor/pushes/history/sql.h"
 
 namespace galilean::monitor {
 

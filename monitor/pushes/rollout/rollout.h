@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "monitor/pushes/canary.h"
-#include "monitor/pushes/replies.h"
-#include "monitor/pushes/verdict.h"
+#include "monitor/pushes/history/replies.h"
+#include "monitor/pushes/rollout/canary.h"
+#include "monitor/pushes/rollout/verdict.h"
 
 namespace galilean::monitor {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/pushes/json.h"
+#include "monitor/pushes/history/json.h"
 
 #include "bhdl/program/machine.h"
-#include "monitor/pushes/words.h"
+#include "monitor/pushes/history/words.h"
 
 namespace galilean::monitor {
 namespace {

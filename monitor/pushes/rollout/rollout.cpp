@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/pushes/rollout.h"
+#include "monitor/pushes/rollout/rollout.h"
 
 #include <algorithm>
 

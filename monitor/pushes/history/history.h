@@ -10,7 +10,7 @@
 #include "bhdl/program/program.h"
 #include "core/result.h"
 #include "core/wire/messages.h"
-#include "monitor/pushes/push_record.h"
+#include "monitor/pushes/history/push_record.h"
 
 struct sqlite3;
 

@@ -7,7 +7,7 @@
 
 #include "bhdl/check.h"
 #include "core/result.h"
-#include "monitor/pushes/push_record.h"
+#include "monitor/pushes/history/push_record.h"
 
 namespace galilean::monitor {
 

@@ -34,8 +34,20 @@ Result<nlohmann::json> read_untrusted_json(std::string_view text) {
   return json;
 }
 
-std::string json_text(const nlohmann::json& json) {
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+Result<nlohmann::json> read_json(std::string_view text) try {
+  if (nests_too_deep(text))
+    return Error{"the JSON nests deeper than " + std::to_string(kDeepestJson) + " levels"};
+  return nlohmann::json::parse(text);
+} catch (const nlohmann::json::parse_error& error) {
+  return Error{"no JSON at byte " + std::to_string(error.byte)};
+}
+
+std::string json_text(const nlohmann::json& json, int indent) {
+  return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string ordered_json_text(const nlohmann::ordered_json& json, int indent) {
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace galilean

@@ -19,7 +19,14 @@ inline constexpr int kDeepestJson = 64;
 /// error is one sentence.
 [[nodiscard]] Result<nlohmann::json> read_untrusted_json(std::string_view text);
 
-/// Returns the JSON as text on one line. Bytes from outside that are not UTF-8 become U+FFFD.
-[[nodiscard]] std::string json_text(const nlohmann::json& json);
+/// Reads JSON of a file or of a program's output. Errors: as read_untrusted_json; the error is a
+/// clause without a full stop that names the byte, so that the file's name can stand before it.
+[[nodiscard]] Result<nlohmann::json> read_json(std::string_view text);
+
+/// Returns the JSON as text: on one line, or with a line a value where `indent` is the number of
+/// spaces of a level. Bytes from outside that are not UTF-8 become U+FFFD. Files call this in place
+/// of dump, which each of them would compile anew.
+[[nodiscard]] std::string json_text(const nlohmann::json& json, int indent = -1);
+[[nodiscard]] std::string ordered_json_text(const nlohmann::ordered_json& json, int indent = -1);
 
 }  // namespace galilean

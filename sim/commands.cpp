@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/broken_pipe.h"
+#include "core/json_text.h"
 #include "robot/components.h"
 #include "sim/headless/headless.h"
 #include "sim/headless/programs.h"
@@ -55,7 +56,7 @@ int run_headless(const Options& options, const Scenario& scenario) {
   if (const auto done = contest.value()->run(); !done) return complain(done.error(), kFailed);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - began;
   const auto result = report(*contest.value(), how, program.value(), wall.count());
-  std::cout << (options.json ? result.dump(2) + "\n" : summary(result));
+  std::cout << (options.json ? ordered_json_text(result, 2) + "\n" : summary(result));
   return 0;
 }
 

@@ -16,6 +16,7 @@
 #include "bhdl/program/machine.h"
 #include "core/command_line/command_line.h"
 #include "core/installation.h"
+#include "core/json_text.h"
 #include "core/plural.h"
 #include "core/visible_text.h"
 
@@ -61,7 +62,7 @@ int run_check(const Options& options, const Catalog& catalog) {
   for (const auto& program : programs)
     for (const auto& diagnostic : program["diagnostics"]) diagnostics.push_back(diagnostic);
   const nlohmann::json answer{{"ok", all_ok}, {"diagnostics", diagnostics}, {"programs", programs}};
-  std::cout << answer.dump(1) << '\n';
+  std::cout << json_text(answer, 1) << '\n';
   return all_ok ? 0 : 1;
 }
 

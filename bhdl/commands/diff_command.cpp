@@ -6,6 +6,7 @@
 
 #include "bhdl/check.h"
 #include "bhdl/diff/diff.h"
+#include "core/json_text.h"
 
 namespace galilean::bhdl {
 namespace {
@@ -35,7 +36,7 @@ int run_diff(const std::string& from, const std::string& to, bool json, const Ca
                                 {"from", end_to_json(from, *before)},
                                 {"to", end_to_json(to, *after)},
                                 {"changes", changes}};
-    std::cout << answer.dump(1) << '\n';
+    std::cout << json_text(answer, 1) << '\n';
   } else {
     for (const auto& change : changes) std::cout << in_words(change) << '\n';
   }

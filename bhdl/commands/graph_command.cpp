@@ -7,6 +7,7 @@
 #include "bhdl/check.h"
 #include "bhdl/graph/graph.h"
 #include "bhdl/program/machine.h"
+#include "core/json_text.h"
 
 namespace galilean::bhdl {
 
@@ -19,7 +20,7 @@ int run_graph(const std::string& file, const std::string& format, const Catalog&
   else if (format == "dot")
     std::cout << to_dot(*result.program);
   else
-    std::cout << nlohmann::json(*result.program).dump(1) << '\n';
+    std::cout << json_text(nlohmann::json(*result.program), 1) << '\n';
   return 0;
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "core/json_text.h"
+
 namespace galilean {
 namespace {
 
@@ -159,15 +161,16 @@ void to_json(nlohmann::json& json, const Catalog& catalog) {
 }
 
 std::string catalog_to_json(const Catalog& catalog) {
-  return nlohmann::json(catalog).dump(1);
+  return json_text(nlohmann::json(catalog), 1);
 }
 
 Result<Catalog> catalog_from_json(std::string_view text) {
   std::string where = "the catalog";
   try {
     Catalog catalog;
-    const auto json = nlohmann::json::parse(text);
-    for (const auto& component : json.at("components")) {
+    const auto json = read_json(text);
+    if (!json) return Error{where + " cannot be read: " + json.error().message};
+    for (const auto& component : json.value().at("components")) {
       where = "component '" + component.value("name", "?") + "' of the catalog";
       catalog.components.push_back(component_from_json(component));
     }

@@ -7,6 +7,7 @@
 
 #include "bhdl/program/catalog_file.h"
 #include "core/command_line/exit_code.h"
+#include "core/json_text.h"
 #include "core/wire/topic_names.h"
 #include "core/wire/writer.h"
 #include "monitor/commands/push_session.h"
@@ -28,9 +29,9 @@ int fail(const std::string& why) {
 
 int print_check_errors(const TargetCheck& check, const DirectSwapOptions& options) {
   if (options.push.json)
-    std::cout << nlohmann::json{{"ok", false},
-                                {"robot", check.refused_by},
-                                {"diagnostics", check.result.diagnostics}}
+    std::cout << json_text(nlohmann::json{{"ok", false},
+                                          {"robot", check.refused_by},
+                                          {"diagnostics", check.result.diagnostics}})
               << std::endl;
   else
     for (const auto& diagnostic : check.result.diagnostics)
@@ -43,10 +44,10 @@ int tell_replies(const Replies& replies, const msg::ProgramPush& message,
                  const DirectSwapOptions& options) {
   const auto told = to_json(replies.all());
   if (options.push.json)
-    std::cout << nlohmann::json{{"ok", replies.complete()},
-                                {"id", message.id},
-                                {"hash", message.hash},
-                                {"replies", told}}
+    std::cout << json_text(nlohmann::json{{"ok", replies.complete()},
+                                          {"id", message.id},
+                                          {"hash", message.hash},
+                                          {"replies", told}})
               << std::endl;
   else
     for (const auto& reply : told) print_reply(reply);

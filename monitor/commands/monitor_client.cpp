@@ -168,7 +168,8 @@ Result<MonitorAnswer> MonitorClient::request(const std::string& method, const st
   Parser parser;
   if (const auto error = parse(parser, exchange.answer())) return nobody(error);
   MonitorAnswer answer{static_cast<int>(parser.get().result_int()),
-                       nlohmann::json::parse(parser.get().body(), nullptr, false)};
+                       nlohmann::json(nlohmann::json::value_t::discarded)};
+  if (auto body_read = read_json(parser.get().body())) answer.json = std::move(body_read).value();
   if (answer.ok() && !answer.json.is_object())
     return Error{"what answers at " + url_ +
                  " is no monitor of Galilean; name the monitor's address with --monitor"};

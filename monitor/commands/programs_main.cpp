@@ -7,6 +7,7 @@
 #include "bhdl/diff/diff.h"
 #include "bhdl/program/catalog_file.h"
 #include "core/command_line/command_line.h"
+#include "core/json_text.h"
 #include "core/visible_text.h"
 #include "monitor/access/tokens.h"
 #include "monitor/commands/push_session.h"
@@ -16,6 +17,7 @@ namespace {
 using namespace galilean::monitor;
 namespace bhdl = galilean::bhdl;
 using galilean::visible;
+using galilean::json_text;
 using nlohmann::json;
 using Files = std::vector<bhdl::SourceFile>;
 
@@ -62,7 +64,7 @@ int list(const MonitorClient& monitor, const std::string& url, bool as_json) {
   const auto answer = monitor.get("/api/pushes");
   if (!answer) return fail(answer.error().message);
   if (!answer.value().ok()) return fail(answer.value().detail());
-  if (as_json) return std::cout << answer.value().json.dump(1) << std::endl, EXIT_SUCCESS;
+  if (as_json) return std::cout << json_text(answer.value().json, 1) << std::endl, EXIT_SUCCESS;
   const auto& pushes = answer.value().json["pushes"];
   if (pushes.empty()) tell_empty(url);
   for (const auto& push : pushes)
@@ -126,11 +128,11 @@ int diff(const MonitorClient& monitor, const Comparison& what) {
   if (!after) return fail(after.error().message, kNotCompared);
   const auto changes = bhdl::differences(before.value(), after.value(), catalog.value());
   if (what.as_json)
-    std::cout << json{{"same", changes.empty()},
-                      {"from", before.value().hash},
-                      {"to", after.value().hash},
-                      {"changes", changes}}
-                     .dump(1)
+    std::cout << json_text(json{{"same", changes.empty()},
+                                {"from", before.value().hash},
+                                {"to", after.value().hash},
+                                {"changes", changes}},
+                           1)
               << std::endl;
   else
     for (const auto& change : changes) std::cout << bhdl::in_words(change) << '\n';

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/command_line/exit_code.h"
+#include "core/json_text.h"
 #include "core/plural.h"
 #include "core/termination.h"
 #include "core/visible_text.h"
@@ -107,7 +108,7 @@ class PushSession {
     if (options_.json) {
       auto told = answer.json;
       told["ok"] = false;
-      std::cout << told.dump() << std::endl;
+      std::cout << json_text(told) << std::endl;
     } else {
       for (const auto& diagnostic : diagnostics) print_diagnostic(diagnostic, std::cerr);
       std::cerr << command_ << ": " << answer.detail() << std::endl;
@@ -119,7 +120,7 @@ class PushSession {
     const bool is_done = state_of(push) == PushState::kDone;
     if (options_.json) {
       push["ok"] = is_done;
-      std::cout << push.dump() << std::endl;
+      std::cout << json_text(push) << std::endl;
     } else {
       for (const auto& reply : push.value("replies", json::array())) print_reply(reply);
     }

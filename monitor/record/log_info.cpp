@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/json_text.h"
 #include "core/plural.h"
 #include "core/visible_text.h"
 #include "monitor/record/times.h"
@@ -105,8 +106,7 @@ std::string describe_json(const std::string& path, const mcap::Summary& summary)
                                 {"messages", row.messages},
                                 {"rate_hz", row.rate_hz}});
   for (const auto& metadata : summary.metadata) json["metadata"][metadata.name] = metadata.entries;
-  // Text of a damaged file may be invalid UTF-8, which dump would otherwise throw on.
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return ordered_json_text(json, 2) + "\n";
 }
 
 }  // namespace galilean::monitor

@@ -7,6 +7,7 @@
 
 #include "core/account.h"
 #include "core/command_line/domain_option.h"
+#include "core/json_text.h"
 #include "core/visible_text.h"
 #include "core/wire/ros_time.h"
 #include "monitor/simulation/order_options.h"
@@ -46,7 +47,7 @@ int run(const Options& options, std::optional<msg::SimulationOrder> order) try {
   SimulationClient client(*participant.value());
   const auto found = client.find(options.simulation, kHear);
   if (!found) return fail(found.error().message);
-  if (!order) return std::cout << to_json(found.value()).dump(2) << std::endl, 0;
+  if (!order) return std::cout << json_text(to_json(found.value()), 2) << std::endl, 0;
   sign(*order, found.value().simulation);
   const auto answer = client.send(*order, kAnswer);
   if (!answer) return fail(answer.error().message);

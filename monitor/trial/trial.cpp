@@ -101,7 +101,7 @@ std::vector<std::string> Trial::command(const Run& run) const {
           "--seed",
           std::to_string(run.seed),
           "--duration",
-          nlohmann::json(order_.duration_s).dump(),
+          json_text(nlohmann::json(order_.duration_s)),
           "--bhdl",
           program_file(run.is_next).string()};
 }
@@ -124,8 +124,8 @@ void Trial::start_pending() {
 }
 
 void Trial::take(const Run& run, int exit_code) {
-  auto report = nlohmann::json::parse(content(output(run, ".json")), nullptr, false);
-  if (exit_code != 0 || !report.is_object()) {
+  auto report = read_json(content(output(run, ".json")));
+  if (exit_code != 0 || !report || !report.value().is_object()) {
     auto said = content(output(run, ".err"));
     while (said.ends_with('\n')) said.pop_back();
     if (said.empty()) said = "exit code " + std::to_string(exit_code);
@@ -133,7 +133,7 @@ void Trial::take(const Run& run, int exit_code) {
                              : "the program that runs now cannot be tried: ") +
                 said);
   }
-  (run.is_next ? next_ : now_).push_back(std::move(report));
+  (run.is_next ? next_ : now_).push_back(std::move(report).value());
   ++finished_;
   start_pending();
 }

@@ -4,6 +4,7 @@
 
 #include "bhdl/check.h"
 #include "core/command_line/command_line.h"
+#include "core/json_text.h"
 #include "robot/components.h"
 #include "robot/rehearsal/rehearsal.h"
 
@@ -60,7 +61,8 @@ int run(int argc, char** argv) {
     else
       print(file, outcome);
   }
-  if (as_json) std::cout << nlohmann::json{{"ok", passed}, {"programs", programs}}.dump(1) << '\n';
+  if (as_json)
+    std::cout << json_text(nlohmann::json{{"ok", passed}, {"programs", programs}}, 1) << '\n';
   return passed ? 0 : 1;
 }
 

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "core/json_text.h"
+
 namespace galilean::sim {
 namespace {
 
@@ -151,7 +153,7 @@ void HeadlessContest::write_trace() const {
         {"beam_broken", robot->body().gripper().beam_broken()},
         {"holds", held ? (held->kind == BodyKind::kPiece ? "piece" : "furniture") : ""},
         {"stuck_s", robot->statistics().stuck.stuck_s()}};
-    *options_.trace << line << '\n';
+    *options_.trace << ordered_json_text(line) << '\n';
   }
 }
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/json_text.h"
 #include "sim/scenario/json_reader.h"
 #include "sim/world/gripper.h"
 
@@ -76,10 +77,10 @@ Vec2 inside(const ArenaRules& arena, const Vec2& at_m, double margin_m) {
 }  // namespace
 
 Result<TeamSituation> situation_from_json(const std::string& text, const std::string& file_name) {
+  const auto json = read_json(text);
+  if (!json) return Error{file_name + ": " + json.error().message};
   try {
-    return read_situation(nlohmann::json::parse(text));
-  } catch (const nlohmann::json::parse_error& error) {
-    return Error{file_name + ": no JSON at byte " + std::to_string(error.byte)};
+    return read_situation(json.value());
   } catch (const JsonError& error) {
     return Error{file_name + ": " + error.what()};
   }

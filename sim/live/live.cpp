@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "core/json_text.h"
 #include "sim/control/truth.h"
 
 namespace galilean::sim {
@@ -69,21 +70,21 @@ std::string LiveContest::ready_line() const {
                         {"y_m", start.position_m.y()},
                         {"heading_deg", start.heading_rad * 180 / kPi}}}});
   }
-  return nlohmann::ordered_json{{"ready", true},
-                                {"run", options_.run},
-                                {"scenario", world_->scenario().name},
-                                {"folder", folder_.path().string()},
-                                {"robots", robots}}
-      .dump();
+  return ordered_json_text({{"ready", true},
+                            {"run", options_.run},
+                            {"scenario", world_->scenario().name},
+                            {"folder", folder_.path().string()},
+                            {"robots", robots}});
 }
 
 std::string LiveContest::score_line() const {
   const Referee& referee = world_->referee();
-  return nlohmann::ordered_json{
-      {"phase", to_string(referee.phase())},         {"elapsed_s", referee.elapsed_s()},
-      {"pieces", world_->objects().pieces().size()}, {"deposited", referee.deposited()},
-      {"collisions", referee.collisions()},          {"score", referee.score()}}
-      .dump();
+  return ordered_json_text({{"phase", to_string(referee.phase())},
+                            {"elapsed_s", referee.elapsed_s()},
+                            {"pieces", world_->objects().pieces().size()},
+                            {"deposited", referee.deposited()},
+                            {"collisions", referee.collisions()},
+                            {"score", referee.score()}});
 }
 
 double LiveContest::now_s() const noexcept {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/json_text.h"
 #include "sim/scenario/json_reader.h"
 
 namespace galilean::sim {
@@ -169,11 +170,12 @@ const char* to_string(PieceKind kind) noexcept {
 }
 
 Result<Scenario> scenario_from_json(const std::string& text, const std::string& file_name) {
-  try {
-    return read_scenario(nlohmann::json::parse(text));
-  } catch (const nlohmann::json::parse_error& error) {
-    return Error{file_name + ": no JSON at byte " + std::to_string(error.byte) +
+  const auto json = read_json(text);
+  if (!json)
+    return Error{file_name + ": " + json.error().message +
                  "; expected a scenario like sim/scenarios/office.json"};
+  try {
+    return read_scenario(json.value());
   } catch (const JsonError& error) {
     return Error{file_name + ": " + error.what()};
   }

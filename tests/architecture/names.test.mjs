@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What one component is to others is told by its declaration, and not by its name: docs/ADD_A_SCHEMA.md.
+// What many files would do anew, one file does for them.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
@@ -59,4 +60,10 @@ test('a name is found in quotes, and in a comment where it can be nothing else',
 test('what has another meaning is still there', () => {
   const gone = Object.entries(OTHER_MEANINGS).flatMap(([name, places]) => places.filter((file) => !files.includes(file) || !new RegExp(`(["'\`])${name}\\1`).test(textOf(file))));
   assert.deepEqual(gone, []);
+});
+
+test('JSON becomes text in one place, which no text from outside makes throw', () => {
+  const PLACES = ['core/json_text.cpp', 'sim/scenario/json_reader.cpp']; // the other prints a value within an error, in ASCII
+  const calls = /\.dump\(|json::parse\(/;
+  assert.deepEqual(files.filter((file) => file.endsWith('.cpp') && !PLACES.includes(file) && calls.test(withoutComments(textOf(file)))), []);
 });

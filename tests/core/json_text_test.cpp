@@ -43,8 +43,19 @@ TEST(JsonText, NestingIsLimitedWhereverItIs) {
   EXPECT_TRUE(read_untrusted_json(R"(["\"", ")" + std::string(100, '[') + R"(\"\\"])"));
 }
 
+TEST(JsonText, AFileThatIsNoneIsToldByItsByte) {
+  EXPECT_EQ(read_json(R"({"a": 1})").value(), (json{{"a", 1}}));
+  EXPECT_EQ(read_json("[1,]").error().message, "no JSON at byte 4");
+  EXPECT_EQ(read_json("").error().message, "no JSON at byte 1");
+  EXPECT_EQ(read_json(nested(1'000'000)).error().message, "the JSON nests deeper than 64 levels");
+}
+
 TEST(JsonText, AnythingCanBePrinted) {
-  EXPECT_EQ(json_text({{"a", "\xff"}, {"b", {1, 2}}}), "{\"a\":\"\xef\xbf\xbd\",\"b\":[1,2]}");
+  const json bad{{"a", "\xff"}, {"b", {1, 2}}};
+  EXPECT_EQ(json_text(bad), "{\"a\":\"\xef\xbf\xbd\",\"b\":[1,2]}");
+  EXPECT_EQ(json_text(json{{"a", "\xff"}}, 1), "{\n \"a\": \"\xef\xbf\xbd\"\n}");
+  EXPECT_EQ(ordered_json_text(nlohmann::ordered_json{{"b", 1}, {"a", "\xff"}}),
+            "{\"b\":1,\"a\":\"\xef\xbf\xbd\"}");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/installation.h"
+#include "core/json_text.h"
 #include "monitor/access/tokens.h"
 #include "monitor/front/demo/run_logs.h"
 #include "monitor/front/siblings.h"
@@ -75,7 +76,9 @@ Result<void> Ensemble::start_simulator() {
 }
 
 Result<void> Ensemble::start_robots(const std::string& ready_line) try {
-  const auto ready = nlohmann::json::parse(ready_line);
+  const auto read = read_json(ready_line);
+  if (!read) return Error{"the simulator's ready line cannot be read: " + read.error().message};
+  const auto& ready = read.value();
   lines_ = ready.value("folder", std::string());
   const std::string program = find_file(options_.bhdl, "programs", ".bhdl").string();
   std::uint64_t seed = options_.seed * 1000;
@@ -84,8 +87,8 @@ Result<void> Ensemble::start_robots(const std::string& ready_line) try {
     const auto camera = robot.at("camera").get<std::string>();
     robot_names_.push_back(name);
     const auto& place = robot.at("start");
-    starts_.push_back(name + ":" + place.at("x_m").dump() + "," + place.at("y_m").dump() + "," +
-                      place.at("heading_deg").dump());
+    starts_.push_back(name + ":" + json_text(place.at("x_m")) + "," + json_text(place.at("y_m")) +
+                      "," + json_text(place.at("heading_deg")));
     rings_.push_back(camera.substr(camera.find(':') + 1));
     std::vector<std::string> command{"galilean-robot",
                                      "--name",

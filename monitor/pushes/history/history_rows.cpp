@@ -35,9 +35,16 @@ std::string steps_text(const std::vector<Step>& steps) {
   return json_text(json);
 }
 
+/// Throws if the stored text is damaged.
+nlohmann::json stored(const std::string& text) {
+  auto json = read_json(text);
+  if (!json) throw std::runtime_error(json.error().message);
+  return std::move(json).value();
+}
+
 std::vector<Step> steps_of(const std::string& text) {
   std::vector<Step> steps;
-  for (const auto& step : nlohmann::json::parse(text.empty() ? "[]" : text)) {
+  for (const auto& step : stored(text.empty() ? "[]" : text)) {
     const auto kind = step_kind_of(step.at(0).get<std::string>());
     const auto state = step_state_of(step.at(1).get<std::string>());
     if (kind && state) steps.push_back({*kind, *state, step.at(2)});
@@ -48,8 +55,7 @@ std::vector<Step> steps_of(const std::string& text) {
 Progress progress_of(const std::string& state, const std::string& steps, const std::string& trial) {
   Progress progress{.state = push_state_of(state).value_or(PushState::kForeign),
                     .steps = steps_of(steps)};
-  if (!trial.empty()) progress.trial = nlohmann::json::parse(trial, nullptr, false);
-  if (progress.trial.is_discarded()) progress.trial = nullptr;  // the stored text is damaged
+  if (auto figures = read_json(trial)) progress.trial = std::move(figures).value();
   return progress;
 }
 
@@ -131,15 +137,14 @@ sql::Statement select_pushes(sqlite3* database, const std::string& condition) {
 std::vector<PushRecord> records_of(sqlite3* database, sql::Statement& rows) {
   std::vector<PushRecord> records;
   while (rows.step())
-    records.push_back(
-        {.id = rows.text(0),
-         .pushed_ns = rows.integer(1),
-         .author = rows.text(2),
-         .program = rows.text(3),
-         .hash = rows.text(4),
-         .targets = nlohmann::json::parse(rows.text(5)).get<std::vector<std::string>>(),
-         .progress = progress_of(rows.text(6), rows.text(7), rows.text(8)),
-         .replies = replies_to(database, rows.text(0))});
+    records.push_back({.id = rows.text(0),
+                       .pushed_ns = rows.integer(1),
+                       .author = rows.text(2),
+                       .program = rows.text(3),
+                       .hash = rows.text(4),
+                       .targets = stored(rows.text(5)).get<std::vector<std::string>>(),
+                       .progress = progress_of(rows.text(6), rows.text(7), rows.text(8)),
+                       .replies = replies_to(database, rows.text(0))});
   return records;
 }
 

@@ -13,7 +13,7 @@ nlohmann::json definition(const nlohmann::json& schema, const std::string& name)
   return {{"encoding", "json"},
           {"schemaName", name},
           {"schemaEncoding", "jsonschema"},
-          {"schema", schema.dump()}};
+          {"schema", json_text(schema)}};
 }
 
 using Ends = std::map<std::string, ConnectionGraph::Ids>;

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/json_text.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -74,7 +76,7 @@ double RequestFields::number(const char* name, double absent, double least, doub
   const bool fits =
       value->is_number() && value->get<double>() >= least && value->get<double>() <= most;
   if (fits) return *value;
-  refuse(must_be(name, "a number from " + json(least).dump() + " to " + json(most).dump()));
+  refuse(must_be(name, "a number from " + json_text(json(least)) + " to " + json_text(json(most))));
   return absent;
 }
 

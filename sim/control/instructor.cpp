@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kLongestStep_s = 3600;
 constexpr double kHardestPush_ns = 20;
+/// Pushes add up. A body that is much faster passes through a wall between two steps.
+constexpr double kFastestPushed_mps = 5;
 constexpr std::size_t kMostPieces = 500;
 
 std::string number_text(double number) {
@@ -125,7 +127,12 @@ Instructor::Answer Instructor::push(const Order& order) {
     return Error{"a push of " + number_text(order.impulse_ns) +
                  " Ns is out of range: expected more than 0, and at most 20"};
   if (!is_heading(order.heading_rad)) return Error{"the direction is no angle"};
-  found.value()->push(unit_vector(order.heading_rad) * order.impulse_ns);
+  const Vec2 impulse_ns = unit_vector(order.heading_rad) * order.impulse_ns;
+  const double speed_mps = found.value()->speed_after_mps(impulse_ns);
+  if (speed_mps > kFastestPushed_mps)
+    return Error{"with this push " + order.subject + " would go at " + number_text(speed_mps) +
+                 " m/s: expected at most 5 m/s; wait until it is slower"};
+  found.value()->push(impulse_ns);
   return "pushed " + order.subject + " with " + number_text(order.impulse_ns) + " Ns";
 }
 

@@ -79,6 +79,11 @@ void RobotBody::push(const Vec2& impulse_ns) {
   body_.ApplyLinearImpulseToCenter(to_b2(impulse_ns), true);
 }
 
+double RobotBody::speed_after_mps(const Vec2& impulse_ns) const {
+  const b2Vec2 velocity_mps = body_.GetLinearVelocity();
+  return (Vec2(velocity_mps.x, velocity_mps.y) + impulse_ns / body_.GetMass()).norm();
+}
+
 bool RobotBody::after_step(const std::vector<Touch>& touches) {
   press_switches(touches);
   return gripper_.update();

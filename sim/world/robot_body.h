@@ -48,6 +48,8 @@ class RobotBody {
   void place(const Pose2& pose);
   /// Requires: the robot is in the arena. `impulse_ns` is a vector in the arena's frame.
   void push(const Vec2& impulse_ns);
+  /// Returns how fast the hull would go right after such a push.
+  [[nodiscard]] double speed_after_mps(const Vec2& impulse_ns) const;
   [[nodiscard]] bool powered() const noexcept { return powered_; }
 
  private:

@@ -168,6 +168,25 @@ TEST_F(InstructorTest, PushesARobotWhereItIsTold) {
   EXPECT_NE(refused(push).find("the robots are io, ganymede"), std::string::npos);
 }
 
+TEST_F(InstructorTest, PushesThatAddUpDriveNoRobotThroughAWall) {
+  auto push = order("push", "io");
+  push.impulse_ns = 20;
+  push.heading_rad = kPi / 2;
+  int pushed = 0;
+  std::string why;
+  for (int i = 0; i < 100 && why.empty(); ++i) {
+    const auto answer = instructor.carry_out(push);
+    if (answer)
+      ++pushed;
+    else
+      why = answer.error().message;
+  }
+  EXPECT_GT(pushed, 0);
+  EXPECT_NE(why.find("expected at most 5 m/s"), std::string::npos) << why;
+  run_for(3);
+  EXPECT_LT(world->robot(0).pose().position_m.y(), world->scenario().arena.depth_m);
+}
+
 TEST_F(InstructorTest, DropsAndRemovesPieces) {
   EXPECT_EQ(done(at("drop", "cup", 2, 4)), "dropped cup_2 at (2.00, 4.00) m");
   ASSERT_TRUE(seen("cup_2"));

@@ -14,6 +14,8 @@ namespace galilean::sim {
 namespace {
 
 constexpr std::size_t kIdsKept = 256;
+/// The world takes all that wait before its next step, in 10 ms. Only a flood is more.
+constexpr std::size_t kMostWaiting = 256;
 
 std::string log_line(const msg::SimulationEvent& event) {
   const std::string who = "galilean-sim: " + visible(event.author);
@@ -49,10 +51,22 @@ void OrderDesk::receive() {
   orders_.take([this](const wire::Received& received) {
     msg::SimulationOrder order;
     if (!msg::decode_cdr(received.cdr, order) || order.simulation != simulation_) return;
+    if (order.id.empty()) return refuse(order, "it has no id");
     if (!is_new(order.id)) return;
+    if (incoming_.size() >= kMostWaiting) return refuse(order, "too many orders wait");
     incoming_.push_back(std::move(order));
     has_orders_ = true;
   });
+}
+
+void OrderDesk::refuse(const msg::SimulationOrder& order, const char* why) {
+  msg::SimulationEvent event;
+  event.order_id = order.id;
+  event.author = order.author;
+  event.order = order.order;
+  event.subject = order.subject;
+  event.text = why;
+  tell(std::move(event));
 }
 
 bool OrderDesk::is_new(const std::string& id) {
@@ -71,9 +85,9 @@ std::vector<msg::SimulationOrder> OrderDesk::take() {
 void OrderDesk::tell(msg::SimulationEvent event) {
   event.stamp = wire::ros_time(wire::wall_clock_ns());
   event.simulation = simulation_;
-  event.number = ++told_;
   {
     const std::lock_guard lock(outgoing_mutex_);
+    event.number = ++told_;
     outgoing_.push_back(std::move(event));
   }
   changed_.notify_one();

@@ -39,6 +39,8 @@ class OrderDesk {
 
  private:
   void receive();
+  /// Tells that the order is not taken.
+  void refuse(const msg::SimulationOrder& order, const char* why);
   [[nodiscard]] bool is_new(const std::string& id);
   void run();
 

@@ -64,6 +64,7 @@ struct Monitor::Parts {
   MapService map;
   TrialRoom trials;
   PushDesk desk;
+  SimulationDesk simulations;
   Operations operations;
   Api api;
   HttpServer server;
@@ -100,8 +101,9 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
              options.simulator.empty() ? program_folder() / "galilean-sim" : options.simulator,
              options.data_folder / "trials"),
       desk({io, worker, team, library, *history, trials}, clock, *participant),
+      simulations(io, worker, clock, *participant),
       operations(worker, team, library, desk, *participant),
-      api({page, team, library, map, hub, operations, desk, worker, *history}),
+      api({page, team, library, map, hub, operations, desk, simulations, worker, *history}),
       server(io, {Guard(options.address, options.allowed_origins),
                   Access(std::move(tokens), is_loopback(options.address)),
                   [this](const HttpRequest& request, const Respond& respond) {
@@ -141,6 +143,8 @@ void Monitor::Parts::receive(const Message& message) {
   trials.receive(message);
   decode_for<msg::ProgramReply>(message, [this](const auto& reply) { desk.note(reply); });
   decode_for<msg::ProgramPush>(message, [this](const auto& push) { desk.note(push); });
+  decode_for<msg::SimulationState>(message, [this](const auto& state) { simulations.note(state); });
+  decode_for<msg::SimulationEvent>(message, [this](const auto& event) { simulations.note(event); });
 }
 
 void Monitor::Parts::tell_regularly() {

@@ -66,6 +66,9 @@ test('the server answers as it is described', async (t) => {
     for (const kind of ['decommission', 'commission', 'resume']) await ask('POST', '/api/command', { status: 200, body: { kind, targets: ['io'] } });
     await ask('POST', '/api/command', { status: 400, body: { kind: 'dance' } });
     await ask('POST', '/api/command', { status: 404, body: { kind: 'hold', targets: ['europa'] } });
+    await ask('POST', '/api/simulation/orders', { status: 400, body: {} });
+    await ask('POST', '/api/simulation/orders', { status: 403, body: { order: 'pause' }, bearer: token('viewer') });
+    await ask('POST', '/api/simulation/orders', { status: 404, body: { order: 'pause' } });
     await ask('GET', '/api/status', { status: 403, headers: { origin: 'https://evil.example' } });
   });
 

@@ -2,6 +2,8 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { connect, readerOf } from './foxglove_client.mjs';
+import { objections } from './openapi.mjs';
 import { eventually, freshDomain, galilean, getJson, programs, scratchFolder, startTeam } from './tools.mjs';
 
 function contest(...options) {
@@ -49,7 +51,7 @@ test('a scenario that is none ends with one clear line', (t) => {
 });
 
 test('an instructor pauses, moves and breaks while a team runs, and all of it is recorded', async (t) => {
-  const { team, domain, cwd, url } = await startTeam(t, ['--robots', '1', '--record', 'taught.mcap']);
+  const { team, domain, cwd, url, link } = await startTeam(t, ['--robots', '1', '--record', 'taught.mcap']);
   const said = (...args) => galilean(['sim', 'ctl', ...args], { domain });
   const done = (...args) => {
     const { status, stdout, stderr } = said(...args);
@@ -79,6 +81,26 @@ test('an instructor pauses, moves and breaks while a team runs, and all of it is
   const refused = said('move', 'io', '0', '0');
   assert.equal(refused.status, 1);
   assert.match(refused.stderr, /^galilean sim ctl: io cannot stand at .*a wall\n$/);
+
+  await t.test('over HTTP as well, and whoever listens to the monitor hears of it', async (inner) => {
+    const headers = { authorization: `Bearer ${new URL(link).hash.replace('#token=', '')}` };
+    const order = async (status, body) => {
+      const answer = await fetch(`${url}/api/simulation/orders`, { method: 'POST', headers, body: JSON.stringify(body) });
+      assert.deepEqual(await objections('POST', '/api/simulation/orders', answer.clone()), []);
+      assert.equal(answer.status, status);
+      return answer.json();
+    };
+    const { client, next, channel } = connect(inner, url);
+    const events = await channel('/simulation/event');
+    client.subscribe(events.id);
+    const told = await order(200, { order: 'move', subject: 'io', x_m: 6.2, y_m: 4.6, author: 'Ada' });
+    assert.equal(told.text, 'moved io to (6.20, 4.60) m');
+    const event = (message) => readerOf(events).readMessage(message.data);
+    const heard = event(await next('message', (message) => event(message).order_id === told.order_id));
+    assert.deepEqual([heard.author, heard.order, heard.done], ['Ada', 'move', true]);
+    const { detail } = await order(409, { order: 'move', subject: 'io', x_m: 0, y_m: 0 });
+    assert.match(detail, /^io cannot stand at .*a wall\.$/);
+  });
   assert.equal((await team.stop()).code, 0);
   const { stdout } = galilean(['log', 'info', 'taught.mcap'], { cwd });
   assert.match(stdout, /\/simulation\/event/);

@@ -57,6 +57,7 @@ void Api::add_routes() {
     pushed_program(rest(request, "/api/pushed/"), respond);
   });
   add_map_routes();
+  add_simulation_routes();
   post("/api/check", Right::kRead, operation(&Operations::check));
   post("/api/push", Right::kOperate, operation(&Operations::push));
   post("/api/pushes/", Right::kOperate,

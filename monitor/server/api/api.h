@@ -8,6 +8,7 @@
 #include "monitor/server/api/operations.h"
 #include "monitor/server/http/http_server.h"
 #include "monitor/server/http/page_files.h"
+#include "monitor/simulation/simulation_desk.h"
 
 namespace galilean::monitor {
 
@@ -23,6 +24,7 @@ class Api {
     const foxglove::Hub& hub;
     Operations& operations;
     PushDesk& desk;
+    SimulationDesk& simulations;
     Worker& worker;
     History& history;  ///< used on the worker only
   };
@@ -46,6 +48,7 @@ class Api {
 
   void add_routes();
   void add_map_routes();
+  void add_simulation_routes();
   void post(std::string path, Right needs, Handler handler);
   [[nodiscard]] static Finish finish_of(const Respond& respond);
   [[nodiscard]] Handler operation(void (Operations::*operate)(const nlohmann::json&, Finish));

@@ -166,16 +166,29 @@ TEST_F(BadRequestTest, EveryPostSaysWhyABodyIsNone) {
 }
 
 TEST_F(BadRequestTest, EveryPostNamesTheFieldThatHasTheWrongType) {
-  const json text{{"type", "string"}}, list{{"type", "array"}};
+  const json text{{"type", "string"}}, list{{"type", "array"}}, number{{"type", "number"}};
   const std::map<std::string, json> fields{
       {"/api/check", {{"files", list}, {"robot", text}, {"against", list}}},
       {"/api/push", {{"targets", list}, {"author", text}, {"replaces", text}, {"canary", text}}},
       {"/api/pushes/nothing/cancel", {{"author", text}}},
-      {"/api/command", {{"kind", text}, {"targets", list}, {"author", text}}}};
+      {"/api/command", {{"kind", text}, {"targets", list}, {"author", text}}},
+      {"/api/simulation/orders",
+       {{"order", text},
+        {"subject", text},
+        {"part", text},
+        {"fault", text},
+        {"simulation", text},
+        {"author", text},
+        {"x_m", number},
+        {"y_m", number},
+        {"heading_rad", number},
+        {"impulse_ns", number},
+        {"duration_s", number},
+        {"rate", number}}}};
   for (const auto& path : described_paths("post"))
     for (const auto& [name, field] : fields.at(filled(path, "nothing")).items())
       for (const auto& wrong : values_that_are_no(field)) {
-        json body{{"files", files(kProgram)}, {"kind", "hold"}};
+        json body{{"files", files(kProgram)}, {"kind", "hold"}, {"order", "pause"}};
         body[name] = wrong;
         const auto answer = post(filled(path, "nothing"), body);
         EXPECT_EQ(answer.status, 400U) << path << ' ' << body;

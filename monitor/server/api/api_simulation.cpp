@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/json_text.h"
+#include "monitor/server/api/api.h"
+#include "monitor/server/text/request_fields.h"
+#include "monitor/simulation/simulation_json.h"
+
+namespace galilean::monitor {
+namespace {
+
+/// Returns the order that a request asks for. Only types are checked here: what an order means, and
+/// which values are possible, only the simulation knows.
+msg::SimulationOrder simulation_order(RequestFields& fields) {
+  constexpr double kMost = 1e6;
+  const auto number = [&](const char* name) { return fields.number(name, 0, -kMost, kMost); };
+  msg::SimulationOrder order;
+  order.author = fields.text("author", "operator");
+  order.simulation = fields.text("simulation");
+  order.subject = fields.text("subject");
+  order.part = fields.text("part");
+  order.fault = fields.text("fault");
+  order.x_m = number("x_m");
+  order.y_m = number("y_m");
+  order.turns = fields.find("heading_rad") != nullptr;
+  order.heading_rad = number("heading_rad");
+  order.impulse_ns = number("impulse_ns");
+  order.duration_s = number("duration_s");
+  order.rate = number("rate");
+  order.order = fields.text("order");
+  if (order.order.empty()) fields.refuse("'order' must say what to do, such as pause.");
+  return order;
+}
+
+int status_of(Unanswered::Reason reason) {
+  switch (reason) {
+    case Unanswered::Reason::kNoSimulation:
+      return 404;
+    case Unanswered::Reason::kSilent:
+    case Unanswered::Reason::kUnable:
+      return 503;
+  }
+  return 500;
+}
+
+Outcome outcome_of(const SimulationDesk::Answer& answer) {
+  if (!answer) {
+    const auto& [reason, message] = answer.error();
+    return {status_of(reason), {}, "The order has no answer: " + message + "."};
+  }
+  const auto& event = answer.value();
+  if (!event.done) return {409, {{"event", to_json(event)}}, event.text + "."};
+  return {200, to_json(event)};
+}
+
+}  // namespace
+
+void Api::add_simulation_routes() {
+  post("/api/simulation/orders", Right::kOperate, [this](auto& request, auto& respond) {
+    const auto body = read_untrusted_json(request.body);
+    if (!body) return respond(problem(400, body.error().message));
+    RequestFields fields(body.value());
+    auto order = simulation_order(fields);
+    if (!fields.ok()) return respond(problem(400, fields.objection()));
+    parts_.simulations.order(std::move(order), [finish = finish_of(respond)](const auto& answer) {
+      finish(outcome_of(answer));
+    });
+  });
+}
+
+}  // namespace galilean::monitor

@@ -110,6 +110,7 @@ export const rooms = {
     vision: ['lib', 'feed', 'bhdl', 'model', 'parts', 'layout', 'program'],
     map: ['lib', 'feed', 'bhdl', 'model', 'parts', 'layout', 'vision'],
     plots: ['lib', 'feed', 'model', 'layout'],
+    instructor: ['lib', 'feed', 'model', 'parts', 'layout', 'map'],
     machine: ['lib', 'feed', 'bhdl', 'model', 'parts', 'layout', 'graph', 'program'],
     variables: ['lib', 'feed', 'model', 'parts', 'layout', 'map', 'plots', 'machine'],
     why: ['lib', 'feed', 'model', 'layout', 'program'],

@@ -9,7 +9,7 @@ import { LAPTOP, PHONE, playedTab } from "./tab.mjs";
 
 const axe = readFileSync(createRequire(new URL("../../web/package.json", import.meta.url)).resolve("axe-core/axe.min.js"), "utf8");
 const RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
-const tab = playedTab({ ahead: 60, silent: "callisto" });
+const tab = playedTab({ ahead: 60, silent: "callisto", simulated: true });
 
 async function opened({ colorScheme = "light", viewport = LAPTOP, ...rest } = {}) {
   const page = await tab.browser.newPage({ viewport, colorScheme, ...rest });
@@ -38,6 +38,12 @@ for (const colorScheme of ["light", "dark"]) {
     await page.getByTestId("map-robot-io").focus();
     await page.keyboard.press("Enter");
     assert.deepEqual(await violations(page), [], "what is known of an item on the map");
+    await page.keyboard.press("i");
+    await page.getByTestId("instructor-truth").check();
+    await page.getByTestId("instructor-break").click();
+    await page.getByTestId("instructor-move").click();
+    await page.getByTestId("map-moves").filter({ hasText: "it is dead" }).waitFor();
+    assert.deepEqual(await violations(page), [], "the instructor's panel, and what can be moved on the map");
     await page.keyboard.press("?");
     assert.deepEqual(await violations(page), [], "keys");
     await page.keyboard.press("Escape");

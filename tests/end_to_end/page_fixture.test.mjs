@@ -20,7 +20,7 @@ describe("the page's stand-in for the monitor", () => {
   const broken = () => [{ path: 'broken.bhdl', text: 'nonsense\n' }];
 
   before(async () => {
-    fixture = await startFixture({ ahead: 20 });
+    fixture = await startFixture({ ahead: 20, simulated: true });
     url = fixture.url;
     ({ files } = await ask('GET /api/programs/{name}', 200, undefined, 'sit_and_spin.bhdl'));
   });
@@ -58,5 +58,12 @@ describe("the page's stand-in for the monitor", () => {
     await ask('POST /api/command', 200, { kind: 'hold', targets: ['io'] });
     const { robots } = await ask('GET /api/status', 200);
     assert.deepEqual(robots.filter(({ held }) => held).map(({ name }) => name), ['io']);
+  });
+
+  test('carries out what an instructor orders, and tells why not', async () => {
+    const moved = await ask('POST /api/simulation/orders', 200, { order: 'move', subject: 'io', x_m: 1.5, y_m: 5 });
+    assert.equal(moved.text, 'moved io to (1.50, 5.00) m');
+    const { detail } = await ask('POST /api/simulation/orders', 409, { order: 'mend', subject: 'io', part: 'camera' });
+    assert.match(detail, /not broken/);
   });
 });

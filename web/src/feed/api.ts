@@ -167,6 +167,25 @@ export function command(kind: CommandKind, targets: readonly string[], argument 
   return call("/api/command", { kind, targets, argument });
 }
 
+/** An instructor's order to a simulation, as docs/openapi.yaml describes it. */
+export interface SimulationOrder {
+  readonly order: string;
+  readonly subject?: string;
+  readonly part?: string;
+  readonly fault?: string;
+  readonly x_m?: number;
+  readonly y_m?: number;
+  readonly heading_rad?: number;
+  readonly impulse_ns?: number;
+  readonly duration_s?: number;
+  readonly rate?: number;
+}
+
+/** Returns what the simulation did; what it refuses is a Refusal with its reason. */
+export function orderSimulation(simulation: string, order: SimulationOrder): Promise<{ text: string }> {
+  return call("/api/simulation/orders", { ...order, simulation, author: "operator" });
+}
+
 /** `may_steer`: whether the token that the page has gives the right to. */
 export function status(): Promise<{ name: string; scenario: string; version: string; may_steer: boolean }> {
   return call("/api/status");

@@ -4,7 +4,15 @@
 export const robotTopics = ["state", "transition", "variables", "sightings", "program", "program_reply", "catalog"] as const;
 /** Read only while a panel shows them. */
 export const watchedTopics = ["forces"] as const;
-export const teamTopics = ["/team/objects", "/team/map", "/team/program_push", "/team/push_progress", "/referee/score"] as const;
+export const teamTopics = [
+  "/team/objects",
+  "/team/map",
+  "/team/program_push",
+  "/team/push_progress",
+  "/referee/score",
+  "/simulation/state",
+  "/simulation/event",
+] as const;
 
 export type RobotTopic = (typeof robotTopics | typeof watchedTopics)[number];
 export type TeamTopic = (typeof teamTopics)[number];
@@ -20,7 +28,7 @@ export function robotTopicOf(topic: string): { robot: string; kind: string } | u
   return robot && kind && !NOT_ROBOTS.has(robot) ? { robot, kind } : undefined;
 }
 
-const HAPPENINGS = new Set(["transition", "program", "program_reply", "team/program_push", "team/push_progress"]);
+const HAPPENINGS = new Set(["transition", "program", "program_reply", "team/program_push", "team/push_progress", "simulation/event"]);
 
 /** Whether a topic tells of single events, which are worth a frame of their own, rather than how things stand. */
 export function tellsWhatHappens(topic: string): boolean {

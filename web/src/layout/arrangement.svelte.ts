@@ -15,6 +15,10 @@ export interface PanelName {
   readonly about: string;
   /** The panel as a tab of which it appears, where the standard gives it no place of its own. */
   readonly behind?: string;
+  /** It stands in no arrangement until somebody opens it. */
+  readonly onRequest?: boolean;
+  /** Whether it can be opened now; without it, always. */
+  readonly isOffered?: () => boolean;
 }
 
 interface Kept {
@@ -37,6 +41,8 @@ class Arrangement {
   panels = $state.raw<readonly PanelName[]>([]);
   #standard: Node | undefined;
 
+  /** Those that can be opened, and those that are open. */
+  readonly offered: readonly PanelName[] = $derived(this.panels.filter(({ id, isOffered }) => this.open.has(id) || !isOffered || isOffered()));
   readonly open: ReadonlySet<string> = $derived(new Set(this.tree ? panelsIn(this.tree) : []));
 
   /** What there is to arrange, and how it stands unless somebody arranged it. */
@@ -126,8 +132,8 @@ class Arrangement {
 
   /** With the panels that came since, where they belong. */
   #withNew(tree: Node | undefined, known: readonly string[]): Node | undefined {
-    return this.panels.reduce((before, { id, behind }) => {
-      if (!before || behind === undefined || known.includes(id) || stackWith(before, id)) return before;
+    return this.panels.reduce((before, { id, behind, onRequest }) => {
+      if (!before || behind === undefined || onRequest || known.includes(id) || stackWith(before, id)) return before;
       const in_front = stackWith(before, behind)?.shown;
       const next = opened(before, id, behind);
       return in_front === undefined ? next : shown(next, in_front);

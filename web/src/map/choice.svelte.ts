@@ -11,6 +11,7 @@ export const layerNames = {
   ellipses: "where each may be (86 %)",
   names: "names of robots",
   things: "names of things",
+  truth: "truth beside belief (in a simulation)",
 } as const;
 
 export type Layer = keyof typeof layerNames;
@@ -22,7 +23,7 @@ interface Kept {
 }
 
 const KEY = "galilean.map";
-const STANDARD: Kept = { layers: { trails: true, views: true, sightings: true, ellipses: true, names: true, things: false }, forces: "chosen" };
+const STANDARD: Kept = { layers: { trails: true, views: true, sightings: true, ellipses: true, names: true, things: false, truth: false }, forces: "chosen" };
 
 class MapChoice {
   layers = $state({ ...STANDARD.layers });

@@ -10,6 +10,9 @@ interface Place {
   readonly y_m: number;
 }
 
+/** What a hand moves by itself is no hold on the floor. */
+const isCarried = ({ target }: Event) => target instanceof Element && target.closest("[data-movable]") !== null;
+
 /** What part of the floor a map shows: it fits what there is to see until somebody moves it. */
 export class MapView {
   x_px = $state(0);
@@ -24,6 +27,7 @@ export class MapView {
   constructor(carried: () => void = () => {}) {
     this.#zoom = zoom<HTMLElement, unknown>()
       .scaleExtent([PX_PER_M.least, PX_PER_M.most])
+      .filter((event: MouseEvent) => !event.button && (event.type === "wheel" || (!event.ctrlKey && !isCarried(event))))
       .on("zoom", ({ transform, sourceEvent }) => {
         const panned = transform.k === this.px_per_m;
         [this.x_px, this.y_px, this.px_per_m] = [transform.x, transform.y, transform.k];

@@ -12,6 +12,8 @@ import type {
   RobotState,
   Score,
   Sightings,
+  SimulationEvent,
+  SimulationState,
   Time,
   Transition,
   Variables,
@@ -108,6 +110,12 @@ export interface Push {
   readonly steps: readonly PushStep[];
 }
 
+/** What became of an instructor's order to the simulation. */
+export interface Instruction extends Pick<SimulationEvent, "author" | "order" | "subject" | "done" | "text"> {
+  readonly id: string;
+  readonly at_ms: number;
+}
+
 export interface Team {
   readonly robots: ReadonlyMap<string, Robot>;
   /** With the map's own time, which its objects' `last_seen` keeps. */
@@ -116,6 +124,9 @@ export interface Team {
   readonly score?: Stamped<Score>;
   readonly contest_began_ms?: number;
   readonly pushes: readonly Push[];
+  /** Where everything really is, where a simulation tells it. */
+  readonly simulation?: Stamped<SimulationState>;
+  readonly instructions: readonly Instruction[];
 }
 
-export const emptyTeam: Team = { robots: new Map(), pushes: [] };
+export const emptyTeam: Team = { robots: new Map(), pushes: [], instructions: [] };

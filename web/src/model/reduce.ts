@@ -10,6 +10,7 @@ import { withMessages } from "./message_rate";
 import { withMoment, withVariables } from "./moments";
 import { replyOf, withPush, withReply, withStep } from "./pushes";
 import { clockOffset_ms, onPageClock_ms, wentBack } from "./robot_clock";
+import { withInstruction, withSimulation } from "./simulation";
 import { standing } from "./stillness";
 import { withBar, withProgram } from "./timeline";
 import { unwound, withPoint } from "./trail";
@@ -112,6 +113,11 @@ const ofTeam: { [K in TeamTopic]: Reduce<Team, never> } = {
     ...team,
     score: { value, received_ms },
     contest_began_ms: contestBegan_ms(team.contest_began_ms, value, received_ms),
+  }),
+  "/simulation/state": withSimulation,
+  "/simulation/event": (team, event: wire.SimulationEvent, received_ms) => ({
+    ...team,
+    instructions: withInstruction(team.instructions, event, received_ms),
   }),
 };
 

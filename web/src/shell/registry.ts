@@ -3,9 +3,11 @@
 // 1, 2, 3 … bring them into sight.
 
 import type { Component } from "svelte";
+import { instructor } from "../model/instructor.svelte";
 import type { PanelName } from "../layout/arrangement.svelte";
 import MachinePanel from "../machine/MachinePanel.svelte";
 import GainsPanel from "../gains/GainsPanel.svelte";
+import InstructorPanel from "../instructor/InstructorPanel.svelte";
 import MapPanel from "../map/MapPanel.svelte";
 import PlotsPanel from "../plots/PlotsPanel.svelte";
 import ProgramPanel from "../program/ProgramPanel.svelte";
@@ -90,6 +92,15 @@ export const panels: readonly PanelKind[] = [
     about: "Gains and thresholds of the running program, to be moved while it runs: each goes the way of a push as soon as the hand rests, and into the draft.",
     component: GainsPanel,
     behind: "program",
+  },
+  {
+    id: "instructor",
+    title: "Instructor",
+    about: "What an instructor does to the running simulation: its clock and contest, broken parts, pieces, pushes, and what stands where. It is there only where a simulation is.",
+    component: InstructorPanel,
+    behind: "machine",
+    onRequest: true,
+    isOffered: () => instructor.isOffered,
   },
 ];
 

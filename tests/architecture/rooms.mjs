@@ -91,6 +91,7 @@ export const rooms = {
     top: ['commands', 'ingest', 'pushes', 'pushes/history', 'team', 'top/screen', 'top/model', 'top/panels'],
     commands: ['access', 'ingest', 'pushes', 'pushes/history', 'team'],
     simulation: ['background'],
+    wire: [],
     front: [],
     'front/demo': ['access', 'ingest', 'front'],
     'front/doctor': ['front'],

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <iostream>
+#include <limits>
+
+#include "core/command_line/exit_code.h"
+#include "core/plural.h"
+#include "core/visible_text.h"
+#include "monitor/wire/expression.h"
+#include "monitor/wire/gap_statistics.h"
+#include "monitor/wire/message_text.h"
+#include "monitor/wire/topic_commands.h"
+#include "monitor/wire/topic_name.h"
+#include "monitor/wire/wire_session.h"
+
+namespace galilean::monitor {
+namespace {
+
+constexpr Duration kForEver = std::chrono::hours(24 * 365);
+
+std::string json_line(const MessageTree& tree) {
+  return tree.dump(-1, ' ', false, MessageTree::error_handler_t::replace) + '\n';
+}
+
+/// Returns what echo prints of a message. Errors: it cannot be decoded, or has no such field.
+Result<std::string> echoed(const MessageDecoder& decoder, const wire::Received& received,
+                           const TopicOptions& options) {
+  const auto message = decoder.decode(received.cdr);
+  if (!message) return message.error();
+  const auto field = find_field(message.value(), options.field);
+  if (!field) return field.error();
+  const MessageTree shown = field.value() ? *field.value() : MessageTree();
+  return options.json ? json_line(shown) : readable_text(shown) + "---\n";
+}
+
+int tell_rate(const std::string& topic, const GapStatistics& statistics, double seconds,
+              bool json) {
+  const auto figures = statistics.figures();
+  if (json) {
+    MessageTree tree{{"topic", topic}, {"messages", statistics.messages()}, {"seconds", seconds}};
+    for (const auto& [name, figure] : {std::pair{"rate_hz", &GapStatistics::Figures::rate_hz},
+                                       {"least_gap_s", &GapStatistics::Figures::least_s},
+                                       {"most_gap_s", &GapStatistics::Figures::most_s},
+                                       {"mean_gap_s", &GapStatistics::Figures::mean_s},
+                                       {"deviation_s", &GapStatistics::Figures::deviation_s},
+                                       {"bytes_per_s", &GapStatistics::Figures::bytes_per_s}})
+      tree[name] = figures ? MessageTree((*figures).*figure) : MessageTree();
+    std::cout << json_line(tree) << std::flush;
+  } else if (figures) {
+    std::printf(
+        "%s: %.2f messages/s, %.0f bytes/s; gaps %.4f to %.4f s, mean %.4f s, standard deviation "
+        "%.4f s; %s\n",
+        visible(topic).c_str(), figures->rate_hz, figures->bytes_per_s, figures->least_s,
+        figures->most_s, figures->mean_s, figures->deviation_s,
+        plural(statistics.messages(), "message").c_str());
+  } else if (statistics.messages() > 0) {
+    std::printf("%s: %s, too few for a rate\n", visible(topic).c_str(),
+                plural(statistics.messages(), "message").c_str());
+  }
+  return 0;
+}
+
+/// The topics of an expression, read as soon as they have writers.
+class Watch {
+ public:
+  Watch(WireSession& session, Expression expression)
+      : session_(session), expression_(std::move(expression)) {
+    for (auto& topic : expression_.topics()) sources_.push_back({std::move(topic), {}, {}});
+  }
+
+  /// Returns whether the expression holds, after any of the messages that came meanwhile.
+  Result<bool> look() {
+    for (auto& source : sources_) {
+      if (!source.reader) open(source);
+      if (!source.reader) continue;
+      Result<bool> held = false;
+      source.reader->take([&](const wire::Received& received) {
+        if (!held || held.value()) return;
+        auto message = source.decoder->decode(received.cdr);
+        if (!message) return;
+        newest_[source.topic] = std::move(message).value();
+        held = expression_.holds(newest_);
+      });
+      if (!held || held.value()) return held;
+    }
+    return false;
+  }
+  /// Returns a sentence on each topic that sent nothing.
+  [[nodiscard]] std::string silent() {
+    std::string text;
+    for (const auto& source : sources_)
+      if (!newest_.contains(source.topic)) {
+        const auto found = session_.find_now(source.topic);
+        text += "; " +
+                (found ? "nothing came on '" + visible(source.topic) + "'" : found.error().message);
+      }
+    return text;
+  }
+  [[nodiscard]] const Expression::Newest& newest() const noexcept { return newest_; }
+
+ private:
+  struct Source {
+    std::string topic;
+    std::unique_ptr<MessageDecoder> decoder;
+    std::unique_ptr<wire::Reader> reader;
+  };
+
+  void open(Source& source) {
+    const auto found = session_.find_now(source.topic);
+    if (!found) return;
+    source.decoder = std::make_unique<MessageDecoder>(*found.value().schema);
+    source.reader = session_.read(found.value());
+  }
+
+  WireSession& session_;
+  Expression expression_;
+  Expression::Newest newest_;
+  std::vector<Source> sources_;
+};
+
+}  // namespace
+
+int echo_topic(const TopicOptions& options) {
+  const auto session = WireSession::join(options.domain);
+  if (!session) return fail_topic_verb("echo", session.error().message);
+  const auto topic = session.value()->find(options.name);
+  if (session.value()->ended()) return 0;
+  if (!topic) return fail_topic_verb("echo", topic.error().message);
+  const MessageDecoder decoder(*topic.value().schema);
+  const auto reader = session.value()->read(topic.value());
+  Result<void> done;
+  int count = 0;
+  const auto enough = [&] {
+    return !done || !std::cout || (options.count && count >= options.count);
+  };
+  session.value()->wait(kForEver, [&] {
+    reader->take([&](const wire::Received& received) {
+      if (enough()) return;
+      const auto text = echoed(decoder, received, options);
+      if (!text)
+        done = text.error();
+      else
+        std::cout << text.value() << std::flush, ++count;
+    });
+    return enough();
+  });
+  return done ? 0 : fail_topic_verb("echo", done.error().message);
+}
+
+int measure_rate(const TopicOptions& options) {
+  // What a writer kept for late joiners comes at once, and says nothing of its rate.
+  constexpr Duration kKeptMessages = std::chrono::milliseconds(300);
+  const auto session = WireSession::join(options.domain);
+  if (!session) return fail_topic_verb("rate", session.error().message);
+  const auto topic = session.value()->find(options.name);
+  if (session.value()->ended()) return 0;
+  if (!topic) return fail_topic_verb("rate", topic.error().message);
+  const auto reader = session.value()->read(topic.value());
+  session.value()->wait(kKeptMessages, [&] { return reader->take([](const auto&) {}), false; });
+  GapStatistics statistics;
+  const Time start = session.value()->now();
+  session.value()->wait(options.count ? kForEver : from_seconds(options.window_s), [&] {
+    reader->take([&](const wire::Received& received) {
+      if (!options.count || statistics.messages() < static_cast<std::size_t>(options.count))
+        statistics.add(session.value()->now(), received.cdr.size());
+    });
+    return options.count && statistics.messages() >= static_cast<std::size_t>(options.count);
+  });
+  const double seconds = to_seconds(session.value()->now() - start);
+  const std::string shown = shown_topic(topic.value().dds_topic);
+  tell_rate(shown, statistics, seconds, options.json);
+  if (statistics.messages() > 0 || session.value()->ended()) return 0;
+  char sentence[64];
+  std::snprintf(sentence, sizeof sentence, " in %.1f s", seconds);
+  return fail_topic_verb("rate", "nothing came on " + visible(shown) + sentence);
+}
+
+int wait_for_expression(const TopicOptions& options) {
+  auto expression = Expression::parse(options.name);
+  if (!expression) return fail_topic_verb("wait", expression.error().message), kWrongUsage;
+  const auto session = WireSession::join(options.domain);
+  if (!session) return fail_topic_verb("wait", session.error().message);
+  Watch watch(*session.value(), std::move(expression).value());
+  Result<bool> held = false;
+  const Time start = session.value()->now();
+  session.value()->wait(options.timeout_s > 0 ? from_seconds(options.timeout_s) : kForEver, [&] {
+    held = watch.look();
+    return !held || held.value();
+  });
+  if (!held) return fail_topic_verb("wait", held.error().message);
+  const double seconds = to_seconds(session.value()->now() - start);
+  if (options.json)
+    std::cout << json_line({{"holds", held.value()}, {"seconds", seconds}}) << std::flush;
+  if (held.value()) return 0;
+  char after[64];
+  std::snprintf(after, sizeof after, " within %.1f s", seconds);
+  return fail_topic_verb(
+      "wait", "'" + visible(options.name) + "' did not come true" + after + watch.silent());
+}
+
+}  // namespace galilean::monitor

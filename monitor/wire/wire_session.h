@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/clock.h"
+#include "core/result.h"
+#include "core/termination.h"
+#include "core/wake.h"
+#include "core/wire/endpoints.h"
+#include "core/wire/participant.h"
+#include "core/wire/reader.h"
+#include "core/wire/schemas.h"
+
+namespace galilean::monitor {
+
+/// A topic on the wire, and the definition of its messages.
+struct FoundTopic {
+  std::string dds_topic;
+  const wire::Schema* schema;
+};
+
+/// A short-lived command's look at the domain. For use by one thread.
+class WireSession {
+ public:
+  /// Errors: the domain cannot be joined.
+  [[nodiscard]] static Result<std::unique_ptr<WireSession>> join(int domain);
+
+  /// Returns the writers and readers, after a short wait in which they are discovered.
+  [[nodiscard]] std::vector<wire::EndpointInfo> discover();
+  /// Returns the topic, if it is known now. Errors: nobody writes or reads it, or its type is none
+  /// that can be decoded.
+  [[nodiscard]] Result<FoundTopic> find_now(const std::string& topic);
+  /// As find_now, after a short wait in which the topic is discovered.
+  [[nodiscard]] Result<FoundTopic> find(const std::string& topic);
+  [[nodiscard]] std::unique_ptr<wire::Reader> read(const FoundTopic& topic);
+
+  /// Calls `enough` whenever messages may have come, until it returns true, `most` is over, or
+  /// termination is asked for. Returns whether it returned true.
+  bool wait(Duration most, const std::function<bool()>& enough);
+  [[nodiscard]] bool ended() noexcept { return termination_.asked(); }
+  [[nodiscard]] Time now() const noexcept { return clock_.now(); }
+
+ private:
+  explicit WireSession(std::unique_ptr<wire::Participant> participant,
+                       std::unique_ptr<Termination> termination);
+
+  SteadyClock clock_;
+  std::unique_ptr<Termination> owned_termination_;
+  Termination& termination_;
+  Wake wake_;
+  std::unique_ptr<wire::Participant> participant_;
+  wire::Endpoints endpoints_;
+};
+
+}  // namespace galilean::monitor

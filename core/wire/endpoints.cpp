@@ -2,6 +2,7 @@
 #include "core/wire/endpoints.h"
 
 #include <algorithm>
+#include <string_view>
 #include <tuple>
 
 #include "core/wire/announced.h"
@@ -10,6 +11,8 @@
 
 namespace galilean::wire {
 namespace {
+
+constexpr std::string_view kBuiltinTypes = "org::eclipse::cyclonedds::builtin::";
 
 EndpointQos endpoint_qos(const dds_qos_t* qos) {
   EndpointQos found;
@@ -76,6 +79,7 @@ std::vector<EndpointInfo> Endpoints::known() {
   std::vector<EndpointInfo> endpoints;
   for (const auto* side : {&now.publications, &now.subscriptions})
     for (auto [handle, endpoint] : *side) {
+      if (endpoint.dds_type.starts_with(kBuiltinTypes)) continue;
       if (const auto name = names.find(endpoint.process); name != names.end())
         endpoint.process = name->second;
       endpoints.push_back(std::move(endpoint));

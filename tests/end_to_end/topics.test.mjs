@@ -19,6 +19,9 @@ test('scripts list, read, measure and await what is on the wire', { timeout: 120
   assert.equal(state.writers, 1);
   assert.ok(state.readers >= 1, JSON.stringify(state));
 
+  const camera = topics.find(({ topic }) => topic === '/io/camera/compressed');
+  assert.deepEqual([camera.writers, camera.readers], [1, 0]);
+
   const messages = json('echo', 'io/state', '--count', '2');
   assert.deepEqual(messages.map(({ robot }) => robot), ['io', 'io']);
   assert.ok(messages[1].tick > messages[0].tick);
@@ -32,6 +35,7 @@ test('scripts list, read, measure and await what is on the wire', { timeout: 120
   assert.ok(rate.bytes_per_s > 0);
 
   const [[info]] = json('info', 'io/state');
+  assert.equal(info.topic, '/io/state');
   assert.equal(info.writers.length, 1);
   assert.equal(info.writers[0].qos.durability, 'transient-local');
   assert.deepEqual(info.mismatches, []);

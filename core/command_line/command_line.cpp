@@ -2,9 +2,11 @@
 #include "core/command_line/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <iostream>
 #include <utility>
 
+#include "core/command_line/describe.h"
 #include "core/command_line/unknown_word.h"
 #include "core/visible_text.h"
 
@@ -20,50 +22,56 @@ void read_or_throw(const CommandLine::Reader& read, const std::string& names,
 }  // namespace
 
 CommandLine::CommandLine(const std::string& description, const std::string& name)
-    : app_(std::make_shared<CLI::App>(description, name)) {}
+    : CommandLine(std::make_shared<CLI::App>(description, name),
+                  std::make_shared<CommandLineNotes>()) {}
 
-CommandLine::CommandLine(std::shared_ptr<CLI::App> app) : app_(std::move(app)) {}
+CommandLine::CommandLine(std::shared_ptr<CLI::App> app, std::shared_ptr<CommandLineNotes> notes)
+    : app_(std::move(app)), notes_(std::move(notes)) {}
 CommandLine::~CommandLine() = default;
 CommandLine::CommandLine(CommandLine&&) noexcept = default;
 
+CommandLineOption CommandLine::noted(CLI::Option* option) {
+  return {option, notes_->options[option]};
+}
+
 CommandLineOption CommandLine::option(const std::string& names, std::string& target,
                                       const std::string& help) {
-  return CommandLineOption(app_->add_option(names, target, help));
+  return noted(app_->add_option(names, target, help));
 }
 
 CommandLineOption CommandLine::option(const std::string& names, int& target,
                                       const std::string& help) {
-  return CommandLineOption(app_->add_option(names, target, help));
+  return noted(app_->add_option(names, target, help));
 }
 
 CommandLineOption CommandLine::option(const std::string& names, std::uint64_t& target,
                                       const std::string& help) {
-  return CommandLineOption(app_->add_option(names, target, help));
+  return noted(app_->add_option(names, target, help));
 }
 
 CommandLineOption CommandLine::option(const std::string& names, double& target,
                                       const std::string& help) {
-  return CommandLineOption(app_->add_option(names, target, help));
+  return noted(app_->add_option(names, target, help));
 }
 
 CommandLineOption CommandLine::option(const std::string& names, std::optional<double>& target,
                                       const std::string& help) {
-  return CommandLineOption(app_->add_option(names, target, help));
+  return noted(app_->add_option(names, target, help));
 }
 
 CommandLineOption CommandLine::option(const std::string& names, std::filesystem::path& target,
                                       const std::string& help) {
-  return CommandLineOption(app_->add_option(names, target, help));
+  return noted(app_->add_option(names, target, help)).names_file();
 }
 
 CommandLineOption CommandLine::option(const std::string& names, std::vector<std::string>& target,
                                       const std::string& help) {
-  return CommandLineOption(app_->add_option(names, target, help));
+  return noted(app_->add_option(names, target, help));
 }
 
 CommandLineOption CommandLine::option(const std::string& names, Reader read,
                                       const std::string& help) {
-  return CommandLineOption(app_->add_option_function<std::string>(
+  return noted(app_->add_option_function<std::string>(
       names,
       [read = std::move(read), names](const std::string& text) {
         read_or_throw(read, names, text);
@@ -73,7 +81,7 @@ CommandLineOption CommandLine::option(const std::string& names, Reader read,
 
 CommandLineOption CommandLine::options(const std::string& names, Reader read,
                                        const std::string& help) {
-  return CommandLineOption(app_->add_option_function<std::vector<std::string>>(
+  return noted(app_->add_option_function<std::vector<std::string>>(
       names,
       [read = std::move(read), names](const std::vector<std::string>& texts) {
         for (const auto& text : texts) read_or_throw(read, names, text);
@@ -83,19 +91,19 @@ CommandLineOption CommandLine::options(const std::string& names, Reader read,
 
 CommandLineOption CommandLine::flag(const std::string& names, bool& target,
                                     const std::string& help) {
-  return CommandLineOption(app_->add_flag(names, target, help));
+  return noted(app_->add_flag(names, target, help));
 }
 
 CommandLineOption CommandLine::flag(const std::string& names, const std::string& help) {
-  return CommandLineOption(app_->add_flag(names)->description(help));
+  return noted(app_->add_flag(names)->description(help));
 }
 
 CommandLineOption CommandLine::find(const std::string& name) {
-  return CommandLineOption(app_->get_option(name));
+  return noted(app_->get_option(name));
 }
 
 CommandLine CommandLine::command(const std::string& name, const std::string& help) {
-  return CommandLine(app_->get_subcommand_ptr(app_->add_subcommand(name, help)));
+  return {app_->get_subcommand_ptr(app_->add_subcommand(name, help)), notes_};
 }
 
 void CommandLine::require_command() {
@@ -107,8 +115,15 @@ void CommandLine::share_options() {
 void CommandLine::footer(const std::string& sentence) {
   app_->footer(sentence);
 }
+void CommandLine::describe_exit(int code, const std::string& sentence) {
+  notes_->exit_codes[app_.get()][std::to_string(code)] = sentence;
+}
 
 std::optional<int> CommandLine::parse(int count, const char* const* arguments) {
+  if (const auto asked = asked_description(*app_, *notes_, count, arguments)) {
+    std::cout << description_to_json(*asked) << std::endl;
+    return EXIT_SUCCESS;
+  }
   try {
     app_->parse(count, arguments);
     return std::nullopt;

@@ -18,6 +18,8 @@ class App;
 
 namespace galilean {
 
+struct CommandLineNotes;
+
 /// The options and commands of a program, and what its --help says. CLI11 reads them; its headers
 /// are included by this class's sources alone, because a file that includes them takes seconds to
 /// compile.
@@ -67,11 +69,15 @@ class CommandLine {
   void share_options();
   /// Adds a sentence below --help.
   void footer(const std::string& sentence);
+  /// Says in the manual page what this exit code means here, if not what exit_code.h says.
+  void describe_exit(int code, const std::string& sentence);
 
   /// Reads the arguments, of which the first is the program. Returns nothing if the program is to
   /// go on, and the exit code otherwise. The exit code is 0 if --help was asked for and printed. It
   /// is kWrongUsage if the arguments are wrong and the reason was printed. For an unknown word the
   /// reason says what may have been meant.
+  /// If the last argument is kDescribeCommandLine (description.h) and no option is before it, this
+  /// prints what is described there, and returns 0.
   [[nodiscard]] std::optional<int> parse(int count, const char* const* arguments);
   /// Returns whether this command was given.
   [[nodiscard]] bool chosen() const;
@@ -79,9 +85,12 @@ class CommandLine {
   [[nodiscard]] int refuse(const std::string& sentence) const;
 
  private:
-  explicit CommandLine(std::shared_ptr<CLI::App> app);
+  CommandLine(std::shared_ptr<CLI::App> app, std::shared_ptr<CommandLineNotes> notes);
+  /// Returns the option together with its notes.
+  [[nodiscard]] CommandLineOption noted(CLI::Option* option);
 
   std::shared_ptr<CLI::App> app_;
+  std::shared_ptr<CommandLineNotes> notes_;  ///< one for a command line and all its commands
 };
 
 }  // namespace galilean

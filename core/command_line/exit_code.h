@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 namespace galilean {
 
-// The exit codes of all programs. README.md tells users of them.
+// The exit codes of all programs. README.md and the manual pages tell users of them.
 
-// 0: what was asked for is done, and so.
-inline constexpr int kFailed = 1;      ///< what was asked for could not be done, or is not so
-inline constexpr int kWrongUsage = 2;  ///< the command line is wrong, and nothing was begun
+inline constexpr int kFailed = 1;
+inline constexpr int kWrongUsage = 2;
+
+struct ExitCode {
+  int code;
+  const char* meaning;
+};
+
+inline constexpr std::array kExitCodes{
+    ExitCode{0, "What was asked for is done, and is so."},
+    ExitCode{kFailed, "What was asked for could not be done, or is not so."},
+    ExitCode{kWrongUsage, "The command line is wrong, and nothing was begun."},
+};
 
 }  // namespace galilean

@@ -2,31 +2,49 @@
 #include "core/command_line/option.h"
 
 #include <CLI/CLI.hpp>
+#include <sstream>
 #include <utility>
 
+#include "core/command_line/option_notes.h"
+
 namespace galilean {
+namespace {
+
+template <class Number>
+std::string range_in_words(Number least, Number most) {
+  std::ostringstream text;
+  text << "from " << least << " to " << most;
+  return text.str();
+}
+
+}  // namespace
 
 CommandLineOption CommandLineOption::required() {
   return option_->required(), *this;
 }
 
 CommandLineOption CommandLineOption::between(int least, int most) {
+  notes_->range = range_in_words(least, most);
   return option_->check(CLI::Range(least, most)), *this;
 }
 
 CommandLineOption CommandLineOption::between(double least, double most) {
+  notes_->range = range_in_words(least, most);
   return option_->check(CLI::Range(least, most)), *this;
 }
 
 CommandLineOption CommandLineOption::positive() {
+  notes_->range = "above 0";
   return option_->check(CLI::PositiveNumber), *this;
 }
 
 CommandLineOption CommandLineOption::not_negative() {
+  notes_->range = "at least 0";
   return option_->check(CLI::NonNegativeNumber), *this;
 }
 
 CommandLineOption CommandLineOption::one_of(std::vector<std::string> words) {
+  notes_->choices = words;
   return option_->check(CLI::IsMember(std::move(words))), *this;
 }
 
@@ -52,6 +70,32 @@ CommandLineOption CommandLineOption::divided_by(char character) {
 
 CommandLineOption CommandLineOption::show_default() {
   return option_->capture_default_str(), *this;
+}
+
+CommandLineOption CommandLineOption::names_file(const std::string& extension) {
+  notes_->files = {.kind = ValueFiles::Kind::kFile, .extension = extension, .shipped = {}};
+  return *this;
+}
+
+CommandLineOption CommandLineOption::names_shipped_file(const std::string& room,
+                                                        const std::string& extension) {
+  notes_->files = {.kind = ValueFiles::Kind::kFile, .extension = extension, .shipped = room};
+  return *this;
+}
+
+CommandLineOption CommandLineOption::names_folder() {
+  notes_->files = {.kind = ValueFiles::Kind::kFolder, .extension = {}, .shipped = {}};
+  return *this;
+}
+
+CommandLineOption CommandLineOption::for_example(std::vector<std::string> words) {
+  notes_->examples = std::move(words);
+  return *this;
+}
+
+CommandLineOption CommandLineOption::describe_default(const std::string& words) {
+  notes_->default_value = words;
+  return *this;
 }
 
 bool CommandLineOption::given() const {

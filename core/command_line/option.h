@@ -13,11 +13,14 @@ class Option;
 
 namespace galilean {
 
+struct OptionNotes;
+
 /// One option of a command line: what it demands of its text, and what --help says of it. Its
 /// functions return it, so that calls can be chained. It belongs to the command line that made it.
 class CommandLineOption {
  public:
-  explicit CommandLineOption(CLI::Option* option) : option_(option) {}
+  /// Requires: `notes` lives as long as `option`.
+  CommandLineOption(CLI::Option* option, OptionNotes& notes) : option_(option), notes_(&notes) {}
 
   CommandLineOption required();
   /// Demands a number from `least` to `most`.
@@ -39,11 +42,25 @@ class CommandLineOption {
   CommandLineOption divided_by(char character);
   /// Shows what the target holds now as the default.
   CommandLineOption show_default();
+
+  // These change what completion offers and manual pages say, and not what is accepted.
+
+  /// Says that the text names a file, with this extension if there is one, such as ".bhdl".
+  CommandLineOption names_file(const std::string& extension = {});
+  /// Says that the text names a file, or by its bare name one that ships in share/galilean/`room`.
+  CommandLineOption names_shipped_file(const std::string& room, const std::string& extension);
+  CommandLineOption names_folder();
+  /// Says that the text may be one of these words, or another.
+  CommandLineOption for_example(std::vector<std::string> words);
+  /// Says what the default is where it differs from one machine to the next.
+  CommandLineOption describe_default(const std::string& words);
+
   /// Returns whether the option was given.
   [[nodiscard]] bool given() const;
 
  private:
   CLI::Option* option_;
+  OptionNotes* notes_;
 };
 
 }  // namespace galilean

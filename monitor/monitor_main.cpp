@@ -74,14 +74,18 @@ int main(int argc, char** argv) {
       "--listen", [&](const std::string& text) { return read_listen(text, options); },
       "where to serve, ADDRESS:PORT (127.0.0.1:8080)");
   galilean::add_domain_option(app, options.domain);
-  app.option("--web", options.page_folder, "folder of the built page");
-  app.option("--programs", options.library_folder, "folder of the programs to choose from");
+  app.option("--web", options.page_folder, "folder of the built page").names_folder();
+  app.option("--programs", options.library_folder, "folder of the programs to choose from")
+      .names_folder();
   app.option("--catalog", options.catalog_file,
-             "JSON file of the components, used where no robot is asked for them");
+             "JSON file of the components, used where no robot is asked for them")
+      .names_file(".json");
   app.option("--data", options.data_folder,
-             "folder that keeps the history of pushes and the tokens");
+             "folder that keeps the history of pushes and the tokens")
+      .names_folder();
   app.option("--simulator", options.simulator,
-             "simulator that tries programs, instead of galilean-sim");
+             "simulator that tries programs, instead of galilean-sim")
+      .names_file();
   app.option("--silent-after", silent_after_s,
              "how many seconds a robot may send nothing before it counts as silent")
       .positive();

@@ -50,15 +50,19 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   app.option("--name", options.name, "the robot's name, which is part of its topics' names")
       .check(check_name)
       .show_default();
-  app.option("--bhdl", options.bhdl_file, "the BHDL program that the robot runs");
+  app.option("--bhdl", options.bhdl_file, "the BHDL program that the robot runs")
+      .names_file(".bhdl");
   const auto watch =
       app.option("--watch", options.watched_file,
                  "swap whenever this program, or one that it includes, is saved [the --bhdl one]")
-          .takes(0, 1);
-  app.option("--serial", serial, "serial device of the microcontroller [the program's]");
+          .takes(0, 1)
+          .names_file(".bhdl");
+  app.option("--serial", serial, "serial device of the microcontroller [the program's]")
+      .names_file();
   app.option("--camera", camera,
              "shm:NAME for the simulator's, /dev/videoN, or a video or picture file "
-             "[the program's]");
+             "[the program's]")
+      .names_file();
   add_domain_option(app, options.domain);
   app.option("--seed", options.seed, "seed of the random number generators").show_default();
   app.option("--rate", options.rate_hz, "ticks per second of the control loop")

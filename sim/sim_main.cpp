@@ -29,8 +29,10 @@ void declare(CommandLine& app, Options& options) {
            "Run one contest as fast as possible and print its result (the default)");
   app.flag("--json", options.json, "Print the result as one JSON object");
   app.option("--scenario", options.scenario, "A scenario that ships, or a JSON file")
+      .names_shipped_file("scenarios", ".json")
       .show_default();
   app.option("--bhdl", options.bhdl, "A program that ships, or a BHDL file (headless)")
+      .names_shipped_file("programs", ".bhdl")
       .show_default();
   galilean::add_robots_option(app, options.robots);
   app.option("--seed", options.seed, "Seed of the random number generators").show_default();
@@ -38,11 +40,14 @@ void declare(CommandLine& app, Options& options) {
              "Length of the contest in seconds; without it the scenario's")
       .between(0.1, 86400.0);
   app.option("--start", options.start,
-             "Start from the state of a live team: a JSON file that the monitor made (headless)");
+             "Start from the state of a live team: a JSON file that the monitor made (headless)")
+      .names_file(".json");
   app.option("--trace", options.trace,
-             "Write each robot's pose and state to this file once a second, as JSON lines");
+             "Write each robot's pose and state to this file once a second, as JSON lines")
+      .names_file();
   app.option("--snapshot", options.snapshot,
-             "Write a robot's first camera picture to this file, as PNG");
+             "Write a robot's first camera picture to this file, as PNG")
+      .names_file(".png");
   app.option("--robot", options.snapshot_robot, "The robot whose camera takes the --snapshot")
       .show_default();
 }
@@ -55,6 +60,8 @@ int main(int argc, char** argv) {
   Options options;
   declare(app, options);
   declare_live(app, options);
+  app.describe_exit(galilean::kWrongUsage,
+                    "The command line is wrong, or a file that it names cannot be used.");
   if (const auto code = app.parse(argc, argv)) return *code;
   return galilean::sim::run(options);
 }

@@ -102,25 +102,38 @@ Commands add_commands(CommandLine& app, Options& options) {
                     app.command("lsp",
                                 "Serve an editor over the Language Server Protocol, on stdin and "
                                 "stdout")};
-  commands.check.option("FILE", options.files, "programs").required();
+  const std::string program = ".bhdl";
+  commands.check.option("FILE", options.files, "programs").required().names_file(program);
   commands.describe.option("COMPONENT", options.component, "one component, or state or condition");
-  commands.format.option("FILE", options.files, "files, or - for standard input").required();
+  commands.format.option("FILE", options.files, "files, or - for standard input")
+      .required()
+      .names_file(program);
   commands.format.flag(
       "--check", options.check_only,
       "Write nothing, list the files that would change, and exit with 1 if there are any");
-  commands.diff.option("FILE", options.files, "two programs").required().takes(2, 2);
+  commands.diff.option("FILE", options.files, "two programs")
+      .required()
+      .takes(2, 2)
+      .names_file(program);
   commands.diff.footer("Exits 0 if they do the same, 1 if not, 2 if one of them is not a program.");
-  commands.graph.option("FILE", options.files, "a program").required().takes(1, 1);
+  commands.graph.option("FILE", options.files, "a program")
+      .required()
+      .takes(1, 1)
+      .names_file(program);
+  commands.diff.describe_exit(1, "The programs differ.");
+  commands.diff.describe_exit(2, "One of the files is not a program.");
   commands.graph.option("--format", options.graph_format, "Format of the output")
       .one_of({"dot", "svg", "json"})
       .show_default();
-  commands.test.option("FILE", options.files, "programs").required();
+  commands.test.option("FILE", options.files, "programs").required().names_file(program);
   for (auto* command : {&commands.check, &commands.describe, &commands.diff, &commands.test})
     command->flag("--json", options.json, "Print JSON");
   for (auto* command : {&commands.check, &commands.describe, &commands.diff, &commands.graph,
                         &commands.language_server})
-    command->option("--catalog", options.catalog_path,
-                    "JSON file of the components (default: those of this build's robot)");
+    command
+        ->option("--catalog", options.catalog_path,
+                 "JSON file of the components (default: those of this build's robot)")
+        .names_file(".json");
   commands.language_server.flag(
       "--stdio",
       "Accepted because some editors pass it: the server always uses standard input and output");

@@ -161,11 +161,15 @@ int main(int argc, char** argv) {
   auto showing = app.command("show", "print a program's text");
   showing.option("hash", hash, "the program's hash, or the beginning of it").required();
   auto comparing = app.command("diff", "print what program B does differently from program A");
-  comparing.option("A", comparison.from, "a hash, or a file").required();
-  comparing.option("B", comparison.to, "a hash, or a file").required();
-  comparing.option("--catalog", comparison.catalog_file,
-                   "JSON file of the components; without it this build's");
+  comparing.option("A", comparison.from, "a hash, or a file").required().names_file(".bhdl");
+  comparing.option("B", comparison.to, "a hash, or a file").required().names_file(".bhdl");
+  comparing
+      .option("--catalog", comparison.catalog_file,
+              "JSON file of the components; without it this build's")
+      .names_file(".json");
   comparing.flag("--json", comparison.as_json, "as JSON");
+  comparing.describe_exit(kDiffer, "The programs differ.");
+  comparing.describe_exit(kNotCompared, "The programs cannot be compared.");
   auto restoring = app.command("restore", "push a program again");
   restoring.option("hash", hash, "the program's hash, or the beginning of it").required();
   add_push_options(restoring, options);

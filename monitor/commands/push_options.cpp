@@ -28,13 +28,16 @@ Result<double> seconds_of(const std::string& text) {
 void add_monitor_option(CommandLine& app, PushOptions& options) {
   app.option("--monitor", options.monitor, "the monitor to use").show_default();
   app.option("--token-file", options.token_file,
-             "file of the operator's token; not needed for a monitor on this machine");
+             "file of the operator's token; not needed for a monitor on this machine")
+      .names_file();
 }
 
 void add_push_options(CommandLine& app, PushOptions& options) {
   const auto team = app.flag("--team", options.team, "to every robot that sends its state");
   app.option("--robot", options.robots, "to these robots").excludes(team);
-  app.option("--author", options.author, "who pushes, as the history shows it").show_default();
+  app.option("--author", options.author, "who pushes, as the history shows it")
+      .show_default()
+      .describe_default("your account's name");
   app.option("--replaces", options.replaces,
              "refuse the push if a robot runs a program with another hash than this");
   app.flag("--try", options.tries, "first compare it in simulation with the program that runs");

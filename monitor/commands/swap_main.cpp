@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
   bool direct = false;
   galilean::CommandLine app("Swaps the program of running robots, without a stop.",
                             "galilean swap");
-  app.option("file", options.file, "the program, a BHDL file").required();
+  app.option("file", options.file, "the program, a BHDL file").required().names_file(".bhdl");
   add_push_options(app, options.push);
   add_monitor_option(app, options.push);
   const auto directly = app.flag("--direct", direct,

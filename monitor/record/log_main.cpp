@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
   std::string path;
   bool json = false;
   auto command = app.command("info", "Describe the contents of a recording");
-  command.option("file", path, "An MCAP file").required();
+  command.option("file", path, "An MCAP file").required().names_file(".mcap");
   command.flag("--json", json, "As JSON, for programs");
   if (const auto code = app.parse(argc, argv)) return *code;
   return info(path, json);

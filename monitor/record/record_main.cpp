@@ -109,7 +109,9 @@ int main(int argc, char** argv) {
   Options options;
   CommandLine app("Records every topic of the team as MCAP, to be opened by Foxglove or ROS 2.",
                   "galilean record");
-  app.option("--out", options.out, "File to write, such as run.mcap").required();
+  app.option("--out", options.out, "File to write, such as run.mcap")
+      .required()
+      .names_file(".mcap");
   app.option("--duration", options.duration_s,
              "How many seconds to record; without it until Ctrl-C")
       .positive();

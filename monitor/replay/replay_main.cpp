@@ -164,7 +164,9 @@ int main(int argc, char** argv) {
   Options options;
   CommandLine app("Plays a recording of a team again, for the monitor, top, Foxglove or rviz2.",
                   "galilean replay");
-  app.option("file", options.file, "An MCAP file that galilean record made").required();
+  app.option("file", options.file, "An MCAP file that galilean record made")
+      .required()
+      .names_file(".mcap");
   app.option("--rate", options.rate, "Speed of the replay: 2 is twice as fast as recorded")
       .between(0.01, 100.0);
   app.option("--from", options.from_s, "Where to begin, in seconds from the start of the recording")

@@ -13,6 +13,13 @@ constexpr const char* kParts =
     "camera, serial_line, left_wheel, right_wheel, or bumper_0 (front) to bumper_7, "
     "counter-clockwise";
 
+std::vector<std::string> parts() {
+  constexpr int kBumpers = 8;
+  std::vector<std::string> names{"camera", "serial_line", "left_wheel", "right_wheel"};
+  for (int i = 0; i < kBumpers; ++i) names.push_back("bumper_" + std::to_string(i));
+  return names;
+}
+
 double radians(double degrees) {
   return degrees * kPi / 180;
 }
@@ -61,7 +68,9 @@ void OrderOptions::add_bodies(CommandLine& app) {
   push.option("direction", direction_deg_, "Where to, in degrees counter-clockwise from x")
       .required();
   auto& drop = add(app, "drop", "drop", "Drop a piece");
-  drop.option("kind", read_.subject, "can, cup or wad").required();
+  drop.option("kind", read_.subject, "can, cup or wad")
+      .required()
+      .for_example({"can", "cup", "wad"});
   drop.option("x", read_.x_m, "In metres").required();
   drop.option("y", read_.y_m, "In metres").required();
   add(app, "remove", "remove", "Take a piece out of the arena")
@@ -72,11 +81,11 @@ void OrderOptions::add_bodies(CommandLine& app) {
 void OrderOptions::add_parts(CommandLine& app) {
   auto& broken = add(app, "break", "break", "Break a part of a robot");
   broken.option("robot", read_.subject, "Its name").required();
-  broken.option("part", read_.part, kParts).required();
+  broken.option("part", read_.part, kParts).required().for_example(parts());
   broken.flag("--stuck", stuck_, "The bumper is pressed for good, and not dead");
   auto& mend = add(app, "mend", "mend", "Mend a part of a robot");
   mend.option("robot", read_.subject, "Its name").required();
-  mend.option("part", read_.part, kParts).required();
+  mend.option("part", read_.part, kParts).required().for_example(parts());
 }
 
 std::optional<msg::SimulationOrder> OrderOptions::order() const {

@@ -184,6 +184,7 @@ int main(int argc, char** argv) {
   app.flag("--no-mouse", options.no_mouse, "Leave the mouse to the terminal, which selects text");
   app.option("--robot", options.robot, "The robot to show first");
   add_monitor_option(app, options.push);
+  app.describe_exit(kUnusable, "The command line is wrong, or there is no terminal to use.");
   if (const auto code = app.parse(argc, argv)) return *code;
   return run(options);
 }

@@ -43,7 +43,7 @@ int run(int argc, char** argv) {
   CommandLine app(
       "Tests the expectations of programs without a robot; exits with 0 if all come true.",
       "galilean bhdl test");
-  app.option("FILE", files, "programs").required();
+  app.option("FILE", files, "programs").required().names_file(".bhdl");
   app.flag("--json", as_json, "Print JSON");
   if (const auto code = app.parse(argc, argv)) return *code;
   Registry components;

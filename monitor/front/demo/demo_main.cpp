@@ -160,14 +160,18 @@ int main(int argc, char** argv) {
       .between(1, 65535)
       .show_default();
   app.option("--scenario", options.scenario, "A scenario that ships, or a JSON file")
+      .names_shipped_file("scenarios", ".json")
       .show_default();
-  app.option("--bhdl", options.bhdl, "A program that ships, or a BHDL file").show_default();
+  app.option("--bhdl", options.bhdl, "A program that ships, or a BHDL file")
+      .names_shipped_file("programs", ".bhdl")
+      .show_default();
   app.flag("--watch", options.watch, "Swap the robots' program whenever it is saved");
   app.option("--seed", options.seed, "Seed of the random number generators").show_default();
   app.option("--headless-for", options.headless_for_s,
              "End after this many seconds, with exit code 0 if the team worked, else 1")
       .positive();
-  app.option("--record", options.record, "Record all topics to this file, as MCAP");
+  app.option("--record", options.record, "Record all topics to this file, as MCAP")
+      .names_file(".mcap");
   app.option("--allow-origin", options.allowed_origins,
              "Another page that may use the monitor, as https://host[:port]");
   add_domain_option(app, options.domain);

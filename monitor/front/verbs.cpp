@@ -34,15 +34,29 @@ constexpr std::array kVerbs{
     Verb{"hold", "galilean-command", "hold", "Make robots stand still"},
     Verb{"resume", "galilean-command", "resume", "Let robots go on"},
     Verb{"doctor", "galilean-doctor", "", "Check whether this machine has what Galilean needs"},
+    Verb{"manual", "galilean-manual", "manual", "Print a verb's manual page"},
+    Verb{"completion", "galilean-manual", "completion", "Print a shell's completion of all this"},
 };
 
-/// What `galilean` does by itself.
-constexpr std::array<std::string_view, 4> kOwnWords{"version", "help", "--version", "--help"};
+constexpr std::array kOwnWords{
+    OwnWord{"version", "Which release this is"},
+    OwnWord{"help", "This list"},
+};
+
+std::string line(std::string_view name, std::string_view help) {
+  constexpr std::size_t kColumn = 12;
+  return "  " + std::string(name) + std::string(kColumn - name.size(), ' ') + std::string(help) +
+         "\n";
+}
 
 }  // namespace
 
 std::span<const Verb> verbs() noexcept {
   return kVerbs;
+}
+
+std::span<const OwnWord> own_words() noexcept {
+  return kOwnWords;
 }
 
 const Verb* find_verb(std::string_view name) noexcept {
@@ -53,7 +67,8 @@ const Verb* find_verb(std::string_view name) noexcept {
 
 std::string unknown_verb(std::string_view name) {
   auto names = names_of(kVerbs);
-  for (const auto& word : kOwnWords) names.push_back(word);
+  for (const auto& word : kOwnWords) names.push_back(word.name);
+  for (const std::string_view option : {"--version", "--help"}) names.push_back(option);
   const std::string meant = meant_name(name, names);
   return "galilean: there is no '" + visible(name) + "'" +
          (meant.empty() ? "; 'galilean help' lists what there is"
@@ -62,10 +77,9 @@ std::string unknown_verb(std::string_view name) {
 
 std::string usage() {
   std::string text = "usage: galilean VERB …, and 'galilean VERB --help' for each\n\n";
-  for (const auto& verb : kVerbs)
-    text += "  " + std::string(verb.name) + std::string(10 - verb.name.size(), ' ') +
-            std::string(verb.help) + "\n";
-  return text + "  version   Which release this is\n  help      This list\n";
+  for (const auto& verb : kVerbs) text += line(verb.name, verb.help);
+  for (const auto& word : kOwnWords) text += line(word.name, word.help);
+  return text;
 }
 
 }  // namespace galilean::front

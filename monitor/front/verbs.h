@@ -16,7 +16,14 @@ struct Verb {
   std::string_view help;
 };
 
+/// One word that `galilean` obeys by itself.
+struct OwnWord {
+  std::string_view name;
+  std::string_view help;
+};
+
 [[nodiscard]] std::span<const Verb> verbs() noexcept;
+[[nodiscard]] std::span<const OwnWord> own_words() noexcept;
 /// Returns the verb of that name, or nullptr if there is none.
 [[nodiscard]] const Verb* find_verb(std::string_view name) noexcept;
 /// Returns the message for an unknown verb.

@@ -95,6 +95,7 @@ export const rooms = {
     front: [],
     'front/demo': ['access', 'ingest', 'front'],
     'front/doctor': ['front'],
+    'front/manual': ['front'],
   },
   web: {
     '.': ANY,

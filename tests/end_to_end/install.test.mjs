@@ -20,6 +20,11 @@ test('cmake --install into a DESTDIR gives programs that find their share folder
     assert.ok(shipped(name), name);
   assert.ok(existsSync(join(destination, 'usr/lib/galilean/libgalilean_opencv_source.so')));
 
+  const below = (name) => existsSync(join(destination, 'usr/share', name));
+  for (const name of ['man/man1/galilean.1', 'man/man1/galilean-sim-ctl.1', 'bash-completion/completions/galilean',
+    'zsh/site-functions/_galilean', 'fish/vendor_completions.d/galilean.fish'])
+    assert.ok(below(name), name);
+
   assert.match(galilean('bhdl', 'describe', 'move_to_goal'), /move_to_goal/);
   const run = JSON.parse(galilean('sim', '--headless', '--scenario', 'office', '--robots', '3', '--seed', '1', '--duration', '5', '--json'));
   assert.ok(run.hash);

@@ -123,6 +123,19 @@ test('fish gets every command and option that --help has', (t) => {
   }
 });
 
+test('zsh and fish get values too: choices, what ships, files and folders', () => {
+  assert.match(script.zsh, /--format=\[[^\n]*:\(dot svg json\)' /);
+  assert.match(script.zsh, /--scenario=\[[^\n]*"[^"]*\boffice\b[^"]*" "\*\.json"' /);
+  assert.match(script.zsh, /--web=\[[^\n]*:_files -\/' /);
+  assert.match(script.zsh, /'\*:FILE:_files -g "\*\.bhdl"' /);
+  const rule = (place, name) => script.fish.split('\n').find((line) => line.includes(`"__galilean_at '${place}'"`) && line.includes(name));
+  assert.match(rule('bhdl graph', '-l format'), / -r -a 'dot svg json' -f /);
+  assert.match(rule('sim', '-l scenario'), / -r -a '[^']*\boffice\b[^']*\(__galilean_files \.json\)' -f /);
+  assert.match(rule('monitor', '-l web'), / -r -a '\(__fish_complete_directories\)' -f /);
+  assert.match(rule('bhdl check', '-a \'(__galilean_files .bhdl)\''), / -d 'programs'$/);
+  assert.match(rule('robot', '-l serial'), / -r -F /);
+});
+
 test('a shell that is not known is refused', () => {
   const { status, stderr } = galilean(['completion', 'csh']);
   assert.equal(status, 2);

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/json_text.h"
+
 namespace galilean {
 
 NLOHMANN_JSON_SERIALIZE_ENUM(ValueFiles::Kind, {{ValueFiles::Kind::kNone, "none"},
@@ -37,11 +39,13 @@ void from_json(const nlohmann::json& json, CommandDescription& command) {
 }
 
 std::string description_to_json(const CommandDescription& command) {
-  return nlohmann::json(command).dump();
+  return json_text(nlohmann::json(command));
 }
 
 Result<CommandDescription> description_from_json(const std::string& text) try {
-  return nlohmann::json::parse(text).get<CommandDescription>();
+  const auto json = read_json(text);
+  if (!json) return Error{"it is no description of a command line: " + json.error().message};
+  return json.value().get<CommandDescription>();
 } catch (const nlohmann::json::exception& problem) {
   return Error{std::string("it is no description of a command line: ") + problem.what()};
 }

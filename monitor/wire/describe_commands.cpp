@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "core/command_line/exit_code.h"
+#include "core/json_text.h"
 #include "monitor/wire/topic_commands.h"
 #include "monitor/wire/topic_name.h"
 #include "monitor/wire/topic_reports.h"
@@ -10,14 +11,12 @@
 namespace galilean::monitor {
 namespace {
 
-constexpr auto kReplaceBroken = MessageTree::error_handler_t::replace;
-
 const std::string kNobody =
     "nobody writes or reads a topic; check that robots run, and in the same DDS domain (--domain "
     "or ROS_DOMAIN_ID)";
 
 void print_tree(const MessageTree& tree) {
-  std::cout << tree.dump(-1, ' ', false, kReplaceBroken) << std::endl;
+  std::cout << ordered_json_text(tree) << std::endl;
 }
 
 /// Returns the endpoints of each topic that `name` names, or of all topics of a robot of that name.

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/command_line/exit_code.h"
+#include "core/json_text.h"
 #include "core/plural.h"
 #include "core/visible_text.h"
 #include "monitor/wire/expression.h"
@@ -19,7 +20,7 @@ namespace {
 constexpr Duration kForEver = std::chrono::hours(24 * 365);
 
 std::string json_line(const MessageTree& tree) {
-  return tree.dump(-1, ' ', false, MessageTree::error_handler_t::replace) + '\n';
+  return ordered_json_text(tree) + '\n';
 }
 
 /// Returns what echo prints of a message. Errors: it cannot be decoded, or has no such field.

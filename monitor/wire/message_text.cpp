@@ -30,7 +30,7 @@ bool is_scalar(const MessageTree& value) {
 }
 
 std::string scalar_text(const MessageTree& value) {
-  if (!value.is_string()) return value.dump();
+  if (!value.is_string()) return ordered_json_text(value);
   const auto& text = value.get_ref<const std::string&>();
   return '"' + visible(text) + '"';
 }

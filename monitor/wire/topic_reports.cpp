@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "core/json_text.h"
 #include "core/plural.h"
 #include "core/visible_text.h"
 #include "monitor/wire/topic_name.h"
@@ -40,7 +41,8 @@ std::string qos_text(const MessageTree& qos) {
   for (const auto& [name, value] : qos.items())
     if (value.is_string() && value != "shared")
       text += (text.empty() ? "" : ", ") + value.get<std::string>();
-  if (qos["deadline_s"].is_number()) text += ", deadline " + qos["deadline_s"].dump() + " s";
+  if (qos["deadline_s"].is_number())
+    text += ", deadline " + ordered_json_text(qos["deadline_s"]) + " s";
   return text;
 }
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <iostream>
-#include <limits>
 
 #include "core/command_line/exit_code.h"
 #include "core/json_text.h"
 #include "core/plural.h"
 #include "core/visible_text.h"
-#include "monitor/wire/expression.h"
 #include "monitor/wire/gap_statistics.h"
 #include "monitor/wire/message_text.h"
 #include "monitor/wire/topic_commands.h"
@@ -16,8 +14,6 @@
 
 namespace galilean::monitor {
 namespace {
-
-constexpr Duration kForEver = std::chrono::hours(24 * 365);
 
 std::string json_line(const MessageTree& tree) {
   return ordered_json_text(tree) + '\n';
@@ -60,64 +56,6 @@ int tell_rate(const std::string& topic, const GapStatistics& statistics, double 
   }
   return 0;
 }
-
-/// The topics of an expression, read as soon as they have writers.
-class Watch {
- public:
-  Watch(WireSession& session, Expression expression)
-      : session_(session), expression_(std::move(expression)) {
-    for (auto& topic : expression_.topics()) sources_.push_back({std::move(topic), {}, {}});
-  }
-
-  /// Returns whether the expression holds, after any of the messages that came meanwhile.
-  Result<bool> look() {
-    for (auto& source : sources_) {
-      if (!source.reader) open(source);
-      if (!source.reader) continue;
-      Result<bool> held = false;
-      source.reader->take([&](const wire::Received& received) {
-        if (!held || held.value()) return;
-        auto message = source.decoder->decode(received.cdr);
-        if (!message) return;
-        newest_[source.topic] = std::move(message).value();
-        held = expression_.holds(newest_);
-      });
-      if (!held || held.value()) return held;
-    }
-    return false;
-  }
-  /// Returns a sentence on each topic that sent nothing.
-  [[nodiscard]] std::string silent() {
-    std::string text;
-    for (const auto& source : sources_)
-      if (!newest_.contains(source.topic)) {
-        const auto found = session_.find_now(source.topic);
-        text += "; " +
-                (found ? "nothing came on '" + visible(source.topic) + "'" : found.error().message);
-      }
-    return text;
-  }
-  [[nodiscard]] const Expression::Newest& newest() const noexcept { return newest_; }
-
- private:
-  struct Source {
-    std::string topic;
-    std::unique_ptr<MessageDecoder> decoder;
-    std::unique_ptr<wire::Reader> reader;
-  };
-
-  void open(Source& source) {
-    const auto found = session_.find_now(source.topic);
-    if (!found) return;
-    source.decoder = std::make_unique<MessageDecoder>(*found.value().schema);
-    source.reader = session_.read(found.value());
-  }
-
-  WireSession& session_;
-  Expression expression_;
-  Expression::Newest newest_;
-  std::vector<Source> sources_;
-};
 
 }  // namespace
 
@@ -174,29 +112,6 @@ int measure_rate(const TopicOptions& options) {
   char sentence[64];
   std::snprintf(sentence, sizeof sentence, " in %.1f s", seconds);
   return fail_topic_verb("rate", "nothing came on " + visible(shown) + sentence);
-}
-
-int wait_for_expression(const TopicOptions& options) {
-  auto expression = Expression::parse(options.name);
-  if (!expression) return fail_topic_verb("wait", expression.error().message), kWrongUsage;
-  const auto session = WireSession::join(options.domain);
-  if (!session) return fail_topic_verb("wait", session.error().message);
-  Watch watch(*session.value(), std::move(expression).value());
-  Result<bool> held = false;
-  const Time start = session.value()->now();
-  session.value()->wait(options.timeout_s > 0 ? from_seconds(options.timeout_s) : kForEver, [&] {
-    held = watch.look();
-    return !held || held.value();
-  });
-  if (!held) return fail_topic_verb("wait", held.error().message);
-  const double seconds = to_seconds(session.value()->now() - start);
-  if (options.json)
-    std::cout << json_line({{"holds", held.value()}, {"seconds", seconds}}) << std::flush;
-  if (held.value()) return 0;
-  char after[64];
-  std::snprintf(after, sizeof after, " within %.1f s", seconds);
-  return fail_topic_verb(
-      "wait", "'" + visible(options.name) + "' did not come true" + after + watch.silent());
 }
 
 }  // namespace galilean::monitor

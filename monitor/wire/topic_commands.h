@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "core/clock.h"
+
 namespace galilean::monitor {
 
 /// What the verbs list, echo, rate, info, graph and wait are asked for.
@@ -23,6 +25,9 @@ struct TopicOptions {
 [[nodiscard]] int echo_topic(const TopicOptions& options);
 [[nodiscard]] int measure_rate(const TopicOptions& options);
 [[nodiscard]] int wait_for_expression(const TopicOptions& options);
+
+/// How long a verb without a limit waits.
+inline constexpr Duration kForEver = std::chrono::hours(24 * 365);
 
 /// Prints why `verb` failed. Returns kFailed.
 int fail_topic_verb(const std::string& verb, const std::string& sentence);

@@ -3,7 +3,6 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "core/wire/endpoints.h"
 #include "monitor/wire/message_decoder.h"
@@ -11,10 +10,6 @@
 namespace galilean::monitor {
 
 using EndpointList = std::span<const wire::EndpointInfo>;
-
-/// Returns why the two ends of a topic cannot match, one sentence each. None: they match.
-[[nodiscard]] std::vector<std::string> mismatches(const wire::EndpointInfo& writer,
-                                                  const wire::EndpointInfo& reader);
 
 /// Returns the topics, ordered by name: topic, types, and how many write and read it.
 [[nodiscard]] MessageTree topic_list(EndpointList endpoints);

@@ -30,7 +30,7 @@ test('scripts list, read, measure and await what is on the wire', { timeout: 120
   assert.match(text.stdout, /^stamp:\n {2}sec: \d+\n {2}nanosec: \d+\nrobot: "io"\n/);
 
   const [rate] = json('rate', 'io/state', '--window', '2');
-  assert.ok(rate.rate_hz > 3 && rate.rate_hz < 30, JSON.stringify(rate));
+  assert.ok(rate.rate_hz > 1 && rate.rate_hz < 30, JSON.stringify(rate));
   assert.ok(rate.least_gap_s <= rate.mean_gap_s && rate.mean_gap_s <= rate.most_gap_s, JSON.stringify(rate));
   assert.ok(rate.bytes_per_s > 0);
 
@@ -49,7 +49,7 @@ test('scripts list, read, measure and await what is on the wire', { timeout: 120
   assert.equal(json('wait', 'io/state.robot == "io" and io/state.tick >= 1', '--timeout', '20')[0].holds, true);
   const late = said('wait', 'io/state.robot == "callisto"', '--timeout', '1');
   assert.equal(late.status, 1);
-  assert.match(late.stderr, /^galilean wait: .* did not come true within 1\.\d s\n$/);
+  assert.match(late.stderr, /^galilean wait: .* did not come true within \d+\.\d s\n$/);
   assert.equal(said('wait', 'io/state.robot = "io"').status, 2);
 
   const unknown = said('echo', 'io/sttae');

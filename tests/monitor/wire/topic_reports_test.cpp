@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/wire/topic_reports.h"
+#include "monitor/wire/qos_report.h"
 
 #include <gtest/gtest.h>
 
 #include "monitor/wire/topic_name.h"
+#include "monitor/wire/topic_reports.h"
 
 namespace galilean::monitor {
 namespace {

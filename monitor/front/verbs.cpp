@@ -33,6 +33,8 @@ constexpr std::array kVerbs{
     Verb{"stop", "galilean-command", "stop", "Make every robot stand still, at once"},
     Verb{"hold", "galilean-command", "hold", "Make robots stand still"},
     Verb{"resume", "galilean-command", "resume", "Let robots go on"},
+    Verb{"decommission", "galilean-command", "decommission", "Take robots out of service"},
+    Verb{"commission", "galilean-command", "commission", "Let robots serve again"},
     Verb{"doctor", "galilean-doctor", "", "Check whether this machine has what Galilean needs"},
     Verb{"manual", "galilean-manual", "manual", "Print a verb's manual page"},
     Verb{"completion", "galilean-manual", "completion", "Print a shell's completion of all this"},
@@ -44,7 +46,7 @@ constexpr std::array kOwnWords{
 };
 
 std::string line(std::string_view name, std::string_view help) {
-  constexpr std::size_t kColumn = 12;
+  constexpr std::size_t kColumn = 14;
   return "  " + std::string(name) + std::string(kColumn - name.size(), ' ') + std::string(help) +
          "\n";
 }

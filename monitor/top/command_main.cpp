@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// galilean-command stop|hold|resume|start sends an operator's command to robots and prints the
-// result.
+// galilean-command stop|hold|resume|start|decommission|commission sends an operator's command to
+// robots and prints the result.
 #include <poll.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "core/command_line/exit_code.h"
 #include "core/termination.h"
 #include "core/visible_text.h"
 #include "core/wake.h"
@@ -74,8 +75,32 @@ std::vector<std::string> names(const Team& team) {
 
 /// Returns whether the robot obeyed. A robot has obeyed a start if its program left its state.
 bool complied(Operator::Word word, const msg::RobotState& before, const msg::RobotState& now) {
-  if (word == Operator::Word::kStart) return now.transitions > before.transitions;
-  return now.held == (word == Operator::Word::kHold);
+  switch (word) {
+    case Operator::Word::kHold:
+      return now.held;
+    case Operator::Word::kResume:
+      return !now.held;
+    case Operator::Word::kDecommission:
+      return now.out_of_service;
+    case Operator::Word::kCommission:
+      return !now.out_of_service;
+    case Operator::Word::kStart:
+      break;
+  }
+  return now.transitions > before.transitions;
+}
+
+std::string result_of(Operator::Word word) {
+  switch (word) {
+    case Operator::Word::kHold:
+      return "stands still";
+    case Operator::Word::kDecommission:
+      return "is out of service";
+    case Operator::Word::kCommission:
+      return "is in service again";
+    default:
+      return "goes on";
+  }
 }
 
 int tell(Operator::Word word, const std::string& robot, const msg::RobotState& before,
@@ -88,9 +113,8 @@ int tell(Operator::Word word, const std::string& robot, const msg::RobotState& b
               << '\n';
     return 0;
   }
-  const bool hold = word == Operator::Word::kHold;
-  std::cout << visible(robot) << ": "
-            << (done ? (hold ? "stands still" : "goes on") : "did not answer; try again") << '\n';
+  std::cout << visible(robot) << ": " << (done ? result_of(word) : "did not answer; try again")
+            << '\n';
   return done ? 0 : 1;
 }
 
@@ -181,9 +205,15 @@ int main(int argc, char** argv) {
   Options options;
   CommandLine app("Gives robots an operator's command.", "galilean");
   app.require_command();
-  const auto hold = add(app, "hold", "Stand still until resumed", options);
-  const auto resume = add(app, "resume", "Go on after a hold", options);
-  const auto start = add(app, "start", "Push a bumper, which the start state waits for", options);
+  const std::pair<CommandLine, Operator::Word> words[] = {
+      {add(app, "hold", "Stand still until resumed", options), Operator::Word::kHold},
+      {add(app, "resume", "Go on after a hold", options), Operator::Word::kResume},
+      {add(app, "start", "Push a bumper, which the start state waits for", options),
+       Operator::Word::kStart},
+      {add(app, "decommission", "Stand still until commissioned, whoever resumes", options),
+       Operator::Word::kDecommission},
+      {add(app, "commission", "Serve again after having been decommissioned", options),
+       Operator::Word::kCommission}};
   auto stopping = app.command("stop", "Every robot stands still, at once, until resumed");
   add_domain_option(stopping, options.domain);
   if (const auto code = app.parse(argc, argv)) return *code;
@@ -193,7 +223,7 @@ int main(int argc, char** argv) {
   }
   if (!options.team && options.robots.empty())
     return std::cerr << "galilean-command: Name the robots with --team or --robot NAME.\n", 2;
-  if (hold.chosen()) return run(Operator::Word::kHold, options);
-  if (resume.chosen()) return run(Operator::Word::kResume, options);
-  return run(Operator::Word::kStart, options);
+  for (const auto& [line, word] : words)
+    if (line.chosen()) return run(word, options);
+  return kWrongUsage;
 }

@@ -17,6 +17,10 @@ std::string words(Operator::Word word) {
       return "hold";
     case Operator::Word::kResume:
       return "resume";
+    case Operator::Word::kDecommission:
+      return "decommission";
+    case Operator::Word::kCommission:
+      return "commission";
     case Operator::Word::kStart:
       break;
   }

@@ -18,6 +18,10 @@ std::uint8_t kind_of(Operator::Word word) {
       return kinds::HOLD;
     case Operator::Word::kResume:
       return kinds::RESUME;
+    case Operator::Word::kDecommission:
+      return kinds::DECOMMISSION;
+    case Operator::Word::kCommission:
+      return kinds::COMMISSION;
     case Operator::Word::kStart:
       break;
   }

@@ -14,7 +14,7 @@ namespace galilean::monitor {
 /// Sends an operator's commands to robots.
 class Operator {
  public:
-  enum class Word { kHold, kResume, kStart };
+  enum class Word { kHold, kResume, kStart, kDecommission, kCommission };
 
   explicit Operator(wire::Participant& participant) : writer_(participant, wire::kCommandTopic) {}
 

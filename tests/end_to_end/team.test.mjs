@@ -94,6 +94,20 @@ test('another strategy while the team runs', async (t) => {
     await eventually(async () => (await status(url)).robots.every((robot) => !robot.held));
   });
 
+  await t.test('a robot out of service stays so, whoever resumes, until it is commissioned', async () => {
+    const say = (...words) => galilean([...words], { domain }).stdout.trim();
+    assert.equal(say('decommission', '--robot', 'io'), 'io: is out of service');
+    const robots = await eventually(async () => {
+      const answer = await status(url);
+      return answer.robots.some((robot) => robot.out_of_service) && answer.robots;
+    });
+    assert.deepEqual(robots.filter((robot) => robot.out_of_service).map(({ name }) => name), ['io']);
+    galilean(['resume', '--robot', 'io'], { domain });
+    assert.ok((await status(url)).robots.find(({ name }) => name === 'io').out_of_service);
+    assert.equal(say('commission', '--robot', 'io'), 'io: is in service again');
+    await eventually(async () => (await status(url)).robots.every((robot) => !robot.out_of_service));
+  });
+
   await t.test('one robot is swapped back, and is shown as drifting', async () => {
     const pushed = galilean(['swap', `${programs}/office_cleanup.bhdl`, '--robot', 'io', '--monitor', url]);
     assert.equal(pushed.status, 0, pushed.stdout + pushed.stderr);

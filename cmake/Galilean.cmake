@@ -6,21 +6,22 @@ add_custom_target(programs ALL)
 add_custom_target(unit_tests)
 add_custom_target(thread_tests)
 
-# galilean_library(NAME [COLD|WEB] SOURCES a.cpp … LINK lib …): a static library, includable from the
-# root. COLD is for one whose time nobody notices, such as the reading of options; WEB for one made of
-# Boost.Beast's templates, which take minutes to optimise with sanitizers in them. In a release neither
-# is compiled differently: to precompile the headers once more costs more than it saves.
+# galilean_library(NAME [COLD|WEB] [JSON] SOURCES a.cpp … LINK lib …): a static library, includable from
+# the root. JSON is for one that reads or makes JSON, so that its headers are precompiled. COLD is for one
+# whose time nobody notices, such as the reading of options; WEB for one made of Boost.Beast's templates,
+# which take minutes to optimise with sanitizers in them. In a release COLD and WEB are not optimised
+# differently: to precompile the headers once more costs more than it saves.
 function(galilean_library name)
-  cmake_parse_arguments(arg "COLD;WEB" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(arg "COLD;WEB;JSON" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
   target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE_LINK} galilean_warnings)
   if(arg_COLD OR (arg_WEB AND GALILEAN_SANITIZE))
-    galilean_compile_cold(${name})
+    galilean_compile_cold(${name} "${arg_JSON}")
   elseif(arg_WEB)
     galilean_precompile(${name} galilean_web_headers)
   else()
-    galilean_precompile(${name} galilean_headers)
+    galilean_precompile_for(${name} "${arg_JSON}")
   endif()
 endfunction()
 
@@ -29,16 +30,16 @@ function(galilean_vectorise name)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O3>)
 endfunction()
 
-# galilean_executable(NAME SOURCES main.cpp … LINK lib …): a program in build/bin.
+# galilean_executable(NAME [JSON] SOURCES main.cpp … LINK lib …): a program in build/bin.
 function(galilean_executable name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "JSON" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} galilean_command_line galilean_warnings)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   add_dependencies(programs ${name})
   set_property(GLOBAL APPEND PROPERTY GALILEAN_PROGRAMS ${name})
   install(TARGETS ${name} RUNTIME DESTINATION bin)
-  galilean_compile_cold(${name})
+  galilean_compile_cold(${name} "${arg_JSON}")
 endfunction()
 
 # galilean_ship(ROOM FILE…): copies files to where programs look for them, share/galilean/ROOM.

@@ -2,6 +2,7 @@
 # Eigen and the standard library are half of what a file costs to compile. Each set is precompiled once
 # and shared; all of it is compiled with the same flags, as GCC demands of whoever shares.
 # A test runs once: it is hardly optimised, and compiles twice as fast.
+# JSON is in a set of its own, because its literals make every file that includes it compile its parser.
 function(galilean_header_set name)
   cmake_parse_arguments(arg "" "" "HEADERS;LINK" ${ARGN})
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/${name}.cpp CONTENT "")
@@ -19,10 +20,19 @@ function(galilean_precompile target set)
   endif()
 endfunction()
 
-# galilean_compile_cold(TARGET): hardly optimised, where that is quicker to compile.
-function(galilean_compile_cold target)
-  if(CMAKE_BUILD_TYPE STREQUAL Release)
+# galilean_precompile_for(TARGET USES_JSON): with the set that fits it.
+function(galilean_precompile_for target uses_json)
+  if(uses_json AND TARGET galilean_json_headers)
+    galilean_precompile(${target} galilean_json_headers)
+  else()
     galilean_precompile(${target} galilean_headers)
+  endif()
+endfunction()
+
+# galilean_compile_cold(TARGET USES_JSON): hardly optimised, where that is quicker to compile.
+function(galilean_compile_cold target uses_json)
+  if(CMAKE_BUILD_TYPE STREQUAL Release)
+    galilean_precompile_for(${target} "${uses_json}")
   else()
     target_link_libraries(${target} PRIVATE galilean_runs_once)
     galilean_precompile(${target} galilean_cold_headers)
@@ -31,10 +41,15 @@ endfunction()
 
 if(GALILEAN_PCH)
   set(common <Eigen/Core> <algorithm> <array> <chrono> <deque> <filesystem> <fstream> <functional> <iostream>
-             <map> <memory> <mutex> <nlohmann/json.hpp> <optional> <set> <span> <sstream> <string>
-             <string_view> <thread> <unordered_map> <variant> <vector>)
-  galilean_header_set(galilean_headers HEADERS ${common})
-  if(NOT CMAKE_BUILD_TYPE STREQUAL Release)
+             <map> <memory> <mutex> <optional> <set> <span> <sstream> <string> <string_view> <thread>
+             <unordered_map> <variant> <vector>)
+  if(CMAKE_BUILD_TYPE STREQUAL Release)
+    galilean_header_set(galilean_headers HEADERS ${common})
+    list(APPEND common <nlohmann/json.hpp>)
+    galilean_header_set(galilean_json_headers HEADERS ${common})
+  else()
+    list(APPEND common <nlohmann/json.hpp>)
+    galilean_header_set(galilean_headers HEADERS ${common})
     galilean_header_set(galilean_cold_headers HEADERS ${common} LINK galilean_runs_once)
   endif()
   galilean_header_set(galilean_web_headers LINK galilean_boost HEADERS ${common}

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Numbers of the running program that are moved by hand: each goes the way of every push, as soon as the hand rests.
 
+import type { Catalog } from "../bhdl/catalog";
 import type { Reply } from "../feed/api";
 import * as api from "../feed/api";
 import type { SourceFile } from "../feed/messages";
 import { live } from "../model/live.svelte";
 import { isSilent } from "../model/silence";
 import { runningHash, runningProgram } from "../program/running";
-import { writeToDraft } from "./draft_numbers";
+import { takeFromDraft, writeToDraft } from "./draft_numbers";
+import { ProbationWatch } from "./probation_watch";
 import { numberText, type Tunable, tunablesIn, withNumbers } from "./tunables";
 
 const REST_MS = 400;
@@ -50,6 +52,9 @@ export class Tuner {
   #answers = $state.raw<ReadonlyMap<string, Answer>>(new Map());
   #done = $state.raw<readonly Move[]>([]);
   #waitsForUndo = false;
+  /** What came to the robots and is not confirmed: they go back from all of it at once. */
+  #onProbation: readonly Move[] = [];
+  #probation: ProbationWatch | undefined;
   #rest: ReturnType<typeof setTimeout> | undefined;
 
   /** Of the team those that are in service and heard: nobody knows what a silent robot runs, and it would not answer. */
@@ -151,16 +156,41 @@ export class Tuner {
 
   async #push(flight: Flight, files: readonly SourceFile[], targets: readonly string[], replaces: string): Promise<void> {
     const { catalog } = this;
+    const probation = new ProbationWatch(this.reached);
+    const ended = await this.#carry(flight, files, targets, replaces).catch((error: unknown) => (probation.end(), Promise.reject(error)));
+    const takers = ended.replies.filter(({ status }) => status === "running" || status === "confirmed").map(({ robot }) => robot);
+    if (takers.length === 0) return probation.end();
+    await this.#told(ended.hash, targets);
+    if (flight.target === this.target) this.#done = flight.isUndo ? this.#done.slice(0, -1) : [...this.#done, ...flight.moves];
+    if (!catalog) return probation.end();
+    writeToDraft(files, catalog, flight.numbers);
+    // It has taken the place of the push before it.
+    this.#probation?.end();
+    this.#probation = probation;
+    this.#onProbation = [...this.#onProbation, ...flight.moves];
+    void probation.outcome(ended.id, takers).then((isKept) => this.#judged(isKept, ended.hash, takers, catalog));
+  }
+
+  /** Sends it, and answers what came of it at each step. */
+  async #carry(flight: Flight, files: readonly SourceFile[], targets: readonly string[], replaces: string): Promise<api.PushResult> {
     const begun = await api.push(files, targets, { replaces, reason: this.#reasonOf(flight.moves) });
     live.pushed(begun, files, targets);
     this.#answer(flight, { pushId: begun.id, replies: begun.replies });
     const ended = await this.#ended(begun);
     live.pushed(ended, files, targets);
     this.#answer(flight, { pushId: ended.id, replies: ended.replies });
-    if (!ended.replies.some(({ status }) => status === "running" || status === "confirmed")) return;
-    await this.#told(ended.hash, targets);
-    if (flight.target === this.target) this.#done = flight.isUndo ? this.#done.slice(0, -1) : [...this.#done, ...flight.moves];
-    if (catalog) writeToDraft(files, catalog, flight.numbers);
+    return ended;
+  }
+
+  /** The robots keep what is on probation, or each of them has gone back from it: then the draft does, too. */
+  async #judged(isKept: boolean, hash: string, robots: readonly string[], catalog: Catalog): Promise<void> {
+    const moves = this.#onProbation;
+    this.#onProbation = [];
+    if (isKept) return;
+    this.#done = this.#done.filter((move) => !moves.includes(move));
+    await this.#until(() => runningHash(robots) !== hash && runningProgram(robots)?.hash === runningHash(robots));
+    const running = runningProgram(robots);
+    if (running && running.hash !== hash) takeFromDraft(running.files, catalog, new Map(moves.map(({ key, to }) => [key, to])));
   }
 
   async #ended(begun: api.PushResult): Promise<api.PushResult> {
@@ -174,9 +204,13 @@ export class Tuner {
   }
 
   /** Until the robots say themselves what they run: the next number is put into that. */
-  async #told(hash: string, targets: readonly string[]): Promise<void> {
+  #told(hash: string, targets: readonly string[]): Promise<void> {
+    return this.#until(() => runningHash(targets) === hash && runningProgram(targets)?.hash === hash);
+  }
+
+  async #until(isTold: () => boolean): Promise<void> {
     const until_ms = Date.now() + TOLD_MS;
-    while (Date.now() < until_ms && (runningHash(targets) !== hash || runningProgram(targets)?.hash !== hash)) await pause(50);
+    while (Date.now() < until_ms && !isTold()) await pause(50);
   }
 
   #answer({ target, moves }: Flight, answer: Answer): void {

@@ -2,6 +2,7 @@
 // Numbers are moved faster than robots answer.
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { Refusal } from "../../src/feed/api";
+import { ProgramReply_Constants } from "../../src/feed/messages";
 import { answerWords } from "../../src/gains/answer_words";
 import { Tuner } from "../../src/gains/tuner.svelte";
 import { workshop } from "../../src/program/workshop.svelte";
@@ -186,6 +187,45 @@ describe("the draft", () => {
     ui.editorOpen = true;
     await tune();
     expect(workshop.bench.files).toEqual(files(1, "being written"));
+  });
+  const replied = async (status: number) => {
+    live.hear("/io/program_reply", { id: "push of 1.5", robot: "io", status });
+    await vi.advanceTimersByTimeAsync(100);
+  };
+  async function goBack(): Promise<void> {
+    run(1);
+    await replied(ProgramReply_Constants.ROLLED_BACK);
+  }
+  it("goes back to what runs when the robots do, and so does undo", async () => {
+    workshop.bench.put({ chosen: "", files: files(1, "written by hand"), edited: true });
+    await tune();
+    await goBack();
+    expect([workshop.bench.files, tuner.last]).toEqual([files(1, "written by hand"), undefined]);
+  });
+  it("goes back though the editor shows it, where nobody typed since", async () => {
+    await tune();
+    ui.editorOpen = true;
+    await goBack();
+    expect([workshop.bench.files, live.trouble]).toEqual([files(1), undefined]);
+  });
+  it("that somebody types in keeps the number, and the page says what runs", async () => {
+    await tune();
+    ui.editorOpen = true;
+    workshop.bench.edit("a.bhdl", text(1.5, "being written"));
+    await goBack();
+    expect(workshop.bench.files).toEqual(files(1.5, "being written"));
+    expect(live.trouble).toBe("The robots went back. The draft still has c · gain of noise 1.5, where the robots run 1.");
+  });
+  it("keeps a number that somebody wrote in its place, and one that the robots have confirmed", async () => {
+    await tune();
+    workshop.bench.edit("a.bhdl", text(1.7));
+    await goBack();
+    expect(workshop.bench.files).toEqual(files(1.7));
+    workshop.bench.put({ chosen: "", files: [], edited: false });
+    await tune();
+    await replied(ProgramReply_Constants.CONFIRMED);
+    await goBack();
+    expect(workshop.bench.files).toEqual(files(1.5));
   });
   it("of another program that lacks the number is left alone", async () => {
     const other = [{ path: "b.bhdl", text: "states:\nend\n" }];

@@ -25,3 +25,15 @@ test("it is live again by itself, and the gap stays on the timeline", async () =
   assert.equal(await at("timeline-gap").count(), 1);
   assert.match(await at("timeline-gap").getAttribute("title"), /^Nothing was heard from the monitor for \d/);
 });
+
+test("a push that was under way when the monitor was started anew is under way no more", async () => {
+  await tab.page.evaluate(async () => {
+    const { files } = await (await fetch("/api/programs/sit_and_spin.bhdl")).json();
+    void fetch("/api/push", { method: "POST", body: JSON.stringify({ files, canary: "io" }) }).catch(() => {});
+  });
+  await at("push-cancel").waitFor();
+  await tab.fixture.stop();
+  tab.fixture = await startFixture({}, new URL(tab.url).port);
+  await tab.page.getByText("Its monitor ended before it did").waitFor();
+  assert.equal(await at("push-cancel").count(), 0);
+});

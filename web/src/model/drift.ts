@@ -20,7 +20,7 @@ export function programShares(robots: Iterable<Robot>): ProgramShare[] {
   return [...shares.values()].sort((a, b) => b.robots.length - a.robots.length);
 }
 
-/** A push of which nothing is heard any more, as when the monitor went away, is not under way for ever. A probation lasts an hour at most. */
+/** A push of which nothing is heard any more is not under way for ever. A probation lasts an hour at most. */
 const UNDER_WAY_AT_MOST_MS = 7_200_000;
 
 /** The hashes of the programs that a running push is bringing to the robots: to its canary first, or to one after the other. */

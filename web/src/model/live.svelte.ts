@@ -11,7 +11,7 @@ import { browserFrames, Redraw } from "../lib/redraw";
 import { type Gap, withGap } from "./gaps";
 import { History, type Instant } from "./history";
 import { emptyTeam, type Robot, type Team } from "./model";
-import { withProgress, withPush, withReply } from "./pushes";
+import { withInterrupted, withProgress, withPush, withReply } from "./pushes";
 import { apply } from "./reduce";
 import type { PushResult, Reply } from "../feed/api";
 import { withToken } from "../feed/token";
@@ -119,6 +119,7 @@ class Live {
     if (connection !== "live" || this.lost_ms === undefined) return;
     this.gaps = withGap(this.gaps, { from_ms: this.lost_ms, to_ms: Date.now() });
     this.lost_ms = undefined;
+    this.#fold({ ...this.#team, pushes: withInterrupted(this.#team.pushes) });
   }
 
   #take({ news, told_ms, dropped }: Batch): void {

@@ -105,7 +105,7 @@ export interface Push {
   readonly targets: readonly string[];
   readonly at_ms: number;
   readonly replies: ReadonlyMap<string, Reply>;
-  /** running, done, failed or cancelled; empty: it did not go through the monitor. */
+  /** running, done, failed, cancelled or interrupted; empty: it did not go through the monitor. */
   readonly state: string;
   readonly steps: readonly PushStep[];
 }

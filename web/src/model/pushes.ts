@@ -32,9 +32,19 @@ export function withPush(pushes: readonly Push[], { id, author, files, hash, tar
   return [...pushes.filter((other) => other.id !== id), push].slice(-KEPT);
 }
 
+const OPEN = new Set(["", "running", "interrupted"]);
+
 /** The pushes with how far one of them has come; what is over stays so. */
 export function withProgress(pushes: readonly Push[], id: string, { state, steps }: Pick<Push, "state" | "steps">): readonly Push[] {
-  return pushes.map((push) => (push.id === id && (push.state === "" || push.state === "running") ? { ...push, state, steps } : push));
+  return pushes.map((push) => (push.id === id && OPEN.has(push.state) ? { ...push, state, steps } : push));
+}
+
+/**
+ * The pushes as they are known on a new connection: a monitor that still brings one to its robots says so again, and one
+ * that was started anew has dropped it.
+ */
+export function withInterrupted(pushes: readonly Push[]): readonly Push[] {
+  return pushes.map((push) => (push.state === "running" ? { ...push, state: "interrupted" } : push));
 }
 
 /** A push that the monitor tells of before its robots are sent anything. */

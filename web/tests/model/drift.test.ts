@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { expect, it } from "vitest";
 import { drifts, hashesUnderWay, programShares } from "../../src/model/drift";
+import { withInterrupted } from "../../src/model/pushes";
 import { robotOf, state, T0_MS, told } from "./told";
 
 it("shows the robot that runs another program than most", () => {
@@ -59,6 +60,11 @@ it("leaves the last robots of a rollout alone, which still run what the team ran
 
 it("still tells of a third program while a push runs", () => {
   expect(drifting(team({ io: "new", ganymede: "old", callisto: "old", europa: "third" }, push("new", "running")))).toEqual(["europa"]);
+});
+
+it("calls a robot apart whose push ended with its monitor", () => {
+  const asked = team({ io: "new", ganymede: "old", callisto: "old" }, push("new", "running"));
+  expect(drifting({ ...asked, pushes: withInterrupted(asked.pushes) })).toEqual(["io"]);
 });
 
 it("takes no push for running of which nothing is heard for two hours", () => {

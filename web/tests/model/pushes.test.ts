@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import type { Diagnostic, ProgramReply } from "../../src/feed/messages";
+import { withInterrupted } from "../../src/model/pushes";
 import { T0_MS, told } from "./told";
 
 const push = {
@@ -61,5 +62,13 @@ describe("a push", () => {
     expect(team.pushes).toHaveLength(1);
     expect(team.pushes[0]).toMatchObject({ state: "failed", name: "sit_and_spin.bhdl" });
     expect(team.pushes[0]?.steps[1]?.state).toBe("failed");
+  });
+  it("is interrupted on a new connection, until the monitor says again that it runs", () => {
+    const progress = (state: string) => ({ stamp: { sec: 0, nsec: 0 }, id: "p1", author: "balch", program: "a.bhdl", hash: "bbbb", targets: [], state, steps: [] });
+    const before = told([["/team/push_progress", progress("running"), T0_MS]]);
+    const after = { ...before, pushes: withInterrupted(before.pushes) };
+    expect(after.pushes[0]?.state).toBe("interrupted");
+    expect(told([["/team/push_progress", progress("running"), T0_MS + 10]], after).pushes[0]?.state).toBe("running");
+    expect(withInterrupted(told([["/team/push_progress", progress("done"), T0_MS]]).pushes)[0]?.state).toBe("done");
   });
 });

@@ -27,10 +27,12 @@ const WORDS: Record<AlarmKind, readonly [now: string, past: string]> = {
 
 export const robotsOf = ({ posted }: Pick<AlarmGroup, "posted">): string[] => [...new Set(posted.map(({ alarm }) => alarm.robot))];
 
-/** "5 robots silent: io, callisto, europa" */
-export function groupWords(group: AlarmGroup): string {
+/** "5 robots silent: io, callisto, europa"; of more robots than `most` the rest is counted: "…, europa and 2 more". */
+export function groupWords(group: AlarmGroup, most = Infinity): string {
   const robots = robotsOf(group);
-  return `${robots.length} robots ${WORDS[group.kind][group.over ? 1 : 0]}: ${robots.join(", ")}`;
+  const left = robots.length > most ? robots.length - most : 0;
+  const names = robots.slice(0, robots.length - left).join(", ");
+  return `${robots.length} robots ${WORDS[group.kind][group.over ? 1 : 0]}: ${names}${left > 0 ? ` and ${left} more` : ""}`;
 }
 
 /** The board in its order, with the alarms of one kind of several robots together; the seen and those that are over stand apart. */

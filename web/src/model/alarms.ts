@@ -22,12 +22,16 @@ export interface Alarm {
   readonly past?: string;
   /** The words say for how long. */
   readonly timed?: true;
+  /** The words tell of an event, which lasts no time. */
+  readonly happened?: true;
   /** What to do about it. */
   readonly advice: string;
 }
 
 /** The alarm of a tick that began late stands for so long. */
 const OVERRUN_ALARM_MS = 20_000;
+/** The alarm of a push that a robot did not take stands for so long, unless the robot answers another before. */
+const PUSH_ALARM_MS = 120_000;
 /** Whoever neither moves nor turns for so long, though nobody holds it, is stuck. */
 const STUCK_AFTER_MS = 20_000;
 /** A robot known no better than this, at two standard deviations, is drawn where it may not be. */
@@ -81,15 +85,21 @@ function ofRobot(robot: Robot, team: Team, now_ms: number): Alarm[] {
 const inService = (team: Team): Robot[] => [...team.robots.values()].filter(({ state }) => !state?.value.out_of_service);
 
 export function alarms(team: Team, now_ms: number): Alarm[] {
-  const ofPushes = team.pushes.flatMap((push) =>
-    [...push.replies.values()]
-      .filter(({ status }) => status === "rejected" || status === "rolled_back")
+  return [...[...team.robots.values()].flatMap((robot) => ofRobot(robot, team, now_ms)), ...ofPushes(team, now_ms)];
+}
+
+/** Those that robots did not take: until they answer a newer one or run it all the same, and not for ever. */
+function ofPushes({ pushes, robots }: Team, now_ms: number): Alarm[] {
+  return pushes.flatMap((push, i) => {
+    const newer = pushes.slice(i + 1);
+    const isLeft = (robot: string) => !newer.some(({ replies }) => replies.has(robot)) && robots.get(robot)?.state?.value.program_hash !== push.hash;
+    return [...push.replies.values()]
+      .filter(({ robot, status }) => (status === "rejected" || status === "rolled_back") && isLeft(robot) && now_ms - push.answered_ms < PUSH_ALARM_MS)
       .map(({ robot, status, message }): Alarm => {
         const words = `${robot} ${status === "rejected" ? "refused" : "went back from"} ${push.name}.`;
-        return { key: `push ${push.id} ${robot}`, kind: "push", robot, words, advice: message };
-      }),
-  );
-  return [...[...team.robots.values()].flatMap((robot) => ofRobot(robot, team, now_ms)), ...ofPushes];
+        return { key: `push ${push.id} ${robot}`, kind: "push", robot, words, happened: true, advice: message };
+      });
+  });
 }
 
 /** An alarm on the board: it stays until it is over and somebody has seen it. */
@@ -100,9 +110,10 @@ export interface PostedAlarm {
   readonly seen: boolean;
 }
 
-/** How long a posted alarm has lasted, or lasted until it was over, in words: "io is silent, for 12 s". */
+/** How long a posted alarm has lasted, or lasted until it was over, or how long ago it was, in words: "io is silent, for 12 s". */
 export function sentenceOf({ alarm, since_ms, over_ms }: PostedAlarm, now_ms: number): string {
   const words = alarm.words.replace(/\.$/, "");
+  if (alarm.happened) return `${words}, ${lasting((now_ms - since_ms) / 1000)} ago`;
   const lasted = lasting(((over_ms ?? now_ms) - since_ms) / 1000);
   if (over_ms === undefined) return alarm.timed ? words : `${words}, for ${lasted}`;
   return alarm.past ? `${alarm.past} for ${lasted}` : `${words}; over after ${lasted}`;

@@ -89,7 +89,7 @@ class Live {
     const begun = { id, hash, author: "operator", targets: [...targets], files: [...files] };
     let pushes = withPush(this.#team.pushes, begun, Date.now());
     pushes = withProgress(pushes, id, { state, steps });
-    for (const reply of replies) pushes = withReply(pushes, id, withDefaults(reply));
+    for (const reply of replies) pushes = withReply(pushes, id, withDefaults(reply), Date.now());
     this.#fold({ ...this.#team, pushes }, true);
   }
 

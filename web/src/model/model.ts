@@ -105,6 +105,8 @@ export interface Push {
   readonly targets: readonly string[];
   readonly at_ms: number;
   readonly replies: ReadonlyMap<string, Reply>;
+  /** When a robot answered last; before that, when it was pushed. */
+  readonly answered_ms: number;
   /** running, done, failed, cancelled or interrupted; empty: it did not go through the monitor. */
   readonly state: string;
   readonly steps: readonly PushStep[];

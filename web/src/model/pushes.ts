@@ -25,6 +25,7 @@ export function withPush(pushes: readonly Push[], { id, author, files, hash, tar
     hash,
     targets,
     at_ms: known?.at_ms ?? at_ms,
+    answered_ms: known?.answered_ms ?? at_ms,
     replies: known?.replies ?? new Map(),
     state: known?.state ?? "",
     steps: known?.steps ?? [],
@@ -56,13 +57,13 @@ export function withStep(pushes: readonly Push[], told: PushProgress, at_ms: num
 }
 
 /** The pushes with a robot's answer; an answer that says less than the one before it came late and is dropped. */
-export function withReply(pushes: readonly Push[], id: string, reply: Reply): readonly Push[] {
+export function withReply(pushes: readonly Push[], id: string, reply: Reply, at_ms: number): readonly Push[] {
   return pushes.map((push) => {
     if (push.id !== id) return push;
     const before = push.replies.get(reply.robot);
     if (before && RANK.indexOf(before.status) > RANK.indexOf(reply.status)) return push;
     const merged = { ...reply, latency_ms: reply.latency_ms ?? before?.latency_ms };
-    return { ...push, replies: new Map(push.replies).set(reply.robot, merged) };
+    return { ...push, answered_ms: Math.max(push.answered_ms, at_ms), replies: new Map(push.replies).set(reply.robot, merged) };
   });
 }
 

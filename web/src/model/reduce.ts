@@ -127,7 +127,7 @@ export function apply(team: Team, topic: string, message: unknown, received_ms: 
   if (!named) return ofTeam[topic as TeamTopic]?.(team, message as never, received_ms) ?? team;
   if (named.kind === "program_reply") {
     const reply = message as wire.ProgramReply;
-    return { ...team, pushes: withReply(team.pushes, reply.id, replyOf(reply)) };
+    return { ...team, pushes: withReply(team.pushes, reply.id, replyOf(reply), received_ms) };
   }
   const reduce = ofRobot[named.kind as keyof typeof ofRobot];
   if (!reduce) return team;

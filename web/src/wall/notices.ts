@@ -2,6 +2,7 @@
 // What a wall says in its widest letters: what is wrong with the connection, and what is wrong with the robots.
 
 import { lasting, plural } from "../lib/format";
+import { groupedAlarms, groupWords } from "../model/alarm_groups";
 import { type PostedAlarm, sentenceOf } from "../model/alarms";
 import type { Robot } from "../model/model";
 import { isSilent } from "../model/silence";
@@ -20,8 +21,10 @@ export interface Link {
   readonly isBehind: boolean;
 }
 
-/** So many alarms have room; of more, their number is told. */
-const ALARMS = 2;
+/** So many lines of alarms have room; of more, their number is told. */
+const LINES = 2;
+/** So many names have room in a line. */
+const NAMES = 4;
 
 export function linkNotice({ wasLive, lostFor_ms, behind_ms, isBehind }: Link): Notice | undefined {
   const of = (words: string): Notice => ({ kind: "connection", words });
@@ -30,12 +33,13 @@ export function linkNotice({ wasLive, lostFor_ms, behind_ms, isBehind }: Link): 
   return isBehind ? of(`This page is ${lasting(behind_ms / 1000)} behind.`) : undefined;
 }
 
+/** Those that last, grouped as in the team's panel; nobody is there to say that one was seen. */
 export function alarmNotices(posted: readonly PostedAlarm[], now_ms: number): Notice[] {
-  const active = posted.filter(({ over_ms }) => over_ms === undefined);
-  const shown = active.length > ALARMS ? ALARMS - 1 : ALARMS;
-  const told = active.slice(0, shown).map((each): Notice => ({ kind: "alarm", words: `${sentenceOf(each, now_ms)}.` }));
-  const left = active.length - told.length;
-  return left > 0 ? [...told, { kind: "alarm", words: `${plural(left, "more alarm")}.` }] : told;
+  const groups = groupedAlarms(posted.filter(({ over_ms }) => over_ms === undefined));
+  const told = groups.slice(0, groups.length > LINES ? LINES - 1 : LINES);
+  const words = told.map((group) => (group.posted.length > 1 ? groupWords(group, NAMES) : sentenceOf(group.posted[0]!, now_ms)));
+  const left = groups.slice(told.length).reduce((count, group) => count + group.posted.length, 0);
+  return [...words, ...(left > 0 ? [plural(left, "more alarm")] : [])].map((each) => ({ kind: "alarm", words: `${each}.` }));
 }
 
 /** All that are in service and heard stand still at somebody's word. */

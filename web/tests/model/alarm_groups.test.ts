@@ -12,8 +12,8 @@ it("puts the alarms of one kind of several robots together, in the board's order
 });
 
 it("says how many robots, what they are, and which", () => {
-  expect(groupedAlarms([one("silent", "io"), one("silent", "callisto")]).map(groupWords)).toEqual(["2 robots silent: io, callisto"]);
-  expect(groupedAlarms([one("stuck", "io", { over_ms: 5000 }), one("stuck", "callisto", { over_ms: 6000 })]).map(groupWords)).toEqual(["2 robots did not move: io, callisto"]);
+  expect(groupedAlarms([one("silent", "io"), one("silent", "callisto")]).map((group) => groupWords(group))).toEqual(["2 robots silent: io, callisto"]);
+  expect(groupedAlarms([one("stuck", "io", { over_ms: 5000 }), one("stuck", "callisto", { over_ms: 6000 })]).map((group) => groupWords(group))).toEqual(["2 robots did not move: io, callisto"]);
 });
 
 it("keeps those that were seen, and those that are over, apart from those that are new", () => {

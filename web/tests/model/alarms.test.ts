@@ -89,22 +89,35 @@ describe("alarms", () => {
     ];
     expect(kinds(messages, T0_MS)).toEqual(["io silent"]);
   });
-  it("tell of each robot that refused a push, or went back from it", () => {
+  describe("of pushes", () => {
     const stamp = { sec: 0, nsec: 0 };
-    const push = { stamp, id: "p1", author: "operator", targets: [], replaces_hash: "", hash: "bbbb", files: [{ path: "sit_and_spin.bhdl", text: "" }] };
-    const reply = (robot: string, status: number, message: string): Told =>
-      [`/${robot}/program_reply`, { stamp, id: "p1", robot, hash: "bbbb", running_hash: "", status, message, tick: 0n, swap_tick_us: 8, kept_variables: [], diagnostics: [] }, T0_MS];
-    const found = alarms(told([
-      ["/team/program_push", push, T0_MS],
-      reply("io", ProgramReply_Constants.CONFIRMED, ""),
-      reply("ganymede", ProgramReply_Constants.REJECTED, "no such schema"),
-      reply("callisto", ProgramReply_Constants.ROLLED_BACK, "overruns"),
-    ]), T0_MS);
-    expect(found.map(({ kind, words, advice }) => [kind, words, advice])).toEqual([
-      ["push", "ganymede refused sit_and_spin.bhdl.", "no such schema"],
-      ["push", "callisto went back from sit_and_spin.bhdl.", "overruns"],
-    ]);
-    expect(new Set(found.map(({ key }) => key)).size).toBe(2);
+    const push = (id: string, hash = "bbbb"): Told => ["/team/program_push", { stamp, id, author: "operator", targets: [], replaces_hash: "", hash, files: [{ path: "sit_and_spin.bhdl", text: "" }] }, T0_MS];
+    const reply = (robot: string, status: number, message = "", id = "p1"): Told =>
+      [`/${robot}/program_reply`, { stamp, id, robot, hash: "bbbb", running_hash: "", status, message, tick: 0n, swap_tick_us: 8, kept_variables: [], diagnostics: [] }, T0_MS];
+    const { CONFIRMED, REJECTED, ROLLED_BACK } = ProgramReply_Constants;
+
+    it("tell of each robot that refused one, or went back from it", () => {
+      const found = alarms(told([push("p1"), reply("io", CONFIRMED), reply("ganymede", REJECTED, "no such schema"), reply("callisto", ROLLED_BACK, "overruns")]), T0_MS);
+      expect(found.map(({ kind, words, advice }) => [kind, words, advice])).toEqual([
+        ["push", "ganymede refused sit_and_spin.bhdl.", "no such schema"],
+        ["push", "callisto went back from sit_and_spin.bhdl.", "overruns"],
+      ]);
+      expect(new Set(found.map(({ key }) => key)).size).toBe(2);
+    });
+    it("are over once the robot answers a newer one, or runs it all the same", () => {
+      const refused = [push("p1"), reply("io", REJECTED), reply("ganymede", REJECTED)];
+      expect(kinds([...refused, push("p2"), reply("io", CONFIRMED, "", "p2")], T0_MS)).toEqual(["ganymede push"]);
+      expect(kinds([...refused, ["/io/state", state({ program_hash: "bbbb" }), T0_MS]], T0_MS)).toEqual(["ganymede push"]);
+    });
+    it("are over two minutes after the answer", () => {
+      const refused = [push("p1"), reply("io", REJECTED)];
+      expect(kinds(refused, T0_MS + 119_000)).toEqual(["io push"]);
+      expect(kinds(refused, T0_MS + 121_000)).toEqual([]);
+    });
+    it("say how long ago it was", () => {
+      const [alarm] = alarms(told([push("p1"), reply("io", REJECTED)]), T0_MS);
+      expect(sentenceOf({ alarm: alarm!, since_ms: 1000, over_ms: 121_000, seen: false }, 181_000)).toBe("io refused sit_and_spin.bhdl, 3 min ago");
+    });
   });
   it("leave a robot that is out of service alone, but for its silence", () => {
     const away = state({ out_of_service: true, problems: ["motor: off"] });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { expect, test } from "vitest";
-import type { PostedAlarm } from "../../src/model/alarms";
+import type { Alarm, PostedAlarm } from "../../src/model/alarms";
 import { identityOf } from "../../src/model/identity";
 import type { Robot } from "../../src/model/model";
 import { alarmNotices, heldNotice, linkNotice } from "../../src/wall/notices";
@@ -12,8 +12,8 @@ function robot(name: string, state: object = {}, heard_ms = NOW_MS): Robot {
   const value = { held: false, out_of_service: false, problems: [], ...state };
   return { name, identity: identityOf(name, []), heard_ms, state: { value, received_ms: heard_ms } } as unknown as Robot;
 }
-const alarm = (words: string, over_ms?: number): PostedAlarm =>
-  ({ alarm: { key: words, kind: "problem", robot: "io", words, advice: "" }, since_ms: NOW_MS - 12_000, seen: false, ...(over_ms && { over_ms }) }) as PostedAlarm;
+const alarm = (words: string, over_ms?: number, more: Partial<Alarm> = {}): PostedAlarm =>
+  ({ alarm: { key: words, kind: "problem", robot: "io", words, advice: "", ...more }, since_ms: NOW_MS - 12_000, seen: false, ...(over_ms && { over_ms }) }) as PostedAlarm;
 
 test("a robot's condition is the worst that is known of it", () => {
   expect(conditionOf(robot("io"), NOW_MS)).toBe("well");
@@ -43,6 +43,14 @@ test("of many alarms one is told whole and the others are counted; what is over 
   const words = (posted: PostedAlarm[]) => alarmNotices(posted, NOW_MS).map((notice) => notice.words);
   expect(words([alarm("a."), alarm("b."), alarm("c.", NOW_MS)])).toEqual(["a, for 12 s.", "b, for 12 s."]);
   expect(words([alarm("a."), alarm("b."), alarm("c.")])).toEqual(["a, for 12 s.", "2 more alarms."]);
+});
+
+test("alarms of one kind of several robots are one, as in the team's panel, with as many names as there is room for", () => {
+  const silent = (robot: string) => alarm(`${robot} is silent.`, undefined, { kind: "silent", robot });
+  const words = (posted: PostedAlarm[]) => alarmNotices(posted, NOW_MS).map((notice) => notice.words);
+  expect(words([silent("io"), alarm("a."), silent("europa")])).toEqual(["2 robots silent: io, europa.", "a, for 12 s."]);
+  expect(words([..."abcdef"].map(silent))).toEqual(["6 robots silent: a, b, c, d and 2 more."]);
+  expect(words([silent("io"), silent("europa"), alarm("a."), alarm("b.")])).toEqual(["2 robots silent: io, europa.", "2 more alarms."]);
 });
 
 test("that all are held is said of those in service, and by no word of a silent one", () => {

@@ -111,6 +111,21 @@ for (const robots of [3, 30]) {
   });
 }
 
+describe("with several robots and the referee silent", () => {
+  const tab = wallOf({ robots: 30, ahead: 60, silent: "io,callisto,robot7,robot9,robot20,robot21,referee" });
+
+  test("the robots are one line, and the clock stands and says how old it is", async () => {
+    await tab.page.locator("[data-kind=alarm]").filter({ hasText: /6 robots silent: (\w+, ){3}\w+ and 2 more\.$/ }).waitFor();
+    await tab.at("wall-clock").filter({ hasText: /^\d\d:\d\d left, (\d\.\d|\d\d) s old$/ }).waitFor();
+    const clock = async () => (await tab.at("wall-clock").innerText()).slice(0, 5);
+    const before = await clock();
+    await tab.at("wall-clock").filter({ hasText: /[6-9]\.\d s old/ }).waitFor();
+    assert.equal(await clock(), before);
+    await assertLegible(tab.page);
+    assert.deepEqual(await tab.page.evaluate(cutOff), []);
+  });
+});
+
 describe("before anything is known", () => {
   const tab = wallOf({ empty: true }, { viewport: BEAMERS[1] });
 

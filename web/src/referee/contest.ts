@@ -3,10 +3,20 @@ import type { Strategy } from "../feed/api";
 import type { Score } from "../feed/messages";
 import type { Stamped } from "../model/model";
 
-/** What is left on the referee's clock, which runs on between its messages. */
-export function remaining_s({ value: { phase, remaining_s: told_s }, received_ms }: Stamped<Score>, now_ms: number): number {
-  const since_s = phase === "running" ? Math.max((now_ms - received_ms) / 1000, 0) : 0;
-  return Math.max(told_s - since_s, 0);
+/** The referee tells its clock twice a second: who did not hear it for so long does not know it. */
+const OLD_S = 3;
+
+/** How old the clock is; undefined while it is as good as new, and where it does not run. */
+export function clockAge_s({ value: { phase }, received_ms }: Stamped<Score>, now_ms: number): number | undefined {
+  const age_s = (now_ms - received_ms) / 1000;
+  return phase === "running" && age_s > OLD_S ? age_s : undefined;
+}
+
+/** What is left on the referee's clock, which runs on between its messages, and stands as it was told where it is old. */
+export function remaining_s(score: Stamped<Score>, now_ms: number): number {
+  const { value: { phase, remaining_s: told_s }, received_ms } = score;
+  if (phase !== "running" || clockAge_s(score, now_ms) !== undefined) return told_s;
+  return Math.max(told_s - Math.max((now_ms - received_ms) / 1000, 0), 0);
 }
 
 /** In less time a rate says nothing. */

@@ -3,15 +3,19 @@
 
 import { type AlarmGroup, groupedAlarms, wordsByRobot } from "./alarm_groups";
 import { live } from "./live.svelte";
-import { acknowledged, alarms, type PostedAlarm, withAlarms } from "./alarms";
+import { acknowledged, type Alarm, alarms, type PostedAlarm, withAlarms } from "./alarms";
 
 class AlarmBoard {
   posted = $state.raw<readonly PostedAlarm[]>([]);
   readonly unseen: number = $derived(this.posted.filter(({ seen }) => !seen).length);
 
   readonly groups: readonly AlarmGroup[] = $derived(groupedAlarms(this.posted));
-  /** What lasts, in words, of each robot that has an alarm. */
-  readonly wordsByRobot: ReadonlyMap<string, readonly string[]> = $derived(wordsByRobot(this.posted));
+  /** What is wrong, in words, of each robot that has an alarm at the instant that is shown. */
+  readonly wordsByRobot: ReadonlyMap<string, readonly string[]> = $derived(wordsByRobot(live.isPast ? alarms(live.team, live.known_ms) : this.#lasting));
+
+  get #lasting(): Alarm[] {
+    return this.posted.filter(({ over_ms }) => over_ms === undefined).map(({ alarm }) => alarm);
+  }
 
   /** Called as time goes on: what is wrong depends on it, too. */
   refresh(): void {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Alarms of the same kind of several robots, as one.
 
-import type { AlarmKind, PostedAlarm } from "./alarms";
+import type { Alarm, AlarmKind, PostedAlarm } from "./alarms";
 
 export interface AlarmGroup {
   /** The same as long as it is the same group. */
@@ -50,9 +50,9 @@ function groupOf(key: string, posted: readonly PostedAlarm[]): AlarmGroup {
   return { key, kind: alarm.kind, posted, seen, over: over_ms !== undefined };
 }
 
-/** What lasts, in words, of each robot that has an alarm. */
-export function wordsByRobot(board: readonly PostedAlarm[]): Map<string, string[]> {
-  const words = new Map<string, string[]>();
-  for (const { alarm, over_ms } of board) if (over_ms === undefined) words.set(alarm.robot, [...(words.get(alarm.robot) ?? []), alarm.words]);
-  return words;
+/** What is wrong, in words, of each robot that has an alarm. */
+export function wordsByRobot(alarms: readonly Alarm[]): Map<string, string[]> {
+  const all = new Map<string, string[]>();
+  for (const { robot, words } of alarms) all.set(robot, [...(all.get(robot) ?? []), words]);
+  return all;
 }

@@ -13,6 +13,8 @@ export interface Label {
   readonly reach: number;
   /** It is shown whatever lies there: somebody chose its item or points at it. */
   readonly must?: boolean;
+  /** It tells of trouble: it is shown whatever lies there, and only those of choice come before it. */
+  readonly urgent?: boolean;
   /** Other labels keep clear of its item. */
   readonly solid?: boolean;
 }
@@ -53,14 +55,14 @@ function boxOf(label: Label, side: LabelSide): Box {
 }
 
 /**
- * The side of each label that finds room. Those that must be shown come first, then those that stand already, then
- * the others, each in the order given. One that stands keeps its side while it is free: so nothing flickers.
+ * The side of each label that finds room. Those that must be shown come first, then the urgent, then those that stand
+ * already, then the others, each in the order given. One that stands keeps its side while it is free: so nothing flickers.
  */
 export function placeLabels(labels: readonly Label[], before: ReadonlyMap<string, LabelSide> = new Map()): ReadonlyMap<string, LabelSide> {
   const bodies = labels.filter(({ solid }) => solid).map(({ key, x, y, reach }) => ({ key, left: x - reach, right: x + reach, top: y - reach, bottom: y + reach }));
   const taken: Box[] = [];
   const placed = new Map<string, LabelSide>();
-  const rank = ({ key, must }: Label) => (must ? 0 : before.has(key) ? 1 : 2);
+  const rank = ({ key, must, urgent }: Label) => (must ? 0 : urgent ? 1 : before.has(key) ? 2 : 3);
   for (const label of [...labels].sort((a, b) => rank(a) - rank(b))) {
     const stood = before.get(label.key);
     const tried = stood ? [stood, ...sides.filter((side) => side !== stood)] : sides;
@@ -68,7 +70,7 @@ export function placeLabels(labels: readonly Label[], before: ReadonlyMap<string
       const box = boxOf(label, side);
       return !taken.some((other) => overlap(box, other)) && !bodies.some((body) => body.key !== label.key && overlap(box, body));
     };
-    const side = tried.find(isFree) ?? (label.must ? tried[0] : undefined);
+    const side = tried.find(isFree) ?? (label.must || label.urgent ? tried[0] : undefined);
     if (!side) continue;
     placed.set(label.key, side);
     taken.push(boxOf(label, side));

@@ -25,6 +25,12 @@ describe("labels on the map", () => {
     const walled = [label("io", 0, 0, { must: true }), ...[[20, 0], [-20, 0], [0, 20], [0, -20]].map(([x, y], i) => label(`r${i}`, x!, y!, { solid: true, reach: 18 }))];
     expect(sidesOf(walled).io).toBe("right");
   });
+  it("of trouble come before all names that stand already, and are never left out", () => {
+    const can = label("can", 0, 0);
+    expect(sidesOf([can, label("io silent 12 s", 0, 0, { urgent: true })], placeLabels([can]))).toEqual({ "io silent 12 s": "right", can: "left" });
+    const walled = [label("io", 0, 0, { urgent: true }), ...[[20, 0], [-20, 0], [0, 20], [0, -20]].map(([x, y], i) => label(`r${i}`, x!, y!, { solid: true, reach: 18 }))];
+    expect(sidesOf(walled).io).toBe("right");
+  });
   it("keep their side while it is free, though another would be free as well", () => {
     const crowded = [label("io", 0, 0), label("europa", 5, 4)];
     const before = placeLabels(crowded);

@@ -36,7 +36,7 @@ test("the Why panel counts its rounds in one line, which opens to each change", 
   await at("team-row-ganymede").getByRole("button").first().click();
   const rounds = at("why-rounds").first();
   await tab.until(() => Number(document.querySelector("[data-testid=why-rounds]")?.dataset.rounds) >= 5);
-  assert.match(await rounds.innerText(), /( → \w+){3} × \d+ in \d/);
+  assert.match(await rounds.innerText(), /( → \w+){3} × \d+( in| or more for over) \d/);
   const single = at("why").locator("[data-stamp-s]", { hasText: /backup1 → wander_for_trash(?!can)/ });
   assert.equal(await single.count(), 0, "what repeats itself is still listed");
   await rounds.getByRole("button").first().click();
@@ -44,6 +44,12 @@ test("the Why panel counts its rounds in one line, which opens to each change", 
   const before = await rounds.getAttribute("data-rounds");
   await tab.until((then) => Number(document.querySelector("[data-testid=why-rounds]").dataset.rounds) > Number(then), before);
   assert.ok((await rounds.locator("[data-stamp-s]").count()) > 12, "a newer round closed them");
+
+  const opened = await rounds.locator("[data-stamp-s]").nth(3).getAttribute("data-testid");
+  await at(opened).getByRole("button").first().click();
+  await rounds.getByRole("button").first().click();
+  await tab.until(() => document.querySelectorAll("[data-testid=why-rounds] [data-stamp-s]").length === 1);
+  assert.equal(await at(opened).getByRole("button").first().getAttribute("aria-expanded"), "true", "the opened change closed with its group");
 });
 
 tab.testComplaints();

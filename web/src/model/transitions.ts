@@ -28,6 +28,8 @@ export interface ChangeGroup {
   readonly changes: readonly Transition[];
   /** How often they go round; 1: a change alone. */
   readonly rounds: number;
+  /** There may have been more rounds before the earliest change that is known. */
+  readonly isCut: boolean;
   /** The states that they go round, beginning with the one that the earliest change entered. */
   readonly states: readonly string[];
 }
@@ -46,10 +48,16 @@ export function groupedChanges(list: readonly Transition[]): ChangeGroup[] {
 function lastGroup(list: readonly Transition[], end: number): ChangeGroup {
   const same = (a: number, b: number) => list[a]!.to_state === list[b]!.to_state && list[a]!.from_state === list[b]!.from_state;
   const cycle = cycleAtEnd(end, heardSince(list, end), COUNTED_ROUNDS, same);
-  if (!cycle) return { changes: [list[end - 1]!], rounds: 1, states: [list[end - 1]!.to_state] };
+  if (!cycle) return { changes: [list[end - 1]!], rounds: 1, isCut: false, states: [list[end - 1]!.to_state] };
   const changes = list.slice(cycle.from, end).reverse();
   const states = list.slice(cycle.from, cycle.from + cycle.length).map(({ to_state }) => to_state);
-  return { changes, rounds: Math.floor(changes.length / cycle.length), states };
+  const isCut = cycle.from === 0 && list[0]!.number > 1n;
+  return { changes, rounds: Math.floor(changes.length / cycle.length), isCut, states };
+}
+
+/** Of a group's changes those that are listed: the newest where it is open, and in any case the one that is opened. */
+export function listedIn({ changes }: ChangeGroup, isOpen: boolean, opened: bigint | undefined, most: number): Transition[] {
+  return changes.filter(({ number }, i) => number === opened || (isOpen && i < most));
 }
 
 /** The index since which no change was missed. */

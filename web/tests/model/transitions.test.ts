@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
-import { groupedChanges, missedBetween, withTransition } from "../../src/model/transitions";
+import { groupedChanges, listedIn, missedBetween, withTransition } from "../../src/model/transitions";
 import { T0_MS, transition } from "./told";
 
 describe("the list of transitions", () => {
@@ -43,6 +43,20 @@ describe("changes that repeat themselves", () => {
   it("are not put together across changes that were not heard", () => {
     const list = [...through(round(2)), ...through(round(2), 20)];
     expect(groupedChanges(list).every(({ rounds }) => rounds === 1)).toBe(true);
+  });
+  it("may be more than are known, where the earliest is not the robot's first", () => {
+    const cut = (list: ReturnType<typeof through>) => groupedChanges(list).map(({ isCut }) => isCut);
+    const later = through(round(25), 300);
+    expect(cut(later.slice(1))).toEqual([true]);
+    expect(cut(later)).toEqual([false, false]);
+    expect(cut(through(round(25)).slice(1).map((each) => ({ ...each, number: each.number - 1n })))).toEqual([false]);
+  });
+  it("are listed where their group is open, and the opened one in any case", () => {
+    const [group] = groupedChanges(through(round(5)));
+    const numbers = (...args: [boolean, bigint | undefined]) => listedIn(group!, ...args, 3).map(({ number }) => Number(number));
+    expect(numbers(false, undefined)).toEqual([]);
+    expect(numbers(false, 7n)).toEqual([7]);
+    expect(numbers(true, 7n)).toEqual([20, 19, 18, 7]);
   });
   it("are none where there is no change", () => {
     expect(groupedChanges([])).toEqual([]);

@@ -160,6 +160,15 @@ test("what makes no sense in an address is left out, with a sentence", async () 
   await other.close();
 });
 
+test("an instant that a page has not heard is told of, and the present is shown", async () => {
+  const other = await tab.browser.newPage({ viewport: tab.page.viewportSize() });
+  await other.goto(new URL(`/?robot=io&at=${new Date(Date.now() - 60_000).toISOString()}`, tab.url).href);
+  await other.getByText(/asks for \d\d:\d\d:\d\d\. This page was opened later and has heard nothing from before/).waitFor();
+  assert.equal(await other.getByTestId("past-notice").count(), 0);
+  await other.waitForFunction(() => location.search === "?robot=io");
+  await other.close();
+});
+
 test("a phone shows one panel at a time, with STOP ALL under the thumb", async () => {
   const phone = await tab.browser.newPage({ viewport: PHONE, hasTouch: true, isMobile: true });
   await phone.goto(tab.url);

@@ -52,6 +52,12 @@ export function dayTime(at_ms: number): string {
   return new Date(at_ms).toLocaleTimeString("en-GB");
 }
 
+/** The time of day, with the date where it is another day than that of `now_ms`: "2024-11-28 12:03:11". */
+export function dateTime(at_ms: number, now_ms: number): string {
+  const date = (time_ms: number) => new Date(time_ms).toLocaleDateString("sv-SE");
+  return date(at_ms) === date(now_ms) ? dayTime(at_ms) : `${date(at_ms)} ${dayTime(at_ms)}`;
+}
+
 /** A delay: milliseconds below a second, then seconds and more: "85 ms", "1.4 s", "21 s". */
 export function delay(duration_ms: number): string {
   return duration_ms < 999.5 ? `${duration_ms.toFixed(0)} ms` : lasting(duration_ms / 1000);

@@ -2,6 +2,8 @@
 // The part of the page's address that tells what is looked at. It is made of what is named here alone, so that
 // nothing else that stood in an address, such as a token, comes into it.
 
+import { dateTime, dayTime } from "../lib/format";
+
 /** One plotted number: its robot, variable and quantity. */
 export type PlotName = readonly [robot: string, variable: string, quantity: string];
 
@@ -51,4 +53,12 @@ export function searchOf({ robot, at_ms, plots, layout }: View): string {
   if (layout) query.set("layout", layout);
   const text = query.toString().replace(/%3A/g, ":").replace(/%2C/g, ",").replace(/%28/g, "(").replace(/%29/g, ")").replace(/%27/g, "'");
   return text ? `?${text}` : "";
+}
+
+/** Why a page cannot show the instant that its address asks for; undefined where it can. */
+export function instantFault(at_ms: number, heard: { readonly earliest_ms: number; readonly present_ms: number }): string | undefined {
+  const asked = `The address asks for ${dateTime(at_ms, heard.present_ms)}`;
+  if (at_ms > heard.present_ms) return `${asked}, which is yet to come. The page shows the present.`;
+  if (at_ms >= heard.earliest_ms) return undefined;
+  return `${asked}. This page was opened later and has heard nothing from before ${dayTime(heard.earliest_ms)}. It shows the present.`;
 }

@@ -2,12 +2,11 @@
 // Keeps the address bar at what is looked at: whoever copies the address and opens it elsewhere sees the same.
 
 import { arrangement } from "../layout/arrangement.svelte";
-import { dayTime } from "../lib/format";
 import { live } from "../model/live.svelte";
 import { showInstant } from "../model/time_axis.svelte";
 import { plots } from "../plots/plots.svelte";
 import { CERTAINTY, quantitiesOf } from "../plots/quantities";
-import { type PlotName, searchOf, type View, viewOf } from "./address";
+import { instantFault, type PlotName, searchOf, type View, viewOf } from "./address";
 
 /** A cursor that is dragged, or keys pressed fast, change the address once. */
 const CALM_MS = 400;
@@ -85,8 +84,8 @@ class AddressBar {
 
   #showInstant(at_ms: number | undefined): string[] {
     if (at_ms === undefined) return [];
-    if (at_ms > live.present_ms) return [`The address asks for ${dayTime(at_ms)}, which is yet to come: this is the present.`];
-    if (at_ms < live.earliest_ms) return [`The address asks for ${dayTime(at_ms)}, but this page remembers only what came since it was opened: this is the present.`];
+    const fault = instantFault(at_ms, live);
+    if (fault) return [fault];
     showInstant(at_ms);
     return [];
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
-import { searchOf, viewOf } from "../../src/shell/address";
+import { instantFault, searchOf, viewOf } from "../../src/shell/address";
 
 const VIEW = {
   robot: "io",
@@ -25,5 +25,19 @@ describe("the page's address", () => {
     expect(view).toEqual({ plots: [["io", "shaft", "x"]] });
     expect(faults).toHaveLength(2);
     expect(faults.join()).toMatch(/“yesterday”.*“nonsense”/);
+  });
+});
+
+describe("an instant in the address", () => {
+  const heard = { earliest_ms: new Date(2024, 0, 2, 10, 2).getTime(), present_ms: new Date(2024, 0, 2, 10, 5).getTime() };
+  const fault = (...time: [number, number, number]) => instantFault(new Date(2024, 0, ...time).getTime(), heard);
+
+  it("is shown where the page has heard it", () => {
+    expect(fault(2, 10, 3)).toBeUndefined();
+  });
+  it("that the page has not heard is told of, with since when it hears and what it shows instead", () => {
+    expect(fault(2, 10, 1)).toBe("The address asks for 10:01:00. This page was opened later and has heard nothing from before 10:02:00. It shows the present.");
+    expect(fault(1, 10, 3)).toMatch(/asks for 2024-01-01 10:03:00\. This page/);
+    expect(fault(2, 10, 6)).toBe("The address asks for 10:06:00, which is yet to come. The page shows the present.");
   });
 });

@@ -5,6 +5,18 @@ import { type Bench, BenchWorkspace } from "./bench_workspace";
 /** Requests whose answers are changes of the text that was asked about. */
 const CHANGES = new Set(["textDocument/formatting", "textDocument/rename"]);
 
+/** A question that is answered later than this is no longer asked; a server that is starting is waited for. */
+const LATE_MS = 3000;
+/** The longest that a browser's clock can wait: as long as the connection lasts. */
+const NEVER_MS = 2 ** 31 - 1;
+
+function inTime<T>(answer: Promise<T>): Promise<T> {
+  return new Promise((resolve, reject) => {
+    const timer = setTimeout(() => reject(new Error("the language server did not answer in time")), LATE_MS);
+    answer.then(resolve, reject).finally(() => clearTimeout(timer));
+  });
+}
+
 /**
  * A client whose answers are of the text that stands on the bench: those to questions of another program come to
  * nothing, and none changes a text that somebody edited since it was asked about.
@@ -15,7 +27,7 @@ export class BenchClient extends LSPClient {
   #server: Transport | undefined;
 
   constructor(bench: Bench, config: LSPClientConfig) {
-    super({ ...config, workspace: (client) => new BenchWorkspace(client, bench) });
+    super({ ...config, timeout: NEVER_MS, workspace: (client) => new BenchWorkspace(client, bench) });
     this.files = this.workspace as BenchWorkspace;
   }
 
@@ -37,10 +49,10 @@ export class BenchClient extends LSPClient {
     this.initializing.then(tell, () => {});
   }
 
-  /** Errors: the answer would change a text that was edited meanwhile. */
+  /** Errors: the server does not answer in time, or the answer would change a text that was edited meanwhile. */
   override async request<Params, Result>(method: string, params: Params): Promise<Result> {
     const { generation, texts } = this.files;
-    const answer = await super.request<Params, Result>(method, params);
+    const answer = await inTime(super.request<Params, Result>(method, params));
     if (generation !== this.files.generation) return null as Result; // as a server answers that knows nothing
     const isEdited = [...this.files.texts].some(([uri, text]) => !texts.get(uri)?.eq(text));
     if (isEdited && CHANGES.has(method)) throw new Error("the text was edited meanwhile; ask again");

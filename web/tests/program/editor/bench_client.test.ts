@@ -104,6 +104,43 @@ it("leaves no rejection to nobody where the server never answers, and where the 
   expect(left).toEqual([]);
 });
 
+/** A server that takes its time to begin. */
+class StartingServer extends SlowServer {
+  #held: string[] = [];
+  #isUp = false;
+  override send(text: string): void {
+    if (this.#isUp) super.send(text);
+    else this.#held.push(text);
+  }
+  begin(): void {
+    this.#isUp = true;
+    this.#held.splice(0).forEach((text) => super.send(text));
+  }
+}
+
+it("is connected when the server answers at last, however late, and asks no question for longer than three seconds", async () => {
+  vi.useFakeTimers();
+  const starting = new StartingServer();
+  const late = new BenchClient({ display: () => Promise.resolve(null), edited: () => {} }, {});
+  late.files.put([{ path: "a.bhdl", text: "a" }]);
+  let isReady = false;
+  late.connect(starting).initializing.then(() => (isReady = true), () => {});
+  const early = late.request("textDocument/completion", asked).catch((error: Error) => error.message);
+  await vi.advanceTimersByTimeAsync(20_000);
+  expect(await early).toBe("the language server did not answer in time");
+  starting.begin();
+  await vi.advanceTimersByTimeAsync(0);
+  expect([isReady, starting.versions.length]).toEqual([true, 1]);
+  const unanswered = late.request("textDocument/completion", asked).catch((error: Error) => error.message);
+  await vi.advanceTimersByTimeAsync(3001);
+  expect(await unanswered).toBe("the language server did not answer in time");
+  const answered = late.request("textDocument/completion", asked);
+  await vi.advanceTimersByTimeAsync(0);
+  starting.answer([{}]);
+  expect(await answered).toEqual([{}]);
+  vi.useRealTimers();
+});
+
 it("tells a server what was told before it had answered, in order", async () => {
   client.disconnect();
   const next = new SlowServer();

@@ -47,3 +47,8 @@ export function inOrder(items: readonly Variable[], order: readonly string[]): V
   const at = ({ name }: Variable) => place.get(name) ?? order.length;
   return [...items].sort((a, b) => at(a) - at(b));
 }
+
+/** The same as long as the same robot's program reads the same variables, whatever its numbers are: then the order stays. */
+export function orderKey(robot: string, isDescribed: boolean, readEver: ReadonlySet<string>): string {
+  return JSON.stringify([robot, isDescribed, ...[...readEver].sort()]);
+}

@@ -2,7 +2,7 @@
 import { describe, expect, it } from "vitest";
 import type { MachineTransition, Variable } from "../../src/feed/messages";
 import type { Trigger } from "../../src/machine/nearness";
-import { changedSince, inOrder, orderOf, readIn } from "../../src/variables/order";
+import { changedSince, inOrder, orderKey, orderOf, readIn } from "../../src/variables/order";
 
 const variable = (name: string, type: number, values: number[] = [0], valid = true): Variable =>
   ({ name, type, object_class: "", valid, certainty: 1, decay_per_s: 0, updated: { sec: 0, nsec: 0 }, values: Float64Array.from(values) }) as Variable;
@@ -26,6 +26,11 @@ describe("the order of the variables", () => {
   });
   it("stays as it was found, with what is new at its end", () => {
     expect(inOrder(items, ["trash", "noise", "gone"]).map(({ name }) => name).slice(0, 3)).toEqual(["trash", "noise", "camera"]);
+  });
+  it("is found anew for another robot, and for a program that reads other variables, and not for other numbers", () => {
+    const key = (limit: number, robot = "io", bits = "sees") => orderKey(robot, true, readIn({ transitions: [way("a", bits), way("b", "turned")] }, [{ ...trigger, limit }]));
+    expect(key(0.5)).toBe(key(0.9));
+    expect(new Set([key(0.5), key(0.5, "ganymede"), key(0.5, "io", "feels"), orderKey("io", false, new Set(["sees", "trash", "turned"]))]).size).toBe(4);
   });
   it("knows what has changed since an earlier sample", () => {
     const before = [variable("shaft", 1, [0]), variable("turned", 4), variable("sees", 4)];

@@ -27,11 +27,15 @@ async function messagesOf(path) {
 describe('a recorded team', () => {
   const leaving = [];
   const all = { after: (leave) => leaving.push(leave) };
-  after(async () => { for (const leave of leaving) await leave(); });
+  const leaveAll = async () => { for (const leave of leaving.splice(0)) await leave(); };
+  after(leaveAll);
   const cwd = scratchFolder(all);
   const said = (args, options) => galilean(['replay', ...args], { cwd, ...options });
 
-  before(async () => {
+  // Where it fails, nobody calls `after`: what it has started would keep this process from its end.
+  before(() => recordTeam().catch((error) => leaveAll().finally(() => { throw error; })));
+
+  async function recordTeam() {
     const { team, domain, url } = await startTeam(all);
     await eventually(async () => (await getJson(`${url}/api/status`)).robots.length === 3);
     const recorder = new Running(all, ['record', '--out', 'run.mcap', '--duration', '6'], { domain, cwd });
@@ -47,7 +51,7 @@ describe('a recorded team', () => {
     assert.match(refused.stderr, /callisto, ganymede, io, referee and simulation are live in this DDS domain.*--anyway\n$/);
     assert.equal(refused.stdout, '');
     await team.stop();
-  });
+  }
 
   test('arrives as it was: every message, in order, with the same bytes, at the same time', async (t) => {
     const domain = freshDomain();

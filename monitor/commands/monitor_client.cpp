@@ -33,9 +33,13 @@ class Exchange {
 
   void start(const asio::ip::tcp::resolver::results_type& endpoints) {
     asio::async_connect(socket_, endpoints, [this](error_code error, const auto&) {
-      if (!failed(error)) write();
+      if (failed(error)) return;
+      is_connected_ = true;
+      write();
     });
   }
+  /// Returns whether the monitor may have got the request.
+  [[nodiscard]] bool was_sent() const { return is_connected_; }
   /// Returns the error of the exchange. Before its end, that is timed_out.
   [[nodiscard]] error_code error() const { return error_; }
   /// Returns all bytes of the answer.
@@ -62,6 +66,7 @@ class Exchange {
   std::string request_;
   std::string answer_;
   error_code error_ = asio::error::timed_out;
+  bool is_connected_ = false;
 };
 
 using Parser = http::response_parser<http::string_body>;
@@ -133,12 +138,12 @@ Result<MonitorClient> MonitorClient::at(const std::string& url, const std::strin
   return client;
 }
 
-Result<MonitorAnswer> MonitorClient::get(const std::string& path) const {
+Result<MonitorAnswer, Unanswered> MonitorClient::get(const std::string& path) const {
   return request("GET", path, {});
 }
 
-Result<MonitorAnswer> MonitorClient::post(const std::string& path,
-                                          const nlohmann::json& body) const {
+Result<MonitorAnswer, Unanswered> MonitorClient::post(const std::string& path,
+                                                      const nlohmann::json& body) const {
   return request("POST", path, json_text(body));
 }
 
@@ -150,29 +155,32 @@ std::string MonitorClient::message(const std::string& method, const std::string&
   return text + "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
 }
 
-Result<MonitorAnswer> MonitorClient::request(const std::string& method, const std::string& path,
-                                             const std::string& body) const {
-  const auto nobody = [&](const error_code& why) {
-    return Error{"no monitor answers at " + url_ + " (" + why.message() +
-                 "); start one with 'galilean monitor', or name another with --monitor"};
+Result<MonitorAnswer, Unanswered> MonitorClient::request(const std::string& method,
+                                                         const std::string& path,
+                                                         const std::string& body) const {
+  const auto nobody = [&](const error_code& why, bool was_sent) {
+    return Unanswered{{"no monitor answers at " + url_ + " (" + why.message() +
+                       "); start one with 'galilean monitor', or name another with --monitor"},
+                      was_sent};
   };
   asio::io_context io;
   error_code unknown;
   asio::ip::tcp::resolver resolver(io);
   const auto endpoints = resolver.resolve(without_brackets(host_), port_, unknown);
-  if (unknown) return nobody(unknown);
+  if (unknown) return nobody(unknown, false);
   Exchange exchange(io, message(method, path, body));
   exchange.start(endpoints);
   io.run_for(std::chrono::seconds(kTimeout_s));
-  if (exchange.error()) return nobody(exchange.error());
+  if (exchange.error()) return nobody(exchange.error(), exchange.was_sent());
   Parser parser;
-  if (const auto error = parse(parser, exchange.answer())) return nobody(error);
+  if (const auto error = parse(parser, exchange.answer())) return nobody(error, true);
   MonitorAnswer answer{static_cast<int>(parser.get().result_int()),
                        nlohmann::json(nlohmann::json::value_t::discarded)};
   if (auto body_read = read_json(parser.get().body())) answer.json = std::move(body_read).value();
   if (answer.ok() && !answer.json.is_object())
-    return Error{"what answers at " + url_ +
-                 " is no monitor of Galilean; name the monitor's address with --monitor"};
+    return Unanswered{{"what answers at " + url_ +
+                       " is no monitor of Galilean; name the monitor's address with --monitor"},
+                      true};
   return answer;
 }
 

@@ -18,6 +18,11 @@ struct MonitorAnswer {
   [[nodiscard]] std::string detail() const;
 };
 
+/// Why a request has no answer.
+struct Unanswered : Error {
+  bool was_sent = false;  ///< the monitor may have got the request, and may do what it asks for
+};
+
 /// A client of a monitor's HTTP interface, for commands in a terminal. Each request waits for its
 /// answer, at most kTimeout_s seconds.
 class MonitorClient {
@@ -34,9 +39,9 @@ class MonitorClient {
   /// Both return the monitor's answer, also if it is a refusal.
   /// Errors: nobody answers in time, the answer is no HTTP, or it is a success without the JSON
   /// object that a monitor sends.
-  [[nodiscard]] Result<MonitorAnswer> get(const std::string& path) const;
-  [[nodiscard]] Result<MonitorAnswer> post(const std::string& path,
-                                           const nlohmann::json& body) const;
+  [[nodiscard]] Result<MonitorAnswer, Unanswered> get(const std::string& path) const;
+  [[nodiscard]] Result<MonitorAnswer, Unanswered> post(const std::string& path,
+                                                       const nlohmann::json& body) const;
 
  private:
   MonitorClient(std::string url, std::string host, std::string port)
@@ -44,8 +49,9 @@ class MonitorClient {
   /// Returns the bytes of a request.
   [[nodiscard]] std::string message(const std::string& method, const std::string& path,
                                     const std::string& body) const;
-  [[nodiscard]] Result<MonitorAnswer> request(const std::string& method, const std::string& path,
-                                              const std::string& body) const;
+  [[nodiscard]] Result<MonitorAnswer, Unanswered> request(const std::string& method,
+                                                          const std::string& path,
+                                                          const std::string& body) const;
 
   std::string url_;
   std::string host_;

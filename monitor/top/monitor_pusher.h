@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <condition_variable>
-#include <functional>
-#include <mutex>
-#include <optional>
-#include <stop_token>
+#include <memory>
 #include <thread>
 
-#include "monitor/commands/monitor_client.h"
-#include "monitor/commands/push_options.h"
-#include "monitor/top/pusher.h"
+#include "monitor/top/push_worker.h"
 
 namespace galilean::monitor::top {
 
@@ -20,38 +14,20 @@ class MonitorPusher : public Pusher {
  public:
   /// `options` names the monitor, the token and the author.
   explicit MonitorPusher(PushOptions options);
+  /// As above, with another way to the monitor. `ask` may be called after the destructor.
+  MonitorPusher(PushOptions options, AskMonitor ask);
+  /// Waits only a moment: a request that nobody answers goes on without this.
   ~MonitorPusher() override;
 
-  [[nodiscard]] std::string hindrance() const override;
-  void check(const PushWish& wish) override;
-  void push(bool with_canary) override;
-  void cancel() override;
-  [[nodiscard]] PushReport report() const override;
+  [[nodiscard]] std::string hindrance() const override { return worker_->hindrance(); }
+  void check(const PushWish& wish) override { worker_->check(wish); }
+  void push(bool with_canary) override { worker_->push(with_canary); }
+  void cancel() override { worker_->cancel(); }
+  [[nodiscard]] PushReport report() const override { return worker_->report(); }
 
  private:
-  using Job = std::function<void(const std::stop_token&)>;
-
-  void order(Job job);
-  void run(const std::stop_token& stop);
-  void ask_for_rights();
-  void check_now(const PushWish& wish);
-  void push_now(bool with_canary, const std::stop_token& stop);
-  [[nodiscard]] Result<std::vector<bhdl::SourceFile>> files_of(const PushWish& wish);
-  [[nodiscard]] Result<nlohmann::json> get(const std::string& path) const;
-  void tell(PushReport report);
-  void refuse(const std::string& why);
-
-  PushOptions options_;
-  PushWish wish_;                        ///< for the thread
-  std::vector<bhdl::SourceFile> files_;  ///< what was checked; for the thread
-
-  mutable std::mutex mutex_;
-  std::condition_variable_any woken_;
-  std::optional<Job> job_;  ///< under `mutex_`
-  bool cancelled_ = false;  ///< under `mutex_`
-  std::string hindrance_;   ///< under `mutex_`
-  PushReport report_;       ///< under `mutex_`
-  std::jthread thread_;
+  std::shared_ptr<PushWorker> worker_;  ///< shared with the thread, which may outlive this
+  std::thread thread_;
 };
 
 }  // namespace galilean::monitor::top

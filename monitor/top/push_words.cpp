@@ -96,4 +96,13 @@ PushReport report_of_refusal(const json& answer, const std::string& why) {
   return report;
 }
 
+PushReport report_of_silence(const PushReport& before, const std::string& why) {
+  PushReport report{
+      Stage::kUnknown,
+      "The monitor stopped answering",
+      {{"Whether the program was pushed is not known.", Style::kAlarm}, {why, Style::kDim}}};
+  report.lines.insert(report.lines.end(), before.lines.begin(), before.lines.end());
+  return report;
+}
+
 }  // namespace galilean::monitor::top

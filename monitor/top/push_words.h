@@ -17,5 +17,7 @@ namespace galilean::monitor::top {
 [[nodiscard]] PushReport report_of_push(const nlohmann::json& answer);
 /// Of an answer that is an error, with the sentence that says why.
 [[nodiscard]] PushReport report_of_refusal(const nlohmann::json& answer, const std::string& why);
+/// Of a monitor that stopped answering during the push that `before` tells of.
+[[nodiscard]] PushReport report_of_silence(const PushReport& before, const std::string& why);
 
 }  // namespace galilean::monitor::top

@@ -28,7 +28,8 @@ struct PushReport {
     kReady,    ///< it was checked, and waits for a yes
     kPushing,
     kDone,
-    kFailed
+    kFailed,
+    kUnknown  ///< the monitor stopped answering; whether it was pushed is not known
   };
   Stage stage = Stage::kNone;
   std::string title;

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/top/push_worker.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "bhdl/check.h"
+#include "core/failure.h"
+#include "monitor/commands/push_session.h"
+#include "monitor/pushes/history/json.h"
+#include "monitor/pushes/history/words.h"
+#include "monitor/top/push_words.h"
+
+namespace galilean::monitor::top {
+namespace {
+
+using nlohmann::json;
+using Stage = PushReport::Stage;
+
+constexpr auto kAskForRightsEach = std::chrono::seconds(5);
+constexpr auto kLookEach = std::chrono::milliseconds(200);
+
+/// Returns the path with the home folder in place of "~".
+std::string with_home(const std::string& path) {
+  const char* home = std::getenv("HOME");
+  return home && path.starts_with("~/") ? home + path.substr(1) : path;
+}
+
+/// Returns the newest push that was done and brought another program than the one that runs.
+std::string last_good_hash(const json& pushes, const std::string& runs_hash) {
+  for (const auto& push : pushes.value("pushes", json::array())) {
+    const auto hash = push.value("hash", "");
+    if (push_state_of(push.value("state", "")) == PushState::kDone && hash != runs_hash &&
+        !hash.empty())
+      return hash;
+  }
+  return {};
+}
+
+/// Returns whether reading the file could wait for ever, as a FIFO does that nobody writes to.
+bool may_block(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none);
+}
+
+}  // namespace
+
+PushWorker::PushWorker(PushOptions options, AskMonitor ask)
+    : options_(std::move(options)), ask_(std::move(ask)) {}
+
+std::string PushWorker::hindrance() const {
+  const std::lock_guard lock(mutex_);
+  return hindrance_;
+}
+
+PushReport PushWorker::report() const {
+  const std::lock_guard lock(mutex_);
+  return report_;
+}
+
+void PushWorker::tell(PushReport report) {
+  const std::lock_guard lock(mutex_);
+  report_ = std::move(report);
+}
+
+void PushWorker::check(const PushWish& wish) {
+  const std::lock_guard lock(mutex_);
+  checked_.reset();
+  report_ = {Stage::kChecking, "Push", {{"The monitor checks the program."}}};
+  job_ = [this, wish, number = ++newest_check_] { check_now(wish, number); };
+  woken_.notify_all();
+}
+
+void PushWorker::push(bool with_canary) {
+  const std::lock_guard lock(mutex_);
+  if (!checked_) return;
+  report_ = {Stage::kPushing, "Push", {{"The push was ordered."}}};
+  cancelled_ = false;
+  job_ = [this, with_canary, checked = *std::exchange(checked_, std::nullopt)] {
+    push_now(checked, with_canary);
+  };
+  woken_.notify_all();
+}
+
+void PushWorker::cancel() {
+  const std::lock_guard lock(mutex_);
+  if (report_.stage == Stage::kPushing) {
+    cancelled_ = true;
+    return woken_.notify_all();
+  }
+  ++newest_check_;  // A check that still runs ends for nobody.
+  checked_.reset();
+  report_ = {};
+}
+
+void PushWorker::end() {
+  const std::lock_guard lock(mutex_);
+  ends_ = true;
+  woken_.notify_all();
+}
+
+bool PushWorker::wait_for_end(std::chrono::milliseconds most) {
+  std::unique_lock lock(mutex_);
+  return woken_.wait_for(lock, most, [this] { return ended_; });
+}
+
+void PushWorker::run() {
+  for (;;) {
+    if (const auto asked = attempt([this] { ask_for_rights(); }); !asked) {
+      const std::lock_guard lock(mutex_);
+      hindrance_ = asked.error().message;
+    }
+    std::optional<Job> job;
+    {
+      std::unique_lock lock(mutex_);
+      woken_.wait_for(lock, kAskForRightsEach, [this] { return job_.has_value() || ends_; });
+      job.swap(job_);
+      if (ends_) break;
+    }
+    if (job) (*job)();
+  }
+  const std::lock_guard lock(mutex_);
+  ended_ = true;
+  woken_.notify_all();
+}
+
+Result<json> PushWorker::get(const std::string& path) const {
+  const auto answer = ask_(path, {});
+  if (!answer) return Error{answer.error().message};
+  if (!answer.value().ok()) return Error{answer.value().detail()};
+  return answer.value().json;
+}
+
+void PushWorker::ask_for_rights() {
+  const auto status = get("/api/status");
+  std::string hindrance;
+  if (!status)
+    hindrance = status.error().message;
+  else if (!status.value().value("may_steer", false))
+    hindrance = "the monitor's operator token is needed to push; name its file with --token-file";
+  const std::lock_guard lock(mutex_);
+  hindrance_ = std::move(hindrance);
+}
+
+Result<std::vector<bhdl::SourceFile>> PushWorker::files_of(const PushWish& wish) const {
+  if (!wish.file.empty()) {
+    const auto path = with_home(wish.file);
+    if (may_block(path)) return Error{wish.file + " is no regular file"};
+    // This only collects the includes. The monitor checks against the robots' catalogs.
+    auto files = bhdl::check_file(path, Catalog{}).files;
+    if (files.empty()) return Error{wish.file + " cannot be read"};
+    return files;
+  }
+  const auto pushes = get("/api/pushes");
+  if (!pushes) return pushes.error();
+  const auto hash = last_good_hash(pushes.value(), wish.runs_hash);
+  if (hash.empty()) return Error{"the monitor knows no other program that was pushed"};
+  const auto pushed = get("/api/pushed/" + hash);
+  if (!pushed) return pushed.error();
+  return files_from_json(pushed.value().value("files", json::array()));
+}
+
+void PushWorker::finish_check(std::uint64_t number, PushReport report,
+                              std::optional<Checked> checked) {
+  const std::lock_guard lock(mutex_);
+  if (number != newest_check_) return;
+  report_ = std::move(report);
+  checked_ = std::move(checked);
+}
+
+void PushWorker::check_now(const PushWish& wish, std::uint64_t number) {
+  const auto refuse = [&](const std::string& why) {
+    finish_check(number, report_of_refusal({}, why), {});
+  };
+  const auto done = attempt([&] {
+    auto files = files_of(wish);
+    if (!files) return refuse(files.error().message);
+    json request{{"files", to_json(files.value())}};
+    if (wish.robots.size() == 1) request["robot"] = wish.robots[0];
+    if (!wish.runs.empty()) request["against"] = to_json(wish.runs);
+    const auto answer = ask_("/api/check", request);
+    if (!answer) return refuse(answer.error().message);
+    if (!answer.value().ok()) return refuse(answer.value().detail());
+    auto report = report_of_check(answer.value().json, files.value()[0].path);
+    finish_check(number, std::move(report), Checked{wish, std::move(files).value()});
+  });
+  if (!done) refuse(done.error().message);
+}
+
+void PushWorker::push_now(const Checked& checked, bool with_canary) {
+  if (take_cancel()) return tell(report_of_refusal({}, "it was cancelled before it was sent"));
+  PushOptions options = options_;
+  options.robots = checked.wish.robots;
+  options.replaces = checked.wish.robots.size() == 1 ? checked.wish.runs_hash : "";
+  if (with_canary) options.canary = checked.wish.canary;
+  const auto done = attempt([&] { follow(push_request(checked.files, options)); });
+  if (!done) tell(report_of_silence(report(), done.error().message));
+}
+
+void PushWorker::follow(const json& request) {
+  auto answer = ask_("/api/push", request);
+  if (!answer)
+    return tell(answer.error().was_sent ? report_of_silence(report(), answer.error().message)
+                                        : report_of_refusal({}, answer.error().message));
+  if (!answer.value().ok())
+    return tell(report_of_refusal(answer.value().json, answer.value().detail()));
+  const auto path = "/api/pushes/" + answer.value().json.value("id", "");
+  for (;;) {
+    tell(report_of_push(answer.value().json));
+    if (report().stage != Stage::kPushing || !pause()) return;
+    if (take_cancel()) static_cast<void>(ask_(path + "/cancel", json{{"author", options_.author}}));
+    answer = ask_(path, {});
+    if (!answer) return tell(report_of_silence(report(), answer.error().message));
+    if (!answer.value().ok()) return tell(report_of_silence(report(), answer.value().detail()));
+  }
+}
+
+bool PushWorker::pause() {
+  std::unique_lock lock(mutex_);
+  woken_.wait_for(lock, kLookEach, [this] { return ends_ || cancelled_; });
+  return !ends_;
+}
+
+bool PushWorker::take_cancel() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(cancelled_, false);
+}
+
+}  // namespace galilean::monitor::top

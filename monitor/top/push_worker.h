@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "monitor/commands/monitor_client.h"
+#include "monitor/commands/push_options.h"
+#include "monitor/top/pusher.h"
+
+namespace galilean::monitor::top {
+
+/// Sends a request to the monitor: GET where there is no body, else POST. Waits for the answer.
+using AskMonitor = std::function<Result<MonitorAnswer, Unanswered>(
+    const std::string& path, const std::optional<nlohmann::json>& body)>;
+
+/// Checks and pushes programs through a monitor in the thread that calls `run`. Any thread may call
+/// the other functions, and none of them waits for the monitor.
+class PushWorker {
+ public:
+  PushWorker(PushOptions options, AskMonitor ask);
+
+  /// Works until `end` is called.
+  void run();
+  /// Lets `run` return once its present request is answered.
+  void end();
+  /// Waits until `run` has returned. Returns false if it has not within `most`.
+  [[nodiscard]] bool wait_for_end(std::chrono::milliseconds most);
+
+  // As Pusher's.
+  [[nodiscard]] std::string hindrance() const;
+  void check(const PushWish& wish);
+  void push(bool with_canary);
+  void cancel();
+  [[nodiscard]] PushReport report() const;
+
+ private:
+  using Job = std::function<void()>;
+  /// A program that passed its check.
+  struct Checked {
+    PushWish wish;
+    std::vector<bhdl::SourceFile> files;
+  };
+
+  void ask_for_rights();
+  void check_now(const PushWish& wish, std::uint64_t number);
+  void finish_check(std::uint64_t number, PushReport report, std::optional<Checked> checked);
+  void push_now(const Checked& checked, bool with_canary);
+  void follow(const nlohmann::json& request);
+  /// Waits until it is time to ask for the push's state again. Returns false at the end.
+  [[nodiscard]] bool pause();
+  /// Returns true once after the push was cancelled.
+  [[nodiscard]] bool take_cancel();
+  [[nodiscard]] Result<std::vector<bhdl::SourceFile>> files_of(const PushWish& wish) const;
+  [[nodiscard]] Result<nlohmann::json> get(const std::string& path) const;
+  void tell(PushReport report);
+
+  const PushOptions options_;
+  const AskMonitor ask_;
+
+  mutable std::mutex mutex_;  ///< guards what follows
+  std::condition_variable woken_;
+  std::optional<Job> job_;
+  bool cancelled_ = false;
+  bool ends_ = false, ended_ = false;
+  std::string hindrance_ = "the monitor has not answered yet";
+  PushReport report_;
+  std::uint64_t newest_check_ = 0;  ///< only the answer of this check counts
+  std::optional<Checked> checked_;
+};
+
+}  // namespace galilean::monitor::top

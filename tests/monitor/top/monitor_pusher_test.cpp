@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/top/monitor_pusher.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <atomic>
+#include <deque>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/temporary_folder.h"
+
+namespace galilean::monitor::top {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using Answer = Result<MonitorAnswer, Unanswered>;
+using Stage = PushReport::Stage;
+
+constexpr const char* kProgram = "states:\n  state:\n    name: \"wait\"\n  end\nend\n";
+
+/// A monitor that answers each request when it is told to.
+class ScriptedMonitor {
+ public:
+  /// Adds the answer to a request for this path. The request waits until there is one.
+  void answer(const std::string& path, Answer answer) {
+    const std::lock_guard lock(mutex_);
+    answers_[path].push_back(std::move(answer));
+    changed_.notify_all();
+  }
+  Answer ask(const std::string& path) {
+    if (path == "/api/status") return MonitorAnswer{200, json{{"may_steer", true}}};
+    std::unique_lock lock(mutex_);
+    ++asked_[path];
+    changed_.notify_all();
+    changed_.wait(lock, [&] { return !answers_[path].empty(); });
+    Answer answer = answers_[path].front();
+    answers_[path].pop_front();
+    return answer;
+  }
+  /// Waits until the path has been asked for so many times.
+  void wait_for(const std::string& path, int times = 1) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return asked_[path] >= times; });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::map<std::string, std::deque<Answer>> answers_;
+  std::map<std::string, int> asked_;
+};
+
+class MonitorPusherTest : public testing::Test {
+ protected:
+  std::string file(const std::string& name) {
+    std::ofstream(folder.path() / name) << kProgram;
+    return folder.path() / name;
+  }
+  /// Waits until the report is at this stage, and returns it.
+  PushReport wait_for(Stage stage) {
+    const auto begin = std::chrono::steady_clock::now();
+    while (pusher->report().stage != stage &&
+           std::chrono::steady_clock::now() - begin < std::chrono::seconds(10))
+      std::this_thread::yield();
+    return pusher->report();
+  }
+  void check(const std::string& name) {
+    pusher->check({.file = file(name)});
+    monitor->answer("/api/check", MonitorAnswer{200, json{{"ok", true}, {"hash", "3f2a91c0"}}});
+    ASSERT_EQ(wait_for(Stage::kReady).stage, Stage::kReady);
+  }
+
+  TemporaryFolder folder;
+  std::shared_ptr<ScriptedMonitor> monitor = std::make_shared<ScriptedMonitor>();
+  std::optional<MonitorPusher> pusher{
+      std::in_place, PushOptions{},
+      [monitor = monitor](const std::string& path, const auto&) { return monitor->ask(path); }};
+};
+
+TEST_F(MonitorPusherTest, AMonitorThatStopsAnsweringLeavesThePushUnknown) {
+  check("office.bhdl");
+  pusher->push(false);
+  monitor->answer("/api/push", MonitorAnswer{200, json{{"id", "7"}, {"state", "running"}}});
+  monitor->answer("/api/pushes/7", Unanswered{{"timed out"}, true});
+  const auto report = wait_for(Stage::kUnknown);
+  EXPECT_EQ(report.title, "The monitor stopped answering");
+  ASSERT_GE(report.lines.size(), 2u);
+  EXPECT_EQ(report.lines[0].text, "Whether the program was pushed is not known.");
+  EXPECT_EQ(report.lines[1].text, "timed out");
+}
+
+TEST_F(MonitorPusherTest, AnOrderThatNobodyConfirmedMayHaveArrived) {
+  check("office.bhdl");
+  pusher->push(false);
+  monitor->answer("/api/push", Unanswered{{"timed out"}, true});
+  EXPECT_EQ(wait_for(Stage::kUnknown).stage, Stage::kUnknown);
+}
+
+TEST_F(MonitorPusherTest, AnOrderThatCouldNotBeSentPushedNothing) {
+  check("office.bhdl");
+  pusher->push(false);
+  monitor->answer("/api/push", Unanswered{{"connection refused"}});
+  EXPECT_EQ(wait_for(Stage::kRefused).title, "Nothing was pushed");
+}
+
+TEST_F(MonitorPusherTest, OnlyTheAnswerOfTheNewestCheckCounts) {
+  pusher->check({.file = file("first.bhdl")});
+  monitor->wait_for("/api/check");
+  pusher->cancel();
+  pusher->check({.file = file("second.bhdl")});
+  monitor->answer("/api/check", MonitorAnswer{200, json{{"ok", true}, {"hash", "11111111"}}});
+  monitor->wait_for("/api/check", 2);  // so the first one's answer was handled
+  EXPECT_EQ(pusher->report().stage, Stage::kChecking);
+  pusher->push(false);
+  EXPECT_EQ(pusher->report().stage, Stage::kChecking);  // nothing is checked that could be pushed
+  monitor->answer("/api/check", MonitorAnswer{200, json{{"ok", true}, {"hash", "22222222"}}});
+  EXPECT_THAT(wait_for(Stage::kReady).title, HasSubstr("second.bhdl 22222222"));
+}
+
+TEST_F(MonitorPusherTest, ACheckThatEndsAfterItWasCancelledIsForgotten) {
+  pusher->check({.file = file("first.bhdl")});
+  monitor->wait_for("/api/check");
+  pusher->cancel();
+  monitor->answer("/api/check", MonitorAnswer{200, json{{"ok", true}}});
+  check("second.bhdl");
+  pusher->cancel();
+  EXPECT_EQ(pusher->report().stage, Stage::kNone);
+  pusher->push(false);
+  EXPECT_EQ(pusher->report().stage, Stage::kNone);
+}
+
+TEST_F(MonitorPusherTest, QuittingDoesNotWaitForTheMonitor) {
+  pusher->check({.file = file("office.bhdl")});
+  monitor->wait_for("/api/check");
+  pusher.reset();  // returns, though nobody answers
+  monitor->answer("/api/check", MonitorAnswer{200, json{{"ok", true}}});
+}
+
+TEST_F(MonitorPusherTest, AFifoIsNoProgram) {
+  const std::string path = folder.path() / "fifo.bhdl";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  pusher->check({.file = path});
+  const auto report = wait_for(Stage::kRefused);
+  ASSERT_FALSE(report.lines.empty());
+  EXPECT_THAT(report.lines[0].text, HasSubstr("fifo.bhdl is no regular file"));
+}
+
+}  // namespace
+}  // namespace galilean::monitor::top

@@ -32,14 +32,18 @@ class ScriptedMonitor {
     changed_.notify_all();
   }
   Answer ask(const std::string& path) {
-    if (path == "/api/status") return MonitorAnswer{200, json{{"may_steer", true}}};
     std::unique_lock lock(mutex_);
     ++asked_[path];
     changed_.notify_all();
+    if (path == "/api/status") return MonitorAnswer{200, json{{"may_steer", true}}};
     changed_.wait(lock, [&] { return !answers_[path].empty(); });
     Answer answer = answers_[path].front();
     answers_[path].pop_front();
     return answer;
+  }
+  [[nodiscard]] int asked(const std::string& path) {
+    const std::lock_guard lock(mutex_);
+    return asked_[path];
   }
   /// Waits until the path has been asked for so many times.
   void wait_for(const std::string& path, int times = 1) {
@@ -125,9 +129,9 @@ TEST_F(MonitorPusherTest, ACheckThatEndsAfterItWasCancelledIsForgotten) {
   pusher->check({.file = file("first.bhdl")});
   monitor->wait_for("/api/check");
   pusher->cancel();
+  const int before = monitor->asked("/api/status");
   monitor->answer("/api/check", MonitorAnswer{200, json{{"ok", true}}});
-  check("second.bhdl");
-  pusher->cancel();
+  monitor->wait_for("/api/status", before + 1);  // which is asked when the check has ended
   EXPECT_EQ(pusher->report().stage, Stage::kNone);
   pusher->push(false);
   EXPECT_EQ(pusher->report().stage, Stage::kNone);

@@ -78,7 +78,23 @@ std::string& Dashboard::typed() {
   return tab_ == Tab::kVariables ? choice_.variable_filter : choice_.robot_filter;
 }
 
+bool Dashboard::types() const noexcept {
+  return mode_ == Mode::kFilter || mode_ == Mode::kFile;
+}
+
+bool Dashboard::stops_all(const Press& press) const noexcept {
+  if (press.key == Key::kStop) return true;
+  const bool is_text = types() && has_typed_ && !is_too_small_;
+  return press.letter == '.' && !is_text;
+}
+
+void Dashboard::begin_text(Mode mode) {
+  mode_ = mode;
+  has_typed_ = false;
+}
+
 void Dashboard::press_with_text(const Press& press) {
+  has_typed_ = true;
   std::string& text = typed();
   if (press.key == Key::kLetter) text += press.letter;
   if (press.key == Key::kBackspace && !text.empty()) text.pop_back();
@@ -138,10 +154,9 @@ void Dashboard::press_with_team(const Press& press) {
 bool Dashboard::press(const Press& press) {
   if (press.key == Key::kNone) return true;
   is_settled_ = is_settled_ || !choice_.robot.empty();
-  const bool types = mode_ == Mode::kFilter || mode_ == Mode::kFile;
-  if (types) return press_with_text(press), true;
   // Whatever is asked or shown, STOP ALL works.
-  if (press.letter == '.') return stop_all(), true;
+  if (stops_all(press)) return stop_all(), true;
+  if (types()) return press_with_text(press), true;
   if (mode_ == Mode::kQuestion) return answer(press.letter), true;
   if (press.letter == 'q') return false;
   if (mode_ == Mode::kHelp)
@@ -171,12 +186,13 @@ Surroundings Dashboard::surroundings() const {
     around.remark = lasting(to_seconds(now - *instant_)) + " ago (l: now)";
   else if (!parts_.pusher.hindrance().empty())
     around.remark = "cannot push";
-  if (mode_ == Mode::kQuestion) around.footer = question_ + " y / n";
-  if (mode_ == Mode::kFile) around.footer = "Push which file? " + file_ + "_  Enter, Esc";
+  if (mode_ == Mode::kQuestion) around.footer = question_ + " y / n   . STOP ALL";
+  if (mode_ == Mode::kFile)
+    around.footer = "Push which file? " + file_ + "_  Enter, Esc, Ctrl-X STOP ALL";
   if (mode_ == Mode::kFilter)
     around.footer = std::string(tab_ == Tab::kVariables ? "Variables" : "Robots") + " with: " +
                     (tab_ == Tab::kVariables ? choice_.variable_filter : choice_.robot_filter) +
-                    "_  Enter keeps it, Esc shows all";
+                    "_  Enter keeps it, Esc shows all, Ctrl-X STOP ALL";
   if (around.footer.empty() && !notice_.empty() && now - noticed_ < kNoticeShown)
     around.footer = notice_;
   return around;
@@ -185,7 +201,8 @@ Surroundings Dashboard::surroundings() const {
 Canvas Dashboard::draw(int columns, int rows) {
   Screen screen = lay_out(view(), surroundings(), columns, rows);
   regions_ = std::move(screen.regions);
-  if (columns >= kLeastColumns && rows >= kLeastRows) scrolls_ = screen.scrolls;
+  is_too_small_ = columns < kLeastColumns || rows < kLeastRows;
+  if (!is_too_small_) scrolls_ = screen.scrolls;
   if (mode_ == Mode::kHelp) lay_over(help_, screen.canvas);
   if (mode_ == Mode::kPush) {
     const PushReport report = parts_.pusher.report();

@@ -43,6 +43,11 @@ class Dashboard {
 
   bool press_letter(char letter);
   void press_with_team(const Press& press);
+  /// Returns whether the key is to stop all robots. Where a text is typed, a dot is one only as the
+  /// first key, because it may belong to the text.
+  [[nodiscard]] bool stops_all(const Press& press) const noexcept;
+  [[nodiscard]] bool types() const noexcept;
+  void begin_text(Mode mode);
   void press_with_text(const Press& press);
   void press_with_sheet(const Press& press);
   void click(const Press& press);
@@ -90,6 +95,8 @@ class Dashboard {
   std::string question_;
   std::function<void()> yes_;
   std::string file_;
+  bool has_typed_ = false;     ///< since the text was asked for
+  bool is_too_small_ = false;  ///< nobody sees what is asked or typed
   PushWish wish_;
   bool with_canary_ = false;
   std::optional<Time> stop_ordered_;

@@ -134,7 +134,7 @@ bool Dashboard::press_letter(char letter) {
       begin_push(true, to_all);
       break;
     case '/':
-      mode_ = Mode::kFilter;
+      begin_text(Mode::kFilter);
       break;
     case '?':
       mode_ = Mode::kHelp;
@@ -162,7 +162,7 @@ void Dashboard::begin_push(bool last_good, bool to_all) {
     for (const auto& file : robot->program->files) wish_.runs.push_back({file.path, file.text});
   }
   if (last_good) return check("");
-  mode_ = Mode::kFile;
+  begin_text(Mode::kFile);
 }
 
 void Dashboard::check(const std::string& file) {

@@ -15,6 +15,7 @@ Sheet help_sheet() {
       "a, A         the first alarm was seen; all were seen",
       "",
       ".            STOP ALL, at once; the line on top says who has not confirmed it",
+      "Ctrl-X       STOP ALL, also in a text, where . stops only as the first key",
       "h, H         hold: the robot chosen, or all, stand still until resumed",
       "r, R         resume the robot chosen, or all; asks first",
       "s, S         start: push a bumper, which is what the start state waits for",

@@ -127,7 +127,7 @@ Screen too_small(const std::string& footer, int columns, int rows) {
   screen.canvas.put(1, 0,
                     std::to_string(columns) + " × " + std::to_string(rows) + " cells, needs " +
                         std::to_string(kLeastColumns) + " × " + std::to_string(kLeastRows) + ".");
-  screen.canvas.put(2, 0, ". stops all robots, q quits.");
+  screen.canvas.put(2, 0, ". stops all robots, Ctrl-C quits.");
   screen.canvas.put(4, 0, footer, Style::kStop);
   return screen;
 }

@@ -10,6 +10,7 @@ namespace galilean::monitor::top {
 namespace {
 
 constexpr char kEsc = '\x1b';
+constexpr char kCtrlX = '\x18';
 constexpr std::size_t kLongestSequence = 32;
 
 Key key_of_final(char last) {
@@ -72,11 +73,18 @@ Press press_of_byte(char byte) {
     case '\b':
     case '\x7f':
       return {Key::kBackspace};
+    case kCtrlX:
+      return {Key::kStop};
     default:
       break;
   }
   if (byte >= ' ' && byte <= '~') return {Key::kLetter, byte};
   return {Key::kOther};
+}
+
+/// Returns whether the byte is a key that stops all robots, which no terminal sends in a sequence.
+bool is_stop(char byte) {
+  return byte == '.' || byte == kCtrlX;
 }
 
 }  // namespace
@@ -94,8 +102,9 @@ Press KeyReader::take_first(std::size_t count, const Press& press) {
 
 Press KeyReader::take_sequence(bool is_all) {
   if (bytes_.size() == 1) return is_all ? take_first(1, {Key::kEscape}) : Press{};
-  if (bytes_[1] == kEsc) return take_first(1, {Key::kEscape});
+  if (bytes_[1] == kEsc || is_stop(bytes_[1])) return take_first(1, {Key::kEscape});
   if (bytes_[1] == 'O') {
+    if (bytes_.size() >= 3 && is_stop(bytes_[2])) return take_first(2, {Key::kOther});
     if (bytes_.size() >= 3) return take_first(3, {key_of_final(bytes_[2])});
     return is_all ? take_first(2, {Key::kOther}) : Press{};
   }
@@ -104,7 +113,7 @@ Press KeyReader::take_sequence(bool is_all) {
     const char byte = bytes_[at];
     if (byte >= '@' && byte <= '~')
       return take_first(at + 1, press_of(std::string_view(bytes_).substr(2, at - 2), byte));
-    if (byte < ' ' || at > kLongestSequence) return take_first(at, {Key::kOther});
+    if (byte < ' ' || is_stop(byte) || at > kLongestSequence) return take_first(at, {Key::kOther});
   }
   return is_all ? take_first(bytes_.size(), {Key::kOther}) : Press{};
 }

@@ -22,6 +22,7 @@ enum class Key : std::uint8_t {
   kEnter,
   kEscape,
   kBackspace,
+  kStop,  ///< Ctrl-X
   kClick,
   kWheelUp,
   kWheelDown,

@@ -118,6 +118,24 @@ TEST_F(Steered, StopAllWorksInASmallWindowAndWhileAQuestionIsAsked) {
   EXPECT_THAT(dashboard.draw(40, 10).text(), HasSubstr("STOP ALL: 0 of 3"));
 }
 
+TEST_F(Steered, StopAllWorksWhileATextIsTyped) {
+  press("p.");  // a person in a hurry looks at no prompt
+  EXPECT_EQ(said, Said{"hold"});
+  EXPECT_THAT(screen(), HasSubstr("Push which file? _  Enter, Esc, Ctrl-X STOP ALL"));
+  press("a.b");
+  EXPECT_EQ(said.size(), 1u);
+  EXPECT_THAT(screen(), HasSubstr("Push which file? a.b_"));
+  press(Key::kStop);
+  EXPECT_EQ(said.size(), 2u);
+  (void)dashboard.draw(40, 10);
+  press(".");  // nobody sees that a text is typed
+  EXPECT_EQ(said.size(), 3u);
+  EXPECT_THAT(screen(), HasSubstr("Push which file? a.b_"));
+  press(Key::kEscape);
+  press("/.");
+  EXPECT_EQ(said.size(), 4u);
+}
+
 TEST_F(Steered, SilentRobotsComeFirst) {
   clock.advance(seconds(3));
   for (const char* name : {"callisto", "ganymede"}) tell_of({.robot = name, .x_m = 1});

@@ -62,6 +62,18 @@ TEST(Keys, EscapeAloneIsAKey) {
   EXPECT_EQ(presses("\x1b\x1b[A"), (std::vector<Press>{{Key::kEscape}, {Key::kUp}}));
 }
 
+TEST(Keys, StopIsReadWhateverStandsBeforeIt) {
+  const Press stop{Key::kLetter, '.'};
+  EXPECT_EQ(presses("\x1b."), (std::vector<Press>{{Key::kEscape}, stop}));
+  for (const char* begun : {"\x1bO", "\x1b[", "\x1b[1;"}) {
+    const auto read = presses(std::string(begun) + ".");
+    ASSERT_FALSE(read.empty());
+    EXPECT_EQ(read.back(), stop) << begun;
+  }
+  EXPECT_EQ(presses("\x18\x1b\x18"),
+            (std::vector<Press>{{Key::kStop}, {Key::kEscape}, {Key::kStop}}));
+}
+
 TEST(Keys, WhateverIsSentIsTakenToItsEnd) {
   std::string bytes;
   for (int i = 0; i < 5000; ++i) bytes += static_cast<char>(i * 7919 >> 3);

@@ -12,6 +12,7 @@ namespace {
 constexpr char kEsc = '\x1b';
 constexpr char kCtrlX = '\x18';
 constexpr std::size_t kLongestSequence = 32;
+constexpr std::size_t kOldMouse = 6;  ///< bytes of ESC [ M, the button, the column and the row
 
 Key key_of_final(char last) {
   constexpr std::array<std::pair<char, Key>, 6> kKeys{{{'A', Key::kUp},
@@ -109,6 +110,10 @@ Press KeyReader::take_sequence(bool is_all) {
     return is_all ? take_first(2, {Key::kOther}) : Press{};
   }
   if (bytes_[1] != '[') return take_first(2, {Key::kOther});  // Alt with a letter
+  if (bytes_.size() >= 3 && bytes_[2] == 'M') {
+    if (bytes_.size() < kOldMouse && !is_all) return {};
+    return take_first(kOldMouse, {Key::kOther});
+  }
   for (std::size_t at = 2; at < bytes_.size(); ++at) {
     const char byte = bytes_[at];
     if (byte >= '@' && byte <= '~')

@@ -39,7 +39,7 @@ struct Press {
 };
 
 /// Takes keys out of what a terminal sends: characters, escape sequences as xterm has them, and
-/// the mouse in its form 1006.
+/// the mouse in its form 1006. Reports of the mouse in its old form are swallowed.
 class KeyReader {
  public:
   void feed(std::string_view bytes) { bytes_ += bytes; }

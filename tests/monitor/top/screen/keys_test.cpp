@@ -74,6 +74,17 @@ TEST(Keys, StopIsReadWhateverStandsBeforeIt) {
             (std::vector<Press>{{Key::kStop}, {Key::kEscape}, {Key::kStop}}));
 }
 
+TEST(Keys, AnOldMouseReportIsSwallowed) {
+  EXPECT_EQ(presses("\x1b[M .qs"), (std::vector<Press>{{Key::kOther}, {Key::kLetter, 's'}}));
+  KeyReader reader;
+  reader.feed("\x1b[M .");
+  EXPECT_EQ(reader.take(false), Press{});
+  reader.feed("q");
+  EXPECT_EQ(presses(reader), std::vector<Press>{{Key::kOther}});
+  reader.feed("\x1b[M ");
+  EXPECT_EQ(presses(reader), std::vector<Press>{{Key::kOther}});
+}
+
 TEST(Keys, WhateverIsSentIsTakenToItsEnd) {
   std::string bytes;
   for (int i = 0; i < 5000; ++i) bytes += static_cast<char>(i * 7919 >> 3);

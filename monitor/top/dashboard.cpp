@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "monitor/top/model/stop_order.h"
 #include "monitor/top/panels/help.h"
 
 namespace galilean::monitor::top {
@@ -144,7 +143,7 @@ void Dashboard::press_with_team(const Press& press) {
     case Key::kEscape:
       choice_.robot_filter.clear();
       choice_.variable_filter.clear();
-      stop_ordered_.reset();
+      stop_order_.reset();
       return;
     default:
       return;
@@ -179,9 +178,8 @@ View Dashboard::view() const {
 Surroundings Dashboard::surroundings() const {
   const Time now = parts_.clock.now();
   Surroundings around{.tab = tab_, .scrolls = scrolls_};
-  if (stop_ordered_)
-    around.banner =
-        "STOP ALL: " + stop_sentence(stop_progress(parts_.model.team(), *stop_ordered_, now));
+  if (stop_order_)
+    around.banner = "STOP ALL: " + stop_sentence(stop_order_->progress(parts_.model.team(), now));
   if (instant_)
     around.remark = lasting(to_seconds(now - *instant_)) + " ago (l: now)";
   else if (!parts_.pusher.hindrance().empty())

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "monitor/top/model/past.h"
+#include "monitor/top/model/stop_order.h"
 #include "monitor/top/model/view.h"
 #include "monitor/top/operator.h"
 #include "monitor/top/panels/layout.h"
@@ -70,6 +71,8 @@ class Dashboard {
   void ask(std::string question, std::function<void()> yes);
   void answer(char letter);
   void stop_all();
+  /// Takes those that are resumed out of the order to stop.
+  void end_stop_of(const std::string& robot, bool of_all);
   void begin_push(bool last_good, bool to_all);
   void check(const std::string& file);
   void press_with_push(const Press& press);
@@ -99,7 +102,7 @@ class Dashboard {
   bool is_too_small_ = false;  ///< nobody sees what is asked or typed
   PushWish wish_;
   bool with_canary_ = false;
-  std::optional<Time> stop_ordered_;
+  std::optional<StopOrder> stop_order_;
   Time stop_told_{};
   std::optional<Time> all_stopped_;
 };

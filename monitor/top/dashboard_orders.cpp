@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "monitor/top/dashboard.h"
-#include "monitor/top/model/stop_order.h"
 
 namespace galilean::monitor::top {
 namespace {
@@ -45,11 +44,12 @@ void Dashboard::update() {
   const Team& team = parts_.model.team();
   board_.update(finder_.find(parts_.model, now), now);
   settle(now);
-  if (!stop_ordered_) return;
-  const auto progress = stop_progress(team, *stop_ordered_, now);
+  if (!stop_order_) return;
+  stop_order_->update(team);
+  const auto progress = stop_order_->progress(team, now);
   if (!progress.unconfirmed.empty()) all_stopped_.reset();
   if (progress.unconfirmed.empty() && !all_stopped_) all_stopped_ = now;
-  if (all_stopped_ && now - *all_stopped_ > kAllStoppedShown) return stop_ordered_.reset();
+  if (all_stopped_ && now - *all_stopped_ > kAllStoppedShown) return stop_order_.reset();
   if (progress.unconfirmed.empty() || now - stop_told_ < kTellAgainEach) return;
   stop_told_ = now;
   static_cast<void>(parts_.say(Operator::Word::kHold, names_of(progress.unconfirmed)));
@@ -66,7 +66,8 @@ void Dashboard::settle(Time now) {
 
 void Dashboard::stop_all() {
   const bool sent = parts_.say(Operator::Word::kHold, {});
-  stop_ordered_ = stop_told_ = parts_.clock.now();
+  stop_told_ = parts_.clock.now();
+  stop_order_.emplace(stop_told_);
   all_stopped_.reset();
   tell(sent ? "told all robots to stop; Esc ends the report"
             : "DDS did not take the order to stop; it is sent again every second");
@@ -79,11 +80,18 @@ std::string Dashboard::shown_robot() const {
 
 void Dashboard::say(Operator::Word word, const std::string& robot, bool to_all) {
   if (robot.empty()) return tell("No robot is heard that could be told.");
-  if (word == Operator::Word::kResume) stop_ordered_.reset();
+  if (word == Operator::Word::kResume) end_stop_of(robot, to_all);
   const bool sent =
       parts_.say(word, to_all ? std::vector<std::string>{} : std::vector<std::string>{robot});
   tell((sent ? "told " : "could not tell ") + (to_all ? "all robots" : robot) + " to " +
        words(word));
+}
+
+void Dashboard::end_stop_of(const std::string& robot, bool of_all) {
+  if (!stop_order_) return;
+  stop_order_->release(robot);
+  const auto rest = stop_order_->progress(parts_.model.team(), parts_.clock.now());
+  if (of_all || (rest.stopped.empty() && rest.unconfirmed.empty())) stop_order_.reset();
 }
 
 void Dashboard::ask(std::string question, std::function<void()> yes) {

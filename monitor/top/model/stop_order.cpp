@@ -8,12 +8,26 @@
 
 namespace galilean::monitor::top {
 
-StopProgress stop_progress(const Team& team, Time ordered, Time now) {
+bool StopOrder::is_answered_by(const Robot& robot) const {
+  return robot.state && robot.state_received > ordered_;
+}
+
+bool StopOrder::is_confirmed_by(const Robot& robot) const {
+  return is_answered_by(robot) && (robot.state->held || robot.state->out_of_service);
+}
+
+void StopOrder::update(const Team& team) {
+  for (const auto& [name, robot] : team.robots())
+    if (is_confirmed_by(robot)) confirmed_.insert(name);
+}
+
+StopProgress StopOrder::progress(const Team& team, Time now) const {
   StopProgress progress;
-  const double since_order_s = to_seconds(now - ordered);
+  const double since_order_s = to_seconds(now - ordered_);
   for (const auto& [name, robot] : team.robots()) {
-    const bool answers = robot.state && robot.state_received > ordered;
-    if (answers && (robot.state->held || robot.state->out_of_service))
+    if (released_.contains(name)) continue;
+    const bool answers = is_answered_by(robot);
+    if (confirmed_.contains(name) || is_confirmed_by(robot))
       progress.stopped.push_back(name);
     else
       progress.unconfirmed.push_back(

@@ -112,6 +112,29 @@ TEST_F(Steered, StopAllIsSaidAtOnceAndAgainToThoseWhoHaveNotConfirmed) {
   EXPECT_THAT(screen(), Not(HasSubstr("STOP ALL:")));
 }
 
+TEST_F(Steered, ResumingOneRobotLeavesTheOthersToldToStop) {
+  press(".ry");
+  EXPECT_EQ(said, (Said{"hold", "resume callisto"}));
+  clock.advance(milliseconds(1100));
+  tell_of({.robot = "callisto"});
+  dashboard.update();
+  EXPECT_EQ(said.back(), "hold ganymede io");
+  EXPECT_THAT(screen(), HasSubstr("STOP ALL: 0 of 2 stopped"));
+  press("Ry");
+  EXPECT_THAT(screen(), Not(HasSubstr("STOP ALL:")));
+}
+
+TEST_F(Steered, ARobotThatSomebodyElseResumesIsNotHeldAnew) {
+  press(".");
+  clock.advance(milliseconds(500));
+  tell_of({.robot = "callisto", .held = true});
+  dashboard.update();
+  clock.advance(milliseconds(600));
+  tell_of({.robot = "callisto"});
+  dashboard.update();
+  EXPECT_EQ(said.back(), "hold ganymede io");
+}
+
 TEST_F(Steered, StopAllWorksInASmallWindowAndWhileAQuestionIsAsked) {
   press("r.");
   EXPECT_EQ(said, Said{"hold"});

@@ -25,8 +25,8 @@ TEST(StopSentence, NamesWhoWaitsAndCountsTheRest) {
 TEST_F(Told, ARobotConfirmsByAStateThatCameAfterTheOrder) {
   tell_of({.held = true});
   clock.advance(seconds(1));
-  const Time ordered = clock.now();
-  const auto progress = [&] { return stop_progress(model.team(), ordered, clock.now()); };
+  const StopOrder order(clock.now());
+  const auto progress = [&] { return order.progress(model.team(), clock.now()); };
   EXPECT_EQ(progress().unconfirmed.size(), 1u);  // what it said before does not count
   clock.advance(milliseconds(100));
   tell_of({.held = false});
@@ -35,6 +35,18 @@ TEST_F(Told, ARobotConfirmsByAStateThatCameAfterTheOrder) {
   clock.advance(milliseconds(100));
   tell_of({.held = true});
   EXPECT_EQ(progress().stopped, std::vector<std::string>{"io"});
+}
+
+TEST_F(Told, ARobotThatConfirmedOnceIsDoneAndOneThatIsReleasedIsOutOfTheOrder) {
+  StopOrder order(clock.now());
+  clock.advance(milliseconds(100));
+  tell_of({.robot = "io", .held = true});
+  tell_of({.robot = "ganymede"});
+  order.update(model.team());
+  tell_of({.robot = "io", .held = false});  // somebody else resumed it
+  EXPECT_EQ(order.progress(model.team(), clock.now()).stopped, std::vector<std::string>{"io"});
+  order.release("ganymede");
+  EXPECT_TRUE(order.progress(model.team(), clock.now()).unconfirmed.empty());
 }
 
 }  // namespace

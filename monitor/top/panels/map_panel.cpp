@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "monitor/top/panels/panels.h"
+#include "monitor/top/panels/whole_number.h"
 #include "monitor/top/screen/utf8.h"
 
 namespace galilean::monitor::top {
@@ -86,8 +87,9 @@ class Projection {
  private:
   static std::pair<int, int> split(int begin, double cells, int parts) {
     const double whole = std::floor(cells);
-    const int part = static_cast<int>((cells - whole) * parts);
-    return {begin + static_cast<int>(whole), std::min(part, parts - 1)};
+    constexpr int kFarOutside = 100'000;
+    return {begin + whole_number(whole, -kFarOutside, kFarOutside),
+            whole_number(std::floor((cells - whole) * parts), 0, parts - 1)};
   }
 
   Area area_;

@@ -6,6 +6,7 @@
 
 #include "core/plural.h"
 #include "monitor/top/panels/panels.h"
+#include "monitor/top/panels/whole_number.h"
 
 namespace galilean::monitor::top {
 namespace {
@@ -17,16 +18,17 @@ std::string one_decimal(double number, const char* unit) {
 }
 
 std::string microseconds(double time_us) {
-  return std::to_string(std::lround(std::clamp(time_us, 0.0, 1e6))) + "µ";
+  return std::to_string(whole_number(time_us, 0, 1'000'000)) + "µ";
 }
 
 std::string percent(double fraction) {
-  return std::to_string(std::lround(fraction * 100)) + "%";
+  return std::to_string(whole_number(fraction * 100, 0, 100)) + "%";
 }
 
 std::string clock_text(double seconds) {
   std::array<char, 32> text{};
-  const int whole = static_cast<int>(seconds);
+  constexpr int kMost_s = 999 * 60 + 59;
+  const int whole = whole_number(std::floor(seconds), 0, kMost_s);
   std::snprintf(text.data(), text.size(), "%02d:%02d", whole / 60, whole % 60);
   return text.data();
 }

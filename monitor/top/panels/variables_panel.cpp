@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cmath>
 
 #include "monitor/top/panels/panels.h"
 #include "monitor/top/panels/sparkline.h"
+#include "monitor/top/panels/whole_number.h"
 #include "monitor/top/screen/utf8.h"
 
 namespace galilean::monitor::top {
 namespace {
 
 void draw_bar(int row, int column, int width, double certainty, Style style, Canvas& canvas) {
-  const int full = std::clamp(static_cast<int>(std::lround(certainty * width)), 0, width);
+  const int full = whole_number(certainty * width, 0, width);
   for (int i = 0; i < width; ++i)
     canvas.set(row, column + i, i < full ? U'█' : U'·', i < full ? style : Style::kDim);
 }
@@ -29,7 +29,7 @@ void draw_variable(const ShownVariable& variable, int row, const Area& area, Can
   const int bar = area.column + kName + 1;
   draw_bar(row, bar, kBar, variable.certainty, bar_style(variable.certainty), canvas);
   canvas.put_right(row, bar + kBar + kPercent,
-                   std::to_string(std::lround(variable.certainty * 100)) + "%", style);
+                   std::to_string(whole_number(variable.certainty * 100, 0, 100)) + "%", style);
   canvas.put(row, bar + kBar + kPercent + 1, variable.value, style,
              area.columns - (kName + 1 + kBar + kPercent + 1) - (curve > 0 ? curve + 1 : 0));
   if (curve > 0)

@@ -254,6 +254,22 @@ TEST(TopLayout, AMapOfNumbersThatAreNoneIsDrawnWithoutThem) {
   EXPECT_THAT(text_of(view, 80, 24), HasSubstr("*"));
 }
 
+TEST(TopLayout, NumbersThatNoCellHoldsAreDrawnWithinTheirBounds) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN(), kHuge = 1e308;
+  View view = team_of_three();
+  for (const double number : {kNone, kHuge, -kHuge}) {
+    view.robots[0].status.lowest_certainty = view.robots[0].status.tick_time_max_us = number;
+    view.variables[0].certainty = number;
+    view.variables[0].recent = {-kHuge, 0, kHuge};
+    view.score->remaining_s = number;
+    view.objects = {{"trash", {number, -number}, 1}, {"basket", {-number, number}, 1}};
+    const std::string screen = text_of(view, 120, 40);
+    EXPECT_THAT(screen, ContainsRegex(number > 0 ? "999:59 left" : "00:00 left"));
+    EXPECT_THAT(screen, ContainsRegex(number > 0 ? "1000000µ +100%" : " 0µ +0%"));
+    EXPECT_THAT(screen, HasSubstr("▁▅█"));
+  }
+}
+
 TEST(TopLayout, SaysWhatToDoWhereNoRobotIsHeard) {
   EXPECT_THAT(text_of({}, 80, 24),
               testing::AllOf(HasSubstr("No robot has been heard yet."),

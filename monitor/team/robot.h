@@ -42,7 +42,8 @@ enum class Health {
 struct RobotStatus {
   std::string name;
   Health health = Health::kWell;
-  double age_s = 0;  ///< time since its last message
+  double age_s = 0;        ///< time since its last message
+  bool has_state = false;  ///< it has sent its state; without, nothing is known up to `overruns`
   std::string state;
   double in_state_s = 0;
   std::string program_name;

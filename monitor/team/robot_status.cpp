@@ -15,6 +15,7 @@ double seconds_between(const msg::Time& from, const msg::Time& to) {
 }
 
 void tell_state(const msg::RobotState& state, RobotStatus& status) {
+  status.has_state = true;
   status.state = state.state;
   status.program_name = state.program_name;
   status.program_hash = state.program_hash;

@@ -68,8 +68,11 @@ void Dashboard::go_back(Duration step) {
 }
 
 void Dashboard::acknowledge_first() {
-  const auto lines = alarm_lines(board_.posted(), parts_.clock.now(), 2);
-  if (!lines.empty()) board_.acknowledge(lines[0].keys);
+  if (!shown_alarms_.empty()) board_.acknowledge(shown_alarms_[0].keys);
+}
+
+void Dashboard::acknowledge_shown() {
+  for (const auto& line : shown_alarms_) board_.acknowledge(line.keys);
 }
 
 std::string& Dashboard::typed() {
@@ -172,7 +175,9 @@ bool Dashboard::press(const Press& press) {
 View Dashboard::view() const {
   const DashboardModel& model = past_ ? past_->model() : parts_.model;
   const Clock& clock = past_ ? past_->clock() : parts_.clock;
-  return make_view({model, clock, parts_.model.identities(), &parts_.history, &board_}, choice_);
+  return make_view({model, clock, parts_.model.identities(), &parts_.history, &board_,
+                    past_ ? &parts_.clock : nullptr},
+                   choice_);
 }
 
 Surroundings Dashboard::surroundings() const {
@@ -199,6 +204,7 @@ Surroundings Dashboard::surroundings() const {
 Canvas Dashboard::draw(int columns, int rows) {
   Screen screen = lay_out(view(), surroundings(), columns, rows);
   regions_ = std::move(screen.regions);
+  shown_alarms_ = std::move(screen.alarms);
   is_too_small_ = columns < kLeastColumns || rows < kLeastRows;
   if (!is_too_small_) scrolls_ = screen.scrolls;
   if (mode_ == Mode::kHelp) lay_over(help_, screen.canvas);

@@ -63,7 +63,9 @@ class Dashboard {
 
   void go_back(Duration step);
   void go_to(std::optional<Time> instant);
+  // Only what stood on the screen can have been seen.
   void acknowledge_first();
+  void acknowledge_shown();
 
   /// Returns the name of the robot that is shown, or an empty text where none is heard.
   [[nodiscard]] std::string shown_robot() const;
@@ -89,6 +91,7 @@ class Dashboard {
   Tab tab_ = Tab::kAll;
   Scrolls scrolls_;
   std::vector<Region> regions_;
+  std::vector<AlarmLine> shown_alarms_;
   Sheet help_;
   int push_scroll_ = 0;
   std::optional<Time> instant_;  ///< none: the present

@@ -124,7 +124,7 @@ bool Dashboard::press_letter(char letter) {
       say(Operator::Word::kStart, robot, to_all);
       break;
     case 'a':
-      to_all ? board_.acknowledge() : acknowledge_first();
+      to_all ? acknowledge_shown() : acknowledge_first();
       break;
     case 'j':
       move(+1);

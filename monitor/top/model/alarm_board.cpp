@@ -65,18 +65,19 @@ void AlarmBoard::update(const std::vector<Alarm>& active, Time now) {
   };
   for (const auto& alarm : active) {
     const auto before = known(alarm.key);
-    next.push_back(before == posted_.end() ? PostedAlarm{alarm, now}
-                                           : PostedAlarm{alarm, before->since, {}, before->seen});
+    const bool is_new = before == posted_.end();
+    const Time found = is_new ? now : before->found;
+    next.push_back({alarm, alarm.since.value_or(found), {}, !is_new && before->seen, found});
   }
   for (auto posted : posted_) {
     const bool lasts = std::ranges::any_of(
         active, [&](const Alarm& alarm) { return alarm.key == posted.alarm.key; });
-    if (lasts || posted.seen || posted.over.value_or(now) - posted.since < kPassing) continue;
+    if (lasts || posted.seen || posted.over.value_or(now) - posted.found < kPassing) continue;
     if (!posted.over) posted.over = now;
     next.push_back(std::move(posted));
   }
   std::ranges::stable_sort(next, [](const PostedAlarm& a, const PostedAlarm& b) {
-    return a.seen != b.seen ? b.seen : a.since > b.since;
+    return a.seen != b.seen ? b.seen : a.found > b.found;
   });
   posted_ = std::move(next);
 }
@@ -102,6 +103,8 @@ std::string lasting(double duration_s) {
 }
 
 std::string sentence_of(const PostedAlarm& posted, Time now) {
+  if (posted.alarm.kind == AlarmKind::kPush)
+    return posted.alarm.words + ", " + lasting(to_seconds(now - posted.since)) + " ago";
   const std::string lasted = lasting(to_seconds(posted.over.value_or(now) - posted.since));
   if (!posted.over) return posted.alarm.words + ", for " + lasted;
   return posted.alarm.past.empty() ? posted.alarm.words + "; over after " + lasted

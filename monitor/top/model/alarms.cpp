@@ -67,11 +67,12 @@ void AlarmFinder::remember(Memory& memory, const msg::RobotState& state, Time no
 void AlarmFinder::find_of(const Robot& robot, const DashboardModel& model, Time now,
                           std::vector<Alarm>& alarms) {
   const std::string& name = robot.name;
-  const auto add = [&](AlarmKind kind, const char* word, std::string words, std::string past = {}) {
-    alarms.push_back({word + (" " + name), kind, name, std::move(words), std::move(past)});
+  const auto add = [&](AlarmKind kind, const char* word, std::string words) {
+    alarms.push_back({word + (" " + name), kind, name, std::move(words)});
   };
   if (model.team().silent(robot))
-    return add(AlarmKind::kSilent, "silent", name + " is silent", name + " was silent");
+    return alarms.push_back({"silent " + name, AlarmKind::kSilent, name, name + " is silent",
+                             name + " was silent", robot.heard});
   if (!robot.state || robot.state->out_of_service) return;
   const auto& state = *robot.state;
   const Memory& memory = memories_[name];

@@ -22,6 +22,7 @@ struct Alarm {
   std::string robot;
   std::string words;      ///< one sentence without its full stop
   std::string past = {};  ///< the words once it is over, before how long it lasted; empty: none
+  std::optional<Time> since = {};  ///< none: since it was found
 };
 
 /// Finds alarms. It remembers since when each robot stands and when a tick was late.
@@ -52,6 +53,7 @@ struct PostedAlarm {
   Time since{};
   std::optional<Time> over = {};
   bool seen = false;
+  Time found{};
 };
 
 /// The alarms that last, and those that are over and that nobody has seen yet. Those that nobody
@@ -69,7 +71,7 @@ class AlarmBoard {
 
 /// Returns how long something lasted: "0.4 s", "12 s", "3 min", "2 h".
 [[nodiscard]] std::string lasting(double duration_s);
-/// Returns "io is silent, for 12 s" or "io was silent for 12 s".
+/// Returns "io is silent, for 12 s", "io was silent for 12 s", or "io refused office, 12 s ago".
 [[nodiscard]] std::string sentence_of(const PostedAlarm& posted, Time now);
 
 /// Alarms that are shown in one line.

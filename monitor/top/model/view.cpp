@@ -59,7 +59,8 @@ void show_team_map(const msg::ObjectMap& map, double age_s, View& view) {
 void show_own_map(const DashboardModel& model, View& view) {
   const RobotStatus& status = view.robots[view.chosen].status;
   view.map_title = status.name + "'s own frame (no monitor)";
-  view.poses.push_back({view.chosen, {{status.x_m, status.y_m}, status.heading_rad}});
+  if (status.has_state)
+    view.poses.push_back({view.chosen, {{status.x_m, status.y_m}, status.heading_rad}});
   if (const auto* seen = model.sightings(status.name))
     for (const auto& sighting : seen->items)
       view.objects.push_back({sighting.object_class, {sighting.x_m, sighting.y_m}, 1});
@@ -77,8 +78,9 @@ bool contains(std::string_view text, std::string_view part) {
 
 View make_view(const Sources& sources, const Choice& choice) {
   View view;
-  const auto& [model, clock, identities, history, board] = sources;
-  view.now = clock.now();
+  const auto& [model, clock, identities, history, board, present] = sources;
+  view.now = present ? present->now() : clock.now();
+  view.is_past = present != nullptr;
   show_robots(sources, choice, view);
   view.score = model.team().score();
   if (board) view.alarms = board->posted();

@@ -72,8 +72,9 @@ struct View {
   std::vector<ShownChange> changes;      ///< of the chosen robot, the newest first
   std::vector<ShownVariable> variables;  ///< the chosen robot's variables
   std::size_t known_variables = 0;
-  std::vector<PostedAlarm> alarms;
-  Time now{};
+  std::vector<PostedAlarm> alarms;  ///< those of the present
+  Time now{};                       ///< the present, also where the rest is of the past
+  bool is_past = false;
   std::optional<msg::Score> score;
   std::string map_title;
   std::vector<ShownObject> objects;
@@ -88,6 +89,7 @@ struct Sources {
   const Identities& identities;
   const History* history = nullptr;   ///< none: variables have no curves
   const AlarmBoard* board = nullptr;  ///< none: there are no alarms
+  const Clock* present = nullptr;     ///< where `clock` is of the past: that of the alarms
 };
 /// What somebody wants to see.
 struct Choice {

@@ -12,7 +12,7 @@ Sheet help_sheet() {
       "PgUp PgDn    scroll the panel; the mouse's wheel scrolls what it points at",
       "/            show only robots or, where they fill the screen, variables with a word in them",
       "← →          a second back or on in time; Home as far as it is kept; l or End: now",
-      "a, A         the first alarm was seen; all were seen",
+      "a, A         the first alarm was seen; all that are shown were seen",
       "",
       ".            STOP ALL, at once; the line on top says who has not confirmed it",
       "Ctrl-X       STOP ALL, also in a text, where . stops only as the first key",

@@ -17,7 +17,7 @@ constexpr int kGap = 2;
 class Page {
  public:
   Page(const View& view, const Surroundings& around, int columns, int rows)
-      : view_(view), around_(around), screen_{Canvas(columns, rows), {}, around.scrolls} {}
+      : view_(view), around_(around), screen_{Canvas(columns, rows), {}, around.scrolls, {}} {}
 
   Screen draw() {
     Canvas& canvas = screen_.canvas;
@@ -60,7 +60,9 @@ class Page {
       screen_.regions.push_back(
           {Panel::kTeam, {row + i, 0, 1, columns}, view_.robots[first].status.name});
     row += used;
-    return row + draw_alarms(view_, {row, 0, std::max(2, canvas.rows() / 12), columns}, canvas);
+    const Area room{row, 0, std::max(2, canvas.rows() / 12), columns};
+    screen_.alarms = draw_alarms(view_, room, canvas);
+    return row + static_cast<int>(screen_.alarms.size());
   }
 
   void draw_lower(const Area& area) {

@@ -55,7 +55,8 @@ struct Region {
 struct Screen {
   Canvas canvas;
   std::vector<Region> regions = {};
-  Scrolls scrolls = {};  ///< put right where a panel has fewer lines
+  Scrolls scrolls = {};                ///< put right where a panel has fewer lines
+  std::vector<AlarmLine> alarms = {};  ///< those that it shows
 };
 
 /// Returns the whole dashboard for a screen of this size. A screen of less than 80 × 24 cells says

@@ -13,9 +13,10 @@ void draw_title(const View& view, Canvas& canvas);
 /// Draws a heading and a line for each robot. A last line counts the robots that do not fit.
 /// Returns the number of rows used. `first` becomes the index of the first robot that is drawn.
 int draw_team(const View& view, const Area& area, std::size_t& first, Canvas& canvas);
-/// Draws the alarms, one in a line, or one kind in a line if there are more than fit. Returns the
-/// number of rows used.
-int draw_alarms(const View& view, const Area& area, Canvas& canvas);
+/// Draws the alarms, one in a line, or one kind in a line if there are more than fit. Returns
+/// those that are drawn, one a row.
+[[nodiscard]] std::vector<AlarmLine> draw_alarms(const View& view, const Area& area,
+                                                 Canvas& canvas);
 /// Draws the occupancy grid, objects and robots from above, with the map's y axis up.
 void draw_map(const View& view, const Area& area, Canvas& canvas);
 

@@ -33,6 +33,7 @@ std::string clock_text(double seconds) {
   return text.data();
 }
 
+constexpr const char* kNotKnown = "–";
 constexpr int kLetters = 3;  ///< cells for a robot's letter
 
 /// The first column of each field of the table. Names, states and programs share the width beyond
@@ -77,14 +78,18 @@ void draw_robot(const ShownRobot& robot, bool chosen, int row, int width, Canvas
   canvas.put(row, at.name, status.name, chosen ? Style::kBold : style, at.state - at.name - 1);
   canvas.put(row, at.state, status.state + flags(status), status.held ? Style::kWarning : style,
              at.for_s - at.state - 1);
-  canvas.put_right(row, at.program - 1, one_decimal(status.in_state_s, "s"), style);
+  canvas.put_right(row, at.program - 1,
+                   status.has_state ? one_decimal(status.in_state_s, "s") : kNotKnown, style);
   const Style program = status.drifting ? Style::kWarning : style;
   canvas.put(row, at.program, status.program_name, program, at.hash - at.program - 1);
   canvas.put(row, at.hash, status.program_hash, program, 8);
-  canvas.put_right(row, at.tick - 1, one_decimal(status.age_s, "s"), style);
-  canvas.put_right(row, at.lowest - 1, microseconds(status.tick_time_max_us),
+  canvas.put_right(row, at.tick - 1, lasting(status.age_s), style);
+  canvas.put_right(row, at.lowest - 1,
+                   status.has_state ? microseconds(status.tick_time_max_us) : kNotKnown,
                    status.overruns > 0 ? Style::kWarning : style);
-  const int end = canvas.put(row, at.lowest, percent(status.lowest_certainty), style);
+  const bool is_sure_known = !status.least_certain.empty();
+  const int end = canvas.put(row, at.lowest,
+                             is_sure_known ? percent(status.lowest_certainty) : kNotKnown, style);
   constexpr int kWorthReading = 6;
   if (width - end > kWorthReading)
     canvas.put(row, end + 1, status.least_certain, Style::kDim, width - end - 1);
@@ -136,18 +141,18 @@ int draw_team(const View& view, const Area& area, std::size_t& first_robot, Canv
   return 2 + shown;
 }
 
-int draw_alarms(const View& view, const Area& area, Canvas& canvas) {
+std::vector<AlarmLine> draw_alarms(const View& view, const Area& area, Canvas& canvas) {
   const auto most = static_cast<std::size_t>(std::max(area.rows, 0));
-  const auto lines = alarm_lines(view.alarms, view.now, most);
-  int rows = 0;
+  auto lines = alarm_lines(view.alarms, view.now, most);
+  if (lines.size() > most) lines.resize(most);
+  int row = area.row;
   for (const auto& line : lines) {
-    if (rows == area.rows) break;
     const Style style = line.seen || line.over ? Style::kDim : Style::kAlarm;
-    const std::string sign = line.over ? "✓ " : "! ";
-    canvas.put(area.row + rows++, area.column, sign + line.text + (line.seen ? "  (seen)" : ""),
-               style, area.columns);
+    const std::string sign = std::string(line.over ? "✓ " : "! ") + (view.is_past ? "now: " : "");
+    canvas.put(row++, area.column, sign + line.text + (line.seen ? "  (seen)" : ""), style,
+               area.columns);
   }
-  return rows;
+  return lines;
 }
 
 }  // namespace galilean::monitor::top

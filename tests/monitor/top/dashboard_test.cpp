@@ -164,11 +164,45 @@ TEST_F(Steered, SilentRobotsComeFirst) {
   for (const char* name : {"callisto", "ganymede"}) tell_of({.robot = name, .x_m = 1});
   dashboard.update();
   EXPECT_THAT(screen(), ContainsRegex("! ?I +io(.|\n)*callisto(.|\n)*ganymede"));
-  EXPECT_THAT(screen(), HasSubstr("! io is silent, for 0.0 s"));
+  EXPECT_THAT(screen(), HasSubstr("! io is silent, for 3.0 s"));
   press("a");
   EXPECT_THAT(screen(), HasSubstr("(seen)"));
   press("1h");
   EXPECT_EQ(said, Said{"hold io"});
+}
+
+TEST_F(Steered, WhatIsNotKnownOfARobotThatTheMapAloneKnowsIsLeftOpen) {
+  clock.advance(seconds(60));
+  tell_of_map_robot("europa", 14);
+  dashboard.update();
+  EXPECT_THAT(screen(), ContainsRegex("europa +– +14 s +– –"));
+  EXPECT_THAT(dashboard.draw(80, 60).text(), HasSubstr("! europa is silent, for 14 s"));
+}
+
+TEST_F(Steered, WhileThePastIsShownTheAlarmsAreThoseOfNow) {
+  clock.advance(seconds(3));
+  for (const char* name : {"callisto", "ganymede"}) tell_of({.robot = name, .x_m = 1});
+  dashboard.update();
+  press(Key::kHome);
+  EXPECT_THAT(screen(), HasSubstr("! now: io is silent, for 3.0 s"));
+}
+
+TEST_F(Steered, OnlyAlarmsThatStoodOnTheScreenAreSeen) {
+  clock.advance(seconds(3));
+  dashboard.update();
+  const auto tall = [&] { return dashboard.draw(80, 60).text(); };
+  EXPECT_THAT(tall(), ContainsRegex("callisto is silent(.|\n)*io is silent"));
+  press("a");
+  EXPECT_THAT(tall(), ContainsRegex("callisto is silent, for 3.0 s  .seen"));
+  EXPECT_THAT(tall(), Not(ContainsRegex("(ganymede|io) is silent, for 3.0 s  .seen")));
+  tell_of({.robot = "io"});
+  dashboard.update();
+  (void)tall();
+  clock.advance(seconds(3));
+  dashboard.update();  // io is silent again, which no screen has shown yet
+  press("A");
+  EXPECT_THAT(tall(), ContainsRegex("ganymede is silent, for 6.0 s  .seen"));
+  EXPECT_THAT(tall(), Not(ContainsRegex("io is silent, for 3.0 s  .seen")));
 }
 
 TEST_F(Steered, TheFilterShowsTheChosenRobotAndThoseThatMatch) {

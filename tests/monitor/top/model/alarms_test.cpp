@@ -44,6 +44,26 @@ TEST(AlarmBoard, OneThatWasSeenLastsQuietlyAndGoesWhenItIsOver) {
   EXPECT_EQ(board.posted().size(), 1u);
 }
 
+TEST(AlarmBoard, WhatHappenedOnceIsToldByWhenItDid) {
+  AlarmBoard board;
+  Alarm refused = alarm("io", AlarmKind::kPush);
+  refused.words = "io refused office";
+  board.update({refused}, Time{});
+  EXPECT_THAT(sentences(board, Time{seconds(4)}), ElementsAre("io refused office, 4.0 s ago"));
+  board.update({}, Time{seconds(5)});
+  EXPECT_THAT(sentences(board, Time{seconds(9)}), ElementsAre("io refused office, 9.0 s ago"));
+}
+
+TEST(AlarmBoard, WhatBeganBeforeItWasFoundIsToldByItsBeginning) {
+  AlarmBoard board;
+  Alarm silent = alarm("io");
+  silent.since = Time{};
+  board.update({silent}, Time{seconds(2)});
+  EXPECT_THAT(sentences(board, Time{seconds(4)}), ElementsAre("io is silent, for 4.0 s"));
+  board.update({}, Time{seconds(5)});
+  EXPECT_THAT(sentences(board, Time{seconds(9)}), ElementsAre("io was silent for 5.0 s"));
+}
+
 TEST(AlarmBoard, WhatPassesAtOnceWasNone) {
   AlarmBoard board;
   board.update({alarm("io")}, Time{});

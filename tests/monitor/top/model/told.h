@@ -118,6 +118,24 @@ class Told : public testing::Test {
              .text("")
              .number<std::uint32_t>(0));
   }
+  /// Tells of a robot that the monitor last heard so long ago.
+  void tell_of_map_robot(const std::string& robot, float age_s) {
+    tell("rt/team/objects", msg::ObjectMap::kRosType,
+         Bytes()
+             .number<std::int32_t>(0)
+             .number<std::uint32_t>(0)
+             .number<std::uint32_t>(0)
+             .number<std::uint32_t>(1)
+             .text(robot)
+             .number(1.0)
+             .number(2.0)
+             .number(0.0)
+             .number(0.0)
+             .number(0.0)
+             .number(0.0)
+             .number(age_s)
+             .number<std::uint8_t>(1));
+  }
 
   [[nodiscard]] View view_of(const std::string& robot) const {
     return make_view({model, clock, model.identities()}, {.robot = robot});

@@ -18,6 +18,7 @@ using testing::Not;
 ShownRobot robot(const std::string& name, const std::string& letter) {
   RobotStatus status;
   status.name = name;
+  status.has_state = true;
   status.state = "wander_for_trash";
   status.in_state_s = 12.3;
   status.program_name = "office_cleanup";

@@ -110,18 +110,20 @@ struct Signals {
   top::JobControl jobs;
 };
 
-/// Gives the terminal back while the process is stopped.
+/// Gives the terminal back while the process is stopped or in the background.
 void obey(top::JobControl& jobs, top::Terminal& terminal) {
   for (auto event = jobs.take(); event != top::JobControl::Event::kNone; event = jobs.take()) {
     terminal.leave();
     if (event == top::JobControl::Event::kStop) top::JobControl::stop();
-    terminal.enter();
   }
+  // A shell need not signal that a process that runs comes to the foreground.
+  if (!terminal.is_entered()) terminal.enter();
 }
 
 /// Waits for a key, a signal or the time of the next screen. Returns false if the terminal is gone.
 bool wait(const Signals& signals, top::Terminal& terminal) {
-  pollfd events[] = {{STDIN_FILENO, POLLIN, 0},
+  const short keys = terminal.is_entered() ? POLLIN : 0;  // in the background they are the shell's
+  pollfd events[] = {{STDIN_FILENO, keys, 0},
                      {signals.termination.descriptor(), POLLIN, 0},
                      {signals.jobs.descriptor(), POLLIN, 0},
                      {terminal.output(), POLLOUT, 0}};

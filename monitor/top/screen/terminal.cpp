@@ -39,6 +39,12 @@ void set_mode(const termios& mode) noexcept {
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
+/// Returns whether the terminal's keys go to this process, and not to a shell that keeps it in the
+/// background.
+bool is_in_foreground() noexcept {
+  return tcgetpgrp(STDIN_FILENO) == getpgrp();
+}
+
 termios mode_for_keys(termios mode) {
   mode.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
   mode.c_iflag &= ~static_cast<tcflag_t>(IXON);
@@ -92,6 +98,7 @@ void Terminal::measure() {
 }
 
 void Terminal::enter() {
+  if (!is_in_foreground()) return;
   if (!entered_) LastWish::arm(before_, kLeave);
   entered_ = true;
   set_mode(mode_for_keys(before_));
@@ -103,6 +110,10 @@ void Terminal::enter() {
 void Terminal::leave() noexcept {
   if (!entered_) return;
   entered_ = false;
+  if (!is_in_foreground()) {
+    unsent_.clear();
+    return LastWish::disarm();
+  }
   constexpr int kMostWait_ms = 200;
   pollfd event{output_, POLLOUT, 0};
   for (std::string_view rest = kLeave; !rest.empty();) {
@@ -116,6 +127,7 @@ void Terminal::leave() noexcept {
 }
 
 void Terminal::show(const Canvas& canvas) {
+  if (!entered_) return;
   flush();
   if (is_behind()) return;
   unsent_ = changes(shown_ ? &*shown_ : nullptr, canvas, look_);

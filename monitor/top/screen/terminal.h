@@ -13,8 +13,9 @@
 
 namespace galilean::monitor::top {
 
-/// The terminal in full-screen mode. The destructor gives it back as it was, and so does a signal
-/// that ends the process at once, such as SIGSEGV or SIGQUIT. At most one may exist at a time.
+/// The terminal in full-screen mode, as long as this process is in the foreground. The destructor
+/// gives it back as it was, and so does a signal that ends the process at once, such as SIGSEGV or
+/// SIGQUIT. At most one may exist at a time.
 ///
 /// Nothing here waits for the terminal: if it takes nothing, as over a slow connection, the screens
 /// in between are left out.
@@ -49,10 +50,13 @@ class Terminal {
   /// escape sequence.
   [[nodiscard]] Press take_key();
 
-  /// Gives the terminal back for a while, as for a shell.
+  /// Gives the terminal back for a while, as for a shell. In the background it leaves the terminal
+  /// as it is, because it belongs to the shell already.
   void leave() noexcept;
-  /// Takes it again, and draws the next screen whole.
+  /// Takes it again, and draws the next screen whole. Does nothing in the background.
   void enter();
+  /// Returns whether it may be drawn on and read from.
+  [[nodiscard]] bool is_entered() const noexcept { return entered_; }
 
  private:
   Look look_;

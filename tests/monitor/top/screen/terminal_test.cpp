@@ -50,8 +50,10 @@ int play_job(pid_t shell) {
 
 int exit_code_of(pid_t child) {
   int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 100;
+  waitpid(child, &status, WUNTRACED);
+  if (WIFEXITED(status)) return WEXITSTATUS(status);
+  kill(child, SIGKILL);  // it may have been stopped because it wrote from the background
+  return 100;
 }
 
 /// Becomes a shell on the terminal of this name and runs the job in a group of its own.

@@ -16,8 +16,8 @@
 namespace {
 using namespace galilean::monitor;
 namespace bhdl = galilean::bhdl;
-using galilean::visible;
 using galilean::json_text;
+using galilean::visible;
 using nlohmann::json;
 using Files = std::vector<bhdl::SourceFile>;
 

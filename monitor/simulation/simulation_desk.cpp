@@ -26,10 +26,10 @@ SimulationDesk::SimulationDesk(boost::asio::io_context& io, Worker& worker, cons
       timer_(io) {}
 
 void SimulationDesk::order(msg::SimulationOrder order, Finish finish) {
-  using Reason = Unanswered::Reason;
+  using Reason = UnansweredOrder::Reason;
   const Time now = clock_.now();
   const auto found = simulations_.find(order.simulation, now);
-  if (!found) return finish(Unanswered{Reason::kNoSimulation, found.error().message});
+  if (!found) return finish(UnansweredOrder{Reason::kNoSimulation, found.error().message});
   const std::int64_t now_ns = wire::wall_clock_ns();
   order.stamp = wire::ros_time(now_ns);
   order.id = order_id(now_ns);
@@ -47,7 +47,7 @@ void SimulationDesk::send(const OpenPtr& open) {
   worker_.run([this, order = open->order] { return orders_.write(order); },
               [open](bool /*taken*/) { open->is_being_written = false; },
               [this, open](const std::string& why) {
-                close(open, Unanswered{Unanswered::Reason::kUnable, why});
+                close(open, UnansweredOrder{UnansweredOrder::Reason::kUnable, why});
               });
 }
 
@@ -74,9 +74,9 @@ void SimulationDesk::watch() {
       if (clock_.now() - open->sent < kPatience)
         send(open);
       else
-        close(open,
-              Unanswered{Unanswered::Reason::kSilent, "simulation '" + open->order.simulation +
-                                                          "' does not answer; it may be ending"});
+        close(open, UnansweredOrder{UnansweredOrder::Reason::kSilent,
+                                    "simulation '" + open->order.simulation +
+                                        "' does not answer; it may be ending"});
     if (!open_.empty()) watch();
   });
 }

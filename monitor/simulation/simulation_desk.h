@@ -19,7 +19,7 @@
 namespace galilean::monitor {
 
 /// Why an order has no answer from a simulation.
-struct Unanswered {
+struct UnansweredOrder {
   enum class Reason {
     kNoSimulation,  ///< none is heard, or not the one that is named
     kSilent,        ///< it did not answer in time
@@ -36,7 +36,7 @@ struct Unanswered {
 /// Lives on the io_context's thread, and never blocks it: DDS writes happen on the worker's thread.
 class SimulationDesk {
  public:
-  using Answer = Result<msg::SimulationEvent, Unanswered>;
+  using Answer = Result<msg::SimulationEvent, UnansweredOrder>;
   using Finish = std::function<void(const Answer&)>;
 
   /// An order is answered within this time and kSendEach.

@@ -30,12 +30,12 @@ msg::SimulationOrder simulation_order(RequestFields& fields) {
   return order;
 }
 
-int status_of(Unanswered::Reason reason) {
+int status_of(UnansweredOrder::Reason reason) {
   switch (reason) {
-    case Unanswered::Reason::kNoSimulation:
+    case UnansweredOrder::Reason::kNoSimulation:
       return 404;
-    case Unanswered::Reason::kSilent:
-    case Unanswered::Reason::kUnable:
+    case UnansweredOrder::Reason::kSilent:
+    case UnansweredOrder::Reason::kUnable:
       return 503;
   }
   return 500;

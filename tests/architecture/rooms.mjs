@@ -79,7 +79,7 @@ export const rooms = {
     'server/text': [],
     'server/websocket': ['background', 'ingest'],
     'server/foxglove': ['access', 'background', 'ingest', 'server/text', 'server/websocket'],
-    'server/lsp': ['background', 'team', 'server/text'],
+    'server/lsp': ['background', 'team', 'server/text', 'server/websocket'],
     'server/http': ['access', 'background', 'compression', 'server/text', 'server/websocket', 'server/foxglove', 'server/lsp'],
     'server/api': ['map', 'map/export', 'programs', 'pushes', 'pushes/history', 'team', 'server/text', 'server/foxglove', 'server/http', 'simulation'],
     server: ['background', 'ingest', 'map', 'programs', 'pushes', 'team', 'server/foxglove', 'server/api', 'simulation'],

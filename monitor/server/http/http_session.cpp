@@ -104,7 +104,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     if (upgrade && (request.path == "/ws" || request.path == "/lsp")) {
       if (request.right == Right::kNone) return respond(refusal(Right::kNone, Right::kRead));
       if (request.path == "/lsp") return become_language_server(message);
-      return become_websocket(std::move(message), request.right);
+      return become_websocket(message, request.right);
     }
     allowed_origin_ =
         context_->guard.is_allowed_origin(request.origin) ? request.origin : std::string();
@@ -122,15 +122,14 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
       respond(problem(500, "The monitor failed at this request: " + failure + "."));
   }
 
-  void become_websocket(http::request<http::string_body> message, Right right) {
+  void become_websocket(const http::request<http::string_body>& message, Right right) {
     stream_.expires_never();
-    serve_websocket(stream_.release_socket(), std::move(message), context_->hub, context_->rounds,
-                    right);
+    serve_websocket(stream_.release_socket(), message, context_->hub, context_->rounds, right);
   }
 
   void become_language_server(const http::request<http::string_body>& message) {
     stream_.expires_never();
-    serve_language(stream_.release_socket(), message, context_->language);
+    serve_language(stream_.release_socket(), message, context_->rounds, context_->language);
   }
 
   void respond(HttpResponse response) {

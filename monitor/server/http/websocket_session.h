@@ -2,20 +2,16 @@
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/beast/http/message.hpp>
-#include <boost/beast/http/string_body.hpp>
-#include <memory>
 
 #include "monitor/access/access.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
-#include "monitor/server/websocket/send_rounds.h"
+#include "monitor/server/websocket/web_socket.h"
 
 namespace galilean::monitor {
 
 /// Serves one WebSocket of Foxglove's protocol until it closes. `right` decides whether the client
 /// may call services. The session owns itself until then. `hub` and `rounds` must outlive it.
-void serve_websocket(boost::asio::ip::tcp::socket socket,
-                     boost::beast::http::request<boost::beast::http::string_body> upgrade,
+void serve_websocket(boost::asio::ip::tcp::socket socket, const WebSocket::Upgrade& upgrade,
                      foxglove::Hub& hub, SendRounds& rounds, Right right);
 
 }  // namespace galilean::monitor

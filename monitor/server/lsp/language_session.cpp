@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/lsp/language_session.h"
 
-#include <boost/beast/core/buffers_to_string.hpp>
-#include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/http/field.hpp>
-#include <boost/beast/websocket/stream.hpp>
 #include <deque>
 
 #include "bhdl/lsp/server.h"
@@ -13,11 +9,9 @@
 namespace galilean::monitor {
 namespace {
 
-namespace beast = boost::beast;
-namespace websocket = beast::websocket;
-using LanguageUpgrade = beast::http::request<beast::http::string_body>;
+using error_code = boost::system::error_code;
 
-constexpr std::size_t kMostMessage = 32 << 20;
+constexpr std::size_t kMostMessageBytes = 32 << 20;
 constexpr std::size_t kMostWaiting = 64;  ///< messages that are read but not handled yet
 constexpr std::size_t kMostUnsentBytes = 64 << 20;
 
@@ -32,20 +26,17 @@ std::string catalog_of(const Team& team, const std::string& robot) {
 
 class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
  public:
-  LanguageSession(boost::asio::ip::tcp::socket socket, LanguageServerContext& context)
-      : stream_(std::move(socket)), context_(context) {}
+  LanguageSession(boost::asio::ip::tcp::socket socket, SendRounds& rounds,
+                  LanguageServerContext& context)
+      : socket_(std::move(socket), rounds, kMostMessageBytes), context_(context) {}
 
-  void start(const LanguageUpgrade& upgrade) {
-    stream_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
-    stream_.set_option(websocket::stream_base::decorator(
-        [](auto& response) { response.set(beast::http::field::server, "galilean"); }));
-    stream_.read_message_max(kMostMessage);
-    stream_.text(true);
+  void start(const WebSocket::Upgrade& upgrade) {
     const std::string_view target(upgrade.target().data(), upgrade.target().size());
-    stream_.async_accept(upgrade, [self = shared_from_this(),
-                                   robot = query_value(target, "robot")](beast::error_code error) {
-      if (!error) self->begin(robot);
-    });
+    socket_.accept(
+        upgrade, {},
+        [self = shared_from_this(), robot = query_value(target, "robot")](error_code error) {
+          if (!error) self->begin(robot);
+        });
   }
 
  private:
@@ -70,11 +61,11 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
   // Reading pauses while too many messages wait, so that TCP holds the client up.
   void read() {
     reading_ = true;
-    stream_.async_read(incoming_, [self = shared_from_this()](beast::error_code error, auto) {
+    socket_.read([self = shared_from_this()](error_code error) {
       self->reading_ = false;
       if (error) return self->end();
-      self->waiting_.push_back(beast::buffers_to_string(self->incoming_.data()));
-      self->incoming_.consume(self->incoming_.size());
+      const auto message = self->socket_.message();
+      self->waiting_.emplace_back(message.begin(), message.end());
       if (self->waiting_.size() < kMostWaiting) self->read();
       self->take_turn();
     });
@@ -105,7 +96,7 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
         },
         [self = shared_from_this()](Turn turn) { self->finish_turn(std::move(turn)); },
         [self = shared_from_this()](const std::string&) {
-          self->close(websocket::close_code::internal_error);
+          self->close(CloseCode::kInternalError);
         });
   }
 
@@ -113,7 +104,7 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
     busy_ = false;
     has_work_ = turn.has_work;
     for (auto& message : turn.messages) send(std::move(message));
-    if (turn.over || unsent_bytes_ > kMostUnsentBytes) return close(websocket::close_code::normal);
+    if (turn.over || unsent_bytes_ > kMostUnsentBytes) return close(CloseCode::kNormal);
     take_turn();
   }
 
@@ -125,18 +116,17 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
   }
 
   void write() {
-    stream_.async_write(boost::asio::buffer(unsent_.front()),
-                        [self = shared_from_this()](beast::error_code error, std::size_t) {
-                          if (error) return self->end();
-                          self->unsent_bytes_ -= self->unsent_.front().size();
-                          self->unsent_.pop_front();
-                          if (!self->unsent_.empty()) self->write();
-                        });
+    socket_.write(unsent_.front(), [self = shared_from_this()](error_code error) {
+      if (error) return self->end();
+      self->unsent_bytes_ -= self->unsent_.front().size();
+      self->unsent_.pop_front();
+      if (!self->unsent_.empty()) self->write();
+    });
   }
 
-  void close(websocket::close_code code) {
+  void close(CloseCode code) {
     if (std::exchange(closed_, true)) return;
-    stream_.async_close(code, [self = shared_from_this()](beast::error_code) {});
+    socket_.close(code, {}, [self = shared_from_this()](error_code) {});
   }
 
   void end() {
@@ -144,10 +134,9 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
     waiting_.clear();
   }
 
-  websocket::stream<boost::asio::ip::tcp::socket> stream_;
+  WebSocket socket_;
   LanguageServerContext& context_;
   std::unique_ptr<bhdl::lsp::Server> server_;  ///< used on the worker only
-  beast::flat_buffer incoming_;
   std::deque<std::string> waiting_;
   std::deque<std::string> unsent_;
   std::size_t unsent_bytes_ = 0;
@@ -159,9 +148,9 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
 
 }  // namespace
 
-void serve_language(boost::asio::ip::tcp::socket socket, const LanguageUpgrade& upgrade,
-                    LanguageServerContext& context) {
-  std::make_shared<LanguageSession>(std::move(socket), context)->start(upgrade);
+void serve_language(boost::asio::ip::tcp::socket socket, const WebSocket::Upgrade& upgrade,
+                    SendRounds& rounds, LanguageServerContext& context) {
+  std::make_shared<LanguageSession>(std::move(socket), rounds, context)->start(upgrade);
 }
 
 }  // namespace galilean::monitor

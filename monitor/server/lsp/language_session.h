@@ -2,12 +2,11 @@
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/beast/http/message.hpp>
-#include <boost/beast/http/string_body.hpp>
 #include <filesystem>
 
 #include "core/catalog/catalog.h"
 #include "monitor/background/worker.h"
+#include "monitor/server/websocket/web_socket.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {
@@ -24,9 +23,8 @@ struct LanguageServerContext {
 /// Serves the language server over one WebSocket until it closes. Each text message is one JSON-RPC
 /// message. Programs are checked against the catalog of the robot that the query names
 /// (`?robot=io`), else against that of the first robot that is not silent and has published one.
-/// The session owns itself until then. `context` must outlive it.
-void serve_language(boost::asio::ip::tcp::socket socket,
-                    const boost::beast::http::request<boost::beast::http::string_body>& upgrade,
-                    LanguageServerContext& context);
+/// The session owns itself until then. `rounds` and `context` must outlive it.
+void serve_language(boost::asio::ip::tcp::socket socket, const WebSocket::Upgrade& upgrade,
+                    SendRounds& rounds, LanguageServerContext& context);
 
 }  // namespace galilean::monitor

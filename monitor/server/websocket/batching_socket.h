@@ -7,10 +7,10 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
-#include <boost/beast/core/bind_handler.hpp>
 #include <boost/beast/core/role.hpp>
 #include <boost/beast/websocket/teardown.hpp>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -22,8 +22,10 @@ namespace galilean::monitor {
 
 /// A TCP socket below Beast's WebSocket stream that coalesces frames: it writes up to 64 frames of
 /// an Outbox at once, because a system call costs more than a small frame. Beast reads through it
-/// and writes its handshake and control frames into it. Frames go out between Beast's writes, each
-/// of which is a whole message. For use on the io_context's one thread.
+/// and writes its handshake, its messages and its control frames into it. Frames go out between
+/// Beast's writes, each of which is a whole message. A write of Beast is done when its bytes have
+/// left, so that a client that does not read holds its session up. For use on the io_context's one
+/// thread.
 class BatchingSocket {
  public:
   using tcp = boost::asio::ip::tcp;
@@ -61,21 +63,26 @@ class BatchingSocket {
           state_->control.resize(start + size);
           boost::asio::buffer_copy(boost::asio::buffer(state_->control.data() + start, size),
                                    buffers);
+          // A handler can only be moved, and a std::function is copied.
+          auto kept = std::make_shared<decltype(completion)>(std::move(completion));
+          state_->control_written.emplace_back(
+              [kept, size](error_code error) { (*kept)(error, error ? 0 : size); });
+          if (state_->failed) return state_->fail_waiting();
           state_->send_waiting();
-          boost::asio::post(get_executor(), boost::beast::bind_front_handler(std::move(completion),
-                                                                             state_->failed, size));
         },
         handler);
   }
 
  private:
   static constexpr std::size_t kFramesAtOnce = 64;
+  using Written = std::vector<std::function<void(error_code)>>;
 
   struct State final : SendRounds::Sender, std::enable_shared_from_this<State> {
     tcp::socket socket;
     SendRounds& rounds;
     std::weak_ptr<Outbox> outbox = {};
-    std::vector<std::uint8_t> control = {};
+    std::vector<std::uint8_t> control = {};  ///< what Beast wrote and waits
+    Written control_written = {};            ///< whom to tell when `control` has left
     std::vector<std::uint8_t> control_in_flight = {};
     std::vector<Frame> frames_in_flight = {};
     bool writing = false;
@@ -97,17 +104,27 @@ class BatchingSocket {
       frames_in_flight = source ? source->take(kFramesAtOnce) : std::vector<Frame>();
       if (control_in_flight.empty() && frames_in_flight.empty()) return;
       writing = true;
-      boost::asio::async_write(socket, gathered(),
-                               [self = this->shared_from_this()](error_code error, std::size_t) {
-                                 self->written(error);
-                               });
+      boost::asio::async_write(
+          socket, gathered(),
+          [self = this->shared_from_this(), told = std::exchange(control_written, {})](
+              error_code error, std::size_t) {
+            self->go_on_after(error);
+            for (const auto& tell : told) tell(error);
+          });
     }
-    void written(error_code error) {
+    void go_on_after(error_code error) {
       const bool more_waits = frames_in_flight.size() == kFramesAtOnce || !control.empty();
       writing = false;
-      failed = error;
+      if (error) failed = error;
+      if (failed) return fail_waiting();
       if (more_waits) return send_waiting();
       if (const auto source = outbox.lock(); source && !source->empty()) join_round();
+    }
+    /// Tells whoever waits for a write that it failed, but not from inside its own call.
+    void fail_waiting() {
+      for (auto& tell : std::exchange(control_written, {}))
+        boost::asio::post(socket.get_executor(),
+                          [tell = std::move(tell), error = failed] { tell(error); });
     }
     /// A pending read fails because of this, which tells its owner that the connection is closed.
     void close() {
@@ -115,6 +132,7 @@ class BatchingSocket {
       outbox.reset();
       error_code ignored;
       socket.close(ignored);
+      if (!writing) fail_waiting();
     }
 
     [[nodiscard]] std::vector<boost::asio::const_buffer> gathered() const {

@@ -11,7 +11,6 @@
 
 #include "monitor/background/worker.h"
 #include "monitor/server/http/http_server.h"
-#include "monitor/server/websocket/batching_socket.h"
 
 namespace galilean::monitor {
 namespace {
@@ -150,35 +149,6 @@ TEST_F(FailingHttpHandler, IsAnsweredOnceWith500AndTheConnectionServesOn) {
   EXPECT_THAT(first, HasSubstr("out of order"));
   EXPECT_THAT(ask(), testing::EndsWith("\r\n\r\nsecond"));
   EXPECT_THAT(ask(), testing::EndsWith("\r\n\r\nthird"));
-}
-
-/// A connection's two ends.
-struct Connection {
-  explicit Connection(asio::io_context& io) : here(io), there(io) {
-    tcp::acceptor acceptor(io, {asio::ip::address_v4::loopback(), 0});
-    there.connect(acceptor.local_endpoint());
-    here = acceptor.accept();
-  }
-  tcp::socket here, there;
-};
-
-TEST(FailingSession, ItsOutboxMayGoBeforeTheRoundThatWasToSendIt) {
-  asio::io_context io{1};
-  SendRounds rounds(io);
-  Connection connection(io);
-  BatchingSocket socket(std::move(connection.here), rounds);
-  auto outbox = std::make_shared<Outbox>();
-  socket.send_from(outbox);
-  ASSERT_TRUE(outbox->push(text_frame("never sent")));
-  socket.flush();
-  outbox.reset();
-  io.run();
-  EXPECT_EQ(connection.there.available(), 0U);
-  socket.close();
-  char byte = 0;
-  boost::system::error_code error;
-  (void)connection.there.read_some(asio::buffer(&byte, 1), error);
-  EXPECT_EQ(error, asio::error::eof);
 }
 
 }  // namespace

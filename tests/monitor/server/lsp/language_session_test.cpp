@@ -31,7 +31,7 @@ Catalog catalog_with(const std::string& component) {
 class Listener {
  public:
   Listener(asio::io_context& io, LanguageServerContext& context)
-      : acceptor_(io, {asio::ip::address_v4::loopback(), 0}), context_(context) {
+      : acceptor_(io, {asio::ip::address_v4::loopback(), 0}), rounds_(io), context_(context) {
     accept();
   }
   [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
@@ -43,12 +43,13 @@ class Listener {
       beast::flat_buffer buffer;
       beast::http::request<beast::http::string_body> upgrade;
       beast::http::read(socket, buffer, upgrade);
-      serve_language(std::move(socket), upgrade, context_);
+      serve_language(std::move(socket), upgrade, rounds_, context_);
       accept();
     });
   }
 
   tcp::acceptor acceptor_;
+  SendRounds rounds_;
   LanguageServerContext& context_;
 };
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/server/websocket/web_socket.h"
+
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/http/field.hpp>
+#include <boost/beast/websocket/stream.hpp>
+
+#include "monitor/server/websocket/batching_socket.h"
+
+namespace galilean::monitor {
+
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using error_code = boost::system::error_code;
+
+struct WebSocket::Stream {
+  websocket::stream<BatchingSocket> beast;
+  beast::flat_buffer incoming = {};
+};
+
+WebSocket::WebSocket(boost::asio::ip::tcp::socket socket, SendRounds& rounds,
+                     std::size_t most_message_bytes)
+    : stream_(new Stream{websocket::stream<BatchingSocket>(std::move(socket), rounds)}) {
+  stream_->beast.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
+  stream_->beast.read_message_max(most_message_bytes);
+  stream_->beast.text(true);
+}
+
+WebSocket::~WebSocket() {
+  stream_->beast.next_layer().close();
+}
+
+void WebSocket::accept(const Upgrade& upgrade, std::string_view subprotocol, Then then) {
+  stream_->beast.set_option(websocket::stream_base::decorator(
+      [named = std::string(subprotocol)](websocket::response_type& response) {
+        response.set(http::field::server, "galilean");
+        if (!named.empty()) response.set(http::field::sec_websocket_protocol, named);
+      }));
+  stream_->beast.async_accept(upgrade, std::move(then));
+}
+
+void WebSocket::read(Then then) {
+  stream_->incoming.consume(stream_->incoming.size());
+  stream_->beast.async_read(
+      stream_->incoming, [then = std::move(then)](error_code error, std::size_t) { then(error); });
+}
+
+std::span<const std::uint8_t> WebSocket::message() const {
+  const auto bytes = stream_->incoming.cdata();
+  return {static_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+}
+
+bool WebSocket::message_is_text() const {
+  return stream_->beast.got_text();
+}
+
+void WebSocket::write(std::string_view text, Then then) {
+  stream_->beast.async_write(
+      boost::asio::buffer(text),
+      [then = std::move(then)](error_code error, std::size_t) { then(error); });
+}
+
+void WebSocket::send_from(std::weak_ptr<Outbox> outbox) {
+  stream_->beast.next_layer().send_from(std::move(outbox));
+}
+
+void WebSocket::flush() {
+  stream_->beast.next_layer().flush();
+}
+
+void WebSocket::close(CloseCode code, const std::string& reason, Then then) {
+  stream_->beast.async_close({static_cast<websocket::close_code>(code), reason}, std::move(then));
+}
+
+}  // namespace galilean::monitor

@@ -92,8 +92,8 @@ test('pages do not depend on who makes them', () => {
 });
 
 test('galilean(1) names every variable of the environment that the programs read, and no other', () => {
-  const sources = execFileSync('git', ['-C', root, 'ls-files', '-z', 'core', 'bhdl', 'robot', 'sim', 'monitor'], { encoding: 'utf8' })
-    .split('\0').filter((file) => /\.(cpp|h)$/.test(file) && !file.includes('front/manual/'));
+  const sources = execFileSync(join(root, 'scripts/sources.sh'), ['*.cpp', '*.h'], { encoding: 'utf8' }).split('\n')
+    .filter((file) => /^(core|bhdl|robot|sim|monitor)\//.test(file) && !file.includes('front/manual/'));
   const text = sources.map((file) => readFileSync(join(root, file), 'utf8')).join('\n');
   const asked = [...text.matchAll(/(?:getenv|environment)\("(\w+)"\)/g)].map(([, name]) => name);
   const listed = [...read(pages['galilean.1'].split('.SH ENVIRONMENT\n')[1].split('.SH')[0]).matchAll(/^\.TP\n(\w+)$/gm)].map(([, name]) => name);

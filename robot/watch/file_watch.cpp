@@ -62,11 +62,15 @@ FileWatch::~FileWatch() {
   close(inotify_);
 }
 
-void FileWatch::add(const std::vector<fs::path>& files) {
+bool FileWatch::add(const std::vector<fs::path>& files) {
   files_.insert(files.begin(), files.end());
   std::vector<Folder> before = std::exchange(folders_, wanted_folders());
   for (Folder& folder : folders_) watch(folder);
   for (const Folder& folder : before) release(folder.watch);
+  return std::ranges::any_of(folders_, [&](const Folder& folder) {
+    return folder.watch >= 0 &&
+           std::ranges::find(before, folder.watch, &Folder::watch) == before.end();
+  });
 }
 
 std::vector<FileWatch::Folder> FileWatch::wanted_folders() const {

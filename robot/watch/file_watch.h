@@ -22,8 +22,10 @@ class FileWatch {
   FileWatch& operator=(const FileWatch&) = delete;
 
   /// Adds files, which need not exist, to those that are watched. Follows the links on all paths
-  /// anew. Requires: it is called after each save, because the save may have changed a link.
-  void add(const std::vector<std::filesystem::path>& files);
+  /// anew. Returns whether a folder is watched only from now on: what was saved there earlier is
+  /// not noticed, so that its files must be read again. Requires: it is called after each save,
+  /// because the save may have changed a link.
+  [[nodiscard]] bool add(const std::vector<std::filesystem::path>& files);
 
   /// Returns a file descriptor for poll, which is readable when there is something to take.
   [[nodiscard]] int descriptor() const noexcept { return inotify_; }

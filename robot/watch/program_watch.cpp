@@ -4,6 +4,7 @@
 #include <poll.h>
 
 #include "bhdl/check.h"
+#include "bhdl/source/sha256.h"
 #include "robot/executive/turn.h"
 #include "robot/log/log.h"
 
@@ -18,7 +19,10 @@ constexpr int kLookAgain_ms = 50;
 ProgramWatch::ProgramWatch(std::filesystem::path file, const Catalog& catalog, Executive& executive,
                            Tell tell)
     : file_(std::move(file)), vocabulary_(catalog), executive_(executive), tell_(std::move(tell)) {
-  watch(bhdl::check_file(file_, vocabulary_).files);
+  auto files = bhdl::check_file(file_, vocabulary_).files;
+  const std::string first_hash = bhdl::program_hash(files);
+  while (watch(files)) files = bhdl::check_file(file_, vocabulary_).files;
+  saved_ = bhdl::program_hash(files) != first_hash;
   worker_ = Worker([this](const std::stop_token& stop) { look(stop); },
                    [this](const std::string& failure) { note_failure(failure); });
 }
@@ -29,8 +33,7 @@ void ProgramWatch::look(const std::stop_token& stop) {
   if (!saved_) wait();
   saved_ |= files_.take();
   if (!saved_) return;
-  reload();
-  saved_ = false;
+  saved_ = reload();
 }
 
 void ProgramWatch::note_failure(const std::string& failure) {
@@ -52,24 +55,25 @@ void ProgramWatch::wait() const {
   poll(events, 2, files_.folder_missing() ? kLookAgain_ms : kForEver);
 }
 
-void ProgramWatch::reload() {
+bool ProgramWatch::reload() {
   auto first = bhdl::check_file(file_, vocabulary_, bhdl::Depth::kErrors);
   const std::string taken_over = first.program ? first.program->hash : std::string();
   if (first.program && !runs(taken_over)) swap(std::move(*first.program));
-  watch(first.files);
+  static_cast<void>(watch(first.files));
   auto whole = bhdl::check_file(file_, vocabulary_);
-  watch(whole.files);
+  const bool read_too_early = watch(whole.files);
   for (const auto& diagnostic : whole.diagnostics) log_warning(format(diagnostic));
   if (!whole.program)
-    return log_error(file_.string() +
-                     " was saved with errors; the program that ran before goes on");
-  if (whole.program->hash != taken_over) swap(std::move(*whole.program));
+    log_error(file_.string() + " was saved with errors; the program that ran before goes on");
+  else if (whole.program->hash != taken_over)
+    swap(std::move(*whole.program));
+  return read_too_early;
 }
 
-void ProgramWatch::watch(const std::vector<bhdl::SourceFile>& sources) {
+bool ProgramWatch::watch(const std::vector<bhdl::SourceFile>& sources) {
   std::vector<std::filesystem::path> files{file_};
   for (const auto& source : sources) files.push_back(file_.parent_path() / source.path);
-  files_.add(files);
+  return files_.add(files);
 }
 
 void ProgramWatch::swap(bhdl::Program program) {

@@ -31,10 +31,12 @@ class ProgramWatch {
   void look(const std::stop_token& stop);
   void wait() const;
   /// Takes the saved program over before it looks for warnings and watches new includes. Then it
-  /// reads the text again, so that what was saved before its watch began takes over, too.
-  void reload();
-  /// Watches all sources after each save, because a file may have become a link.
-  void watch(const std::vector<bhdl::SourceFile>& sources);
+  /// reads the text again, so that what was saved before its watch began takes over, too. Returns
+  /// whether a watch began even later, so that all must be read once more.
+  [[nodiscard]] bool reload();
+  /// Watches all sources after each save, because a file may have become a link. Returns what
+  /// FileWatch::add does.
+  [[nodiscard]] bool watch(const std::vector<bhdl::SourceFile>& sources);
   void swap(bhdl::Program program);
   [[nodiscard]] bool runs(const std::string& hash) const;
 

@@ -209,6 +209,36 @@ TEST_F(WatchTest, FindsAFolderAgainThatWasReplaced) {
   EXPECT_TRUE(comes_to("third"));
 }
 
+TEST_F(WatchTest, TellsWhenAFolderIsWatchedOnlyFromNowOn) {
+  const fs::path place = folder / "place";
+  fs::create_directory(place);
+  write(place / "my.bhdl", with_state("first"));
+  FileWatch files;
+  EXPECT_TRUE(files.add({place / "my.bhdl"}));
+  EXPECT_FALSE(files.add({place / "my.bhdl"}));
+  fs::rename(place, folder / "old place");
+  fs::create_directory(place);
+  EXPECT_TRUE(files.add({place / "my.bhdl"})) << "another folder of the same name";
+  EXPECT_FALSE(files.add({place / "my.bhdl"}));
+}
+
+TEST_F(WatchTest, ASaveIsNoticedHoweverCloselyItFollowsAnother) {
+  const fs::path place = folder / "place";
+  fs::create_directory(place);
+  file = place / "my.bhdl";
+  write(file, with_state("first"));
+  start();
+  // The folder is replaced while the watch is still at the save before: a race, so it is run often.
+  constexpr int kTimes = 100;
+  for (int i = 0; i < kTimes; ++i) {
+    const std::string state = "state " + std::to_string(i);
+    fs::remove_all(place);
+    fs::create_directory(place);
+    write(file, with_state(state));
+    ASSERT_TRUE(comes_to(state)) << "after save " << i;
+  }
+}
+
 TEST_F(WatchTest, TellsThatAFolderIsGoneAndWhenItIsBack) {
   const fs::path place = folder / "place";
   fs::create_directory(place);

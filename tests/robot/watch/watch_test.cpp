@@ -79,6 +79,15 @@ class WatchTest : public testing::Test {
     write(aside, text);
     fs::rename(aside, path);
   }
+  /// Starts with the file in a folder of its own, and returns that folder.
+  fs::path start_in_a_folder() {
+    const fs::path place = folder / "place";
+    fs::create_directory(place);
+    file = place / "my.bhdl";
+    write(file, with_state("first"));
+    start();
+    return place;
+  }
   /// Ticks until that state is current; the file system tells when it likes.
   [[nodiscard]] bool comes_to(const std::string& state) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
@@ -194,11 +203,7 @@ TEST_F(WatchTest, FollowsALinkToAFileInAFolderThatIsFlipped) {
 }
 
 TEST_F(WatchTest, FindsAFolderAgainThatWasReplaced) {
-  const fs::path place = folder / "place";
-  fs::create_directory(place);
-  file = place / "my.bhdl";
-  write(file, with_state("first"));
-  start();
+  const fs::path place = start_in_a_folder();
   fs::rename(place, folder / "old place");
   fs::create_directory(place);
   write(file, with_state("second"));
@@ -223,11 +228,7 @@ TEST_F(WatchTest, TellsWhenAFolderIsWatchedOnlyFromNowOn) {
 }
 
 TEST_F(WatchTest, ASaveIsNoticedHoweverCloselyItFollowsAnother) {
-  const fs::path place = folder / "place";
-  fs::create_directory(place);
-  file = place / "my.bhdl";
-  write(file, with_state("first"));
-  start();
+  const fs::path place = start_in_a_folder();
   // The folder is replaced while the watch is still at the save before: a race, so it is run often.
   constexpr int kTimes = 100;
   for (int i = 0; i < kTimes; ++i) {
@@ -240,11 +241,7 @@ TEST_F(WatchTest, ASaveIsNoticedHoweverCloselyItFollowsAnother) {
 }
 
 TEST_F(WatchTest, TellsThatAFolderIsGoneAndWhenItIsBack) {
-  const fs::path place = folder / "place";
-  fs::create_directory(place);
-  file = place / "my.bhdl";
-  write(file, with_state("first"));
-  start();
+  const fs::path place = start_in_a_folder();
   fs::remove_all(place);
   EXPECT_TRUE(comes_to_tell(place.string() + " are not noticed (No such file or directory): make"));
   fs::create_directory(place);
@@ -254,11 +251,7 @@ TEST_F(WatchTest, TellsThatAFolderIsGoneAndWhenItIsBack) {
 }
 
 TEST_F(WatchTest, OutlivesALinkToItselfWhereTheFileWas) {
-  const fs::path place = folder / "place";
-  fs::create_directory(place);
-  file = place / "my.bhdl";
-  write(file, with_state("first"));
-  start();
+  const fs::path place = start_in_a_folder();
   fs::rename(place, folder / "old place");
   EXPECT_TRUE(comes_to_tell("are not noticed"));
   fs::create_directory(folder / "new place");

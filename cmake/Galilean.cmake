@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The ways in which a folder adds to the build. Sources are always listed, never globbed.
 
-# What demo.sh builds, and what the sanitizer builds build.
+# All programs; those that demo.sh waits for; and what the sanitizer builds build.
 add_custom_target(programs ALL)
+add_custom_target(demo_programs)
 add_custom_target(unit_tests)
 add_custom_target(thread_tests)
 
@@ -39,13 +40,17 @@ function(galilean_hurry name)
   endif()
 endfunction()
 
-# galilean_executable(NAME [JSON] SOURCES main.cpp … LINK lib …): a program in build/bin.
+# galilean_executable(NAME [DEMO] [JSON] SOURCES main.cpp … LINK lib …): a program in build/bin. DEMO is for
+# one that `galilean demo` runs.
 function(galilean_executable name)
-  cmake_parse_arguments(arg "JSON" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "DEMO;JSON" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} galilean_command_line galilean_warnings)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   add_dependencies(programs ${name})
+  if(arg_DEMO)
+    add_dependencies(demo_programs ${name})
+  endif()
   set_property(GLOBAL APPEND PROPERTY GALILEAN_PROGRAMS ${name})
   install(TARGETS ${name} RUNTIME DESTINATION bin)
   galilean_compile_cold(${name} "${arg_JSON}")
@@ -63,6 +68,7 @@ function(galilean_ship room)
   endforeach()
   add_custom_target(ship_${room} ALL DEPENDS ${shipped})
   add_dependencies(programs ship_${room})
+  add_dependencies(demo_programs ship_${room})
   add_dependencies(unit_tests ship_${room})
 endfunction()
 

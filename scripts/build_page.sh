@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# build_page.sh programs|all: builds the page into build/share/galilean/web, with "all" by Node 18, and the
+# build_page.sh demo|programs|all: builds the page into build/share/galilean/web, with "all" by Node 18, and the
 # words of editors beside it. Installs Node where there is none. Does only what changed.
 set -euo pipefail
 cd "$(dirname "$0")/.."

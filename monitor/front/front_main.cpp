@@ -24,7 +24,10 @@ int become(const Verb& verb, char** rest) {
   arguments.push_back(nullptr);
   execv(program.c_str(), arguments.data());
   std::cerr << "galilean: " << program << " cannot be started: " << std::strerror(errno)
-            << (errno == ENOENT ? "; it has not been built" : "") << '\n';
+            << (errno == ENOENT ? "; it has not been built: demo.sh builds it while the demo runs, "
+                                  "scripts/build.sh at once"
+                                : "")
+            << '\n';
   return galilean::kFailed;
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `galilean demo` starts a team and ends it, whatever happens to it or to its parts.
 import assert from 'node:assert/strict';
-import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { cpSync, existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { test } from 'node:test';
-import { eventually, freshDomain, galilean, getJson, processesIn, Running, scratchFolder, sharedMemory, startTeam } from './tools.mjs';
+import { eventually, freePort, freshDomain, galilean, getJson, processesIn, root, Running, scratchFolder, sharedMemory, startTeam } from './tools.mjs';
 
 const limit = { timeout: 120_000 };
 
@@ -48,6 +50,22 @@ test('sixteen robots start, and a hundred and one are refused', limit, async (t)
   const refused = galilean(['demo', '--robots', '101'], { cwd: scratchFolder(t) });
   assert.equal(refused.status, 2);
   assert.match(refused.stderr, /from 1 to 100 robots, not 101/);
+});
+
+test('it needs no program but those that demo.sh waits for', limit, async (t) => {
+  const build = process.env.GALILEAN_BUILD ?? `${root}build`;
+  const waitedFor = execFileSync('ninja', ['-C', build, '-t', 'query', 'demo_programs'], { encoding: 'utf8' }).match(/bin\/\S+/g);
+  assert.ok(!waitedFor.includes('bin/galilean-top'), waitedFor.join());
+  const tree = mkdtempSync(join(build, 'demo-only-'));
+  t.after(() => rmSync(tree, { recursive: true }));
+  for (const part of [...waitedFor, 'share']) cpSync(join(build, part), join(tree, part), { recursive: true });
+  const ran = spawnSync(join(tree, 'bin/galilean'), ['demo', '--headless-for', '20', '--port', String(await freePort())],
+    { cwd: tree, encoding: 'utf8', env: { ...process.env, ROS_DOMAIN_ID: freshDomain() } });
+  assert.equal(ran.status, 0, ran.stderr);
+  assert.match(ran.stdout, /callisto +office_cleanup.*drove/);
+  const early = spawnSync(join(tree, 'bin/galilean'), ['top'], { encoding: 'utf8' });
+  assert.equal(early.status, 1);
+  assert.match(early.stderr, /galilean-top cannot be started: .*has not been built: demo\.sh builds it while the demo runs/);
 });
 
 test('when the demo itself is killed, the others end too', limit, async (t) => {

@@ -100,6 +100,13 @@ async function tune(page) {
   await page.getByText(/^\d+ blobs? in /).waitFor();
 }
 
+async function editor(page) {
+  await bring(page, "program");
+  await at(page, "edit-button").click();
+  await at(page, "program-editor").locator(".cm-content").waitFor();
+  if (!isNarrow(page)) await at(page, "editor-graph").locator("[data-state]").first().waitFor();
+}
+
 /** `anyTeam`: it can be seen of a live team, too, and tells it nothing. */
 export const scenes = [
   { name: "start", play: { empty: true }, show: start },
@@ -116,4 +123,5 @@ export const scenes = [
   { name: "coverage", play: AT_WORK, show: coverage, anyTeam: true },
   { name: "gains", play: AT_WORK, show: gains, anyTeam: true },
   { name: "tune", play: AT_WORK, show: tune, anyTeam: true },
+  { name: "editor", play: AT_WORK, show: editor, anyTeam: true },
 ];

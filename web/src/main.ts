@@ -12,10 +12,9 @@ function framePainted(): Promise<void> {
   });
 }
 
-await framePainted();
-try {
-  await import("./page");
-} catch (error) {
-  document.getElementById("starting-word")?.replaceChildren("The page could not be read. Load it anew.");
-  throw error;
-}
+framePainted()
+  .then(() => import("./page"))
+  .catch((error: unknown) => {
+    document.getElementById("starting-word")?.replaceChildren("The page could not be read. Load it anew.");
+    throw error;
+  });

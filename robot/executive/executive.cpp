@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/device/frame_grabber.h"
-#include "robot/executive/sequencer.h"
 
 namespace galilean::robot {
 namespace {
@@ -58,11 +57,14 @@ void Executive::begin_tick() noexcept {
   ++tick_.number;
   state_changed_ = false;
   exchanged_ = Event{};
+  breaks_.refresh();
 }
 
 void Executive::enter(std::uint32_t state) noexcept {
   current_program()->state = state;
   current_program()->state_since = tick_.now;
+  where_.store({succession_.running_id(), state});
+  standstill_.wait = {};
   for (const std::uint32_t schema : current().perceptual_schemas) activate(schema);
   for (const std::uint32_t schema : current().motor_schemas) activate(schema);
 }
@@ -78,20 +80,6 @@ void Executive::sense() noexcept {
 void Executive::perceive() noexcept {
   if (!current_program()) return;
   for (const std::uint32_t schema : current().perceptual_schemas) run(schema);
-}
-
-void Executive::sequence() noexcept {
-  if (!current_program()) return;
-  const auto condition = first_that_holds(current(), tick_.now);
-  if (!condition) return;
-  const RunningCondition& fired = current().conditions[*condition];
-  Event change = event(Event::Kind::kTransition);
-  change.condition = *condition;
-  change.from_state = current_program()->state;
-  change.tested = test_all(current(), tick_.now);
-  fire(fired, tick_.now);
-  enter(fired.new_state);
-  note_transition(change);
 }
 
 void Executive::act() noexcept {
@@ -118,7 +106,7 @@ void Executive::publish() noexcept {
                       .devices = devices_,
                       .health = health_,
                       .pose = pose(),
-                      .held = held(),
+                      .standstill = standstill(),
                       .out_of_service = !in_service(),
                       .in_probation = succession_.probation().active(),
                       .tick_time = tick_time_,
@@ -150,14 +138,6 @@ void Executive::note_failure(std::uint32_t schema) noexcept {
   failure.text = current_program()->schemas[schema].failure();
   succession_.probation().note_schema_failure(schema, failure.text);
   emit(failure);
-}
-
-void Executive::note_transition(Event change) noexcept {
-  change.to_state = current_program()->state;
-  change.number = ++transitions_;
-  state_changed_ = true;
-  succession_.probation().note_transition(tick_.now);
-  emit(change);
 }
 
 Event Executive::event(Event::Kind kind) const noexcept {

@@ -20,7 +20,6 @@ void Executive::exchange_programs() noexcept {
 
 void Executive::install(const Handover& handover) noexcept {
   RunningProgram& program = *current_program();
-  running_id_.store(succession_.running_id());
   exchanged_ = event(handover.kind);
   exchanged_.from_program = handover.replaced ? handover.replaced->description->id : 0;
   exchanged_.fault = handover.verdict.fault;
@@ -53,7 +52,7 @@ void Executive::go_on_from(const RunningProgram& replaced) noexcept {
       exchanged_.kind == Event::Kind::kRolledBack ? Event::Cause::kRollback : Event::Cause::kSwap;
   change.in_probation = false;
   change.from_state = replaced.state;
-  note_transition(change);
+  note_transition(change, replaced.state_name());
 }
 
 void Executive::restore(const Situation& situation) {

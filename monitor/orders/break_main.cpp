@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <functional>
 #include <iostream>
 
@@ -91,11 +92,11 @@ int list(OrderSession& session, const Names& robots) {
   const auto told = [&](const std::string& robot) { return session.breaks_of(robot) != nullptr; };
   const bool all_told =
       session.wait(OrderSession::kAnswer, [&] { return std::ranges::all_of(robots, told); });
-  for (const auto& robot : robots)
-    if (const msg::Breaks* breaks = session.breaks_of(robot))
-      for (const auto& line : lines_of(*breaks)) tell(robot, line);
-    else
-      tell(robot, "does not tell where it stops");
+  for (const auto& robot : robots) {
+    const msg::Breaks* breaks = session.breaks_of(robot);
+    const Names nothing{"does not tell where it stops"};
+    for (const auto& line : breaks ? lines_of(*breaks) : nothing) tell(robot, line);
+  }
   return all_told ? EXIT_SUCCESS : kFailed;
 }
 

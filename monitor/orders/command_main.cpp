@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // galilean-command stop|hold|resume|start|decommission|commission sends an operator's command to
 // robots and prints the result.
+#include <cstdlib>
 #include <iostream>
 #include <map>
 

@@ -56,7 +56,8 @@ Result<void> Breaks::set(const std::vector<BreakPoint>& points) {
 void Breaks::set_one(BreakPoint point) {
   point.number = ++last_point_;
   // A lock that is set anew is shut, whatever was let through before.
-  std::erase_if(kept_.passes, [&](const LockPass& pass) { return pass.at.overlaps(point.at); });
+  if (point.kind == BreakKind::kLock)
+    std::erase_if(kept_.passes, [&](const LockPass& pass) { return pass.at.overlaps(point.at); });
   const auto same = find_at(kept_.points, point.at);
   if (same == kept_.points.end())
     kept_.points.push_back(std::move(point));

@@ -28,8 +28,8 @@ class Breaks {
   [[nodiscard]] Result<void> remove(const std::vector<StateChange>& changes);
   void clear();
   /// Lets the locked transitions of these changes fire, once: until the state changes. `state` is
-  /// the present one. Errors: no lock is among them, or one begins in another state; then nothing
-  /// changes.
+  /// the present one. Errors: one of the changes is not locked, or begins in another state; then
+  /// nothing is let through.
   [[nodiscard]] Result<void> let_through(const std::vector<StateChange>& changes,
                                          std::string_view state);
   [[nodiscard]] std::vector<BreakPoint> points() const;

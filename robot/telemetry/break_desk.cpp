@@ -69,6 +69,9 @@ Result<void> BreakDesk::carry_out(const msg::BreakOrder& order) {
     return Error{"there is no order '" + order.order +
                  "': it must be set, remove, clear or let_through"};
   if (order.points.empty()) return Error{"the order names no break point"};
+  if (order.points.size() > BreakTable::kMostPoints)
+    return Error{"the order names " + std::to_string(order.points.size()) + " break points, and " +
+                 std::to_string(BreakTable::kMostPoints) + " are the most"};
   if (order.order == "set") return set(order);
   if (order.order == "remove") return breaks.remove(changes_in(order));
   return breaks.let_through(changes_in(order), executive_.present_state());

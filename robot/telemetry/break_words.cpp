@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "core/plural.h"
+
 namespace galilean::robot {
 namespace {
 
@@ -16,10 +18,11 @@ constexpr std::array kKindNames{KindName{BreakKind::kStop, "stop"},
 
 /// Returns the points of an order, such as "wander -> grab, on entering rest".
 std::string list_of(const msg::BreakOrder& order) {
+  if (order.points.size() > BreakTable::kMostPoints) return plural(order.points.size(), "place");
   std::string list;
   for (const auto& point : order.points)
     list += (list.empty() ? "" : ", ") + in_words(StateChange{point.from_state, point.to_state}) +
-            (point.kind.empty() || order.order != "set" ? "" : " (" + point.kind + ")");
+            (order.order == "set" ? " (" + point.kind + ")" : "");
   return list;
 }
 

@@ -151,6 +151,8 @@ TEST_F(BreakOrdersTest, SaysWhatIsWrongWithAnOrderAndChangesNothing) {
   std::vector<msg::BreakPoint> many;
   for (int i = 0; i < 32; ++i) many.push_back({"", std::to_string(i), "stop"});
   expect_refused(io.ask("set", many), "33 break points");
+  many.push_back({"", "one more", "stop"});
+  expect_refused(io.ask("set", many), "names 33 break points, and 32 are the most");
   EXPECT_EQ(io.ask("clear", {}).refused, "");
 }
 

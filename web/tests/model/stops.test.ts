@@ -25,7 +25,7 @@ describe("what stopped a robot", () => {
     expect(events(change, held, stop, stop, next)).toEqual([["stopped", WORDS], ["stopped", "stopped after a step"]]);
   });
   it("leaves a hold that was before it, and a robot that goes on", () => {
-    const [early, on]: Told[] = [["/io/state", state({ held: true }), T0_MS - 5000], ["/io/state", state(), T0_MS - 4000]];
+    const [early, on]: [Told, Told] = [["/io/state", state({ held: true }), T0_MS - 5000], ["/io/state", state(), T0_MS - 4000]];
     expect(events(early, on, change, held, stop).map(([kind]) => kind)).toEqual(["held", "resumed", "stopped"]);
     expect(events(change, held, stop, ["/io/breaks", breaks(), T0_MS + 4000], ["/io/state", state(), T0_MS + 4000]).at(-1)).toEqual(["resumed", "was told to go on"]);
   });

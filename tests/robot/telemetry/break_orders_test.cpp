@@ -20,8 +20,8 @@ std::string name_of_this_test(const std::string& suffix = "") {
 /// A robot on DDS that runs the branching program, and what it tells about break points.
 class BreakingRobot : public TelemetryRobot {
  public:
-  explicit BreakingRobot(const std::string& name)
-      : TelemetryRobot(name), told(mailbox<msg::Breaks>("breaks")) {
+  explicit BreakingRobot(const std::string& robot_name)
+      : TelemetryRobot(robot_name), told(mailbox<msg::Breaks>("breaks")) {
     EXPECT_TRUE(robot.load(branching_text()));
     robot.tick();
   }

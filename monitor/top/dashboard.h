@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "monitor/orders/operator.h"
 #include "monitor/top/model/past.h"
 #include "monitor/top/model/stop_order.h"
 #include "monitor/top/model/view.h"
-#include "monitor/top/operator.h"
 #include "monitor/top/panels/layout.h"
 #include "monitor/top/pusher.h"
 #include "monitor/top/screen/keys.h"

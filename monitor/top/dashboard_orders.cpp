@@ -16,6 +16,8 @@ std::string words(Operator::Word word) {
       return "hold";
     case Operator::Word::kResume:
       return "resume";
+    case Operator::Word::kStep:
+      return "step";
     case Operator::Word::kDecommission:
       return "decommission";
     case Operator::Word::kCommission:

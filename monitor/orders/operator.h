@@ -14,7 +14,7 @@ namespace galilean::monitor {
 /// Sends an operator's commands to robots.
 class Operator {
  public:
-  enum class Word { kHold, kResume, kStart, kDecommission, kCommission };
+  enum class Word { kHold, kResume, kStep, kStart, kDecommission, kCommission };
 
   explicit Operator(wire::Participant& participant) : writer_(participant, wire::kCommandTopic) {}
 
@@ -23,10 +23,13 @@ class Operator {
   /// Sends a command to the robots of these names, or to all if `robots` is empty. kStart pushes
   /// the front bumper. Returns false if DDS did not accept the command.
   [[nodiscard]] bool say(Word word, const std::vector<std::string>& robots);
+  /// Returns the id of the last command, which comes back in the robots' answers to a step.
+  [[nodiscard]] const std::string& last_id() const noexcept { return last_id_; }
 
  private:
   wire::Writer<msg::Command> writer_;
   unsigned long said_ = 0;
+  std::string last_id_;
 };
 
 }  // namespace galilean::monitor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/operator.h"
+#include "monitor/orders/operator.h"
 
 #include <unistd.h>
 
@@ -18,6 +18,8 @@ std::uint8_t kind_of(Operator::Word word) {
       return kinds::HOLD;
     case Operator::Word::kResume:
       return kinds::RESUME;
+    case Operator::Word::kStep:
+      return kinds::STEP;
     case Operator::Word::kDecommission:
       return kinds::DECOMMISSION;
     case Operator::Word::kCommission:
@@ -34,7 +36,7 @@ bool Operator::say(Word word, const std::vector<std::string>& robots) {
   const std::int64_t now_ns = wire::wall_clock_ns();
   msg::Command command;
   command.stamp = wire::ros_time(now_ns);
-  command.id =
+  command.id = last_id_ =
       std::to_string(getpid()) + "-" + std::to_string(now_ns) + "-" + std::to_string(++said_);
   command.author = user_name();
   command.targets = robots;

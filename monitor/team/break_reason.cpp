@@ -34,8 +34,8 @@ std::string stop_reason(const Robot& robot, const msg::Breaks& breaks) {
   if (breaks.stopped_at == 0)
     return "stopped by " + breaks.stopped_by +
            (breaks.author.empty() ? "" : ", set by " + breaks.author);
-  const auto place = change ? "at " + change->from_state + " -> " + change->to_state
-                            : place_in(breaks.stopped_by);
+  const auto place =
+      change ? "at " + change->from_state + " -> " + change->to_state : place_in(breaks.stopped_by);
   return "stopped " + place +
          (breaks.author.empty() ? "" : " (" + breaks.author + "'s break point)");
 }

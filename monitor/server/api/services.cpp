@@ -14,8 +14,8 @@ void Operations::offer(foxglove::Hub& hub) {
   const nlohmann::json files{{"type", "array"},
                              {"items", object({{"path", text}, {"text", text}})}};
   const nlohmann::json replies{{"type", "array"}, {"items", {{"type", "object"}}}};
-  const nlohmann::json points{
-      {"type", "array"}, {"items", object({{"from", text}, {"to", text}, {"kind", text}})}};
+  const nlohmann::json points{{"type", "array"},
+                              {"items", object({{"from", text}, {"to", text}, {"kind", text}})}};
 
   const auto serve = [](auto operation) {
     return [operation](const nlohmann::json& request, foxglove::Hub::Answer answer) {

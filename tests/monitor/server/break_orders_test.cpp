@@ -80,16 +80,15 @@ TEST_F(BreakOrdersTest, AnOrderReachesTheRobotsAsItWasGiven) {
       {{"order", "set"},
        {"targets", {"io"}},
        {"author", "Ada"},
-       {"points",
-        {{{"from", "wander"}, {"to", "grab"}, {"kind", "lock"}}, {{"to", "rest"}}}}});
+       {"points", {{{"from", "wander"}, {"to", "grab"}, {"kind", "lock"}}, {{"to", "rest"}}}}});
   ASSERT_EQ(answer.status, 200U) << answer.body;
   const auto sent = heard(orders).at(0);
   EXPECT_EQ(sent.id, answer.as_json()["id"]);
   EXPECT_EQ(sent.author, "Ada");
   EXPECT_EQ(sent.order, "set");
   EXPECT_EQ(sent.targets, std::vector<std::string>{"io"});
-  EXPECT_EQ(sent.points, (std::vector<msg::BreakPoint>{{"wander", "grab", "lock"},
-                                                       {"", "rest", "stop"}}));
+  EXPECT_EQ(sent.points,
+            (std::vector<msg::BreakPoint>{{"wander", "grab", "lock"}, {"", "rest", "stop"}}));
   EXPECT_GT(sent.stamp.sec, 0);
 }
 
@@ -112,8 +111,7 @@ TEST_F(BreakOrdersTest, ABadOrderIsToldWhatIsWrong) {
   const auto set = [](const json& one) {
     return json{{"order", "set"}, {"points", json::array({one})}};
   };
-  EXPECT_EQ(objection({{"points", {point}}}),
-            "'order' must be set, remove, clear or let_through.");
+  EXPECT_EQ(objection({{"points", {point}}}), "'order' must be set, remove, clear or let_through.");
   EXPECT_EQ(objection({{"order", "stop"}, {"points", {point}}}),
             "'order' must be set, remove, clear or let_through.");
   for (const char* name : {"set", "remove", "let_through"})
@@ -150,8 +148,7 @@ TEST_F(BreakOrdersTest, TheServiceDoesTheSame) {
     if (each["name"] == "/galilean/breaks") service = each["id"];
   socket.send_binary(service_call(
       service, 7, R"({"order": "set", "points": [{"from": "grab", "kind": "stop_team"}]})"));
-  EXPECT_EQ(heard(orders).at(0).points,
-            (std::vector<msg::BreakPoint>{{"grab", "", "stop_team"}}));
+  EXPECT_EQ(heard(orders).at(0).points, (std::vector<msg::BreakPoint>{{"grab", "", "stop_team"}}));
   socket.send_binary(service_call(service, 8, R"({"order": "set"})"));
   EXPECT_THAT(socket.read_op("serviceCallFailure")["message"].get<std::string>(),
               HasSubstr("'points'"));

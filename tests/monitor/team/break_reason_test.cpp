@@ -13,7 +13,10 @@ using namespace std::chrono_literals;
 
 class BreakReasonTest : public testing::Test {
  protected:
-  BreakReasonTest() { breaks.robot = "io"; }
+  BreakReasonTest() {
+    clock.advance(1h);
+    breaks.robot = "io";
+  }
 
   std::string reason() {
     team.note(breaks);

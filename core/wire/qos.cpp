@@ -83,6 +83,19 @@ Qos make_qos(Delivery delivery) {
   return qos;
 }
 
+Qos make_reader_qos(const EndpointQos& asked, int depth) {
+  Qos qos(dds_create_qos());
+  const char* every_partition = "*";
+  dds_qset_reliability(qos.get(),
+                       asked.reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT, 0);
+  dds_qset_durability(qos.get(), static_cast<dds_durability_kind_t>(asked.durability));
+  dds_qset_ownership(qos.get(), asked.exclusive ? DDS_OWNERSHIP_EXCLUSIVE : DDS_OWNERSHIP_SHARED);
+  dds_qset_latency_budget(qos.get(), DDS_INFINITY);
+  dds_qset_partition(qos.get(), 1, &every_partition);
+  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, depth);
+  return qos;
+}
+
 std::int32_t checked(std::int32_t result, const std::string& what) {
   if (result < 0) throw std::runtime_error(what + ": " + dds_strretcode(result));
   return result;

@@ -13,6 +13,7 @@ export const rooms = {
     catalog: ['.', 'variable', 'device', 'schema'],
     command_line: ['.'],
     wire: ['.'],
+    'wire/types': ['.', 'wire'],
     'wire/generate': [],
   },
   bhdl: {

@@ -146,22 +146,4 @@ Screen lay_out(const View& view, const Surroundings& around, int columns, int ro
   return Page(view, around, columns, rows).draw();
 }
 
-void lay_over(Sheet& sheet, Canvas& canvas) {
-  const int columns = canvas.columns(), most = canvas.rows() - 6;
-  const int count = static_cast<int>(sheet.lines.size());
-  const int room = std::clamp(count, 1, std::max(1, most));
-  const int row = canvas.rows() - 1 - room - 1;
-  sheet.scroll = clamped_scroll(sheet.scroll, count, room);
-  canvas.fill({row, 0, canvas.rows() - row, columns}, Style::kPlain);
-  for (int column = 0; column < columns; ++column) canvas.set(row, column, U'─', Style::kDim);
-  canvas.put(row, 2, " " + sheet.title + " ", Style::kBold, columns - 2);
-  for (int i = 0; i < std::min(room, count); ++i) {
-    const auto& line = sheet.lines[static_cast<std::size_t>(sheet.scroll + i)];
-    canvas.put(row + 1 + i, 1, line.text, line.style, columns - 1);
-  }
-  std::string keys = sheet.keys;
-  if (count > room) keys += "  ↑↓ scroll";
-  canvas.put(canvas.rows() - 1, 0, keys, Style::kBold);
-}
-
 }  // namespace galilean::monitor::top

@@ -49,15 +49,17 @@ class Steered : public Told {
   History history{clock};
   FakePusher pusher;
   std::vector<std::string> said;
-  Dashboard dashboard{{model, history, clock,
-                       [this](Operator::Word word, const std::vector<std::string>& robots) {
+  Dashboard dashboard{{model,
+                       history,
+                       clock,
+                       {[this](Operator::Word word, const std::vector<std::string>& robots) {
                          std::string words = word == Operator::Word::kHold     ? "hold"
                                              : word == Operator::Word::kResume ? "resume"
                                                                                : "start";
                          for (const auto& robot : robots) words += " " + robot;
                          said.push_back(words);
                          return true;
-                       },
+                       }},
                        pusher},
                       ""};
 };
@@ -78,11 +80,13 @@ TEST_F(Steered, HoldIsSaidAtOnceAndResumeAsks) {
 
 TEST_F(Steered, WhoIsAskedAboutIsWhoIsTold) {
   Said told;
-  Dashboard mistyped{{model, history, clock,
-                      [&told](Operator::Word, const std::vector<std::string>& robots) {
+  Dashboard mistyped{{model,
+                      history,
+                      clock,
+                      {[&told](Operator::Word, const std::vector<std::string>& robots) {
                         told = robots;
                         return true;
-                      },
+                      }},
                       pusher},
                      "calisto"};
   EXPECT_TRUE(mistyped.press({Key::kLetter, 'r'}));

@@ -6,6 +6,7 @@
 
 #include "monitor/top/model/variable_text.h"
 #include "monitor/top/panels/help.h"
+#include "monitor/top/panels/sheet.h"
 #include "monitor/top/screen/utf8.h"
 
 namespace galilean::monitor::top {

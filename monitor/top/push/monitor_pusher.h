@@ -4,7 +4,7 @@
 #include <memory>
 #include <thread>
 
-#include "monitor/top/push_worker.h"
+#include "monitor/top/push/push_worker.h"
 
 namespace galilean::monitor::top {
 

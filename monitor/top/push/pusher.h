@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bhdl/source/source_file.h"
-#include "monitor/top/panels/layout.h"
+#include "monitor/top/panels/sheet.h"
 
 namespace galilean::monitor::top {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/push_words.h"
+#include "monitor/top/push/push_words.h"
 
 #include "core/plural.h"
 #include "monitor/pushes/history/words.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "monitor/top/pusher.h"
+#include "monitor/top/push/pusher.h"
 
 namespace galilean::monitor::top {
 

@@ -12,7 +12,7 @@
 
 #include "monitor/commands/monitor_client.h"
 #include "monitor/commands/push_options.h"
-#include "monitor/top/pusher.h"
+#include "monitor/top/push/pusher.h"
 
 namespace galilean::monitor::top {
 

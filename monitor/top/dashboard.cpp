@@ -64,6 +64,7 @@ void Dashboard::click(const Press& press) {
   if (at == regions_.end()) return;
   if (press.key == Key::kWheelUp) return scroll(at->panel, -kWheel);
   if (press.key == Key::kWheelDown) return scroll(at->panel, kWheel);
+  if (!at->state.empty()) choice_.state = at->state;
   if (at->robot.empty()) return;
   choice_.robot = at->robot;
   scrolls_ = {};

@@ -74,6 +74,12 @@ class Dashboard {
   void begin_push(bool last_good, bool to_all);
   void open(std::unique_ptr<OpenSheet> sheet);
 
+  // dashboard_breaks.cpp: where the shown robot stops.
+  /// Chooses the state above or below the chosen one, at first the present one.
+  void move_in_machine(int step);
+  void toggle_break_point();
+  void open_breaks();
+
   // dashboard_screen.cpp: how it looks.
   [[nodiscard]] View view() const;
   [[nodiscard]] Surroundings surroundings() const;

@@ -104,6 +104,7 @@ void Dashboard::press_with_team(const Press& press) {
     case Key::kEscape:
       choice_.robot_filter.clear();
       choice_.variable_filter.clear();
+      choice_.state.clear();
       return steering_.end_stop_report();
     default:
       return;
@@ -123,9 +124,13 @@ void Dashboard::press_letter(char letter) {
     case 'a':
       return to_all ? acknowledge_shown() : acknowledge_first();
     case 'j':
-      return move(+1);
+      return to_all ? move_in_machine(+1) : move(+1);
     case 'k':
-      return move(-1);
+      return to_all ? move_in_machine(-1) : move(-1);
+    case 'b':
+      return to_all ? open_breaks() : toggle_break_point();
+    case 'n':
+      return steering_.say(Operator::Word::kStep, shown_robot(), to_all);
     case 'l':
       return go_to({});
     case 'p':

@@ -37,7 +37,7 @@ Canvas Dashboard::draw(int columns, int rows) {
   shown_alarms_ = std::move(screen.alarms);
   is_too_small_ = columns < kLeastColumns || rows < kLeastRows;
   if (!is_too_small_) scrolls_ = screen.scrolls;
-  if (mode_ == Mode::kSheet) sheet_->lay_over(screen.canvas);
+  if (mode_ == Mode::kSheet) sheet_->lay_over(notices_.shown(), screen.canvas);
   return std::move(screen.canvas);
 }
 

@@ -8,6 +8,7 @@
 #include "core/command_line/domain_option.h"
 #include "core/termination.h"
 #include "monitor/commands/push_options.h"
+#include "monitor/orders/break_orders.h"
 #include "monitor/top/dashboard.h"
 #include "monitor/top/dashboard_feed.h"
 #include "monitor/top/once.h"
@@ -61,18 +62,20 @@ bool wait(const Signals& signals, top::Terminal& terminal) {
   return !(events[0].revents & POLLIN) || terminal.read_keys();
 }
 
-int run_dashboard(top::DashboardFeed& feed, Signals& signals, const Clock& clock, Operator& speaker,
-                  const Options& options) {
+/// Returns the way to the robots over DDS. Requires: what is passed outlives it.
+top::Voice voice_of(Operator& speaker, BreakOrders& orders) {
+  return {[&](Operator::Word word, const std::vector<std::string>& robots) {
+            return speaker.say(word, robots) ? speaker.last_id() : std::string();
+          },
+          [&](const msg::BreakOrder& order) { return orders.give(order); }};
+}
+
+int run_dashboard(top::DashboardFeed& feed, Signals& signals, const Clock& clock,
+                  const top::Voice& voice, const Options& options) {
   const top::Look look{top::colours_of(top::process_environment),
                        options.ascii || !top::is_utf8(top::process_environment)};
   top::MonitorPusher pusher(options.push);
-  top::Dashboard dashboard(
-      {feed.model(),
-       feed.history(),
-       clock,
-       {[&](Operator::Word word, const auto& robots) { return speaker.say(word, robots); }},
-       pusher},
-      options.robot);
+  top::Dashboard dashboard({feed.model(), feed.history(), clock, voice, pusher}, options.robot);
   top::Terminal terminal(look, !options.no_mouse);
   while (!signals.termination.asked()) {
     dashboard.update();
@@ -98,7 +101,8 @@ int run(const Options& options) try {
   top::DashboardFeed feed(*participant.value(), clock);
   if (options.once) return top::print_once(feed, signals.termination, clock, options.robot);
   Operator speaker(*participant.value());
-  return run_dashboard(feed, signals, clock, speaker, options);
+  BreakOrders orders(*participant.value());
+  return run_dashboard(feed, signals, clock, voice_of(speaker, orders), options);
 } catch (const std::exception& error) {
   return std::cerr << "galilean-top: " << error.what() << '\n', 1;
 }

@@ -91,7 +91,7 @@ export const rooms = {
     orders: ['commands'],
     'top/push': ['commands', 'pushes/history', 'top/panels'],
     'top/steering': ['orders', 'team', 'top/model'],
-    'top/sheets': ['top/screen', 'top/panels', 'top/push'],
+    'top/sheets': ['orders', 'team', 'top/screen', 'top/model', 'top/panels', 'top/push', 'top/steering'],
     top: ['commands', 'orders', 'ingest', 'team', 'top/screen', 'top/model', 'top/panels', 'top/push', 'top/steering', 'top/sheets'],
     commands: ['access', 'ingest', 'pushes', 'pushes/history', 'team'],
     simulation: ['background'],

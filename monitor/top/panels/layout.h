@@ -33,11 +33,12 @@ struct Surroundings {
 };
 
 enum class Panel : std::uint8_t { kTeam, kMap, kMachine, kVariables, kWhy };
-/// Where a panel or a robot's line of the team is on the screen.
+/// Where a panel, a robot's line of the team or a state's line of the machine is on the screen.
 struct Region {
   Panel panel = Panel::kTeam;
   Area area;
   std::string robot = {};
+  std::string state = {};
 };
 
 struct Screen {

@@ -20,6 +20,7 @@ struct Sheet {
   std::string keys;  ///< what can be pressed
   int scroll = 0;
   std::optional<std::size_t> chosen = {};  ///< of a list: the line that the keys act on
+  std::string notice = {};                 ///< stands above the keys; empty: nothing does
 };
 
 /// Draws a sheet over the screen's lower part. Puts `sheet.scroll` right, so that the chosen line

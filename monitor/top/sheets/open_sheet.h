@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "monitor/top/panels/sheet.h"
@@ -21,10 +22,11 @@ class OpenSheet {
   virtual ~OpenSheet() = default;
 
   [[nodiscard]] virtual Turn press(const Press& press) = 0;
-  /// Draws the sheet as it is now over the canvas' lower part.
-  void lay_over(Canvas& canvas) {
+  /// Draws the sheet as it is now over the canvas' lower part, with a notice to the operator.
+  void lay_over(const std::string& notice, Canvas& canvas) {
     Sheet shown = sheet();
     shown.scroll = scroll_;
+    shown.notice = notice;
     top::lay_over(shown, canvas);
     scroll_ = shown.scroll;
   }

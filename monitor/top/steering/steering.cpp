@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "monitor/orders/break_words.h"
+
 namespace galilean::monitor::top {
 namespace {
 
@@ -40,7 +42,13 @@ Steering::Steering(const DashboardModel& model, const Clock& clock, Voice voice,
     : model_(model), clock_(clock), voice_(std::move(voice)), notices_(notices) {}
 
 void Steering::update() {
-  if (!stop_order_) return;
+  if (auto told = answers_.take(model_.team(), clock_.now()); !told.empty())
+    notices_.tell(std::move(told));
+  if (stop_order_) tell_stop_again();
+}
+
+/// Requires: there is an order to stop.
+void Steering::tell_stop_again() {
   const Time now = clock_.now();
   stop_order_->update(model_.team());
   const auto progress = stop_order_->progress(model_.team(), now);
@@ -53,7 +61,7 @@ void Steering::update() {
 }
 
 void Steering::stop_all() {
-  const bool sent = voice_.say(Operator::Word::kHold, {});
+  const bool sent = !voice_.say(Operator::Word::kHold, {}).empty();
   stop_told_ = clock_.now();
   stop_order_.emplace(stop_told_);
   all_stopped_.reset();
@@ -64,10 +72,32 @@ void Steering::stop_all() {
 void Steering::say(Operator::Word word, const std::string& robot, bool to_all) {
   if (robot.empty()) return notices_.tell("No robot is heard that could be told.");
   if (word == Operator::Word::kResume) end_stop_of(robot, to_all);
-  const bool sent =
+  const std::string id =
       voice_.say(word, to_all ? std::vector<std::string>{} : std::vector<std::string>{robot});
-  notices_.tell((sent ? "told " : "could not tell ") + (to_all ? "all robots" : robot) + " to " +
-                words(word));
+  // Of all words robots refuse a step alone.
+  if (word == Operator::Word::kStep && !id.empty())
+    answers_.expect(id, "", to_all ? heard() : std::vector<std::string>{robot}, clock_.now());
+  notices_.tell((id.empty() ? "could not tell " : "told ") + (to_all ? "all robots" : robot) +
+                " to " + words(word));
+}
+
+void Steering::order_breaks(const std::string& robot, const std::string& order,
+                            std::vector<msg::BreakPoint> points) {
+  msg::BreakOrder told;
+  told.targets = {robot};
+  told.order = order;
+  told.points = std::move(points);
+  const std::string id = voice_.order_breaks(told);
+  if (id.empty()) return notices_.tell("could not tell " + robot + " about break points");
+  answers_.expect(id, effect_of(told), {robot}, clock_.now());
+  notices_.tell("told " + robot + " about break points");
+}
+
+std::vector<std::string> Steering::heard() const {
+  std::vector<std::string> names;
+  for (const auto& [name, robot] : model_.team().robots())
+    if (!model_.team().silent(robot)) names.push_back(name);
+  return names;
 }
 
 std::string Steering::stop_report() const {

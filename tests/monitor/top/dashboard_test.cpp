@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/monitor/top/model/told.h"
+#include "tests/monitor/top/steered.h"
 
 namespace galilean::monitor::top {
 namespace {
@@ -14,57 +14,6 @@ using std::chrono::seconds;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
-
-class FakePusher : public Pusher {
- public:
-  [[nodiscard]] std::string hindrance() const override { return why_not; }
-  void check(const PushWish& wish) override { wished = wish; }
-  void push(bool with_canary) override { pushed = with_canary ? "with canary" : "to all"; }
-  void cancel() override { ++cancelled; }
-  [[nodiscard]] PushReport report() const override { return told; }
-
-  std::string why_not;
-  PushReport told;
-  std::optional<PushWish> wished;
-  std::string pushed;
-  int cancelled = 0;
-};
-
-class Steered : public Told {
- protected:
-  void SetUp() override {
-    for (const char* name : {"callisto", "ganymede", "io"}) tell_of({.robot = name});
-    dashboard.update();
-  }
-  void receive(const Message& message) override {
-    Told::receive(message);
-    history.note(message);
-  }
-  void press(std::string_view letters) {
-    for (const char letter : letters) EXPECT_TRUE(dashboard.press({Key::kLetter, letter}));
-  }
-  void press(Key key) { EXPECT_TRUE(dashboard.press({key})); }
-  std::string screen() { return dashboard.draw(80, 24).text(); }
-
-  History history{clock};
-  FakePusher pusher;
-  std::vector<std::string> said;
-  Dashboard dashboard{{model,
-                       history,
-                       clock,
-                       {[this](Operator::Word word, const std::vector<std::string>& robots) {
-                         std::string words = word == Operator::Word::kHold     ? "hold"
-                                             : word == Operator::Word::kResume ? "resume"
-                                                                               : "start";
-                         for (const auto& robot : robots) words += " " + robot;
-                         said.push_back(words);
-                         return true;
-                       }},
-                       pusher},
-                      ""};
-};
-
-using Said = std::vector<std::string>;
 
 TEST_F(Steered, HoldIsSaidAtOnceAndResumeAsks) {
   press("h");
@@ -79,20 +28,11 @@ TEST_F(Steered, HoldIsSaidAtOnceAndResumeAsks) {
 }
 
 TEST_F(Steered, WhoIsAskedAboutIsWhoIsTold) {
-  Said told;
-  Dashboard mistyped{{model,
-                      history,
-                      clock,
-                      {[&told](Operator::Word, const std::vector<std::string>& robots) {
-                        told = robots;
-                        return true;
-                      }},
-                      pusher},
-                     "calisto"};
+  Dashboard mistyped{{model, history, clock, voice(), pusher}, "calisto"};
   EXPECT_TRUE(mistyped.press({Key::kLetter, 'r'}));
   EXPECT_THAT(mistyped.draw(80, 24).text(), HasSubstr("Resume callisto? y / n"));
   EXPECT_TRUE(mistyped.press({Key::kLetter, 'y'}));
-  EXPECT_EQ(told, Said{"callisto"});
+  EXPECT_EQ(said, Said{"resume callisto"});
 }
 
 TEST_F(Steered, StopAllIsSaidAtOnceAndAgainToThoseWhoHaveNotConfirmed) {

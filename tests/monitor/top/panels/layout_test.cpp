@@ -135,6 +135,18 @@ TEST(TopLayout, TellsWhichConditionFiresNow) {
   EXPECT_THAT(screen, HasSubstr("start ← before"));
 }
 
+TEST(TopLayout, MarksBreakPointsAtStatesAndTransitions) {
+  View view = team_of_three();
+  view.machine.states[0].mark = BreakMark::kLock;
+  view.machine.states[1].mark = BreakMark::kStop;
+  view.machine.conditions[0].mark = BreakMark::kStopTeam;
+  const std::string screen = text_of(view, 100, 30);
+  EXPECT_THAT(screen, HasSubstr(" ■start"));
+  EXPECT_THAT(screen, HasSubstr("▶●wander_for_trash"));
+  EXPECT_THAT(screen, HasSubstr("├●trash_known[0] = 1"));
+  EXPECT_THAT(screen, HasSubstr("├ bumpers[1] = 1"));
+}
+
 TEST(TopLayout, TellsWhyTheStateChanged) {
   const std::string screen = text_of(team_of_three(), 80, 24, {.tab = Tab::kWhy});
   for (const char* told : {"4.2 s start → wander_for_trash", "bumpers[0] became 1  office.bhdl:31",

@@ -70,6 +70,8 @@ class Dashboard {
   [[nodiscard]] std::string shown_robot() const;
   void ask(std::string question, std::function<void()> yes);
   void ask_to_resume(bool all);
+  /// Asks whether to take the shown robot out of service, or to put it into service again.
+  void ask_about_service();
   void begin_text(Mode mode);
   void begin_push(bool last_good, bool to_all);
   void open(std::unique_ptr<OpenSheet> sheet);

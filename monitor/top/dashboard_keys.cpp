@@ -129,6 +129,8 @@ void Dashboard::press_letter(char letter) {
       return to_all ? move_in_machine(-1) : move(-1);
     case 'b':
       return to_all ? open_breaks() : toggle_break_point();
+    case 'd':
+      return to_all ? void() : ask_about_service();
     case 'n':
       return steering_.say(Operator::Word::kStep, shown_robot(), to_all);
     case 'l':

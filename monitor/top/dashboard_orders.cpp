@@ -25,6 +25,17 @@ void Dashboard::ask_to_resume(bool all) {
       [this, robot, all] { steering_.say(Operator::Word::kResume, robot, all); });
 }
 
+void Dashboard::ask_about_service() {
+  const std::string robot = shown_robot();
+  const Robot* known = model_.team().find(robot);
+  if (!known || !known->state) return notices_.tell("No robot is heard that could be told.");
+  const bool is_out = known->state->out_of_service;
+  const auto word = is_out ? Operator::Word::kCommission : Operator::Word::kDecommission;
+  ask(is_out ? "Commission " + robot + ", so that it serves again?"
+             : "Decommission " + robot + ", so that it stands until it is commissioned?",
+      [this, robot, word] { steering_.say(word, robot, false); });
+}
+
 void Dashboard::begin_text(Mode mode) {
   mode_ = mode;
   has_typed_ = false;

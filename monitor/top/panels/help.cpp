@@ -19,6 +19,7 @@ Sheet help_sheet() {
       "h, H         hold: the robot chosen, or all, stand still until resumed",
       "r, R         resume the robot chosen, or all; asks first",
       "s, S         start: push a bumper, which is what the start state waits for",
+      "d            take the robot out of service, or put it into service again; asks first",
       "J K          choose a state of the robot's program, as a click does; Esc: none",
       "b            break point: the robot stops on entering that state; again: it does not",
       "B            the robot's break points: remove, stop, stop team or lock, let through",

@@ -27,6 +27,23 @@ TEST_F(Steered, HoldIsSaidAtOnceAndResumeAsks) {
   EXPECT_EQ(said, (Said{"hold callisto", "resume callisto"}));
 }
 
+TEST_F(Steered, ARobotIsTakenOutOfServiceAndBackAfterAYes) {
+  press("d");
+  EXPECT_THAT(screen(), HasSubstr("Decommission callisto, so that it stands until it is "
+                                  "commissioned? y / n"));
+  press("n");
+  EXPECT_EQ(said, Said{});
+  press("dy");
+  EXPECT_EQ(said, Said{"decommission callisto"});
+  tell_of({.robot = "callisto", .out_of_service = true});
+  press("d");
+  EXPECT_THAT(screen(), HasSubstr("Commission callisto, so that it serves again? y / n"));
+  press("y");
+  EXPECT_EQ(said.back(), "commission callisto");
+  press("D");  // never the whole team at once
+  EXPECT_EQ(said.size(), 2u);
+}
+
 TEST_F(Steered, WhoIsAskedAboutIsWhoIsTold) {
   Dashboard mistyped{{model, history, clock, voice(), pusher}, "calisto"};
   EXPECT_TRUE(mistyped.press({Key::kLetter, 'r'}));

@@ -71,6 +71,7 @@ class Told : public testing::Test {
     std::uint32_t overruns = 0;
     bool held = false;
     double x_m = 0;
+    bool out_of_service = false;
   };
   void tell_of(const State& state) {
     tell("rt/" + state.robot + "/state", msg::RobotState::kRosType,
@@ -91,7 +92,7 @@ class Told : public testing::Test {
              .number(state.overruns)
              .number<std::uint8_t>(state.held)
              .number<std::uint8_t>(0)
-             .number<std::uint8_t>(0)
+             .number<std::uint8_t>(state.out_of_service)
              .number(state.x_m)
              .number(0.0)
              .number(0.0)

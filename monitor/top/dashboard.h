@@ -74,6 +74,11 @@ class Dashboard {
   void ask_about_service();
   void begin_text(Mode mode);
   void begin_push(bool last_good, bool to_all);
+  void open_history(bool to_all);
+  /// Tells why nothing can be pushed. Returns false if something can.
+  bool tells_hindrance();
+  /// Returns a wish to push to the shown robot, or to all. Requires: a robot is shown.
+  [[nodiscard]] PushWish wish_for(bool to_all) const;
   void open(std::unique_ptr<OpenSheet> sheet);
 
   // dashboard_breaks.cpp: where the shown robot stops.

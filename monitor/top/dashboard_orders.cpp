@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "monitor/top/dashboard.h"
+#include "monitor/top/sheets/history_sheet.h"
 #include "monitor/top/sheets/push_sheet.h"
 
 namespace galilean::monitor::top {
@@ -46,22 +47,36 @@ void Dashboard::open(std::unique_ptr<OpenSheet> sheet) {
   mode_ = Mode::kSheet;
 }
 
+bool Dashboard::tells_hindrance() {
+  std::string why = pusher_.hindrance();
+  if (why.empty() && shown_robot().empty()) why = "no robot is heard.";
+  if (!why.empty()) notices_.tell("Cannot push: " + why);
+  return !why.empty();
+}
+
+PushWish Dashboard::wish_for(bool to_all) const {
+  const Robot& robot = *model_.team().find(shown_robot());
+  PushWish wish;
+  if (!to_all) wish.robots = {robot.name};
+  if (to_all && model_.team().robots().size() > 1) wish.canary = robot.name;
+  if (!robot.program) return wish;
+  wish.runs_hash = robot.program->hash;
+  for (const auto& file : robot.program->files) wish.runs.push_back({file.path, file.text});
+  return wish;
+}
+
 void Dashboard::begin_push(bool last_good, bool to_all) {
   if (pusher_.report().stage == PushReport::Stage::kPushing)
     return open(std::make_unique<PushSheet>(pusher_));
-  if (const auto why = pusher_.hindrance(); !why.empty())
-    return notices_.tell("Cannot push: " + why);
-  const Robot* robot = model_.team().find(shown_robot());
-  if (!robot) return notices_.tell("Cannot push: no robot is heard.");
-  wish_ = {};
-  if (!to_all) wish_.robots = {robot->name};
-  if (to_all && model_.team().robots().size() > 1) wish_.canary = robot->name;
-  if (robot->program) {
-    wish_.runs_hash = robot->program->hash;
-    for (const auto& file : robot->program->files) wish_.runs.push_back({file.path, file.text});
-  }
+  if (tells_hindrance()) return;
+  wish_ = wish_for(to_all);
   if (!last_good) return begin_text(Mode::kFile);
   open(std::make_unique<PushSheet>(pusher_, std::move(wish_)));
+}
+
+void Dashboard::open_history(bool to_all) {
+  if (tells_hindrance()) return;
+  open(std::make_unique<HistorySheet>(pusher_, wish_for(to_all)));
 }
 
 }  // namespace galilean::monitor::top

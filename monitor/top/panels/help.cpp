@@ -26,6 +26,7 @@ Sheet help_sheet() {
       "n, N         step: go on until the next change of state, and stop there",
       "p, P         push a program: check, differences, canary; asks first (needs a monitor)",
       "u, U         restore the last good program; asks first (needs a monitor)",
+      "w, W         what was pushed, when, by whom, and its differences; restores after a yes",
       "q, Ctrl-C    quit; the robots go on. Ctrl-Z: back to the shell, fg: here again",
       "",
       "● in the states: a break point stops who enters it; ■: a lock, which waits for you.",

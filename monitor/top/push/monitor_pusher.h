@@ -24,6 +24,8 @@ class MonitorPusher : public Pusher {
   void push(bool with_canary) override { worker_->push(with_canary); }
   void cancel() override { worker_->cancel(); }
   [[nodiscard]] PushReport report() const override { return worker_->report(); }
+  void list() override { worker_->list(); }
+  [[nodiscard]] PastPushes pushes() const override { return worker_->pushes(); }
 
  private:
   std::shared_ptr<PushWorker> worker_;  ///< shared with the thread, which may outlive this

@@ -52,13 +52,30 @@ Result<Files> PushWorker::files_of(const PushWish& wish) const {
     if (files.empty()) return Error{wish.file + " cannot be read"};
     return files;
   }
+  if (!wish.hash.empty()) return pushed_files(wish.hash);
   const auto pushes = get("/api/pushes");
   if (!pushes) return pushes.error();
   const auto hash = last_good_hash(pushes.value(), wish.runs_hash);
   if (hash.empty()) return Error{"the monitor knows no other program that was pushed"};
+  return pushed_files(hash);
+}
+
+Result<Files> PushWorker::pushed_files(const std::string& hash) const {
   const auto pushed = get("/api/pushed/" + hash);
   if (!pushed) return pushed.error();
   return files_from_json(pushed.value().value("files", json::array()));
+}
+
+void PushWorker::list_now() {
+  PastPushes list;
+  const auto done = attempt([&] {
+    const auto answer = get("/api/pushes");
+    list = answer ? PastPushes{true, "", past_pushes(answer.value())}
+                  : PastPushes{false, answer.error().message, {}};
+  });
+  if (!done) list = {false, done.error().message, {}};
+  const std::lock_guard lock(mutex_);
+  pushes_ = std::move(list);
 }
 
 void PushWorker::finish_check(std::uint64_t number, PushReport report,
@@ -70,6 +87,7 @@ void PushWorker::finish_check(std::uint64_t number, PushReport report,
 }
 
 void PushWorker::check_now(const PushWish& wish, std::uint64_t number) {
+  if (is_outdated(number)) return;
   const auto refuse = [&](const std::string& why) {
     finish_check(number, report_of_refusal({}, why), {});
   };

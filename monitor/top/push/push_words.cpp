@@ -96,6 +96,24 @@ PushReport report_of_refusal(const json& answer, const std::string& why) {
   return report;
 }
 
+std::vector<PastPush> past_pushes(const json& answer) {
+  std::vector<PastPush> pushes;
+  for (const auto& each : answer.value("pushes", json::array())) {
+    PastPush push{.pushed_ns = each.value("pushed_ns", std::int64_t{}),
+                  .author = each.value("author", ""),
+                  .program = each.value("program", ""),
+                  .hash = each.value("hash", ""),
+                  .state = each.value("state", ""),
+                  .targets = each.value("targets", std::vector<std::string>{})};
+    const auto state = push_state_of(push.state);
+    push.has_failed = state != PushState::kRunning && state != PushState::kDone;
+    for (const auto& reply : each.value("replies", json::array()))
+      push.outcomes.push_back(reply.value("robot", "") + " " + reply.value("status", ""));
+    pushes.push_back(std::move(push));
+  }
+  return pushes;
+}
+
 PushReport report_of_silence(const PushReport& before, const std::string& why) {
   PushReport report{
       Stage::kUnknown,

@@ -36,8 +36,7 @@ void PushWorker::check(const PushWish& wish) {
   const std::lock_guard lock(mutex_);
   checked_.reset();
   report_ = {Stage::kChecking, "Push", {{"The monitor checks the program."}}};
-  job_ = [this, wish, number = ++newest_check_] { check_now(wish, number); };
-  woken_.notify_all();
+  add([this, wish, number = ++newest_check_] { check_now(wish, number); });
 }
 
 void PushWorker::push(bool with_canary) {
@@ -45,9 +44,25 @@ void PushWorker::push(bool with_canary) {
   if (!checked_) return;
   report_ = {Stage::kPushing, "Push", {{"The push was ordered."}}};
   cancelled_ = false;
-  job_ = [this, with_canary, checked = *std::exchange(checked_, std::nullopt)] {
+  add([this, with_canary, checked = *std::exchange(checked_, std::nullopt)] {
     push_now(checked, with_canary);
-  };
+  });
+}
+
+void PushWorker::list() {
+  const std::lock_guard lock(mutex_);
+  pushes_.trouble.clear();
+  add([this] { list_now(); });
+}
+
+PastPushes PushWorker::pushes() const {
+  const std::lock_guard lock(mutex_);
+  return pushes_;
+}
+
+/// Requires: mutex_ is locked.
+void PushWorker::add(Job job) {
+  jobs_.push_back(std::move(job));
   woken_.notify_all();
 }
 
@@ -79,14 +94,16 @@ void PushWorker::run() {
       const std::lock_guard lock(mutex_);
       hindrance_ = asked.error().message;
     }
-    std::optional<Job> job;
+    Job job;
     {
       std::unique_lock lock(mutex_);
-      woken_.wait_for(lock, kAskForRightsEach, [this] { return job_.has_value() || ends_; });
-      job.swap(job_);
+      woken_.wait_for(lock, kAskForRightsEach, [this] { return !jobs_.empty() || ends_; });
       if (ends_) break;
+      if (jobs_.empty()) continue;
+      job = std::move(jobs_.front());
+      jobs_.pop_front();
     }
-    if (job) (*job)();
+    job();
   }
   const std::lock_guard lock(mutex_);
   ended_ = true;
@@ -109,6 +126,11 @@ void PushWorker::ask_for_rights() {
     hindrance = "the monitor's operator token is needed to push; name its file with --token-file";
   const std::lock_guard lock(mutex_);
   hindrance_ = std::move(hindrance);
+}
+
+bool PushWorker::is_outdated(std::uint64_t check) const {
+  const std::lock_guard lock(mutex_);
+  return check != newest_check_;
 }
 
 bool PushWorker::pause() {

@@ -12,7 +12,9 @@ namespace galilean::monitor::top {
 
 /// What is to be pushed, and to whom.
 struct PushWish {
-  std::string file;                    ///< on this machine; empty: the last good program
+  std::string file;                    ///< on this machine
+  std::string hash;                    ///< of a program that was pushed before; if the file is
+                                       ///< empty, too: the last good program
   std::vector<std::string> robots;     ///< empty: the team
   std::string canary;                  ///< the robot that would run it first; empty: none
   std::string runs_hash;               ///< of the program that runs now
@@ -36,6 +38,24 @@ struct PushReport {
   std::vector<Sheet::Line> lines;
 };
 
+/// A push that the monitor remembers.
+struct PastPush {
+  std::int64_t pushed_ns = 0;  ///< since the Unix epoch
+  std::string author;
+  std::string program;
+  std::string hash;  ///< empty: the program was no valid one
+  std::string state;
+  bool has_failed = false;
+  std::vector<std::string> targets;   ///< empty: the team
+  std::vector<std::string> outcomes;  ///< what each robot answered: "io confirmed"
+};
+/// The pushes that the monitor remembers.
+struct PastPushes {
+  bool is_known = false;
+  std::string trouble;           ///< why they are not known; empty: the answer is under way
+  std::vector<PastPush> pushes;  ///< the newest first
+};
+
 /// Pushes programs. No call waits.
 class Pusher {
  public:
@@ -49,6 +69,9 @@ class Pusher {
   /// Cancels the push, or forgets what was checked.
   virtual void cancel() = 0;
   [[nodiscard]] virtual PushReport report() const = 0;
+  /// Asks for the pushes that the monitor remembers.
+  virtual void list() = 0;
+  [[nodiscard]] virtual PastPushes pushes() const = 0;
 };
 
 }  // namespace galilean::monitor::top

@@ -205,41 +205,6 @@ TEST_F(Steered, GoingBackShowsWhatWasAndTheEndKeyTheNow) {
   EXPECT_THAT(screen(), Not(HasSubstr(" ago (l: now)")));
 }
 
-TEST_F(Steered, WhereNothingCanBePushedItSaysSoBeforehand) {
-  pusher.why_not = "the monitor's operator token is needed to push";
-  EXPECT_THAT(screen(), HasSubstr("cannot push"));
-  press("p");
-  EXPECT_THAT(screen(), HasSubstr("Cannot push: the monitor's operator token is needed to push"));
-  EXPECT_FALSE(pusher.wished);
-}
-
-TEST_F(Steered, APushIsCheckedShownAndAskedFor) {
-  press("P");
-  press("office.bhdl");
-  EXPECT_THAT(screen(), HasSubstr("Push which file? office.bhdl_"));
-  press(Key::kEnter);
-  ASSERT_TRUE(pusher.wished);
-  EXPECT_EQ(pusher.wished->file, "office.bhdl");
-  EXPECT_TRUE(pusher.wished->robots.empty());
-  pusher.told = {PushReport::Stage::kReady, "Push office.bhdl 3f2a", {{"2 differences"}}};
-  EXPECT_THAT(screen(), HasSubstr("2 differences"));
-  EXPECT_THAT(screen(),
-              HasSubstr("Push to all robots?  y yes   Esc no   c callisto runs it first"));
-  press("cy");
-  EXPECT_EQ(pusher.pushed, "with canary");
-}
-
-TEST_F(Steered, RestoringIsForTheChosenRobotAndMayBeLeft) {
-  press("u");
-  ASSERT_TRUE(pusher.wished);
-  EXPECT_EQ(pusher.wished->file, "");
-  EXPECT_EQ(pusher.wished->robots, std::vector<std::string>{"callisto"});
-  pusher.told.stage = PushReport::Stage::kReady;
-  press(Key::kEscape);
-  EXPECT_EQ(pusher.cancelled, 1);
-  EXPECT_EQ(pusher.pushed, "");
-}
-
 TEST_F(Steered, QuitsByItsKeyAlone) {
   EXPECT_FALSE(dashboard.press({Key::kLetter, 'q'}));
   press("?");

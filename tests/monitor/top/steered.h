@@ -17,12 +17,16 @@ class FakePusher : public Pusher {
   void push(bool with_canary) override { pushed = with_canary ? "with canary" : "to all"; }
   void cancel() override { ++cancelled; }
   [[nodiscard]] PushReport report() const override { return told; }
+  void list() override { ++listed; }
+  [[nodiscard]] PastPushes pushes() const override { return past; }
 
   std::string why_not;
   PushReport told;
   std::optional<PushWish> wished;
   std::string pushed;
   int cancelled = 0;
+  PastPushes past;
+  int listed = 0;
 };
 
 /// A dashboard of three robots that is steered by keys. What it says to robots is noted.

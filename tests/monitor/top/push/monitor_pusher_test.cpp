@@ -66,11 +66,13 @@ class MonitorPusherTest : public testing::Test {
   }
   /// Waits until the report is at this stage, and returns it.
   PushReport wait_for(Stage stage) {
-    const auto begin = std::chrono::steady_clock::now();
-    while (pusher->report().stage != stage &&
-           std::chrono::steady_clock::now() - begin < std::chrono::seconds(10))
-      std::this_thread::yield();
+    wait_until([&] { return pusher->report().stage == stage; });
     return pusher->report();
+  }
+  static void wait_until(const std::function<bool()>& condition) {
+    const auto begin = std::chrono::steady_clock::now();
+    while (!condition() && std::chrono::steady_clock::now() - begin < std::chrono::seconds(10))
+      std::this_thread::yield();
   }
   void check(const std::string& name) {
     pusher->check({.file = file(name)});
@@ -135,6 +137,28 @@ TEST_F(MonitorPusherTest, ACheckThatEndsAfterItWasCancelledIsForgotten) {
   EXPECT_EQ(pusher->report().stage, Stage::kNone);
   pusher->push(false);
   EXPECT_EQ(pusher->report().stage, Stage::kNone);
+}
+
+TEST_F(MonitorPusherTest, AnEarlierProgramIsListedReadAndChecked) {
+  pusher->list();
+  EXPECT_FALSE(pusher->pushes().is_known);
+  monitor->answer("/api/pushes",
+                  MonitorAnswer{200, json{{"pushes", json::array({json{{"hash", "3f2a91c0"}}})}}});
+  wait_until([&] { return pusher->pushes().is_known; });
+  ASSERT_EQ(pusher->pushes().pushes.size(), 1u);
+  pusher->check({.hash = "3f2a91c0"});
+  const json files = json::array({json{{"path", "office.bhdl"}, {"text", kProgram}}});
+  monitor->answer("/api/pushed/3f2a91c0", MonitorAnswer{200, json{{"files", files}}});
+  monitor->answer("/api/check", MonitorAnswer{200, json{{"ok", true}, {"hash", "3f2a91c0"}}});
+  EXPECT_EQ(wait_for(Stage::kReady).title, "Push office.bhdl 3f2a91c0");
+}
+
+TEST_F(MonitorPusherTest, WhyTheListIsNotKnownIsTold) {
+  pusher->list();
+  monitor->answer("/api/pushes", Unanswered{{"connection refused"}});
+  wait_until([&] { return !pusher->pushes().trouble.empty(); });
+  EXPECT_EQ(pusher->pushes().trouble, "connection refused");
+  EXPECT_FALSE(pusher->pushes().is_known);
 }
 
 TEST_F(MonitorPusherTest, QuittingDoesNotWaitForTheMonitor) {

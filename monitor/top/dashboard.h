@@ -75,6 +75,7 @@ class Dashboard {
   void begin_text(Mode mode);
   void begin_push(bool last_good, bool to_all);
   void open_history(bool to_all);
+  void open_gains(bool to_all);
   /// Tells why nothing can be pushed. Returns false if something can.
   bool tells_hindrance();
   /// Returns a wish to push to the shown robot, or to all. Requires: a robot is shown.

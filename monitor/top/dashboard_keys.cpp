@@ -139,6 +139,8 @@ void Dashboard::press_letter(char letter) {
       return begin_push(false, to_all);
     case 'u':
       return begin_push(true, to_all);
+    case 'g':
+      return open_gains(to_all);
     case 'w':
       return open_history(to_all);
     case '/':

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "monitor/top/dashboard.h"
+#include "monitor/top/sheets/gain_sheet.h"
 #include "monitor/top/sheets/history_sheet.h"
 #include "monitor/top/sheets/push_sheet.h"
 
@@ -61,6 +62,7 @@ PushWish Dashboard::wish_for(bool to_all) const {
   if (to_all && model_.team().robots().size() > 1) wish.canary = robot.name;
   if (!robot.program) return wish;
   wish.runs_hash = robot.program->hash;
+  if (!to_all) wish.replaces = wish.runs_hash;
   for (const auto& file : robot.program->files) wish.runs.push_back({file.path, file.text});
   return wish;
 }
@@ -72,6 +74,12 @@ void Dashboard::begin_push(bool last_good, bool to_all) {
   wish_ = wish_for(to_all);
   if (!last_good) return begin_text(Mode::kFile);
   open(std::make_unique<PushSheet>(pusher_, std::move(wish_)));
+}
+
+void Dashboard::open_gains(bool to_all) {
+  const std::string robot = shown_robot();
+  if (robot.empty()) return notices_.tell("No robot is heard whose gains could be moved.");
+  open(std::make_unique<GainSheet>(model_, pusher_, to_all ? "" : robot));
 }
 
 void Dashboard::open_history(bool to_all) {

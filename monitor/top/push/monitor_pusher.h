@@ -22,6 +22,7 @@ class MonitorPusher : public Pusher {
   [[nodiscard]] std::string hindrance() const override { return worker_->hindrance(); }
   void check(const PushWish& wish) override { worker_->check(wish); }
   void push(bool with_canary) override { worker_->push(with_canary); }
+  void push_at_once(const PushWish& wish) override { worker_->push_at_once(wish); }
   void cancel() override { worker_->cancel(); }
   [[nodiscard]] PushReport report() const override { return worker_->report(); }
   void list() override { worker_->list(); }

@@ -110,7 +110,8 @@ void PushWorker::push_now(const Checked& checked, bool with_canary) {
   if (take_cancel()) return tell(report_of_refusal({}, "it was cancelled before it was sent"));
   PushOptions options = options_;
   options.robots = checked.wish.robots;
-  options.replaces = checked.wish.robots.size() == 1 ? checked.wish.runs_hash : "";
+  options.replaces = checked.wish.replaces;
+  if (!checked.wish.reason.empty()) options.author += " (" + checked.wish.reason + ")";
   if (with_canary) options.canary = checked.wish.canary;
   const auto done = attempt([&] { follow(push_request(checked.files, options)); });
   if (!done) tell(report_of_silence(report(), done.error().message));

@@ -79,6 +79,7 @@ PushReport report_of_push(const json& answer) {
                  : state == PushState::kDone  ? Stage::kDone
                                               : Stage::kFailed;
   report.title = "Push of " + program + ": " + answer.value("state", "");
+  report.id = answer.value("id", "");
   for (const auto& step : answer.value("steps", json::array())) {
     const auto step_state = step_state_of(step.value("state", ""));
     if (step_state == StepState::kLeftOut) continue;

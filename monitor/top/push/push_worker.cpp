@@ -41,12 +41,22 @@ void PushWorker::check(const PushWish& wish) {
 
 void PushWorker::push(bool with_canary) {
   const std::lock_guard lock(mutex_);
-  if (!checked_) return;
+  if (checked_) begin_push(*std::exchange(checked_, std::nullopt), with_canary);
+}
+
+void PushWorker::push_at_once(const PushWish& wish) {
+  const std::lock_guard lock(mutex_);
+  if (report_.stage == Stage::kPushing) return;
+  ++newest_check_;  // A check that still runs ends for nobody.
+  checked_.reset();
+  begin_push({wish, wish.files}, false);
+}
+
+/// Requires: mutex_ is locked.
+void PushWorker::begin_push(Checked checked, bool with_canary) {
   report_ = {Stage::kPushing, "Push", {{"The push was ordered."}}};
   cancelled_ = false;
-  add([this, with_canary, checked = *std::exchange(checked_, std::nullopt)] {
-    push_now(checked, with_canary);
-  });
+  add([this, with_canary, checked = std::move(checked)] { push_now(checked, with_canary); });
 }
 
 void PushWorker::list() {

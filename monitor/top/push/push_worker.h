@@ -38,6 +38,7 @@ class PushWorker {
   [[nodiscard]] std::string hindrance() const;
   void check(const PushWish& wish);
   void push(bool with_canary);
+  void push_at_once(const PushWish& wish);
   void cancel();
   [[nodiscard]] PushReport report() const;
   void list();
@@ -56,6 +57,7 @@ class PushWorker {
   void list_now();
   void check_now(const PushWish& wish, std::uint64_t number);
   void finish_check(std::uint64_t number, PushReport report, std::optional<Checked> checked);
+  void begin_push(Checked checked, bool with_canary);
   void push_now(const Checked& checked, bool with_canary);
   void follow(const nlohmann::json& request);
   /// Returns whether another check was ordered, or this one was cancelled.

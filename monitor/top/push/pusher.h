@@ -12,13 +12,16 @@ namespace galilean::monitor::top {
 
 /// What is to be pushed, and to whom.
 struct PushWish {
-  std::string file;                    ///< on this machine
-  std::string hash;                    ///< of a program that was pushed before; if the file is
-                                       ///< empty, too: the last good program
-  std::vector<std::string> robots;     ///< empty: the team
-  std::string canary;                  ///< the robot that would run it first; empty: none
-  std::string runs_hash;               ///< of the program that runs now
-  std::vector<bhdl::SourceFile> runs;  ///< its text, which the differences are told from
+  std::string file;  ///< on this machine
+  std::string hash;  ///< of a program that was pushed before; if the file is empty, too: the last
+                     ///< good program
+  std::vector<std::string> robots;           ///< empty: the team
+  std::string canary;                        ///< the robot that would run it first; empty: none
+  std::string runs_hash;                     ///< of the program that runs now
+  std::vector<bhdl::SourceFile> runs;        ///< its text, which the differences are told from
+  std::vector<bhdl::SourceFile> files = {};  ///< the program itself, for push_at_once
+  std::string reason = {};                   ///< why; it stands beside the author
+  std::string replaces = {};                 ///< the hash that the robots must run; empty: any
 };
 
 /// How far a push has come.
@@ -36,6 +39,7 @@ struct PushReport {
   Stage stage = Stage::kNone;
   std::string title;
   std::vector<Sheet::Line> lines;
+  std::string id = {};  ///< of the push, once the monitor took it
 };
 
 /// A push that the monitor remembers.
@@ -66,6 +70,8 @@ class Pusher {
   virtual void check(const PushWish& wish) = 0;
   /// Pushes what was checked. Requires: the stage is kReady.
   virtual void push(bool with_canary) = 0;
+  /// Pushes `wish.files`, which the monitor checks first. Requires: no push is under way.
+  virtual void push_at_once(const PushWish& wish) = 0;
   /// Cancels the push, or forgets what was checked.
   virtual void cancel() = 0;
   [[nodiscard]] virtual PushReport report() const = 0;

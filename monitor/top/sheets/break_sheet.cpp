@@ -97,7 +97,7 @@ void BreakSheet::change(const msg::BreakPoint& point, char letter) {
   steering_.order_breaks(robot_, "let_through", {waits_at(told, point) ? waited : point});
 }
 
-Sheet BreakSheet::sheet() const {
+Sheet BreakSheet::sheet() {
   Sheet sheet{.title = "Break points of " + robot_, .lines = {}, .keys = "Esc back"};
   const msg::Breaks* told = breaks();
   if (!told) {

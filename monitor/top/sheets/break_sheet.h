@@ -18,7 +18,7 @@ class BreakSheet : public OpenSheet {
   [[nodiscard]] Turn press(const Press& press) override;
 
  protected:
-  [[nodiscard]] Sheet sheet() const override;
+  [[nodiscard]] Sheet sheet() override;
 
  private:
   /// Returns what the robot told; nullptr if it told nothing.

@@ -16,7 +16,7 @@ class HelpSheet : public OpenSheet {
   }
 
  protected:
-  [[nodiscard]] Sheet sheet() const override { return help_sheet(); }
+  [[nodiscard]] Sheet sheet() override { return help_sheet(); }
 };
 
 }  // namespace galilean::monitor::top

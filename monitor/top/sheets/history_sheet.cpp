@@ -25,17 +25,6 @@ std::string when_pushed(std::int64_t pushed_ns) {
   return {text, std::strftime(text, sizeof text, "%Y-%m-%d", &local)};
 }
 
-/// Returns the text with blanks behind it up to this width, or its beginning.
-std::string in_column(std::string_view text, int width) {
-  std::string cells;
-  int used = 0;
-  while (!text.empty() && used < width - 1) {
-    append_utf8(cells, take_character(text));
-    ++used;
-  }
-  return cells + std::string(static_cast<std::size_t>(width - used), ' ');
-}
-
 std::string list_of(const std::vector<std::string>& words, const char* if_none) {
   std::string text;
   for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -78,7 +67,7 @@ OpenSheet::Turn HistorySheet::press(const Press& press) {
   return turn_to(std::make_unique<PushSheet>(pusher_, std::move(wish_)));
 }
 
-Sheet HistorySheet::sheet() const {
+Sheet HistorySheet::sheet() {
   const auto known = pusher_.pushes();
   const std::string whom = wish_.robots.empty() ? "all robots" : wish_.robots[0];
   Sheet sheet{.title = "What was pushed", .lines = {}, .keys = "Esc back"};

@@ -16,7 +16,7 @@ class HistorySheet : public OpenSheet {
   [[nodiscard]] Turn press(const Press& press) override;
 
  protected:
-  [[nodiscard]] Sheet sheet() const override;
+  [[nodiscard]] Sheet sheet() override;
 
  private:
   Pusher& pusher_;

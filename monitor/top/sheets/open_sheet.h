@@ -32,7 +32,7 @@ class OpenSheet {
   }
 
  protected:
-  [[nodiscard]] virtual Sheet sheet() const = 0;
+  [[nodiscard]] virtual Sheet sheet() = 0;
 
   [[nodiscard]] static Turn stay() { return {}; }
   [[nodiscard]] static Turn close() { return {.stays = false}; }

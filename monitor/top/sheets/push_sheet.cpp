@@ -21,7 +21,7 @@ OpenSheet::Turn PushSheet::press(const Press& press) {
   return close();
 }
 
-Sheet PushSheet::sheet() const {
+Sheet PushSheet::sheet() {
   const PushReport report = pusher_.report();
   return {.title = report.title, .lines = report.lines, .keys = keys_at(report.stage)};
 }

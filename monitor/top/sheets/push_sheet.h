@@ -17,7 +17,7 @@ class PushSheet : public OpenSheet {
   [[nodiscard]] Turn press(const Press& press) override;
 
  protected:
-  [[nodiscard]] Sheet sheet() const override;
+  [[nodiscard]] Sheet sheet() override;
 
  private:
   using Stage = PushReport::Stage;

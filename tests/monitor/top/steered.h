@@ -15,6 +15,10 @@ class FakePusher : public Pusher {
   [[nodiscard]] std::string hindrance() const override { return why_not; }
   void check(const PushWish& wish) override { wished = wish; }
   void push(bool with_canary) override { pushed = with_canary ? "with canary" : "to all"; }
+  void push_at_once(const PushWish& wish) override {
+    wished = wish;
+    pushed = "at once";
+  }
   void cancel() override { ++cancelled; }
   [[nodiscard]] PushReport report() const override { return told; }
   void list() override { ++listed; }

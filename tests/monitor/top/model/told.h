@@ -72,6 +72,7 @@ class Told : public testing::Test {
     bool held = false;
     double x_m = 0;
     bool out_of_service = false;
+    std::string program_hash = "3f2a91c0";
   };
   void tell_of(const State& state) {
     tell("rt/" + state.robot + "/state", msg::RobotState::kRosType,
@@ -80,7 +81,7 @@ class Told : public testing::Test {
              .number<std::uint32_t>(0)
              .text(state.robot)
              .text("office")
-             .text("3f2a91c0")
+             .text(state.program_hash)
              .text(state.state)
              .number<std::int32_t>(0)
              .number<std::uint32_t>(0)
@@ -139,6 +140,10 @@ class Told : public testing::Test {
           .number<std::uint32_t>(0);
     bytes.number<std::uint32_t>(0);
     tell("rt/" + program.robot + "/program", msg::Program::kRosType, bytes);
+  }
+  void tell_of_catalog(const std::string& robot, const std::string& json) {
+    tell("rt/" + robot + "/catalog", msg::Catalog::kRosType,
+         Bytes().text(robot).text("cccc").text(json));
   }
   void tell_of_map(double x_m) {
     tell("rt/team/objects", msg::ObjectMap::kRosType,

@@ -154,6 +154,21 @@ TEST(TopLayout, TellsWhyTheStateChanged) {
     EXPECT_THAT(screen, HasSubstr(told));
 }
 
+TEST(TopLayout, TheHelpFitsTheSmallestTerminal) {
+  for (const auto& line : help_sheet().lines) EXPECT_LT(width_of(line.text), 80) << line.text;
+}
+
+TEST(TopLayout, AListShowsItsChosenLine) {
+  Sheet sheet{.title = "List", .lines = {}, .keys = "Esc back"};
+  for (int i = 0; i < 50; ++i) sheet.lines.push_back({"line " + std::to_string(i)});
+  for (const std::size_t chosen : {0, 30, 49, 20}) {
+    Canvas canvas(80, 24);
+    sheet.chosen = chosen;
+    lay_over(sheet, canvas);
+    EXPECT_THAT(canvas.text(), HasSubstr("▶ line " + std::to_string(chosen)));
+  }
+}
+
 struct Size {
   int columns, rows;
 };

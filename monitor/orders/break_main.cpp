@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // galilean-break break|step tells robots where to stop between states, lets them go on to the next
 // change of state, and prints what each answers.
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
 
-#include "core/account.h"
 #include "core/command_line/exit_code.h"
 #include "core/visible_text.h"
-#include "core/wire/ros_time.h"
-#include "core/wire/topic_names.h"
-#include "core/wire/writer.h"
 #include "monitor/orders/break_options.h"
+#include "monitor/orders/break_orders.h"
 #include "monitor/orders/break_words.h"
 #include "monitor/orders/operator.h"
 
@@ -63,16 +58,13 @@ std::string with_unknown_states(std::string effect, const msg::BreakOrder& order
 
 int give(OrderSession& session, msg::BreakOrder order, const Addressees& whom,
          const Names& robots) {
-  wire::Writer<msg::BreakOrder> orders(session.participant(), wire::kBreakOrderTopic);
-  const std::int64_t now_ns = wire::wall_clock_ns();
-  order.stamp = wire::ros_time(now_ns);
-  order.id = std::to_string(getpid()) + "-" + std::to_string(now_ns);
-  order.author = user_name();
+  BreakOrders orders(session.participant());
   order.targets = whom.robots;
   session.wait(OrderSession::kHear,
-               [&] { return orders.readers() >= static_cast<int>(robots.size()); });
-  if (!orders.write(order)) return fail("DDS did not accept the order; try again");
-  return tell_answers(session, robots, order.id, [&](const std::string& robot) {
+               [&] { return orders.listeners() >= static_cast<int>(robots.size()); });
+  const std::string id = orders.give(order);
+  if (id.empty()) return fail("DDS did not accept the order; try again");
+  return tell_answers(session, robots, id, [&](const std::string& robot) {
     return with_unknown_states(effect_of(order), order, session.program_of(robot));
   });
 }

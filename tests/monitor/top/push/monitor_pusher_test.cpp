@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/monitor_pusher.h"
+#include "monitor/top/push/monitor_pusher.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,9 +31,10 @@ class ScriptedMonitor {
     answers_[path].push_back(std::move(answer));
     changed_.notify_all();
   }
-  Answer ask(const std::string& path) {
+  Answer ask(const std::string& path, const std::optional<json>& body) {
     std::unique_lock lock(mutex_);
     ++asked_[path];
+    if (body) bodies_[path] = *body;
     changed_.notify_all();
     if (path == "/api/status") return MonitorAnswer{200, json{{"may_steer", true}}};
     changed_.wait(lock, [&] { return !answers_[path].empty(); });
@@ -44,6 +45,10 @@ class ScriptedMonitor {
   [[nodiscard]] int asked(const std::string& path) {
     const std::lock_guard lock(mutex_);
     return asked_[path];
+  }
+  [[nodiscard]] json last_body(const std::string& path) {
+    const std::lock_guard lock(mutex_);
+    return bodies_[path];
   }
   /// Waits until the path has been asked for so many times.
   void wait_for(const std::string& path, int times = 1) {
@@ -56,6 +61,7 @@ class ScriptedMonitor {
   std::condition_variable changed_;
   std::map<std::string, std::deque<Answer>> answers_;
   std::map<std::string, int> asked_;
+  std::map<std::string, json> bodies_;
 };
 
 class MonitorPusherTest : public testing::Test {
@@ -66,11 +72,13 @@ class MonitorPusherTest : public testing::Test {
   }
   /// Waits until the report is at this stage, and returns it.
   PushReport wait_for(Stage stage) {
-    const auto begin = std::chrono::steady_clock::now();
-    while (pusher->report().stage != stage &&
-           std::chrono::steady_clock::now() - begin < std::chrono::seconds(10))
-      std::this_thread::yield();
+    wait_until([&] { return pusher->report().stage == stage; });
     return pusher->report();
+  }
+  static void wait_until(const std::function<bool()>& condition) {
+    const auto begin = std::chrono::steady_clock::now();
+    while (!condition() && std::chrono::steady_clock::now() - begin < std::chrono::seconds(10))
+      std::this_thread::yield();
   }
   void check(const std::string& name) {
     pusher->check({.file = file(name)});
@@ -81,8 +89,9 @@ class MonitorPusherTest : public testing::Test {
   TemporaryFolder folder;
   std::shared_ptr<ScriptedMonitor> monitor = std::make_shared<ScriptedMonitor>();
   std::optional<MonitorPusher> pusher{
-      std::in_place, PushOptions{},
-      [monitor = monitor](const std::string& path, const auto&) { return monitor->ask(path); }};
+      std::in_place, PushOptions{}, [monitor = monitor](const std::string& path, const auto& body) {
+        return monitor->ask(path, body);
+      }};
 };
 
 TEST_F(MonitorPusherTest, AMonitorThatStopsAnsweringLeavesThePushUnknown) {
@@ -135,6 +144,43 @@ TEST_F(MonitorPusherTest, ACheckThatEndsAfterItWasCancelledIsForgotten) {
   EXPECT_EQ(pusher->report().stage, Stage::kNone);
   pusher->push(false);
   EXPECT_EQ(pusher->report().stage, Stage::kNone);
+}
+
+TEST_F(MonitorPusherTest, AnEarlierProgramIsListedReadAndChecked) {
+  pusher->list();
+  EXPECT_FALSE(pusher->pushes().is_known);
+  monitor->answer("/api/pushes",
+                  MonitorAnswer{200, json{{"pushes", json::array({json{{"hash", "3f2a91c0"}}})}}});
+  wait_until([&] { return pusher->pushes().is_known; });
+  ASSERT_EQ(pusher->pushes().pushes.size(), 1u);
+  pusher->check({.hash = "3f2a91c0"});
+  const json files = json::array({json{{"path", "office.bhdl"}, {"text", kProgram}}});
+  monitor->answer("/api/pushed/3f2a91c0", MonitorAnswer{200, json{{"files", files}}});
+  monitor->answer("/api/check", MonitorAnswer{200, json{{"ok", true}, {"hash", "3f2a91c0"}}});
+  EXPECT_EQ(wait_for(Stage::kReady).title, "Push office.bhdl 3f2a91c0");
+}
+
+TEST_F(MonitorPusherTest, AChangedProgramIsPushedAtOnceInPlaceOfAnotherAndSaysWhy) {
+  pusher->push_at_once({.robots = {"io"},
+                        .files = {{"office.bhdl", kProgram}},
+                        .reason = "search · gain of noise 1 → 2",
+                        .replaces = "3f2a91c0"});
+  EXPECT_EQ(pusher->report().stage, Stage::kPushing);
+  monitor->answer("/api/push", MonitorAnswer{200, json{{"id", "7"}, {"state", "done"}}});
+  EXPECT_EQ(wait_for(Stage::kDone).id, "7");
+  const json request = monitor->last_body("/api/push");
+  EXPECT_EQ(request["replaces"], "3f2a91c0");
+  EXPECT_EQ(request["targets"], json::array({"io"}));
+  EXPECT_THAT(request["author"].get<std::string>(), HasSubstr(" (search · gain of noise 1 → 2)"));
+  EXPECT_EQ(monitor->asked("/api/check"), 0);
+}
+
+TEST_F(MonitorPusherTest, WhyTheListIsNotKnownIsTold) {
+  pusher->list();
+  monitor->answer("/api/pushes", Unanswered{{"connection refused"}});
+  wait_until([&] { return !pusher->pushes().trouble.empty(); });
+  EXPECT_EQ(pusher->pushes().trouble, "connection refused");
+  EXPECT_FALSE(pusher->pushes().is_known);
 }
 
 TEST_F(MonitorPusherTest, QuittingDoesNotWaitForTheMonitor) {

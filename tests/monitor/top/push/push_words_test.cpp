@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/push_words.h"
+#include "monitor/top/push/push_words.h"
 
 #include <gtest/gtest.h>
 
@@ -66,6 +66,27 @@ TEST(PushWords, APushTellsItsStepsAndTheAnswers) {
 TEST(PushWords, ARefusalTellsWhy) {
   const auto report = report_of_refusal(json{{"detail", "locked"}}, "somebody else pushes");
   EXPECT_EQ(text_of(report), "Nothing was pushed\nsomebody else pushes\n");
+}
+
+TEST(PushWords, PastPushesAreToldAsTheMonitorListsThem) {
+  const auto pushes =
+      past_pushes(json{{"pushes",
+                        {{{"pushed_ns", 12},
+                          {"author", "Anna"},
+                          {"program", "office.bhdl"},
+                          {"hash", "3f2a91c0"},
+                          {"state", "failed"},
+                          {"targets", {"io"}},
+                          {"replies", {{{"robot", "io"}, {"status", "rolled_back"}}}}},
+                         {{"state", "done"}}}}});
+  ASSERT_EQ(pushes.size(), 2u);
+  EXPECT_EQ(pushes[0].pushed_ns, 12);
+  EXPECT_EQ(pushes[0].author, "Anna");
+  EXPECT_EQ(pushes[0].targets, std::vector<std::string>{"io"});
+  EXPECT_EQ(pushes[0].outcomes, std::vector<std::string>{"io rolled_back"});
+  EXPECT_TRUE(pushes[0].has_failed);
+  EXPECT_FALSE(pushes[1].has_failed);
+  EXPECT_TRUE(past_pushes(json::object()).empty());
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <memory>
 #include <thread>
 
-#include "monitor/top/push_worker.h"
+#include "monitor/top/push/push_worker.h"
 
 namespace galilean::monitor::top {
 
@@ -22,8 +22,11 @@ class MonitorPusher : public Pusher {
   [[nodiscard]] std::string hindrance() const override { return worker_->hindrance(); }
   void check(const PushWish& wish) override { worker_->check(wish); }
   void push(bool with_canary) override { worker_->push(with_canary); }
+  void push_at_once(const PushWish& wish) override { worker_->push_at_once(wish); }
   void cancel() override { worker_->cancel(); }
   [[nodiscard]] PushReport report() const override { return worker_->report(); }
+  void list() override { worker_->list(); }
+  [[nodiscard]] PastPushes pushes() const override { return worker_->pushes(); }
 
  private:
   std::shared_ptr<PushWorker> worker_;  ///< shared with the thread, which may outlive this

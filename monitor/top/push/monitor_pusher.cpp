@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/monitor_pusher.h"
+#include "monitor/top/push/monitor_pusher.h"
 
 namespace galilean::monitor::top {
 namespace {

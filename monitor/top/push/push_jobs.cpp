@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/push_worker.h"
-
+// What the push worker does, one job after another.
 #include <cstdlib>
 #include <filesystem>
 
@@ -9,16 +8,15 @@
 #include "monitor/commands/push_session.h"
 #include "monitor/pushes/history/json.h"
 #include "monitor/pushes/history/words.h"
-#include "monitor/top/push_words.h"
+#include "monitor/top/push/push_words.h"
+#include "monitor/top/push/push_worker.h"
 
 namespace galilean::monitor::top {
 namespace {
 
 using nlohmann::json;
+using Files = std::vector<bhdl::SourceFile>;
 using Stage = PushReport::Stage;
-
-constexpr auto kAskForRightsEach = std::chrono::seconds(5);
-constexpr auto kLookEach = std::chrono::milliseconds(200);
 
 /// Returns the path with the home folder in place of "~".
 std::string with_home(const std::string& path) {
@@ -45,104 +43,7 @@ bool may_block(const std::string& path) {
 
 }  // namespace
 
-PushWorker::PushWorker(PushOptions options, AskMonitor ask)
-    : options_(std::move(options)), ask_(std::move(ask)) {}
-
-std::string PushWorker::hindrance() const {
-  const std::lock_guard lock(mutex_);
-  return hindrance_;
-}
-
-PushReport PushWorker::report() const {
-  const std::lock_guard lock(mutex_);
-  return report_;
-}
-
-void PushWorker::tell(PushReport report) {
-  const std::lock_guard lock(mutex_);
-  report_ = std::move(report);
-}
-
-void PushWorker::check(const PushWish& wish) {
-  const std::lock_guard lock(mutex_);
-  checked_.reset();
-  report_ = {Stage::kChecking, "Push", {{"The monitor checks the program."}}};
-  job_ = [this, wish, number = ++newest_check_] { check_now(wish, number); };
-  woken_.notify_all();
-}
-
-void PushWorker::push(bool with_canary) {
-  const std::lock_guard lock(mutex_);
-  if (!checked_) return;
-  report_ = {Stage::kPushing, "Push", {{"The push was ordered."}}};
-  cancelled_ = false;
-  job_ = [this, with_canary, checked = *std::exchange(checked_, std::nullopt)] {
-    push_now(checked, with_canary);
-  };
-  woken_.notify_all();
-}
-
-void PushWorker::cancel() {
-  const std::lock_guard lock(mutex_);
-  if (report_.stage == Stage::kPushing) {
-    cancelled_ = true;
-    return woken_.notify_all();
-  }
-  ++newest_check_;  // A check that still runs ends for nobody.
-  checked_.reset();
-  report_ = {};
-}
-
-void PushWorker::end() {
-  const std::lock_guard lock(mutex_);
-  ends_ = true;
-  woken_.notify_all();
-}
-
-bool PushWorker::wait_for_end(std::chrono::milliseconds most) {
-  std::unique_lock lock(mutex_);
-  return woken_.wait_for(lock, most, [this] { return ended_; });
-}
-
-void PushWorker::run() {
-  for (;;) {
-    if (const auto asked = attempt([this] { ask_for_rights(); }); !asked) {
-      const std::lock_guard lock(mutex_);
-      hindrance_ = asked.error().message;
-    }
-    std::optional<Job> job;
-    {
-      std::unique_lock lock(mutex_);
-      woken_.wait_for(lock, kAskForRightsEach, [this] { return job_.has_value() || ends_; });
-      job.swap(job_);
-      if (ends_) break;
-    }
-    if (job) (*job)();
-  }
-  const std::lock_guard lock(mutex_);
-  ended_ = true;
-  woken_.notify_all();
-}
-
-Result<json> PushWorker::get(const std::string& path) const {
-  const auto answer = ask_(path, {});
-  if (!answer) return Error{answer.error().message};
-  if (!answer.value().ok()) return Error{answer.value().detail()};
-  return answer.value().json;
-}
-
-void PushWorker::ask_for_rights() {
-  const auto status = get("/api/status");
-  std::string hindrance;
-  if (!status)
-    hindrance = status.error().message;
-  else if (!status.value().value("may_steer", false))
-    hindrance = "the monitor's operator token is needed to push; name its file with --token-file";
-  const std::lock_guard lock(mutex_);
-  hindrance_ = std::move(hindrance);
-}
-
-Result<std::vector<bhdl::SourceFile>> PushWorker::files_of(const PushWish& wish) const {
+Result<Files> PushWorker::files_of(const PushWish& wish) const {
   if (!wish.file.empty()) {
     const auto path = with_home(wish.file);
     if (may_block(path)) return Error{wish.file + " is no regular file"};
@@ -151,13 +52,30 @@ Result<std::vector<bhdl::SourceFile>> PushWorker::files_of(const PushWish& wish)
     if (files.empty()) return Error{wish.file + " cannot be read"};
     return files;
   }
+  if (!wish.hash.empty()) return pushed_files(wish.hash);
   const auto pushes = get("/api/pushes");
   if (!pushes) return pushes.error();
   const auto hash = last_good_hash(pushes.value(), wish.runs_hash);
   if (hash.empty()) return Error{"the monitor knows no other program that was pushed"};
+  return pushed_files(hash);
+}
+
+Result<Files> PushWorker::pushed_files(const std::string& hash) const {
   const auto pushed = get("/api/pushed/" + hash);
   if (!pushed) return pushed.error();
   return files_from_json(pushed.value().value("files", json::array()));
+}
+
+void PushWorker::list_now() {
+  PastPushes list;
+  const auto done = attempt([&] {
+    const auto answer = get("/api/pushes");
+    list = answer ? PastPushes{true, "", past_pushes(answer.value())}
+                  : PastPushes{false, answer.error().message, {}};
+  });
+  if (!done) list = {false, done.error().message, {}};
+  const std::lock_guard lock(mutex_);
+  pushes_ = std::move(list);
 }
 
 void PushWorker::finish_check(std::uint64_t number, PushReport report,
@@ -169,6 +87,7 @@ void PushWorker::finish_check(std::uint64_t number, PushReport report,
 }
 
 void PushWorker::check_now(const PushWish& wish, std::uint64_t number) {
+  if (is_outdated(number)) return;
   const auto refuse = [&](const std::string& why) {
     finish_check(number, report_of_refusal({}, why), {});
   };
@@ -191,7 +110,8 @@ void PushWorker::push_now(const Checked& checked, bool with_canary) {
   if (take_cancel()) return tell(report_of_refusal({}, "it was cancelled before it was sent"));
   PushOptions options = options_;
   options.robots = checked.wish.robots;
-  options.replaces = checked.wish.robots.size() == 1 ? checked.wish.runs_hash : "";
+  options.replaces = checked.wish.replaces;
+  if (!checked.wish.reason.empty()) options.author += " (" + checked.wish.reason + ")";
   if (with_canary) options.canary = checked.wish.canary;
   const auto done = attempt([&] { follow(push_request(checked.files, options)); });
   if (!done) tell(report_of_silence(report(), done.error().message));
@@ -213,17 +133,6 @@ void PushWorker::follow(const json& request) {
     if (!answer) return tell(report_of_silence(report(), answer.error().message));
     if (!answer.value().ok()) return tell(report_of_silence(report(), answer.value().detail()));
   }
-}
-
-bool PushWorker::pause() {
-  std::unique_lock lock(mutex_);
-  woken_.wait_for(lock, kLookEach, [this] { return ends_ || cancelled_; });
-  return !ends_;
-}
-
-bool PushWorker::take_cancel() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(cancelled_, false);
 }
 
 }  // namespace galilean::monitor::top

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "monitor/top/pusher.h"
+#include "monitor/top/push/pusher.h"
 
 namespace galilean::monitor::top {
 
@@ -17,6 +17,8 @@ namespace galilean::monitor::top {
 [[nodiscard]] PushReport report_of_push(const nlohmann::json& answer);
 /// Of an answer that is an error, with the sentence that says why.
 [[nodiscard]] PushReport report_of_refusal(const nlohmann::json& answer, const std::string& why);
+/// Of GET /api/pushes.
+[[nodiscard]] std::vector<PastPush> past_pushes(const nlohmann::json& answer);
 /// Of a monitor that stopped answering during the push that `before` tells of.
 [[nodiscard]] PushReport report_of_silence(const PushReport& before, const std::string& why);
 

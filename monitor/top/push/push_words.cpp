@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/top/push_words.h"
+#include "monitor/top/push/push_words.h"
 
 #include "core/plural.h"
 #include "monitor/pushes/history/words.h"
@@ -79,6 +79,7 @@ PushReport report_of_push(const json& answer) {
                  : state == PushState::kDone  ? Stage::kDone
                                               : Stage::kFailed;
   report.title = "Push of " + program + ": " + answer.value("state", "");
+  report.id = answer.value("id", "");
   for (const auto& step : answer.value("steps", json::array())) {
     const auto step_state = step_state_of(step.value("state", ""));
     if (step_state == StepState::kLeftOut) continue;
@@ -94,6 +95,24 @@ PushReport report_of_refusal(const json& answer, const std::string& why) {
   PushReport report{Stage::kRefused, "Nothing was pushed", {{why, Style::kAlarm}}};
   add_diagnostics(answer, report.lines);
   return report;
+}
+
+std::vector<PastPush> past_pushes(const json& answer) {
+  std::vector<PastPush> pushes;
+  for (const auto& each : answer.value("pushes", json::array())) {
+    PastPush push{.pushed_ns = each.value("pushed_ns", std::int64_t{}),
+                  .author = each.value("author", ""),
+                  .program = each.value("program", ""),
+                  .hash = each.value("hash", ""),
+                  .state = each.value("state", ""),
+                  .targets = each.value("targets", std::vector<std::string>{})};
+    const auto state = push_state_of(push.state);
+    push.has_failed = state != PushState::kRunning && state != PushState::kDone;
+    for (const auto& reply : each.value("replies", json::array()))
+      push.outcomes.push_back(reply.value("robot", "") + " " + reply.value("status", ""));
+    pushes.push_back(std::move(push));
+  }
+  return pushes;
 }
 
 PushReport report_of_silence(const PushReport& before, const std::string& why) {

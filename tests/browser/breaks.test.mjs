@@ -37,7 +37,7 @@ test("it stops where a click has set a break point, says whose, and Why says so 
   const { number, from_state, to_state } = transitions.find(({ number }) => number === breaks.stopped_at);
   await untilSaid(`stopped at ${from_state} → ${to_state}`);
   await at(`why-${number}`).locator("[data-stopped-by]").waitFor();
-  await at("timeline").locator("[data-event=stopped]").first().waitFor();
+  await at("timeline").locator("[data-event=stopped]").first().waitFor({ state: "attached" });
   await at("break-list").getByRole("button", { name: "Take all off" }).click();
   await at("break-list").getByText("io has none.").waitFor();
   await tab.page.keyboard.press("B");

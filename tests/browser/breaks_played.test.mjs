@@ -104,10 +104,11 @@ test("a robot stops there, and its row, Why and Timeline say why", async () => {
   const points = [{ to: "move_to_trash" }, { from: "grab_trash", to: "backup1", kind: "lock" }];
   await tab.api("/api/breaks", { order: "set", targets: ["io"], points, author: "Anna" });
   await untilRow("io", "data-stopped", "true");
-  await untilSaid("break-io", /^stopped at \w+ → move_to_trash \(Anna's break point\)$/);
-  await untilSaid("machine-break", "stopped at");
+  // "at" with both states where the page has heard the change of state already.
+  await untilSaid("break-io", /^stopped (at \w+ →|on entering) move_to_trash \(Anna's break point\)$/);
+  await untilSaid("machine-break", "stopped");
   await at("why").locator("li.newest [data-stopped-by]").filter({ hasText: "stopped io here: break point on entering move_to_trash, set by Anna" }).waitFor();
-  await at("timeline").locator("[data-event=stopped] title").filter({ hasText: /^io stopped at \w+ → move_to_trash/ }).waitFor({ state: "attached" });
+  await at("timeline").locator("[data-event=stopped] title").filter({ hasText: /^io stopped (at \w+ →|on entering) move_to_trash/ }).waitFor({ state: "attached" });
   assert.equal(await at("timeline").locator("[data-event=held]").count(), 0);
   assert.equal(await row("io").getByRole("button", { name: "Hold" }).count(), 0);
   await tab.page.locator("[aria-live=polite]").filter({ hasText: /io stopped at/ }).waitFor({ state: "attached" });

@@ -67,8 +67,10 @@ void Executive::begin_tick() noexcept {
 }
 
 void Executive::exchange_programs() noexcept {
+  exchanging_.store(true);
   succession_.advance(tick_.now, health_,
                       [this](const Handover& handover) noexcept { install(handover); });
+  exchanging_.store(false);
 }
 
 void Executive::install(const Handover& handover) noexcept {

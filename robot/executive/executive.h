@@ -73,7 +73,7 @@ class Executive {
   bool roll_back(ProgramId program, std::string_view reason);
 
   /// Any thread. Returns whether a loaded program waits for its first tick.
-  [[nodiscard]] bool waiting() const noexcept { return intake_.waiting(); }
+  [[nodiscard]] bool waiting() const noexcept { return intake_.waiting() || exchanging_.load(); }
   /// Any thread. Returns the running program's number, or 0 before the first tick with a program.
   [[nodiscard]] ProgramId running() const noexcept { return running_id_.load(); }
   [[nodiscard]] const ProbationRules& probation_rules() const noexcept { return setup_.probation; }
@@ -162,6 +162,9 @@ class Executive {
   std::atomic<bool> held_{false};
   std::atomic<bool> in_service_{true};
   std::atomic<ProgramId> running_id_{0};
+  /// Whoever sees that no program waits also sees which one runs: a program that left the intake
+  /// waits until `running_id_` is its number.
+  std::atomic<bool> exchanging_{false};
 };
 
 }  // namespace galilean::robot

@@ -58,7 +58,7 @@ void ProgramWatch::wait() const {
 bool ProgramWatch::reload() {
   auto first = bhdl::check_file(file_, vocabulary_, bhdl::Depth::kErrors);
   const std::string taken_over = first.program ? first.program->hash : std::string();
-  if (first.program && !runs(taken_over)) swap(std::move(*first.program));
+  if (first.program) swap(std::move(*first.program));
   static_cast<void>(watch(first.files));
   auto whole = bhdl::check_file(file_, vocabulary_);
   const bool read_too_early = watch(whole.files);
@@ -80,6 +80,8 @@ void ProgramWatch::swap(bhdl::Program program) {
   const std::string hash = program.hash;
   if (!wait_for_turn(executive_))
     return log_error(file_.string() + " was saved, but the control loop stands still");
+  // Only now: before its turn, the same program may have been on its way in.
+  if (runs(hash)) return;
   if (const auto loaded = executive_.load(std::move(program)); !loaded)
     log_error(file_.string() + " was saved, but cannot run: " + loaded.error().message);
   else

@@ -334,6 +334,18 @@ TEST_F(WatchTest, SaysWhereASaveIsBroken) {
   EXPECT_EQ(robot.state(), "first");
 }
 
+TEST_F(WatchTest, ATextThatIsSavedAgainBeforeItRunsSwapsOnce) {
+  start();
+  for (int round = 0; round < 10; ++round) {
+    const std::string state = "state" + std::to_string(round);
+    for (int save = 0; save < 5; ++save) write_aside_and_rename(file, with_state(state));
+    EXPECT_TRUE(comes_to(state));
+  }
+  write_aside_and_rename(file, with_state("last"));
+  EXPECT_TRUE(comes_to("last"));
+  EXPECT_EQ(swaps(), 11);
+}
+
 TEST_F(WatchTest, ASaveThatChangesNothingSwapsNothing) {
   start();
   write(file, with_state("first"));

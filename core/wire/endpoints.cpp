@@ -8,6 +8,8 @@
 #include "core/wire/announced.h"
 #include "core/wire/builtin_topics.h"
 #include "core/wire/qos.h"
+#include "core/wire/type_hash.h"
+#include "core/wire/unwrapped.h"
 
 namespace galilean::wire {
 namespace {
@@ -33,11 +35,31 @@ EndpointQos endpoint_qos(const dds_qos_t* qos) {
   return found;
 }
 
+std::string published_type_hash(const dds_builtintopic_endpoint_t& sample) {
+  auto& endpoint = const_cast<dds_builtintopic_endpoint_t&>(sample);  // Cyclone only reads it
+  const dds_typeinfo_t* info = nullptr;
+  if (dds_builtintopic_get_endpoint_type_info(&endpoint, &info) != DDS_RETCODE_OK || !info)
+    return {};
+  return type_hash(unwrapped(*ddsi_typeinfo_complete_typeid(info)));
+}
+
+/// The last byte of a GUID is the kind of the endpoint (DDSI-RTPS 2.2, 9.3.1.2).
+bool has_keys(const dds_guid_t& guid) {
+  constexpr std::uint8_t kKind = 0x0F, kWriterWithKey = 2, kReaderWithKey = 7;
+  const auto kind = guid.v[sizeof guid.v - 1] & kKind;
+  return kind == kWriterWithKey || kind == kReaderWithKey;
+}
+
 /// Its process is the participant's GUID.
 template <bool kWrites>
 EndpointInfo endpoint_of(const dds_builtintopic_endpoint_t& sample) {
-  return {kWrites, sample.topic_name, sample.type_name, hexadecimal(sample.participant_key),
-          endpoint_qos(sample.qos)};
+  return {.writes = kWrites,
+          .topic = sample.topic_name,
+          .dds_type = sample.type_name,
+          .process = hexadecimal(sample.participant_key),
+          .qos = endpoint_qos(sample.qos),
+          .type_hash = published_type_hash(sample),
+          .keyed = has_keys(sample.key)};
 }
 
 }  // namespace
@@ -82,6 +104,7 @@ std::vector<EndpointInfo> Endpoints::known() {
       if (endpoint.dds_type.starts_with(kBuiltinTypes)) continue;
       if (const auto name = names.find(endpoint.process); name != names.end())
         endpoint.process = name->second;
+      endpoint.handle = handle;
       endpoints.push_back(std::move(endpoint));
     }
   std::ranges::sort(endpoints, {}, [](const EndpointInfo& endpoint) {

@@ -28,6 +28,11 @@ struct EndpointInfo {
   std::string dds_type;  ///< "galilean_msgs::msg::dds_::RobotState_"
   std::string process;   ///< the name with which its process joined, or its GUID
   EndpointQos qos;
+  /// The hash by which XTypes names the definition of its type, in hexadecimal. It is empty if the
+  /// endpoint publishes none, and for those of this process.
+  std::string type_hash = {};
+  bool keyed = false;        ///< whether its type has keys
+  std::uint64_t handle = 0;  ///< Received::writer of what it writes
 };
 
 /// Finds all writers and readers of the domain, except those of DDS itself.

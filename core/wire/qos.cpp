@@ -13,6 +13,7 @@ constexpr auto kDeliveries = std::to_array<std::pair<std::string_view, Delivery>
     {"galilean_msgs/msg/Variables", Delivery::kState},
     {"galilean_msgs/msg/Program", Delivery::kState},
     {"galilean_msgs/msg/Catalog", Delivery::kState},
+    {"galilean_msgs/msg/Breaks", Delivery::kState},
     {"galilean_msgs/msg/ObjectMap", Delivery::kState},
     {"galilean_msgs/msg/Score", Delivery::kState},
     {"galilean_msgs/msg/SimulationState", Delivery::kState},
@@ -26,6 +27,7 @@ constexpr auto kDeliveries = std::to_array<std::pair<std::string_view, Delivery>
     {"galilean_msgs/msg/ProgramPush", Delivery::kCommand},
     {"galilean_msgs/msg/ProgramRollback", Delivery::kCommand},
     {"galilean_msgs/msg/Command", Delivery::kCommand},
+    {"galilean_msgs/msg/BreakOrder", Delivery::kCommand},
     {"galilean_msgs/msg/SimulationOrder", Delivery::kCommand},
     {"nav_msgs/msg/Odometry", Delivery::kFlow},
     {"tf2_msgs/msg/TFMessage", Delivery::kFlow},
@@ -78,6 +80,19 @@ Qos make_qos(Delivery delivery) {
       break;
   }
   dds_qset_writer_data_lifecycle(qos.get(), false);
+  return qos;
+}
+
+Qos make_reader_qos(const EndpointQos& asked, int depth) {
+  Qos qos(dds_create_qos());
+  const char* every_partition = "*";
+  dds_qset_reliability(qos.get(),
+                       asked.reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT, 0);
+  dds_qset_durability(qos.get(), static_cast<dds_durability_kind_t>(asked.durability));
+  dds_qset_ownership(qos.get(), asked.exclusive ? DDS_OWNERSHIP_EXCLUSIVE : DDS_OWNERSHIP_SHARED);
+  dds_qset_latency_budget(qos.get(), DDS_INFINITY);
+  dds_qset_partition(qos.get(), 1, &every_partition);
+  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, depth);
   return qos;
 }
 

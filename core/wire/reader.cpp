@@ -7,10 +7,12 @@
 
 #include "core/wire/announced.h"
 #include "core/wire/delivery.h"
+#include "core/wire/endpoints.h"
 #include "core/wire/entity.h"
 #include "core/wire/participant.h"
 #include "core/wire/qos.h"
 #include "core/wire/reader.h"
+#include "core/wire/untyped_topic.h"
 
 namespace galilean::wire {
 namespace {
@@ -54,6 +56,15 @@ Reader::Reader(Participant& participant, const std::string& topic, const std::st
       Entity(checked(dds_create_reader(participant.handle(), participant.topic(topic, ros_type),
                                        qos.get(), nullptr),
                      "reader of " + topic));
+}
+
+Reader::Reader(Participant& participant, const UntypedTopic& topic, const EndpointQos& asked,
+               int depth)
+    : untyped_topic_(make_untyped_topic(participant, topic)) {
+  const auto qos = make_reader_qos(asked, depth);
+  entity_ = Entity(
+      checked(dds_create_reader(participant.handle(), untyped_topic_.handle(), qos.get(), nullptr),
+              "reader of " + topic.name));
 }
 
 Reader::~Reader() {

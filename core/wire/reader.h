@@ -13,12 +13,14 @@
 namespace galilean::wire {
 
 class Participant;
+struct EndpointQos;
+struct UntypedTopic;
 
 /// One message as it was received. It is valid during the callback only.
 struct Received {
   std::span<const std::uint8_t> cdr;  ///< with its four-byte header
   std::int64_t sent_ns;               ///< by its writer's clock, since the Unix epoch
-  std::uint64_t writer;               ///< for Reader::sender
+  std::uint64_t writer;               ///< for Reader::sender; EndpointInfo::handle
 };
 
 /// Receives the messages of one topic as bytes. msg::decode_cdr turns them into structs.
@@ -28,6 +30,10 @@ class Reader {
   /// what the type's delivery says, which for a state is the newest alone.
   Reader(Participant& participant, const std::string& topic, const std::string& ros_type,
          int depth = 0);
+  /// Receives the messages of a type that this program need not know. `asked` is what the reader
+  /// asks of its writers. It keeps `depth` messages between two calls of `take`. Errors: throws
+  /// std::runtime_error if Cyclone refuses the topic.
+  Reader(Participant& participant, const UntypedTopic& topic, const EndpointQos& asked, int depth);
   ~Reader();
   /// Calls `receive` for each message that came since the last call, in the calling thread.
   void take(const std::function<void(const Received&)>& receive);
@@ -42,6 +48,7 @@ class Reader {
   [[nodiscard]] std::optional<std::string> sender(const Received& received) const;
 
  private:
+  Entity untyped_topic_;  // nothing for others, whose topic the participant owns
   Entity entity_;
   std::unique_ptr<std::function<void()>> callback_;
 };

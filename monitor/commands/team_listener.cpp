@@ -2,6 +2,7 @@
 #include "monitor/commands/team_listener.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/visible_text.h"
 
@@ -11,12 +12,6 @@ namespace {
 /// The time after which no further robot is expected. A robot sends its state ten times a second.
 constexpr Duration kNobodyNew = std::chrono::milliseconds(500);
 
-bool is_heard_by_team_tools(const Channel& channel) {
-  const auto type = channel.schema->ros_type;
-  return type == msg::RobotState::kRosType || type == msg::Catalog::kRosType ||
-         type == msg::ProgramReply::kRosType;
-}
-
 std::string list_of(const std::map<std::string, Robot, std::less<>>& robots) {
   std::string names;
   for (const auto& [name, robot] : robots) names += (names.empty() ? "" : ", ") + visible(name);
@@ -25,7 +20,7 @@ std::string list_of(const std::map<std::string, Robot, std::less<>>& robots) {
 
 }  // namespace
 
-TeamListener::TeamListener(std::unique_ptr<wire::Participant> participant)
+TeamListener::TeamListener(std::unique_ptr<wire::Participant> participant, Ingest::ReadAtOnce hears)
     : participant_(std::move(participant)),
       team_(clock_),
       ingest_(
@@ -43,12 +38,20 @@ TeamListener::TeamListener(std::unique_ptr<wire::Participant> participant)
             }
             woken_.notify_one();
           },
-          is_heard_by_team_tools) {}
+          std::move(hears)) {}
 
-Result<std::unique_ptr<TeamListener>> TeamListener::join(const std::string& name, int domain) try {
+bool TeamListener::is_heard_by_pushers(const Channel& channel) {
+  const auto type = channel.schema->ros_type;
+  return type == msg::RobotState::kRosType || type == msg::Catalog::kRosType ||
+         type == msg::ProgramReply::kRosType;
+}
+
+Result<std::unique_ptr<TeamListener>> TeamListener::join(const std::string& name, int domain,
+                                                         Ingest::ReadAtOnce hears) try {
   auto participant = wire::Participant::join(name, domain);
   if (!participant) return participant.error();
-  return std::unique_ptr<TeamListener>(new TeamListener(std::move(participant).value()));
+  return std::unique_ptr<TeamListener>(
+      new TeamListener(std::move(participant).value(), std::move(hears)));
 } catch (const std::exception& error) {
   return Error{std::string("DDS cannot be used: ") + error.what()};
 }

@@ -19,9 +19,10 @@ namespace galilean::monitor {
 class TeamListener {
  public:
   /// `name` is the participant's name, which other participants see.
-  /// Errors: DDS cannot be used.
-  [[nodiscard]] static Result<std::unique_ptr<TeamListener>> join(const std::string& name,
-                                                                  int domain);
+  /// `hears` says which topics are read: without it, the states, the catalogs and the answers to
+  /// pushes. Errors: DDS cannot be used.
+  [[nodiscard]] static Result<std::unique_ptr<TeamListener>> join(
+      const std::string& name, int domain, Ingest::ReadAtOnce hears = is_heard_by_pushers);
 
   /// Takes messages until `enough` returns true or `timeout` is over. Returns the last result of
   /// `enough`.
@@ -39,7 +40,8 @@ class TeamListener {
   [[nodiscard]] Time now() const noexcept { return clock_.now(); }
 
  private:
-  explicit TeamListener(std::unique_ptr<wire::Participant> participant);
+  TeamListener(std::unique_ptr<wire::Participant> participant, Ingest::ReadAtOnce hears);
+  [[nodiscard]] static bool is_heard_by_pushers(const Channel& channel);
   [[nodiscard]] bool known(const std::string& robot) const;
 
   std::unique_ptr<wire::Participant> participant_;

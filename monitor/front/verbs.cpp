@@ -33,6 +33,8 @@ constexpr std::array kVerbs{
     Verb{"stop", "galilean-command", "stop", "Make every robot stand still, at once"},
     Verb{"hold", "galilean-command", "hold", "Make robots stand still"},
     Verb{"resume", "galilean-command", "resume", "Let robots go on"},
+    Verb{"break", "galilean-break", "break", "Make robots stop or wait between two states"},
+    Verb{"step", "galilean-break", "step", "Let robots go on to their next change of state"},
     Verb{"decommission", "galilean-command", "decommission", "Take robots out of service"},
     Verb{"commission", "galilean-command", "commission", "Let robots serve again"},
     Verb{"doctor", "galilean-doctor", "", "Check whether this machine has what Galilean needs"},

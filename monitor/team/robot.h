@@ -29,6 +29,8 @@ struct Robot {
   msg::Variables variables;
   Time variables_received{};
   std::deque<msg::Transition> transitions;  ///< the newest ones, by number, the oldest first
+  std::optional<msg::Breaks> breaks;
+  Time breaks_received{};
 };
 
 enum class Health {
@@ -50,6 +52,8 @@ struct RobotStatus {
   std::string program_hash;
   bool drifting = false;  ///< its program differs from the team's program
   bool held = false;
+  /// Why a break point, a step or a lock keeps it; see break_reason. Empty: none does.
+  std::string break_reason;
   bool out_of_service = false;  ///< an operator decommissioned it
   bool in_probation = false;
   std::uint64_t tick = 0;

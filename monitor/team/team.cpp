@@ -17,12 +17,13 @@ bool note_as(Team& team, const Message& message) {
 }
 
 using Note = bool (*)(Team&, const Message&);
-constexpr std::array<std::pair<std::string_view, Note>, 7> kNotes{{
+constexpr std::array<std::pair<std::string_view, Note>, 8> kNotes{{
     {msg::RobotState::kRosType, note_as<msg::RobotState>},
     {msg::Transition::kRosType, note_as<msg::Transition>},
     {msg::Variables::kRosType, note_as<msg::Variables>},
     {msg::Program::kRosType, note_as<msg::Program>},
     {msg::Catalog::kRosType, note_as<msg::Catalog>},
+    {msg::Breaks::kRosType, note_as<msg::Breaks>},
     {msg::Score::kRosType, note_as<msg::Score>},
     {msg::ObjectMap::kRosType, note_as<msg::ObjectMap>},
 }};
@@ -79,6 +80,12 @@ void Team::note(const msg::Program& program) {
 
 void Team::note(const msg::Catalog& catalog) {
   hear(catalog.robot).catalog = catalog;
+}
+
+void Team::note(const msg::Breaks& breaks) {
+  Robot& robot = hear(breaks.robot);
+  robot.breaks = breaks;
+  robot.breaks_received = robot.heard;
 }
 
 void Team::note(const msg::Score& score) {

@@ -35,6 +35,7 @@ class Team {
   void note(const msg::Variables& variables);
   void note(const msg::Program& program);
   void note(const msg::Catalog& catalog);
+  void note(const msg::Breaks& breaks);
   void note(const msg::Score& score);
   /// Adds the robots that a monitor knows and that have sent nothing here. They are as old as it
   /// tells, and have no state.
@@ -66,6 +67,10 @@ class Team {
   /// Returns the present certainty of one of the robot's variables, from 0 to 1.
   [[nodiscard]] double certainty_now(const Robot& robot, const msg::Variable& variable) const {
     return certainty_after(variable, clock_.now() - robot.variables_received);
+  }
+  /// Returns the time since the robot told where it stops.
+  [[nodiscard]] Duration since_breaks(const Robot& robot) const noexcept {
+    return clock_.now() - robot.breaks_received;
   }
 
  private:

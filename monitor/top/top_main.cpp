@@ -7,12 +7,12 @@
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
 #include "core/termination.h"
-#include "core/wake.h"
 #include "monitor/commands/push_options.h"
-#include "monitor/ingest/ingest.h"
+#include "monitor/orders/break_orders.h"
 #include "monitor/top/dashboard.h"
-#include "monitor/top/monitor_pusher.h"
-#include "monitor/top/panels/layout.h"
+#include "monitor/top/dashboard_feed.h"
+#include "monitor/top/once.h"
+#include "monitor/top/push/monitor_pusher.h"
 #include "monitor/top/screen/job_control.h"
 #include "monitor/top/screen/terminal.h"
 
@@ -32,77 +32,6 @@ struct Options {
 
 constexpr int kRedrawEach_ms = 200;
 constexpr int kUnusable = 2;  ///< the exit code where there is no terminal to use
-
-/// Reads the domain's messages into a DashboardModel.
-class DashboardFeed {
- public:
-  DashboardFeed(wire::Participant& participant, const Clock& clock)
-      : model_(clock),
-        history_(clock),
-        ingest_(
-            participant,
-            {.message =
-                 [this](const Message& message) {
-                   model_.receive(message);
-                   history_.note(message);
-                 }},
-            [this] { wake_.ring(); },
-            [](const Channel& channel) {
-              return top::DashboardModel::shows(channel.schema->ros_type);
-            }) {}
-
-  [[nodiscard]] const top::DashboardModel& model() const noexcept { return model_; }
-  [[nodiscard]] const top::History& history() const noexcept { return history_; }
-  [[nodiscard]] int descriptor() const noexcept { return wake_.descriptor(); }
-  void poll() {
-    wake_.clear();
-    ingest_.poll();
-  }
-
- private:
-  Wake wake_;
-  top::DashboardModel model_;
-  top::History history_;
-  Ingest ingest_;
-};
-
-/// Returns whether there are robots, and each has sent its state, program and variables.
-bool all_is_known(const Team& team) {
-  for (const auto& [name, robot] : team.robots())
-    if (!robot.state || !robot.program || robot.variables.items.empty()) return false;
-  return !team.robots().empty();
-}
-
-/// Prints one snapshot as plain text. Waits at most 3 s until all is known of the robots, and then
-/// 0.5 s more for robots that are discovered later. Returns 1 if there are no robots.
-int print_once(DashboardFeed& feed, Termination& termination, const Clock& clock,
-               const std::string& robot) {
-  constexpr Duration kMost = std::chrono::seconds(3), kMore = std::chrono::milliseconds(500);
-  Time known{};
-  const Time start = clock.now();
-  while (!termination.asked() && clock.now() - start < kMost) {
-    pollfd events[] = {{feed.descriptor(), POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
-    ::poll(events, 2, kRedrawEach_ms);
-    feed.poll();
-    if (known == Time{} && all_is_known(feed.model().team())) known = clock.now();
-    if (known != Time{} && clock.now() - known >= kMore) break;
-  }
-  top::AlarmFinder finder;
-  top::AlarmBoard board;
-  board.update(finder.find(feed.model(), clock.now()), clock.now());
-  const auto view = top::make_view(
-      {feed.model(), clock, feed.model().identities(), &feed.history(), &board}, {.robot = robot});
-  // Room for every robot, state and variable, and for a map.
-  constexpr int kColumns = 110, kAround = 16, kLeast = 36;
-  const auto lines = 3 * view.robots.size() + view.machine.states.size() +
-                     view.machine.conditions.size() + view.variables.size();
-  const int rows = std::max(kLeast, kAround + static_cast<int>(lines) * 4 / 3);
-  auto canvas = top::lay_out(view, {}, kColumns, rows).canvas;
-  for (int column = 0; column < kColumns; ++column)  // clears the help on keys
-    canvas.set(rows - 1, column, U' ', top::Style::kPlain);
-  std::cout << canvas.text();
-  return view.robots.empty() ? 1 : 0;
-}
 
 /// What ends the dashboard or changes its screen, besides keys.
 struct Signals {
@@ -133,15 +62,20 @@ bool wait(const Signals& signals, top::Terminal& terminal) {
   return !(events[0].revents & POLLIN) || terminal.read_keys();
 }
 
-int run_dashboard(DashboardFeed& feed, Signals& signals, const Clock& clock, Operator& speaker,
-                  const Options& options) {
+/// Returns the way to the robots over DDS. Requires: what is passed outlives it.
+top::Voice voice_of(Operator& speaker, BreakOrders& orders) {
+  return {[&](Operator::Word word, const std::vector<std::string>& robots) {
+            return speaker.say(word, robots) ? speaker.last_id() : std::string();
+          },
+          [&](const msg::BreakOrder& order) { return orders.give(order); }};
+}
+
+int run_dashboard(top::DashboardFeed& feed, Signals& signals, const Clock& clock,
+                  const top::Voice& voice, const Options& options) {
   const top::Look look{top::colours_of(top::process_environment),
                        options.ascii || !top::is_utf8(top::process_environment)};
   top::MonitorPusher pusher(options.push);
-  top::Dashboard dashboard(
-      {feed.model(), feed.history(), clock,
-       [&](Operator::Word word, const auto& robots) { return speaker.say(word, robots); }, pusher},
-      options.robot);
+  top::Dashboard dashboard({feed.model(), feed.history(), clock, voice, pusher}, options.robot);
   top::Terminal terminal(look, !options.no_mouse);
   while (!signals.termination.asked()) {
     dashboard.update();
@@ -164,10 +98,11 @@ int run(const Options& options) try {
   const SteadyClock clock;
   const auto participant = wire::Participant::join("top", options.domain);
   if (!participant) return std::cerr << "galilean-top: " << participant.error().message << '\n', 1;
-  DashboardFeed feed(*participant.value(), clock);
-  if (options.once) return print_once(feed, signals.termination, clock, options.robot);
+  top::DashboardFeed feed(*participant.value(), clock);
+  if (options.once) return top::print_once(feed, signals.termination, clock, options.robot);
   Operator speaker(*participant.value());
-  return run_dashboard(feed, signals, clock, speaker, options);
+  BreakOrders orders(*participant.value());
+  return run_dashboard(feed, signals, clock, voice_of(speaker, orders), options);
 } catch (const std::exception& error) {
   return std::cerr << "galilean-top: " << error.what() << '\n', 1;
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
+#include <set>
 
 #include "core/command_line/exit_code.h"
 #include "core/json_text.h"
+#include "core/visible_text.h"
+#include "core/wire/types/type_text.h"
 #include "monitor/wire/topic_commands.h"
 #include "monitor/wire/topic_name.h"
 #include "monitor/wire/topic_reports.h"
@@ -37,6 +40,32 @@ std::vector<std::vector<wire::EndpointInfo>> named(const std::string& name,
   return select([&](const std::string& topic) { return shown_topic(topic).starts_with(robot); });
 }
 
+/// Returns the definitions of the types that a topic's ends have, each once, or why there is none.
+MessageTree definitions_of(const std::vector<wire::EndpointInfo>& ends, Definitions& definitions) {
+  auto list = MessageTree::array();
+  std::set<std::pair<std::string, std::string>> done;
+  for (const auto& end : ends) {
+    if (!done.emplace(end.dds_type, end.type_hash).second) continue;
+    const auto type = definitions.find(end);
+    list.push_back({{"type", shown_type(end.dds_type)},
+                    {"participant", end.process},
+                    {"idl", type ? MessageTree(wire::type_text(type.value())) : MessageTree()},
+                    {"problem", type ? MessageTree() : MessageTree(type.error().message)}});
+  }
+  return list;
+}
+
+std::string definitions_text(const MessageTree& list) {
+  std::string text;
+  for (const auto& each : list) {
+    const std::string participant = visible(each["participant"].get<std::string>());
+    text += "\n// " + visible(each["type"].get<std::string>()) + " as " + participant + " has it\n";
+    text += each["idl"].is_string() ? each["idl"].get<std::string>()
+                                    : "// " + each["problem"].get<std::string>() + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 int list_topics(const TopicOptions& options) {
@@ -59,8 +88,11 @@ int inform_on_topic(const TopicOptions& options) {
   if (topics.empty()) return fail_topic_verb("info", unknown_topic(options.name, endpoints));
   auto all = MessageTree::array();
   for (const auto& topic : topics) {
-    all.push_back(topic_info(topic));
-    if (!options.json) std::cout << topic_info_text(all.back());
+    auto& info = all.emplace_back(topic_info(topic));
+    if (!options.json) std::cout << topic_info_text(info);
+    if (!options.definition) continue;
+    info["definitions"] = definitions_of(topic, session.value()->definitions());
+    if (!options.json) std::cout << definitions_text(info["definitions"]);
   }
   if (options.json) print_tree(all);
   return 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <iostream>
+#include <set>
 
 #include "core/command_line/exit_code.h"
 #include "core/json_text.h"
@@ -19,16 +20,56 @@ std::string json_line(const MessageTree& tree) {
   return ordered_json_text(tree) + '\n';
 }
 
-/// Returns what echo prints of a message. Errors: it cannot be decoded, or has no such field.
-Result<std::string> echoed(const MessageDecoder& decoder, const wire::Received& received,
-                           const TopicOptions& options) {
-  const auto message = decoder.decode(received.cdr);
-  if (!message) return message.error();
-  const auto field = find_field(message.value(), options.field);
+/// Returns what echo prints of a message. Errors: it has no such field.
+Result<std::string> echoed(const MessageTree& message, const TopicOptions& options) {
+  const auto field = find_field(message, options.field);
   if (!field) return field.error();
   const MessageTree shown = field.value() ? *field.value() : MessageTree();
   return options.json ? json_line(shown) : readable_text(shown) + "---\n";
 }
+
+/// Prints messages as they come.
+class Echo {
+ public:
+  Echo(TopicReader& reader, const TopicOptions& options) : reader_(reader), options_(options) {}
+
+  /// Prints what came. A message that cannot be decoded is told of on standard error, each reason
+  /// once. Errors: a message has no field as asked for.
+  Result<void> print_new() {
+    Result<void> done;
+    reader_.take([&](const wire::Received& received) {
+      if (done && !enough()) done = print(received);
+    });
+    return done;
+  }
+  /// Returns whether as many were printed as asked for, or nobody reads them any more.
+  [[nodiscard]] bool enough() const {
+    return !std::cout || (options_.count && count_ >= options_.count);
+  }
+  void tell_notes() {
+    for (const auto& note : reader_.take_notes()) tell(note);
+  }
+
+ private:
+  Result<void> print(const wire::Received& received) {
+    const auto message = reader_.decode(received);
+    tell_notes();
+    if (!message) return tell(message.error().message), Result<void>();
+    const auto text = echoed(message.value(), options_);
+    if (!text) return text.error();
+    std::cout << text.value() << std::flush;
+    ++count_;
+    return {};
+  }
+  void tell(const std::string& sentence) {
+    if (told_.insert(sentence).second) note_topic_verb("echo", sentence);
+  }
+
+  TopicReader& reader_;
+  const TopicOptions& options_;
+  std::set<std::string> told_;
+  int count_ = 0;
+};
 
 int tell_rate(const std::string& topic, const GapStatistics& statistics, double seconds,
               bool json) {
@@ -65,23 +106,16 @@ int echo_topic(const TopicOptions& options) {
   const auto topic = session.value()->find(options.name);
   if (session.value()->ended()) return 0;
   if (!topic) return fail_topic_verb("echo", topic.error().message);
-  const MessageDecoder decoder(*topic.value().schema);
   const auto reader = session.value()->read(topic.value());
+  const auto prepared = reader->prepare();
+  if (session.value()->ended()) return 0;
+  if (!prepared) return fail_topic_verb("echo", prepared.error().message);
+  Echo echo(*reader, options);
+  echo.tell_notes();
   Result<void> done;
-  int count = 0;
-  const auto enough = [&] {
-    return !done || !std::cout || (options.count && count >= options.count);
-  };
   session.value()->wait(kForEver, [&] {
-    reader->take([&](const wire::Received& received) {
-      if (enough()) return;
-      const auto text = echoed(decoder, received, options);
-      if (!text)
-        done = text.error();
-      else
-        std::cout << text.value() << std::flush, ++count;
-    });
-    return enough();
+    done = echo.print_new();
+    return !done || echo.enough();
   });
   return done ? 0 : fail_topic_verb("echo", done.error().message);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/wire/message_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <vector>
 
@@ -35,6 +36,10 @@ std::string scalar_text(const MessageTree& value) {
   return '"' + visible(text) + '"';
 }
 
+bool is_scalar_list(const MessageTree& value) {
+  return value.is_array() && std::ranges::all_of(value, is_scalar);
+}
+
 std::string scalar_list(const MessageTree& list) {
   std::string text = "[";
   for (std::size_t i = 0; i < list.size() && i < kMostScalars; ++i)
@@ -50,12 +55,23 @@ void append(std::string& text, const MessageTree& value, const std::string& inde
 void append_value(std::string& text, const MessageTree& value, const std::string& indent) {
   if (is_scalar(value)) {
     text += ' ' + scalar_text(value) + '\n';
-  } else if (value.is_array() && (value.empty() || is_scalar(value[0]))) {
+  } else if (is_scalar_list(value)) {
     text += ' ' + scalar_list(value) + '\n';
   } else {
     text += '\n';
     append(text, value, indent + "  ");
   }
+}
+
+void append_item(std::string& text, const MessageTree& item, const std::string& indent) {
+  if (is_scalar(item) || is_scalar_list(item)) {
+    text += indent + '-';
+    return append_value(text, item, indent);
+  }
+  std::string block;
+  append(block, item, indent + "  ");
+  if (!block.empty()) block[indent.size()] = '-';
+  text += block;
 }
 
 void append(std::string& text, const MessageTree& value, const std::string& indent) {
@@ -65,12 +81,7 @@ void append(std::string& text, const MessageTree& value, const std::string& inde
       append_value(text, field, indent);
     }
   else
-    for (const auto& item : value) {
-      std::string block;
-      append(block, item, indent + "  ");
-      if (!block.empty()) block[indent.size()] = '-';
-      text += block;
-    }
+    for (const auto& item : value) append_item(text, item, indent);
 }
 
 }  // namespace
@@ -102,8 +113,7 @@ Result<const MessageTree*> find_field(const MessageTree& message, std::string_vi
 
 std::string readable_text(const MessageTree& message) {
   if (is_scalar(message)) return scalar_text(message) + '\n';
-  if (message.is_array() && (message.empty() || is_scalar(message[0])))
-    return scalar_list(message) + '\n';
+  if (is_scalar_list(message)) return scalar_list(message) + '\n';
   std::string text;
   append(text, message, "");
   return text;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/wire/qos_report.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/json_text.h"
@@ -41,6 +42,16 @@ std::string qos_text(const MessageTree& qos) {
   if (qos["deadline_s"].is_number())
     text += ", deadline " + ordered_json_text(qos["deadline_s"]) + " s";
   return text;
+}
+
+EndpointQos least_qos(std::span<const EndpointInfo> ends) {
+  if (ends.empty()) return {};
+  EndpointQos least = ends.front().qos;
+  for (const auto& end : ends) {
+    least.reliable = least.reliable && end.qos.reliable;
+    least.durability = std::min(least.durability, end.qos.durability);
+  }
+  return least;
 }
 
 std::vector<std::string> mismatches(const EndpointInfo& writer, const EndpointInfo& reader) {

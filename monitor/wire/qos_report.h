@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,10 @@ namespace galilean::monitor {
 [[nodiscard]] MessageTree qos_tree(const wire::EndpointQos& qos);
 /// Returns the same on one line, without what is usual. Requires: `qos` comes from qos_tree.
 [[nodiscard]] std::string qos_text(const MessageTree& qos);
+
+/// Returns what a reader of a topic asks for: the least that any of these ends offers or asks for,
+/// so that it matches each of them that writes.
+[[nodiscard]] wire::EndpointQos least_qos(std::span<const wire::EndpointInfo> ends);
 
 /// Returns why the two ends of a topic cannot match, one sentence each. None: they match.
 [[nodiscard]] std::vector<std::string> mismatches(const wire::EndpointInfo& writer,

@@ -15,6 +15,7 @@ struct TopicOptions {
   double window_s = 5;
   double timeout_s = 0;  ///< 0: none
   bool json = false;
+  bool definition = false;  ///< print the definition of a topic's type, too
   int domain = -1;
 };
 
@@ -29,6 +30,8 @@ struct TopicOptions {
 /// How long a verb without a limit waits.
 inline constexpr Duration kForEver = std::chrono::hours(24 * 365);
 
+/// Prints a sentence on standard error, as `verb`.
+void note_topic_verb(const std::string& verb, const std::string& sentence);
 /// Prints why `verb` failed. Returns kFailed.
 int fail_topic_verb(const std::string& verb, const std::string& sentence);
 

@@ -9,8 +9,12 @@
 
 namespace galilean::monitor {
 
-int fail_topic_verb(const std::string& verb, const std::string& sentence) {
+void note_topic_verb(const std::string& verb, const std::string& sentence) {
   std::cerr << "galilean " << verb << ": " << sentence << std::endl;
+}
+
+int fail_topic_verb(const std::string& verb, const std::string& sentence) {
+  note_topic_verb(verb, sentence);
   return kFailed;
 }
 
@@ -52,7 +56,8 @@ int main(int argc, char** argv) {
   TopicVerb verbs[] = {
       {add(app, "list", "List the topics, their types, and how many write and read them", options),
        "list", list_topics},
-      {add(app, "echo", "Print each message of a topic", options), "echo", echo_topic},
+      {add(app, "echo", "Print each message of a topic, whatever its type", options), "echo",
+       echo_topic},
       {add(app, "rate", "Measure how often a topic's messages come", options), "rate",
        measure_rate},
       {add(app, "info", "Tell who writes and reads a topic, and who cannot match", options), "info",
@@ -75,6 +80,8 @@ int main(int argc, char** argv) {
       .excludes(window);
   info.line.option("topic_or_robot", options.name, "A topic, or a robot for all of its topics")
       .required();
+  info.line.flag("--definition", options.definition,
+                 "Print the definition of the topic's type in IDL, too");
   graph.line.option("--format", options.format, "How to print it")
       .one_of({"text", "dot"})
       .show_default();

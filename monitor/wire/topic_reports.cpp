@@ -7,6 +7,7 @@
 
 #include "core/plural.h"
 #include "core/visible_text.h"
+#include "monitor/wire/definitions.h"
 #include "monitor/wire/qos_report.h"
 #include "monitor/wire/topic_name.h"
 
@@ -35,6 +36,13 @@ std::string dot_quoted(const MessageTree& text) {
     quoted += letter;
   }
   return quoted + '"';
+}
+
+/// Returns what is worth to be told of an end's definition.
+std::string definition_clause(const MessageTree& word) {
+  if (word == definition_word(Definition::kOther)) return "; its definition differs from ours";
+  if (word == definition_word(Definition::kUnpublished)) return "; it publishes no definition";
+  return {};
 }
 
 }  // namespace
@@ -80,7 +88,10 @@ MessageTree topic_info(EndpointList endpoints) {
   for (const auto& endpoint : endpoints) {
     types.insert(shown_type(endpoint.dds_type));
     (endpoint.writes ? writers : readers)
-        .push_back({{"participant", endpoint.process}, {"qos", qos_tree(endpoint.qos)}});
+        .push_back({{"participant", endpoint.process},
+                    {"type", shown_type(endpoint.dds_type)},
+                    {"definition", definition_word(definition_of(endpoint))},
+                    {"qos", qos_tree(endpoint.qos)}});
   }
   for (const auto& writer : endpoints)
     for (const auto& reader : endpoints) {
@@ -104,7 +115,8 @@ std::string topic_info_text(const MessageTree& info) {
   for (const auto* side : {"writers", "readers"})
     for (const auto& end : info[side])
       text += std::string(side == std::string_view("writers") ? "  written by " : "  read by ") +
-              shown(end["participant"]) + " (" + qos_text(end["qos"]) + ")\n";
+              shown(end["participant"]) + " (" + qos_text(end["qos"]) + ")" +
+              definition_clause(end["definition"]) + '\n';
   for (const auto& pair : info["mismatches"]) {
     text += "  " + shown(pair["writer"]) + " (" + qos_text(pair["writer_qos"]) +
             ") does not reach " + shown(pair["reader"]) + " (" + qos_text(pair["reader_qos"]) +

@@ -29,22 +29,23 @@ class Watch {
       Result<bool> held = false;
       source.reader->take([&](const wire::Received& received) {
         if (!held || held.value()) return;
-        auto message = source.decoder->decode(received.cdr);
-        if (!message) return void(++source.undecoded);
+        auto message = source.reader->decode(received);
+        if (!message) return source.refuse(message.error());
         newest_[source.topic] = std::move(message).value();
         held = expression_.holds(newest_);
       });
+      for (const auto& note : source.reader->take_notes()) note_topic_verb("wait", note);
       if (!held || held.value()) return held;
     }
     return false;
   }
-  /// Returns a clause on each topic that sent nothing, or messages that could not be decoded.
+  /// Returns a clause on each topic that sent nothing, or messages that were left out.
   [[nodiscard]] std::string complaints() {
     std::string text;
     for (const auto& source : sources_) {
       if (source.undecoded > 0)
         text += "; " + plural(source.undecoded, "message") + " of '" + visible(source.topic) +
-                "' could not be decoded";
+                "' were left out: " + source.reason;
       else if (!newest_.contains(source.topic))
         text += "; " + silence_of(source.topic);
     }
@@ -54,9 +55,14 @@ class Watch {
  private:
   struct Source {
     std::string topic;
-    std::unique_ptr<MessageDecoder> decoder = {};
-    std::unique_ptr<wire::Reader> reader = {};
+    std::unique_ptr<TopicReader> reader = {};
     std::size_t undecoded = 0;
+    std::string reason = {};  ///< why the newest of them could not be decoded
+
+    void refuse(const Error& error) {
+      ++undecoded;
+      reason = error.message;
+    }
   };
 
   std::string silence_of(const std::string& topic) {
@@ -65,10 +71,8 @@ class Watch {
   }
 
   void open(Source& source) {
-    const auto found = session_.find_now(source.topic);
-    if (!found) return;
-    source.decoder = std::make_unique<MessageDecoder>(*found.value().schema);
-    source.reader = session_.read(found.value());
+    auto found = session_.find_now(source.topic);
+    if (found) source.reader = session_.read(std::move(found).value());
   }
 
   WireSession& session_;

@@ -14,7 +14,6 @@ namespace {
 constexpr Duration kDiscovery = std::chrono::seconds(3);
 constexpr Duration kSettled = std::chrono::milliseconds(700);
 constexpr int kLookAtDomainEach_ms = 50;
-constexpr int kMessagesKept = 600;
 
 }  // namespace
 
@@ -31,7 +30,8 @@ WireSession::WireSession(std::unique_ptr<wire::Participant> participant,
     : owned_termination_(std::move(termination)),
       termination_(*owned_termination_),
       participant_(std::move(participant)),
-      endpoints_(*participant_) {}
+      endpoints_(*participant_),
+      definitions_(*participant_, [this] { return ended(); }) {}
 
 std::vector<wire::EndpointInfo> WireSession::discover() {
   std::size_t count = 0;
@@ -46,14 +46,14 @@ std::vector<wire::EndpointInfo> WireSession::discover() {
 
 Result<FoundTopic> WireSession::find_now(const std::string& topic) {
   const auto known = endpoints_.known();
-  const wire::EndpointInfo* found = nullptr;
-  for (const auto& endpoint : known)
-    if (names_topic(topic, endpoint.topic) && (!found || endpoint.writes)) found = &endpoint;
-  if (!found) return Error{unknown_topic(topic, known)};
-  if (const auto* schema = wire::find_schema_by_dds_type(found->dds_type))
-    return FoundTopic{found->topic, schema};
-  return Error{"'" + visible(topic) + "' cannot be decoded: its type, " +
-               visible(shown_type(found->dds_type)) + ", is none of Galilean's messages"};
+  std::vector<wire::EndpointInfo> writers, readers;
+  for (const auto& end : known)
+    if (names_topic(topic, end.topic)) (end.writes ? writers : readers).push_back(end);
+  auto& ends = writers.empty() ? readers : writers;
+  if (ends.empty()) return Error{unknown_topic(topic, known)};
+  std::string name = ends.front().topic;
+  std::erase_if(ends, [&](const wire::EndpointInfo& end) { return end.topic != name; });
+  return FoundTopic{std::move(name), std::move(ends)};
 }
 
 Result<FoundTopic> WireSession::find(const std::string& topic) {
@@ -65,10 +65,10 @@ Result<FoundTopic> WireSession::find(const std::string& topic) {
   return find_now(topic);
 }
 
-std::unique_ptr<wire::Reader> WireSession::read(const FoundTopic& topic) {
-  auto reader = std::make_unique<wire::Reader>(*participant_, topic.dds_topic,
-                                               std::string(topic.schema->ros_type), kMessagesKept);
-  reader->on_data([this] { wake_.ring(); });
+std::unique_ptr<TopicReader> WireSession::read(FoundTopic topic) {
+  auto reader =
+      std::make_unique<TopicReader>(TopicReader::Wire{*participant_, endpoints_, definitions_},
+                                    std::move(topic), [this] { wake_.ring(); });
   wake_.ring();  // because messages may have come before the callback was set
   return reader;
 }

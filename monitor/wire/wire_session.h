@@ -12,16 +12,10 @@
 #include "core/wake.h"
 #include "core/wire/endpoints.h"
 #include "core/wire/participant.h"
-#include "core/wire/reader.h"
-#include "core/wire/schemas.h"
+#include "monitor/wire/definitions.h"
+#include "monitor/wire/topic_reader.h"
 
 namespace galilean::monitor {
-
-/// A topic on the wire, and the definition of its messages.
-struct FoundTopic {
-  std::string dds_topic;
-  const wire::Schema* schema;
-};
 
 /// A short-lived command's look at the domain. For use by one thread.
 class WireSession {
@@ -31,12 +25,14 @@ class WireSession {
 
   /// Returns the writers and readers, after a short wait in which they are discovered.
   [[nodiscard]] std::vector<wire::EndpointInfo> discover();
-  /// Returns the topic, if it is known now. Errors: nobody writes or reads it, or its type is none
-  /// that can be decoded.
+  /// Returns the topic, if it is known now. Errors: nobody writes or reads it.
   [[nodiscard]] Result<FoundTopic> find_now(const std::string& topic);
   /// As find_now, after a short wait in which the topic is discovered.
   [[nodiscard]] Result<FoundTopic> find(const std::string& topic);
-  [[nodiscard]] std::unique_ptr<wire::Reader> read(const FoundTopic& topic);
+  /// Requires: this outlives the reader.
+  [[nodiscard]] std::unique_ptr<TopicReader> read(FoundTopic topic);
+  /// Where an end's type is found. It lives as long as this.
+  [[nodiscard]] Definitions& definitions() noexcept { return definitions_; }
 
   /// Calls `enough` whenever messages may have come, until it returns true, `most` is over, or
   /// termination is asked for. Returns whether it returned true.
@@ -54,6 +50,7 @@ class WireSession {
   Wake wake_;
   std::unique_ptr<wire::Participant> participant_;
   wire::Endpoints endpoints_;
+  Definitions definitions_;
 };
 
 }  // namespace galilean::monitor

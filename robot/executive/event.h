@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/clock.h"
+#include "robot/executive/holding.h"
 
 namespace galilean::robot {
 
@@ -72,6 +73,9 @@ struct Event {
   std::uint32_t to_state = 0;       ///< in program
   std::uint32_t condition = kNone;  ///< of from_state, where that is the cause
   ConditionSnapshot tested;         ///< of from_state, where a condition is the cause
+  Hold stopped_by = Hold::kNone;    ///< of kTransition: it stopped the robot, at a break point or
+                                    ///< at the end of a step
+  std::uint64_t break_point = 0;    ///< the number of that break point
   std::uint32_t schema = kNone;     ///< of kSchemaFailed and of a rollback, among all schemas
   Duration tick_time{};             ///< of kStarted, kSwapped and kRolledBack: what that tick took
   ShortText text;  ///< what the schema threw, which device was lost, or the reason of the order

@@ -4,16 +4,9 @@
 #include <utility>
 
 #include "core/device/frame_grabber.h"
-#include "robot/executive/sequencer.h"
-#include "robot/executive/swap.h"
 
 namespace galilean::robot {
 namespace {
-
-/// Starts the fading of the initial values now, when the program takes over.
-void start_fading(RunningProgram& program, Time now) noexcept {
-  program.variables.for_each([now](auto& variable) { variable.reliability.stamp = now; });
-}
 
 DeviceHealth health_of(const Devices& devices) noexcept {
   return {devices.comm_port.healthy(), devices.motor_drive.healthy(),
@@ -64,62 +57,14 @@ void Executive::begin_tick() noexcept {
   ++tick_.number;
   state_changed_ = false;
   exchanged_ = Event{};
-}
-
-void Executive::exchange_programs() noexcept {
-  exchanging_.store(true);
-  succession_.advance(tick_.now, health_,
-                      [this](const Handover& handover) noexcept { install(handover); });
-  exchanging_.store(false);
-}
-
-void Executive::install(const Handover& handover) noexcept {
-  RunningProgram& program = *current_program();
-  running_id_.store(succession_.running_id());
-  exchanged_ = event(handover.kind);
-  exchanged_.from_program = handover.replaced ? handover.replaced->description->id : 0;
-  exchanged_.fault = handover.verdict.fault;
-  exchanged_.schema = handover.verdict.schema;
-  exchanged_.text = handover.verdict.reason;
-  exchanged_.in_probation =
-      handover.kind == Event::Kind::kRolledBack && succession_.probation().active();
-
-  if (handover.kind != Event::Kind::kRolledBack) start_fading(program, tick_.now);
-  drive_.set_timeout(from_seconds(program.devices.motor_drive.timeout_s));
-  if (setup_.tuner) setup_.tuner->tune(program.devices);
-  if (!handover.replaced) return enter(program.start_state);
-  carry_over(*handover.replaced, program, tick_.now);
-  go_on_from(*handover.replaced);
-}
-
-/// Enters the state that `replaced` was in if the program has it, and its successor otherwise.
-void Executive::go_on_from(const RunningProgram& replaced) noexcept {
-  RunningProgram& program = *current_program();
-  const std::uint32_t state = successor_state(replaced, program);
-  const bool same = program.text().states[state].name == replaced.state_name();
-  enter(state);
-  if (same) {
-    program.state_since = replaced.state_since;
-    return;
-  }
-  Event change = exchanged_;
-  change.kind = Event::Kind::kTransition;
-  change.cause =
-      exchanged_.kind == Event::Kind::kRolledBack ? Event::Cause::kRollback : Event::Cause::kSwap;
-  change.in_probation = false;
-  change.from_state = replaced.state;
-  note_transition(change);
-}
-
-void Executive::restore(const Situation& situation) {
-  if (!current_program()) return;
-  restore_variables(situation, *current_program(), setup_.clock.now());
-  enter(successor_state(situation.state, *current_program()));
+  breaks_.refresh();
 }
 
 void Executive::enter(std::uint32_t state) noexcept {
   current_program()->state = state;
   current_program()->state_since = tick_.now;
+  where_.store({succession_.running_id(), state});
+  standstill_.wait = {};
   for (const std::uint32_t schema : current().perceptual_schemas) activate(schema);
   for (const std::uint32_t schema : current().motor_schemas) activate(schema);
 }
@@ -135,20 +80,6 @@ void Executive::sense() noexcept {
 void Executive::perceive() noexcept {
   if (!current_program()) return;
   for (const std::uint32_t schema : current().perceptual_schemas) run(schema);
-}
-
-void Executive::sequence() noexcept {
-  if (!current_program()) return;
-  const auto condition = first_that_holds(current(), tick_.now);
-  if (!condition) return;
-  const RunningCondition& fired = current().conditions[*condition];
-  Event change = event(Event::Kind::kTransition);
-  change.condition = *condition;
-  change.from_state = current_program()->state;
-  change.tested = test_all(current(), tick_.now);
-  fire(fired, tick_.now);
-  enter(fired.new_state);
-  note_transition(change);
 }
 
 void Executive::act() noexcept {
@@ -175,7 +106,7 @@ void Executive::publish() noexcept {
                       .devices = devices_,
                       .health = health_,
                       .pose = pose(),
-                      .held = held(),
+                      .standstill = standstill(),
                       .out_of_service = !in_service(),
                       .in_probation = succession_.probation().active(),
                       .tick_time = tick_time_,
@@ -207,14 +138,6 @@ void Executive::note_failure(std::uint32_t schema) noexcept {
   failure.text = current_program()->schemas[schema].failure();
   succession_.probation().note_schema_failure(schema, failure.text);
   emit(failure);
-}
-
-void Executive::note_transition(Event change) noexcept {
-  change.to_state = current_program()->state;
-  change.number = ++transitions_;
-  state_changed_ = true;
-  succession_.probation().note_transition(tick_.now);
-  emit(change);
 }
 
 Event Executive::event(Event::Kind kind) const noexcept {

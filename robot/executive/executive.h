@@ -4,6 +4,8 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,12 +13,15 @@
 #include "core/clock.h"
 #include "core/device/devices.h"
 #include "core/result.h"
+#include "robot/executive/breaks.h"
 #include "robot/executive/guarded_drive.h"
+#include "robot/executive/holding.h"
 #include "robot/executive/odometry.h"
 #include "robot/executive/program_intake.h"
 #include "robot/executive/pushable_port.h"
 #include "robot/executive/restore.h"
 #include "robot/executive/running_program.h"
+#include "robot/executive/standstill.h"
 #include "robot/executive/state_hash.h"
 #include "robot/executive/succession.h"
 #include "robot/executive/tick_observer.h"
@@ -40,16 +45,23 @@ struct ExecutiveSetup {
   std::function<void()> on_waiting = nullptr;
 };
 
+/// The running program and its current state, which other threads read at once.
+struct Whereabouts {
+  ProgramId program = 0;  ///< 0: none
+  std::uint32_t state = 0;
+};
+static_assert(std::atomic<Whereabouts>::is_always_lock_free);
+
 /// Runs a program: the paper's executive. The live robot calls `tick` from one thread at a fixed
 /// rate; the headless simulator has many executives and calls it whenever it has stepped the clock.
 ///
 ///   tick:  exchange programs · sense · perceive · sequence · act · publish
 ///
 /// In a tick the devices give what is newest, the state's perceptual schemas run in listed order,
-/// the first condition in file order that holds changes the state, and the motor schemas of the
-/// state now current run in listed order. It neither allocates, locks, logs nor does I/O.
-/// Each method says which thread may call it. "Control" is the thread that ticks. While nothing
-/// ticks, any thread may call its methods.
+/// the first condition in file order that holds and is not locked changes the state, and the motor
+/// schemas of the state now current run in listed order. It neither allocates, locks, logs nor does
+/// I/O. Each method says which thread may call it. "Control" is the thread that ticks. While
+/// nothing ticks, any thread may call its methods.
 class Executive {
  public:
   explicit Executive(const ExecutiveSetup& setup);
@@ -75,16 +87,27 @@ class Executive {
   /// Any thread. Returns whether a loaded program waits for its first tick.
   [[nodiscard]] bool waiting() const noexcept { return intake_.waiting() || exchanging_.load(); }
   /// Any thread. Returns the running program's number, or 0 before the first tick with a program.
-  [[nodiscard]] ProgramId running() const noexcept { return running_id_.load(); }
+  [[nodiscard]] ProgramId running() const noexcept { return where_.load().program; }
+  /// Any thread but control. Returns the current state's name, or an empty text before the first
+  /// tick with a program.
+  [[nodiscard]] std::string present_state() const;
   [[nodiscard]] const ProbationRules& probation_rules() const noexcept { return setup_.probation; }
 
   /// Control: runs one tick.
   void tick();
 
   /// Any thread: from the next tick on the schemas run and the motors stand still.
-  void hold() noexcept { held_.store(true, std::memory_order_relaxed); }
-  void resume() noexcept { held_.store(false, std::memory_order_relaxed); }
-  [[nodiscard]] bool held() const noexcept { return held_.load(std::memory_order_relaxed); }
+  void hold() noexcept { holding_.hold(); }
+  void resume() noexcept { holding_.resume(); }
+  /// Any thread: lets the robot go on until its next change of state, in whose tick the motors
+  /// stand still again. Returns false, and changes nothing, if an operator holds it.
+  [[nodiscard]] bool step() noexcept { return holding_.step(); }
+  /// Any thread: holds the robot for a break point of another one. Returns false, and changes
+  /// nothing, if it stands already.
+  [[nodiscard]] bool stop_with_team() noexcept { return holding_.stop(Hold::kTeam); }
+  [[nodiscard]] bool held() const noexcept { return !lets_drive(holding_.now()); }
+  /// Where the robot stops. Each method of Breaks says which thread may call it.
+  [[nodiscard]] Breaks& breaks() noexcept { return breaks_; }
   /// Any thread: takes the robot out of service. The motors then stand still, and `resume` does not
   /// change that.
   void decommission() noexcept { in_service_.store(false, std::memory_order_relaxed); }
@@ -133,7 +156,11 @@ class Executive {
   void activate(std::uint32_t schema) noexcept;
   void run(std::uint32_t schema) noexcept;
   void note_failure(std::uint32_t schema) noexcept;
-  void note_transition(Event change) noexcept;
+  [[nodiscard]] std::optional<std::uint32_t> condition_that_fires() noexcept;
+  [[nodiscard]] bool is_locked(std::uint32_t condition) const noexcept;
+  void note_transition(Event change, std::string_view from_state) noexcept;
+  void stop_at(Event& change, std::string_view from_state) noexcept;
+  [[nodiscard]] Standstill standstill() const noexcept;
   void judge_probation() noexcept;
   [[nodiscard]] bool may_drive() const noexcept;
   [[nodiscard]] Event event(Event::Kind kind) const noexcept;
@@ -159,11 +186,13 @@ class Executive {
   std::uint32_t overruns_ = 0;
   std::uint64_t transitions_ = 0;
   bool state_changed_ = false;
-  std::atomic<bool> held_{false};
+  Breaks breaks_;
+  Holding holding_;
+  Standstill standstill_;  ///< but for `hold`, which other threads change
   std::atomic<bool> in_service_{true};
-  std::atomic<ProgramId> running_id_{0};
+  std::atomic<Whereabouts> where_{};
   /// Whoever sees that no program waits also sees which one runs: a program that left the intake
-  /// waits until `running_id_` is its number.
+  /// waits until `where_` is its place.
   std::atomic<bool> exchanging_{false};
 };
 

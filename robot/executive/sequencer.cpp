@@ -6,11 +6,6 @@
 namespace galilean::robot {
 namespace {
 
-bool holds(const RunningCondition& condition, Time now) noexcept {
-  return condition.bits->valid_at(now) &&
-         condition.bits->value.test(condition.bit_index) == condition.bit_value;
-}
-
 void update_bit(const RunningCondition& condition) noexcept {
   Bits& bits = condition.bits->value;
   switch (condition.bit_update) {
@@ -27,10 +22,9 @@ void update_bit(const RunningCondition& condition) noexcept {
 
 }  // namespace
 
-std::optional<std::uint32_t> first_that_holds(const RunningState& state, Time now) noexcept {
-  for (std::uint32_t i = 0; i < state.conditions.size(); ++i)
-    if (holds(state.conditions[i], now)) return i;
-  return std::nullopt;
+bool holds(const RunningCondition& condition, Time now) noexcept {
+  return condition.bits->valid_at(now) &&
+         condition.bits->value.test(condition.bit_index) == condition.bit_value;
 }
 
 ConditionSnapshot test_all(const RunningState& state, Time now) noexcept {

@@ -9,10 +9,18 @@
 
 namespace galilean::robot {
 
-/// Returns the index of the first condition, in the order of the text, that holds at `now`, or
-/// nothing. A condition holds if its variable is valid and its bit has the value asked for.
-[[nodiscard]] std::optional<std::uint32_t> first_that_holds(const RunningState& state,
-                                                            Time now) noexcept;
+/// Returns whether the condition's variable is valid at `now` and its bit has the value asked for.
+[[nodiscard]] bool holds(const RunningCondition& condition, Time now) noexcept;
+
+/// Returns the index of the first condition, in the order of the text, that holds at `now` and that
+/// `may_fire(index)` lets fire, or nothing. `may_fire` is asked about conditions that hold alone.
+template <class MayFire>
+[[nodiscard]] std::optional<std::uint32_t> first_that_fires(const RunningState& state, Time now,
+                                                            MayFire may_fire) noexcept {
+  for (std::uint32_t i = 0; i < state.conditions.size(); ++i)
+    if (holds(state.conditions[i], now) && may_fire(i)) return i;
+  return std::nullopt;
+}
 
 /// Tests every condition of the state at `now`. Conditions beyond ConditionSnapshot::kMost are left
 /// out.

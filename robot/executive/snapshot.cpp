@@ -92,7 +92,7 @@ void copy_tick(const TickView& view, Snapshot& to) noexcept {
   to.tick_time = view.tick_time;
   to.overruns = view.overruns;
   to.transitions = view.transitions;
-  to.held = view.held;
+  to.standstill = view.standstill;
   to.out_of_service = view.out_of_service;
   to.in_probation = view.in_probation;
   to.health = view.health;

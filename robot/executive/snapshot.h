@@ -51,7 +51,7 @@ struct Snapshot {
   Duration longest_tick_time{};  ///< since `SnapshotTap::restart_longest`
   std::uint32_t overruns = 0;
   std::uint64_t transitions = 0;
-  bool held = false;
+  Standstill standstill;
   bool out_of_service = false;
   bool in_probation = false;
   bool uses_camera = false;

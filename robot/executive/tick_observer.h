@@ -4,6 +4,7 @@
 #include "core/schema/schema.h"
 #include "robot/executive/event.h"
 #include "robot/executive/running_program.h"
+#include "robot/executive/standstill.h"
 
 namespace galilean {
 struct Devices;
@@ -18,7 +19,7 @@ struct TickView {
   const Devices& devices;
   DeviceHealth health;
   Pose2 pose;  ///< by dead reckoning, odom frame
-  bool held = false;
+  Standstill standstill = {};
   bool out_of_service = false;
   bool in_probation = false;
   Duration tick_time{};           ///< time from exchange to act

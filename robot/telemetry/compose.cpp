@@ -96,7 +96,7 @@ msg::RobotState Composer::state(const Snapshot& snapshot, const Description* pro
   state.tick_time_us = microseconds(snapshot.tick_time);
   state.tick_time_max_us = microseconds(snapshot.longest_tick_time);
   state.overruns = snapshot.overruns;
-  state.held = snapshot.held;
+  state.held = !lets_drive(snapshot.standstill.hold);
   state.out_of_service = snapshot.out_of_service;
   state.in_probation = snapshot.in_probation;
   state.x_m = snapshot.pose.position_m.x();

@@ -6,9 +6,8 @@
 #include <thread>
 #include <utility>
 
-#include "core/wire/topic_names.h"
-#include "core/wire/writer.h"
 #include "robot/log/log.h"
+#include "robot/telemetry/robot_writers.h"
 #include "robot/telemetry/words.h"
 
 namespace galilean::robot {
@@ -19,10 +18,6 @@ constexpr Duration kSnapshotPause = std::chrono::milliseconds(3);
 constexpr Duration kReport = std::chrono::milliseconds(100);
 constexpr Duration kDiagnosis = std::chrono::seconds(1);
 constexpr Duration kStandstill = std::chrono::seconds(2);
-
-std::string topic(const TelemetrySource& source, std::string_view leaf) {
-  return wire::robot_topic(source.robot, leaf);
-}
 
 bool contains(const std::vector<Problem>& list, const Problem& item) {
   return std::ranges::find(list, item) != list.end();
@@ -51,41 +46,14 @@ void log_failure(const std::string& failure) {
 
 }  // namespace
 
-struct Publisher::Writers {
-  explicit Writers(const TelemetrySource& source)
-      : state(source.participant, topic(source, "state")),
-        transition(source.participant, topic(source, "transition")),
-        variables(source.participant, topic(source, "variables")),
-        forces(source.participant, topic(source, "forces")),
-        sightings(source.participant, topic(source, "sightings")),
-        program(source.participant, topic(source, "program")),
-        catalog(source.participant, topic(source, "catalog")),
-        odometry(source.participant, topic(source, "odom")),
-        transform(source.participant, wire::kTfTopic),
-        diagnostics(source.participant, wire::kDiagnosticsTopic),
-        log(source.participant, wire::kLogTopic) {}
-
-  wire::Writer<msg::RobotState> state;
-  wire::Writer<msg::Transition> transition;
-  wire::Writer<msg::Variables> variables;
-  wire::Writer<msg::Forces> forces;
-  wire::Writer<msg::Sightings> sightings;
-  wire::Writer<msg::Program> program;
-  wire::Writer<msg::Catalog> catalog;
-  wire::Writer<msg::Odometry> odometry;
-  wire::Writer<msg::TFMessage> transform;
-  wire::Writer<msg::DiagnosticArray> diagnostics;
-  wire::Writer<msg::Log> log;
-};
-
 Publisher::Publisher(const TelemetrySource& source, LogQueue& log, const ThreadProblems& threads,
-                     EventListener listener)
+                     Listener listener)
     : source_(source),
       log_(log),
       threads_(threads),
       listener_(std::move(listener)),
       compose_(source.robot, source.clock),
-      writers_(std::make_shared<Writers>(source)) {
+      writers_(std::make_shared<RobotWriters>(source.participant, source.robot)) {
   write(writers_->catalog, compose_.catalog(source_.catalog));
   worker_ = Worker(
       [this](const std::stop_token& stop) {
@@ -106,6 +74,7 @@ void Publisher::step() {
   }
   if (source_.tap.take()) tell_sightings();
   if (anything_happened) tell_what_is();
+  listener_.round(source_.tap.newest());
   if (source_.clock.now() >= next_report_) tell_regularly();
   for (const auto& line : log_.take()) {
     msg::Log message;
@@ -128,7 +97,7 @@ void Publisher::tell(const Event& event) {
   else if (event.kind != Event::Kind::kConfirmed && event.kind != Event::Kind::kSchemaFailed)
     tell_program(event.program);
   if (event.kind == Event::Kind::kRolledBack) log_rollback(event);
-  listener_(event);
+  listener_.event(event);
 }
 
 void Publisher::log_rollback(const Event& event) {

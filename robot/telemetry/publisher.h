@@ -15,6 +15,8 @@
 
 namespace galilean::robot {
 
+struct RobotWriters;
+
 /// The sources of what telemetry publishes. Requires: they outlive the objects that are made from
 /// this.
 struct TelemetrySource {
@@ -34,16 +36,18 @@ struct TelemetrySource {
 /// diagnostics every second.
 class Publisher {
  public:
-  /// Is called with every event, in the publisher's thread.
-  using EventListener = std::function<void(const Event&)>;
+  /// Its functions are called in the publisher's thread.
+  struct Listener {
+    std::function<void(const Event&)> event;  ///< with every event
+    /// In every round with the newest snapshot, which is not older than the events before.
+    std::function<void(const Snapshot&)> round;
+  };
 
   /// Errors: throws std::runtime_error if DDS refuses a topic.
   Publisher(const TelemetrySource& source, LogQueue& log, const ThreadProblems& threads,
-            EventListener listener);
+            Listener listener);
 
  private:
-  struct Writers;
-
   void step();
   void tell(const Event& event);
   void tell_transition(const Event& event);
@@ -61,9 +65,9 @@ class Publisher {
   TelemetrySource source_;
   LogQueue& log_;
   const ThreadProblems& threads_;
-  EventListener listener_;
+  Listener listener_;
   Composer compose_;
-  std::shared_ptr<Writers> writers_;
+  std::shared_ptr<RobotWriters> writers_;
   std::shared_ptr<const Description> described_;
   std::vector<Problem> problems_;
   Time next_report_{};

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/wire/topic_names.h"
 #include "robot/log/log_queue.h"
+#include "robot/telemetry/break_desk.h"
+#include "robot/telemetry/break_publisher.h"
 #include "robot/telemetry/command_receiver.h"
 #include "robot/telemetry/image_publisher.h"
+#include "robot/telemetry/order_reader.h"
 #include "robot/telemetry/program_receiver.h"
 #include "robot/telemetry/publisher.h"
 #include "robot/telemetry/thread_problems.h"
@@ -17,23 +21,38 @@ class Telemetry {
   /// Errors: throws std::runtime_error if DDS refuses a topic.
   Telemetry(const TelemetrySource& source, ImageTap& images)
       : log_forwarding_(log_),
+        break_desk_(source.robot, source.executive),
+        breaks_(source, break_desk_),
         programs_(source, problems_.reporter("program_receiver")),
         publisher_(source, log_, problems_,
-                   [this](const Event& event) { programs_.on_event(event); }),
+                   {.event = [this](const Event& event) { listen(event); },
+                    .round = [this](const Snapshot& newest) { breaks_.on_round(newest); }}),
         images_(source, images, problems_.reporter("image_publisher")),
-        commands_(source, problems_.reporter("command_receiver")) {}
+        commands_(source, break_desk_, problems_.reporter("command_receiver")),
+        break_orders_(
+            source.participant, wire::kBreakOrderTopic, source.robot,
+            [this](const msg::BreakOrder& order) { break_desk_.obey(order); },
+            problems_.reporter("break_receiver")) {}
 
   /// Returns where other threads enter their problems, so that these are published too.
   [[nodiscard]] ThreadProblems& problems() noexcept { return problems_; }
 
  private:
+  void listen(const Event& event) {
+    breaks_.on_event(event);
+    programs_.on_event(event);
+  }
+
   ThreadProblems problems_;
   LogQueue log_;
   LogForwarding log_forwarding_;
+  BreakDesk break_desk_;
+  BreakPublisher breaks_;
   ProgramReceiver programs_;
   Publisher publisher_;
   ImagePublisher images_;
   CommandReceiver commands_;
+  OrderReader<msg::BreakOrder> break_orders_;
 };
 
 }  // namespace galilean::robot

@@ -2,13 +2,10 @@
 // WCAG 2.2 AA as far as axe can tell: dark and light, laptop and phone, with everything open that can be opened;
 // the page by keys alone; with less motion; and on paper.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { test } from "node:test";
+import { loadAxe, violations } from "./axe.mjs";
 import { LAPTOP, PHONE, playedTab } from "./tab.mjs";
 
-const axe = readFileSync(createRequire(new URL("../../web/package.json", import.meta.url)).resolve("axe-core/axe.min.js"), "utf8");
-const RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
 const tab = playedTab({ ahead: 60, silent: "callisto", simulated: true });
 
 async function opened({ colorScheme = "light", viewport = LAPTOP, ...rest } = {}) {
@@ -16,13 +13,8 @@ async function opened({ colorScheme = "light", viewport = LAPTOP, ...rest } = {}
   page.setDefaultTimeout(60_000);
   await page.goto(tab.url);
   await page.getByTestId("map-robot-io").waitFor();
-  await page.evaluate(axe);
+  await loadAxe(page);
   return page;
-}
-
-async function violations(page) {
-  const found = await page.evaluate((rules) => window.axe.run({ runOnly: { type: "tag", values: rules } }), RULES);
-  return found.violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.html.slice(0, 120)} ${node.any[0]?.message ?? ""}`));
 }
 
 for (const colorScheme of ["light", "dark"]) {

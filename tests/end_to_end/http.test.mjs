@@ -63,9 +63,15 @@ test('the server answers as it is described', async (t) => {
     await ask('GET', '/api/pushed/{hash}', { status: 200, hash: pushed.hash.slice(0, 10) });
     await ask('POST', '/api/pushes/{id}/cancel', { status: 409, id: pushed.id, body: {} });
     await ask('POST', '/api/command', { status: 200, body: { kind: 'hold', targets: ['io'] } });
-    for (const kind of ['decommission', 'commission', 'resume']) await ask('POST', '/api/command', { status: 200, body: { kind, targets: ['io'] } });
+    for (const kind of ['decommission', 'commission', 'step', 'resume']) await ask('POST', '/api/command', { status: 200, body: { kind, targets: ['io'] } });
     await ask('POST', '/api/command', { status: 400, body: { kind: 'dance' } });
     await ask('POST', '/api/command', { status: 404, body: { kind: 'hold', targets: ['europa'] } });
+    await ask('POST', '/api/breaks', { status: 200, body: { order: 'set', targets: ['io'], points: [{ from: 'start', to: 'wander_for_trash', kind: 'lock' }] } });
+    await eventually(async () => (await getJson(`${url}/api/team`)).robots[0].breaks?.points.length === 1);
+    await ask('GET', '/api/team', { status: 200 });
+    await ask('POST', '/api/breaks', { status: 400, body: { order: 'set' } });
+    await ask('POST', '/api/breaks', { status: 403, body: { order: 'clear' }, bearer: token('viewer') });
+    await ask('POST', '/api/breaks', { status: 404, body: { order: 'clear', targets: ['europa'] } });
     await ask('POST', '/api/simulation/orders', { status: 400, body: {} });
     await ask('POST', '/api/simulation/orders', { status: 403, body: { order: 'pause' }, bearer: token('viewer') });
     await ask('POST', '/api/simulation/orders', { status: 404, body: { order: 'pause' } });

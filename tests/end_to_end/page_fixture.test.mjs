@@ -60,6 +60,12 @@ describe("the page's stand-in for the monitor", () => {
     assert.deepEqual(robots.filter(({ held }) => held).map(({ name }) => name), ['io']);
   });
 
+  test('takes orders about break points, and tells why not', async () => {
+    await ask('POST /api/breaks', 200, { order: 'set', targets: ['io'], points: [{ from: 'start', to: 'wander_for_trash', kind: 'lock' }] });
+    assert.match((await ask('POST /api/breaks', 400, { order: 'set' })).detail, /'points'/);
+    await ask('POST /api/command', 200, { kind: 'step', targets: ['ganymede'] });
+  });
+
   test('carries out what an instructor orders, and tells why not', async () => {
     const moved = await ask('POST /api/simulation/orders', 200, { order: 'move', subject: 'io', x_m: 1.5, y_m: 5 });
     assert.equal(moved.text, 'moved io to (1.50, 5.00) m');

@@ -37,7 +37,7 @@ test('each request is described in openapi.yaml', () => {
 
 test('each key of the terminal is one that its help or a sheet names', () => {
   const help = [...textOf('monitor/top/panels/help.cpp').matchAll(/^ {6}"(\S.*?) {2,}/gm)].flatMap(([, keys]) => keys.split(/,? /));
-  const sheets = [...textOf('monitor/top/dashboard_orders.cpp').matchAll(/"(\S+) cancel/g)].map(([, key]) => key);
+  const sheets = [...textOf('monitor/top/sheets/push_sheet.cpp').matchAll(/"(\S+) cancel/g)].map(([, key]) => key);
   for (const [what, cell] of cells(2)) for (const key of quoted(cell)) assert.ok([...help, ...sheets].includes(key), `${what}: ${key}`);
 });
 

@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import { mount } from "svelte";
-import "./app.css";
-import App from "./App.svelte";
-import Wall from "./wall/Wall.svelte";
+// What index.html shows is painted before the page itself, which takes longer to read, is begun.
 
-/** `/?wall` is the page for a beamer. */
-const page = new URLSearchParams(location.search).has("wall") ? Wall : App;
+/** A tab in the background is given no frame: it waits no longer than this. */
+const PATIENCE_MS = 100;
 
-export default mount(page, { target: document.getElementById("page")! });
+function framePainted(): Promise<void> {
+  return new Promise((resolve) => {
+    if (document.hidden) resolve();
+    requestAnimationFrame(() => setTimeout(resolve));
+    setTimeout(resolve, PATIENCE_MS);
+  });
+}
+
+framePainted()
+  .then(() => import("./page"))
+  .catch((error: unknown) => {
+    document.getElementById("starting-word")?.replaceChildren("The page could not be read. Load it anew.");
+    throw error;
+  });

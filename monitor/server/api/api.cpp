@@ -63,6 +63,7 @@ void Api::add_routes() {
   post("/api/pushes/", Right::kOperate,
        [this](auto& request, auto& respond) { cancel_push(request, respond); });
   post("/api/command", Right::kOperate, operation(&Operations::command));
+  post("/api/breaks", Right::kOperate, operation(&Operations::order_breaks));
 }
 
 void Api::post(std::string path, Right needs, Handler handler) {

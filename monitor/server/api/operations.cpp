@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/api/operations.h"
 
-#include <map>
-
 #include "bhdl/diff/diff.h"
 #include "core/wire/messages.h"
 #include "core/wire/participant.h"
@@ -10,20 +8,12 @@
 #include "core/wire/topic_names.h"
 #include "monitor/pushes/history/json.h"
 #include "monitor/pushes/history/push_messages.h"
+#include "monitor/server/api/break_order.h"
+#include "monitor/server/api/command_kinds.h"
 #include "monitor/server/text/request_fields.h"
 
 namespace galilean::monitor {
 namespace {
-
-namespace kinds = msg::Command_Constants;
-const std::map<std::string, std::uint8_t>& command_kinds() {
-  static const std::map<std::string, std::uint8_t> kKinds{{"hold", kinds::HOLD},
-                                                          {"resume", kinds::RESUME},
-                                                          {"push_bumper", kinds::PUSH_BUMPER},
-                                                          {"decommission", kinds::DECOMMISSION},
-                                                          {"commission", kinds::COMMISSION}};
-  return kKinds;
-}
 
 std::vector<bhdl::SourceFile> files_field(RequestFields& fields, const char* name = "files") {
   static const nlohmann::json kNone;
@@ -97,7 +87,8 @@ Operations::Operations(Worker& worker, const Team& team, const ProgramLibrary& l
       team_(team),
       library_(library),
       desk_(desk),
-      commands_(participant, wire::kCommandTopic) {}
+      commands_(participant, wire::kCommandTopic),
+      break_orders_(participant, wire::kBreakOrderTopic) {}
 
 void Operations::check(const nlohmann::json& request, Finish finish) {
   RequestFields fields(request);
@@ -144,73 +135,35 @@ void Operations::command(const nlohmann::json& request, Finish finish) {
   RequestFields fields(request);
   const auto kind = command_kinds().find(fields.text("kind"));
   if (kind == command_kinds().end())
-    fields.refuse("'kind' must be hold, resume, push_bumper, decommission or commission.");
+    fields.refuse("'kind' must be hold, resume, step, push_bumper, decommission or commission.");
   msg::Command command;
-  command.id = new_id();
   command.author = fields.text("author", "operator");
   command.targets = fields.names("targets");
   command.argument = fields.whole_number("argument", 0);
   if (!fields.ok()) return finish(refused(fields));
   command.kind = kind->second;
-  for (const auto& target : command.targets)
-    if (!team_.find(target)) return finish({404, {}, "There is no robot '" + target + "'."});
-  send(std::move(command), std::move(finish));
+  send(commands_, std::move(command), std::move(finish));
 }
 
-void Operations::send(msg::Command command, Finish finish) {
-  command.stamp = wire::ros_time(wire::wall_clock_ns());
-  worker_.run([this, command] { return commands_.write(command); },
-              [finish, id = command.id](bool taken) {
+void Operations::order_breaks(const nlohmann::json& request, Finish finish) {
+  RequestFields fields(request);
+  auto order = break_order(fields);
+  if (!fields.ok()) return finish(refused(fields));
+  send(break_orders_, std::move(order), std::move(finish));
+}
+
+template <class M>
+void Operations::send(wire::Writer<M>& writer, M message, Finish finish) {
+  for (const auto& target : message.targets)
+    if (!team_.find(target)) return finish({404, {}, "There is no robot '" + target + "'."});
+  message.id = new_id();
+  message.stamp = wire::ros_time(wire::wall_clock_ns());
+  worker_.run([&writer, message] { return writer.write(message); },
+              [finish, id = message.id](bool taken) {
                 finish(taken ? Outcome{200, {{"id", id}}}
-                             : Outcome{503, {}, "DDS did not accept the command; try again."});
+                             : Outcome{503, {}, "DDS did not accept the order; try again."});
               },
               unable(finish));
-}
-
-void Operations::offer(foxglove::Hub& hub) {
-  const auto object = [](nlohmann::json properties) {
-    return nlohmann::json{{"type", "object"}, {"properties", std::move(properties)}};
-  };
-  const nlohmann::json text{{"type", "string"}}, number{{"type", "integer"}};
-  const nlohmann::json names{{"type", "array"}, {"items", text}};
-  const nlohmann::json files{{"type", "array"},
-                             {"items", object({{"path", text}, {"text", text}})}};
-  const nlohmann::json replies{{"type", "array"}, {"items", {{"type", "object"}}}};
-
-  const auto serve = [](auto operation) {
-    return [operation](const nlohmann::json& request, foxglove::Hub::Answer answer) {
-      operation(request, [answer = std::move(answer)](const Outcome& outcome) {
-        if (outcome.status < 400) return answer(outcome.json);
-        answer(Error{outcome.detail});
-      });
-    };
-  };
-  hub.add_service({"/galilean/push", "galilean/Push",
-                   object({{"files", files},
-                           {"targets", names},
-                           {"author", text},
-                           {"replaces", text},
-                           {"try", {{"type", "boolean"}}},
-                           {"canary", text},
-                           {"probation_s", {{"type", "number"}}}}),
-                   object({{"id", text}, {"hash", text}, {"state", text}, {"replies", replies}})},
-                  serve([this](const nlohmann::json& request, Finish finish) {
-                    push(request, std::move(finish));
-                  }));
-  hub.add_service(
-      {"/galilean/cancel_push", "galilean/CancelPush", object({{"id", text}, {"author", text}}),
-       object({{"id", text}, {"state", text}})},
-      serve([this](const nlohmann::json& request, Finish finish) {
-        cancel_push(request, std::move(finish));
-      }));
-  for (const auto& [kind, number_of_kind] : command_kinds())
-    hub.add_service({"/galilean/" + kind, "galilean/Command",
-                     object({{"targets", names}, {"author", text}, {"argument", number}}),
-                     object({{"id", text}})},
-                    serve([this, kind = kind](nlohmann::json request, Finish finish) {
-                      if (request.is_object()) request["kind"] = kind;
-                      command(request, std::move(finish));
-                    }));
 }
 
 }  // namespace galilean::monitor

@@ -26,17 +26,22 @@ class Operations {
   /// {id, author}.
   void cancel_push(const nlohmann::json& request, Finish finish);
   void command(const nlohmann::json& request, Finish finish);
-  /// Adds push, cancel_push and every kind of command to the hub as services.
+  void order_breaks(const nlohmann::json& request, Finish finish);
+  /// Adds push, cancel_push, breaks and every kind of command to the hub as services.
   void offer(foxglove::Hub& hub);
 
  private:
-  void send(msg::Command command, Finish finish);
+  /// Gives the message its id and stamp, and sends it. Finishes with 404 if it is for a robot that
+  /// nobody has heard.
+  template <class M>
+  void send(wire::Writer<M>& writer, M message, Finish finish);
 
   Worker& worker_;
   const Team& team_;
   const ProgramLibrary& library_;
   PushDesk& desk_;
   wire::Writer<msg::Command> commands_;
+  wire::Writer<msg::BreakOrder> break_orders_;
 };
 
 }  // namespace galilean::monitor

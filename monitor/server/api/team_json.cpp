@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/api/team_json.h"
 
+#include "monitor/team/break_reason.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -29,6 +31,28 @@ nlohmann::json transitions_json(const Robot& robot) {
   return transitions;
 }
 
+/// Returns the members of the robot's Breaks, or null before the first one came.
+nlohmann::json breaks_json(const Team& team, const Robot& robot) {
+  if (!robot.breaks) return nullptr;
+  const msg::Breaks& breaks = *robot.breaks;
+  auto points = nlohmann::json::array();
+  for (const auto& point : breaks.points)
+    points.push_back({{"from", point.from_state}, {"to", point.to_state}, {"kind", point.kind}});
+  const double waits_s =
+      waits_at_lock(breaks) ? lock_wait_s(breaks, team.since_breaks(robot)) : 0.0;
+  return {{"points", std::move(points)},
+          {"stepping", breaks.stepping},
+          {"stopped", breaks.stopped},
+          {"stopped_at", breaks.stopped_at},
+          {"stopped_by", breaks.stopped_by},
+          {"author", breaks.author},
+          {"waits_at_from", breaks.waits_at_from},
+          {"waits_at_to", breaks.waits_at_to},
+          {"waits_s", waits_s},
+          {"answered_id", breaks.answered_id},
+          {"refused", breaks.refused}};
+}
+
 }  // namespace
 
 nlohmann::json to_json(const RobotStatus& status) {
@@ -42,6 +66,7 @@ nlohmann::json to_json(const RobotStatus& status) {
           {"program_hash", status.program_hash},
           {"drifting", status.drifting},
           {"held", status.held},
+          {"break_reason", status.break_reason},
           {"out_of_service", status.out_of_service},
           {"in_probation", status.in_probation},
           {"tick", status.tick},
@@ -87,6 +112,7 @@ nlohmann::json to_json(const Team& team) {
     auto json = to_json(team.status(robot));
     json["variables"] = variables_json(team, robot);
     json["transitions"] = transitions_json(robot);
+    json["breaks"] = breaks_json(team, robot);
     robots.push_back(std::move(json));
   }
   return {{"program_hash", team.program_hash()},

@@ -13,8 +13,8 @@ namespace galilean::monitor {
 [[nodiscard]] nlohmann::json score_json(const Team& team);
 /// Returns a list with the score of each program in the contest.
 [[nodiscard]] nlohmann::json strategies_json(const Team& team);
-/// Returns each robot's status, its variables with their present certainty and its last
-/// transitions, the score, and the hash of the team's program.
+/// Returns each robot's status, its variables with their present certainty, its last transitions
+/// and its break points, the score, and the hash of the team's program.
 [[nodiscard]] nlohmann::json to_json(const Team& team);
 
 }  // namespace galilean::monitor

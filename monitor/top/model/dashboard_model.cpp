@@ -15,11 +15,11 @@ constexpr Duration kStaleAfter = std::chrono::seconds(5);
 /// A reply that was sent so long before it was received is an old one, which DDS keeps for those
 /// who join later.
 constexpr std::int64_t kOldReply_ns = 10'000'000'000;
-constexpr std::array<std::string_view, 11> kShown{
+constexpr std::array<std::string_view, 12> kShown{
     msg::RobotState::kRosType,   msg::Transition::kRosType,    msg::Variables::kRosType,
     msg::Program::kRosType,      msg::Catalog::kRosType,       msg::Score::kRosType,
     msg::ObjectMap::kRosType,    msg::OccupancyGrid::kRosType, msg::Sightings::kRosType,
-    msg::PushProgress::kRosType, msg::ProgramReply::kRosType};
+    msg::PushProgress::kRosType, msg::ProgramReply::kRosType,  msg::Breaks::kRosType};
 }  // namespace
 
 template <class M>

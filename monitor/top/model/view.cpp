@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/wire/messages.h"
+#include "monitor/team/break_reason.h"
 #include "monitor/top/model/view_parts.h"
 
 namespace galilean::monitor::top {
@@ -36,7 +37,9 @@ void show_robots(const Sources& sources, const Choice& choice, View& view) {
     if (!is_wanted && status.name != chosen) continue;
     const Identity& identity = sources.identities.of(status.name);
     const bool alarmed = has_unseen_alarm(sources.board, status.name);
-    view.robots.push_back({identity.letter, identity.number, std::move(status), alarmed});
+    const auto& breaks = team.find(status.name)->breaks;
+    view.robots.push_back({identity.letter, identity.number, std::move(status), alarmed,
+                           breaks && breaks->stopped, breaks && waits_at_lock(*breaks)});
   }
   std::ranges::stable_sort(view.robots, {}, rank_of);
   const auto at = std::ranges::find_if(
@@ -86,7 +89,7 @@ View make_view(const Sources& sources, const Choice& choice) {
   if (board) view.alarms = board->posted();
   if (view.robots.empty()) return view;
   const Robot& robot = *model.team().find(view.robots[view.chosen].status.name);
-  show_machine(robot, view);
+  show_machine(robot, choice.state, view);
   show_changes(robot, to_seconds(clock.now() - robot.state_received), view);
   show_variables(sources, robot, choice.variable_filter, view);
   if (const auto* map = model.objects()) {

@@ -18,20 +18,27 @@ struct ShownRobot {
   std::size_t number = 0;  ///< of its colour
   RobotStatus status;
   bool has_unseen_alarm = false;
+  bool is_stopped = false;  ///< by a break point or the end of a step
+  bool waits = false;       ///< at a lock
 };
+/// What break points do where a state is entered or a transition fires.
+enum class BreakMark : std::uint8_t { kNone, kStop, kStopTeam, kLock };
 /// A condition that leads out of the present state.
 struct ShownCondition {
   std::string text;  ///< "bumpers[1] = 1"
   std::string to_state;
   std::optional<bool> bit;  ///< as it is now; none while its variable is invalid
   bool wanted = true;       ///< the bit that it waits for
+  BreakMark mark = BreakMark::kNone;
 
   [[nodiscard]] bool holds() const noexcept { return bit == wanted; }
 };
 struct ShownState {
   std::string name;
   bool current = false;
-  bool before = false;  ///< the robot came from it
+  bool before = false;                ///< the robot came from it
+  BreakMark mark = BreakMark::kNone;  ///< of those that stop whoever enters it
+  bool chosen = false;                ///< keys set break points there
 };
 struct ShownMachine {
   std::string program;
@@ -96,6 +103,7 @@ struct Choice {
   std::string robot;            ///< the chosen robot; if there is none of that name, the first
   std::string robot_filter;     ///< shows robots with this in their name, state or program
   std::string variable_filter;  ///< shows variables with this in their name
+  std::string state = {};       ///< of the chosen robot's program; empty: none is chosen
 };
 
 /// Returns a snapshot. Robots that are silent come first, then those with alarms, each in the order

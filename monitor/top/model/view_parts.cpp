@@ -9,6 +9,7 @@
 
 #include "core/wire/ros_time.h"
 #include "core/wire/topic_names.h"
+#include "monitor/top/model/break_marks.h"
 #include "monitor/top/model/variable_text.h"
 
 namespace galilean::monitor::top {
@@ -78,7 +79,7 @@ std::map<std::string, std::vector<double>> curves_of(const Sources& sources, con
 
 }  // namespace
 
-void show_machine(const Robot& robot, View& view) {
+void show_machine(const Robot& robot, std::string_view chosen, View& view) {
   const std::string current = robot.state ? robot.state->state : "";
   const std::string before =
       robot.transitions.empty() || robot.transitions.back().to_state != current
@@ -91,13 +92,14 @@ void show_machine(const Robot& robot, View& view) {
   view.machine.program = robot.program->name;
   for (const auto& state : robot.program->states)
     view.machine.states.push_back(
-        {state.name, state.name == current, state.name == before && before != current});
+        {state.name, state.name == current, state.name == before && before != current,
+         mark_on_entering(robot.breaks, state.name), state.name == chosen});
   for (const auto& condition : robot.program->transitions)
     if (condition.from_state == current)
       view.machine.conditions.push_back(
           {condition_text(condition), condition.to_state,
            bit_of(robot.variables, condition.bits_variable, condition.bit_index),
-           condition.bit_value});
+           condition.bit_value, mark_at(robot.breaks, current, condition.to_state)});
 }
 
 void show_changes(const Robot& robot, double state_age_s, View& view) {

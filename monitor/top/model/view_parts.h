@@ -9,7 +9,8 @@ namespace galilean::monitor::top {
 
 // Each function fills one part of a view of the chosen robot.
 
-void show_machine(const Robot& robot, View& view);
+/// `chosen` is the state that keys set break points at; empty: none.
+void show_machine(const Robot& robot, std::string_view chosen, View& view);
 /// `state_age_s` is the time since the robot's newest state was received.
 void show_changes(const Robot& robot, double state_age_s, View& view);
 void show_variables(const Sources& sources, const Robot& robot, std::string_view filter,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "monitor/top/panels/layout.h"
+#include "monitor/top/panels/sheet.h"
 
 namespace galilean::monitor::top {
 

@@ -2,6 +2,7 @@
 #include "monitor/top/panels/layout.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "monitor/top/panels/panels.h"
 #include "monitor/top/screen/utf8.h"
@@ -62,7 +63,8 @@ class Page {
     row += used;
     const Area room{row, 0, std::max(2, canvas.rows() / 12), columns};
     screen_.alarms = draw_alarms(view_, room, canvas);
-    return row + static_cast<int>(screen_.alarms.size());
+    row += static_cast<int>(screen_.alarms.size());
+    return draw_break_reason(view_, {row, 0, 1, columns}, canvas) ? row + 1 : row;
   }
 
   void draw_lower(const Area& area) {
@@ -102,19 +104,30 @@ class Page {
 
   void put(Panel panel, const Area& area) {
     if (area.rows <= 0 || area.columns <= 0) return;
-    screen_.regions.push_back({panel, area});
     Scrolls& scrolls = screen_.scrolls;
+    // A click takes the first region that it hits, so the lines of a panel come before the panel.
+    if (panel == Panel::kMachine) put_states(area);
+    screen_.regions.push_back({panel, area});
     switch (panel) {
       case Panel::kMap:
         return draw_map(view_, area, screen_.canvas);
-      case Panel::kMachine:
-        return draw_machine(view_, area, scrolls.machine, screen_.canvas);
       case Panel::kVariables:
         return draw_variables(view_, area, scrolls.variables, screen_.canvas);
       case Panel::kWhy:
         return draw_why(view_, area, scrolls.why, screen_.canvas);
+      case Panel::kMachine:
       case Panel::kTeam:
         break;
+    }
+  }
+
+  void put_states(const Area& area) {
+    int row = area.row;
+    for (auto& state : draw_machine(view_, area, screen_.scrolls.machine, screen_.canvas)) {
+      ++row;
+      if (!state.empty())
+        screen_.regions.push_back(
+            {Panel::kMachine, {row, area.column, 1, area.columns}, {}, std::move(state)});
     }
   }
 
@@ -144,24 +157,6 @@ Screen lay_out(const View& view, const Surroundings& around, int columns, int ro
   if (columns < kLeastColumns || rows < kLeastRows)
     return too_small(around.banner.empty() ? around.footer : around.banner, columns, rows);
   return Page(view, around, columns, rows).draw();
-}
-
-void lay_over(Sheet& sheet, Canvas& canvas) {
-  const int columns = canvas.columns(), most = canvas.rows() - 6;
-  const int count = static_cast<int>(sheet.lines.size());
-  const int room = std::clamp(count, 1, std::max(1, most));
-  const int row = canvas.rows() - 1 - room - 1;
-  sheet.scroll = clamped_scroll(sheet.scroll, count, room);
-  canvas.fill({row, 0, canvas.rows() - row, columns}, Style::kPlain);
-  for (int column = 0; column < columns; ++column) canvas.set(row, column, U'─', Style::kDim);
-  canvas.put(row, 2, " " + sheet.title + " ", Style::kBold, columns - 2);
-  for (int i = 0; i < std::min(room, count); ++i) {
-    const auto& line = sheet.lines[static_cast<std::size_t>(sheet.scroll + i)];
-    canvas.put(row + 1 + i, 1, line.text, line.style, columns - 1);
-  }
-  std::string keys = sheet.keys;
-  if (count > room) keys += "  ↑↓ scroll";
-  canvas.put(canvas.rows() - 1, 0, keys, Style::kBold);
 }
 
 }  // namespace galilean::monitor::top

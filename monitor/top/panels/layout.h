@@ -23,18 +23,6 @@ struct Scrolls {
   bool operator==(const Scrolls&) const = default;
 };
 
-/// What lies over the lower part of the screen: a question, the help, a push.
-struct Sheet {
-  struct Line {
-    std::string text;
-    Style style = Style::kPlain;
-  };
-  std::string title;
-  std::vector<Line> lines;
-  std::string keys;  ///< what can be pressed
-  int scroll = 0;
-};
-
 /// What a screen shows besides the team.
 struct Surroundings {
   Tab tab = Tab::kAll;
@@ -45,11 +33,12 @@ struct Surroundings {
 };
 
 enum class Panel : std::uint8_t { kTeam, kMap, kMachine, kVariables, kWhy };
-/// Where a panel or a robot's line of the team is on the screen.
+/// Where a panel, a robot's line of the team or a state's line of the machine is on the screen.
 struct Region {
   Panel panel = Panel::kTeam;
   Area area;
   std::string robot = {};
+  std::string state = {};
 };
 
 struct Screen {
@@ -62,8 +51,5 @@ struct Screen {
 /// Returns the whole dashboard for a screen of this size. A screen of less than 80 × 24 cells says
 /// that it is too small.
 [[nodiscard]] Screen lay_out(const View& view, const Surroundings& around, int columns, int rows);
-
-/// Draws a sheet over the screen's lower part. Puts `sheet.scroll` right.
-void lay_over(Sheet& sheet, Canvas& canvas);
 
 }  // namespace galilean::monitor::top

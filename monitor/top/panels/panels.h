@@ -17,6 +17,9 @@ int draw_team(const View& view, const Area& area, std::size_t& first, Canvas& ca
 /// those that are drawn, one a row.
 [[nodiscard]] std::vector<AlarmLine> draw_alarms(const View& view, const Area& area,
                                                  Canvas& canvas);
+/// Draws why the chosen robot stands at a break point, or what it waits for, and the keys for it.
+/// Returns false if there is nothing to tell.
+[[nodiscard]] bool draw_break_reason(const View& view, const Area& area, Canvas& canvas);
 /// Draws the occupancy grid, objects and robots from above, with the map's y axis up.
 void draw_map(const View& view, const Area& area, Canvas& canvas);
 
@@ -24,8 +27,10 @@ void draw_map(const View& view, const Area& area, Canvas& canvas);
 // put right where there are not so many lines.
 
 /// Draws the states of the chosen robot's program with the conditions that lead out of the present
-/// one. The present state shows if `scroll` is 0.
-void draw_machine(const View& view, const Area& area, int& scroll, Canvas& canvas);
+/// one, and the signs of break points. The chosen state, or else the present one, shows if `scroll`
+/// is 0. Returns the state in each row below the heading; an empty name for a condition.
+[[nodiscard]] std::vector<std::string> draw_machine(const View& view, const Area& area, int& scroll,
+                                                    Canvas& canvas);
 /// Draws the chosen robot's variables, each with a bar of its certainty and the curve of its recent
 /// values.
 void draw_variables(const View& view, const Area& area, int& scroll, Canvas& canvas);

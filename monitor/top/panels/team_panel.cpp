@@ -53,10 +53,12 @@ struct Columns {
   }
 };
 
-std::string flags(const RobotStatus& status) {
+std::string flags(const ShownRobot& robot) {
+  const RobotStatus& status = robot.status;
   std::string text;
   if (status.out_of_service) text += " out of service";
-  if (status.held) text += " held";
+  if (status.held) text += robot.is_stopped ? " stopped" : " held";
+  if (robot.waits) text += " waits";
   if (status.in_probation) text += " on probation";
   if (status.drifting) text += " other program";
   return text;
@@ -76,8 +78,8 @@ void draw_robot(const ShownRobot& robot, bool chosen, int row, int width, Canvas
   const bool silent = status.health == Health::kSilent;
   canvas.put(row, 2, robot.letter, silent ? Style::kDim : robot_style(robot.number), kLetters);
   canvas.put(row, at.name, status.name, chosen ? Style::kBold : style, at.state - at.name - 1);
-  canvas.put(row, at.state, status.state + flags(status), status.held ? Style::kWarning : style,
-             at.for_s - at.state - 1);
+  canvas.put(row, at.state, status.state + flags(robot),
+             status.held || robot.waits ? Style::kWarning : style, at.for_s - at.state - 1);
   canvas.put_right(row, at.program - 1,
                    status.has_state ? one_decimal(status.in_state_s, "s") : kNotKnown, style);
   const Style program = status.drifting ? Style::kWarning : style;

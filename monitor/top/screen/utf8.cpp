@@ -67,4 +67,11 @@ int width_of(std::string_view text) {
   return width;
 }
 
+std::string in_column(std::string_view text, int width) {
+  std::string cells;
+  int used = 0;
+  for (; !text.empty() && used < width - 1; ++used) append_utf8(cells, take_character(text));
+  return cells + std::string(static_cast<std::size_t>(width - used), ' ');
+}
+
 }  // namespace galilean::monitor::top

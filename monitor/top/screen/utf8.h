@@ -15,5 +15,8 @@ void append_utf8(std::string& to, char32_t character);
 [[nodiscard]] bool is_plain(char32_t character) noexcept;
 /// Returns the number of cells that the text takes, one for each character.
 [[nodiscard]] int width_of(std::string_view text);
+/// Returns the text, or its beginning, with blanks behind it up to this width, of which the last
+/// cell is a blank.
+[[nodiscard]] std::string in_column(std::string_view text, int width);
 
 }  // namespace galilean::monitor::top

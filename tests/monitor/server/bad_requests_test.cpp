@@ -172,6 +172,7 @@ TEST_F(BadRequestTest, EveryPostNamesTheFieldThatHasTheWrongType) {
       {"/api/push", {{"targets", list}, {"author", text}, {"replaces", text}, {"canary", text}}},
       {"/api/pushes/nothing/cancel", {{"author", text}}},
       {"/api/command", {{"kind", text}, {"targets", list}, {"author", text}}},
+      {"/api/breaks", {{"order", text}, {"targets", list}, {"author", text}, {"points", list}}},
       {"/api/simulation/orders",
        {{"order", text},
         {"subject", text},

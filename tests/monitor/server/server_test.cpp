@@ -132,7 +132,7 @@ TEST_F(ServerTest, AFoxgloveClientReadsStatesEventsAndCallsServices) {
                         "/ws?token=" + read_token(folder / "operator.token").value());
   EXPECT_EQ(socket.response[http::field::sec_websocket_protocol], "foxglove.websocket.v1");
   const auto services = socket.read_op("advertiseServices")["services"];
-  ASSERT_EQ(services.size(), 7U);
+  ASSERT_EQ(services.size(), 9U);
   const auto states = socket.channel("/io/state");
   socket.send({{"op", "subscribe"}, {"subscriptions", {{{"id", 40}, {"channelId", states}}}}});
   const auto message = socket.read();

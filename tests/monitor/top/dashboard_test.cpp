@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/monitor/top/model/told.h"
+#include "tests/monitor/top/steered.h"
 
 namespace galilean::monitor::top {
 namespace {
@@ -14,55 +14,6 @@ using std::chrono::seconds;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
-
-class FakePusher : public Pusher {
- public:
-  [[nodiscard]] std::string hindrance() const override { return why_not; }
-  void check(const PushWish& wish) override { wished = wish; }
-  void push(bool with_canary) override { pushed = with_canary ? "with canary" : "to all"; }
-  void cancel() override { ++cancelled; }
-  [[nodiscard]] PushReport report() const override { return told; }
-
-  std::string why_not;
-  PushReport told;
-  std::optional<PushWish> wished;
-  std::string pushed;
-  int cancelled = 0;
-};
-
-class Steered : public Told {
- protected:
-  void SetUp() override {
-    for (const char* name : {"callisto", "ganymede", "io"}) tell_of({.robot = name});
-    dashboard.update();
-  }
-  void receive(const Message& message) override {
-    Told::receive(message);
-    history.note(message);
-  }
-  void press(std::string_view letters) {
-    for (const char letter : letters) EXPECT_TRUE(dashboard.press({Key::kLetter, letter}));
-  }
-  void press(Key key) { EXPECT_TRUE(dashboard.press({key})); }
-  std::string screen() { return dashboard.draw(80, 24).text(); }
-
-  History history{clock};
-  FakePusher pusher;
-  std::vector<std::string> said;
-  Dashboard dashboard{{model, history, clock,
-                       [this](Operator::Word word, const std::vector<std::string>& robots) {
-                         std::string words = word == Operator::Word::kHold     ? "hold"
-                                             : word == Operator::Word::kResume ? "resume"
-                                                                               : "start";
-                         for (const auto& robot : robots) words += " " + robot;
-                         said.push_back(words);
-                         return true;
-                       },
-                       pusher},
-                      ""};
-};
-
-using Said = std::vector<std::string>;
 
 TEST_F(Steered, HoldIsSaidAtOnceAndResumeAsks) {
   press("h");
@@ -76,19 +27,29 @@ TEST_F(Steered, HoldIsSaidAtOnceAndResumeAsks) {
   EXPECT_EQ(said, (Said{"hold callisto", "resume callisto"}));
 }
 
+TEST_F(Steered, ARobotIsTakenOutOfServiceAndBackAfterAYes) {
+  press("d");
+  EXPECT_THAT(screen(), HasSubstr("Decommission callisto, so that it stands until it is "
+                                  "commissioned? y / n"));
+  press("n");
+  EXPECT_EQ(said, Said{});
+  press("dy");
+  EXPECT_EQ(said, Said{"decommission callisto"});
+  tell_of({.robot = "callisto", .out_of_service = true});
+  press("d");
+  EXPECT_THAT(screen(), HasSubstr("Commission callisto, so that it serves again? y / n"));
+  press("y");
+  EXPECT_EQ(said.back(), "commission callisto");
+  press("D");  // never the whole team at once
+  EXPECT_EQ(said.size(), 2u);
+}
+
 TEST_F(Steered, WhoIsAskedAboutIsWhoIsTold) {
-  Said told;
-  Dashboard mistyped{{model, history, clock,
-                      [&told](Operator::Word, const std::vector<std::string>& robots) {
-                        told = robots;
-                        return true;
-                      },
-                      pusher},
-                     "calisto"};
+  Dashboard mistyped{{model, history, clock, voice(), pusher}, "calisto"};
   EXPECT_TRUE(mistyped.press({Key::kLetter, 'r'}));
   EXPECT_THAT(mistyped.draw(80, 24).text(), HasSubstr("Resume callisto? y / n"));
   EXPECT_TRUE(mistyped.press({Key::kLetter, 'y'}));
-  EXPECT_EQ(told, Said{"callisto"});
+  EXPECT_EQ(said, Said{"resume callisto"});
 }
 
 TEST_F(Steered, StopAllIsSaidAtOnceAndAgainToThoseWhoHaveNotConfirmed) {
@@ -242,41 +203,6 @@ TEST_F(Steered, GoingBackShowsWhatWasAndTheEndKeyTheNow) {
   EXPECT_THAT(screen(), HasSubstr("10 s ago"));
   press("l");
   EXPECT_THAT(screen(), Not(HasSubstr(" ago (l: now)")));
-}
-
-TEST_F(Steered, WhereNothingCanBePushedItSaysSoBeforehand) {
-  pusher.why_not = "the monitor's operator token is needed to push";
-  EXPECT_THAT(screen(), HasSubstr("cannot push"));
-  press("p");
-  EXPECT_THAT(screen(), HasSubstr("Cannot push: the monitor's operator token is needed to push"));
-  EXPECT_FALSE(pusher.wished);
-}
-
-TEST_F(Steered, APushIsCheckedShownAndAskedFor) {
-  press("P");
-  press("office.bhdl");
-  EXPECT_THAT(screen(), HasSubstr("Push which file? office.bhdl_"));
-  press(Key::kEnter);
-  ASSERT_TRUE(pusher.wished);
-  EXPECT_EQ(pusher.wished->file, "office.bhdl");
-  EXPECT_TRUE(pusher.wished->robots.empty());
-  pusher.told = {PushReport::Stage::kReady, "Push office.bhdl 3f2a", {{"2 differences"}}};
-  EXPECT_THAT(screen(), HasSubstr("2 differences"));
-  EXPECT_THAT(screen(),
-              HasSubstr("Push to all robots?  y yes   Esc no   c callisto runs it first"));
-  press("cy");
-  EXPECT_EQ(pusher.pushed, "with canary");
-}
-
-TEST_F(Steered, RestoringIsForTheChosenRobotAndMayBeLeft) {
-  press("u");
-  ASSERT_TRUE(pusher.wished);
-  EXPECT_EQ(pusher.wished->file, "");
-  EXPECT_EQ(pusher.wished->robots, std::vector<std::string>{"callisto"});
-  pusher.told.stage = PushReport::Stage::kReady;
-  press(Key::kEscape);
-  EXPECT_EQ(pusher.cancelled, 1);
-  EXPECT_EQ(pusher.pushed, "");
 }
 
 TEST_F(Steered, QuitsByItsKeyAlone) {

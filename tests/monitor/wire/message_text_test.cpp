@@ -17,6 +17,13 @@ TEST(MessageText, IsLikeYamlAndShowsNoControlCharacters) {
             "  - name: \"a\"\n    bits: [1, 2]\n  - name: \"b\"\n");
 }
 
+TEST(MessageText, ShowsListsOfLists) {
+  const auto tree = [](const char* json) { return MessageTree::parse(json); };
+  EXPECT_EQ(readable_text(tree(R"({"grid": [[1, 2], [3, 4]], "flags": [[], ["A"]]})")),
+            "grid:\n  - [1, 2]\n  - [3, 4]\nflags:\n  - []\n  - [\"A\"]\n");
+  EXPECT_EQ(readable_text(tree("[[[1], [2]], [[3]]]")), "- - [1]\n  - [2]\n- - [3]\n");
+}
+
 TEST(MessageText, CutsLongLists) {
   EXPECT_TRUE(readable_text(MessageTree(std::vector<int>(40, 1))).ends_with("1, … 8 more]\n"));
 }

@@ -8,6 +8,7 @@
 #include "robot/telemetry/image_tap.h"
 #include "tests/robot/count_allocations.h"
 #include "tests/robot/devices/bench_robot.h"
+#include "tests/robot/executive/branching_robot.h"
 #include "tests/robot/executive/office.h"
 
 namespace galilean::robot {
@@ -93,6 +94,37 @@ TEST_F(Allocations, NoTickThatSwapsOrConfirmsAllocatesOrDestroys) {
         shipped_program(i % 2 ? "office_cleanup.bhdl" : "sit_and_spin.bhdl")));
     EXPECT_EQ(of_ticks(i % 3 ? 5 : 250), 0);
   }
+}
+
+TEST(AllocationsOfBreaks, NoTickThatTakesThemOverStopsStepsOrWaitsAllocates) {
+  SnapshotTap tap;
+  BranchingRobot robot({&tap});
+  journal.reserve(10000);
+  Breaks& breaks = robot.executive->breaks();
+  const std::string long_name(200, 'x');
+  int stops = 0, waits = 0;
+  for (int i = 0; i < 300; ++i) {
+    const BreakKind kind = i % 3 == 0 ? BreakKind::kLock : BreakKind::kStop;
+    ASSERT_TRUE(breaks.set({{{"", "grab"}, kind}, {{long_name, std::to_string(i % 8)}, kind}}));
+    if (i % 4 == 0)
+      static_cast<void>(breaks.let_through({{"", "grab"}}, robot.executive->present_state()));
+    if (i % 5 == 0) breaks.clear();
+    static_cast<void>(robot.executive->step());
+    const unsigned bumper = robot.state() == "wander" ? 0 : 2;
+    robot.press(bumper);
+    {
+      const AllocationCount count;
+      robot.tick(2);
+      EXPECT_EQ(count.so_far(), 0) << i;
+    }
+    robot.press(bumper, false);
+    stops += robot.executive->held();
+    waits += robot.events.standstill.wait.condition != Event::kNone;
+    while (tap.next_event()) {
+    }
+  }
+  EXPECT_GT(stops, 20);
+  EXPECT_GT(waits, 20);
 }
 
 TEST(AllocationsOfTheDevices, NoTickOverARealLineAndARingOfPicturesAllocates) {

@@ -7,8 +7,9 @@
 namespace galilean::robot {
 namespace {
 
-std::uint64_t hash_after_a_minute(std::uint64_t seed) {
+std::uint64_t hash_after_a_minute(std::uint64_t seed, const std::vector<BreakPoint>& points = {}) {
   TestRobot robot(seed);
+  EXPECT_TRUE(robot.executive->breaks().set(points));
   paint_office(robot.camera.picture);
   EXPECT_TRUE(robot.executive->load(shipped_program("office_cleanup.bhdl")));
   StateHash hash;
@@ -32,6 +33,12 @@ TEST(Determinism, TheSameSeedGoesTheSameWay) {
 
 TEST(Determinism, AnotherSeedGoesAnotherWay) {
   EXPECT_NE(hash_after_a_minute(3), hash_after_a_minute(4));
+}
+
+TEST(Determinism, BreakPointsThatAreNotReachedChangeNothing) {
+  const std::vector<BreakPoint> points{{{"wander_for_trash", "nowhere"}, BreakKind::kStop},
+                                       {{"nowhere", ""}, BreakKind::kLock}};
+  EXPECT_EQ(hash_after_a_minute(3, points), hash_after_a_minute(3));
 }
 
 TEST(Threads, ProgramsAreBuiltReadAndDestroyedBesideTheControlLoop) {

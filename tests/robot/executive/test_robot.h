@@ -16,7 +16,10 @@ class EventList final : public TickObserver {
  public:
   EventList() { events.reserve(1000); }
   void on_event(const Event& event) noexcept override { events.push_back(event); }
-  void on_tick(const TickView& view) noexcept override { in_probation = view.in_probation; }
+  void on_tick(const TickView& view) noexcept override {
+    in_probation = view.in_probation;
+    standstill = view.standstill;
+  }
 
   [[nodiscard]] int count(Event::Kind kind) const {
     return static_cast<int>(std::ranges::count(events, kind, &Event::kind));
@@ -30,6 +33,7 @@ class EventList final : public TickObserver {
 
   std::vector<Event> events;
   bool in_probation = false;
+  Standstill standstill;  ///< of the last tick
 };
 
 inline const Registry& test_components() {

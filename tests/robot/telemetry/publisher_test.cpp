@@ -168,10 +168,13 @@ TEST(Publisher, PublishesOnAfterAFailure) {
                              .devices = {io.robot.port, io.robot.drive, io.robot.camera},
                              .catalog = test_components().catalog(),
                              .clock = io.robot.clock},
-                            log, threads, [&](const Event&) {
-                              if (!std::exchange(failed, true))
-                                throw std::runtime_error("no paper");
-                            });
+                            log, threads,
+                            {.event =
+                                 [&](const Event&) {
+                                   if (!std::exchange(failed, true))
+                                     throw std::runtime_error("no paper");
+                                 },
+                             .round = [](const Snapshot&) {}});
   auto lines = Mailbox<msg::Log>(*io.other, wire::kLogTopic);
   auto states = io.mailbox<msg::RobotState>("state");
   ASSERT_TRUE(io.robot.load(kWaits));

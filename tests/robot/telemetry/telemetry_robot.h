@@ -31,7 +31,12 @@ class TelemetryRobot {
                                   .devices = {robot.port, robot.drive, robot.camera},
                                   .catalog = components.catalog(),
                                   .clock = robot.clock},
-                  images) {}
+                  images) {
+    ++living_;
+  }
+  ~TelemetryRobot() { --living_; }
+  TelemetryRobot(const TelemetryRobot&) = delete;
+  TelemetryRobot& operator=(const TelemetryRobot&) = delete;
 
   template <class M>
   [[nodiscard]] Mailbox<M> mailbox(const std::string& leaf) {
@@ -49,13 +54,15 @@ class TelemetryRobot {
   }
   void send(const msg::ProgramPush& push) { send_on(wire::kProgramPushTopic, push); }
   void send(const msg::ProgramRollback& order) { send_on(wire::kProgramRollbackTopic, order); }
+  void send(const msg::Command& command) { send_on(wire::kCommandTopic, command); }
+  void send(const msg::BreakOrder& order) { send_on(wire::kBreakOrderTopic, order); }
   void send(std::uint8_t kind, std::int32_t argument, const std::string& target) {
     msg::Command command;
     command.author = "tester";
     command.targets = {target};
     command.kind = kind;
     command.argument = argument;
-    send_on(wire::kCommandTopic, command);
+    send(command);
   }
   /// Ticks until `done` is true, for at most 10 s. Returns whether it became true.
   bool tick_until(const std::function<bool()>& done) {
@@ -86,10 +93,11 @@ class TelemetryRobot {
     // The writer stays alive, because a robot looks up who sent a message.
     const auto writer = std::make_shared<wire::Writer<M>>(*other, topic);
     writers_.push_back(writer);
-    while (writer->readers() == 0) std::this_thread::yield();
+    while (writer->readers() < living_) std::this_thread::yield();
     EXPECT_TRUE(writer->write(message));
   }
 
+  static inline int living_ = 0;
   std::vector<std::shared_ptr<void>> writers_;
 };
 

@@ -2,7 +2,7 @@
 // The monitor's HTTP operations. Every failure is an Error whose message can be shown as it stands.
 
 import type { Command_Constants, Diagnostic, ProgramReply, PushStep, SourceFile } from "./messages";
-import type { Machine } from "./parts";
+import type { BreakKind, Machine, StateChange } from "./parts";
 import { credentials } from "./token";
 
 /** What a robot answers to a push; `latency_ms` where the monitor measured it. */
@@ -165,6 +165,13 @@ export function cancelPush(id: string): Promise<PushResult> {
 
 export function command(kind: CommandKind, targets: readonly string[], argument = 0): Promise<{ id: string }> {
   return call("/api/command", { kind, targets, argument });
+}
+
+export type BreakOrderKind = "set" | "remove" | "clear" | "let_through";
+
+/** Empty `targets` mean the whole team. Each robot answers with the id in its breaks. */
+export function orderBreaks(order: BreakOrderKind, targets: readonly string[], points: readonly (StateChange & { readonly kind?: BreakKind })[] = []): Promise<{ id: string }> {
+  return call("/api/breaks", { order, targets, author: "operator", ...(points.length > 0 && { points }) });
 }
 
 /** An instructor's order to a simulation, as docs/openapi.yaml describes it. */

@@ -23,14 +23,25 @@ export interface FeedEvents {
 }
 
 const SUBPROTOCOLS = ["foxglove.sdk.v1", "foxglove.websocket.v1"];
-const FIRST_RETRY_MS = 500;
-const LONGEST_RETRY_MS = 1000;
+const FIRST_RETRY_MS = 250;
+const LONGEST_RETRY_MS = 500;
+/** An answer that takes longer is none. */
+const ANSWER_MS = 2000;
 /** A connection without a word for one to two of these periods is dead, though nobody closed it. */
 const DEAF_PERIOD_MS = 5000;
 
 interface Subscription {
   channel: Channel;
   decode: Decode;
+}
+
+/** Whether there is anybody where the WebSocket `url` leads to. */
+function isAnybodyThere(url: string): Promise<boolean> {
+  const place = new URL("/", url.replace(/^ws/, "http"));
+  return fetch(place, { method: "HEAD", cache: "no-store", signal: AbortSignal.timeout(ANSWER_MS) }).then(
+    () => true,
+    () => false,
+  );
 }
 
 /**
@@ -176,7 +187,16 @@ export class Feed {
     if (this.#ended) return;
     this.#attempt += 1;
     this.events.connection("lost", this.#attempt);
-    const wait_ms = Math.min(FIRST_RETRY_MS * 2 ** (this.#attempt - 1), LONGEST_RETRY_MS);
-    this.#retry = setTimeout(() => this.connect(), wait_ms);
+    this.#tryAgainIn(Math.min(FIRST_RETRY_MS * 2 ** (this.#attempt - 1), LONGEST_RETRY_MS));
+  }
+
+  /** Asks by HTTP first: a browser holds back the next WebSocket for seconds once a dozen have failed. */
+  #tryAgainIn(wait_ms: number): void {
+    this.#retry = setTimeout(async () => {
+      const isThere = await isAnybodyThere(this.url);
+      if (this.#ended) return;
+      if (isThere) this.connect();
+      else this.#tryAgainIn(LONGEST_RETRY_MS);
+    }, wait_ms);
   }
 }

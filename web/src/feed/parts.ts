@@ -9,6 +9,15 @@ export type Machine = Pick<Program, "start_state" | "states" | "transitions">;
 /** How sure a place is, in m². */
 export type Covariance = Pick<MapObject, "variance_xx" | "variance_xy" | "variance_yy">;
 
+/** What a break point does: the robot stands still, every robot does, or the change waits for an operator. */
+export type BreakKind = "stop" | "stop_team" | "lock";
+
+/** A change of state by its two states; an empty one stands for any. */
+export interface StateChange {
+  readonly from: string;
+  readonly to: string;
+}
+
 export function seconds(time: Time): number {
   return time.sec + time.nsec / 1e9;
 }

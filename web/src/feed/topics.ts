@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which topics the page knows, and what a topic's name says.
 
-export const robotTopics = ["state", "transition", "variables", "sightings", "program", "program_reply", "catalog"] as const;
+export const robotTopics = ["state", "transition", "variables", "sightings", "program", "program_reply", "catalog", "breaks"] as const;
 /** Read only while a panel shows them. */
 export const watchedTopics = ["forces"] as const;
 export const teamTopics = [

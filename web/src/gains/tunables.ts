@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The gains and thresholds of a program, each with the place of its number in the text.
+// The gains and thresholds of a program, each with the place of its number in the text. The terminal finds the same ones:
+// monitor/top/gains/tunables.h.
 
 import type { Tree } from "@lezer/common";
 import type { AttributeSpec, Catalog, Role } from "../bhdl/catalog";

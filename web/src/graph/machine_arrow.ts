@@ -64,11 +64,15 @@ function loop({ x, y, width, height }: Box): string {
   return `M${round({ x: right - 12, y })} C${round({ x: right - 8, y: y - LOOP_PX })} ${round({ x: right + LOOP_PX, y: y - 4 })} ${round({ x: right, y: y + height / 2 })}`;
 }
 
-/** The middle of an arrow's path, for words that stand on it. */
-export function middleOf(path: string): Point {
+/** The point of an arrow's path at that share of its way, for what stands on it. */
+export function pointOn(path: string, share: number): Point {
   const numbers = (path.match(/-?[\d.]+/g) ?? []).map(Number);
-  const points = numbers.flatMap((x, i) => (i % 2 === 0 ? [{ x, y: numbers[i + 1]! }] : []));
-  const weights = points.length === 4 ? [1, 3, 3, 1] : [1, 2, 1];
-  const sum = (of: (point: Point) => number) => points.reduce((all, point, i) => all + of(point) * weights[i]!, 0) / weights.reduce((a, b) => a + b, 0);
-  return { x: sum(({ x }) => x), y: sum(({ y }) => y) };
+  let points: Point[] = numbers.flatMap((x, i) => (i % 2 === 0 ? [{ x, y: numbers[i + 1]! }] : []));
+  // De Casteljau's: between the points, again and again, until one is left.
+  while (points.length > 1)
+    points = points.slice(1).map(({ x, y }, i) => ({ x: points[i]!.x + (x - points[i]!.x) * share, y: points[i]!.y + (y - points[i]!.y) * share }));
+  return points[0]!;
 }
+
+/** The middle of an arrow's path. */
+export const middleOf = (path: string): Point => pointOn(path, 0.5);

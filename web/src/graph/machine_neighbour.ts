@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type { LaidState } from "./machine_layout";
+import type { LaidArrow, LaidState } from "./machine_layout";
 
 const TOWARDS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowLeft: [-1, 0],
@@ -22,4 +22,14 @@ export function neighbour(states: readonly LaidState[], from: string, key: strin
     return along > 1 ? [{ name: state.name, far: along + 2 * aside }] : [];
   });
   return ahead.sort((a, b) => a.far - b.far)[0]?.name;
+}
+
+/** The arrow after or before `arrow` of those that leave a state, round and round; without `arrow` the first or the last. */
+export function wayOut(arrows: readonly LaidArrow[], from: string, arrow: string | undefined, key: string): LaidArrow | undefined {
+  const by = key === "PageDown" ? 1 : key === "PageUp" ? -1 : 0;
+  const ways = arrows.filter((each) => each.from === from);
+  if (by === 0 || ways.length === 0) return undefined;
+  const at = ways.findIndex(({ to }) => `${from} → ${to}` === arrow);
+  const next = at < 0 && by < 0 ? ways.length - 1 : at + by;
+  return ways[(next + ways.length) % ways.length];
 }

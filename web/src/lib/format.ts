@@ -47,9 +47,12 @@ export function lasting(duration_s: number): string {
   return whole < 7200 ? `${Math.round(whole / 60)} min` : `${Math.round(whole / 3600)} h`;
 }
 
+/** Made once: a date that is put into words by itself makes another each time. */
+const TIME_OF_DAY = new Intl.DateTimeFormat("en-GB", { hour: "2-digit", minute: "2-digit", second: "2-digit" });
+
 /** The time of day: "12:03:11". */
 export function dayTime(at_ms: number): string {
-  return new Date(at_ms).toLocaleTimeString("en-GB");
+  return TIME_OF_DAY.format(at_ms);
 }
 
 /** The time of day, with the date where it is another day than that of `now_ms`: "2024-11-28 12:03:11". */

@@ -33,6 +33,8 @@ export class Redraw {
   #waits = false;
   /** Until the frame that shows what was drawn last has been handed over. */
   #shows = false;
+  /** Something has happened since: it is drawn as soon as that frame is over. */
+  #isUrgent = false;
   #next_ms = 0;
 
   constructor(
@@ -49,9 +51,13 @@ export class Redraw {
     else this.frames.before(() => this.#drawWaiting());
   }
 
-  /** Draws at once, so that the very next frame has it; no more than once a frame. */
+  /** Draws at once, so that the very next frame has it; no more than once a frame, and then as soon as that is over. */
   askNow(): void {
-    if (this.#shows) return this.ask();
+    if (this.#shows) {
+      this.#isUrgent = true;
+      return;
+    }
+    this.#isUrgent = false;
     const began_ms = this.frames.now_ms();
     this.draw();
     const drawing_ms = this.frames.now_ms() - began_ms;
@@ -72,6 +78,7 @@ export class Redraw {
       const cost_ms = spent_ms + this.frames.now_ms() - began_ms;
       this.#next_ms = began_ms + Math.min(cost_ms * SHARE, LONGEST_WAIT_MS);
       this.#shows = false;
+      if (this.#isUrgent) this.askNow();
     });
   }
 }

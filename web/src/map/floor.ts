@@ -4,6 +4,7 @@
 import type { OccupancyGrid } from "../feed/messages";
 import type { Robot, TrailPoint } from "../model/model";
 import { unknownSince } from "../model/trail";
+import { type Point, straightened } from "./straightened";
 
 /** Where the map's origin stands on the canvas, y down, in CSS pixels. */
 export interface Ground {
@@ -36,14 +37,23 @@ export function drawTrail(context: CanvasRenderingContext2D, { trail, identity }
   context.globalAlpha = 1;
 }
 
+/** Lines that are so near to where it went look the same. */
+const OFF_PX = 0.4;
+
 /** A gap where the robot was not heard stays a gap. */
-function strokePiece(context: CanvasRenderingContext2D, trail: readonly TrailPoint[], from: number, to: number, { x_px, y_px, px_per_m }: Ground): void {
+function strokePiece(context: CanvasRenderingContext2D, trail: readonly TrailPoint[], from: number, to: number, ground: Ground): void {
   context.beginPath();
-  for (let at = from; at <= to && at < trail.length; at += 1) {
-    const point = trail[at]!;
-    const [x, y] = [x_px + point.x_m * px_per_m, y_px - point.y_m * px_per_m];
-    if (at === from || unknownSince(trail[at - 1]!, point)) context.moveTo(x, y);
-    else context.lineTo(x, y);
-  }
+  for (const way of waysOf(trail.slice(from, to + 1), ground))
+    straightened(way, OFF_PX).forEach(({ x, y }, i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
   context.stroke();
+}
+
+/** The parts of a trail between its gaps, on the canvas. */
+function waysOf(trail: readonly TrailPoint[], { x_px, y_px, px_per_m }: Ground): Point[][] {
+  const ways: Point[][] = [];
+  trail.forEach((point, i) => {
+    if (i === 0 || unknownSince(trail[i - 1]!, point)) ways.push([]);
+    ways.at(-1)!.push({ x: x_px + point.x_m * px_per_m, y: y_px - point.y_m * px_per_m });
+  });
+  return ways;
 }

@@ -38,3 +38,8 @@ export function nextItem(items: readonly MapItem[], from: MapItem, side: Side): 
   }
   return next;
 }
+
+/** The item that stands so many after another in the list, round and round: it leads to those that no direction does. */
+export function itemAfter(items: readonly MapItem[], from: MapItem, by: number): MapItem | undefined {
+  return items[(items.indexOf(from) + by + items.length) % items.length];
+}

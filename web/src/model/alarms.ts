@@ -2,10 +2,11 @@
 // What an operator must hear of.
 
 import { ellipseOf } from "./ellipse";
-import { drifts, hashesUnderWay, programShares } from "./drift";
+import { drifts, hashesUnderWay, type ProgramShare, programShares } from "./drift";
 import { callsOn } from "./events";
 import { lasting } from "../lib/format";
-import { loopOf } from "./loops";
+import { isAlike } from "../lib/steady";
+import { loopOf, repeats } from "./loops";
 import type { Robot, Team } from "./model";
 import { isSilent } from "./silence";
 
@@ -53,7 +54,7 @@ const finders: Record<Exclude<AlarmKind, "silent" | "problem" | "push" | "drift"
     return { kind: "stuck", words: `${name} has not moved for ${Math.round((now_ms - standing.since_ms) / 1000)} s in ${doing}.`, timed: true, advice: "Look whether something holds it, or hold it and lift it free." };
   },
   loop: (robot, now_ms, { score, contest_began_ms }) => {
-    if (!robot.state || robot.state.value.held) return undefined;
+    if (!robot.state || robot.state.value.held || !repeats(robot.bars, now_ms)) return undefined;
     const deposits_ms = callsOn(robot.name, score, contest_began_ms).filter(({ points }) => points > 0).map(({ at_ms }) => at_ms);
     const order = robot.program?.value.states.map(({ name }) => name) ?? [];
     const loop = loopOf(robot.bars, { deposits_ms, trail: robot.trail }, order, now_ms);
@@ -69,13 +70,19 @@ const finders: Record<Exclude<AlarmKind, "silent" | "problem" | "push" | "drift"
   },
 };
 
-function ofRobot(robot: Robot, team: Team, now_ms: number): Alarm[] {
+/** What is the same for every robot of a team. */
+interface Programs {
+  readonly shares: readonly ProgramShare[];
+  readonly underWay: ReadonlySet<string>;
+}
+
+function ofRobot(robot: Robot, team: Team, { shares, underWay }: Programs, now_ms: number): Alarm[] {
   const of = (kind: AlarmKind, words: string, advice: string, more = ""): Alarm => ({ key: `${kind} ${robot.name} ${more}`, kind, robot: robot.name, words, advice });
   if (isSilent(robot, now_ms)) return [{ ...of("silent", `${robot.name} is silent.`, "Check its power and its network; it is shown where it was last heard."), past: `${robot.name} was silent` }];
   const state = robot.state?.value;
   if (state?.out_of_service) return [];
   const found = Object.values(finders).flatMap((find) => find(robot, now_ms, team) ?? []);
-  const drift = drifts(robot, programShares(inService(team)), hashesUnderWay(team.pushes, now_ms))
+  const drift = drifts(robot, shares, underWay)
     ? [of("drift", `${robot.name} runs ${state?.program_name}, another program than the team.`, "Push the team's program to it, or leave it as a trial.", state?.program_hash)]
     : [];
   const problems = (state?.problems ?? []).map((problem) => of("problem", `${robot.name}: ${problem}`, "", problem));
@@ -85,7 +92,8 @@ function ofRobot(robot: Robot, team: Team, now_ms: number): Alarm[] {
 const inService = (team: Team): Robot[] => [...team.robots.values()].filter(({ state }) => !state?.value.out_of_service);
 
 export function alarms(team: Team, now_ms: number): Alarm[] {
-  return [...[...team.robots.values()].flatMap((robot) => ofRobot(robot, team, now_ms)), ...ofPushes(team, now_ms)];
+  const programs = { shares: programShares(inService(team)), underWay: hashesUnderWay(team.pushes, now_ms) };
+  return [...[...team.robots.values()].flatMap((robot) => ofRobot(robot, team, programs, now_ms)), ...ofPushes(team, now_ms)];
 }
 
 /** Those that robots did not take: until they answer a newer one or run it all the same, and not for ever. */
@@ -122,7 +130,7 @@ export function sentenceOf({ alarm, since_ms, over_ms }: PostedAlarm, now_ms: nu
 /** What was over sooner was none: a page that has just been opened hears one robot before the other. */
 const PASSING_MS = 1500;
 
-/** The board with what is wrong now; one that comes again after it was over is a new one. */
+/** The board with what is wrong now; one that comes again after it was over is a new one. The same board where nothing changed. */
 export function withAlarms(board: readonly PostedAlarm[], active: readonly Alarm[], now_ms: number): readonly PostedAlarm[] {
   const known = new Map(board.map((posted) => [posted.alarm.key, posted]));
   const now = new Set(active.map(({ key }) => key));
@@ -131,9 +139,11 @@ export function withAlarms(board: readonly PostedAlarm[], active: readonly Alarm
     .map((posted): PostedAlarm => (posted.over_ms === undefined ? { ...posted, over_ms: now_ms } : posted));
   const stands = active.map((alarm): PostedAlarm => {
     const before = known.get(alarm.key);
-    return before && before.over_ms === undefined ? { ...before, alarm } : { alarm, since_ms: now_ms, seen: false };
+    if (!before || before.over_ms !== undefined) return { alarm, since_ms: now_ms, seen: false };
+    return isAlike(before.alarm, alarm) ? before : { ...before, alarm };
   });
-  return [...stands, ...ended.filter(({ seen }) => !seen)].sort((a, b) => Number(a.seen) - Number(b.seen) || b.since_ms - a.since_ms);
+  const next = [...stands, ...ended.filter(({ seen }) => !seen)].sort((a, b) => Number(a.seen) - Number(b.seen) || b.since_ms - a.since_ms);
+  return next.length === board.length && next.every((posted, i) => posted === board[i]) ? board : next;
 }
 
 /** The board after somebody has seen the alarms with these keys, or all of them. */

@@ -6,15 +6,17 @@ import type { Stamped } from "./model";
 
 export interface RobotEvent {
   readonly at_ms: number;
-  readonly kind: "held" | "resumed" | "problem" | "well" | "decommissioned" | "commissioned" | "late";
+  readonly kind: "held" | "stopped" | "resumed" | "problem" | "well" | "decommissioned" | "commissioned" | "late";
   readonly words: string;
 }
 
 const KEPT = 200;
 
-function differences(before: RobotState, now: RobotState): Omit<RobotEvent, "at_ms">[] {
+/** `isStopped`: a break point or a step made it stand, which is told as that. */
+function differences(before: RobotState, now: RobotState, isStopped: boolean): Omit<RobotEvent, "at_ms">[] {
   const events: Omit<RobotEvent, "at_ms">[] = [];
-  if (now.held !== before.held) events.push({ kind: now.held ? "held" : "resumed", words: now.held ? "was told to hold, and stands still" : "was told to go on" });
+  if (now.held && !before.held && !isStopped) events.push({ kind: "held", words: "was told to hold, and stands still" });
+  if (!now.held && before.held) events.push({ kind: "resumed", words: "was told to go on" });
   if (now.out_of_service !== before.out_of_service) {
     if (now.out_of_service) events.push({ kind: "decommissioned", words: "was taken out of service" });
     else events.push({ kind: "commissioned", words: "was put into service again" });
@@ -26,9 +28,19 @@ function differences(before: RobotState, now: RobotState): Omit<RobotEvent, "at_
 }
 
 /** The list with what the newest state tells. */
-export function withEvents(list: readonly RobotEvent[], before: RobotState | undefined, now: RobotState, at_ms: number): readonly RobotEvent[] {
-  const news = before ? differences(before, now) : [];
+export function withEvents(list: readonly RobotEvent[], before: RobotState | undefined, now: RobotState, at_ms: number, isStopped = false): readonly RobotEvent[] {
+  const news = before ? differences(before, now, isStopped) : [];
   return news.length === 0 ? list : [...list, ...news.map((event) => ({ ...event, at_ms }))].slice(-KEPT);
+}
+
+/** A robot's state and why it stands are told by two messages, the later one within this. */
+const TOLD_WITHIN_MS = 1500;
+
+/** The list with what stopped the robot, in place of a hold that was the same. */
+export function withStopEvent(list: readonly RobotEvent[], words: string, at_ms: number): readonly RobotEvent[] {
+  const isSame = ({ kind, at_ms: other_ms }: RobotEvent) => kind === "held" && at_ms - other_ms <= TOLD_WITHIN_MS;
+  const others = list.at(-1) && isSame(list.at(-1)!) ? list.slice(0, -1) : list;
+  return [...others, { at_ms, kind: "stopped" as const, words }].slice(-KEPT);
 }
 
 /** When the contest's clock was at 0, by the page's clock: as the referee told it while the clock ran. */

@@ -5,7 +5,7 @@ import { flushSync } from "svelte";
 import type { Connection } from "../feed/feed";
 import type { Batch } from "../feed/inbox";
 import { PageFeed } from "../feed/page_feed";
-import { tellsWhatHappens } from "../feed/topics";
+import { robotTopicOf, tellsWhatHappens } from "../feed/topics";
 import { plural } from "../lib/format";
 import { browserFrames, Redraw } from "../lib/redraw";
 import { type Gap, withGap } from "./gaps";
@@ -127,11 +127,17 @@ class Live {
     for (const { topic, message, received_ms, count } of news) {
       this.#listeners.get(topic)?.forEach((listener) => listener(message));
       team = apply(team, topic, message, received_ms, count);
-      atOnce ||= tellsWhatHappens(topic);
+      atOnce ||= tellsWhatHappens(topic) && !this.#isAside(topic);
     }
     if (told_ms > 0) this.#toldNext_ms = told_ms;
     if (dropped > 0) this.trouble = `The page slept too long: ${plural(dropped, "event")} of the robots were dropped.`;
     this.#fold(team, atOnce);
+  }
+
+  /** A change of state of a robot that nobody chose comes with what is steady: there may be a hundred such robots. */
+  #isAside(topic: string): boolean {
+    const named = robotTopicOf(topic);
+    return named?.kind === "transition" && named.robot !== this.robot?.name;
   }
 
   // Messages are folded as they come and drawn at most once a frame, however many there are.

@@ -29,12 +29,20 @@ export interface Success {
   readonly trail: readonly TrailPoint[];
 }
 
+const isSameState = (bars: readonly StateBar[]) => (a: number, b: number) => bars[a]!.state === bars[b]!.state;
+
+/** Whether the newest states repeat at all, which costs little to know: of most robots they do not. */
+export function repeats(bars: readonly StateBar[], now_ms: number): boolean {
+  const newest = bars.at(-1);
+  return newest !== undefined && now_ms - newest.from_ms <= ROUND_MS && cycleAtEnd(bars.length, 0, ROUNDS, isSameState(bars)) !== undefined;
+}
+
 /** Returns the loop that the robot is in. `order` has its program's states as they are written there. */
 export function loopOf(bars: readonly StateBar[], { deposits_ms, trail }: Success, order: readonly string[], now_ms: number): Loop | undefined {
-  const newest = bars.at(-1);
-  if (!newest || now_ms - newest.from_ms > ROUND_MS) return undefined;
+  if (!repeats(bars, now_ms)) return undefined;
+  const newest = bars.at(-1)!;
   const done_ms = Math.max(-Infinity, ...deposits_ms);
-  const cycle = cycleAtEnd(bars.length, heardSince(bars, done_ms), ROUNDS, (a, b) => bars[a]!.state === bars[b]!.state);
+  const cycle = cycleAtEnd(bars.length, heardSince(bars, done_ms), ROUNDS, isSameState(bars));
   if (!cycle || cycle.length < 2) return undefined;
   const from = quickSince(bars, cycle.from, cycle.length);
   const rounds = Math.floor((bars.length - 1 - from) / cycle.length);

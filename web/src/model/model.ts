@@ -3,6 +3,7 @@
 // so that an instant can be kept whole at little cost. Times in ms are the page's clock.
 
 import type {
+  Breaks,
   Forces,
   MapObject,
   MapRobot,
@@ -67,6 +68,14 @@ export interface Moment {
   readonly after?: Variables;
 }
 
+/** What stopped a robot at one of its changes of state. */
+export interface Stop {
+  /** Of the robot's clock, in seconds: at the change or after it. */
+  readonly told_s: number;
+  /** "break point wander → grab, set by operator" */
+  readonly by: string;
+}
+
 export interface Robot {
   readonly name: string;
   readonly identity: Identity;
@@ -81,6 +90,10 @@ export interface Robot {
   readonly program?: Stamped<Program>;
   /** What its programs may name, and what that is to the page. */
   readonly catalog?: Catalog;
+  /** Where it stops, and why it stands. */
+  readonly breaks?: Stamped<Breaks>;
+  /** By the number of the transition, of those that stopped it while the page listened. */
+  readonly stops?: ReadonlyMap<bigint, Stop>;
   readonly transitions: readonly Transition[];
   /** By the number of the transition, of those that happened while the page listened. */
   readonly moments: ReadonlyMap<bigint, Moment>;

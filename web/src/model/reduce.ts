@@ -12,6 +12,7 @@ import { replyOf, withPush, withReply, withStep } from "./pushes";
 import { clockOffset_ms, onPageClock_ms, wentBack } from "./robot_clock";
 import { withInstruction, withSimulation } from "./simulation";
 import { standing } from "./stillness";
+import { withBreaks, withoutLater } from "./stops";
 import { withBar, withProgram } from "./timeline";
 import { unwound, withPoint } from "./trail";
 import { withTransition } from "./transitions";
@@ -42,7 +43,8 @@ function barsBefore(robot: Robot, clocked: Robot): Robot["bars"] {
 function withoutFuture(robot: Robot, { stamp, transitions: count }: wire.RobotState): Robot {
   if (!robot.state || !wentBack(robot.state.value.stamp, stamp)) return robot;
   const transitions = robot.transitions.filter(({ number }) => number <= count);
-  return { ...robot, transitions, coverages: new Map(), moments: new Map([...robot.moments].filter(([number]) => number <= count)) };
+  const moments = new Map([...robot.moments].filter(([number]) => number <= count));
+  return { ...robot, transitions, coverages: new Map(), moments, ...withoutLater(robot, count) };
 }
 
 function withState(heard: Robot, value: wire.RobotState, received_ms: number): Robot {
@@ -54,7 +56,7 @@ function withState(heard: Robot, value: wire.RobotState, received_ms: number): R
     state: { value, received_ms },
     standing: standing(robot.standing, value, received_ms),
     coverages: withSeenState(robot.coverages ?? new Map(), value),
-    events: withEvents(robot.events, robot.state?.value, value, received_ms),
+    events: withEvents(robot.events, robot.state?.value, value, received_ms, robot.breaks?.value.stopped),
     bars: withBar(barsBefore(robot, clocked), {
       number: value.transitions,
       state: value.state,
@@ -85,6 +87,7 @@ const ofRobot: { [K in Exclude<RobotTopic, "program_reply">]: Reduce<Robot, neve
   forces: (robot, value: wire.Forces, received_ms) => ({ ...robot, forces: { value, received_ms } }),
   program: (robot, value: wire.Program, received_ms) => ({ ...robot, program: { value, received_ms } }),
   catalog: (robot, { json }: wire.Catalog) => ({ ...robot, catalog: catalogOf(json) }),
+  breaks: withBreaks,
 };
 
 function withObjects(team: Team, message: wire.ObjectMap, received_ms: number): Team {

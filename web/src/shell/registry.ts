@@ -39,7 +39,7 @@ export const panels: readonly PanelKind[] = [
   {
     id: "machine",
     title: "State machine",
-    about: "The chosen robot's states: the current one is filled, blue arrows fired lately, a dashed arrow is near to firing. Point at a state to see its conditions live.",
+    about: "The chosen robot's states: the current one is filled, blue arrows fired lately, a dashed arrow is near to firing. Point at a state to see its conditions live. ● stops the robot there, ■ waits until somebody lets it through.",
     component: MachinePanel,
   },
   {
@@ -70,7 +70,7 @@ export const panels: readonly PanelKind[] = [
   {
     id: "timeline",
     title: "Timeline",
-    about: "What every robot did, and when: states as bars, ◆ pieces thrown away, ✕ collisions, ▲ pushes. Click to see everything as it was; the wheel zooms.",
+    about: "What every robot did, and when: states as bars, ◆ pieces thrown away, ✕ collisions, ▲ pushes, and who was held or stopped. Click to see everything as it was; the wheel zooms.",
     component: TimelinePanel,
   },
   {
@@ -103,7 +103,3 @@ export const panels: readonly PanelKind[] = [
     isOffered: () => instructor.isOffered,
   },
 ];
-
-/** Where each stands until somebody arranges them, as layout/text.ts writes it. */
-export const STANDARD =
-  "r(73-c(53-r(33-c(69-team.31-program).67-map).18-timeline.29-r(57-variables.43-vision)).27-c(71-machine.29-why))";

@@ -7,6 +7,7 @@ import { state } from "../model/told";
 import { channel, FakeMonitor, STATE } from "./fake_monitor";
 
 vi.stubGlobal("WebSocket", WebSocket);
+const { fetch } = globalThis;
 
 /** A slow machine is no mistake of the feed. */
 const until = (holds: () => boolean): Promise<boolean> => vi.waitUntil(holds, { timeout: 20_000 });
@@ -31,6 +32,7 @@ describe("the feed", () => {
   afterEach(() => {
     feed.disconnect();
     monitor.close();
+    vi.stubGlobal("fetch", fetch);
   });
 
   it("decodes what robots tell, unasked", async () => {
@@ -54,6 +56,17 @@ describe("the feed", () => {
     await until(() => connections.includes("live"));
     monitor.drop();
     await until(() => connections.filter((connection) => connection === "live").length === 2);
+    expect(connections).toEqual(["connecting", "live", "lost", "connecting", "live"]);
+  });
+  it("opens no WebSocket while nobody is there, since a browser would hold back the next ones", async () => {
+    await until(() => connections.includes("live"));
+    const asked = vi.fn().mockRejectedValue(new TypeError("refused"));
+    vi.stubGlobal("fetch", asked);
+    monitor.drop();
+    await until(() => asked.mock.calls.length === 3);
+    expect(connections).toEqual(["connecting", "live", "lost"]);
+    asked.mockResolvedValue(new Response());
+    await until(() => connections.at(-1) === "live");
     expect(connections).toEqual(["connecting", "live", "lost", "connecting", "live"]);
   });
   it("gives up a connection that is dead without having been closed", async () => {

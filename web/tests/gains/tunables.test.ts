@@ -43,3 +43,9 @@ test("numbers are written in their places, and every other character stays", () 
 test("a number has no more digits than its slider has steps", () => {
   expect([numberText(0.30000000000000004, 0.1), numberText(2, 0.01), numberText(61, 1), numberText(120, 50)]).toEqual(["0.3", "2", "61", "120"]);
 });
+
+test("are those that the terminal finds, with the same ranges", () => {
+  const lines = tunablesIn(office, catalog).map(({ schema, label, value, unit, min, max, step }) => `${schema} · ${label} ${value} [${unit}] ${min} to ${max} by ${step}`);
+  const told = readFileSync(new URL("../fixture/office_tunables.txt", import.meta.url), "utf8").trimEnd().split("\n");
+  expect([...lines].sort()).toEqual([...told].sort());
+});

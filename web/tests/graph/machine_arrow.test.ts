@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
-import { arrowPath, type Box } from "../../src/graph/machine_arrow";
+import { arrowPath, type Box, middleOf, pointOn } from "../../src/graph/machine_arrow";
 
 const box = (x: number, y: number): Box => ({ x, y, width: 40, height: 20 });
 const numbers = (path: string) => [...path.matchAll(/-?[\d.]+/g)].map(([text]) => Number(text));
@@ -47,5 +47,15 @@ describe("an arrow between two states", () => {
   it("loops at its right side where a state leads to itself", () => {
     const path = arrowPath(here, here, [here]);
     expect(path).toBe("M28.0,0.0 C32.0,-16.0 56.0,-4.0 40.0,10.0");
+  });
+});
+
+describe("a point on an arrow", () => {
+  it("is at that share of the way, on a bent arrow and on a loop", () => {
+    const bent = "M0.0,0.0 Q10.0,20.0 20.0,0.0";
+    expect(pointOn(bent, 0)).toEqual({ x: 0, y: 0 });
+    expect(middleOf(bent)).toEqual({ x: 10, y: 10 });
+    expect(pointOn(bent, 0.75)).toEqual({ x: 15, y: 7.5 });
+    expect(middleOf("M0.0,0.0 C0.0,-8.0 8.0,-8.0 8.0,0.0")).toEqual({ x: 4, y: -6 });
   });
 });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
-import type { LaidState } from "../../src/graph/machine_layout";
-import { neighbour } from "../../src/graph/machine_neighbour";
+import type { LaidArrow, LaidState } from "../../src/graph/machine_layout";
+import { neighbour, wayOut } from "../../src/graph/machine_neighbour";
 
 const box = (name: string, x: number, y: number): LaidState => ({ name, x, y, width: 40, height: 20 }) as LaidState;
 
@@ -26,5 +26,22 @@ describe("arrow keys in the state machine", () => {
   it("go by the boxes' middles, whatever their sizes", () => {
     const wide = { name: "wide", x: -100, y: 50, width: 240, height: 20 } as LaidState;
     expect(neighbour([box("here", 0, 0), wide, box("far", 0, 200)], "here", "ArrowDown")).toBe("wide");
+  });
+});
+
+describe("page keys in the state machine", () => {
+  const arrows = [["wander", "grab"], ["grab", "drop"], ["wander", "halt"]].map(([from, to]) => ({ from, to }) as LaidArrow);
+  const to = (arrow: string | undefined, key: string) => wayOut(arrows, "wander", arrow, key)?.to;
+
+  it("lead round and round the arrows that leave a state", () => {
+    expect(to(undefined, "PageDown")).toBe("grab");
+    expect(to("wander → grab", "PageDown")).toBe("halt");
+    expect(to("wander → halt", "PageDown")).toBe("grab");
+    expect(to(undefined, "PageUp")).toBe("halt");
+    expect(to("wander → grab", "PageUp")).toBe("halt");
+  });
+  it("lead nowhere from a state that nothing leaves, or by another key", () => {
+    expect(wayOut(arrows, "drop", undefined, "PageDown")).toBeUndefined();
+    expect(to(undefined, "ArrowDown")).toBeUndefined();
   });
 });

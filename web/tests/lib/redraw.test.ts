@@ -70,3 +70,14 @@ it("draws a burst of events once at once, and once with all of them", () => {
   for (let i = 0; i < 5; i += 1) frames.frame();
   expect(drawn_ms.length).toBe(2);
 });
+
+it("draws what happens while a frame is under way as soon as that is over, however slow drawing is", () => {
+  frames.cost_ms = 25;
+  redraw.askNow();
+  redraw.askNow();
+  frames.frame();
+  expect(drawn_ms).toEqual([0, 25]);
+  frames.frame();
+  frames.frame();
+  expect(drawn_ms).toEqual([0, 25]);
+});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
-import { nextItem, type MapItem, itemsOn } from "../../src/map/items";
+import { itemAfter, type MapItem, itemsOn, nextItem } from "../../src/map/items";
 import { knownOf } from "../../src/map/known";
 import type { MapObject } from "../../src/feed/messages";
 import { mapRobot, state, T0_MS, time, told } from "../model/told";
@@ -13,6 +13,13 @@ describe("going from item to item", () => {
     expect(nextItem(all, all[0]!, "up")?.key).toBe("ahead");
     expect(nextItem(all, all[0]!, "right")?.key).toBe("right");
     expect(nextItem(all, all[0]!, "left")).toBeUndefined();
+  });
+  it("goes through all of them in their order, round and round, also where two lie in one place", () => {
+    const twins = [item("one", 1, 1), item("twin", 1, 1), item("far", 5, 1)];
+    expect(nextItem(twins, twins[2]!, "left")?.key).toBe("one");
+    expect(itemAfter(twins, twins[0]!, 1)?.key).toBe("twin");
+    expect(itemAfter(twins, twins[2]!, 1)?.key).toBe("one");
+    expect(itemAfter(twins, twins[0]!, -1)?.key).toBe("far");
   });
 });
 

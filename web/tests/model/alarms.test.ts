@@ -160,6 +160,14 @@ describe("the board of alarms", () => {
   it("forgets one that was over at once", () => {
     expect(withAlarms(withAlarms([], [alarm], 1000), [], 1500)).toEqual([]);
   });
+  it("stays the very same board as long as nothing changes", () => {
+    const board = withAlarms([], [alarm], 1000);
+    expect(withAlarms(board, [{ ...alarm }], 2000)).toBe(board);
+    expect(withAlarms(board, [{ ...alarm, words: "io is silent again." }], 2000)).not.toBe(board);
+    const over = withAlarms(board, [], 4000);
+    expect(over).not.toBe(board);
+    expect(withAlarms(over, [], 5000)).toBe(over);
+  });
   it("takes one that comes again for a new one", () => {
     const over = withAlarms(withAlarms([], [alarm], 1000), [], 4000);
     expect(withAlarms(over, [alarm], 5000)).toEqual([{ alarm, since_ms: 5000, seen: false }]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Messages as a robot tells them, with what a test does not care about filled in.
-import type { MapRobot, RobotState, Transition } from "../../src/feed/messages";
+import type { BreakPoint, Breaks, MapRobot, RobotState, Transition } from "../../src/feed/messages";
 import { emptyTeam, type Robot, type Team } from "../../src/model/model";
 import { apply } from "../../src/model/reduce";
 
@@ -23,6 +23,16 @@ export function transition(number: number, to_state: string, at_ms = T0_MS): Tra
   return {
     stamp: time(at_ms), robot: "io", number: BigInt(number), tick: 0n, from_state: "", to_state, cause: "trash_seen[0] became 1",
     program_hash: "aaaa", file: "office.bhdl", line: 7, bits_variable: "trash_seen", bit_index: 0, bit_value: true, reset_variables: [], tested: [],
+  };
+}
+
+export const point = (from_state: string, to_state: string, kind = "stop"): BreakPoint => ({ from_state, to_state, kind });
+
+export function breaks(changes: Partial<Breaks> & { at_ms?: number } = {}): Breaks {
+  const { at_ms = T0_MS, ...rest } = changes;
+  return {
+    stamp: time(at_ms), robot: "io", points: [], stepping: false, stopped: false, stopped_at: 0n, stopped_by: "", author: "",
+    waits_at_from: "", waits_at_to: "", waits_since: time(0), answered_id: "", refused: "", ...rest,
   };
 }
 

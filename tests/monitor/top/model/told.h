@@ -71,6 +71,8 @@ class Told : public testing::Test {
     std::uint32_t overruns = 0;
     bool held = false;
     double x_m = 0;
+    bool out_of_service = false;
+    std::string program_hash = "3f2a91c0";
   };
   void tell_of(const State& state) {
     tell("rt/" + state.robot + "/state", msg::RobotState::kRosType,
@@ -79,7 +81,7 @@ class Told : public testing::Test {
              .number<std::uint32_t>(0)
              .text(state.robot)
              .text("office")
-             .text("3f2a91c0")
+             .text(state.program_hash)
              .text(state.state)
              .number<std::int32_t>(0)
              .number<std::uint32_t>(0)
@@ -91,11 +93,57 @@ class Told : public testing::Test {
              .number(state.overruns)
              .number<std::uint8_t>(state.held)
              .number<std::uint8_t>(0)
-             .number<std::uint8_t>(0)
+             .number<std::uint8_t>(state.out_of_service)
              .number(state.x_m)
              .number(0.0)
              .number(0.0)
              .number<std::uint32_t>(0));
+  }
+  void tell_of_breaks(const msg::Breaks& breaks) {
+    Bytes bytes;
+    bytes.number(breaks.stamp.sec)
+        .number(breaks.stamp.nanosec)
+        .text(breaks.robot)
+        .number(static_cast<std::uint32_t>(breaks.points.size()));
+    for (const auto& point : breaks.points)
+      bytes.text(point.from_state).text(point.to_state).text(point.kind);
+    bytes.number<std::uint8_t>(breaks.stepping)
+        .number<std::uint8_t>(breaks.stopped)
+        .number<std::uint64_t>(breaks.stopped_at)
+        .text(breaks.stopped_by)
+        .text(breaks.author)
+        .text(breaks.waits_at_from)
+        .text(breaks.waits_at_to)
+        .number(breaks.waits_since.sec)
+        .number(breaks.waits_since.nanosec)
+        .text(breaks.answered_id)
+        .text(breaks.refused);
+    tell("rt/" + breaks.robot + "/breaks", msg::Breaks::kRosType, bytes);
+  }
+  /// Tells of a program that a robot runs: its name, hash, files and the names of its states.
+  void tell_of_program(const msg::Program& program) {
+    Bytes bytes;
+    bytes.number<std::int32_t>(0)
+        .number<std::uint32_t>(0)
+        .text(program.robot)
+        .text(program.name)
+        .text(program.hash)
+        .text(program.start_state)
+        .number(static_cast<std::uint32_t>(program.files.size()));
+    for (const auto& file : program.files) bytes.text(file.path).text(file.text);
+    bytes.number(static_cast<std::uint32_t>(program.states.size()));
+    for (const auto& state : program.states)
+      bytes.text(state.name)
+          .text("")
+          .number<std::uint32_t>(0)
+          .number<std::uint32_t>(0)
+          .number<std::uint32_t>(0);
+    bytes.number<std::uint32_t>(0);
+    tell("rt/" + program.robot + "/program", msg::Program::kRosType, bytes);
+  }
+  void tell_of_catalog(const std::string& robot, const std::string& json) {
+    tell("rt/" + robot + "/catalog", msg::Catalog::kRosType,
+         Bytes().text(robot).text("cccc").text(json));
   }
   void tell_of_map(double x_m) {
     tell("rt/team/objects", msg::ObjectMap::kRosType,

@@ -6,6 +6,7 @@
 
 #include "monitor/top/model/variable_text.h"
 #include "monitor/top/panels/help.h"
+#include "monitor/top/panels/sheet.h"
 #include "monitor/top/screen/utf8.h"
 
 namespace galilean::monitor::top {
@@ -134,11 +135,38 @@ TEST(TopLayout, TellsWhichConditionFiresNow) {
   EXPECT_THAT(screen, HasSubstr("start ← before"));
 }
 
+TEST(TopLayout, MarksBreakPointsAtStatesAndTransitions) {
+  View view = team_of_three();
+  view.machine.states[0].mark = BreakMark::kLock;
+  view.machine.states[1].mark = BreakMark::kStop;
+  view.machine.conditions[0].mark = BreakMark::kStopTeam;
+  const std::string screen = text_of(view, 100, 30);
+  EXPECT_THAT(screen, HasSubstr(" ■start"));
+  EXPECT_THAT(screen, HasSubstr("▶●wander_for_trash"));
+  EXPECT_THAT(screen, HasSubstr("├●trash_known[0] = 1"));
+  EXPECT_THAT(screen, HasSubstr("├ bumpers[1] = 1"));
+}
+
 TEST(TopLayout, TellsWhyTheStateChanged) {
   const std::string screen = text_of(team_of_three(), 80, 24, {.tab = Tab::kWhy});
   for (const char* told : {"4.2 s start → wander_for_trash", "bumpers[0] became 1  office.bhdl:31",
                            "also held: move_to_trash", "2 changes before this not heard"})
     EXPECT_THAT(screen, HasSubstr(told));
+}
+
+TEST(TopLayout, TheHelpFitsTheSmallestTerminal) {
+  for (const auto& line : help_sheet().lines) EXPECT_LT(width_of(line.text), 80) << line.text;
+}
+
+TEST(TopLayout, AListShowsItsChosenLine) {
+  Sheet sheet{.title = "List", .lines = {}, .keys = "Esc back"};
+  for (int i = 0; i < 50; ++i) sheet.lines.push_back({"line " + std::to_string(i)});
+  for (const std::size_t chosen : {0, 30, 49, 20}) {
+    Canvas canvas(80, 24);
+    sheet.chosen = chosen;
+    lay_over(sheet, canvas);
+    EXPECT_THAT(canvas.text(), HasSubstr("▶ line " + std::to_string(chosen)));
+  }
 }
 
 struct Size {

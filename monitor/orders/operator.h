@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/wire/messages.h"
+#include "core/wire/participant.h"
+#include "core/wire/topic_names.h"
+#include "core/wire/writer.h"
+
+namespace galilean::monitor {
+
+/// Sends an operator's commands to robots.
+class Operator {
+ public:
+  enum class Word { kHold, kResume, kStep, kStart, kDecommission, kCommission };
+
+  explicit Operator(wire::Participant& participant) : writer_(participant, wire::kCommandTopic) {}
+
+  /// Returns the number of readers of the command topic, which is the number of robots that listen.
+  [[nodiscard]] int listeners() const { return writer_.readers(); }
+  /// Sends a command to the robots of these names, or to all if `robots` is empty. kStart pushes
+  /// the front bumper. Returns false if DDS did not accept the command.
+  [[nodiscard]] bool say(Word word, const std::vector<std::string>& robots);
+  /// Returns the id of the last command, which comes back in the robots' answers to a step.
+  [[nodiscard]] const std::string& last_id() const noexcept { return last_id_; }
+
+ private:
+  wire::Writer<msg::Command> writer_;
+  unsigned long said_ = 0;
+  std::string last_id_;
+};
+
+}  // namespace galilean::monitor

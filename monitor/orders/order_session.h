@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/command_line/command_line.h"
+#include "core/result.h"
+#include "monitor/commands/team_listener.h"
+
+namespace galilean::monitor {
+
+/// Whom a command gives an order, and in which DDS domain.
+struct Addressees {
+  std::vector<std::string> robots;
+  bool team = false;
+  int domain = -1;  ///< as ROS_DOMAIN_ID says, else 0
+};
+
+/// Adds --robot, --team and --domain.
+void add_addressees(CommandLine& line, Addressees& whom);
+
+/// One command's talk with robots over DDS: who is there, and what they tell.
+class OrderSession {
+ public:
+  static constexpr Duration kHear = std::chrono::seconds(3);
+  static constexpr Duration kAnswer = std::chrono::seconds(2);
+
+  /// `name` is the participant's name, which other participants see. Errors: DDS cannot be used.
+  [[nodiscard]] static Result<std::unique_ptr<OrderSession>> join(const std::string& name,
+                                                                  int domain);
+
+  /// Waits until the named robots, or all that there are, have told how they are. Returns their
+  /// names. Errors: no robot is heard, or a named one is not.
+  [[nodiscard]] Result<std::vector<std::string>> find(const Addressees& whom);
+  /// Takes messages until `enough` returns true or `most` is over. Returns the last result of
+  /// `enough`.
+  bool wait(Duration most, const std::function<bool()>& enough) {
+    return listener_->wait(most, enough);
+  }
+  /// Takes messages until each robot has answered the order, for at most kAnswer. Returns the names
+  /// of those that have not.
+  [[nodiscard]] std::vector<std::string> wait_for_answers(const std::vector<std::string>& robots,
+                                                          const std::string& order_id);
+
+  /// Tells on standard output of the robots that are known to be in the team, send nothing, and are
+  /// none of `told`. Returns whether there are such.
+  bool tell_silent(const std::vector<std::string>& told) const;
+  /// Returns the robot's state, or null if it has sent none.
+  [[nodiscard]] const msg::RobotState* state_of(const std::string& robot) const;
+  /// Returns the program that the robot runs, or null if it is not known.
+  [[nodiscard]] const msg::Program* program_of(const std::string& robot) const;
+  /// Returns what the robot told about break points, or null if it told nothing.
+  [[nodiscard]] const msg::Breaks* breaks_of(const std::string& robot) const;
+  [[nodiscard]] wire::Participant& participant() noexcept { return listener_->participant(); }
+
+ private:
+  explicit OrderSession(std::unique_ptr<TeamListener> listener);
+  [[nodiscard]] std::vector<std::string> speaking() const;
+
+  std::unique_ptr<TeamListener> listener_;
+  std::map<std::string, msg::Breaks> breaks_;
+};
+
+}  // namespace galilean::monitor

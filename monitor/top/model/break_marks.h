@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/wire/messages.h"
+#include "monitor/top/model/view.h"
+
+namespace galilean::monitor::top {
+
+// A robot that has told nothing about break points has no marks.
+
+/// Returns what the break points do that stop whoever enters the state, from wherever.
+[[nodiscard]] BreakMark mark_on_entering(const std::optional<msg::Breaks>& breaks,
+                                         std::string_view state);
+/// Returns what the break points do at a transition that name the state which it leaves.
+[[nodiscard]] BreakMark mark_at(const std::optional<msg::Breaks>& breaks, std::string_view from,
+                                std::string_view to);
+/// Returns what a kind on the wire does; kNone if no kind is called so.
+[[nodiscard]] BreakMark mark_of(std::string_view kind);
+
+}  // namespace galilean::monitor::top

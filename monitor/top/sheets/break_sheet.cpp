@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/top/sheets/break_sheet.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "monitor/orders/break_words.h"
+#include "monitor/team/break_reason.h"
+#include "monitor/top/model/break_marks.h"
+#include "monitor/top/panels/break_sign.h"
+
+namespace galilean::monitor::top {
+namespace {
+
+/// Returns whether it is this lock at which the robot waits.
+bool waits_at(const msg::Breaks& breaks, const msg::BreakPoint& point) {
+  const auto fits = [](const std::string& name, const std::string& wanted) {
+    return wanted.empty() || name == wanted;
+  };
+  return point.kind == "lock" && waits_at_lock(breaks) &&
+         fits(breaks.waits_at_from, point.from_state) && fits(breaks.waits_at_to, point.to_state);
+}
+
+std::string name_of_kind(BreakMark mark) {
+  switch (mark) {
+    case BreakMark::kStop:
+      return "stop       ";
+    case BreakMark::kStopTeam:
+      return "stop team  ";
+    case BreakMark::kLock:
+      return "lock       ";
+    case BreakMark::kNone:
+      break;
+  }
+  return "unknown    ";
+}
+
+std::string kind_after(const std::string& kind) {
+  return kind == "stop" ? "stop_team" : kind == "stop_team" ? "lock" : "stop";
+}
+
+Sheet::Line line_of(const msg::Breaks& breaks, const msg::BreakPoint& point) {
+  const BreakMark mark = mark_of(point.kind);
+  const bool waits = waits_at(breaks, point);
+  return {sign_of(mark) + (" " + name_of_kind(mark)) + place_of(point) +
+              (waits ? "  the robot waits here" : ""),
+          waits ? Style::kWarning : Style::kPlain};
+}
+
+}  // namespace
+
+BreakSheet::BreakSheet(const DashboardModel& model, Steering& steering, std::string robot)
+    : model_(model), steering_(steering), robot_(std::move(robot)) {
+  const msg::Breaks* told = breaks();
+  if (!told) return;
+  const auto lock = std::ranges::find_if(
+      told->points, [&](const msg::BreakPoint& point) { return waits_at(*told, point); });
+  if (lock != told->points.end()) chosen_ = static_cast<std::size_t>(lock - told->points.begin());
+}
+
+const msg::Breaks* BreakSheet::breaks() const {
+  const Robot* robot = model_.team().find(robot_);
+  return robot && robot->breaks ? &*robot->breaks : nullptr;
+}
+
+const msg::BreakPoint* BreakSheet::chosen() const {
+  const msg::Breaks* told = breaks();
+  if (!told || told->points.empty()) return nullptr;
+  return &told->points[std::min(chosen_, told->points.size() - 1)];
+}
+
+OpenSheet::Turn BreakSheet::press(const Press& press) {
+  if (press.key == Key::kEscape || press.letter == 'B') return close();
+  const msg::Breaks* told = breaks();
+  const auto last = told ? static_cast<int>(told->points.size()) - 1 : 0;
+  const int chosen = std::min(static_cast<int>(chosen_), last) + direction_of(press);
+  chosen_ = static_cast<std::size_t>(std::clamp(chosen, 0, std::max(last, 0)));
+  if (press.key == Key::kEnter) press_letter('l');
+  if (press.key == Key::kLetter) press_letter(press.letter);
+  return stay();
+}
+
+void BreakSheet::press_letter(char letter) {
+  if (letter == 'C') return steering_.order_breaks(robot_, "clear", {});
+  if (const msg::BreakPoint* point = chosen()) change(*point, letter);
+}
+
+void BreakSheet::change(const msg::BreakPoint& point, char letter) {
+  if (letter == 'x') steering_.order_breaks(robot_, "remove", {point});
+  if (letter == 't')
+    steering_.order_breaks(robot_, "set",
+                           {{point.from_state, point.to_state, kind_after(point.kind)}});
+  if (letter != 'l') return;
+  // A robot that waits is let through from where it waits; another lock of the same state stays.
+  const msg::Breaks& told = *breaks();
+  const msg::BreakPoint waited{told.waits_at_from, told.waits_at_to, point.kind};
+  steering_.order_breaks(robot_, "let_through", {waits_at(told, point) ? waited : point});
+}
+
+Sheet BreakSheet::sheet() {
+  Sheet sheet{.title = "Break points of " + robot_, .lines = {}, .keys = "Esc back"};
+  const msg::Breaks* told = breaks();
+  if (!told) {
+    sheet.lines = {{robot_ + " has told nothing about break points."}};
+    return sheet;
+  }
+  for (const auto& point : told->points) sheet.lines.push_back(line_of(*told, point));
+  if (told->points.empty()) {
+    sheet.lines = {{"It has none. J and K choose a state, and b makes it stop on entering that."}};
+    return sheet;
+  }
+  sheet.chosen = std::min(chosen_, told->points.size() - 1);
+  sheet.keys = "x remove  t stop, stop team or lock  l let through  C remove all  Esc back";
+  return sheet;
+}
+
+}  // namespace galilean::monitor::top

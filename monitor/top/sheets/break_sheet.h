@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "monitor/top/model/dashboard_model.h"
+#include "monitor/top/sheets/open_sheet.h"
+#include "monitor/top/steering/steering.h"
+
+namespace galilean::monitor::top {
+
+/// Lists a robot's break points and locks, and changes them.
+class BreakSheet : public OpenSheet {
+ public:
+  /// Chooses the lock at which the robot waits, if it does. Requires: the references outlive this.
+  BreakSheet(const DashboardModel& model, Steering& steering, std::string robot);
+
+  [[nodiscard]] Turn press(const Press& press) override;
+
+ protected:
+  [[nodiscard]] Sheet sheet() override;
+
+ private:
+  /// Returns what the robot told; nullptr if it told nothing.
+  [[nodiscard]] const msg::Breaks* breaks() const;
+  /// Returns the chosen point; nullptr if there is none.
+  [[nodiscard]] const msg::BreakPoint* chosen() const;
+  void press_letter(char letter);
+  void change(const msg::BreakPoint& point, char letter);
+
+  const DashboardModel& model_;
+  Steering& steering_;
+  const std::string robot_;
+  std::size_t chosen_ = 0;
+};
+
+}  // namespace galilean::monitor::top

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robot/telemetry/break_desk.h"
+
+#include "robot/log/log.h"
+#include "robot/telemetry/break_words.h"
+#include "robot/telemetry/team_stop.h"
+
+namespace galilean::robot {
+namespace {
+
+std::vector<StateChange> changes_in(const msg::BreakOrder& order) {
+  std::vector<StateChange> changes;
+  for (const auto& point : order.points) changes.push_back({point.from_state, point.to_state});
+  return changes;
+}
+
+}  // namespace
+
+void BreakDesk::hold(const msg::Command& command) {
+  const std::lock_guard lock(mutex_);
+  ++told_.orders;
+  const auto stop = team_stop_in(command);
+  if (!stop) {
+    log_info(command.author + " holds this robot");
+    held_by_ = command.author.empty() ? "an operator" : command.author;
+    return executive_.hold();
+  }
+  // The robot whose break point it is hears its own word. It may have gone on meanwhile.
+  if (stop->robot == robot_ || !executive_.stop_with_team()) return;
+  told_.team_stop = stop->robot + "'s " + stop->break_point;
+  told_.team_stop_by = stop->author;
+  log_info("stopped with the team by " + command.author);
+}
+
+void BreakDesk::resume(const msg::Command& command) {
+  const std::lock_guard lock(mutex_);
+  ++told_.orders;
+  log_info(command.author + " lets this robot go on");
+  executive_.resume();
+}
+
+void BreakDesk::step(const msg::Command& command) {
+  const std::lock_guard lock(mutex_);
+  const bool done = executive_.step();
+  if (done) told_.stepped_by = command.author;
+  answer(
+      command.id, command.author + " lets this robot go on until its next change of state",
+      done ? Result<void>{}
+           : Error{robot_ + " is held by " + held_by_ + ", not at a break point: resume it first"});
+}
+
+void BreakDesk::obey(const msg::BreakOrder& order) {
+  const std::lock_guard lock(mutex_);
+  answer(order.id, in_words(order), carry_out(order));
+}
+
+/// Notes the answer to an order. Requires: mutex_ is locked.
+void BreakDesk::answer(const std::string& id, const std::string& what, const Result<void>& done) {
+  ++told_.orders;
+  told_.answered_id = id;
+  told_.refused = done ? "" : done.error().message;
+  log_info(done ? what : what + ": refused: " + told_.refused);
+}
+
+Result<void> BreakDesk::carry_out(const msg::BreakOrder& order) {
+  Breaks& breaks = executive_.breaks();
+  if (order.order == "clear") return breaks.clear(), Result<void>{};
+  if (order.order != "set" && order.order != "remove" && order.order != "let_through")
+    return Error{"there is no order '" + order.order +
+                 "': it must be set, remove, clear or let_through"};
+  if (order.points.empty()) return Error{"the order names no break point"};
+  if (order.points.size() > BreakTable::kMostPoints)
+    return Error{"the order names " + std::to_string(order.points.size()) + " break points, and " +
+                 std::to_string(BreakTable::kMostPoints) + " are the most"};
+  if (order.order == "set") return set(order);
+  if (order.order == "remove") return breaks.remove(changes_in(order));
+  return breaks.let_through(changes_in(order), executive_.present_state());
+}
+
+Result<void> BreakDesk::set(const msg::BreakOrder& order) {
+  std::vector<BreakPoint> points;
+  for (const auto& point : order.points) {
+    const auto kind = break_kind_named(point.kind);
+    if (!kind)
+      return Error{"there is no kind '" + point.kind +
+                   "' of break point: it must be stop, stop_team or lock"};
+    points.push_back({{point.from_state, point.to_state}, *kind, order.author});
+  }
+  return executive_.breaks().set(points);
+}
+
+BreakDesk::Told BreakDesk::told() const {
+  const std::lock_guard lock(mutex_);
+  return told_;
+}
+
+std::uint64_t BreakDesk::orders() const {
+  const std::lock_guard lock(mutex_);
+  return told_.orders;
+}
+
+}  // namespace galilean::robot

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "core/result.h"
+#include "core/wire/messages.h"
+#include "robot/executive/executive.h"
+
+namespace galilean::robot {
+
+/// Gives the executive the operators' orders about where and when it stands still, and remembers
+/// who gave them and what the robot answers. Any thread but the control loop may call it.
+class BreakDesk {
+ public:
+  struct Told {
+    std::uint64_t orders = 0;  ///< how many were given: another number means that something changed
+    std::string answered_id;   ///< of the newest order about break points, or of the newest step
+    std::string refused;       ///< why that one changed nothing; empty: it did
+    std::string stepped_by;    ///< who ordered the newest step
+    std::string team_stop;     ///< of Hold::kTeam: whose break point stopped the team
+    std::string team_stop_by;  ///< who set that break point
+  };
+
+  /// Requires: `executive` outlives this.
+  BreakDesk(std::string robot, Executive& executive)
+      : robot_(std::move(robot)), executive_(executive) {}
+
+  /// An operator's hold, or a break point of another robot that stops the team.
+  void hold(const msg::Command& command);
+  void resume(const msg::Command& command);
+  void step(const msg::Command& command);
+  void obey(const msg::BreakOrder& order);
+
+  [[nodiscard]] Told told() const;
+  /// Returns Told::orders, without a copy of the texts.
+  [[nodiscard]] std::uint64_t orders() const;
+
+ private:
+  void answer(const std::string& id, const std::string& what, const Result<void>& done);
+  [[nodiscard]] Result<void> carry_out(const msg::BreakOrder& order);
+  [[nodiscard]] Result<void> set(const msg::BreakOrder& order);
+
+  const std::string robot_;
+  Executive& executive_;
+  mutable std::mutex mutex_;
+  std::string held_by_;
+  Told told_;
+};
+
+}  // namespace galilean::robot

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The keyboard alone reaches everything that can be clicked: by Tab, or from there by the keys of its group.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { scenes, SCREENS } from "../../web/scripts/scenes.mjs";
+import { startFixture, Tab } from "./tab.mjs";
+
+/** What a click does there, keys do elsewhere. */
+const OTHERWISE = [
+  "#page", // hears the clicks of all within it
+  ".ground", // of the map: Enter on its items, and the button that closes what is known of one
+  ".u-over", // of a plot: the timeline's arrow keys choose an instant
+  ".cm-gutter", // of the editor: Ctrl+Shift+[ and ] fold
+];
+const KEYS = ["ArrowRight", "ArrowDown", "ArrowLeft", "ArrowUp", "PageDown", "Tab", "Shift+Tab"];
+const ROUNDS = 5;
+
+/** In the page: notes what hears clicks, and what the keyboard has been at. */
+function watchKeyboard(otherwise) {
+  const ACTS = "button, a[href], input, select, textarea, summary, [contenteditable=true], [role=button], [role=tab], [role=link], [role=menuitem]";
+  const GROUPS = "[role=tablist], [role=group], [role=radiogroup], fieldset, svg";
+  const [hearing, been, names, tried] = [new WeakSet(), new WeakSet(), new Set(), new Set()];
+  const { addEventListener } = EventTarget.prototype;
+  EventTarget.prototype.addEventListener = function (type, ...rest) {
+    if (type === "click" && this instanceof Element) hearing.add(this);
+    return addEventListener.call(this, type, ...rest);
+  };
+  // What is drawn anew is the same to who looks at it.
+  const nameOf = (element) => {
+    const { dataset } = element;
+    const own = dataset.testid ?? dataset.item ?? dataset.arrow ?? element.getAttribute("aria-label") ?? element.title + element.textContent.slice(0, 60);
+    return [element.closest("[data-panel], [role=dialog]")?.getAttribute("aria-label") ?? element.closest("[data-panel]")?.dataset.panel, element.tagName, own].join(" ");
+  };
+  document.addEventListener("focusin", ({ target }) => (been.add(target), names.add(nameOf(target))), true);
+
+  /** Svelte keeps what hears clicks on the element itself. */
+  const isHeard = (element) => hearing.has(element) || "__click" in element || Object.getOwnPropertySymbols(element).some((symbol) => element[symbol]?.click);
+  const isThere = (element) =>
+    !element.disabled && !element.closest("[inert]") && element.checkVisibility({ visibilityProperty: true }) && element.getBoundingClientRect().width > 0;
+  const isReached = (element) => been.has(element) || names.has(nameOf(element));
+  const all = () => [...document.body.querySelectorAll("*")].filter((element) => (element.matches(ACTS) || isHeard(element)) && isThere(element) && !otherwise.some((each) => element.matches(each)));
+  const left = () => all().filter((element) => !isReached(element));
+
+  window.keyboard = {
+    count: () => all().length,
+    left: () => left().map((element) => `${nameOf(element)}: ${element.outerHTML.slice(0, 160)}`),
+    /** Puts the keyboard where it has been, in a group of which something is left; false where nothing is untried. */
+    tryNext() {
+      const groups = new Set(left().map((element) => element.parentElement.closest(GROUPS)).filter(Boolean));
+      const next = [...groups].flatMap((group) => [...group.querySelectorAll("[tabindex], button, input")]).find((element) => isReached(element) && isThere(element) && !tried.has(nameOf(element)));
+      if (!next) return false;
+      tried.add(nameOf(next));
+      window.keyboard.last = next;
+      return true;
+    },
+    back: () => window.keyboard.last.focus(),
+    begin: () => (tried.clear(), document.activeElement?.blur()),
+  };
+}
+
+/** Once round the page. In a text Tab indents until it is told to leave. */
+async function goRound(page) {
+  await page.evaluate(() => window.keyboard.begin());
+  const presses = (await page.evaluate(() => window.keyboard.count())) + 40;
+  for (let i = 0; i < presses; i += 1) {
+    await page.keyboard.press("Tab");
+    if (await page.evaluate(() => document.activeElement?.matches(".cm-content"))) await page.keyboard.press("Control+m");
+  }
+}
+
+/** From each place of a group by the keys of the group. */
+async function goWithin(page, isPast) {
+  while (await page.evaluate(() => window.keyboard.tryNext())) {
+    for (const key of KEYS) {
+      await page.evaluate(() => window.keyboard.back());
+      await page.keyboard.press(key);
+    }
+    if (!isPast && (await page.getByTestId("past-notice").count()) > 0) await page.keyboard.press("l");
+  }
+}
+
+async function unreached(page, isPast) {
+  const left = () => page.evaluate(() => window.keyboard.left());
+  for (let round = 0; round < ROUNDS; round += 1) {
+    await goRound(page);
+    await goWithin(page, isPast);
+    if ((await left()).length === 0) break;
+  }
+  return left();
+}
+
+/** The team stands still, so that nothing on its map moves on while the keyboard looks for it. */
+async function standStill(tab) {
+  if ((await tab.api("/watched")).topics.includes("/simulation/state")) await tab.api("/api/simulation/orders", { order: "pause" });
+}
+
+async function assertReached(scene, viewport) {
+  const tab = new Tab();
+  tab.fixture = await startFixture({ ...scene.play, simulated: true });
+  try {
+    await tab.open("about:blank", { viewport });
+    await tab.page.addInitScript(watchKeyboard, OTHERWISE);
+    tab.url = new URL(scene.path ?? "/", tab.fixture.url).href;
+    await tab.page.goto(tab.url);
+    await scene.show(tab.page);
+    await standStill(tab);
+    const count = await tab.page.evaluate(() => window.keyboard.count());
+    assert.ok(scene.name === "wall" || count > 20, `only ${count} things can be clicked`);
+    assert.deepEqual(await unreached(tab.page, scene.name === "past"), []);
+  } finally {
+    await tab.close();
+    await tab.fixture.stop();
+  }
+}
+
+for (const scene of scenes) test(`${scene.name}: the keyboard reaches all that can be clicked`, () => assertReached(scene, SCREENS.laptop));
+test("on a phone's screen, too", () => assertReached(scenes.find(({ name }) => name === "team"), SCREENS.phone));

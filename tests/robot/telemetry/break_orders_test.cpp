@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Orders about break points over DDS, and what a robot answers and tells.
+#include <gmock/gmock.h>
+
+#include "core/wire/ros_time.h"
+#include "robot/telemetry/team_stop.h"
+#include "tests/robot/executive/branching_robot.h"
+#include "tests/robot/telemetry/telemetry_robot.h"
+
+namespace galilean::robot {
+namespace {
+
+using testing::HasSubstr;
+namespace kinds = msg::Command_Constants;
+
+std::string name_of_this_test(const std::string& suffix = "") {
+  return std::string("b_") + testing::UnitTest::GetInstance()->current_test_info()->name() + suffix;
+}
+
+/// A robot on DDS that runs the branching program, and what it tells about break points.
+class BreakingRobot : public TelemetryRobot {
+ public:
+  explicit BreakingRobot(const std::string& robot_name)
+      : TelemetryRobot(robot_name), told(mailbox<msg::Breaks>("breaks")) {
+    EXPECT_TRUE(robot.load(branching_text()));
+    robot.tick();
+  }
+  /// Sends the order to this robot, and returns what it tells when it has answered.
+  msg::Breaks ask(const std::string& order, std::vector<msg::BreakPoint> points) {
+    msg::BreakOrder message;
+    message.id = order + std::to_string(++asked_);
+    message.author = "Anna";
+    message.targets = {name};
+    message.order = order;
+    message.points = std::move(points);
+    send(message);
+    return answer_to(message.id);
+  }
+  msg::Breaks step(const std::string& author = "Ben") {
+    msg::Command command;
+    command.id = "step" + std::to_string(++asked_);
+    command.author = author;
+    command.targets = {name};
+    command.kind = kinds::STEP;
+    send(command);
+    return answer_to(command.id);
+  }
+  msg::Breaks answer_to(const std::string& id) {
+    return tell_when([&](const msg::Breaks& each) { return each.answered_id == id; });
+  }
+  msg::Breaks tell_when(const std::function<bool(const msg::Breaks&)>& is_it) {
+    const auto found = told.wait_for(is_it);
+    EXPECT_TRUE(found) << "it told nothing of the kind";
+    return found.value_or(msg::Breaks{});
+  }
+  /// Makes one tick in which it goes to `state`.
+  void go_to(const std::string& state) {
+    const unsigned bumper = state == "grab" ? 0 : state == "rest" ? 1 : 2;
+    robot.press(bumper);
+    robot.tick();
+    robot.press(bumper, false);
+  }
+
+  Mailbox<msg::Breaks> told;
+
+ private:
+  int asked_ = 0;
+};
+
+class BreakOrdersTest : public testing::Test {
+ protected:
+  BreakOrdersTest() : io(name_of_this_test()) {}
+
+  BreakingRobot io;
+};
+
+TEST_F(BreakOrdersTest, ASetIsAnsweredWithThePoints) {
+  const auto set = io.ask("set", {{"wander", "grab", "stop"}, {"", "rest", "lock"}});
+  EXPECT_EQ(set.robot, io.name);
+  EXPECT_EQ(set.refused, "");
+  ASSERT_EQ(set.points.size(), 2U);
+  EXPECT_EQ(set.points[0], (msg::BreakPoint{"wander", "grab", "stop"}));
+  EXPECT_EQ(set.points[1], (msg::BreakPoint{"", "rest", "lock"}));
+  EXPECT_FALSE(set.stopped);
+  EXPECT_EQ(io.ask("remove", {{"", "rest", ""}}).points.size(), 1U);
+  EXPECT_EQ(io.ask("clear", {}).points.size(), 0U);
+}
+
+TEST_F(BreakOrdersTest, TellsWhereItStoppedAndWhoseBreakPointItIs) {
+  auto states = io.mailbox<msg::RobotState>("state");
+  auto transitions = io.mailbox<msg::Transition>("transition");
+  auto logs = Mailbox<msg::Log>(*io.other, wire::kLogTopic);
+  io.ask("set", {{"", "grab", "stop"}});
+  io.robot.tick();
+  io.go_to("grab");
+  const auto stopped = io.tell_when([](const msg::Breaks& each) { return each.stopped; });
+  EXPECT_EQ(stopped.stopped_by, "break point on entering grab");
+  EXPECT_EQ(stopped.author, "Anna");
+  const auto transition =
+      transitions.wait_for([](const msg::Transition& each) { return each.to_state == "grab"; });
+  ASSERT_TRUE(transition);
+  EXPECT_EQ(stopped.stopped_at, transition->number);
+  EXPECT_EQ(transition->cause, "bumpers[0] became 1");
+  EXPECT_TRUE(states.wait_for([](const auto& each) { return each.state == "grab" && each.held; }));
+  EXPECT_TRUE(logs.wait_for([&](const msg::Log& line) {
+    return line.name == io.name &&
+           line.msg == "stopped at break point on entering grab, set by Anna";
+  }));
+}
+
+TEST_F(BreakOrdersTest, AStepIsAnsweredAndEndsAtTheNextChangeOfState) {
+  EXPECT_EQ(io.step().refused, "");
+  io.robot.tick();
+  EXPECT_TRUE(io.robot.drive.moving);
+  io.tell_when([](const msg::Breaks& each) { return each.stepping && !each.stopped; });
+  io.go_to("rest");
+  const auto stopped = io.tell_when([](const msg::Breaks& each) { return each.stopped; });
+  EXPECT_EQ(stopped.stopped_by, "a step");
+  EXPECT_EQ(stopped.author, "Ben");
+  EXPECT_FALSE(stopped.stepping);
+  io.send(kinds::RESUME, 0, io.name);
+  EXPECT_TRUE(io.tick_until([&] { return io.robot.drive.moving; }));
+  EXPECT_TRUE(io.tick_until([&] {
+    const msg::Breaks last = io.told.all().back();
+    return !last.stopped && last.stopped_by.empty() && last.stopped_at == 0 && !last.stepping;
+  }));
+}
+
+TEST_F(BreakOrdersTest, AStepOfARobotThatAnOperatorHoldsIsRefused) {
+  io.send(kinds::HOLD, 0, io.name);
+  ASSERT_TRUE(io.tick_until([&] { return io.robot.executive->held(); }));
+  const auto refused = io.step();
+  EXPECT_EQ(refused.refused, io.name + " is held by tester, not at a break point: resume it first");
+  EXPECT_FALSE(refused.stopped);
+  io.robot.tick();
+  EXPECT_FALSE(io.robot.drive.moving);
+}
+
+TEST_F(BreakOrdersTest, SaysWhatIsWrongWithAnOrderAndChangesNothing) {
+  io.ask("set", {{"wander", "grab", "stop"}});
+  const auto expect_refused = [&](const msg::Breaks& answer, const std::string& why) {
+    EXPECT_THAT(answer.refused, HasSubstr(why));
+    EXPECT_EQ(answer.points.size(), 1U);
+  };
+  expect_refused(io.ask("forget", {}), "there is no order 'forget'");
+  expect_refused(io.ask("set", {}), "names no break point");
+  expect_refused(io.ask("set", {{"", "rest", "stop"}, {"", "grab", "pause"}}), "kind 'pause'");
+  expect_refused(io.ask("set", {{"", "", "stop"}}), "must name the state");
+  expect_refused(io.ask("remove", {{"grab", "wander", ""}}), "no break point grab -> wander");
+  expect_refused(io.ask("let_through", {{"wander", "grab", ""}}), "no lock wander -> grab");
+  std::vector<msg::BreakPoint> many;
+  for (int i = 0; i < 32; ++i) many.push_back({"", std::to_string(i), "stop"});
+  expect_refused(io.ask("set", many), "33 break points");
+  many.push_back({"", "one more", "stop"});
+  expect_refused(io.ask("set", many), "names 33 break points, and 32 are the most");
+  EXPECT_EQ(io.ask("clear", {}).refused, "");
+}
+
+TEST_F(BreakOrdersTest, TellsAtWhichLockItWaitsUntilItIsLetThrough) {
+  io.ask("set", {{"", "grab", "lock"}});
+  io.robot.press(0);
+  io.robot.tick(4);
+  const auto waits =
+      io.tell_when([](const msg::Breaks& each) { return !each.waits_at_to.empty(); });
+  EXPECT_EQ(waits.waits_at_from, "wander");
+  EXPECT_EQ(waits.waits_at_to, "grab");
+  EXPECT_LE(wire::since_epoch_ns(waits.waits_since), wire::since_epoch_ns(waits.stamp));
+  EXPECT_GT(waits.waits_since.sec, 0);
+  EXPECT_EQ(io.ask("let_through", {{"wander", "grab", ""}}).refused, "");
+  io.robot.tick();
+  EXPECT_EQ(io.robot.state(), "grab");
+  io.tell_when([](const msg::Breaks& each) {
+    return each.answered_id.starts_with("let_through") && each.waits_at_to.empty();
+  });
+}
+
+TEST_F(BreakOrdersTest, ALateJoinerLearnsThemAndEachSecondAnew) {
+  io.ask("set", {{"wander", "grab", "stop"}});
+  auto late = io.mailbox<msg::Breaks>("breaks");
+  ASSERT_TRUE(late.wait_for([](const msg::Breaks& each) { return each.points.size() == 1; }));
+  const auto count = [&] { return late.all().size(); };
+  const auto before = count();
+  io.robot.tick(25);
+  EXPECT_TRUE(io.tick_until([&] { return count() > before; }));
+}
+
+TEST_F(BreakOrdersTest, AnothersOrderIsNoneOfItsBusinessAndAStrangersIsObeyed) {
+  const auto stranger = wire::Participant::join("stranger", kDomain);
+  wire::Writer<msg::BreakOrder> orders(*stranger.value(), wire::kBreakOrderTopic);
+  while (orders.readers() == 0) std::this_thread::yield();
+  msg::BreakOrder order;
+  order.order = "set";
+  order.points = {{"", "rest", "stop"}};
+  order.targets = {"ganymede"};
+  order.id = "another's";
+  ASSERT_TRUE(orders.write(order));
+  order.targets = {};
+  order.id = "everybody's";
+  order.points = {{"", "grab", "stop"}};
+  ASSERT_TRUE(orders.write(order));
+  const auto told = io.answer_to(order.id);
+  ASSERT_EQ(told.points.size(), 1U);
+  EXPECT_EQ(told.points[0].to_state, "grab");
+}
+
+TEST_F(BreakOrdersTest, ABreakPointOfOneStopsTheTeamAndAStepLetsTheOtherGo) {
+  io.ask("set", {{"wander", "grab", "stop_team"}});
+  BreakingRobot ganymede(name_of_this_test("_too"));
+  ganymede.robot.tick();
+  ASSERT_TRUE(ganymede.robot.drive.moving);
+  // What io writes from now on reaches both.
+  const wire::Writer<msg::Command> probe(*io.participant, wire::kCommandTopic);
+  ASSERT_TRUE(io.tick_until([&] { return probe.readers() >= 2; }));
+  io.go_to("grab");
+  EXPECT_FALSE(io.robot.drive.moving);
+  ASSERT_TRUE(ganymede.tick_until([&] { return !ganymede.robot.drive.moving; }));
+  const auto stopped = ganymede.tell_when([](const msg::Breaks& each) { return each.stopped; });
+  EXPECT_EQ(stopped.stopped_by, io.name + "'s break point wander -> grab");
+  EXPECT_EQ(stopped.author, "Anna");
+  EXPECT_EQ(stopped.stopped_at, 0U);
+  EXPECT_EQ(ganymede.step().refused, "");
+  ganymede.robot.tick();
+  EXPECT_TRUE(ganymede.robot.drive.moving);
+}
+
+TEST_F(BreakOrdersTest, ItsOwnWordToTheTeamDoesNotHoldItAnew) {
+  msg::Command own = command_of({io.name, "break point wander -> grab", "Anna"}, 1);
+  io.send(own);
+  // What comes after it on the same topic shows that it was heard.
+  own.kind = kinds::DECOMMISSION;
+  io.send(own);
+  ASSERT_TRUE(io.tick_until([&] { return !io.robot.executive->in_service(); }));
+  EXPECT_FALSE(io.robot.executive->held());
+}
+
+}  // namespace
+}  // namespace galilean::robot

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a robot stops between states, and in words why it stands.
+
+import type { BreakPoint, Breaks } from "../feed/messages";
+import { type BreakKind, seconds, type StateChange } from "../feed/parts";
+import { lasting } from "../lib/format";
+import type { Robot } from "./model";
+
+/** What a robot says of the end of a step, and how it begins the name of one of its break points. */
+const STEP = "a step";
+const BREAK_POINT = "break point ";
+
+/** What a part of a machine's graph is for a break point: a state is entered, an arrow leads from one to another. */
+export function changeOf(part: string): StateChange {
+  const [from = "", to] = part.split(" → ");
+  return to === undefined ? { from: "", to: part } : { from, to };
+}
+
+/** "wander → grab", "on entering grab" or "on leaving wander" */
+export function changeWords({ from, to }: StateChange): string {
+  if (!from) return `on entering ${to}`;
+  return to ? `${from} → ${to}` : `on leaving ${from}`;
+}
+
+export const changeAt = ({ from_state, to_state }: BreakPoint): StateChange => ({ from: from_state, to: to_state });
+
+/** The kind of the break point of just these two states. */
+export function kindAt(breaks: Breaks | undefined, { from, to }: StateChange): BreakKind | undefined {
+  return breaks?.points.find(({ from_state, to_state }) => from_state === from && to_state === to)?.kind as BreakKind | undefined;
+}
+
+/** The locked change that only waits to be let through. */
+export function waitOf(breaks: Breaks | undefined): StateChange | undefined {
+  if (!breaks || (!breaks.waits_at_from && !breaks.waits_at_to)) return undefined;
+  return { from: breaks.waits_at_from, to: breaks.waits_at_to };
+}
+
+/** What made it stand, and whose it was: "break point wander → grab, set by operator" */
+export function stopperWords({ stopped_by, author }: Breaks): string {
+  const whose = author && (stopped_by === STEP ? `, ordered by ${author}` : `, set by ${author}`);
+  return stopped_by.replaceAll(" -> ", " → ") + whose;
+}
+
+/** "at wander → grab" of "break point wander → grab" */
+function placeIn(stopper: string): string {
+  if (!stopper.startsWith(BREAK_POINT)) return `at ${stopper}`;
+  const place = stopper.slice(BREAK_POINT.length);
+  return place.includes(" → ") ? `at ${place}` : place;
+}
+
+/** Why a break point or a step holds it: "stopped at wander → grab (Anna's break point)", "stepped into grab" */
+export function stopReason({ breaks, transitions }: Pick<Robot, "breaks" | "transitions">): string | undefined {
+  if (!breaks?.value.stopped) return undefined;
+  const { stopped_at, stopped_by, author } = breaks.value;
+  const change = transitions.find(({ number }) => number === stopped_at);
+  if (stopped_by === STEP) return change ? `stepped into ${change.to_state}` : "stopped after a step";
+  if (stopped_at === 0n) return `stopped by ${stopperWords(breaks.value)}`;
+  const place = change ? `at ${change.from_state} → ${change.to_state}` : placeIn(stopped_by.replaceAll(" -> ", " → "));
+  return `stopped ${place}${author && ` (${author}'s break point)`}`;
+}
+
+/** Why it stands, or what it waits for, without for how long; undefined: no break point, step or lock keeps it. */
+export function standReason(robot: Pick<Robot, "breaks" | "transitions">): string | undefined {
+  const wait = waitOf(robot.breaks?.value);
+  return stopReason(robot) ?? (wait && `waits at the lock ${changeWords(wait)}`);
+}
+
+/** The same with for how long it waits, and what a step is that is under way; GET /api/team says it so, too. */
+export function breakReason(robot: Pick<Robot, "breaks" | "transitions">, now_ms: number): string | undefined {
+  const { breaks } = robot;
+  const reason = standReason(robot);
+  if (!breaks || breaks.value.stopped) return reason;
+  if (!reason) return breaks.value.stepping ? "goes on until its next change of state" : undefined;
+  const waits_s = seconds(breaks.value.stamp) - seconds(breaks.value.waits_since) + (now_ms - breaks.received_ms) / 1000;
+  return `${reason} since ${lasting(waits_s)}`;
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import { describe, expect, it } from "vitest";
+import type { Breaks } from "../../src/feed/messages";
+import { breakReason, changeOf, changeWords, kindAt, standReason, stopperWords, waitOf } from "../../src/model/breaks";
+import { breaks, point, T0_MS, time, transition } from "./told";
+
+const AT = { stopped: true, stopped_at: 7n, stopped_by: "break point on entering grab", author: "Anna" };
+const robot = (changes: Partial<Breaks>, transitions = [{ ...transition(7, "grab"), from_state: "wander" }]) =>
+  ({ breaks: { value: breaks(changes), received_ms: T0_MS }, transitions });
+const reason = (changes: Partial<Breaks>, transitions?: ReturnType<typeof transition>[]) => breakReason(robot(changes, transitions), T0_MS);
+
+describe("what a part of the graph is for a break point", () => {
+  it("a state is entered from anywhere, an arrow leads from one to another", () => {
+    expect(changeOf("grab")).toEqual({ from: "", to: "grab" });
+    expect(changeOf("wander → grab")).toEqual({ from: "wander", to: "grab" });
+  });
+  it("is said in words", () => {
+    expect([{ from: "", to: "grab" }, { from: "wander", to: "" }, { from: "wander", to: "grab" }].map(changeWords)).toEqual(["on entering grab", "on leaving wander", "wander → grab"]);
+  });
+  it("has the kind that the robot tells of just these two states", () => {
+    const told = breaks({ points: [point("wander", "grab", "lock"), point("", "grab")] });
+    expect(kindAt(told, changeOf("grab"))).toBe("stop");
+    expect(kindAt(told, changeOf("wander → grab"))).toBe("lock");
+    expect(kindAt(told, changeOf("rest → grab"))).toBeUndefined();
+    expect(kindAt(undefined, changeOf("grab"))).toBeUndefined();
+  });
+});
+
+describe("why a robot stands", () => {
+  it("is nothing where no break point, step or lock keeps it", () => {
+    expect(breakReason({ transitions: [] }, T0_MS)).toBeUndefined();
+    expect(reason({ points: [point("", "grab")] })).toBeUndefined();
+  });
+  it("is where it was stopped, and by whose break point", () => {
+    expect(reason(AT)).toBe("stopped at wander → grab (Anna's break point)");
+    expect(reason(AT, [])).toBe("stopped on entering grab (Anna's break point)");
+    expect(reason({ ...AT, stopped_by: "break point rest -> grab" }, [])).toBe("stopped at rest → grab (Anna's break point)");
+    expect(reason({ ...AT, stopped_by: "a break point", author: "" }, [])).toBe("stopped at a break point");
+  });
+  it("is where a step led", () => {
+    expect(reason({ ...AT, stopped_by: "a step" })).toBe("stepped into grab");
+    expect(reason({ ...AT, stopped_by: "a step" }, [])).toBe("stopped after a step");
+  });
+  it("is another robot's break point where that stopped the team", () => {
+    expect(reason({ ...AT, stopped_at: 0n, stopped_by: "io's break point wander -> grab" })).toBe("stopped by io's break point wander → grab, set by Anna");
+  });
+  it("is the lock that it waits at, since when", () => {
+    const waits = { waits_at_from: "grab", waits_at_to: "move", waits_since: time(T0_MS - 2000) };
+    expect(breakReason(robot(waits), T0_MS + 1000)).toBe("waits at the lock grab → move since 3.0 s");
+    expect(standReason(robot(waits))).toBe("waits at the lock grab → move");
+    expect(waitOf(breaks(waits))).toEqual({ from: "grab", to: "move" });
+    expect(waitOf(breaks())).toBeUndefined();
+    expect(reason({ ...AT, ...waits })).toBe("stopped at wander → grab (Anna's break point)");
+  });
+  it("is a step that is under way", () => {
+    expect(reason({ stepping: true })).toBe("goes on until its next change of state");
+    expect(standReason(robot({ stepping: true }))).toBeUndefined();
+  });
+  it("names what stopped it, and whose that was", () => {
+    expect(stopperWords(breaks(AT))).toBe("break point on entering grab, set by Anna");
+    expect(stopperWords(breaks({ ...AT, stopped_by: "a step" }))).toBe("a step, ordered by Anna");
+    expect(stopperWords(breaks({ stopped_by: "a step" }))).toBe("a step");
+  });
+});

@@ -25,11 +25,18 @@ function watchKeyboard(otherwise) {
     if (type === "click" && this instanceof Element) hearing.add(this);
     return addEventListener.call(this, type, ...rest);
   };
-  // What is drawn anew is the same to who looks at it.
+  // What is drawn anew, in another place or at another time, is the same to who looks at it.
+  const wordsOf = (element) => {
+    const copy = element.cloneNode(true);
+    copy.querySelectorAll("time").forEach((time) => time.remove());
+    return (element.title + copy.textContent).replace(/[\d.,]+/g, "#").slice(0, 60);
+  };
   const nameOf = (element) => {
     const { dataset } = element;
-    const own = dataset.testid ?? dataset.item ?? dataset.arrow ?? element.getAttribute("aria-label") ?? element.title + element.textContent.slice(0, 60);
-    return [element.closest("[data-panel], [role=dialog]")?.getAttribute("aria-label") ?? element.closest("[data-panel]")?.dataset.panel, element.tagName, own].join(" ");
+    const own = dataset.testid ?? dataset.item ?? dataset.arrow;
+    if (own) return `${element.tagName} ${own}`;
+    const around = element.closest("[data-testid]")?.dataset.testid ?? element.closest("[data-panel]")?.dataset.panel;
+    return [around, element.tagName, element.getAttribute("aria-label") ?? wordsOf(element)].join(" ");
   };
   document.addEventListener("focusin", ({ target }) => (been.add(target), names.add(nameOf(target))), true);
 

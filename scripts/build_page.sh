@@ -14,14 +14,9 @@ wanted=$sources shell=$(command -v bash)
 [ "${1:-programs}" = all ] && wanted="$sources by Node 18" shell=$PWD/scripts/node18.sh
 [[ $(cat "$stamp" 2>/dev/null) == "$wanted"* ]] && exit 0
 
-# npm 11 misses other systems' optional packages in a lock without addresses, and `ci` then refuses it.
-packages() {
-  npm ci --no-audit --no-fund --silent || npm install --no-save --no-audit --no-fund --silent
-}
-
 echo "Building the page …"
-(cd web && { [ node_modules/.package-lock.json -nt package-lock.json ] || packages; } &&
-  npm run build --silent --script-shell "$shell") >build/web.log 2>&1 || { tail -40 build/web.log >&2; exit 1; }
+scripts/packages.sh web
+(cd web && npm run build --silent --script-shell "$shell") >build/web.log 2>&1 || { tail -40 build/web.log >&2; exit 1; }
 rm -rf build/share/galilean/web
 mkdir -p build/share/galilean
 cp -r web/dist build/share/galilean/web

@@ -8,8 +8,7 @@ place=$(cd "$(dirname "$0")/../tests/node18" && pwd)
 
 major() { "$1" -p 'process.versions.node.split(".")[0]'; }
 if [ "$(major node)" != 18 ]; then
-  [ "$place/node_modules/.package-lock.json" -nt "$place/package-lock.json" ] ||
-    (cd "$place" && npm ci --no-audit --no-fund --silent) >&2
+  "$place/../../scripts/packages.sh" "$place" >&2
   if [ "$(major "$place/node_modules/.bin/node" 2>&1)" != 18 ]; then
     echo "node18.sh: npm has no Node 18 that runs on this $(uname -m); put Debian's first on PATH: apt-get install nodejs" >&2
     exit 1

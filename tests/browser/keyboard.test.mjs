@@ -112,7 +112,7 @@ async function assertReached(scene, viewport) {
     await scene.show(tab.page);
     await standStill(tab);
     const count = await tab.page.evaluate(() => window.keyboard.count());
-    assert.ok(scene.name === "wall" || count > 20, `only ${count} things can be clicked`);
+    assert.ok(count > 20, `only ${count} things can be clicked`);
     assert.deepEqual(await unreached(tab.page, scene.name === "past"), []);
   } finally {
     await tab.close();
@@ -120,5 +120,8 @@ async function assertReached(scene, viewport) {
   }
 }
 
-for (const scene of scenes) test(`${scene.name}: the keyboard reaches all that can be clicked`, () => assertReached(scene, SCREENS.laptop));
+/** Of what has nothing more to click than the team's page: one of these would show no other fault. */
+const SAME = new Set(["thick", "dead-camera", "lagging", "wall"]);
+
+for (const scene of scenes.filter(({ name }) => !SAME.has(name))) test(`${scene.name}: the keyboard reaches all that can be clicked`, () => assertReached(scene, SCREENS.laptop));
 test("on a phone's screen, too", () => assertReached(scenes.find(({ name }) => name === "team"), SCREENS.phone));

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { loadAxe, violations } from "./axe.mjs";
-import { LAPTOP, PHONE, playedTab } from "./tab.mjs";
+import { LAPTOP, PHONE, playedTab, startFixture } from "./tab.mjs";
 
 const tab = playedTab({ ahead: 60, silent: "callisto", simulated: true });
 
@@ -56,6 +56,19 @@ for (const colorScheme of ["light", "dark"]) {
     await page.close();
   });
 }
+
+test("a page that is behind, and greys what it last heard, has none either", async () => {
+  const late = await startFixture({ ahead: 60, late: true });
+  for (const colorScheme of ["light", "dark"]) {
+    const page = await tab.browser.newPage({ viewport: LAPTOP, colorScheme });
+    await page.goto(late.url);
+    await page.locator("[data-testid=team-rows][data-stale=true] [data-testid=team-row-io]").waitFor({ timeout: 60_000 });
+    await loadAxe(page);
+    assert.deepEqual(await violations(page), [], colorScheme);
+    await page.close();
+  }
+  await late.stop();
+});
 
 test("Tab reaches every panel, its title shows the focus, and STOP ALL works by key from anywhere", async () => {
   const page = await opened();

@@ -46,7 +46,7 @@ struct ExecutiveSetup {
 };
 
 /// The running program and its current state, which other threads read at once.
-struct Whereabouts {
+struct alignas(8) Whereabouts {  // so that every compiler reads and writes it in one go
   ProgramId program = 0;  ///< 0: none
   std::uint32_t state = 0;
 };

@@ -45,8 +45,9 @@ struct ExecutiveSetup {
   std::function<void()> on_waiting = nullptr;
 };
 
-/// The running program and its current state, which other threads read at once.
-struct alignas(8) Whereabouts {  // so that every compiler reads and writes it in one go
+/// The running program and its current state, which other threads read at once: aligned, every
+/// compiler reads and writes both in one go.
+struct alignas(8) Whereabouts {
   ProgramId program = 0;  ///< 0: none
   std::uint32_t state = 0;
 };

@@ -83,7 +83,8 @@ void Reader::take(const std::function<void(const Received&)>& receive) {
       if (infos[i].valid_data) {
         bytes.resize(ddsi_serdata_size(samples[i]));
         ddsi_serdata_to_ser(samples[i], 0, bytes.size(), bytes.data());
-        receive({bytes, infos[i].source_timestamp, infos[i].publication_handle});
+        receive({bytes, infos[i].source_timestamp, infos[i].publication_handle,
+                 sequence_of(*samples[i])});
       }
     }
   }

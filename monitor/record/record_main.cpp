@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <poll.h>
 
+#include <cstdio>
+#include <filesystem>
 #include <iostream>
 
 #include "core/broken_pipe.h"
 #include "core/clock.h"
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "core/command_line/exit_code.h"
 #include "core/plural.h"
 #include "core/termination.h"
 #include "core/wire/ros_time.h"
@@ -22,6 +25,7 @@ struct Options {
   std::string out;
   double duration_s = 0;  // 0: records until termination is asked for
   std::string topics;
+  std::string schema = "ros2msg";
   int domain = -1;
   bool no_images = false;
   bool replace = false;
@@ -58,21 +62,45 @@ Result<void> end(mcap::Writer& writer, mcap::FileSink& file) {
   return file.sync();
 }
 
-void tell(const Options& options, const mcap::Writer& writer, std::size_t topics) {
+/// Standard output, or standard error where that holds the recording itself.
+std::FILE* summary_stream(const Options& options) {
+  std::error_code unknown;
+  const bool is_recording = std::filesystem::equivalent(options.out, "/dev/stdout", unknown);
+  return is_recording ? stderr : stdout;
+}
+
+std::string why_empty(const Recorder& recorder) {
+  if (recorder.topics() == 0 && recorder.left_out_topics())
+    return "nothing was recorded, because no topic on the wire matches --topics, or all that do "
+           "carry pictures (--no-images); 'galilean list' shows the topics";
+  return "no robot sent anything; check that robots run, and in the same DDS domain (--domain or "
+         "ROS_DOMAIN_ID)";
+}
+
+void tell(const Options& options, const mcap::Writer& writer, const Recorder& recorder) {
   const auto& statistics = writer.statistics();
   if (statistics.messages == 0)
-    std::cerr
-        << "galilean-record: no robot sent anything; check that robots run, and in the same DDS "
-           "domain (--domain or ROS_DOMAIN_ID)\n";
-  std::printf("%s: %s of %s in %.1f s, %.1f MB\n", options.out.c_str(),
-              plural(statistics.messages, "message").c_str(), plural(topics, "topic").c_str(),
-              static_cast<double>(statistics.end_ns - statistics.start_ns) * 1e-9,
-              static_cast<double>(writer.bytes_written()) * 1e-6);
+    std::cerr << "galilean-record: " << why_empty(recorder) << '\n';
+  std::fprintf(summary_stream(options), "%s: %s of %s in %.1f s, %.1f MB\n", options.out.c_str(),
+               plural(statistics.messages, "message").c_str(),
+               plural(recorder.topics(), "topic").c_str(),
+               static_cast<double>(statistics.end_ns - statistics.start_ns) * 1e-9,
+               static_cast<double>(writer.bytes_written()) * 1e-6);
+}
+
+/// Says what did not come. Returns the exit code.
+int tell_losses(const std::vector<monitor::WriterLosses>& losses) {
+  for (const auto& each : losses)
+    if (each.lost > 0)
+      std::cerr << "galilean-record: " << each.topic << " lost " << each.lost << " of "
+                << plural(each.recorded + each.lost, "message") << " of " << each.process << '\n';
+  return monitor::total_lost(losses) > 0 ? kIncomplete : 0;
 }
 
 Recorder::Selection selection(const Options& options) {
   Recorder::Selection selection;
   selection.images = !options.no_images;
+  if (options.schema == "ros2idl") selection.language = monitor::SchemaLanguage::kIdl;
   if (!options.topics.empty()) selection.topics.emplace(options.topics, std::regex::optimize);
   return selection;
 }
@@ -89,13 +117,17 @@ int run(const Options& options) try {
   mcap::Writer writer(file.value(), {.library = "galilean " GALILEAN_VERSION});
   auto done = begin(writer);
   Recorder recorder(
-      *participant.value(), writer, std::move(chosen),
-      [](const std::string& problem) { std::cerr << "galilean-record: " << problem << '\n'; });
+      {.participant = *participant.value(),
+       .writer = writer,
+       .selection = std::move(chosen),
+       .warn = [](const std::string& what) { std::cerr << "galilean-record: " << what << '\n'; },
+       .ended = [&] { return termination.asked(); }});
   if (done) done = record(recorder, termination, options.duration_s);
+  if (done) done = recorder.conclude();
   if (done) done = end(writer, file.value());
   if (!done) return fail(done.error().message + "; what was recorded until then can still be read");
-  tell(options, writer, recorder.topics());
-  return 0;
+  tell(options, writer, recorder);
+  return tell_losses(recorder.losses());
 } catch (const std::regex_error& error) {
   return fail("--topics '" + options.topics +
               "' is not a valid regular expression: " + error.what());
@@ -118,9 +150,15 @@ int main(int argc, char** argv) {
   app.option("--topics", options.topics,
              "Record only topics whose names match this regular expression somewhere, such as "
              "'^/io/|score'");
+  app.option("--schema", options.schema,
+             "How the recording defines its messages: as .msg files do, which PlotJuggler and ROS 2 "
+             "read, or in IDL")
+      .one_of({"ros2msg", "ros2idl"})
+      .show_default();
   add_domain_option(app, options.domain);
   app.flag("--no-images", options.no_images, "Leave the cameras' pictures out");
   app.flag("--replace", options.replace, "Overwrite the file if it exists");
+  app.describe_exit(kIncomplete, "It is recorded, and messages were lost: which were was said.");
   if (const auto code = app.parse(argc, argv)) return *code;
   return run(options);
 }

@@ -2,120 +2,126 @@
 #include "monitor/record/recorder.h"
 
 #include <exception>
+#include <string_view>
 #include <utility>
 
-#include "core/wire/reader.h"
+#include "core/visible_text.h"
 #include "core/wire/ros_time.h"
-#include "monitor/record/qos_profile.h"
+#include "monitor/wire/topic_name.h"
 
 namespace galilean::monitor {
 namespace {
 
-/// The number of messages of each writer that may wait while a chunk is compressed and written. It
+/// The number of messages of each reader that may wait while a chunk is compressed and written. It
 /// is a minute of a robot's state or six seconds of images.
 constexpr int kReaderDepth = 600, kImageDepth = 60;
-constexpr std::string_view kRosPrefix = "rt";  // stands before ROS topics' names on DDS
+/// Requests to and replies of the services of ROS 2 are no topics.
+constexpr std::string_view kServicePrefixes[] = {"rq/", "rr/"};
+constexpr std::int64_t kLossesEach_ns = 1'000'000'000;
 
-bool is_image(std::string_view ros_type) {
-  return ros_type == msg::CompressedImage::kRosType;
+bool is_image(const wire::EndpointInfo& writer) {
+  return shown_type(writer.dds_type) == msg::CompressedImage::kRosType;
+}
+
+bool is_service(std::string_view topic) {
+  for (const auto prefix : kServicePrefixes)
+    if (topic.starts_with(prefix)) return true;
+  return false;
 }
 
 }  // namespace
 
-struct Recorder::Subscription {
-  std::uint16_t channel = 0;
-  std::uint32_t sequence = 0;
-  std::atomic<bool> ready{true};
-  std::unique_ptr<wire::Reader> reader;
-};
-
-Recorder::Recorder(wire::Participant& participant, mcap::Writer& writer, Selection selection,
-                   std::function<void(const std::string&)> warn)
-    : participant_(participant),
-      writer_(writer),
-      selection_(std::move(selection)),
-      warn_(std::move(warn)),
-      discovery_(participant) {
+Recorder::Recorder(Setup setup)
+    : setup_(std::move(setup)),
+      endpoints_(setup_.participant),
+      definitions_(setup_.participant, setup_.ended),
+      channels_(setup_.writer, definitions_, setup_.selection.language, setup_.warn),
+      loss_log_(setup_.writer),
+      discovery_(setup_.participant) {
   discovery_.on_change([this] {
-    topics_changed_ = true;
+    writers_changed_ = true;
     wake_.ring();
   });
   wake_.ring();
 }
 
-Recorder::~Recorder() {
-  for (const auto& subscription : subscriptions_) subscription->reader.reset();
-}
-
 Result<void> Recorder::pump() {
   wake_.clear();
-  if (topics_changed_.exchange(false)) subscribe_to_new();
-  for (const auto& subscription : subscriptions_)
-    if (subscription->ready.exchange(false))
-      if (auto done = record(*subscription); !done) return done;
-  return writer_.close_chunk_if_due(static_cast<std::uint64_t>(wire::wall_clock_ns()));
+  if (writers_changed_.exchange(false)) follow_writers();
+  for (const auto& [kind, recording] : recordings_)
+    if (auto done = record(*recording); !done) return done;
+  if (auto done = tell_losses(); !done) return done;
+  return setup_.writer.close_chunk_if_due(static_cast<std::uint64_t>(wire::wall_clock_ns()));
 }
 
-bool Recorder::selected(const std::string& name, std::string_view ros_type) const {
-  if (!selection_.images && is_image(ros_type)) return false;
-  return !selection_.topics || std::regex_search(name, *selection_.topics);
+bool Recorder::is_selected(const wire::EndpointInfo& writer) const {
+  const auto& [topics, images, language] = setup_.selection;
+  if (!images && is_image(writer)) return false;
+  return !topics || std::regex_search(shown_topic(writer.topic), *topics);
 }
 
-void Recorder::subscribe_to_new() {
-  for (const auto& publication : discovery_.publications()) {
-    const std::string& topic = publication.topic;
-    if (!topic.starts_with("rt/") || !settled_.insert(topic).second) continue;
-    const std::string name = topic.substr(kRosPrefix.size());
-    const auto* schema = wire::find_schema_by_dds_type(publication.dds_type);
-    if (!selected(name, schema ? schema->ros_type : "")) continue;
-    if (schema)
-      subscribe(topic, *schema);
+void Recorder::follow_writers() {
+  for (const auto& end : endpoints_.known()) {
+    if (!end.writes || is_service(end.topic)) continue;
+    if (is_selected(end))
+      follow(end);
     else
-      warn_(name + " is not recorded: its type, " + publication.dds_type +
-            ", is none of Galilean's messages");
+      left_out_.insert(end.topic);
   }
 }
 
-void Recorder::subscribe(const std::string& topic, const wire::Schema& schema) try {
-  auto subscription = std::make_unique<Subscription>();
-  subscription->reader =
-      std::make_unique<wire::Reader>(participant_, topic, std::string(schema.ros_type),
-                                     is_image(schema.ros_type) ? kImageDepth : kReaderDepth);
-  subscription->channel = channel_for(topic.substr(kRosPrefix.size()), schema);
-  subscription->reader->on_data([this, &ready = subscription->ready] {
-    ready = true;
-    wake_.ring();
-  });
-  wake_.ring();  // because messages may have come before the callback was set
-  subscriptions_.push_back(std::move(subscription));
+void Recorder::follow(const wire::EndpointInfo& writer) try {
+  const auto kind = TopicRecording::kind_of(writer);
+  if (refused_.contains(kind)) return;
+  auto& recording = recordings_[kind];
+  if (!recording)
+    recording = std::make_unique<TopicRecording>(setup_.participant, kind,
+                                                 is_image(writer) ? kImageDepth : kReaderDepth,
+                                                 [this] { wake_.ring(); });
+  recording->follow(writer);
 } catch (const std::exception& error) {
-  warn_(topic.substr(kRosPrefix.size()) + " is not recorded: " + error.what());
+  const auto kind = TopicRecording::kind_of(writer);
+  refused_.insert(kind);
+  recordings_.erase(kind);
+  setup_.warn("'" + visible(shown_topic(writer.topic)) + "' of " + visible(writer.process) +
+              " is not recorded: " + error.what());
 }
 
-std::uint16_t Recorder::channel_for(const std::string& name, const wire::Schema& schema) {
-  const std::string type(schema.ros_type);
-  auto known = schema_ids_.find(type);
-  if (known == schema_ids_.end())
-    known = schema_ids_.emplace(type, writer_.add_schema(type, "ros2idl", std::string(schema.idl)))
-                .first;
-  mcap::Channel channel;
-  channel.schema_id = known->second;
-  channel.topic = name;
-  channel.message_encoding = "cdr";
-  channel.metadata["offered_qos_profiles"] =
-      offered_qos_profiles(wire::delivery_of(schema.ros_type));
-  return writer_.add_channel(std::move(channel));
-}
-
-Result<void> Recorder::record(Subscription& subscription) {
+Result<void> Recorder::record(TopicRecording& recording) {
   Result<void> done;
-  subscription.reader->take([&](const wire::Received& received) {
+  recording.take([&](const wire::Received& received, const TopicRecording::Writer& writer) {
     if (!done) return;
-    done = writer_.write({subscription.channel, ++subscription.sequence,
-                          static_cast<std::uint64_t>(wire::wall_clock_ns()),
-                          static_cast<std::uint64_t>(received.sent_ns), received.cdr});
+    done = setup_.writer.write({channels_.of(writer.info),
+                                static_cast<std::uint32_t>(received.sequence),
+                                static_cast<std::uint64_t>(wire::wall_clock_ns()),
+                                static_cast<std::uint64_t>(received.sent_ns), received.cdr});
   });
   return done;
+}
+
+Result<void> Recorder::tell_losses() {
+  const std::int64_t now_ns = wire::wall_clock_ns();
+  if (now_ns - losses_told_ns_ < kLossesEach_ns) return {};
+  losses_told_ns_ = now_ns;
+  return loss_log_.tell(losses(), now_ns);
+}
+
+std::size_t Recorder::topics() const {
+  std::set<std::string_view> names;
+  for (const auto& [kind, recording] : recordings_) names.insert(kind.topic);
+  return names.size();
+}
+
+std::vector<WriterLosses> Recorder::losses() const {
+  std::vector<WriterLosses> all;
+  for (const auto& [kind, recording] : recordings_)
+    for (const auto& [guid, writer] : recording->writers())
+      all.push_back({.topic = visible(shown_topic(kind.topic)),
+                     .process = visible(writer.info.process),
+                     .recorded = writer.tally.received(),
+                     .lost = writer.tally.lost(),
+                     .sent_before = writer.tally.sent_before()});
+  return all;
 }
 
 }  // namespace galilean::monitor

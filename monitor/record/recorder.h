@@ -2,7 +2,9 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <regex>
@@ -12,58 +14,79 @@
 
 #include "core/wake.h"
 #include "core/wire/discovery.h"
+#include "core/wire/endpoints.h"
 #include "core/wire/participant.h"
-#include "core/wire/schemas.h"
 #include "monitor/mcap/mcap_writer.h"
+#include "monitor/record/channels.h"
+#include "monitor/record/losses.h"
+#include "monitor/record/topic_recording.h"
+#include "monitor/wire/definitions.h"
 
 namespace galilean::monitor {
 
-/// Reads all topics of the team and writes their bytes unchanged to an MCAP file. A topic is read
-/// as soon as it has a writer. A message's log time is when it was received, by this machine's
-/// clock. Its publish time is when it was sent, by its writer's clock. Topics have their ROS names:
-/// /io/state.
+/// Reads all topics of the domain and writes their bytes unchanged to an MCAP file. A topic is read
+/// as soon as it has a writer, whatever its type and its quality of service. A message's log time
+/// is when it was received, by this machine's clock. Its publish time is when it was sent, by its
+/// writer's clock. Topics have their ROS names: /io/state. What is lost is counted, and written
+/// into the file, too.
 ///
-/// For use by one thread, which calls `pump` when `descriptor` is readable.
+/// For use by one thread, which calls `pump` when `descriptor` is readable, and at least each
+/// second.
 class Recorder {
  public:
   struct Selection {
     std::optional<std::regex> topics;  ///< must match a part of a topic's name; none: all topics
     bool images = true;                ///< costly, because robots encode images only for readers
+    SchemaLanguage language = SchemaLanguage::kMessage;
+  };
+  struct Setup {
+    wire::Participant& participant;
+    mcap::Writer& writer;  ///< has begun
+    Selection selection;
+    std::function<void(const std::string&)> warn;  ///< gets a sentence for what is not as it should
+    std::function<bool()> ended;                   ///< whether waiting should end
   };
 
-  /// `warn` gets a sentence for each topic that cannot be recorded.
-  /// Requires: `writer` has begun. Both references outlive this.
-  Recorder(wire::Participant& participant, mcap::Writer& writer, Selection selection,
-           std::function<void(const std::string&)> warn);
-  ~Recorder();
+  /// Requires: what `setup` refers to outlives this.
+  explicit Recorder(Setup setup);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
   [[nodiscard]] int descriptor() const noexcept { return wake_.descriptor(); }
-  /// Records the messages that came since the last call. Never waits for more.
-  /// Errors: the file cannot be written.
+  /// Records the messages that came since the last call. It may block for 3 s at the first message
+  /// of a type that this release does not define. Errors: the file cannot be written.
   [[nodiscard]] Result<void> pump();
-  [[nodiscard]] std::size_t topics() const noexcept { return subscriptions_.size(); }
+  /// Writes what was lost into the file. Call it last. Errors: the file cannot be written.
+  [[nodiscard]] Result<void> conclude() { return loss_log_.conclude(losses()); }
+
+  /// Returns the number of topics that are read.
+  [[nodiscard]] std::size_t topics() const;
+  /// Returns what came and what did not, by topic and writer.
+  [[nodiscard]] std::vector<WriterLosses> losses() const;
+  /// Returns whether there were topics that the selection leaves out.
+  [[nodiscard]] bool left_out_topics() const noexcept { return !left_out_.empty(); }
 
  private:
-  struct Subscription;
+  using Recordings = std::map<TopicRecording::Kind, std::unique_ptr<TopicRecording>>;
 
-  bool selected(const std::string& name, std::string_view ros_type) const;
-  void subscribe_to_new();
-  void subscribe(const std::string& topic, const wire::Schema& schema);
-  std::uint16_t channel_for(const std::string& name, const wire::Schema& schema);
-  Result<void> record(Subscription& subscription);
+  [[nodiscard]] bool is_selected(const wire::EndpointInfo& writer) const;
+  void follow_writers();
+  void follow(const wire::EndpointInfo& writer);
+  Result<void> record(TopicRecording& recording);
+  Result<void> tell_losses();
 
-  wire::Participant& participant_;
-  mcap::Writer& writer_;
-  Selection selection_;
-  std::function<void(const std::string&)> warn_;
+  Setup setup_;
   Wake wake_;
-  std::map<std::string, std::uint16_t, std::less<>> schema_ids_;  ///< by ROS type
-  std::set<std::string> settled_;  ///< topics that are recorded, not selected or not known
-  std::vector<std::unique_ptr<Subscription>> subscriptions_;
-  std::atomic<bool> topics_changed_{true};
-  wire::Discovery discovery_;
+  std::atomic<bool> writers_changed_{true};
+  wire::Endpoints endpoints_;
+  Definitions definitions_;
+  Channels channels_;
+  LossLog loss_log_;
+  Recordings recordings_;
+  std::set<TopicRecording::Kind> refused_;  ///< by Cyclone
+  std::set<std::string> left_out_;          ///< topics
+  std::int64_t losses_told_ns_ = 0;
+  wire::Discovery discovery_;  ///< last, because its callback uses the others
 };
 
 }  // namespace galilean::monitor

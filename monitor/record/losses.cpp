@@ -18,7 +18,7 @@ constexpr const char* kLossesSchema = R"({
     "topic": {"type": "string"},
     "process": {"type": "string", "description": "the name of the writer's process, or its GUID"},
     "recorded": {"type": "integer", "description": "messages in this recording"},
-    "lost": {"type": "integer", "description": "sent between the first and the last that came"},
+    "lost": {"type": ["integer", "null"], "description": "sent between the first and the last that came; null: unknown"},
     "sent_before": {"type": "integer", "description": "sent before the first that came"}
   }
 })";
@@ -27,7 +27,7 @@ nlohmann::ordered_json json_of(const WriterLosses& losses) {
   return {{"topic", losses.topic},
           {"process", losses.process},
           {"recorded", losses.recorded},
-          {"lost", losses.lost},
+          {"lost", losses.lost ? nlohmann::ordered_json(*losses.lost) : nlohmann::ordered_json()},
           {"sent_before", losses.sent_before}};
 }
 
@@ -36,7 +36,7 @@ nlohmann::ordered_json json_of(const WriterLosses& losses) {
 std::uint64_t total_lost(const std::vector<WriterLosses>& losses) noexcept {
   return std::accumulate(
       losses.begin(), losses.end(), std::uint64_t{0},
-      [](std::uint64_t sum, const WriterLosses& each) { return sum + each.lost; });
+      [](std::uint64_t sum, const WriterLosses& each) { return sum + each.lost.value_or(0); });
 }
 
 Result<void> LossLog::tell(const std::vector<WriterLosses>& losses, std::int64_t now_ns) {
@@ -44,7 +44,7 @@ Result<void> LossLog::tell(const std::vector<WriterLosses>& losses, std::int64_t
     const bool is_told = std::ranges::any_of(told_, [&](const WriterLosses& told) {
       return told.topic == each.topic && told.process == each.process && told.lost == each.lost;
     });
-    if (each.lost == 0 || is_told) continue;
+    if (each.lost.value_or(0) == 0 || is_told) continue;
     if (channel_ == 0)
       channel_ = writer_.add_channel(
           {.schema_id = writer_.add_schema("galilean.Losses", "jsonschema", kLossesSchema),
@@ -66,7 +66,7 @@ Result<void> LossLog::tell(const std::vector<WriterLosses>& losses, std::int64_t
 Result<void> LossLog::conclude(const std::vector<WriterLosses>& losses) {
   mcap::Metadata all{"losses", {}};
   for (const auto& each : losses)
-    if (each.lost > 0 || each.sent_before > 0)
+    if (each.lost != 0 || each.sent_before > 0)
       all.entries[each.topic + " of " + each.process] = ordered_json_text(json_of(each));
   all.entries["lost"] = std::to_string(total_lost(losses));
   return writer_.write(all);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,9 @@ struct WriterLosses {
   std::string topic;    ///< "/io/state"
   std::string process;  ///< the name with which the writer's process joined, or its GUID
   std::uint64_t recorded = 0;
-  std::uint64_t lost = 0;         ///< sent between the first and the last that came
+  /// Sent between the first and the last that came. Nothing: it cannot be known on a topic with
+  /// keys, whose writers number what ends a key, too.
+  std::optional<std::uint64_t> lost = 0;
   std::uint64_t sent_before = 0;  ///< sent before the first that came
   bool operator==(const WriterLosses&) const = default;
 };

@@ -91,9 +91,9 @@ void tell(const Options& options, const mcap::Writer& writer, const Recorder& re
 /// Says what did not come. Returns the exit code.
 int tell_losses(const std::vector<monitor::WriterLosses>& losses) {
   for (const auto& each : losses)
-    if (each.lost > 0)
-      std::cerr << "galilean-record: " << each.topic << " lost " << each.lost << " of "
-                << plural(each.recorded + each.lost, "message") << " of " << each.process << '\n';
+    if (each.lost.value_or(0) > 0)
+      std::cerr << "galilean-record: " << each.topic << " lost " << *each.lost << " of "
+                << plural(each.recorded + *each.lost, "message") << " of " << each.process << '\n';
   return monitor::total_lost(losses) > 0 ? kIncomplete : 0;
 }
 

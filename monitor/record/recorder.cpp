@@ -119,7 +119,7 @@ std::vector<WriterLosses> Recorder::losses() const {
       all.push_back({.topic = visible(shown_topic(kind.topic)),
                      .process = visible(writer.info.process),
                      .recorded = writer.tally.received(),
-                     .lost = writer.tally.lost(),
+                     .lost = kind.keyed ? std::nullopt : std::optional(writer.tally.lost()),
                      .sent_before = writer.tally.sent_before()});
   return all;
 }

@@ -47,7 +47,8 @@ class Channels {
   SchemaLanguage language_;
   std::function<void(const std::string&)> warn_;
   std::map<std::pair<std::string, std::string>, std::uint16_t> schemas_;  ///< by type and its hash
-  std::map<std::tuple<std::string, std::string, std::string>, std::uint16_t> channels_;  ///< by topic, type and its hash
+  std::map<std::tuple<std::string, std::string, std::string>, std::uint16_t>
+      channels_;  ///< by topic, type and its hash
 };
 
 }  // namespace galilean::monitor

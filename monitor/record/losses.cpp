@@ -18,17 +18,18 @@ constexpr const char* kLossesSchema = R"({
     "topic": {"type": "string"},
     "process": {"type": "string", "description": "the name of the writer's process, or its GUID"},
     "recorded": {"type": "integer", "description": "messages in this recording"},
-    "lost": {"type": ["integer", "null"], "description": "sent between the first and the last that came; null: unknown"},
+    "missing": {"type": ["integer", "null"], "description": "sent between the first and the last that came; null: unknown"},
     "sent_before": {"type": "integer", "description": "sent before the first that came"}
   }
 })";
 
 nlohmann::ordered_json json_of(const WriterLosses& losses) {
-  return {{"topic", losses.topic},
-          {"process", losses.process},
-          {"recorded", losses.recorded},
-          {"lost", losses.lost ? nlohmann::ordered_json(*losses.lost) : nlohmann::ordered_json()},
-          {"sent_before", losses.sent_before}};
+  return {
+      {"topic", losses.topic},
+      {"process", losses.process},
+      {"recorded", losses.recorded},
+      {"missing", losses.lost ? nlohmann::ordered_json(*losses.lost) : nlohmann::ordered_json()},
+      {"sent_before", losses.sent_before}};
 }
 
 }  // namespace
@@ -54,8 +55,7 @@ Result<void> LossLog::tell(const std::vector<WriterLosses>& losses, std::int64_t
     const std::string text = ordered_json_text(json_of(each));
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
     const auto time_ns = static_cast<std::uint64_t>(now_ns);
-    if (auto done =
-            writer_.write({channel_, ++sequence_, time_ns, time_ns, {bytes, text.size()}});
+    if (auto done = writer_.write({channel_, ++sequence_, time_ns, time_ns, {bytes, text.size()}});
         !done)
       return done;
   }
@@ -68,7 +68,7 @@ Result<void> LossLog::conclude(const std::vector<WriterLosses>& losses) {
   for (const auto& each : losses)
     if (each.lost != 0 || each.sent_before > 0)
       all.entries[each.topic + " of " + each.process] = ordered_json_text(json_of(each));
-  all.entries["lost"] = std::to_string(total_lost(losses));
+  all.entries["missing"] = std::to_string(total_lost(losses));
   return writer_.write(all);
 }
 

@@ -26,8 +26,9 @@ std::string offered_qos_profiles(const wire::EndpointQos& offered) {
          "\n  reliability: " + (offered.reliable ? "reliable" : "best_effort") +
          "\n  durability: " + (is_kept ? "transient_local" : "volatile") +
          "\n  deadline:" + duration_text(std::min(offered.deadline_ns, kUnlimited_ns)) +
-         "  lifespan:" + unlimited + "  liveliness: automatic\n  liveliness_lease_duration:" +
-         unlimited + "  avoid_ros_namespace_conventions: false\n";
+         "  lifespan:" + unlimited +
+         "  liveliness: automatic\n  liveliness_lease_duration:" + unlimited +
+         "  avoid_ros_namespace_conventions: false\n";
 }
 
 }  // namespace galilean::monitor

@@ -79,8 +79,7 @@ std::string why_empty(const Recorder& recorder) {
 
 void tell(const Options& options, const mcap::Writer& writer, const Recorder& recorder) {
   const auto& statistics = writer.statistics();
-  if (statistics.messages == 0)
-    std::cerr << "galilean-record: " << why_empty(recorder) << '\n';
+  if (statistics.messages == 0) std::cerr << "galilean-record: " << why_empty(recorder) << '\n';
   std::fprintf(summary_stream(options), "%s: %s of %s in %.1f s, %.1f MB\n", options.out.c_str(),
                plural(statistics.messages, "message").c_str(),
                plural(recorder.topics(), "topic").c_str(),
@@ -150,9 +149,10 @@ int main(int argc, char** argv) {
   app.option("--topics", options.topics,
              "Record only topics whose names match this regular expression somewhere, such as "
              "'^/io/|score'");
-  app.option("--schema", options.schema,
-             "How the recording defines its messages: as .msg files do, which PlotJuggler and ROS 2 "
-             "read, or in IDL")
+  app.option(
+         "--schema", options.schema,
+         "How the recording defines its messages: as .msg files do, which PlotJuggler and ROS 2 "
+         "read, or in IDL")
       .one_of({"ros2msg", "ros2idl"})
       .show_default();
   add_domain_option(app, options.domain);

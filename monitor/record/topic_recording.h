@@ -72,8 +72,8 @@ class TopicRecording {
   const int depth_;
   const std::function<void()> on_data_;
   std::atomic<bool> ready_{false};
-  std::map<std::string, Writer> writers_;             ///< by GUID
-  std::map<std::uint64_t, Writer*> writer_of_handle_;  ///< of `writers_`
+  std::map<std::string, Writer> writers_;                   ///< by GUID
+  std::map<std::uint64_t, Writer*> writer_of_handle_;       ///< of `writers_`
   std::map<Offer, std::unique_ptr<wire::Reader>> readers_;  ///< the one that asks for least first
 };
 

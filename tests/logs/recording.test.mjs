@@ -10,7 +10,7 @@ import { after, before, describe, test } from "node:test";
 import { setTimeout as sleep } from "node:timers/promises";
 import { crc32 } from "./crc32.mjs";
 import {
-  McapIndexedReader, McapStreamReader, MessageReader, definitionsFor, domain, limit, program, start, testTool, unzstd,
+  McapIndexedReader, McapStreamReader, MessageReader, definitionsOf, domain, limit, program, start, testTool, unzstd,
 } from "./tools.mjs";
 
 const decompressHandlers = { zstd: (bytes, size) => unzstd(bytes, new Uint8Array(Number(size))) };
@@ -82,14 +82,14 @@ describe("a recording", () => {
     for (const channel of reader.channelsById.values()) {
       assert.equal(channel.messageEncoding, "cdr");
       assert.match(channel.metadata.get("offered_qos_profiles"), /reliability: (reliable|best_effort)/);
-      assert.equal(reader.schemasById.get(channel.schemaId).encoding, "ros2idl");
+      assert.equal(reader.schemasById.get(channel.schemaId).encoding, "ros2msg");
     }
 
     const of = (topic) => messages.filter((m) => reader.channelsById.get(m.channelId).topic === topic);
     const decoded = (topic) => {
       const channel = [...reader.channelsById.values()].find((c) => c.topic === topic);
       const schema = reader.schemasById.get(channel.schemaId);
-      const decoder = new MessageReader(definitionsFor(schema.name, new TextDecoder().decode(schema.data)));
+      const decoder = new MessageReader(definitionsOf(schema));
       return of(topic).map((message) => decoder.readMessage(message.data));
     };
     const states = decoded("/io/state");
@@ -103,7 +103,7 @@ describe("a recording", () => {
     assert.equal(decoded("/io/variables")[0].items[0].certainty, 0.75);
     assert.equal(decoded("/io/camera/compressed")[0].data.length, 5000);
     of("/io/state").forEach((message, i, all) => {
-      assert.equal(message.sequence, i + 1);
+      assert.equal(message.sequence, all[0].sequence + i, "its writer's number of the message");
       assert.ok(message.publishTime <= message.logTime, "recorded before it was said");
       assert.ok(i === 0 || all[i - 1].logTime <= message.logTime);
     });
@@ -117,6 +117,31 @@ describe("a recording", () => {
     const state = told.channels.find((channel) => channel.topic === "/io/state");
     assert.equal(state.type, "galilean_msgs/msg/RobotState");
     assert.equal(state.messages, states.length);
+  });
+
+  test("in IDL it decodes to the same", async () => {
+    const recorder = record("idl.mcap", "--duration", "1", "--schema", "ros2idl", "--topics", "^/io/state$");
+    assert.equal((await recorder.ended).code, 0, recorder.text);
+    const { reader, messages } = await readIndexed(file("idl.mcap"));
+    const [schema] = reader.schemasById.values();
+    assert.equal(schema.encoding, "ros2idl");
+    const decoder = new MessageReader(definitionsOf(schema));
+    assert.ok(messages.length > 20, `${messages.length} messages`);
+    for (const { data } of messages) assert.equal(decoder.readMessage(data).robot, "io");
+  });
+
+  test("a selection that leaves all out is told from a team that is silent", async () => {
+    const recorder = record("none.mcap", "--duration", "1", "--topics", "^/nobody/");
+    assert.equal((await recorder.ended).code, 0, recorder.text);
+    assert.match(recorder.text, /nothing was recorded, because no topic on the wire matches --topics/);
+  });
+
+  test("into standard output there is nothing but the recording", async () => {
+    const { status, stdout, stderr } = spawnSync(program("galilean-record"), ["--out", "/dev/stdout", "--replace", "--domain", domain, "--duration", "1"], { maxBuffer: 1 << 28, ...limit });
+    assert.equal(status, 0, stderr.toString());
+    assert.match(stderr.toString(), /\d+ messages of 4 topics/);
+    writeFileSync(file("piped.mcap"), stdout);
+    assert.ok((await readIndexed(file("piped.mcap"))).messages.length > 20);
   });
 
   test("has the data section's checksum right", async () => {

@@ -10,6 +10,7 @@ import { PATIENCE_MS, within } from "../tools/patience.mjs";
 const here = path.dirname(fileURLToPath(import.meta.url));
 const require = createRequire(path.join(here, "../node/package.json"));
 
+const { parse: parseMsg } = require("@foxglove/rosmsg");
 export const { parseRos2idl } = require("@foxglove/ros2idl-parser");
 export const { MessageReader, MessageWriter } = require("@foxglove/rosmsg2-serialization");
 export const { McapIndexedReader, McapStreamReader } = require("@mcap/core");
@@ -38,6 +39,12 @@ export function definitionsFor(rosType, idl) {
   const own = all.find((definition) => definition.name === rosType);
   if (!own) throw new Error(`${rosType} is not in its own schema`);
   return [{ ...own, name: undefined }, ...all.filter((definition) => definition !== own)];
+}
+
+/** The definitions for a reader of the messages of a schema as MCAP's reference reader gives it. */
+export function definitionsOf({ name, encoding, data }) {
+  const text = new TextDecoder().decode(data);
+  return encoding === "ros2msg" ? parseMsg(text, { ros2: true }) : definitionsFor(name, text);
 }
 
 export function start(command, args, options = {}) {

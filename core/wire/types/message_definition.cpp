@@ -12,8 +12,8 @@ namespace galilean::wire {
 namespace {
 
 /// In the order of TypeKind. What is unsigned and of 8 bits is "uint8" and "byte" alike.
-constexpr std::array kPrimitives{"bool",   "uint8", "int8",   "char",   "int16",   "uint16",
-                                 "int32",  "uint32", "int64", "uint64", "float32", "float64"};
+constexpr std::array kPrimitives{"bool",  "uint8",  "int8",  "char",   "int16",   "uint16",
+                                 "int32", "uint32", "int64", "uint64", "float32", "float64"};
 constexpr std::string_view kRosRoom = "::msg::dds_::";
 const std::string kSeparator = std::string(80, '=') + "\nMSG: ";
 
@@ -48,7 +48,8 @@ class DefinitionWriter {
     for (const auto& member : type.members) {
       if (member.optional) return "has the optional field " + visible(member.name);
       const auto field = use_of(*member.type);
-      if (!field) return "has the field " + visible(member.name) + ", which " + field.error().message;
+      if (!field)
+        return "has the field " + visible(member.name) + ", which " + field.error().message;
       text_ += field.value() + " " + visible(member.name) + "\n";
     }
     return std::nullopt;

@@ -104,14 +104,16 @@ TEST_F(RecorderTest, KnowsThatASelectionLeftAllOut) {
   Recorder::Selection selection;
   selection.topics.emplace("^/io/");
   start(std::move(selection));
-  EXPECT_TRUE(wait_until([&] { return static_cast<void>(recorder->pump()), recorder->left_out_topics(); }));
+  EXPECT_TRUE(
+      wait_until([&] { return static_cast<void>(recorder->pump()), recorder->left_out_topics(); }));
   EXPECT_EQ(recorder->topics(), 0U);
 }
 
 TEST_F(RecorderTest, WhatWasLostStandsInTheFile) {
   auto cells = talk(Foreign::kCells, "rt/cells");
   start();
-  ASSERT_TRUE(wait_until([&] { return static_cast<void>(recorder->pump()), cells.readers() == 1; }));
+  ASSERT_TRUE(
+      wait_until([&] { return static_cast<void>(recorder->pump()), cells.readers() == 1; }));
   ASSERT_TRUE(cells.write());
   ASSERT_TRUE(comes_to_record(1));
   for (int i = 0; i < 700; ++i) ASSERT_TRUE(cells.write());  // 600 wait at most
@@ -123,7 +125,7 @@ TEST_F(RecorderTest, WhatWasLostStandsInTheFile) {
   mcap::Visitor visitor;
   visitor.metadata = [&](const mcap::Metadata& each) { metadata[each.name] = each; };
   static_cast<void>(mcap::scan(mcap::MemorySource(disk.bytes()), visitor));
-  EXPECT_EQ(metadata["losses"].entries["lost"], "100");
+  EXPECT_EQ(metadata["losses"].entries["missing"], "100");
   EXPECT_THAT(metadata["losses"].entries["/cells of talker"], HasSubstr("\"recorded\":601"));
 }
 

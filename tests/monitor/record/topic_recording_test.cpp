@@ -30,8 +30,7 @@ class TopicRecordingTest : public testing::Test {
       std::erase_if(writers, [](const auto& end) { return !end.writes || end.topic != kTopic; });
       return writers.size() == count;
     }));
-    if (!recording)
-      recording.emplace(*own, TopicRecording::kind_of(writers.front()), 100, [] {});
+    if (!recording) recording.emplace(*own, TopicRecording::kind_of(writers.front()), 100, [] {});
     for (const auto& writer : writers) recording->follow(writer);
   }
   /// Returns how many messages come, of which so many are expected, and a while afterwards.
@@ -69,9 +68,8 @@ TEST_F(TopicRecordingTest, WritersOfEveryQualityAreHeardEachOnce) {
   auto stream = talk(Delivery::kStream);
   follow(3);
   // The readers that ask for less match the better writers, too.
-  ASSERT_TRUE(wait_until([&] {
-    return state.readers() == 3 && flow.readers() == 2 && stream.readers() == 1;
-  }));
+  ASSERT_TRUE(wait_until(
+      [&] { return state.readers() == 3 && flow.readers() == 2 && stream.readers() == 1; }));
   for (auto* writer : {&state, &flow, &stream}) ASSERT_TRUE(writer->write());
   EXPECT_EQ(comes(3), 3U);
   EXPECT_EQ(lost(), 0U);

@@ -50,7 +50,9 @@ TEST(MessageDefinition, SaysWhatNoMsgFileCanSay) {
 }
 
 TEST(MessageDefinition, TakesListsWithAndWithoutABound) {
-  EXPECT_EQ(message_definition(describe_descriptor(foreign_descriptor(Foreign::kCells)).value().description).value(),
+  EXPECT_EQ(message_definition(
+                describe_descriptor(foreign_descriptor(Foreign::kCells)).value().description)
+                .value(),
             "int8 cost\nint8[] costs\nint8[4] corners\n");
 }
 

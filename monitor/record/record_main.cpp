@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <poll.h>
 
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -106,6 +107,7 @@ Recorder::Selection selection(const Options& options) {
 
 int run(const Options& options) try {
   ignore_broken_pipes();
+  std::signal(SIGXFSZ, SIG_IGN);  // beyond the limit of `ulimit -f` a write fails, and that is told
   Termination termination;
   auto chosen = selection(options);
   const auto participant = wire::Participant::join("record", options.domain);

@@ -144,6 +144,14 @@ describe("a recording", () => {
     assert.ok((await readIndexed(file("piped.mcap"))).messages.length > 20);
   });
 
+  test("a limit to the size of files ends it with a sentence, and what was recorded until then can be read", async () => {
+    const command = `ulimit -f 64; exec ${program("galilean-record")} --out ${file("limited.mcap")} --domain ${domain}`;
+    const { status, stderr } = spawnSync("bash", ["-c", command], limit);
+    assert.equal(status, 1);
+    assert.match(stderr.toString(), /limited\.mcap cannot be written: File too large; what was recorded until then can still be read/);
+    assert.equal(info(file("limited.mcap")).recovered, true);
+  });
+
   test("has the data section's checksum right", async () => {
     const records = readStream(file("whole.mcap"));
     assert.equal(records.at(-1).type, "Footer");

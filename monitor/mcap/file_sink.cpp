@@ -4,6 +4,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "monitor/mcap/byte_sink.h"
@@ -11,7 +13,10 @@
 namespace galilean::mcap {
 
 Result<FileSink> FileSink::create(const std::string& path, bool replace) {
-  const int how = O_WRONLY | O_CREAT | O_CLOEXEC | (replace ? O_TRUNC : O_EXCL);
+  std::error_code unknown;
+  // A pipe or a device is there before, and nothing in it is lost.
+  const bool may_be_there = replace || std::filesystem::is_other(path, unknown);
+  const int how = O_WRONLY | O_CREAT | O_CLOEXEC | (may_be_there ? O_TRUNC : O_EXCL);
   const int descriptor = open(path.c_str(), how, 0644);
   if (descriptor >= 0) return FileSink(path, descriptor);
   if (errno == EEXIST)

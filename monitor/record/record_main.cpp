@@ -142,7 +142,7 @@ int main(int argc, char** argv) {
   Options options;
   CommandLine app("Records every topic of the team as MCAP, to be opened by Foxglove or ROS 2.",
                   "galilean record");
-  app.option("--out", options.out, "File to write, such as run.mcap")
+  app.option("--out", options.out, "File to write, such as run.mcap, or '-' for standard output")
       .required()
       .names_file(".mcap");
   app.option("--duration", options.duration_s,
@@ -162,5 +162,6 @@ int main(int argc, char** argv) {
   app.flag("--replace", options.replace, "Overwrite the file if it exists");
   app.describe_exit(kIncomplete, "It is recorded, and messages were lost: which were was said.");
   if (const auto code = app.parse(argc, argv)) return *code;
+  if (options.out == "-") options.out = "/dev/stdout";
   return run(options);
 }

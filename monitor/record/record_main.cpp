@@ -162,6 +162,9 @@ int main(int argc, char** argv) {
   app.flag("--replace", options.replace, "Overwrite the file if it exists");
   app.describe_exit(kIncomplete, "It is recorded, and messages were lost: which were was said.");
   if (const auto code = app.parse(argc, argv)) return *code;
-  if (options.out == "-") options.out = "/dev/stdout";
+  if (options.out == "-") {
+    options.out = "/dev/stdout";
+    options.replace = true;
+  }
   return run(options);
 }

@@ -19,7 +19,8 @@ constexpr const char* kLossesSchema = R"({
     "process": {"type": "string", "description": "the name of the writer's process, or its GUID"},
     "recorded": {"type": "integer", "description": "messages in this recording"},
     "missing": {"type": ["integer", "null"], "description": "sent between the first and the last that came; null: unknown"},
-    "sent_before": {"type": "integer", "description": "sent before the first that came"}
+    "sent_before": {"type": "integer", "description": "sent before the first that came"},
+    "unwritten": {"type": "integer", "description": "came while there was no room to write them"}
   }
 })";
 
@@ -34,18 +35,19 @@ nlohmann::ordered_json json_of(const WriterLosses& losses) {
 
 }  // namespace
 
-std::uint64_t total_lost(const std::vector<WriterLosses>& losses) noexcept {
+std::uint64_t total_missing(const std::vector<WriterLosses>& losses) noexcept {
   return std::accumulate(
       losses.begin(), losses.end(), std::uint64_t{0},
-      [](std::uint64_t sum, const WriterLosses& each) { return sum + each.lost.value_or(0); });
+      [](std::uint64_t sum, const WriterLosses& each) { return sum + each.lost.value_or(0) + each.unwritten; });
 }
 
 Result<void> LossLog::tell(const std::vector<WriterLosses>& losses, std::int64_t now_ns) {
   for (const auto& each : losses) {
     const bool is_told = std::ranges::any_of(told_, [&](const WriterLosses& told) {
-      return told.topic == each.topic && told.process == each.process && told.lost == each.lost;
+      return told.topic == each.topic && told.process == each.process && told.lost == each.lost &&
+             told.unwritten == each.unwritten;
     });
-    if (each.lost.value_or(0) == 0 || is_told) continue;
+    if ((each.lost.value_or(0) == 0 && each.unwritten == 0) || is_told) continue;
     if (channel_ == 0)
       channel_ = writer_.add_channel(
           {.schema_id = writer_.add_schema("galilean.Losses", "jsonschema", kLossesSchema),
@@ -66,9 +68,9 @@ Result<void> LossLog::tell(const std::vector<WriterLosses>& losses, std::int64_t
 Result<void> LossLog::conclude(const std::vector<WriterLosses>& losses) {
   mcap::Metadata all{"losses", {}};
   for (const auto& each : losses)
-    if (each.lost != 0 || each.sent_before > 0)
+    if (each.lost != 0 || each.sent_before > 0 || each.unwritten > 0)
       all.entries[each.topic + " of " + each.process] = ordered_json_text(json_of(each));
-  all.entries["missing"] = std::to_string(total_lost(losses));
+  all.entries["missing"] = std::to_string(total_missing(losses));
   return writer_.write(all);
 }
 

@@ -20,11 +20,12 @@ struct WriterLosses {
   /// keys, whose writers number what ends a key, too.
   std::optional<std::uint64_t> lost = 0;
   std::uint64_t sent_before = 0;  ///< sent before the first that came
+  std::uint64_t unwritten = 0;    ///< came while there was no room to write them
   bool operator==(const WriterLosses&) const = default;
 };
 
-/// Returns how many messages were lost, of all writers.
-[[nodiscard]] std::uint64_t total_lost(const std::vector<WriterLosses>& losses) noexcept;
+/// Returns how many messages were lost or not written, of all writers.
+[[nodiscard]] std::uint64_t total_missing(const std::vector<WriterLosses>& losses) noexcept;
 
 /// Writes into a recording what it lacks: on the topic /recorder/losses whenever more was lost, and
 /// as the metadata "losses" at its end.

@@ -7,6 +7,7 @@
 
 #include "core/visible_text.h"
 #include "core/wire/ros_time.h"
+#include "monitor/record/times.h"
 #include "monitor/wire/topic_name.h"
 
 namespace galilean::monitor {
@@ -17,7 +18,11 @@ namespace {
 constexpr int kReaderDepth = 600, kImageDepth = 60;
 /// Requests to and replies of the services of ROS 2 are no topics.
 constexpr std::string_view kServicePrefixes[] = {"rq/", "rr/"};
-constexpr std::int64_t kLossesEach_ns = 1'000'000'000;
+constexpr std::int64_t kLookEach_ns = 1'000'000'000;
+
+std::string megabytes(std::uint64_t bytes) {
+  return std::to_string(bytes / 1'000'000) + " MB";
+}
 
 bool is_image(const wire::EndpointInfo& writer) {
   return shown_type(writer.dds_type) == msg::CompressedImage::kRosType;
@@ -35,8 +40,6 @@ Recorder::Recorder(Setup setup)
     : setup_(std::move(setup)),
       endpoints_(setup_.participant),
       definitions_(setup_.participant, setup_.ended),
-      channels_(setup_.writer, definitions_, setup_.selection.language, setup_.warn),
-      loss_log_(setup_.writer),
       discovery_(setup_.participant) {
   discovery_.on_change([this] {
     writers_changed_ = true;
@@ -50,8 +53,10 @@ Result<void> Recorder::pump() {
   if (writers_changed_.exchange(false)) follow_writers();
   for (const auto& [kind, recording] : recordings_)
     if (auto done = record(*recording); !done) return done;
-  if (auto done = tell_losses(); !done) return done;
-  return setup_.writer.close_chunk_if_due(static_cast<std::uint64_t>(wire::wall_clock_ns()));
+  if (auto done = look_after_files(); !done) return done;
+  if (!setup_.files.is_open()) return {};
+  const auto now_ns = static_cast<std::uint64_t>(wire::wall_clock_ns());
+  return setup_.files.writer().close_chunk_if_due(now_ns);
 }
 
 bool Recorder::is_selected(const wire::EndpointInfo& writer) const {
@@ -89,21 +94,57 @@ void Recorder::follow(const wire::EndpointInfo& writer) try {
 
 Result<void> Recorder::record(TopicRecording& recording) {
   Result<void> done;
-  recording.take([&](const wire::Received& received, const TopicRecording::Writer& writer) {
-    if (!done) return;
-    done = setup_.writer.write({channels_.of(writer.info),
-                                static_cast<std::uint32_t>(received.sequence),
-                                static_cast<std::uint64_t>(wire::wall_clock_ns()),
-                                static_cast<std::uint64_t>(received.sent_ns), received.cdr});
+  recording.take([&](const wire::Received& received, TopicRecording::Writer& writer) {
+    if (!setup_.files.is_open()) ++writer.unwritten;
+    if (!done || !setup_.files.is_open()) return;
+    done = setup_.files.writer().write({contents_->channels.of(writer.info),
+                                        static_cast<std::uint32_t>(received.sequence),
+                                        static_cast<std::uint64_t>(wire::wall_clock_ns()),
+                                        static_cast<std::uint64_t>(received.sent_ns),
+                                        received.cdr});
   });
   return done;
 }
 
-Result<void> Recorder::tell_losses() {
+/// Each second: tells what was lost, goes on in another file, and looks whether there is room.
+Result<void> Recorder::look_after_files() {
   const std::int64_t now_ns = wire::wall_clock_ns();
-  if (now_ns - losses_told_ns_ < kLossesEach_ns) return {};
-  losses_told_ns_ = now_ns;
-  return loss_log_.tell(losses(), now_ns);
+  if (now_ns - looked_ns_ < kLookEach_ns) return {};
+  looked_ns_ = now_ns;
+  const bool has_room = setup_.room.look();
+  if (!setup_.files.is_open()) return has_room ? begin_file() : Result<void>();
+  if (!has_room) return stand_still();
+  if (auto done = contents_->losses.tell(losses(), now_ns); !done) return done;
+  if (!setup_.files.is_full(now_ns)) return {};
+  if (auto done = conclude(); !done) return done;
+  return begin_file();
+}
+
+Result<void> Recorder::stand_still() {
+  setup_.warn("only " + megabytes(setup_.room.free()) + " are free for '" +
+              setup_.files.plan().out + "', less than " + megabytes(setup_.room.least()) +
+              " (--min-free): nothing is recorded until there is room again; delete something");
+  return conclude();
+}
+
+Result<void> Recorder::begin_file() {
+  const std::int64_t now_ns = wire::wall_clock_ns();
+  const bool again = setup_.files.totals().files > 0;
+  if (auto done = setup_.files.begin(now_ns); !done) return done;
+  auto& writer = setup_.files.writer();
+  contents_.emplace(Contents{{writer, definitions_, setup_.selection.language, setup_.warn},
+                             LossLog(writer)});
+  mcap::Metadata about{"galilean", setup_.about};
+  about.entries["started"] = iso_time(now_ns);
+  if (again) about.entries["file"] = std::to_string(setup_.files.totals().files - 1);
+  return writer.write(about);
+}
+
+Result<void> Recorder::conclude() {
+  if (!setup_.files.is_open()) return {};
+  if (auto done = contents_->losses.conclude(losses()); !done) return done;
+  contents_.reset();
+  return setup_.files.end();
 }
 
 std::size_t Recorder::topics() const {
@@ -118,9 +159,10 @@ std::vector<WriterLosses> Recorder::losses() const {
     for (const auto& [guid, writer] : recording->writers())
       all.push_back({.topic = visible(shown_topic(kind.topic)),
                      .process = visible(writer.info.process),
-                     .recorded = writer.tally.received(),
+                     .recorded = writer.tally.received() - writer.unwritten,
                      .lost = kind.keyed ? std::nullopt : std::optional(writer.tally.lost()),
-                     .sent_before = writer.tally.sent_before()});
+                     .sent_before = writer.tally.sent_before(),
+                     .unwritten = writer.unwritten});
   return all;
 }
 

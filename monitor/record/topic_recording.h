@@ -34,6 +34,7 @@ class TopicRecording {
   struct Writer {
     wire::EndpointInfo info;
     SequenceTally tally;
+    std::uint64_t unwritten = 0;  ///< for who receives the messages: how many he did not write
   };
   using Receive = std::function<void(const wire::Received&, Writer&)>;
 

@@ -35,11 +35,11 @@ class Playing {
   }
 
   /// The reader tells no time of what is damaged, so that it may be any.
-  Played end(const mcap::ScanEnd& end, bool closed) {
+  Played end(const mcap::ScanEnd& end) {
     const Span any{std::numeric_limits<std::int64_t>::min(),
                    std::numeric_limits<std::int64_t>::max()};
     for (const auto& damage : end.damage) sink_.damage(any, "damaged: " + visible(damage));
-    if (!end.complete && end.damage.empty() && !closed)
+    if (!end.complete)
       played_.notes.push_back("the recording was not closed; it is judged as far as it goes");
     std::ranges::move(decoders_.notes(), std::back_inserter(played_.notes));
     return std::move(played_);
@@ -58,8 +58,7 @@ Played play_samples(const mcap::ByteSource& recording, const mcap::Summary& summ
   Playing playing(summary, sink);
   mcap::Visitor visitor;
   visitor.message = [&](const mcap::Message& message) { playing.take(message); };
-  const auto end = mcap::scan(recording, visitor);
-  return playing.end(end, end.complete);
+  return playing.end(mcap::scan(recording, visitor));
 }
 
 }  // namespace galilean::expect

@@ -24,6 +24,7 @@ int info(const std::string& path, bool json) {
 int main(int argc, char** argv) {
   CommandLine app("Describes recordings of the team.", "galilean log");
   app.require_command();
+  app.footer("'galilean log check' judges a recording by expectations.");
   std::string path;
   bool json = false;
   auto command = app.command("info", "Describe the contents of a recording");

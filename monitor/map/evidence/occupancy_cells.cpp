@@ -8,7 +8,7 @@ namespace galilean::monitor {
 namespace {
 
 /// The probability that a cell is free after one piece of evidence, if nothing was known before.
-constexpr float kStoodOn = 0.80F;
+constexpr float kStoodOn = 0.99F;
 constexpr float kLookedAcross = 0.58F;
 constexpr float kSawNothing = 0.54F;
 constexpr float kTouched = 0.05F;
@@ -48,10 +48,11 @@ bool OccupancyCells::make_room(const Vec2& at_m) {
   return true;
 }
 
-void OccupancyCells::stand_on(const Vec2& at_m, double sure) {
+void OccupancyCells::stand_on(const Vec2& at_m, double sure, double sure_before) {
   const int column = grid_.x2idx(at_m.x()), row = grid_.y2idx(at_m.y());
-  grid_.updateCell(column, row, if_right(kStoodOn, sure));
-  if (grid_.getCell(column, row) > kSurelyFree) grid_.setCell(column, row, kSurelyFree);
+  const float more = log_odds(if_right(kStoodOn, sure)) - log_odds(if_right(kStoodOn, sure_before));
+  const float free = probability_of(log_odds(grid_.getCell(column, row)) + more);
+  grid_.setCell(column, row, std::min(kSurelyFree, free));
 }
 
 bool OccupancyCells::look_across(const Vec2& at_m, Look look, double sure) {

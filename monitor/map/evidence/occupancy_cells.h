@@ -38,7 +38,8 @@ class OccupancyCells {
   /// Returns false if `at_m` is not finite or too near to the edge of the largest grid.
   [[nodiscard]] bool make_room(const Vec2& at_m);
 
-  void stand_on(const Vec2& at_m, double sure);
+  /// A robot stands there. `sure_before` is what this said of the same stay of the robot before.
+  void stand_on(const Vec2& at_m, double sure, double sure_before = 0);
   /// Returns whether the line of sight goes on.
   bool look_across(const Vec2& at_m, Look look, double sure);
   void touch(const Vec2& at_m, double sure);

@@ -13,7 +13,7 @@ namespace {
 constexpr double kHalfLength_m = 0.215;
 constexpr double kHalfWidth_m = 0.165;
 constexpr double kTouchedRadius_m = 0.08;
-constexpr double kObjectRadius_m = 0.10;  ///< a line of sight ends so far before an object
+constexpr double kBefore_m = 0.06;  ///< a line of sight ends so far before an object
 constexpr double kRay_rad = 0.04;
 constexpr double kLeastDeviation_m = 0.01;
 
@@ -32,25 +32,35 @@ double share_below(double deviations) {
   return std::erfc(-deviations / std::sqrt(2)) / 2;
 }
 
-/// An object as a camera sees it.
+/// Returns how far a point of the robot frame is from the nearest edge of the chassis [m]. It is
+/// negative outside.
+double inside_hull_m(const Vec2& in_robot_m) {
+  return (Vec2(kHalfLength_m, kHalfWidth_m) - in_robot_m.cwiseAbs()).minCoeff();
+}
+
+/// An object as a camera sees it: where a line of sight to it ends, and half the angle that hides
+/// what is behind it.
 struct Seen {
-  double range_m, azimuth_rad;
+  double until_m, azimuth_rad, half_rad;
 };
 
 std::vector<Seen> seen_in(const OccupancyGridMap::View& view) {
   std::vector<Seen> seen;
-  for (const auto& object : view.objects_m) {
-    const Vec2 at_m = rotated(object - view.from_m, -view.heading_rad);
-    seen.push_back({at_m.norm(), std::atan2(at_m.y(), at_m.x())});
+  for (const auto& object : view.objects) {
+    const Vec2 at_m = rotated(object.at_m - view.from_m, -view.heading_rad);
+    const double range_m = at_m.norm();
+    seen.push_back({range_m - object.radius_m - kBefore_m, std::atan2(at_m.y(), at_m.x()),
+                    std::max(kRay_rad, std::atan2(object.radius_m, range_m))});
   }
   return seen;
 }
 
+/// Returns how far the camera saw in the direction of an object, and nothing beside all of them.
 std::optional<double> nearest_at(const std::vector<Seen>& seen, double azimuth_rad) {
   std::optional<double> nearest;
   for (const Seen& object : seen)
-    if (std::abs(object.azimuth_rad - azimuth_rad) < kRay_rad)
-      nearest = std::min(object.range_m, nearest.value_or(object.range_m));
+    if (std::abs(object.azimuth_rad - azimuth_rad) < object.half_rad)
+      nearest = std::min(object.until_m, nearest.value_or(object.until_m));
   return nearest;
 }
 
@@ -60,6 +70,11 @@ OccupancyGridMap::OccupancyGridMap()
     : cells_(std::make_unique<OccupancyCells>(kCell_m, kMaxSize_m)) {}
 OccupancyGridMap::~OccupancyGridMap() = default;
 
+OccupancyGridMap::Cell OccupancyGridMap::cell_of(const Vec2& at_m) {
+  const Vec2 cell = (at_m / kCell_m).array().floor();
+  return {static_cast<int>(cell.x()), static_cast<int>(cell.y())};
+}
+
 bool OccupancyGridMap::make_room(const Vec2& at_m) {
   if (!cells_->make_room(at_m)) return false;
   empty_ = false;
@@ -68,19 +83,30 @@ bool OccupancyGridMap::make_room(const Vec2& at_m) {
 
 void OccupancyGridMap::for_each_cell(const Vec2& centre_m, double radius_m, auto&& update) {
   if (!make_room(centre_m)) return;
-  for (double dx_m = -radius_m; dx_m <= radius_m; dx_m += kCell_m)
-    for (double dy_m = -radius_m; dy_m <= radius_m; dy_m += kCell_m)
-      if (std::hypot(dx_m, dy_m) <= radius_m) update(centre_m + Vec2(dx_m, dy_m));
+  const Vec2 corner_m = Vec2::Constant(radius_m);
+  const Cell first = cell_of(centre_m - corner_m), last = cell_of(centre_m + corner_m);
+  for (int column = first.first; column <= last.first; ++column)
+    for (int row = first.second; row <= last.second; ++row) {
+      const Vec2 at_m = kCell_m * Vec2(column + 0.5, row + 0.5);
+      if ((at_m - centre_m).norm() <= radius_m) update(at_m);
+    }
 }
 
-void OccupancyGridMap::add_robot(const Gaussian2& robot, double heading_rad) {
+void OccupancyGridMap::add_robot(const Gaussian2& robot, double heading_rad, Footprint& stands_on) {
   const double deviation_m = deviation_of(robot);
   const double sure = share_within(kHalfWidth_m, deviation_m);
+  Footprint now;
   for_each_cell(robot.mean_m, std::hypot(kHalfLength_m, kHalfWidth_m), [&](const Vec2& at_m) {
-    const Vec2 in_robot_m = rotated(at_m - robot.mean_m, -heading_rad).cwiseAbs();
-    const double inside_m = (Vec2(kHalfLength_m, kHalfWidth_m) - in_robot_m).minCoeff();
-    if (inside_m >= 0) cells_->stand_on(at_m, sure * share_below(inside_m / deviation_m));
+    const double inside_m = inside_hull_m(rotated(at_m - robot.mean_m, -heading_rad));
+    if (inside_m < 0) return;
+    const Cell cell = cell_of(at_m);
+    const auto before = stands_on.find(cell);
+    const double counted = before == stands_on.end() ? 0 : before->second;
+    const double counts = std::max(counted, sure * share_below(inside_m / deviation_m));
+    cells_->stand_on(at_m, counts, counted);
+    now[cell] = counts;
   });
+  stands_on = std::move(now);
 }
 
 void OccupancyGridMap::add_view(const View& view) {
@@ -91,12 +117,12 @@ void OccupancyGridMap::add_view(const View& view) {
 }
 
 void OccupancyGridMap::add_line_of_sight(const Vec2& from_m, double direction_rad,
-                                         std::optional<double> seen_m, double sure) {
+                                         std::optional<double> until_m, double sure) {
   const Vec2 step = kCell_m * unit_vector(direction_rad);
-  const double length_m = seen_m ? *seen_m - kObjectRadius_m : kClear_m;
+  const double length_m = until_m ? *until_m : kClear_m;
   const auto steps = static_cast<int>(length_m / kCell_m);
   if (steps <= 0 || !make_room(from_m) || !make_room(from_m + steps * step)) return;
-  const auto look = seen_m ? OccupancyCells::Look::kAtObject : OccupancyCells::Look::kAtNothing;
+  const auto look = until_m ? OccupancyCells::Look::kAtObject : OccupancyCells::Look::kAtNothing;
   for (int i = 0; i < steps; ++i)
     if (!cells_->look_across(from_m + i * step, look, sure)) return;
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/geometry.h"
@@ -33,12 +35,19 @@ class OccupancyGridMap {
   static constexpr double kTouchKnown_m = 0.10;
   static constexpr double kLeastTouch = 0.15;
 
+  using Cell = std::pair<int, int>;  ///< column and row, counted from the map frame's origin
+  /// The cells that a robot stands on, and how sure that is (0 to 1).
+  using Footprint = std::map<Cell, double>;
   /// What a camera saw, in the map frame.
   struct View {
     Vec2 from_m = Vec2::Zero();
     double heading_rad = 0;
-    double angle_rad = 0;         ///< horizontal field of view
-    std::vector<Vec2> objects_m;  ///< positions of the objects that it saw
+    double angle_rad = 0;  ///< horizontal field of view
+    struct Object {
+      Vec2 at_m;
+      double radius_m = 0;
+    };
+    std::vector<Object> objects;  ///< what it saw
     double deviation_m = 0;       ///< standard deviation of `from_m`
   };
 
@@ -46,7 +55,9 @@ class OccupancyGridMap {
   ~OccupancyGridMap();
 
   /// Adds evidence. Positions outside of kMaxSize_m, and those that are not finite, are ignored.
-  void add_robot(const Gaussian2& robot, double heading_rad);
+  /// `stands_on` is what the robot's last report said, and becomes what this one says: a robot that
+  /// stays on a cell says one thing of it, however often it reports.
+  void add_robot(const Gaussian2& robot, double heading_rad, Footprint& stands_on);
   void add_view(const View& view);
   void add_touch(const Gaussian2& touched);
 
@@ -57,12 +68,13 @@ class OccupancyGridMap {
   [[nodiscard]] msg::OccupancyGrid message() const;
 
  private:
+  [[nodiscard]] static Cell cell_of(const Vec2& at_m);
   /// Returns false where the grid cannot grow so far.
   [[nodiscard]] bool make_room(const Vec2& at_m);
-  /// Looks for `seen_m` in one direction, or for kClear_m if nothing was seen there.
-  void add_line_of_sight(const Vec2& from_m, double direction_rad, std::optional<double> seen_m,
+  /// Looks in one direction up to `until_m`, before an object, or for kClear_m beside all objects.
+  void add_line_of_sight(const Vec2& from_m, double direction_rad, std::optional<double> until_m,
                          double sure);
-  /// Calls `update(at_m)` for the cells of a disc.
+  /// Calls `update(at_m)` for each cell whose centre `at_m` is in a disc.
   void for_each_cell(const Vec2& centre_m, double radius_m, auto&& update);
 
   std::unique_ptr<OccupancyCells> cells_;

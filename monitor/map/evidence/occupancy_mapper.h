@@ -8,6 +8,7 @@
 #include "core/wire/messages.h"
 #include "monitor/map/estimation/robot_poses.h"
 #include "monitor/map/evidence/occupancy_grid_map.h"
+#include "monitor/map/evidence/pending_touches.h"
 #include "monitor/map/evidence/touch_evidence.h"
 
 namespace galilean::monitor {
@@ -30,12 +31,16 @@ class OccupancyMapper {
  private:
   /// Where a robot was when it last gave evidence.
   struct Last {
-    Vec2 stood_m = Vec2::Constant(1e9);
+    Pose2 stood{Vec2::Constant(1e9), 0};
     Pose2 looked{Vec2::Constant(1e9), 0};
+    OccupancyGridMap::Footprint stands_on;
   };
+
+  void add_settled(const std::string& robot, const RobotPoses& poses, Time now);
 
   OccupancyGridMap grid_;
   TouchEvidence touches_;
+  PendingTouches pending_;
   std::map<std::string, Last> last_;  ///< by robot
 };
 

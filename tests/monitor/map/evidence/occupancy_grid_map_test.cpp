@@ -25,13 +25,15 @@ class OccupancyGridMapTest : public testing::Test {
   }
   void touch(const Vec2& at_m, double deviation_m) { map.add_touch(known_to(at_m, deviation_m)); }
   void drive(double from_x_m, double to_x_m, double deviation_m) {
+    OccupancyGridMap::Footprint stands_on;
     for (double x_m = from_x_m; x_m <= to_x_m; x_m += kCell_m)
-      map.add_robot(known_to({x_m, 0}, deviation_m), 0);
+      map.add_robot(known_to({x_m, 0}, deviation_m), 0, stands_on);
   }
   /// A camera at the origin looks along x.
-  void look(int times, double deviation_m, const std::vector<Vec2>& objects_m = {}) {
+  void look(int times, double deviation_m,
+            const std::vector<OccupancyGridMap::View::Object>& objects = {}) {
     for (int i = 0; i < times; ++i)
-      map.add_view({.angle_rad = 1.2, .objects_m = objects_m, .deviation_m = deviation_m});
+      map.add_view({.angle_rad = 1.2, .objects = objects, .deviation_m = deviation_m});
   }
 
   OccupancyGridMap map;
@@ -82,7 +84,7 @@ TEST_F(OccupancyGridMapTest, ACameraLooksNoFurtherThanWhatIsOccupied) {
 
 TEST_F(OccupancyGridMapTest, ACameraThatSeesAnObjectSawThroughWhatIsOnItsWay) {
   touch({0.52, 0}, kSure_m);
-  look(200, kSure_m, {{1.5, 0.06}});
+  look(200, kSure_m, {{{1.5, 0.06}, 0.04}});
   EXPECT_LT(at({0.52, 0.02}), 45);
 }
 
@@ -100,10 +102,36 @@ TEST_F(OccupancyGridMapTest, ATouchChangesTheMindOfAMapThatWasCrossedOften) {
 }
 
 TEST_F(OccupancyGridMapTest, WhatIsUnderARobotsEdgesIsLessSurelyFree) {
-  map.add_robot(known_to({0, 0}, kHalfSure_m), 0);
+  OccupancyGridMap::Footprint stands_on;
+  map.add_robot(known_to({0, 0}, kHalfSure_m), 0, stands_on);
   EXPECT_LT(at({0.02, 0.02}), at({0.02, 0.14}));
   EXPECT_LT(at({0.02, 0.02}), at({0.18, 0.02}));
   EXPECT_EQ(at({0.02, 0.22}), -1);
+}
+
+TEST_F(OccupancyGridMapTest, ARobotThatStaysSaysOneThingHoweverOftenItReports) {
+  OccupancyGridMap::Footprint stands_on;
+  touch(ahead_m, kSure_m);
+  map.add_robot(known_to(ahead_m, kHalfSure_m), 0, stands_on);
+  const int once = at(ahead_m);
+  for (int i = 0; i < 100; ++i) map.add_robot(known_to(ahead_m, kHalfSure_m), 0, stands_on);
+  EXPECT_EQ(at(ahead_m), once);
+}
+
+TEST_F(OccupancyGridMapTest, ARobotThatComesBackSaysItAgain) {
+  touch(ahead_m, kSure_m);
+  drive(0.4, 0.6, kHalfSure_m);
+  const int once = at(ahead_m);
+  drive(0.4, 0.6, kHalfSure_m);
+  EXPECT_LT(at(ahead_m), once);
+}
+
+// A basket is wider than a ray, and what is beside its centre is not floor.
+TEST_F(OccupancyGridMapTest, ACameraDoesNotLookThroughTheObjectThatItSees) {
+  look(100, kSure_m, {{{0.6, 0}, 0.15}});
+  EXPECT_LT(at({0.32, 0.02}), 25) << "before it";
+  for (const double y_m : {-0.08, 0.02, 0.08}) EXPECT_EQ(at({0.62, y_m}), -1) << y_m;
+  EXPECT_LT(at({0.62, 0.32}), 25) << "beside it";
 }
 
 TEST_F(OccupancyGridMapTest, ARobotOfUnknownPlaceFreesNothing) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <map>
 
@@ -113,8 +114,10 @@ void show_changes(const Robot& robot, double state_age_s, View& view) {
     change.from_state = transition.from_state;
     change.to_state = transition.to_state;
     change.cause = transition.cause;
+    // Its folders would leave no room for the line.
     if (!transition.file.empty())
-      change.place = transition.file + ":" + std::to_string(transition.line);
+      change.place = std::filesystem::path(transition.file).filename().string() + ":" +
+                     std::to_string(transition.line);
     change.held_too = states_held_too(transition);
     if (earlier) change.missed = transition.number - earlier->number - 1;
     earlier = &transition;

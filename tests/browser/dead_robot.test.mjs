@@ -17,7 +17,7 @@ test("its values, its picture and its state are grey and old", async () => {
 });
 
 test("nothing is said to be near to firing, and it is not among those that run the program", async () => {
-  assert.equal(await at("machine-nearest").innerText(), "callisto is silent, so it is not known what is near to firing.");
+  assert.equal(await at("machine-nearest").innerText(), "Not known: callisto is silent.");
   assert.equal(await at("program-share").innerText(), "2 of 2 run it");
 });
 

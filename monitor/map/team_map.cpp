@@ -33,7 +33,7 @@ bool TeamMap::predict(const std::string& robot, const Pose2& in_odom, Time now) 
 void TeamMap::add(const msg::RobotState& state, Time now) {
   if (!predict(state.robot, {{state.x_m, state.y_m}, state.heading_rad}, now)) return;
   reports_.add(state);
-  occupancy_.add_robot(state.robot, groups_.of(state.robot).poses);
+  occupancy_.add_robot(state.robot, groups_.of(state.robot).poses, now);
 }
 
 void TeamMap::add(const msg::Sightings& frame, Time now) {
@@ -68,6 +68,13 @@ std::vector<Gaussian2> TeamMap::robots_of_others(const RobotGroup& group) const 
   return others;
 }
 
+std::vector<Gaussian2> TeamMap::robots_but(const std::string& robot) const {
+  std::vector<Gaussian2> others;
+  for (const auto& [name, group] : groups_.robots())
+    if (name != robot) others.push_back(group->poses.position(name));
+  return others;
+}
+
 void TeamMap::add(const msg::Variables& variables, Time now) {
   reports_.add(variables, now);
   if (!groups_.contains(variables.robot)) return;
@@ -82,7 +89,7 @@ void TeamMap::add_obstacle(const std::string& robot, const msg::Variable& obstac
   const Gaussian2 position{in_robot(group.poses.pose(robot), at_m),
                            kTouchDeviation_m * kTouchDeviation_m * Mat2::Identity()};
   group.landmarks.add_contact("obstacle", robot, position, obstacle.certainty, now);
-  occupancy_.add_obstacle(at_m);
+  occupancy_.add_touch(robot, obstacle, group.poses, robots_but(robot), now);
 }
 
 void TeamMap::update(Time now) {

@@ -51,6 +51,7 @@ class TeamMap {
   void add_obstacle(const std::string& robot, const msg::Variable& obstacle, Time now);
   [[nodiscard]] msg::Sightings without_carried(const msg::Sightings& frame) const;
   [[nodiscard]] std::vector<Gaussian2> robots_of_others(const RobotGroup& group) const;
+  [[nodiscard]] std::vector<Gaussian2> robots_but(const std::string& robot) const;
   void align(Time now);
   void clear_footprint(const std::string& robot);
 

@@ -5,6 +5,7 @@
 
 #include "core/command_line/command_line.h"
 #include "tests/monitor/map/truth/figures.h"
+#include "tests/monitor/map/truth/occupancy_figures.h"
 
 namespace {
 
@@ -20,6 +21,12 @@ void print(const char* name, const Figures& f) {
       double(f.all_published) / double(f.looks), double(f.all_real) / double(f.looks),
       100 * f.basket_m2.rms(), f.basket_nees.mean(), double(f.baskets_published) / double(f.looks),
       double(f.baskets_right) / double(f.looks));
+}
+
+void print(const char* name, const OccupancyFigures& f) {
+  std::printf("%-5s floor free precision %.2f recall %.2f | occupied precision %.2f recall %.2f\n",
+              name, f.free_precision.value(), f.free_recall.value(), f.occupied_precision.value(),
+              f.occupied_recall.value());
 }
 
 }  // namespace
@@ -44,15 +51,21 @@ int main(int count, char** arguments) try {
   options.starts = rough ? MappedContest::Starts::kRough : MappedContest::Starts::kMeasured;
   options.duration_s = to_s;
   Figures all;
+  OccupancyFigures all_floor;
   for (int seed = 1; seed <= seeds; ++seed) {
     options.seed = static_cast<std::uint64_t>(seed);
     MappedContest contest(options);
     TruthWatch watch(contest, to_s - 20, to_s);
+    const OccupancyWatch floor(contest);
     contest.run([&](const auto& now, const auto& map) { watch.look(now, map); });
     print(std::to_string(seed).c_str(), watch.figures());
     all.add(watch.figures());
+    const OccupancyFigures of_floor = floor.figures();
+    print(std::to_string(seed).c_str(), of_floor);
+    all_floor.add(of_floor);
   }
   print("all", all);
+  print("all", all_floor);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "map_bench: %s\n", error.what());
   return 1;

@@ -70,6 +70,15 @@ Gaussian2 RobotPoses::position(const std::string& robot) const {
           joint_.covariance(block(robot)).topLeftCorner<2, 2>()};
 }
 
+Gaussian2 RobotPoses::place(const std::string& robot, const Vec2& in_odom_m) const {
+  const Vec2 at_m = in_map(odom_frame(robot), in_odom_m);
+  const Vec2 lever_m = at_m - pose(robot).position_m;
+  Eigen::Matrix<double, 2, 3> jacobian;
+  jacobian << 1, 0, -lever_m.y(), 0, 1, lever_m.x();
+  return {at_m,
+          jacobian * joint_.covariance(block(robot)).topLeftCorner<3, 3>() * jacobian.transpose()};
+}
+
 Pose2 RobotPoses::odom_frame(const std::string& robot) const {
   const Pose2 in_map = pose(robot);
   const Pose2& in_odom = robots_.at(robot).in_odom;

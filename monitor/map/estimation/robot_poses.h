@@ -38,6 +38,9 @@ class RobotPoses {
   }
   [[nodiscard]] Pose2 pose(const std::string& robot) const;
   [[nodiscard]] Gaussian2 position(const std::string& robot) const;
+  /// Returns where in the map frame a point of the robot's odom frame is, as uncertain as the
+  /// robot's pose makes it.
+  [[nodiscard]] Gaussian2 place(const std::string& robot, const Vec2& in_odom_m) const;
   /// Returns when the robot's odometry was heard last.
   [[nodiscard]] Time last_predicted(const std::string& robot) const {
     return robots_.at(robot).last_predicted;

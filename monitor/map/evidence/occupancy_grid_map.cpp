@@ -1,132 +1,115 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/evidence/occupancy_grid_map.h"
 
-#include <mrpt/maps/COccupancyGridMap2D.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "monitor/map/evidence/occupancy_cells.h"
 
 namespace galilean::monitor {
 namespace {
 
-/// The probability that a cell is free after one piece of evidence, if nothing was known before.
-constexpr float kStoodOn = 0.80F;
-constexpr float kLookedAcross = 0.58F;
-constexpr float kSawNothing = 0.54F;
-constexpr float kBumped = 0.15F;
-/// A cell is unknown if its probability of being free is between these.
-constexpr float kUnknownAbove = 0.45F;
-constexpr float kUnknownBelow = 0.55F;
-
-constexpr double kStartSize_m = 10;
-constexpr double kMargin_m = 1;
-constexpr double kChassisRadius_m = 0.16;  ///< half of the chassis' narrow side
-constexpr double kObstacleRadius_m = 0.08;
+/// Half of the chassis' length and width.
+constexpr double kHalfLength_m = 0.215;
+constexpr double kHalfWidth_m = 0.165;
+constexpr double kTouchedRadius_m = 0.08;
 constexpr double kObjectRadius_m = 0.10;  ///< a line of sight ends so far before an object
 constexpr double kRay_rad = 0.04;
+constexpr double kLeastDeviation_m = 0.01;
 
-}  // namespace
+/// Returns the standard deviation of a position [m], averaged over all directions.
+double deviation_of(const Gaussian2& position) {
+  return std::max(kLeastDeviation_m, std::sqrt(position.covariance_m2.trace() / 2));
+}
 
-struct OccupancyGridMap::Cells {
-  mrpt::maps::COccupancyGridMap2D grid{
-      static_cast<float>(-kStartSize_m / 2), static_cast<float>(kStartSize_m / 2),
-      static_cast<float>(-kStartSize_m / 2), static_cast<float>(kStartSize_m / 2),
-      static_cast<float>(kCell_m)};
+/// Returns how likely a position is within `radius_m` of its mean.
+double share_within(double radius_m, double deviation_m) {
+  return 1 - std::exp(-radius_m * radius_m / (2 * deviation_m * deviation_m));
+}
 
-  void update(const Vec2& at_m, float free_probability) {
-    grid.updateCell(grid.x2idx(at_m.x()), grid.y2idx(at_m.y()), free_probability);
-  }
+/// Returns the share of a normal distribution below so many standard deviations above its mean.
+double share_below(double deviations) {
+  return std::erfc(-deviations / std::sqrt(2)) / 2;
+}
 
-  /// Returns false if the cell is occupied.
-  [[nodiscard]] bool update_unless_occupied(const Vec2& at_m, float free_probability) {
-    const int column = grid.x2idx(at_m.x()), row = grid.y2idx(at_m.y());
-    if (grid.getCell(column, row) < kUnknownAbove) return false;
-    grid.updateCell(column, row, free_probability);
-    return true;
-  }
+/// An object as a camera sees it.
+struct Seen {
+  double range_m, azimuth_rad;
 };
 
-OccupancyGridMap::OccupancyGridMap() : cells_(std::make_unique<Cells>()) {}
-OccupancyGridMap::~OccupancyGridMap() = default;
-
-bool OccupancyGridMap::make_room(const Vec2& at_m) {
-  if (!at_m.allFinite() || at_m.cwiseAbs().maxCoeff() > kMaxSize_m / 2 - 2 * kMargin_m)
-    return false;
-  auto& grid = cells_->grid;
-  const auto x = static_cast<float>(at_m.x()), y = static_cast<float>(at_m.y());
-  const auto margin = static_cast<float>(kMargin_m);
-  if (x - margin < grid.getXMin() || x + margin > grid.getXMax() || y - margin < grid.getYMin() ||
-      y + margin > grid.getYMax())
-    grid.resizeGrid(std::min(x - margin, grid.getXMin()), std::max(x + margin, grid.getXMax()),
-                    std::min(y - margin, grid.getYMin()), std::max(y + margin, grid.getYMax()));
-  empty_ = false;
-  return true;
-}
-
-void OccupancyGridMap::update_disc(const Vec2& centre_m, double radius_m, float free_probability) {
-  if (!make_room(centre_m)) return;
-  for (double dx_m = -radius_m; dx_m <= radius_m; dx_m += kCell_m)
-    for (double dy_m = -radius_m; dy_m <= radius_m; dy_m += kCell_m)
-      if (std::hypot(dx_m, dy_m) <= radius_m)
-        cells_->update(centre_m + Vec2(dx_m, dy_m), free_probability);
-}
-
-void OccupancyGridMap::add_robot(const Vec2& robot_m) {
-  update_disc(robot_m, kChassisRadius_m, kStoodOn);
-}
-
-void OccupancyGridMap::add_view(const View& view) {
-  struct Seen {
-    double range_m, azimuth_rad;
-  };
+std::vector<Seen> seen_in(const OccupancyGridMap::View& view) {
   std::vector<Seen> seen;
   for (const auto& object : view.objects_m) {
     const Vec2 at_m = rotated(object - view.from_m, -view.heading_rad);
     seen.push_back({at_m.norm(), std::atan2(at_m.y(), at_m.x())});
   }
-  for (double off_rad = -view.angle_rad / 2; off_rad <= view.angle_rad / 2; off_rad += kRay_rad) {
-    const double direction_rad = view.heading_rad + off_rad;
-    double nearest_m = 0;
-    for (const auto& [range_m, azimuth_rad] : seen)
-      if (std::abs(azimuth_rad - off_rad) < kRay_rad && (nearest_m == 0 || range_m < nearest_m))
-        nearest_m = range_m;
-    if (nearest_m > 0)
-      add_line_of_sight(view.from_m, direction_rad, nearest_m - kObjectRadius_m, kLookedAcross);
-    else
-      add_line_of_sight(view.from_m, direction_rad, kClear_m, kSawNothing);
-  }
+  return seen;
 }
 
-void OccupancyGridMap::add_line_of_sight(const Vec2& from_m, double direction_rad, double length_m,
-                                         float free_probability) {
+std::optional<double> nearest_at(const std::vector<Seen>& seen, double azimuth_rad) {
+  std::optional<double> nearest;
+  for (const Seen& object : seen)
+    if (std::abs(object.azimuth_rad - azimuth_rad) < kRay_rad)
+      nearest = std::min(object.range_m, nearest.value_or(object.range_m));
+  return nearest;
+}
+
+}  // namespace
+
+OccupancyGridMap::OccupancyGridMap()
+    : cells_(std::make_unique<OccupancyCells>(kCell_m, kMaxSize_m)) {}
+OccupancyGridMap::~OccupancyGridMap() = default;
+
+bool OccupancyGridMap::make_room(const Vec2& at_m) {
+  if (!cells_->make_room(at_m)) return false;
+  empty_ = false;
+  return true;
+}
+
+void OccupancyGridMap::for_each_cell(const Vec2& centre_m, double radius_m, auto&& update) {
+  if (!make_room(centre_m)) return;
+  for (double dx_m = -radius_m; dx_m <= radius_m; dx_m += kCell_m)
+    for (double dy_m = -radius_m; dy_m <= radius_m; dy_m += kCell_m)
+      if (std::hypot(dx_m, dy_m) <= radius_m) update(centre_m + Vec2(dx_m, dy_m));
+}
+
+void OccupancyGridMap::add_robot(const Gaussian2& robot, double heading_rad) {
+  const double deviation_m = deviation_of(robot);
+  const double sure = share_within(kHalfWidth_m, deviation_m);
+  for_each_cell(robot.mean_m, std::hypot(kHalfLength_m, kHalfWidth_m), [&](const Vec2& at_m) {
+    const Vec2 in_robot_m = rotated(at_m - robot.mean_m, -heading_rad).cwiseAbs();
+    const double inside_m = (Vec2(kHalfLength_m, kHalfWidth_m) - in_robot_m).minCoeff();
+    if (inside_m >= 0) cells_->stand_on(at_m, sure * share_below(inside_m / deviation_m));
+  });
+}
+
+void OccupancyGridMap::add_view(const View& view) {
+  const double sure = share_within(kHalfWidth_m, std::max(kLeastDeviation_m, view.deviation_m));
+  const auto seen = seen_in(view);
+  for (double off_rad = -view.angle_rad / 2; off_rad <= view.angle_rad / 2; off_rad += kRay_rad)
+    add_line_of_sight(view.from_m, view.heading_rad + off_rad, nearest_at(seen, off_rad), sure);
+}
+
+void OccupancyGridMap::add_line_of_sight(const Vec2& from_m, double direction_rad,
+                                         std::optional<double> seen_m, double sure) {
   const Vec2 step = kCell_m * unit_vector(direction_rad);
+  const double length_m = seen_m ? *seen_m - kObjectRadius_m : kClear_m;
   const auto steps = static_cast<int>(length_m / kCell_m);
   if (steps <= 0 || !make_room(from_m) || !make_room(from_m + steps * step)) return;
+  const auto look = seen_m ? OccupancyCells::Look::kAtObject : OccupancyCells::Look::kAtNothing;
   for (int i = 0; i < steps; ++i)
-    if (!cells_->update_unless_occupied(from_m + i * step, free_probability)) return;
+    if (!cells_->look_across(from_m + i * step, look, sure)) return;
 }
 
-void OccupancyGridMap::add_obstacle(const Vec2& at_m) {
-  update_disc(at_m, kObstacleRadius_m, kBumped);
+void OccupancyGridMap::add_touch(const Gaussian2& touched) {
+  const double sure = share_within(kTouchKnown_m, deviation_of(touched));
+  if (sure < kLeastTouch) return;
+  for_each_cell(touched.mean_m, kTouchedRadius_m,
+                [&](const Vec2& at_m) { cells_->touch(at_m, sure); });
 }
 
 msg::OccupancyGrid OccupancyGridMap::message() const {
-  const auto& cells = cells_->grid;
-  msg::OccupancyGrid message;
-  message.info.resolution = cells.getResolution();
-  message.info.width = cells.getSizeX();
-  message.info.height = cells.getSizeY();
-  message.info.origin.position.x = cells.getXMin();
-  message.info.origin.position.y = cells.getYMin();
-  message.info.origin.orientation.w = 1;
-  message.data.reserve(cells.getRawMap().size());
-  for (const auto raw : cells.getRawMap()) {
-    const float free = mrpt::maps::COccupancyGridMap2D::l2p(raw);
-    const bool unknown = free > kUnknownAbove && free < kUnknownBelow;
-    message.data.push_back(unknown ? std::int8_t{-1}
-                                   : static_cast<std::int8_t>(std::lround((1 - free) * 100)));
-  }
-  return message;
+  return cells_->message();
 }
 
 }  // namespace galilean::monitor

@@ -3,10 +3,12 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "core/wire/messages.h"
 #include "monitor/map/estimation/robot_poses.h"
 #include "monitor/map/evidence/occupancy_grid_map.h"
+#include "monitor/map/evidence/touch_evidence.h"
 
 namespace galilean::monitor {
 
@@ -15,11 +17,13 @@ namespace galilean::monitor {
 class OccupancyMapper {
  public:
   /// `robot` stands where `poses` says. Requires: poses.contains(robot).
-  void add_robot(const std::string& robot, const RobotPoses& poses);
+  void add_robot(const std::string& robot, const RobotPoses& poses, Time now);
   /// Requires: poses.contains(frame.robot).
   void add_frame(const msg::Sightings& frame, const RobotPoses& poses);
-  /// A robot touched something at `at_m` (map frame).
-  void add_obstacle(const Vec2& at_m) { grid_.add_obstacle(at_m); }
+  /// `robot` reports by a variable that it touched something. `others` are the places of all other
+  /// robots. Requires: poses.contains(robot).
+  void add_touch(const std::string& robot, const msg::Variable& obstacle, const RobotPoses& poses,
+                 const std::vector<Gaussian2>& others, Time now);
 
   [[nodiscard]] const OccupancyGridMap& grid() const noexcept { return grid_; }
 
@@ -31,6 +35,7 @@ class OccupancyMapper {
   };
 
   OccupancyGridMap grid_;
+  TouchEvidence touches_;
   std::map<std::string, Last> last_;  ///< by robot
 };
 

@@ -183,27 +183,5 @@ TEST_F(MapTest, ABasketBesideWhereItIsKnownPutsTheRobotBack) {
   EXPECT_EQ(published.objects.size(), 1U);
 }
 
-TEST_F(MapTest, TheFloorIsFreeWhereItWasCrossedAndOccupiedWhereItWasBumpedInto) {
-  for (double x = 0; x < 1; x += 0.05, step()) map.add(at("io", {{x, 0}, 0}), now);
-  msg::Variables variables;
-  variables.robot = "io";
-  variables.items = {{.name = "wall",
-                      .type = msg::Variable_Constants::LOCATE,
-                      .object_class = "obstacle",
-                      .valid = true,
-                      .certainty = 1,
-                      .values = {1.5, 0}}};
-  map.add(variables, now);
-  const auto grid = map.occupancy().message();
-  const auto cell = [&](double x_m, double y_m) {
-    const auto column = static_cast<std::size_t>((x_m - grid.info.origin.position.x) / 0.05);
-    const auto row = static_cast<std::size_t>((y_m - grid.info.origin.position.y) / 0.05);
-    return static_cast<int>(grid.data.at(row * grid.info.width + column));
-  };
-  EXPECT_LT(cell(0.5, 0), 10);
-  EXPECT_GT(cell(1.5, 0), 80);
-  EXPECT_EQ(cell(-3, 3), -1);
-}
-
 }  // namespace
 }  // namespace galilean::monitor

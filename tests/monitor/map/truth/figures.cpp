@@ -94,9 +94,9 @@ void Figures::add(const Figures& other) {
 
 TruthWatch::TruthWatch(MappedContest& contest, double from_s, double to_s)
     : from_s_(from_s), to_s_(to_s) {
-  contest.on_sightings = [this, &contest](std::size_t robot, const msg::Sightings& frame) {
+  contest.on_sightings.push_back([this, &contest](std::size_t robot, const msg::Sightings& frame) {
     note_seen(contest, robot, frame);
-  };
+  });
 }
 
 void TruthWatch::note_seen(const MappedContest& contest, std::size_t robot,

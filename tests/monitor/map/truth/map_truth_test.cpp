@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/monitor/map/truth/figures.h"
+#include "tests/monitor/map/truth/occupancy_figures.h"
 
 namespace galilean::monitor {
 namespace {
@@ -59,6 +60,22 @@ TEST(MapTruth, AfterThreeMinutesItIsFarBetterThanDeadReckoning) {
   EXPECT_GT(figures.recall(), 0.8);
   EXPECT_GT(figures.precision(), 0.9);
   EXPECT_LT(figures.basket_m2.rms(), 0.15);
+}
+
+TEST(MapTruth, AfterThreeMinutesTheFloorIsFreeAndOccupiedWhereItIsSaidToBe) {
+  OccupancyFigures floor;
+  for (const std::uint64_t seed : {1, 2}) {
+    MappedContest contest({.seed = seed, .duration_s = 180});
+    const OccupancyWatch watch(contest);
+    contest.run([](const auto&, const auto&) {});
+    floor.add(watch.figures());
+  }
+  EXPECT_GT(floor.free_recall.all, 10000U);
+  EXPECT_GT(floor.occupied_recall.all, 100U);
+  EXPECT_GE(floor.free_precision.value(), 0.85);
+  EXPECT_GE(floor.free_recall.value(), 0.85);
+  EXPECT_GE(floor.occupied_precision.value(), 0.85);
+  EXPECT_GE(floor.occupied_recall.value(), 0.85);
 }
 
 }  // namespace

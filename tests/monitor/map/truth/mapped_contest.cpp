@@ -49,6 +49,7 @@ void MappedContest::run(
 
 void MappedContest::after_step(Time now) {
   now_ = now;
+  for (const auto& tell : on_step) tell();
   for (std::size_t i = 0; i < telemetry_.size(); ++i) report(i);
   if (now < next_update_) return;
   next_update_ = now + kUpdate;
@@ -72,7 +73,7 @@ void MappedContest::report(std::size_t robot) {
   }
   if (snapshot.frame != std::exchange(telemetry.last_frame, snapshot.frame)) {
     const auto sightings = telemetry.compose->sightings(snapshot, *telemetry.program);
-    if (on_sightings) on_sightings(robot, sightings);
+    for (const auto& tell : on_sightings) tell(robot, sightings);
     map_.add(sightings, now_);
   }
   if (now_ >= telemetry.next_report) report_regularly(telemetry, snapshot);

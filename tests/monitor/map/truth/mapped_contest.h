@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,8 +41,10 @@ class MappedContest {
   [[nodiscard]] const sim::HeadlessContest& contest() const noexcept { return *contest_; }
   [[nodiscard]] const TeamMap& map() const noexcept { return map_; }
   [[nodiscard]] Time now() const noexcept { return now_; }
-  /// Is called with what a robot sent, before the map gets it. It may be empty.
-  std::function<void(std::size_t robot, const msg::Sightings&)> on_sightings;
+  /// Are called with what a robot sent, before the map gets it.
+  std::vector<std::function<void(std::size_t robot, const msg::Sightings&)>> on_sightings;
+  /// Are called after each step of the world, before the map gets what robots report of it.
+  std::vector<std::function<void()>> on_step;
 
  private:
   static constexpr std::int64_t kEpoch_ns = 1'000'000'000'000;

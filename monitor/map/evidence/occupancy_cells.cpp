@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/map/evidence/occupancy_cells.h"
 
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,56 +34,66 @@ float probability_of(float l) {
 
 }  // namespace
 
+struct OccupancyCells::Grid : mrpt::maps::COccupancyGridMap2D {
+  explicit Grid(double cell_m)
+      : COccupancyGridMap2D(-kStartSize_m / 2, kStartSize_m / 2, -kStartSize_m / 2,
+                            kStartSize_m / 2, static_cast<float>(cell_m)) {}
+};
+
 OccupancyCells::OccupancyCells(double cell_m, double most_m)
-    : most_m_(most_m),
-      grid_(-kStartSize_m / 2, kStartSize_m / 2, -kStartSize_m / 2, kStartSize_m / 2,
-            static_cast<float>(cell_m)) {}
+    : most_m_(most_m), cells_(std::make_unique<Grid>(cell_m)) {}
+OccupancyCells::~OccupancyCells() = default;
 
 bool OccupancyCells::make_room(const Vec2& at_m) {
+  Grid& grid = *cells_;
   if (!at_m.allFinite() || at_m.cwiseAbs().maxCoeff() > most_m_ / 2 - 2 * kMargin_m) return false;
   const auto x = static_cast<float>(at_m.x()), y = static_cast<float>(at_m.y());
   const auto margin = static_cast<float>(kMargin_m);
-  if (x - margin < grid_.getXMin() || x + margin > grid_.getXMax() ||
-      y - margin < grid_.getYMin() || y + margin > grid_.getYMax())
-    grid_.resizeGrid(std::min(x - margin, grid_.getXMin()), std::max(x + margin, grid_.getXMax()),
-                     std::min(y - margin, grid_.getYMin()), std::max(y + margin, grid_.getYMax()));
+  if (x - margin < grid.getXMin() || x + margin > grid.getXMax() || y - margin < grid.getYMin() ||
+      y + margin > grid.getYMax())
+    grid.resizeGrid(std::min(x - margin, grid.getXMin()), std::max(x + margin, grid.getXMax()),
+                    std::min(y - margin, grid.getYMin()), std::max(y + margin, grid.getYMax()));
   return true;
 }
 
 void OccupancyCells::stand_on(const Vec2& at_m, double sure) {
-  const int column = grid_.x2idx(at_m.x()), row = grid_.y2idx(at_m.y());
-  grid_.updateCell(column, row, if_right(kStoodOn, sure));
-  if (grid_.getCell(column, row) > kSurelyFree) grid_.setCell(column, row, kSurelyFree);
+  Grid& grid = *cells_;
+  const int column = grid.x2idx(at_m.x()), row = grid.y2idx(at_m.y());
+  grid.updateCell(column, row, if_right(kStoodOn, sure));
+  if (grid.getCell(column, row) > kSurelyFree) grid.setCell(column, row, kSurelyFree);
 }
 
 bool OccupancyCells::look_across(const Vec2& at_m, Look look, double sure) {
-  const int column = grid_.x2idx(at_m.x()), row = grid_.y2idx(at_m.y());
-  const float free = grid_.getCell(column, row);
+  Grid& grid = *cells_;
+  const int column = grid.x2idx(at_m.x()), row = grid.y2idx(at_m.y());
+  const float free = grid.getCell(column, row);
   if (look == Look::kAtNothing && free < kUnknownAbove) return false;
   if (free < kMostByLooks)
-    grid_.updateCell(column, row,
-                     if_right(look == Look::kAtObject ? kLookedAcross : kSawNothing, sure));
+    grid.updateCell(column, row,
+                    if_right(look == Look::kAtObject ? kLookedAcross : kSawNothing, sure));
   return true;
 }
 
 void OccupancyCells::touch(const Vec2& at_m, double sure) {
-  const int column = grid_.x2idx(at_m.x()), row = grid_.y2idx(at_m.y());
-  const float before = log_odds(grid_.getCell(column, row));
+  Grid& grid = *cells_;
+  const int column = grid.x2idx(at_m.x()), row = grid.y2idx(at_m.y());
+  const float before = log_odds(grid.getCell(column, row));
   const float by_looks = std::clamp(before, 0.0F, log_odds(kMostByLooks));
   const float after = before - by_looks + log_odds(if_right(kTouched, sure));
-  grid_.setCell(column, row, std::max(kSurelyOccupied, probability_of(after)));
+  grid.setCell(column, row, std::max(kSurelyOccupied, probability_of(after)));
 }
 
 msg::OccupancyGrid OccupancyCells::message() const {
+  const Grid& grid = *cells_;
   msg::OccupancyGrid message;
-  message.info.resolution = grid_.getResolution();
-  message.info.width = grid_.getSizeX();
-  message.info.height = grid_.getSizeY();
-  message.info.origin.position.x = grid_.getXMin();
-  message.info.origin.position.y = grid_.getYMin();
+  message.info.resolution = grid.getResolution();
+  message.info.width = grid.getSizeX();
+  message.info.height = grid.getSizeY();
+  message.info.origin.position.x = grid.getXMin();
+  message.info.origin.position.y = grid.getYMin();
   message.info.origin.orientation.w = 1;
-  message.data.reserve(grid_.getRawMap().size());
-  for (const auto raw : grid_.getRawMap()) {
+  message.data.reserve(grid.getRawMap().size());
+  for (const auto raw : grid.getRawMap()) {
     const float free = mrpt::maps::COccupancyGridMap2D::l2p(raw);
     const bool unknown = free > kUnknownAbove && free < kUnknownBelow;
     message.data.push_back(unknown ? std::int8_t{-1}

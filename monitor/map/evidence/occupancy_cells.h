@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <mrpt/maps/COccupancyGridMap2D.h>
+#include <memory>
 
 #include "core/geometry.h"
 #include "core/wire/messages.h"
@@ -34,6 +34,7 @@ class OccupancyCells {
   enum class Look { kAtObject, kAtNothing };
 
   OccupancyCells(double cell_m, double most_m);
+  ~OccupancyCells();
 
   /// Returns false if `at_m` is not finite or too near to the edge of the largest grid.
   [[nodiscard]] bool make_room(const Vec2& at_m);
@@ -47,8 +48,10 @@ class OccupancyCells {
   [[nodiscard]] msg::OccupancyGrid message() const;
 
  private:
+  struct Grid;
+
   double most_m_;  ///< of a side
-  mrpt::maps::COccupancyGridMap2D grid_;
+  std::unique_ptr<Grid> cells_;
 };
 
 }  // namespace galilean::monitor

@@ -11,9 +11,9 @@ const objects = () => tab.page.locator("[data-testid^=map-object-]");
 const shownPart = () => tab.page.locator("[data-testid=map] .ground svg > g").first().getAttribute("transform");
 
 test("objects have their class's shape, their certainty as opacity, and an ellipse for where they may be", async () => {
-  await until(() => document.querySelectorAll("[data-testid^=map-object-] ellipse").length > 5);
+  await until(() => document.querySelectorAll("[data-testid^=map-object-] .ellipse").length > 5);
   const drawn = await objects().evaluateAll((all) =>
-    all.map((each) => ({ name: each.getAttribute("aria-label"), opacity: Number(each.getAttribute("opacity")), certainty: Number(each.dataset.certainty) })));
+    all.map((each) => ({ name: each.getAttribute("aria-label"), opacity: Number(each.getAttribute("fill-opacity")), certainty: Number(each.dataset.certainty) })));
   for (const { opacity, certainty } of drawn) assert.ok(Math.abs(opacity - (0.12 + 0.88 * certainty)) < 1e-9);
   assert.ok(new Set(drawn.map(({ opacity }) => opacity.toFixed(1))).size > 2, "all look equally sure");
   assert.ok(drawn.some(({ name }) => /^trash \d+, certainty 0\.\d\d, forgotten in \d/.test(name)));

@@ -2,5 +2,5 @@
 // The thread in which the feed runs.
 import { FeedServer, type Order } from "./feed_server";
 
-const server = new FeedServer((report) => postMessage(report));
+const server = new FeedServer((report, transfer = []) => postMessage(report, { transfer }));
 onmessage = ({ data }: MessageEvent<Order>) => server.obey(data);

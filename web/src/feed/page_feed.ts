@@ -2,9 +2,12 @@
 import type { Connection } from "./feed";
 import type { Order, Report } from "./feed_server";
 import type { Batch } from "./inbox";
+import type { DecodedPicture } from "./picture_desk";
 
 export interface PageFeedEvents {
   batch: (batch: Batch) => void;
+  /** It is drawn before this returns: its bitmap is closed after it. */
+  picture: (picture: DecodedPicture) => void;
   connection: (connection: Connection, attempt: number) => void;
   /** Something of the feed that the reader should know, in one sentence. */
   trouble: (sentence: string) => void;
@@ -49,7 +52,17 @@ export class PageFeed {
   #reported(report: Report): void {
     if (report.kind === "connection") this.events.connection(report.connection, report.attempt);
     else if (report.kind === "trouble") this.events.trouble(report.sentence);
+    else if (report.kind === "picture") this.#show(report.picture);
     else this.#take(report.batch);
+  }
+
+  #show(picture: DecodedPicture): void {
+    try {
+      this.events.picture(picture);
+    } finally {
+      picture.bitmap.close();
+      this.#order({ kind: "shown", topic: picture.topic });
+    }
   }
 
   #take(batch: Batch): void {

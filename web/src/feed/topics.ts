@@ -39,6 +39,10 @@ export function pictureTopic(robot: string, picture: Picture): string {
   return `/${robot}/${picture}/compressed`;
 }
 
+export function isPictureTopic(topic: string): boolean {
+  return topic.endsWith("/compressed");
+}
+
 /** Whether the page listens to `topic` all the time; pictures are asked for one by one. */
 export function isAlwaysWanted(topic: string): boolean {
   if ((teamTopics as readonly string[]).includes(topic)) return true;

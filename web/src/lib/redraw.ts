@@ -38,7 +38,8 @@ export class Redraw {
   #next_ms = 0;
 
   constructor(
-    private readonly draw: () => void,
+    /** `isUrgent`: it is drawn for the very next frame, which waits for nothing else. */
+    private readonly draw: (isUrgent: boolean) => void,
     private readonly frames: Frames,
   ) {}
 
@@ -59,7 +60,7 @@ export class Redraw {
     }
     this.#isUrgent = false;
     const began_ms = this.frames.now_ms();
-    this.draw();
+    this.draw(true);
     const drawing_ms = this.frames.now_ms() - began_ms;
     this.#shows = true;
     this.frames.before(() => this.#measure(drawing_ms));
@@ -68,7 +69,7 @@ export class Redraw {
   #drawWaiting(): void {
     this.#waits = false;
     this.#shows = true;
-    this.#measure(0, this.draw);
+    this.#measure(0, () => this.draw(false));
   }
 
   #measure(spent_ms: number, draw?: () => void): void {

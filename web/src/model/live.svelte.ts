@@ -5,14 +5,17 @@ import { flushSync } from "svelte";
 import type { Connection } from "../feed/feed";
 import type { Batch } from "../feed/inbox";
 import { PageFeed } from "../feed/page_feed";
+import type { DecodedPicture } from "../feed/picture_desk";
 import { robotTopicOf, tellsWhatHappens } from "../feed/topics";
 import { plural } from "../lib/format";
+import { Listeners } from "../lib/listeners";
 import { browserFrames, Redraw } from "../lib/redraw";
 import { type Gap, withGap } from "./gaps";
 import { History, type Instant } from "./history";
 import { emptyTeam, type Robot, type Team } from "./model";
+import { silentIn } from "./silence";
 import { withInterrupted, withProgress, withPush, withReply } from "./pushes";
-import { apply } from "./reduce";
+import { applyAll } from "./reduce";
 import type { PushResult, Reply } from "../feed/api";
 import { withToken } from "../feed/token";
 import type { SourceFile } from "../feed/messages";
@@ -24,6 +27,9 @@ const CALM_AGEING_MS = 1000;
 const PATIENCE = 1.5;
 /** A page that knows no newer time of the monitor's is behind, and says so. */
 const BEHIND_MS = 2000;
+/** Of more robots than these, what is only glanced at (rows and cells of the whole team) is told four times a second. */
+export const CROWD = 12;
+const GLANCE_MS = 250;
 
 class Live {
   connection = $state<Connection>("connecting");
@@ -40,14 +46,19 @@ class Live {
   #told_ms = $state<number>();
   #toldNext_ms: number | undefined;
   #shown = $state.raw<Team>(emptyTeam);
+  #glanced = $state.raw<Team>(emptyTeam);
+  #glanced_ms = 0;
+  #silentNow = $state.raw<ReadonlySet<string>>(new Set());
   #team: Team = emptyTeam;
   #history = new History();
-  #listeners = new Map<string, Set<(message: unknown) => void>>();
+  #listeners = new Listeners<unknown>();
+  #viewers = new Listeners<DecodedPicture>();
   #calm = matchMedia("(prefers-reduced-motion: reduce)");
-  #redraw = new Redraw(() => this.#draw(), browserFrames());
+  #redraw = new Redraw((isUrgent) => this.#draw(isUrgent), browserFrames());
 
   feed = new PageFeed(withToken(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`), {
     batch: (batch) => this.#take(batch),
+    picture: (picture) => this.#viewers.tell(picture.topic, picture),
     connection: (connection) => this.#connected(connection),
     trouble: (sentence) => (this.trouble = sentence),
   });
@@ -55,6 +66,9 @@ class Live {
   /** What is kept of the instant that is shown; undefined: the present is. */
   readonly #past: Instant | undefined = $derived(this.instant_ms === undefined ? undefined : this.#history.at(this.instant_ms));
   readonly team: Team = $derived(this.#past ? { ...this.#past.team, grid: this.#shown.grid } : this.#shown);
+  /** The team where all of it is shown at once: of a crowd it is a little behind, which nobody sees. */
+  readonly glance: Team = $derived(this.#past ? this.team : this.#glanced);
+  readonly presentGlance: Team = $derived(this.#glanced);
   readonly now_ms: number = $derived(this.instant_ms ?? this.#now_ms);
   readonly present_ms: number = $derived(this.#now_ms);
   /**
@@ -70,9 +84,11 @@ class Live {
   readonly isPast: boolean = $derived(this.instant_ms !== undefined);
   /** Ends the name of a button that acts on the robots: while an instant of the past is shown, it says that it acts now. */
   readonly now: string = $derived(this.isPast ? " now" : "");
-  readonly robots: Robot[] = $derived(
-    [...this.team.robots.values()].sort((a, b) => a.identity.index - b.identity.index),
-  );
+  /** The names of those that were silent then, and of those that are. They change seldom, unlike the ages that tell it. */
+  readonly silent: ReadonlySet<string> = $derived(this.#past ? silentIn(this.#past.team.robots.values(), this.known_ms) : this.#silentNow);
+  readonly silentNow: ReadonlySet<string> = $derived(this.#silentNow);
+  readonly robots: Robot[] = $derived(inTheirOrder(this.team));
+  readonly glancedRobots: Robot[] = $derived(inTheirOrder(this.glance));
   readonly robot: Robot | undefined = $derived(
     this.robots.find((robot) => robot.name === this.chosen) ?? this.robots[0],
   );
@@ -106,11 +122,14 @@ class Live {
     return this.#history.earliest_ms ?? this.#now_ms;
   }
 
-  /** Tells `listener` of what is no part of the team, such as a picture, until the returned function is called. */
+  /** Tells `listener` of each message of `topic` as it comes, until the returned function is called. */
   onMessage(topic: string, listener: (message: unknown) => void): () => void {
-    const listeners = this.#listeners.get(topic) ?? new Set();
-    this.#listeners.set(topic, listeners.add(listener));
-    return () => void listeners.delete(listener);
+    return this.#listeners.add(topic, listener);
+  }
+
+  /** Hands `viewer` each picture of `topic`, which it draws at once, until the returned function is called. */
+  onPicture(topic: string, viewer: (picture: DecodedPicture) => void): () => void {
+    return this.#viewers.add(topic, viewer);
   }
 
   #connected(connection: Connection): void {
@@ -123,15 +142,11 @@ class Live {
   }
 
   #take({ news, told_ms, dropped }: Batch): void {
-    let [team, atOnce] = [this.#team, false];
-    for (const { topic, message, received_ms, count } of news) {
-      this.#listeners.get(topic)?.forEach((listener) => listener(message));
-      team = apply(team, topic, message, received_ms, count);
-      atOnce ||= tellsWhatHappens(topic) && !this.#isAside(topic);
-    }
+    for (const { topic, message } of news) this.#listeners.tell(topic, message);
+    const atOnce = news.some(({ topic }) => tellsWhatHappens(topic) && !this.#isAside(topic));
     if (told_ms > 0) this.#toldNext_ms = told_ms;
     if (dropped > 0) this.trouble = `The page slept too long: ${plural(dropped, "event")} of the robots were dropped.`;
-    this.#fold(team, atOnce);
+    this.#fold(applyAll(this.#team, news), atOnce);
   }
 
   /** A change of state of a robot that nobody chose comes with what is steady: there may be a hundred such robots. */
@@ -145,7 +160,7 @@ class Live {
     if (team === this.#team) return;
     this.#team = team;
     if (atOnce) this.#redraw.askNow();
-    else this.#redraw.ask();
+    this.#redraw.ask();
   }
 
   #age(): void {
@@ -156,7 +171,8 @@ class Live {
     return this.#calm.matches ? CALM_AGEING_MS : AGEING_MS;
   }
 
-  #draw(): void {
+  /** What only ages waits where something has happened: that is to be seen in the very next frame. */
+  #draw(isUrgent: boolean): void {
     const now_ms = Date.now();
     if (this.#shown !== this.#team) {
       this.#shown = this.#team;
@@ -164,10 +180,27 @@ class Live {
       // What is forgotten is not shown under its old time.
       if (this.instant_ms !== undefined && this.instant_ms < this.earliest_ms) this.instant_ms = this.earliest_ms;
     }
-    if (now_ms - this.#now_ms >= this.#ageing_ms) [this.#now_ms, this.#told_ms] = [now_ms, this.#toldNext_ms];
+    if (!isUrgent) this.#goOn(now_ms);
     flushSync();
   }
+
+  #goOn(now_ms: number): void {
+    if (now_ms - this.#now_ms >= this.#ageing_ms) [this.#now_ms, this.#told_ms] = [now_ms, this.#toldNext_ms];
+    this.#tellGlance(now_ms);
+    const silent = silentIn(this.#shown.robots.values(), this.known_present_ms);
+    if (!isSame(silent, this.#silentNow)) this.#silentNow = silent;
+  }
+
+  #tellGlance(now_ms: number): void {
+    const isEarly = now_ms - this.#glanced_ms < GLANCE_MS && this.#glanced.robots.size === this.#shown.robots.size;
+    if (this.#shown.robots.size > CROWD && isEarly) return;
+    this.#glanced = this.#shown;
+    this.#glanced_ms = now_ms;
+  }
 }
+
+const inTheirOrder = ({ robots }: Team) => [...robots.values()].sort((a, b) => a.identity.index - b.identity.index);
+const isSame = (a: ReadonlySet<string>, b: ReadonlySet<string>) => a.size === b.size && [...a].every((name) => b.has(name));
 
 function withDefaults(reply: Partial<Reply> & Pick<Reply, "robot" | "status">): Reply {
   return {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { catalogOf } from "../bhdl/catalog";
+import type { News } from "../feed/inbox";
 import type * as wire from "../feed/messages";
 import { type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
 import { withSeenState, withTransitionCounted } from "./coverage";
@@ -124,18 +125,41 @@ const ofTeam: { [K in TeamTopic]: Reduce<Team, never> } = {
   }),
 };
 
-/** The team after a message, the newest of `count`; the same team where the topic says nothing of it. */
-export function apply(team: Team, topic: string, message: unknown, received_ms: number, count = 1): Team {
+/** A message that says something of one robot alone: what it makes of it. */
+function robotAfter(team: Team, { topic, message, received_ms, count }: News): Robot | undefined {
   const named = robotTopicOf(topic);
-  if (!named) return ofTeam[topic as TeamTopic]?.(team, message as never, received_ms) ?? team;
-  if (named.kind === "program_reply") {
-    const reply = message as wire.ProgramReply;
-    return { ...team, pushes: withReply(team.pushes, reply.id, replyOf(reply), received_ms) };
-  }
-  const reduce = ofRobot[named.kind as keyof typeof ofRobot];
-  if (!reduce) return team;
+  const reduce = named && ofRobot[named.kind as keyof typeof ofRobot];
+  if (!reduce) return undefined;
   const before = robotNamed(team, named.robot, received_ms);
   const heard = { ...before, heard_ms: Math.max(before.heard_ms, received_ms), rate: withMessages(before.rate, received_ms, count) };
-  const robot = reduce(heard, message as never, received_ms);
-  return { ...team, robots: new Map(team.robots).set(named.robot, robot) };
+  return reduce(heard, message as never, received_ms);
+}
+
+function teamAfter(team: Team, { topic, message, received_ms }: News): Team {
+  if (robotTopicOf(topic)?.kind !== "program_reply") return ofTeam[topic as TeamTopic]?.(team, message as never, received_ms) ?? team;
+  const reply = message as wire.ProgramReply;
+  return { ...team, pushes: withReply(team.pushes, reply.id, replyOf(reply), received_ms) };
+}
+
+/** The team after these messages, each the newest of its `count`; the same team where none says anything of it. */
+export function applyAll(team: Team, news: readonly News[]): Team {
+  /** The robots of `after`, where nobody else has them yet: a hundred robots tell a thousand things in a batch. */
+  let own: Map<string, Robot> | undefined;
+  let after = team;
+  for (const each of news) {
+    const robot = robotAfter(after, each);
+    if (!robot) {
+      after = teamAfter(after, each);
+      if (after.robots !== own) own = undefined;
+      continue;
+    }
+    if (!own) after = { ...after, robots: (own = new Map(after.robots)) };
+    own.set(robot.name, robot);
+  }
+  return after;
+}
+
+/** The team after one message, the newest of `count`; the same team where the topic says nothing of it. */
+export function apply(team: Team, topic: string, message: unknown, received_ms: number, count = 1): Team {
+  return applyAll(team, [{ topic, message, received_ms, count }]);
 }

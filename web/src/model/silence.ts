@@ -10,6 +10,11 @@ export function age_s(robot: Robot, now_ms: number): number {
   return robot.placed?.silent ? Math.max(ours_s, robot.placed.age_s) : ours_s;
 }
 
+/** The names of those that are silent. */
+export function silentIn(robots: Iterable<Robot>, now_ms: number): ReadonlySet<string> {
+  return new Set([...robots].filter((robot) => isSilent(robot, now_ms)).map(({ name }) => name));
+}
+
 export function isSilent(robot: Robot, now_ms: number): boolean {
   return robot.placed?.silent === true || age_s(robot, now_ms) > SILENT_AFTER_S;
 }

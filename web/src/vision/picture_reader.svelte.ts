@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type { CompressedImage, Time } from "../feed/messages";
+import type { Time } from "../feed/messages";
 import { type Picture, pictureTopic } from "../feed/topics";
 import { live } from "../model/live.svelte";
 import type { PageFeed } from "../feed/page_feed";
-import { Latest } from "../lib/latest";
 
 const RATE_OVER = 10;
 
@@ -17,18 +16,20 @@ export class PictureReader {
   /** When what is shown was taken, by the robot's clock. */
   taken = $state.raw<Time>();
   #times: number[] = [];
-  #busy = false;
   #topic = "";
-  #pictures = new Latest();
 
-  /** Until the returned function is called, which no picture outlives; `drawn` is told of each one on the canvas. */
+  /** Until the returned function is called; `drawn` is told of each one on the canvas. */
   read(feed: PageFeed, robot: string, picture: Picture, canvas: HTMLCanvasElement, drawn?: () => void): () => void {
     const topic = pictureTopic(robot, picture);
     if (topic !== this.#topic) this.#begin(topic);
     const release = feed.want(topic);
-    const silence = live.onMessage(topic, (image) => void this.#draw(image as CompressedImage, canvas, drawn));
+    const silence = live.onPicture(topic, ({ bitmap, taken }) => {
+      this.#show(bitmap, canvas);
+      this.taken = taken;
+      this.#counted();
+      drawn?.();
+    });
     return () => {
-      this.#pictures.supersede();
       release();
       silence();
     };
@@ -39,27 +40,6 @@ export class PictureReader {
     this.#topic = topic;
     this.#times = [];
     [this.count, this.shown_ms, this.rate_hz, this.taken] = [0, 0, 0, undefined];
-  }
-
-  /** A picture that comes while one is being drawn is skipped: the next will be newer. */
-  async #draw({ header, data, format }: CompressedImage, canvas: HTMLCanvasElement, drawn?: () => void): Promise<void> {
-    if (this.#busy) return;
-    this.#busy = true;
-    const type = format.includes("png") ? "image/png" : "image/jpeg";
-    const decoded = createImageBitmap(new Blob([data as Uint8Array<ArrayBuffer>], { type }));
-    try {
-      await this.#pictures.take(decoded, (bitmap) => {
-        this.#show(bitmap, canvas);
-        this.taken = header.stamp;
-        this.#counted();
-        drawn?.();
-      });
-    } catch {
-      live.trouble = `A ${format} picture could not be drawn: it is damaged or of an unknown kind.`;
-    } finally {
-      this.#busy = false;
-      void decoded.then((bitmap) => bitmap.close(), () => {});
-    }
   }
 
   #show(bitmap: ImageBitmap, canvas: HTMLCanvasElement): void {

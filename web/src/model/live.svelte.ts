@@ -9,6 +9,7 @@ import type { DecodedPicture } from "../feed/picture_desk";
 import { robotTopicOf, tellsWhatHappens } from "../feed/topics";
 import { plural } from "../lib/format";
 import { Listeners } from "../lib/listeners";
+import { haveSame } from "../lib/steady";
 import { browserFrames, Redraw } from "../lib/redraw";
 import { type Gap, withGap } from "./gaps";
 import { History, type Instant } from "./history";
@@ -30,6 +31,8 @@ const BEHIND_MS = 2000;
 /** Of more robots than these, what is only glanced at (rows and cells of the whole team) is told four times a second. */
 export const CROWD = 12;
 const GLANCE_MS = 250;
+/** What shows minutes moves on twice a second: finer steps are no pixel wide, and drawing costs. */
+const STEP_MS = 500;
 
 class Live {
   connection = $state<Connection>("connecting");
@@ -47,14 +50,20 @@ class Live {
   #toldNext_ms: number | undefined;
   #shown = $state.raw<Team>(emptyTeam);
   #glanced = $state.raw<Team>(emptyTeam);
-  #glanced_ms = 0;
+  #glanced_ms = $state(0);
+  #glanceWaits = false;
+  // What changes seldom is told where it changes, rather than reckoned by all who read it whenever time goes on.
+  #isBehind = $state(false);
+  /** The present in coarse steps. */
+  step_ms = $state(Math.ceil(Date.now() / STEP_MS) * STEP_MS);
   #silentNow = $state.raw<ReadonlySet<string>>(new Set());
   #team: Team = emptyTeam;
   #history = new History();
   #listeners = new Listeners<unknown>();
   #viewers = new Listeners<DecodedPicture>();
   #calm = matchMedia("(prefers-reduced-motion: reduce)");
-  #redraw = new Redraw((isUrgent) => this.#draw(isUrgent), browserFrames());
+  #frames = browserFrames();
+  #redraw = new Redraw((isUrgent) => this.#draw(isUrgent), this.#frames);
 
   feed = new PageFeed(withToken(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`), {
     batch: (batch) => this.#take(batch),
@@ -69,6 +78,8 @@ class Live {
   /** The team where all of it is shown at once: of a crowd it is a little behind, which nobody sees. */
   readonly glance: Team = $derived(this.#past ? this.team : this.#glanced);
   readonly presentGlance: Team = $derived(this.#glanced);
+  /** When that was. */
+  readonly glanced_ms: number = $derived(this.#glanced_ms);
   readonly now_ms: number = $derived(this.instant_ms ?? this.#now_ms);
   readonly present_ms: number = $derived(this.#now_ms);
   /**
@@ -79,7 +90,7 @@ class Live {
   readonly known_ms: number = $derived(this.#past?.at_ms ?? this.instant_ms ?? this.known_present_ms);
   readonly behind_ms: number = $derived(this.#now_ms - this.known_present_ms);
   /** Whether what is shown as the present is older than an operator may take it for. */
-  readonly isBehind: boolean = $derived(this.behind_ms > BEHIND_MS);
+  readonly isBehind: boolean = $derived(this.#isBehind);
   readonly present: Team = $derived(this.#shown);
   readonly isPast: boolean = $derived(this.instant_ms !== undefined);
   /** Ends the name of a button that acts on the robots: while an instant of the past is shown, it says that it acts now. */
@@ -92,6 +103,7 @@ class Live {
   readonly robot: Robot | undefined = $derived(
     this.robots.find((robot) => robot.name === this.chosen) ?? this.robots[0],
   );
+  readonly robotName: string | undefined = $derived(this.robot?.name);
   /** The chosen robot as it is, whatever instant is shown: what acts on it must not go by the past. */
   readonly presentRobot: Robot | undefined = $derived(this.#shown.robots.get(this.robot?.name ?? ""));
 
@@ -188,19 +200,28 @@ class Live {
     if (now_ms - this.#now_ms >= this.#ageing_ms) [this.#now_ms, this.#told_ms] = [now_ms, this.#toldNext_ms];
     this.#tellGlance(now_ms);
     const silent = silentIn(this.#shown.robots.values(), this.known_present_ms);
-    if (!isSame(silent, this.#silentNow)) this.#silentNow = silent;
+    if (!haveSame(silent, this.#silentNow)) this.#silentNow = silent;
+    this.#isBehind = this.behind_ms > BEHIND_MS;
   }
 
+  /** A crowd's rows and cells have a frame of their own: in one with the rest it would take too long. */
   #tellGlance(now_ms: number): void {
-    const isEarly = now_ms - this.#glanced_ms < GLANCE_MS && this.#glanced.robots.size === this.#shown.robots.size;
-    if (this.#shown.robots.size > CROWD && isEarly) return;
-    this.#glanced = this.#shown;
-    this.#glanced_ms = now_ms;
+    const tell = () => {
+      [this.#glanced, this.#glanced_ms] = [this.#shown, now_ms];
+      this.step_ms = Math.ceil(now_ms / STEP_MS) * STEP_MS;
+    };
+    if (this.#shown.robots.size <= CROWD || this.#glanced.robots.size !== this.#shown.robots.size) return tell();
+    if (this.#glanceWaits || now_ms - this.#glanced_ms < GLANCE_MS) return;
+    this.#glanceWaits = true;
+    this.#frames.before(() => {
+      this.#glanceWaits = false;
+      tell();
+      flushSync();
+    });
   }
 }
 
 const inTheirOrder = ({ robots }: Team) => [...robots.values()].sort((a, b) => a.identity.index - b.identity.index);
-const isSame = (a: ReadonlySet<string>, b: ReadonlySet<string>) => a.size === b.size && [...a].every((name) => b.has(name));
 
 function withDefaults(reply: Partial<Reply> & Pick<Reply, "robot" | "status">): Reply {
   return {

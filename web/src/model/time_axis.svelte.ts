@@ -4,9 +4,6 @@
 import { live } from "./live.svelte";
 import { clampSpan_s, zoomed } from "./time_span";
 
-/** The axis moves on twice a second: finer steps are no pixel wide, and drawing costs. */
-const STEP_MS = 500;
-
 class TimeAxis {
   span_s = $state(180);
   /** Where the axis ends; undefined: now, and on with it. */
@@ -15,7 +12,7 @@ class TimeAxis {
 
   readonly follows: boolean = $derived(this.#end_ms === undefined);
   /** The present, as far as the axis has got. */
-  readonly present_ms: number = $derived(Math.ceil(live.present_ms / STEP_MS) * STEP_MS);
+  readonly present_ms: number = $derived(live.step_ms);
   readonly to_ms: number = $derived(this.#end_ms ?? this.present_ms);
   readonly from_ms: number = $derived(this.to_ms - this.span_s * 1000);
 

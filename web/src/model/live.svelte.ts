@@ -15,24 +15,16 @@ import { type Gap, withGap } from "./gaps";
 import { History, type Instant } from "./history";
 import { emptyTeam, type Robot, type Team } from "./model";
 import { silentIn } from "./silence";
+import { LOOK_MS, PageClock } from "./page_clock.svelte";
 import { withInterrupted, withProgress, withPush, withReply } from "./pushes";
 import { applyAll } from "./reduce";
 import type { PushResult, Reply } from "../feed/api";
 import { withToken } from "../feed/token";
 import type { SourceFile } from "../feed/messages";
 
-/** How often what only ages (certainty, silence, clocks) is drawn anew. */
-const AGEING_MS = 100;
-const CALM_AGEING_MS = 1000;
-/** It goes along with what is drawn anyway: alone it is drawn where nothing else was for so many times as long. */
-const PATIENCE = 1.5;
-/** A page that knows no newer time of the monitor's is behind, and says so. */
-const BEHIND_MS = 2000;
 /** Of more robots than these, what is only glanced at (rows and cells of the whole team) is told four times a second. */
 export const CROWD = 12;
 const GLANCE_MS = 250;
-/** What shows minutes moves on twice a second: finer steps are no pixel wide, and drawing costs. */
-const STEP_MS = 500;
 
 class Live {
   connection = $state<Connection>("connecting");
@@ -44,24 +36,16 @@ class Live {
   chosen = $state<string>();
   /** The instant that the panels show; undefined: now. */
   instant_ms = $state<number>();
-  #now_ms = $state(Date.now());
-  /** The monitor's time when it told the newest of what is shown; undefined: it has told nothing yet. */
-  #told_ms = $state<number>();
-  #toldNext_ms: number | undefined;
+  #clock = new PageClock();
   #shown = $state.raw<Team>(emptyTeam);
   #glanced = $state.raw<Team>(emptyTeam);
   #glanced_ms = $state(0);
   #glanceWaits = false;
-  // What changes seldom is told where it changes, rather than reckoned by all who read it whenever time goes on.
-  #isBehind = $state(false);
-  /** The present in coarse steps. */
-  step_ms = $state(Math.ceil(Date.now() / STEP_MS) * STEP_MS);
   #silentNow = $state.raw<ReadonlySet<string>>(new Set());
   #team: Team = emptyTeam;
   #history = new History();
   #listeners = new Listeners<unknown>();
   #viewers = new Listeners<DecodedPicture>();
-  #calm = matchMedia("(prefers-reduced-motion: reduce)");
   #frames = browserFrames();
   #redraw = new Redraw((isUrgent) => this.#draw(isUrgent), this.#frames);
 
@@ -76,28 +60,56 @@ class Live {
   readonly #past: Instant | undefined = $derived(this.instant_ms === undefined ? undefined : this.#history.at(this.instant_ms));
   readonly team: Team = $derived(this.#past ? { ...this.#past.team, grid: this.#shown.grid } : this.#shown);
   /** The team where all of it is shown at once: of a crowd it is a little behind, which nobody sees. */
-  readonly glance: Team = $derived(this.#past ? this.team : this.#glanced);
-  readonly presentGlance: Team = $derived(this.#glanced);
+  get glance(): Team {
+    return this.#past ? this.team : this.#glanced;
+  }
+  get presentGlance(): Team {
+    return this.#glanced;
+  }
   /** When that was. */
-  readonly glanced_ms: number = $derived(this.#glanced_ms);
-  readonly now_ms: number = $derived(this.instant_ms ?? this.#now_ms);
-  readonly present_ms: number = $derived(this.#now_ms);
+  get glanced_ms(): number {
+    return this.#glanced_ms;
+  }
+  get now_ms(): number {
+    return this.instant_ms ?? this.#clock.now_ms;
+  }
+  get present_ms(): number {
+    return this.#clock.now_ms;
+  }
+  /** The same in coarse steps. */
+  get step_ms(): number {
+    return this.#clock.step_ms;
+  }
   /**
    * The newest time of which the monitor told how things stood. Whether a robot is silent is judged by this and
    * not by the page's clock: a page that is behind, or without a monitor, knows nothing against a robot.
    */
-  readonly known_present_ms: number = $derived(Math.min(this.#now_ms, this.#told_ms ?? this.#now_ms));
+  get known_present_ms(): number {
+    return this.#clock.known_ms;
+  }
   readonly known_ms: number = $derived(this.#past?.at_ms ?? this.instant_ms ?? this.known_present_ms);
-  readonly behind_ms: number = $derived(this.#now_ms - this.known_present_ms);
+  get behind_ms(): number {
+    return this.#clock.behind_ms;
+  }
   /** Whether what is shown as the present is older than an operator may take it for. */
-  readonly isBehind: boolean = $derived(this.#isBehind);
-  readonly present: Team = $derived(this.#shown);
-  readonly isPast: boolean = $derived(this.instant_ms !== undefined);
+  get isBehind(): boolean {
+    return this.#clock.isBehind;
+  }
+  get present(): Team {
+    return this.#shown;
+  }
+  get isPast(): boolean {
+    return this.instant_ms !== undefined;
+  }
   /** Ends the name of a button that acts on the robots: while an instant of the past is shown, it says that it acts now. */
-  readonly now: string = $derived(this.isPast ? " now" : "");
+  get now(): string {
+    return this.isPast ? " now" : "";
+  }
   /** The names of those that were silent then, and of those that are. They change seldom, unlike the ages that tell it. */
   readonly silent: ReadonlySet<string> = $derived(this.#past ? silentIn(this.#past.team.robots.values(), this.known_ms) : this.#silentNow);
-  readonly silentNow: ReadonlySet<string> = $derived(this.#silentNow);
+  get silentNow(): ReadonlySet<string> {
+    return this.#silentNow;
+  }
   readonly robots: Robot[] = $derived(inTheirOrder(this.team));
   readonly glancedRobots: Robot[] = $derived(inTheirOrder(this.glance));
   readonly robot: Robot | undefined = $derived(
@@ -109,7 +121,7 @@ class Live {
 
   start(): void {
     this.feed.connect();
-    setInterval(() => this.#age(), AGEING_MS / 2);
+    setInterval(() => this.#clock.isDue(Date.now()) && this.#redraw.ask(), LOOK_MS);
   }
 
   /** What the push's own HTTP answer tells, ahead of or instead of the topics. */
@@ -131,7 +143,7 @@ class Live {
   }
 
   get earliest_ms(): number {
-    return this.#history.earliest_ms ?? this.#now_ms;
+    return this.#history.earliest_ms ?? this.#clock.now_ms;
   }
 
   /** Tells `listener` of each message of `topic` as it comes, until the returned function is called. */
@@ -156,7 +168,7 @@ class Live {
   #take({ news, told_ms, dropped }: Batch): void {
     for (const { topic, message } of news) this.#listeners.tell(topic, message);
     const atOnce = news.some(({ topic }) => tellsWhatHappens(topic) && !this.#isAside(topic));
-    if (told_ms > 0) this.#toldNext_ms = told_ms;
+    if (told_ms > 0) this.#clock.tell(told_ms);
     if (dropped > 0) this.trouble = `The page slept too long: ${plural(dropped, "event")} of the robots were dropped.`;
     this.#fold(applyAll(this.#team, news), atOnce);
   }
@@ -175,14 +187,6 @@ class Live {
     this.#redraw.ask();
   }
 
-  #age(): void {
-    if (Date.now() - this.#now_ms >= this.#ageing_ms * PATIENCE) this.#redraw.ask();
-  }
-
-  get #ageing_ms(): number {
-    return this.#calm.matches ? CALM_AGEING_MS : AGEING_MS;
-  }
-
   /** What only ages waits where something has happened: that is to be seen in the very next frame. */
   #draw(isUrgent: boolean): void {
     const now_ms = Date.now();
@@ -197,18 +201,17 @@ class Live {
   }
 
   #goOn(now_ms: number): void {
-    if (now_ms - this.#now_ms >= this.#ageing_ms) [this.#now_ms, this.#told_ms] = [now_ms, this.#toldNext_ms];
+    this.#clock.goOn(now_ms);
     this.#tellGlance(now_ms);
     const silent = silentIn(this.#shown.robots.values(), this.known_present_ms);
     if (!haveSame(silent, this.#silentNow)) this.#silentNow = silent;
-    this.#isBehind = this.behind_ms > BEHIND_MS;
   }
 
   /** A crowd's rows and cells have a frame of their own: in one with the rest it would take too long. */
   #tellGlance(now_ms: number): void {
     const tell = () => {
       [this.#glanced, this.#glanced_ms] = [this.#shown, now_ms];
-      this.step_ms = Math.ceil(now_ms / STEP_MS) * STEP_MS;
+      this.#clock.step(now_ms);
     };
     if (this.#shown.robots.size <= CROWD || this.#glanced.robots.size !== this.#shown.robots.size) return tell();
     if (this.#glanceWaits || now_ms - this.#glanced_ms < GLANCE_MS) return;

@@ -45,4 +45,22 @@ bool Operator::say(Word word, const std::vector<std::string>& robots) {
   return writer_.write(command);
 }
 
+std::string words_of(Operator::Word word) {
+  switch (word) {
+    case Operator::Word::kHold:
+      return "hold";
+    case Operator::Word::kResume:
+      return "resume";
+    case Operator::Word::kStep:
+      return "step";
+    case Operator::Word::kDecommission:
+      return "decommission";
+    case Operator::Word::kCommission:
+      return "commission";
+    case Operator::Word::kStart:
+      break;
+  }
+  return "start";
+}
+
 }  // namespace galilean::monitor

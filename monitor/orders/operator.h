@@ -32,4 +32,7 @@ class Operator {
   std::string last_id_;
 };
 
+/// Returns the word as a command's name has it, such as "hold".
+[[nodiscard]] std::string words_of(Operator::Word word);
+
 }  // namespace galilean::monitor

@@ -11,24 +11,6 @@ namespace {
 constexpr Duration kTellAgainEach = std::chrono::seconds(1);
 constexpr Duration kAllStoppedShown = std::chrono::seconds(5);
 
-std::string words(Operator::Word word) {
-  switch (word) {
-    case Operator::Word::kHold:
-      return "hold";
-    case Operator::Word::kResume:
-      return "resume";
-    case Operator::Word::kStep:
-      return "step";
-    case Operator::Word::kDecommission:
-      return "decommission";
-    case Operator::Word::kCommission:
-      return "commission";
-    case Operator::Word::kStart:
-      break;
-  }
-  return "start";
-}
-
 std::vector<std::string> names_of(const std::vector<Unconfirmed>& robots) {
   std::vector<std::string> names;
   for (const auto& each : robots) names.push_back(each.robot);
@@ -78,7 +60,7 @@ void Steering::say(Operator::Word word, const std::string& robot, bool to_all) {
   if (word == Operator::Word::kStep && !id.empty())
     answers_.expect(id, "", to_all ? heard() : std::vector<std::string>{robot}, clock_.now());
   notices_.tell((id.empty() ? "could not tell " : "told ") + (to_all ? "all robots" : robot) +
-                " to " + words(word));
+                " to " + words_of(word));
 }
 
 void Steering::order_breaks(const std::string& robot, const std::string& order,

@@ -51,7 +51,7 @@ class Steered : public Told {
   std::string screen() { return dashboard.draw(80, 24).text(); }
   Voice voice() {
     return {[this](Operator::Word word, const std::vector<std::string>& robots) {
-              return note(words(word), robots);
+              return note(words_of(word), robots);
             },
             [this](const msg::BreakOrder& order) {
               std::string what = order.order;
@@ -73,23 +73,6 @@ class Steered : public Told {
     for (const auto& robot : robots) what += " " + robot;
     said.push_back(what);
     return std::to_string(said.size());
-  }
-  static std::string words(Operator::Word word) {
-    switch (word) {
-      case Operator::Word::kHold:
-        return "hold";
-      case Operator::Word::kResume:
-        return "resume";
-      case Operator::Word::kStep:
-        return "step";
-      case Operator::Word::kDecommission:
-        return "decommission";
-      case Operator::Word::kCommission:
-        return "commission";
-      case Operator::Word::kStart:
-        break;
-    }
-    return "start";
   }
 };
 

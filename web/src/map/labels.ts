@@ -25,7 +25,7 @@ export interface LabelPlace {
   readonly dy: number;
 }
 
-interface Box {
+export interface Box {
   readonly left: number;
   readonly right: number;
   readonly top: number;
@@ -37,7 +37,9 @@ const ASCENT_PX = 9;
 const DESCENT_PX = 3;
 const GAP_PX = 3;
 
+const EVERYWHERE: Box = { left: -Infinity, right: Infinity, top: -Infinity, bottom: Infinity };
 const widthOf = (text: string) => text.length * LETTER_PX;
+const isWithin = (a: Box, b: Box) => a.left >= b.left && a.right <= b.right && a.top >= b.top && a.bottom <= b.bottom;
 const overlap = (a: Box, b: Box) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
 /** Where its text begins, from the middle of its item. */
@@ -57,8 +59,9 @@ function boxOf(label: Label, side: LabelSide): Box {
 /**
  * The side of each label that finds room. Those that must be shown come first, then the urgent, then those that stand
  * already, then the others, each in the order given. One that stands keeps its side while it is free: so nothing flickers.
+ * None is cut at the edge of the `room` that is seen, unless it must be shown and is cut wherever it stands.
  */
-export function placeLabels(labels: readonly Label[], before: ReadonlyMap<string, LabelSide> = new Map()): ReadonlyMap<string, LabelSide> {
+export function placeLabels(labels: readonly Label[], before: ReadonlyMap<string, LabelSide> = new Map(), room: Box = EVERYWHERE): ReadonlyMap<string, LabelSide> {
   const bodies = labels.filter(({ solid }) => solid).map(({ key, x, y, reach }) => ({ key, left: x - reach, right: x + reach, top: y - reach, bottom: y + reach }));
   const taken: Box[] = [];
   const placed = new Map<string, LabelSide>();
@@ -66,11 +69,12 @@ export function placeLabels(labels: readonly Label[], before: ReadonlyMap<string
   for (const label of [...labels].sort((a, b) => rank(a) - rank(b))) {
     const stood = before.get(label.key);
     const tried = stood ? [stood, ...sides.filter((side) => side !== stood)] : sides;
+    const isSeen = (side: LabelSide) => isWithin(boxOf(label, side), room);
     const isFree = (side: LabelSide) => {
       const box = boxOf(label, side);
-      return !taken.some((other) => overlap(box, other)) && !bodies.some((body) => body.key !== label.key && overlap(box, body));
+      return isSeen(side) && !taken.some((other) => overlap(box, other)) && !bodies.some((body) => body.key !== label.key && overlap(box, body));
     };
-    const side = tried.find(isFree) ?? (label.must || label.urgent ? tried[0] : undefined);
+    const side = tried.find(isFree) ?? (label.must || label.urgent ? (tried.find(isSeen) ?? tried[0]) : undefined);
     if (!side) continue;
     placed.set(label.key, side);
     taken.push(boxOf(label, side));

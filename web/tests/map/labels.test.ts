@@ -31,6 +31,12 @@ describe("labels on the map", () => {
     const walled = [label("io", 0, 0, { urgent: true }), ...[[20, 0], [-20, 0], [0, 20], [0, -20]].map(([x, y], i) => label(`r${i}`, x!, y!, { solid: true, reach: 18 }))];
     expect(sidesOf(walled).io).toBe("right");
   });
+  it("are not cut at the edge of what is seen, where there is room on another side", () => {
+    const room = { left: -20, right: 60, top: -100, bottom: 100 };
+    expect(sidesOf([label("callisto", 40, 0)], new Map(), room)).toEqual({});
+    expect(sidesOf([label("io", 50, 0)], new Map(), room)).toEqual({ io: "left" });
+    expect(sidesOf([label("ganymede", 55, 0, { must: true })], new Map([["ganymede", "right"]]), room)).toEqual({ ganymede: "left" });
+  });
   it("keep their side while it is free, though another would be free as well", () => {
     const crowded = [label("io", 0, 0), label("europa", 5, 4)];
     const before = placeLabels(crowded);

@@ -2,6 +2,7 @@
 // The message types that are made of the project's own IDL, against what the page's decoder gives.
 import { readFileSync } from "node:fs";
 import { parseRos2idl } from "@foxglove/ros2idl-parser";
+import { MessageWriter } from "@foxglove/rosmsg2-serialization";
 import { describe, expect, it } from "vitest";
 import { messagesModule } from "../../generate/messages.mjs";
 import { decoderOf } from "../../src/feed/decoder";
@@ -67,5 +68,20 @@ describe("decoding", () => {
   });
   it("says which type a schema fails to declare", () => {
     expect(() => decoderOf("a/msg/B", "module a { module msg { struct C { long x; }; }; };")).toThrow("a/msg/B");
+  });
+});
+
+describe("the fixture's writer of CDR", () => {
+  it.each(types)("gives the bytes of %s that Foxglove's own gives", (type) => {
+    const definitions = parseRos2idl(schemaOf(type));
+    const others = definitions.filter(({ name }) => name !== type);
+    const theirs = new MessageWriter([...definitions.filter(({ name }) => name === type), ...others]).writeMessage(sampleOf(type));
+    expect(Buffer.from(writerOf(type)(sampleOf(type))).toString("hex")).toBe(Buffer.from(theirs).toString("hex"));
+  });
+  it("counts the bytes of a letter, and not the letters", () => {
+    expect(decoded("galilean_msgs/msg/RobotState", { robot: "Jó", state: "grab_trash" })).toMatchObject({ robot: "Jó", state: "grab_trash" });
+  });
+  it("writes 0 and nothing where a message has no value", () => {
+    expect(decoded("galilean_msgs/msg/RobotState", {})).toMatchObject({ stamp: { sec: 0, nsec: 0 }, robot: "", tick: 0n, held: false, problems: [] });
   });
 });

@@ -144,3 +144,9 @@ function slope(samples) {
   const sum = (of) => samples.reduce((total, each) => total + of(each), 0);
   return sum((each) => (each.minute - minute) * (each.MB - MB)) / sum((each) => (each.minute - minute) ** 2);
 }
+
+/** Waits until the page says so of its connection: "live", "lost", … */
+export function connection(page, state) {
+  const said = page.locator(`[data-testid=connection].${state}`).waitFor({ timeout: 0 });
+  return within(said, () => `the page's connection to be ${state}`, PATIENCE_MS);
+}

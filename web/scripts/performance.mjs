@@ -4,17 +4,22 @@
 //     [--url LIVE] [--chromium PATH]
 // --minutes: watch memory for so long with each team; the page remembers ten minutes, so that only from then on it tells
 // of a leak. --throttle 6: a phone, of a sixth of this machine's speed. --gone: for how many seconds the monitor is away.
-// It takes some two minutes for each team. Needs dist/.
+// --robots "": no team, only how soon the page is live again. It takes some two minutes for each team, and longer where the
+// machine is busy. A signal ends it: what was measured until then is told. Exit codes: 0, 1: something could not be measured,
+// 128 + the signal. Needs dist/.
 import { readdirSync, readFileSync } from "node:fs";
-import { cpus } from "node:os";
+import { constants, cpus } from "node:os";
 import { parseArgs } from "node:util";
 import { gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
 import { within } from "../../tests/tools/patience.mjs";
 import { startFixture } from "../tests/fixture/start.mjs";
 import { paint, serveWord } from "./first_paint.mjs";
-import { changesToPixels_ms, frames, keysToStops, memory, quantile, throttle, wait_s } from "./measures.mjs";
-import { bring, SCREENS } from "./scenes.mjs";
+import { connection, throttle, wait_s } from "./measures.mjs";
+import { addPageRows } from "./page_rows.mjs";
+import { Rows } from "./rows.mjs";
+import { SCREENS } from "./scenes.mjs";
+import { ms, spread } from "./words.mjs";
 
 const { values } = parseArgs({
   options: {
@@ -25,25 +30,17 @@ const { values } = parseArgs({
 });
 const ASSETS = new URL("../dist/assets/", import.meta.url);
 const PATIENCE_MS = 60_000;
-const STOPS = 9;
 const rate = Number(values.throttle);
 const viewport = rate > 1 ? SCREENS.phone : SCREENS.laptop;
-/** By the number of robots. */
-const WANTED = {
-  frames: { 3: "60", 30: "60", 100: "30" },
-  change: { 3: "20 ms, 50 ms", 30: "99 % ≤ 100 ms", 100: "99 % ≤ 250 ms" },
-};
+const numbers = (option) => values[option].split(",").filter(Boolean).map(Number);
+const rows = new Rows();
 
-const ms = (value) => `${value.toFixed(0)} ms`;
-const spread = (all_ms) => `median ${ms(quantile(all_ms, 0.5))}, 99 % ${ms(quantile(all_ms, 0.99))} of ${all_ms.length}`;
-const rows = [];
-let failed = false;
-
-/** Adds a row of the table: what `measure` tells, or why it could not be measured. */
-async function row(what, wanted, measure) {
-  const seen = await Promise.resolve().then(measure).catch(({ message }) => ((failed = true), `not measured: ${message.split("\n")[0]}`));
-  rows.push([what, wanted, seen]);
-  console.error(`${what}: ${seen}`);
+let browser;
+/** Another one where it has ended. Signals end this script, and not the browser below it. */
+async function openBrowser() {
+  if (browser?.isConnected()) return browser;
+  browser = await chromium.launch({ executablePath: values.chromium, args: ["--no-sandbox", "--disable-gpu"], handleSIGINT: false, handleSIGTERM: false, handleSIGHUP: false });
+  return browser;
 }
 
 function sizes() {
@@ -55,115 +52,103 @@ function sizes() {
 
 const play = (robots, port) => within(startFixture({ robots, ahead: 60 }, port), () => `a team of ${robots} to be played`, PATIENCE_MS);
 
-async function opened(browser, url) {
-  const page = await browser.newPage({ viewport });
+async function opened(url) {
+  const page = await (await openBrowser()).newPage({ viewport });
   page.setDefaultTimeout(PATIENCE_MS);
   if (rate > 1) await throttle(page, rate);
   await page.goto(url);
   return page;
 }
 
-async function measurePaint(browser, url) {
+async function measurePaint(url) {
   const word = await serveWord();
   try {
-    const measured = paint((address) => opened(browser, address), url, word.url);
+    const measured = paint(opened, url, word.url);
     const told = (which) => async () => spread((await measured)[which]);
-    await row("first paint", "≤ 300 ms", told("ours_ms"));
-    await row("first paint of a page of one word", "", told("word_ms"));
-    await row("robots on the map", "", told("robots_ms"));
+    await rows.add("first paint", "≤ 300 ms", told("ours_ms"));
+    await rows.add("first paint of a page of one word", "", told("word_ms"));
+    await rows.add("robots on the map", "", told("robots_ms"));
   } finally {
     word.stop();
   }
 }
 
-async function measureTeam(browser, { url, robots, isPlayed }) {
-  const page = await opened(browser, url);
-  const of = `${robots} ${robots === 1 ? "robot" : "robots"}`;
-  await page.locator("[data-testid^=map-robot-]").nth(robots - 1).waitFor();
+/** How many robots are on the map, once all are that are expected; of a live team nobody knows how many that are. */
+async function robotsOn(page, expected = 1) {
+  const robots = page.locator("[data-testid^=map-robot-]");
+  await within(robots.nth(expected - 1).waitFor({ timeout: 0 }), () => `${expected} robots on the map`, PATIENCE_MS);
   await wait_s(3);
-  await row(`${of}: frames a second`, WANTED.frames[robots] ?? "", async () => {
-    const { gaps_ms, busy } = await frames(page, Number(values.seconds));
-    const total_s = gaps_ms.reduce((sum, gap_ms) => sum + gap_ms, 0) / 1000;
-    return `${(gaps_ms.length / total_s).toFixed(0)}; 99 % within ${ms(quantile(gaps_ms, 0.99))}; main thread busy ${(busy * 100).toFixed(0)} %`;
-  });
-  if (isPlayed) {
-    const keys = keysToStops(page, { times: STOPS, rate });
-    await row(`${of}: key to STOP sent`, "", async () => spread((await keys).keepingUp_ms));
-    await row(`${of}: key to STOP sent, while the page catches up`, "", async () => spread((await keys).catchingUp_ms));
+  return robots.count();
+}
+
+async function measureTeam(url, expected) {
+  const page = await opened(url);
+  try {
+    const robots = await robotsOn(page, expected);
+    await addPageRows(rows, page, { ...values, robots, rate, isPlayed: expected !== undefined });
+  } finally {
+    await page.close();
   }
-  await row(`${of}: change of state to pixel`, WANTED.change[robots] ?? "", async () => {
-    if (rate > 1) await bring(page, "why");
-    const delays_ms = await changesToPixels_ms(page, Number(values.changes));
-    if (delays_ms.length === 0) throw new Error("no change of state came");
-    return spread(delays_ms);
-  });
-  if (Number(values.minutes) > 0) await row(`${of}: memory over ${values.minutes} min`, "", async () => {
-    const { samples, more_MB_per_h } = await memory(page, Number(values.minutes));
-    const more = more_MB_per_h === undefined ? "" : `; ${more_MB_per_h.toFixed(1)} MB more an hour once its ten minutes are full`;
-    return `${samples.map(({ MB }) => MB.toFixed(1)).join(" ")} MB${more}`;
-  });
-  await page.close();
 }
 
 /** How long after the monitor is there again the page is, too. */
-async function liveAgain_ms(browser, gone_s) {
+async function liveAgain_ms(gone_s) {
   const first = await play(3);
-  let second;
+  let page, second;
   try {
-    const page = await opened(browser, first.url);
-    await page.locator("[data-testid=connection].live").waitFor();
+    page = await opened(first.url);
+    await connection(page, "live");
     await within(first.stop(), () => "the fixture's end", PATIENCE_MS);
-    await page.locator("[data-testid=connection].lost").waitFor();
+    await connection(page, "lost");
     await wait_s(gone_s);
     second = await play(3, new URL(first.url).port);
     const started_ms = Date.now();
-    await page.locator("[data-testid=connection].live").waitFor();
-    const took_ms = Date.now() - started_ms;
-    await page.close();
-    return took_ms;
+    await connection(page, "live");
+    return Date.now() - started_ms;
   } finally {
+    await page?.close();
     await first.stop();
     await second?.stop();
   }
 }
 
-async function measurePlayed(browser, robots, withPaint) {
+async function measurePlayed(robots, withPaint) {
   const team = await play(robots);
   try {
-    if (withPaint) await measurePaint(browser, team.url);
-    await measureTeam(browser, { url: team.url, robots, isPlayed: true });
+    if (withPaint) await measurePaint(team.url);
+    await measureTeam(team.url, robots);
   } finally {
     await within(team.stop(), () => "the fixture's end", PATIENCE_MS);
   }
 }
 
-function table(browser) {
-  console.log(`\nChromium ${browser.version()}, ${cpus().length} cores of ${cpus()[0].model}, ${viewport.width} × ${viewport.height}${rate > 1 ? `, slowed down ${rate} times` : ""}\n`);
-  const width = (column) => Math.max(...rows.map((each) => each[column].length));
-  const line = (cells) => console.log(`| ${cells.map((cell, i) => cell.padEnd(width(i))).join(" | ")} |`);
-  rows.unshift(["what", "wanted", "seen"]);
-  line(rows[0]);
-  line(rows[0].map((_, i) => "-".repeat(width(i))));
-  rows.slice(1).forEach(line);
+async function measureAll() {
+  await rows.add("JavaScript, gzipped", "", sizes);
+  if (values.url) {
+    await measurePaint(values.url);
+    return measureTeam(values.url);
+  }
+  const teams = numbers("robots");
+  // A team that cannot be shown leaves the others to be measured.
+  for (const robots of teams) await measurePlayed(robots, robots === teams[0]).catch(({ message }) => rows.add(`${robots} robots`, "", () => Promise.reject(new Error(message))));
+  for (const gone_s of numbers("gone"))
+    await rows.add(`live again, after the monitor was gone for ${gone_s} s`, "≤ 1000 ms", async () => ms(await liveAgain_ms(gone_s)));
 }
 
-const browser = await chromium.launch({ executablePath: values.chromium, args: ["--no-sandbox", "--disable-gpu"] });
+/** Rejects with the signal's name. */
+const signalled = new Promise((_, reject) => {
+  for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"]) process.once(signal, () => reject(Object.assign(new Error(`${signal} ended performance.mjs`), { signal })));
+});
+
+let code = 0;
 try {
-  await row("JavaScript, gzipped", "", sizes);
-  if (values.url) {
-    await measurePaint(browser, values.url);
-    await measureTeam(browser, { url: values.url, robots: 1, isPlayed: false });
-  } else {
-    const teams = values.robots.split(",").map(Number);
-    for (const robots of teams) await measurePlayed(browser, robots, robots === teams[0]);
-    for (const gone_s of values.gone.split(",").filter(Boolean).map(Number))
-      await row(`live again, after the monitor was gone for ${gone_s} s`, "≤ 1000 ms", async () => ms(await liveAgain_ms(browser, gone_s)));
-  }
-} catch (error) {
-  failed = true;
-  console.error(`performance.mjs: ${error.message}`);
-} finally {
-  table(browser);
-  await within(browser.close(), () => "the browser's end", PATIENCE_MS).catch(({ message }) => console.error(`performance.mjs: ${message}`));
+  await Promise.race([measureAll(), signalled]);
+} catch ({ message, signal }) {
+  code = signal ? 128 + constants.signals[signal] : 1;
+  rows.end(message);
+  console.error(`performance.mjs: ${message}`);
 }
-process.exit(failed ? 1 : 0);
+const slowed = rate > 1 ? `, slowed down ${rate} times` : "";
+rows.print(`Chromium ${browser?.version() ?? "that did not start"}, ${cpus().length} cores of ${cpus()[0].model}, ${viewport.width} × ${viewport.height}${slowed}`);
+await within(Promise.resolve(browser?.close()), () => "the browser's end", PATIENCE_MS).catch(({ message }) => console.error(`performance.mjs: ${message}`));
+process.exit(code || (rows.failed ? 1 : 0));

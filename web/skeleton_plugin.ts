@@ -30,16 +30,16 @@ function filled(html: string, comment: string, content: string): string {
   return html.replace(comment, () => content);
 }
 
-/** The page is asked for with index.html, and its styles behind what is painted first. */
+/**
+ * The page and its styles are fetched while index.html is painted, with what the network has to spare, and are only fetched:
+ * a module that is preloaded is compiled as it comes, and a stylesheet is read, both before the first paint.
+ */
 function linksOf({ bundle = {}, chunk }: IndexHtmlTransformContext): HtmlTagDescriptor[] {
   const isScript = (file: string) => bundle[file]?.type === "chunk";
   const later = (chunk?.dynamicImports ?? []).filter(isScript).map((file) => bundle[file] as Rollup.OutputChunk);
   const scripts = later.flatMap(({ fileName, imports }) => [fileName, ...imports]).filter((file) => file !== chunk?.fileName);
   const styles = later.flatMap(({ viteMetadata }) => [...(viteMetadata?.importedCss ?? [])]);
-  return [
-    ...[...new Set(scripts)].map((file): HtmlTagDescriptor => ({ tag: "link", attrs: { rel: "modulepreload", crossorigin: true, href: `/${file}` }, injectTo: "head" })),
-    ...[...new Set(styles)].map((file): HtmlTagDescriptor => ({ tag: "link", attrs: { rel: "stylesheet", crossorigin: true, href: `/${file}` }, injectTo: "body" })),
-  ];
+  return [...new Set([...scripts, ...styles])].map((file) => ({ tag: "link", attrs: { rel: "prefetch", href: `/${file}` }, injectTo: "body" }));
 }
 
 export const skeleton = (): Plugin[] => [

@@ -35,6 +35,13 @@ for (const colorScheme of ["light", "dark"]) {
   });
 }
 
+test("of the page's own files nothing is read before that is painted", async () => {
+  const page = await opened({});
+  const readOf = () => [...[...document.styleSheets].map(({ href }) => href), ...[...document.querySelectorAll("link[rel=modulepreload]")].map(({ href }) => href)];
+  assert.deepEqual((await page.evaluate(readOf)).filter(Boolean), []);
+  await page.close();
+});
+
 test("it has the colours that the reader chose", async () => {
   const context = await tab.browser.newContext({ viewport: LAPTOP, colorScheme: "light" });
   const page = await context.newPage();

@@ -20,6 +20,8 @@ export class MapView {
   px_per_m = $state(60);
   /** Somebody moved it. */
   moved = $state(false);
+  /** From metres on the floor, y up turned down, to pixels, as an SVG group takes it. */
+  readonly transform: string = $derived(`translate(${this.x_px},${this.y_px}) scale(${this.px_per_m})`);
   #element: HTMLElement | undefined;
   #zoom: ZoomBehavior<HTMLElement, unknown>;
 

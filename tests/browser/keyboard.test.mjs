@@ -12,7 +12,7 @@ const OTHERWISE = [
   ".u-over", // of a plot: the timeline's arrow keys choose an instant
   ".cm-gutter", // of the editor: Ctrl+Shift+[ and ] fold
 ];
-const KEYS = ["ArrowRight", "ArrowDown", "ArrowLeft", "ArrowUp", "PageDown", "Tab", "Shift+Tab"];
+const KEYS = ["ArrowRight", "ArrowDown", "ArrowLeft", "ArrowUp", "PageDown", "PageUp", "Tab", "Shift+Tab"];
 const ROUNDS = 5;
 
 /** In the page: notes what hears clicks, and what the keyboard has been at. */

@@ -10,6 +10,8 @@ export type Order =
   | { readonly kind: "connect"; readonly url: string }
   | { readonly kind: "disconnect" }
   | { readonly kind: "want" | "release"; readonly topic: string }
+  /** The robot that the page shows whole. */
+  | { readonly kind: "look"; readonly robot: string | undefined }
   /** The page has taken in what it was handed. */
   | { readonly kind: "ready" }
   /** The page has drawn the picture that it was handed. */
@@ -43,6 +45,7 @@ export class FeedServer {
     else if (order.kind === "disconnect") this.#feed?.disconnect();
     else if (order.kind === "want") this.#want(order.topic);
     else if (order.kind === "release") this.#release(order.topic);
+    else if (order.kind === "look") this.#inbox.lookAt(order.robot);
     else if (order.kind === "shown") this.#pictures.shown(order.topic);
     else this.#ready();
   }
@@ -65,7 +68,7 @@ export class FeedServer {
 
   #connected(connection: Connection, attempt: number): void {
     // What waits is told before the connection that brought it is over.
-    if (connection === "lost") this.#handOver();
+    if (connection === "lost") this.#handOver(Infinity);
     if (connection === "connecting") this.#inbox.clear();
     this.send({ kind: "connection", connection, attempt });
   }
@@ -90,10 +93,9 @@ export class FeedServer {
     if (this.#pageIsReady) this.#handOver();
   }
 
-  #handOver(): void {
-    const batch = this.#inbox.take((topic, reason) =>
-      this.send({ kind: "trouble", sentence: `a message on ${topic} was damaged: ${reason}` }),
-    );
+  #handOver(now_ms = performance.now()): void {
+    const damaged = (topic: string, reason: string) => this.send({ kind: "trouble", sentence: `a message on ${topic} was damaged: ${reason}` });
+    const batch = this.#inbox.take(damaged, now_ms);
     [this.#pageIsReady, this.#anythingNew] = [false, false];
     this.send({ kind: "batch", batch });
   }

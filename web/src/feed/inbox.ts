@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { Arrival } from "./feed";
-import { tellsWhatHappens } from "./topics";
+import { robotTopicOf, tellsWhatHappens } from "./topics";
 
 /** A message that the page has not seen yet. */
 export interface News {
@@ -23,6 +23,10 @@ export interface Batch {
 /** As many events as thirty robots have in some hours. */
 const MOST_EVENTS = 20_000;
 
+/** Of more robots than these, those that nobody looks at are told of four times a second. */
+export const CROWD = 12;
+export const GLANCE_MS = 250;
+
 interface Waiting extends Arrival {
   readonly count: number;
 }
@@ -39,6 +43,10 @@ export class Inbox {
   #eventsEver = 0;
   #dropped = 0;
   #told_ms = 0;
+  #robots = new Set<string>();
+  #looked: string | undefined;
+  /** When the page was handed all that waited. */
+  #emptied_ms = 0;
 
   put(arrival: Arrival): void {
     this.told(arrival.received_ms);
@@ -51,10 +59,22 @@ export class Inbox {
     this.#told_ms = Math.max(this.#told_ms, monitor_ms);
   }
 
-  /** What waits, decoded; `damaged` is called for what cannot be. */
-  take(damaged: (topic: string, reason: string) => void): Batch {
+  /** The robot that the page shows whole. */
+  lookAt(robot: string | undefined): void {
+    this.#looked = robot;
+  }
+
+  /**
+   * What waits, decoded; `damaged` is called for what cannot be. How the robots of a crowd stand that nobody looks at
+   * waits longer: to decode and hand over what is new of a hundred, ten times a second, is all that a slow machine can do.
+   */
+  take(damaged: (topic: string, reason: string) => void, now_ms: number): Batch {
     const news: News[] = [];
-    for (const { topic, decode, received_ms, count } of this.#waiting.values()) {
+    const isAll = this.#robots.size <= CROWD || now_ms - this.#emptied_ms >= GLANCE_MS;
+    if (isAll) this.#emptied_ms = now_ms;
+    for (const [key, { topic, decode, received_ms, count }] of this.#waiting) {
+      if (!isAll && this.#isAside(topic)) continue;
+      this.#waiting.delete(key);
       try {
         news.push({ topic, message: decode(), received_ms, count });
       } catch (error) {
@@ -62,9 +82,13 @@ export class Inbox {
       }
     }
     const batch = { told_ms: this.#told_ms, news, dropped: this.#dropped };
-    this.#waiting.clear();
     [this.#events, this.#dropped] = [[], 0];
     return batch;
+  }
+
+  #isAside(topic: string): boolean {
+    const robot = robotTopicOf(topic)?.robot;
+    return robot !== undefined && robot !== this.#looked && !tellsWhatHappens(topic);
   }
 
   /** Forgets what waits and the time: another connection begins. */
@@ -74,6 +98,8 @@ export class Inbox {
   }
 
   #putState(arrival: Arrival): void {
+    const robot = robotTopicOf(arrival.topic)?.robot;
+    if (robot !== undefined) this.#robots.add(robot);
     const count = (this.#waiting.get(arrival.topic)?.count ?? 0) + 1;
     // Behind what came before it: an event and the state after it keep their order.
     this.#waiting.delete(arrival.topic);

@@ -17,6 +17,7 @@ export interface PageFeedEvents {
 export class PageFeed {
   #worker: Worker | undefined;
   #wanted = new Map<string, number>();
+  #looked: string | undefined;
 
   constructor(
     private readonly url: string,
@@ -37,6 +38,13 @@ export class PageFeed {
     this.#wanted.set(topic, count + 1);
     if (count === 0) this.#order({ kind: "want", topic });
     return () => this.#release(topic);
+  }
+
+  /** Of this robot everything is told as it comes, however many there are. */
+  lookAt(robot: string | undefined): void {
+    if (robot === this.#looked) return;
+    this.#looked = robot;
+    this.#order({ kind: "look", robot });
   }
 
   #release(topic: string): void {

@@ -4,8 +4,8 @@
 
 /** Of the time, drawing takes at most one part in so many: what changes all the time waits rather than queues. */
 const SHARE = 4;
-/** No slower than what only ages. */
-const LONGEST_WAIT_MS = 100;
+/** No slower than what of a crowd is only glanced at. */
+const LONGEST_WAIT_MS = 250;
 
 export interface Frames {
   now_ms(): number;

@@ -3,7 +3,7 @@
 
 import { flushSync } from "svelte";
 import type { Connection } from "../feed/feed";
-import type { Batch } from "../feed/inbox";
+import { type Batch, CROWD, GLANCE_MS } from "../feed/inbox";
 import { PageFeed } from "../feed/page_feed";
 import type { DecodedPicture } from "../feed/picture_desk";
 import { robotTopicOf, tellsWhatHappens } from "../feed/topics";
@@ -21,10 +21,6 @@ import { applyAll } from "./reduce";
 import type { PushResult, Reply } from "../feed/api";
 import { withToken } from "../feed/token";
 import type { SourceFile } from "../feed/messages";
-
-/** Of more robots than these, what is only glanced at (rows and cells of the whole team) is told four times a second. */
-export const CROWD = 12;
-const GLANCE_MS = 250;
 
 class Live {
   connection = $state<Connection>("connecting");
@@ -197,6 +193,7 @@ class Live {
       if (this.instant_ms !== undefined && this.instant_ms < this.earliest_ms) this.instant_ms = this.earliest_ms;
     }
     if (!isUrgent) this.#goOn(now_ms);
+    this.feed.lookAt(this.robotName);
     flushSync();
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
-import { Inbox } from "../../src/feed/inbox";
+import { CROWD, GLANCE_MS, Inbox } from "../../src/feed/inbox";
 
 const undamaged = () => expect.unreachable("nothing is damaged");
 
@@ -13,7 +13,7 @@ describe("what came since the page looked last", () => {
     const inbox = new Inbox();
     const decoded: unknown[] = [];
     for (let i = 1; i <= 600; ++i) inbox.put(arrival("/io/state", i, i * 100, decoded));
-    expect(inbox.take(undamaged).news).toEqual([{ topic: "/io/state", message: 600, received_ms: 60_000, count: 600 }]);
+    expect(inbox.take(undamaged, Infinity).news).toEqual([{ topic: "/io/state", message: 600, received_ms: 60_000, count: 600 }]);
     expect(decoded).toEqual([600]);
   });
   it("is all that happened, in the order in which it came", () => {
@@ -23,36 +23,60 @@ describe("what came since the page looked last", () => {
     inbox.put(arrival("/io/transition", "second", 3));
     inbox.put(arrival("/io/state", "after", 4));
     inbox.put(arrival("/team/push_progress", "third", 5));
-    expect(inbox.take(undamaged).news.map(({ message }) => message)).toEqual(["first", "second", "after", "third"]);
+    expect(inbox.take(undamaged, Infinity).news.map(({ message }) => message)).toEqual(["first", "second", "after", "third"]);
   });
   it("is told once", () => {
     const inbox = new Inbox();
     inbox.put(arrival("/io/state", "once", 1));
-    inbox.take(undamaged);
-    expect(inbox.take(undamaged).news).toEqual([]);
+    inbox.take(undamaged, Infinity);
+    expect(inbox.take(undamaged, Infinity).news).toEqual([]);
   });
   it("says until when the monitor told it, also where it told of nothing but the time", () => {
     const inbox = new Inbox();
     inbox.put(arrival("/io/state", "a", 1000));
-    expect(inbox.take(undamaged).told_ms).toBe(1000);
+    expect(inbox.take(undamaged, Infinity).told_ms).toBe(1000);
     inbox.told(1100);
-    expect(inbox.take(undamaged).told_ms).toBe(1100);
+    expect(inbox.take(undamaged, Infinity).told_ms).toBe(1100);
   });
   it("names what is damaged and keeps the rest", () => {
     const inbox = new Inbox();
     inbox.put({ topic: "/io/state", received_ms: 1, decode: () => { throw new Error("too short"); } });
     inbox.put(arrival("/io/variables", "whole", 2));
     const damage: string[] = [];
-    const { news } = inbox.take((topic, reason) => damage.push(`${topic}: ${reason}`));
+    const { news } = inbox.take((topic, reason) => damage.push(`${topic}: ${reason}`), 0);
     expect(damage).toEqual(["/io/state: too short"]);
     expect(news.map(({ message }) => message)).toEqual(["whole"]);
   });
   it("counts the events that a page could not take in for hours", () => {
     const inbox = new Inbox();
     for (let i = 0; i < 20_007; ++i) inbox.put(arrival("/io/transition", i, i));
-    const { news, dropped } = inbox.take(undamaged);
+    const { news, dropped } = inbox.take(undamaged, Infinity);
     expect(dropped).toBe(7);
     expect(news[0]!.message).toBe(7);
-    expect(inbox.take(undamaged).dropped).toBe(0);
+    expect(inbox.take(undamaged, Infinity).dropped).toBe(0);
+  });
+  it("is of a crowd only what happened, and the robot that is looked at, until the others are due", () => {
+    const inbox = new Inbox();
+    const names = Array.from({ length: CROWD + 1 }, (_, i) => `r${i}`);
+    const tellAll = (what: string) => names.forEach((name) => inbox.put(arrival(`/${name}/state`, `${name} ${what}`, 1)));
+    const taken = (now_ms: number) => inbox.take(undamaged, now_ms).news.map(({ message, count }) => `${message} × ${count}`);
+    inbox.lookAt("r3");
+    tellAll("first");
+    expect(taken(1000)).toHaveLength(names.length);
+    tellAll("second");
+    inbox.put(arrival("/r5/transition", "r5 grabs", 2));
+    inbox.put(arrival("/team/objects", "objects", 2));
+    expect(taken(1100)).toEqual(["r3 second × 1", "r5 grabs × 1", "objects × 1"]);
+    tellAll("third");
+    expect(taken(1200)).toEqual(["r3 third × 1"]);
+    expect(taken(1000 + GLANCE_MS)).toEqual(names.filter((name) => name !== "r3").map((name) => `${name} third × 2`));
+  });
+  it("is of a small team always all", () => {
+    const inbox = new Inbox();
+    for (const now_ms of [1000, 1001, 1002]) {
+      inbox.put(arrival("/io/state", now_ms, now_ms));
+      inbox.put(arrival("/callisto/state", now_ms, now_ms));
+      expect(inbox.take(undamaged, now_ms).news).toHaveLength(2);
+    }
   });
 });

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "monitor/team/break_reason.h"
+
 namespace galilean::monitor::top {
 namespace {
 
@@ -79,7 +81,8 @@ void AlarmFinder::find_of(const Robot& robot, const DashboardModel& model, Time 
   if (memory.late && now - *memory.late <= kLateShown)
     add(AlarmKind::kLate, "late",
         name + "'s ticks begin late (" + std::to_string(state.overruns) + " so far)");
-  const bool waits = robot.program && robot.program->start_state == state.state;
+  const bool waits = (robot.program && robot.program->start_state == state.state) ||
+                     (robot.breaks && waits_at_lock(*robot.breaks));
   if (!state.held && !waits && now - memory.stands_since >= kStuckAfter)
     add(AlarmKind::kStuck, "stuck", name + " does not move in " + state.state);
   if (state.program_hash != team_hash_)

@@ -3,6 +3,7 @@
 
 import { ellipseOf } from "./ellipse";
 import { drifts, hashesUnderWay, type ProgramShare, programShares } from "./drift";
+import { waitOf } from "./breaks";
 import { callsOn } from "./events";
 import { lasting } from "../lib/format";
 import { isAlike } from "../lib/steady";
@@ -47,10 +48,11 @@ const finders: Record<Exclude<AlarmKind, "silent" | "problem" | "push" | "drift"
     const words = `${name}'s ticks begin late (${state?.value.overruns} so far).`;
     return { kind: "overrun", words, advice: "Its computer is too slow for this program, or busy with something else." };
   },
-  stuck: ({ name, state, program, standing }, now_ms) => {
+  stuck: ({ name, state, program, standing, breaks }, now_ms) => {
     if (!state || !standing || now_ms - standing.since_ms < STUCK_AFTER_MS) return undefined;
     const { held, out_of_service, state: doing } = state.value;
-    if (held || out_of_service || doing === program?.value.start_state) return undefined;
+    const waits = doing === program?.value.start_state || waitOf(breaks?.value) !== undefined;
+    if (held || out_of_service || waits) return undefined;
     return { kind: "stuck", words: `${name} has not moved for ${Math.round((now_ms - standing.since_ms) / 1000)} s in ${doing}.`, timed: true, advice: "Look whether something holds it, or hold it and lift it free." };
   },
   loop: (robot, now_ms, { score, contest_began_ms }) => {

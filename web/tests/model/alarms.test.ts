@@ -2,7 +2,7 @@
 import { describe, expect, it } from "vitest";
 import { ProgramReply_Constants } from "../../src/feed/messages";
 import { acknowledged, type Alarm, alarms, sentenceOf, withAlarms } from "../../src/model/alarms";
-import { mapRobot, state, T0_MS, time, told, transition } from "./told";
+import { breaks, mapRobot, state, T0_MS, time, told, transition } from "./told";
 
 type Told = [string, unknown, number];
 const kinds = (messages: Told[], now_ms: number) => alarms(told(messages), now_ms).map(({ kind, robot }) => `${robot} ${kind}`);
@@ -71,6 +71,11 @@ describe("alarms", () => {
   it("do not call a robot stuck that waits to be started", () => {
     const program = { start_state: "wander", states: [], transitions: [], files: [], name: "", hash: "", robot: "io", stamp: { sec: 0, nsec: 0 } };
     const waiting: Told[] = [["/io/program", program, T0_MS], ...[0, 10, 21].map((s): Told => ["/io/state", state(moving), T0_MS + s * 1000])];
+    expect(kinds(waiting, T0_MS + 21_000)).toEqual([]);
+  });
+  it("do not call a robot stuck that waits at a lock for an operator", () => {
+    const waits = breaks({ waits_at_from: "wander", waits_at_to: "grab" });
+    const waiting: Told[] = [...[0, 10, 21].map((s): Told => ["/io/state", state(moving), T0_MS + s * 1000]), ["/io/breaks", waits, T0_MS + 21_000]];
     expect(kinds(waiting, T0_MS + 21_000)).toEqual([]);
   });
   it("tell of a robot whose place is not known well", () => {

@@ -124,6 +124,18 @@ TEST_F(Finder, OneThatDoesNotMoveIsStuckUnlessItIsHeld) {
   EXPECT_TRUE(found().empty());
 }
 
+TEST_F(Finder, OneThatWaitsAtALockForAnOperatorIsNotStuck) {
+  msg::Breaks breaks;
+  breaks.robot = "io";
+  breaks.waits_at_from = "wander";
+  breaks.waits_at_to = "grab";
+  for (int i = 0; i <= 20; ++i, clock.advance(seconds(1))) {
+    tell_of({});
+    tell_of_breaks(breaks);
+    EXPECT_TRUE(found().empty());
+  }
+}
+
 TEST_F(Finder, ALateTickIsToldForAWhile) {
   tell_of({.overruns = 3, .x_m = 0});
   EXPECT_TRUE(found().empty());  // late before this was started

@@ -24,14 +24,14 @@ int fail(const std::string& why) {
   return kFailed;
 }
 
-Before before_of(const OrderSession& session, const std::string& robot) {
+RobotReport report_of(const OrderSession& session, const std::string& robot) {
   const msg::Breaks* told = session.breaks_of(robot);
   return {*session.state_of(robot), told ? reason_of(*told) : ""};
 }
 
 /// Prints what became of the command. Returns whether it may end well: a start that moves nobody
 /// does, because a program may wait for something else.
-bool tell(Word word, const std::string& robot, const Before& before, const msg::RobotState& now) {
+bool tell(Word word, const std::string& robot, const RobotReport& before, const RobotReport& now) {
   std::cout << visible(robot) << ": " << visible(outcome_of(word, before, now)) << '\n';
   return word == Word::kStart || complied(word, before, now);
 }
@@ -43,20 +43,20 @@ int command(Word word, OrderSession& session, Operator& speaker, const Addressee
     return fail(found.error().message);
   }
   const auto& targets = found.value();
-  std::map<std::string, Before> before;
-  for (const auto& robot : targets) before[robot] = before_of(session, robot);
+  std::map<std::string, RobotReport> before;
+  for (const auto& robot : targets) before[robot] = report_of(session, robot);
   session.wait(OrderSession::kHear,
                [&] { return speaker.listeners() >= static_cast<int>(targets.size()); });
   if (!speaker.say(word, whom.team ? std::vector<std::string>{} : targets))
     return fail("DDS did not accept the command; try again.");
   session.wait(OrderSession::kAnswer, [&] {
     for (const auto& robot : targets)
-      if (!complied(word, before[robot], *session.state_of(robot))) return false;
+      if (!complied(word, before[robot], report_of(session, robot))) return false;
     return true;
   });
   bool all_well = true;
   for (const auto& robot : targets)
-    all_well &= tell(word, robot, before[robot], *session.state_of(robot));
+    all_well &= tell(word, robot, before[robot], report_of(session, robot));
   const bool any_silent = whom.team && session.tell_silent(targets);
   return all_well && !(any_silent && word == Word::kHold) ? EXIT_SUCCESS : kFailed;
 }

@@ -4,7 +4,7 @@
 namespace galilean::monitor {
 namespace {
 
-std::string success_of(Operator::Word word, const Before& before, const msg::RobotState& now) {
+std::string success_of(Operator::Word word, const RobotReport& before, const RobotReport& now) {
   switch (word) {
     case Operator::Word::kHold:
       return "stands still";
@@ -13,7 +13,7 @@ std::string success_of(Operator::Word word, const Before& before, const msg::Rob
     case Operator::Word::kCommission:
       return "is in service again";
     case Operator::Word::kStart:
-      return before.state.state + " → " + now.state;
+      return before.state.state + " → " + now.state.state;
     case Operator::Word::kStep:
       return "goes on until its next change of state";
     case Operator::Word::kResume:
@@ -24,27 +24,27 @@ std::string success_of(Operator::Word word, const Before& before, const msg::Rob
 
 }  // namespace
 
-bool complied(Operator::Word word, const Before& before, const msg::RobotState& now) {
+bool complied(Operator::Word word, const RobotReport& before, const RobotReport& now) {
   switch (word) {
     case Operator::Word::kHold:
-      return now.held;
+      return now.state.held && now.stopped_by.empty();
     case Operator::Word::kResume:
     case Operator::Word::kStep:
-      return !now.held;
+      return !now.state.held;
     case Operator::Word::kDecommission:
-      return now.out_of_service;
+      return now.state.out_of_service;
     case Operator::Word::kCommission:
-      return !now.out_of_service;
+      return !now.state.out_of_service;
     case Operator::Word::kStart:
       break;
   }
-  return now.transitions > before.state.transitions;
+  return now.state.transitions > before.state.transitions;
 }
 
-std::string outcome_of(Operator::Word word, const Before& before, const msg::RobotState& now) {
+std::string outcome_of(Operator::Word word, const RobotReport& before, const RobotReport& now) {
   if (complied(word, before, now)) return success_of(word, before, now);
-  return word == Operator::Word::kStart ? "its bumper was pushed, but it stays in " + now.state
-                                        : "did not answer; try again";
+  if (word != Operator::Word::kStart) return "did not answer; try again";
+  return "its bumper was pushed, but it stays in " + now.state.state;
 }
 
 }  // namespace galilean::monitor

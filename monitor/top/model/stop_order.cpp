@@ -13,7 +13,9 @@ bool StopOrder::is_answered_by(const Robot& robot) const {
 }
 
 bool StopOrder::is_confirmed_by(const Robot& robot) const {
-  return is_answered_by(robot) && (robot.state->held || robot.state->out_of_service);
+  const bool at_break_point = robot.breaks && robot.breaks->stopped;
+  return is_answered_by(robot) &&
+         ((robot.state->held && !at_break_point) || robot.state->out_of_service);
 }
 
 void StopOrder::update(const Team& team) {
@@ -31,7 +33,8 @@ StopProgress StopOrder::progress(const Team& team, Time now) const {
       progress.stopped.push_back(name);
     else
       progress.unconfirmed.push_back(
-          {name, answers ? since_order_s : std::max(team.age_s(robot), since_order_s), answers});
+          {name, answers ? since_order_s : std::max(team.age_s(robot), since_order_s),
+           answers && !robot.state->held});
   }
   std::ranges::stable_sort(progress.unconfirmed, std::ranges::greater{}, &Unconfirmed::waits_s);
   return progress;

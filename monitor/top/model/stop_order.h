@@ -22,7 +22,8 @@ struct StopProgress {
 };
 
 /// An order to stop all. A robot confirms it by a state of its own that was received after the
-/// order and says that it stands still. One that has confirmed is done, whoever resumes it later.
+/// order and says that it stands still. One that stands at a break point has not confirmed yet,
+/// because a step would let it go on. One that has confirmed is done, whoever resumes it later.
 class StopOrder {
  public:
   explicit StopOrder(Time ordered) : ordered_(ordered) {}

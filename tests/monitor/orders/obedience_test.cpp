@@ -9,34 +9,43 @@ namespace {
 using Word = Operator::Word;
 
 TEST(Obedience, ARobotThatIsResumedSaysWhatHadStoppedIt) {
-  Before before;
-  msg::RobotState now;
+  RobotReport before, now;
   EXPECT_EQ(outcome_of(Word::kResume, before, now), "goes on");
   before.stopped_by = "break point on entering grab (Anna)";
   EXPECT_EQ(outcome_of(Word::kResume, before, now),
             "goes on; it was stopped by break point on entering grab (Anna)");
-  now.held = true;
+  now.state.held = true;
   EXPECT_FALSE(complied(Word::kResume, before, now));
   EXPECT_EQ(outcome_of(Word::kResume, before, now), "did not answer; try again");
   EXPECT_EQ(outcome_of(Word::kHold, before, now), "stands still");
 }
 
+TEST(Obedience, AHoldIsObeyedWhenItHasTakenTheBreakPointsPlace) {
+  RobotReport now;
+  now.state.held = true;
+  now.stopped_by = "a step (Anna)";
+  EXPECT_EQ(outcome_of(Word::kHold, now, now), "did not answer; try again");
+  const RobotReport before = now;
+  now.stopped_by.clear();
+  EXPECT_EQ(outcome_of(Word::kHold, before, now), "stands still");
+}
+
 TEST(Obedience, AStartIsObeyedByAProgramThatLeavesItsState) {
-  Before before;
+  RobotReport before;
   before.state.state = "start";
-  msg::RobotState now = before.state;
+  RobotReport now = before;
   EXPECT_EQ(outcome_of(Word::kStart, before, now), "its bumper was pushed, but it stays in start");
-  now.state = "wander";
-  now.transitions = 1;
+  now.state.state = "wander";
+  now.state.transitions = 1;
   EXPECT_EQ(outcome_of(Word::kStart, before, now), "start → wander");
 }
 
 TEST(Obedience, ServiceEndsAndBeginsAsTheRobotSays) {
-  const Before before;
-  msg::RobotState now;
+  const RobotReport before;
+  RobotReport now;
   EXPECT_EQ(outcome_of(Word::kCommission, before, now), "is in service again");
   EXPECT_FALSE(complied(Word::kDecommission, before, now));
-  now.out_of_service = true;
+  now.state.out_of_service = true;
   EXPECT_EQ(outcome_of(Word::kDecommission, before, now), "is out of service");
 }
 

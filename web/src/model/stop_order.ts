@@ -9,7 +9,7 @@ export interface Unconfirmed {
   readonly name: string;
   /** How long nothing was heard of it, or how long it has been heard and drove on. */
   readonly waits_s: number;
-  /** Whether it was heard since the order: it answers, but does not stop. */
+  /** Whether it was heard since the order and moves: it answers, but does not stop. */
   readonly drivesOn: boolean;
 }
 
@@ -18,16 +18,20 @@ export interface StopProgress {
   readonly unconfirmed: readonly Unconfirmed[];
 }
 
-/** A robot confirms by a state of its own that was received after the order; `known_ms` is what the page knows of. */
+/**
+ * A robot confirms by a state of its own that was received after the order; `known_ms` is what the page knows of. One
+ * that stands at a break point has not confirmed yet, because a step would let it go on.
+ */
 export function stopProgress(team: Team, ordered_ms: number, known_ms: number): StopProgress {
   const stopped: string[] = [];
   const unconfirmed: Unconfirmed[] = [];
   for (const robot of team.robots.values()) {
-    const { name, state } = robot;
+    const { name, state, breaks } = robot;
     const isHeard = state !== undefined && state.received_ms >= ordered_ms;
-    const standsStill = state?.value.held || state?.value.out_of_service;
-    if (isHeard && standsStill) stopped.push(name);
-    else unconfirmed.push({ name, drivesOn: isHeard, waits_s: isHeard ? (known_ms - ordered_ms) / 1000 : Math.max(age_s(robot, known_ms), (known_ms - ordered_ms) / 1000) });
+    const isHeld = state?.value.held && !breaks?.value.stopped;
+    const drivesOn = isHeard && !state?.value.held;
+    if (isHeard && (isHeld || state?.value.out_of_service)) stopped.push(name);
+    else unconfirmed.push({ name, drivesOn, waits_s: isHeard ? (known_ms - ordered_ms) / 1000 : Math.max(age_s(robot, known_ms), (known_ms - ordered_ms) / 1000) });
   }
   return { stopped, unconfirmed: unconfirmed.sort((a, b) => b.waits_s - a.waits_s) };
 }

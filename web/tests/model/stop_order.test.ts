@@ -2,7 +2,7 @@
 import { describe, expect, it } from "vitest";
 import { emptyTeam } from "../../src/model/model";
 import { stopProgress, stopSentence } from "../../src/model/stop_order";
-import { state, T0_MS, told } from "./told";
+import { breaks, state, T0_MS, told } from "./told";
 
 const ORDERED_MS = T0_MS + 1000;
 const at = (robot: string, held: boolean, received_ms: number, more = {}) =>
@@ -27,6 +27,11 @@ describe("STOP ALL", () => {
   });
   it("counts a robot out of service as one that stands still", () => {
     expect(sentence([at("io", false, ORDERED_MS + 50, { out_of_service: true })], ORDERED_MS + 100)).toBe("io has stopped.");
+  });
+  it("does not take a stop at a break point for one of its own", () => {
+    const stands = (stopped: boolean) => ["/io/breaks", breaks({ stopped, stopped_by: stopped ? "a step" : "" }), ORDERED_MS + 50] as [string, unknown, number];
+    expect(sentence([stands(true), at("io", true, ORDERED_MS + 100)], ORDERED_MS + 200)).toBe("0 of 1 stopped; io has not answered for 0.2 s.");
+    expect(sentence([stands(false), at("io", true, ORDERED_MS + 100)], ORDERED_MS + 200)).toBe("io has stopped.");
   });
   it("counts whom it does not name, the longest silent first", () => {
     const messages = ["a", "b", "c", "d", "e"].map((name, i) => at(name, false, ORDERED_MS - i * 1000));

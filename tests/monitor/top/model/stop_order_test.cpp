@@ -37,6 +37,22 @@ TEST_F(Told, ARobotConfirmsByAStateThatCameAfterTheOrder) {
   EXPECT_EQ(progress().stopped, std::vector<std::string>{"io"});
 }
 
+TEST_F(Told, AStopAtABreakPointIsNoneOfTheOrder) {
+  const StopOrder order(clock.now());
+  const auto progress = [&] { return order.progress(model.team(), clock.now()); };
+  msg::Breaks breaks;
+  breaks.robot = "io";
+  breaks.stopped = true;
+  tell_of_breaks(breaks);
+  clock.advance(milliseconds(100));
+  tell_of({.held = true});
+  ASSERT_EQ(progress().unconfirmed.size(), 1u);
+  EXPECT_FALSE(progress().unconfirmed[0].drives_on);
+  breaks.stopped = false;
+  tell_of_breaks(breaks);
+  EXPECT_EQ(progress().stopped, std::vector<std::string>{"io"});
+}
+
 TEST_F(Told, ARobotThatConfirmedOnceIsDoneAndOneThatIsReleasedIsOutOfTheOrder) {
   StopOrder order(clock.now());
   clock.advance(milliseconds(100));

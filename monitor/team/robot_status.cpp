@@ -61,7 +61,7 @@ RobotStatus Team::status(const Robot& robot) const {
                         to_seconds(clock_.now() - robot.state_received);
     status.drifting = !status.out_of_service && status.program_hash != program_hash();
   }
-  if (robot.breaks) status.break_reason = break_reason(robot, since_breaks(robot));
+  if (!silent(robot)) status.break_reason = break_reason(robot, since_breaks(robot));
   for (const auto& variable : robot.variables.items) {
     if (!variable.valid) continue;
     const double certainty = certainty_now(robot, variable);

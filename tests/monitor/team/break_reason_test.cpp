@@ -97,6 +97,14 @@ TEST_F(BreakReasonTest, AWaitAtALockGoesOnBetweenMessages) {
   EXPECT_EQ(reason(), "waits at the lock grab -> move since 0 s") << "its clock was set back";
 }
 
+TEST_F(BreakReasonTest, OfASilentRobotNobodyKnowsWhetherItStillWaits) {
+  breaks.waits_at_from = "grab";
+  breaks.waits_at_to = "move";
+  EXPECT_NE(reason(), "");
+  clock.advance(3s);
+  EXPECT_EQ(present_reason(), "");
+}
+
 TEST_F(BreakReasonTest, AStepThatIsUnderWayIsSaid) {
   breaks.stepping = true;
   EXPECT_EQ(reason(), "goes on until its next change of state");

@@ -55,9 +55,10 @@ function knownOfRobot(robot: Robot, team: Team, now_ms: number): Known {
   const carried = team.objects?.value.filter(({ held_by }) => held_by === robot.name) ?? [];
   const seen = sightings && now_ms - sightings.received_ms < 1000 ? sightings.value.items : [];
   const facts: [string, string][] = [["does", state ? `${state.value.state}${state.value.held ? ", held" : ""}` : "no state yet"]];
-  const reason = breakReason(robot, now_ms);
+  const silent = isSilent(robot, now_ms);
+  const reason = silent ? undefined : breakReason(robot, now_ms);
   if (reason) facts.push(["break point", reason]);
-  if (isSilent(robot, now_ms)) facts.push(["silent for", lasting(age_s(robot, now_ms))]);
+  if (silent) facts.push(["silent for", lasting(age_s(robot, now_ms))]);
   if (pose) facts.push(["at", placeText(pose)], ["heads", degrees(pose.heading_rad)]);
   if (placed) facts.push(["within", `${metres(ellipseOf(placed).major_m)} × ${metres(ellipseOf(placed).minor_m)}`]);
   if (state) facts.push(["by its own reckoning", `${placeText(state.value)}, ${degrees(state.value.heading_rad)}`]);

@@ -58,7 +58,7 @@ std::string break_reason(const Robot& robot, Duration since_told) {
   if (breaks.stopped) return stop_reason(robot, breaks);
   if (waits_at_lock(breaks)) {
     const auto whole_s = static_cast<long>(lock_wait_s(breaks, since_told));
-    return "waits at the lock " + breaks.waits_at_from + " -> " + breaks.waits_at_to + " since " +
+    return "waits at the lock " + breaks.waits_at_from + " -> " + breaks.waits_at_to + " for " +
            std::to_string(whole_s) + " s";
   }
   return breaks.stepping ? "goes on until its next change of state" : "";

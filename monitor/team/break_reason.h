@@ -16,7 +16,7 @@ namespace galilean::monitor {
 [[nodiscard]] double lock_wait_s(const msg::Breaks& breaks, Duration since_told) noexcept;
 
 /// Returns in a few words why the robot stands still or what it waits for: "stopped at wander ->
-/// grab (Anna's break point)", "stepped into grab", "waits at the lock grab -> move since 3 s".
+/// grab (Anna's break point)", "stepped into grab", "waits at the lock grab -> move for 3 s".
 /// Returns an empty string if no break point, step or lock keeps it. `since_told` is the time since
 /// the robot's breaks came.
 [[nodiscard]] std::string break_reason(const Robot& robot, Duration since_told);

@@ -49,7 +49,7 @@ test("at a lock it waits, until it is let through", async () => {
   await until((count) => document.querySelectorAll("[data-testid=machine] [data-state][data-break=lock]").length === count, locked.length);
   const before = (await io()).transitions.at(-1).number;
   await row("io").getByRole("button", { name: "Go on" }).click();
-  await untilSaid(/^waits at the lock \w+ → \w+ since /);
+  await untilSaid(/^waits at the lock \w+ → \w+ for /);
   assert.equal((await io()).transitions.at(-1).number, before, "no transition fired meanwhile");
   await row("io").getByRole("button", { name: "Let through" }).click();
   await until((number) => document.querySelector(`[data-testid="why-${number}"]`), before + 1);

@@ -140,7 +140,7 @@ test("n steps into the next state, where it stands again", async () => {
 test("it goes on to the lock, waits there, and is let through", async () => {
   await row("io").getByRole("button", { name: "Go on" }).click();
   await untilRow("io", "data-held", "false");
-  await untilSaid("break-io", /^waits at the lock grab_trash → backup1 since \d/);
+  await untilSaid("break-io", /^waits at the lock grab_trash → backup1 for \d/);
   assert.equal(await arrow("grab_trash → backup1").getAttribute("data-waits"), "true");
   await row("io").getByRole("button", { name: "Let through" }).click();
   await until(() => document.querySelector("[data-testid=machine] [data-arrow='grab_trash → backup1']").dataset.waits === "false");

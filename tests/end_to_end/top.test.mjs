@@ -89,7 +89,7 @@ test('a robot is stopped, stepped, tuned and given an earlier program from a ter
     press('r');
     await shows(/Resume io\? y \/ n/);
     press('y');
-    await shows(/■ io: waits at the lock c -> a since \d+ s +B let through/);
+    await shows(/■ io: waits at the lock c -> a for \d+ s +B let through/);
     press('B');
     await shows(/▶ ■ lock +on entering a {2}the robot waits here/);
     press('l');

@@ -89,12 +89,12 @@ TEST_F(BreakReasonTest, AWaitAtALockGoesOnBetweenMessages) {
   breaks.waits_at_to = "move";
   breaks.waits_since = wire::ros_time(100'000'000'000);
   breaks.stamp = wire::ros_time(102'500'000'000);
-  EXPECT_EQ(reason(), "waits at the lock grab -> move since 2 s");
+  EXPECT_EQ(reason(), "waits at the lock grab -> move for 2 s");
   clock.advance(700ms);
-  EXPECT_EQ(present_reason(), "waits at the lock grab -> move since 3 s");
+  EXPECT_EQ(present_reason(), "waits at the lock grab -> move for 3 s");
   EXPECT_NEAR(lock_wait_s(breaks, 700ms), 3.2, 1e-9);
   breaks.stamp = wire::ros_time(99'000'000'000);
-  EXPECT_EQ(reason(), "waits at the lock grab -> move since 0 s") << "its clock was set back";
+  EXPECT_EQ(reason(), "waits at the lock grab -> move for 0 s") << "its clock was set back";
 }
 
 TEST_F(BreakReasonTest, OfASilentRobotNobodyKnowsWhetherItStillWaits) {

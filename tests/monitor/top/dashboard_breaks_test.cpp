@@ -146,7 +146,7 @@ TEST_F(Breaking, ARobotThatWaitsAtALockIsLetThroughFromTheList) {
   breaks.stamp = wire::ros_time(103'000'000'000);
   breaks.waits_since = wire::ros_time(100'000'000'000);
   tell_of_breaks(breaks);
-  EXPECT_THAT(screen(), ContainsRegex("■ callisto: waits at the lock wander -> grab since 3 s +B "
+  EXPECT_THAT(screen(), ContainsRegex("■ callisto: waits at the lock wander -> grab for 3 s +B "
                                       "let through"));
   EXPECT_THAT(states(), HasSubstr(" ■grab"));
   press("B");

@@ -72,5 +72,5 @@ export function breakReason(robot: Pick<Robot, "breaks" | "transitions">, now_ms
   if (!breaks || breaks.value.stopped) return reason;
   if (!reason) return breaks.value.stepping ? "goes on until its next change of state" : undefined;
   const waits_s = seconds(breaks.value.stamp) - seconds(breaks.value.waits_since) + (now_ms - breaks.received_ms) / 1000;
-  return `${reason} since ${lasting(waits_s)}`;
+  return `${reason} for ${lasting(waits_s)}`;
 }

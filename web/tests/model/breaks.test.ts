@@ -44,9 +44,9 @@ describe("why a robot stands", () => {
   it("is another robot's break point where that stopped the team", () => {
     expect(reason({ ...AT, stopped_at: 0n, stopped_by: "io's break point wander -> grab" })).toBe("stopped by io's break point wander → grab, set by Anna");
   });
-  it("is the lock that it waits at, since when", () => {
+  it("is the lock that it waits at, and for how long", () => {
     const waits = { waits_at_from: "grab", waits_at_to: "move", waits_since: time(T0_MS - 2000) };
-    expect(breakReason(robot(waits), T0_MS + 1000)).toBe("waits at the lock grab → move since 3.0 s");
+    expect(breakReason(robot(waits), T0_MS + 1000)).toBe("waits at the lock grab → move for 3.0 s");
     expect(standReason(robot(waits))).toBe("waits at the lock grab → move");
     expect(waitOf(breaks(waits))).toEqual({ from: "grab", to: "move" });
     expect(waitOf(breaks())).toBeUndefined();

@@ -17,7 +17,7 @@ namespace galilean::robot {
 
 /// Returns "break point wander -> grab".
 [[nodiscard]] std::string name_of(const BreakPoint& point);
-/// Returns what an order says, such as "Anna sets break point wander -> grab".
+/// Returns what an order says, such as "Anna sets break points: wander -> grab (stop)".
 [[nodiscard]] std::string in_words(const msg::BreakOrder& order);
 
 }  // namespace galilean::robot

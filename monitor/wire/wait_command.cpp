@@ -45,7 +45,7 @@ class Watch {
     for (const auto& source : sources_) {
       if (source.undecoded > 0)
         text += "; " + plural(source.undecoded, "message") + " of '" + visible(source.topic) +
-                "' were left out: " + source.reason;
+                (source.undecoded == 1 ? "' was left out: " : "' were left out: ") + source.reason;
       else if (!newest_.contains(source.topic))
         text += "; " + silence_of(source.topic);
     }

@@ -58,7 +58,7 @@ test("the past is told from the present, and what acts says that it acts now", a
   await at("timeline").locator(".rows").focus();
   await tab.page.keyboard.press("ArrowLeft");
   await tab.page.keyboard.press("ArrowLeft");
-  assert.match(await at("past-notice").innerText(), /Shown as it was at \d\d:\d\d:\d\d, \d+(\.\d)? s ago\.[^]*The list of alarms, programs, pictures, gains and the map's floor are the present's\. Every button and slider acts now\./);
+  assert.match(await at("past-notice").innerText(), /Shown as it was at \d\d:\d\d:\d\d, \d+(\.\d)? s ago\.[^]*The list of alarms, programs, pictures, gains and the map's floor are the present's\. Buttons, sliders and keys that give orders act now\./);
   assert.match(await at("figures-at").innerText(), /^at \d\d:\d\d:\d\d$/);
   assert.equal((await at("push-button").innerText()).trim(), "Push now…");
   await at("past-live").click();

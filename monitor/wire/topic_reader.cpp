@@ -26,14 +26,18 @@ TopicReader::TopicReader(Wire wire, FoundTopic topic, const std::function<void()
   for (const auto& end : topic_.ends) by_type[{end.dds_type, end.keyed}].push_back(end);
   for (const auto& [type, ends] : by_type) {
     const wire::UntypedTopic untyped{topic_.dds_topic, type.first, type.second};
-    readers_.push_back(
-        std::make_unique<wire::Reader>(wire_.participant, untyped, least_qos(ends), kMessagesKept));
-    readers_.back()->on_data(on_data);
+    auto reader =
+        std::make_unique<wire::Reader>(wire_.participant, untyped, least_qos(ends), kMessagesKept);
+    reader->on_data(on_data);
+    readers_.push_back({type.first, std::move(reader)});
   }
 }
 
 void TopicReader::take(const std::function<void(const wire::Received&)>& receive) {
-  for (const auto& reader : readers_) reader->take(receive);
+  for (const auto& [dds_type, reader] : readers_) {
+    taken_type_ = dds_type;
+    reader->take(receive);
+  }
 }
 
 Result<void> TopicReader::prepare() {
@@ -45,7 +49,7 @@ Result<void> TopicReader::prepare() {
     else if (problem)
       problem = decoder.error();
   }
-  return any_ ? Result<void>() : problem;
+  return any_.empty() ? problem : Result<void>();
 }
 
 Result<MessageTree> TopicReader::decode(const wire::Received& received) {
@@ -61,7 +65,7 @@ Result<MessageTree> TopicReader::decode(const wire::Received& received) {
 Result<TopicReader::Decoder> TopicReader::decoder_of(std::uint64_t writer) {
   for (const auto& end : wire_.endpoints.known())
     if (end.handle == writer) return decoder_for(end);
-  if (any_) return any_;
+  if (const auto any = any_.find(taken_type_); any != any_.end()) return any->second;
   return Error{"a writer of '" + visible(shown_topic(topic_.dds_topic)) +
                "' left before it told the definition of its messages"};
 }
@@ -71,7 +75,7 @@ Result<TopicReader::Decoder> TopicReader::decoder_for(const wire::EndpointInfo& 
   if (!type) return type.error();
   if (definition_of(end) == Definition::kOther) notes_.push_back(differing_definition(end));
   auto decoder = std::make_shared<const MessageDecoder>(std::move(type).value());
-  if (!any_) any_ = decoder;
+  any_.emplace(end.dds_type, decoder);
   return Result<Decoder>(std::move(decoder));
 }
 

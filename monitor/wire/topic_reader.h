@@ -42,8 +42,9 @@ class TopicReader {
   /// Learns the definitions that the present ends have. It may block.
   /// Errors: there is none of them; the error is a sentence.
   [[nodiscard]] Result<void> prepare();
-  /// It may block at the first message of a writer. Errors: the writer's definition is not to be
-  /// had, or this is no whole message of it; the error is a sentence.
+  /// It may block at the first message of a writer. Requires: `take` is calling `receive` with this
+  /// message. Errors: the writer's definition is not to be had, or this is no whole message of it;
+  /// the error is a sentence.
   [[nodiscard]] Result<MessageTree> decode(const wire::Received& received);
   /// Returns what users should know of definitions that were learned since the last call, in
   /// sentences.
@@ -51,15 +52,21 @@ class TopicReader {
 
  private:
   using Decoder = std::shared_ptr<const MessageDecoder>;
+  struct TypeReader {
+    std::string dds_type;
+    std::unique_ptr<wire::Reader> reader;
+  };
 
   Result<Decoder> decoder_of(std::uint64_t writer);
   Result<Decoder> decoder_for(const wire::EndpointInfo& end);
 
   Wire wire_;
   FoundTopic topic_;
-  std::vector<std::unique_ptr<wire::Reader>> readers_;  ///< one for each name of a type
-  std::map<std::uint64_t, Decoder> decoders_;           ///< by writer
-  Decoder any_;  ///< of them; for a writer that has left before it could be asked
+  std::vector<TypeReader> readers_;            ///< one for each name of a type
+  std::string taken_type_;                     ///< of the messages that are taken now
+  std::map<std::uint64_t, Decoder> decoders_;  ///< by writer
+  /// One of them by the type's name, for a writer that has left before it could be asked.
+  std::map<std::string, Decoder> any_;
   std::vector<std::string> notes_;
 };
 

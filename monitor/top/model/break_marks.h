@@ -14,7 +14,7 @@ namespace galilean::monitor::top {
 /// Returns what the break points do that stop whoever enters the state, from wherever.
 [[nodiscard]] BreakMark mark_on_entering(const std::optional<msg::Breaks>& breaks,
                                          std::string_view state);
-/// Returns what the break points do at a transition that name the state which it leaves.
+/// Returns what the break points do that name `from`, and `to` or no state that is entered.
 [[nodiscard]] BreakMark mark_at(const std::optional<msg::Breaks>& breaks, std::string_view from,
                                 std::string_view to);
 /// Returns what a kind on the wire does; kNone if no kind is called so.

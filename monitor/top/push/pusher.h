@@ -12,9 +12,9 @@ namespace galilean::monitor::top {
 
 /// What is to be pushed, and to whom.
 struct PushWish {
-  std::string file;  ///< on this machine
-  std::string hash;  ///< of a program that was pushed before; if the file is empty, too: the last
-                     ///< good program
+  // The program is that of `file`, else that of `hash`, else the last good one.
+  std::string file;                          ///< on this machine
+  std::string hash;                          ///< of a program that was pushed before
   std::vector<std::string> robots;           ///< empty: the team
   std::string canary;                        ///< the robot that would run it first; empty: none
   std::string runs_hash;                     ///< of the program that runs now

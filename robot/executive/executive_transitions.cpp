@@ -50,10 +50,11 @@ void Executive::note_transition(Event change, std::string_view from_state) noexc
 }
 
 /// Stops the robot if a break point says so, or a step ends here. A robot that stands already stays
-/// as it is. The motors stand still in this tick, because schemas act after it.
+/// as it is, and one that is out of service stops nobody. The motors stand still in this tick,
+/// because schemas act after it.
 void Executive::stop_at(Event& change, std::string_view from_state) noexcept {
   breaks_.end_passes();
-  const BreakPoint* point = breaks_.stop_at(from_state, state_name());
+  const BreakPoint* point = in_service() ? breaks_.stop_at(from_state, state_name()) : nullptr;
   const bool stopped = point ? holding_.stop(Hold::kBreakPoint) : holding_.end_step();
   if (!stopped) return;
   change.stopped_by = point ? Hold::kBreakPoint : Hold::kStepEnd;

@@ -41,12 +41,18 @@ void BreakDesk::resume(const msg::Command& command) {
 
 void BreakDesk::step(const msg::Command& command) {
   const std::lock_guard lock(mutex_);
-  const bool done = executive_.step();
+  const Result<void> done = begin_step();
   if (done) told_.stepped_by = command.author;
-  answer(
-      command.id, command.author + " lets this robot go on until its next change of state",
-      done ? Result<void>{}
-           : Error{robot_ + " is held by " + held_by_ + ", not at a break point: resume it first"});
+  answer(command.id, command.author + " lets this robot go on until its next change of state",
+         done);
+}
+
+/// Requires: mutex_ is locked.
+Result<void> BreakDesk::begin_step() {
+  if (!executive_.in_service())
+    return Error{robot_ + " is out of service: commission it first"};
+  if (executive_.step()) return {};
+  return Error{robot_ + " is held by " + held_by_ + ", not at a break point: resume it first"};
 }
 
 void BreakDesk::obey(const msg::BreakOrder& order) {

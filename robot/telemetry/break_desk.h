@@ -40,6 +40,7 @@ class BreakDesk {
   [[nodiscard]] std::uint64_t orders() const;
 
  private:
+  [[nodiscard]] Result<void> begin_step();
   void answer(const std::string& id, const std::string& what, const Result<void>& done);
   [[nodiscard]] Result<void> carry_out(const msg::BreakOrder& order);
   [[nodiscard]] Result<void> set(const msg::BreakOrder& order);

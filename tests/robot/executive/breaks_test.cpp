@@ -96,6 +96,18 @@ TEST(BreakPoints, OutOfServiceItStandsStillWhoeverStepsOrResumes) {
   EXPECT_FALSE(robot.drive.moving);
 }
 
+TEST(BreakPoints, ARobotThatIsOutOfServiceStopsNobody) {
+  BranchingRobot robot;
+  robot.set("", "grab", BreakKind::kStopTeam);
+  robot.tick();
+  robot.executive->decommission();
+  robot.go_to("grab");
+  EXPECT_EQ(robot.events.last(Event::Kind::kTransition)->stopped_by, Hold::kNone);
+  robot.executive->commission();
+  robot.tick();
+  EXPECT_TRUE(robot.drive.moving) << "it stands at no break point once it is in service";
+}
+
 TEST(BreakPoints, OutliveASwapAndStopWhereASwapChangesTheState) {
   BranchingRobot robot;
   robot.stop_at("", "grab");

@@ -136,6 +136,12 @@ TEST_F(BreakOrdersTest, AStepOfARobotThatAnOperatorHoldsIsRefused) {
   EXPECT_FALSE(io.robot.drive.moving);
 }
 
+TEST_F(BreakOrdersTest, AStepOfARobotThatIsOutOfServiceIsRefused) {
+  io.send(kinds::DECOMMISSION, 0, io.name);
+  ASSERT_TRUE(io.tick_until([&] { return !io.robot.executive->in_service(); }));
+  EXPECT_EQ(io.step().refused, io.name + " is out of service: commission it first");
+}
+
 TEST_F(BreakOrdersTest, SaysWhatIsWrongWithAnOrderAndChangesNothing) {
   io.ask("set", {{"wander", "grab", "stop"}});
   const auto expect_refused = [&](const msg::Breaks& answer, const std::string& why) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Before anything is painted: the colours that the reader chose, and whether the panels stand where index.html shows
-// them. A file of its own, since the monitor's policy lets no script stand in the page.
+// them. It is put into index.html, since a file that has to be fetched keeps the page from being painted for as long. The
+// monitor lets run what stands there: monitor/server/http/page_policy.h.
 {
   const { documentElement: page } = document;
   const theme = localStorage.getItem("galilean.theme");

@@ -49,8 +49,7 @@ void BreakDesk::step(const msg::Command& command) {
 
 /// Requires: mutex_ is locked.
 Result<void> BreakDesk::begin_step() {
-  if (!executive_.in_service())
-    return Error{robot_ + " is out of service: commission it first"};
+  if (!executive_.in_service()) return Error{robot_ + " is out of service: commission it first"};
   if (executive_.step()) return {};
   return Error{robot_ + " is held by " + held_by_ + ", not at a break point: resume it first"};
 }

@@ -11,7 +11,7 @@ export type Order =
   | { readonly kind: "disconnect" }
   | { readonly kind: "want" | "release"; readonly topic: string }
   /** The robot that the page shows whole. */
-  | { readonly kind: "look"; readonly robot: string | undefined }
+  | { readonly kind: "watch"; readonly robot: string | undefined }
   /** The page has taken in what it was handed. */
   | { readonly kind: "ready" }
   /** The page has drawn the picture that it was handed. */
@@ -45,7 +45,7 @@ export class FeedServer {
     else if (order.kind === "disconnect") this.#feed?.disconnect();
     else if (order.kind === "want") this.#want(order.topic);
     else if (order.kind === "release") this.#release(order.topic);
-    else if (order.kind === "look") this.#inbox.lookAt(order.robot);
+    else if (order.kind === "watch") this.#inbox.lookAt(order.robot);
     else if (order.kind === "shown") this.#pictures.shown(order.topic);
     else this.#ready();
   }

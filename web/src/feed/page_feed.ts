@@ -44,7 +44,7 @@ export class PageFeed {
   lookAt(robot: string | undefined): void {
     if (robot === this.#looked) return;
     this.#looked = robot;
-    this.#order({ kind: "look", robot });
+    this.#order({ kind: "watch", robot });
   }
 
   #release(topic: string): void {

@@ -66,7 +66,7 @@ test("the map has every robot, and they move", async () => {
 test("the state machine lights the state that the team's row tells", async () => {
   await until(() => {
     const lit = document.querySelector("[data-testid=machine] [data-current=true]")?.dataset.state;
-    return lit && document.querySelector("[data-testid=team-state-io]").title === lit;
+    return lit && document.querySelector("[data-testid=team-state-io]").textContent.trim() === lit;
   });
 });
 

@@ -2,6 +2,7 @@
 #include <bit>
 #include <cstring>
 
+#include "monitor/mcap/crc32.h"
 #include "monitor/mcap/mcap_records.h"
 
 namespace galilean::mcap {
@@ -88,6 +89,23 @@ void append(Bytes& to, const ChunkIndex& r) {
   put_record(to, Opcode::kChunkIndex, r.start_ns, r.end_ns, r.offset, r.length,
              r.message_index_offsets, r.message_index_length, r.compression, r.compressed_size,
              r.uncompressed_size);
+}
+void append(Bytes& to, const Attachment& r) {
+  to.push_back(static_cast<std::uint8_t>(Opcode::kAttachment));
+  put_sized<std::uint64_t>(to, [&] {
+    const auto at = to.size();
+    put(to, r.log_ns);
+    put(to, r.create_ns);
+    put(to, r.name);
+    put(to, r.media_type);
+    put(to, std::uint64_t{r.data.size()});
+    put(to, r.data);
+    put(to, crc32(ByteView(to).subspan(at)));
+  });
+}
+void append(Bytes& to, const AttachmentIndex& r) {
+  put_record(to, Opcode::kAttachmentIndex, r.offset, r.length, r.log_ns, r.create_ns, r.data_size,
+             r.name, r.media_type);
 }
 void append(Bytes& to, const Metadata& r) {
   put_record(to, Opcode::kMetadata, r.name, r.entries);

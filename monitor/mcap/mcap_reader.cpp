@@ -62,6 +62,10 @@ bool note(Opcode opcode, ByteView content, const ByteSource& source, Summary& su
     ChunkIndex index;
     if (!parse(content, index)) return false;
     ++summary.compressions[index.compression];
+  } else if (opcode == Opcode::kAttachmentIndex) {
+    AttachmentIndex index;
+    if (!parse(content, index)) return false;
+    summary.attachments.push_back(index.name);
   } else if (opcode == Opcode::kMetadataIndex) {
     MetadataIndex index;
     Opcode found{};
@@ -103,6 +107,9 @@ Summary count_all(const ByteSource& source) {
   visitor.schema = [&](const Schema& schema) { summary.schemas[schema.id] = schema; };
   visitor.channel = [&](const Channel& channel) { summary.channels[channel.id] = channel; };
   visitor.message = [&](const Message& message) { count(message, statistics); };
+  visitor.attachment = [&](const Attachment& attachment) {
+    summary.attachments.push_back(attachment.name);
+  };
   visitor.metadata = [&](const Metadata& metadata) { summary.metadata.push_back(metadata); };
   visitor.chunk = [&](const Chunk& chunk) {
     ++statistics.chunks;
@@ -114,6 +121,7 @@ Summary count_all(const ByteSource& source) {
       !end.complete || !end.damage.empty() || !has_magic(source, source.size() - sizeof kMagic);
   statistics.schemas = static_cast<std::uint16_t>(summary.schemas.size());
   statistics.channels = static_cast<std::uint32_t>(summary.channels.size());
+  statistics.attachments = static_cast<std::uint32_t>(summary.attachments.size());
   statistics.metadata = static_cast<std::uint32_t>(summary.metadata.size());
   return summary;
 }

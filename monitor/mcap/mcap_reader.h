@@ -14,6 +14,7 @@ struct Summary {
   std::map<std::uint16_t, Channel> channels;
   Statistics statistics;
   std::map<std::string, std::uint32_t> compressions;  ///< number of chunks; "" is uncompressed
+  std::vector<std::string> attachments;               ///< names
   std::vector<Metadata> metadata;
   std::uint64_t bytes = 0;  ///< size of the file
   /// Whether the file was not closed or is damaged. The contents were then counted from the chunks

@@ -28,6 +28,8 @@ enum class Opcode : std::uint8_t {
   kChunk = 0x06,
   kMessageIndex = 0x07,
   kChunkIndex = 0x08,
+  kAttachment = 0x09,
+  kAttachmentIndex = 0x0a,
   kStatistics = 0x0b,
   kMetadata = 0x0c,
   kMetadataIndex = 0x0d,
@@ -81,6 +83,17 @@ struct ChunkIndex {
   std::string compression;
   std::uint64_t compressed_size = 0, uncompressed_size = 0;
 };
+/// A file within the recording. Its checksum stands behind its data.
+struct Attachment {
+  std::uint64_t log_ns = 0, create_ns = 0;
+  std::string name, media_type;
+  ByteView data;
+};
+struct AttachmentIndex {
+  std::uint64_t offset = 0, length = 0;
+  std::uint64_t log_ns = 0, create_ns = 0, data_size = 0;
+  std::string name, media_type;
+};
 struct Metadata {
   std::string name;
   Text entries;
@@ -113,15 +126,17 @@ void append(Bytes& to, const Message& record);
 void append(Bytes& to, const Chunk& record);
 void append(Bytes& to, const MessageIndex& record);
 void append(Bytes& to, const ChunkIndex& record);
+void append(Bytes& to, const Attachment& record);
+void append(Bytes& to, const AttachmentIndex& record);
 void append(Bytes& to, const Metadata& record);
 void append(Bytes& to, const MetadataIndex& record);
 void append(Bytes& to, const Statistics& record);
 void append(Bytes& to, const SummaryOffset& record);
 void append(Bytes& to, const DataEnd& record);
 
-/// Reads a record from its content, without opcode and length. `data` of a message and `records` of
-/// a chunk point into `content`. Returns false if the content is cut short or invalid. Skips fields
-/// that later versions may have added.
+/// Reads a record from its content, without opcode and length. `data` of a message or an attachment
+/// and `records` of a chunk point into `content`. Returns false if the content is cut short or
+/// invalid. Skips fields that later versions may have added.
 [[nodiscard]] bool parse(ByteView content, Header& record);
 [[nodiscard]] bool parse(ByteView content, Footer& record);
 [[nodiscard]] bool parse(ByteView content, Schema& record);
@@ -129,6 +144,9 @@ void append(Bytes& to, const DataEnd& record);
 [[nodiscard]] bool parse(ByteView content, Message& record);
 [[nodiscard]] bool parse(ByteView content, Chunk& record);
 [[nodiscard]] bool parse(ByteView content, ChunkIndex& record);
+/// Returns false, too, if the attachment does not match its checksum.
+[[nodiscard]] bool parse(ByteView content, Attachment& record);
+[[nodiscard]] bool parse(ByteView content, AttachmentIndex& record);
 [[nodiscard]] bool parse(ByteView content, Metadata& record);
 [[nodiscard]] bool parse(ByteView content, MetadataIndex& record);
 [[nodiscard]] bool parse(ByteView content, Statistics& record);

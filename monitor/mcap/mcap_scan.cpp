@@ -31,6 +31,8 @@ bool visit(Opcode opcode, ByteView content, const Visitor& visitor) {
       return pass_on(content, visitor.channel);
     case Opcode::kMessage:
       return pass_on(content, visitor.message);
+    case Opcode::kAttachment:
+      return pass_on(content, visitor.attachment);
     case Opcode::kMetadata:
       return pass_on(content, visitor.metadata);
     default:

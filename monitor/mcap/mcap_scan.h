@@ -16,6 +16,7 @@ struct Visitor {
   std::function<void(const Channel&)> channel;
   std::function<void(const Message&)> message;  ///< its bytes are valid during the call only
   std::function<void(const Chunk&)> chunk;      ///< called for a whole chunk, before its records
+  std::function<void(const Attachment&)> attachment;  ///< as with a message's bytes
   std::function<void(const Metadata&)> metadata;
   std::function<bool()> enough;  ///< called before each record; true ends the scan
 };

@@ -9,11 +9,11 @@
 
 namespace galilean::mcap {
 namespace {
-constexpr const char* kCompression = "zstd";
 constexpr std::size_t kFooterFieldsBeforeCrc = kRecordHead + 8 + 8;
 }  // namespace
 
-Writer::Writer(ByteSink& sink, WriterOptions options) : sink_(sink), options_(std::move(options)) {}
+Writer::Writer(ByteSink& sink, WriterOptions options)
+    : sink_(sink), options_(std::move(options)), compressor_(options_.compression) {}
 
 Result<void> Writer::emit(ByteView bytes) {
   if (!outcome_) return outcome_;
@@ -62,6 +62,20 @@ Result<void> Writer::write(const Message& message) {
   return chunk_.records().size() >= options_.chunk_bytes ? close_chunk() : Result<void>{};
 }
 
+Result<void> Writer::write(const Attachment& attachment) {
+  const std::uint64_t offset = position_;
+  if (auto done = emit_record(attachment); !done) return done;
+  attachment_indexes_.push_back({.offset = offset,
+                                 .length = position_ - offset,
+                                 .log_ns = attachment.log_ns,
+                                 .create_ns = attachment.create_ns,
+                                 .data_size = attachment.data.size(),
+                                 .name = attachment.name,
+                                 .media_type = attachment.media_type});
+  ++statistics_.attachments;
+  return {};
+}
+
 Result<void> Writer::write(const Metadata& metadata) {
   const std::uint64_t offset = position_;
   if (auto done = emit_record(metadata); !done) return done;
@@ -81,12 +95,13 @@ Result<void> Writer::close_chunk_if_due(std::uint64_t now_ns) {
 
 Result<void> Writer::close_chunk() {
   if (!outcome_ || chunk_.empty()) return outcome_;
+  const char* compression = options_.compression == Compression::kNone ? "" : "zstd";
   Chunk chunk{chunk_.start_ns(),       chunk_.end_ns(), chunk_.records().size(),
-              crc32(chunk_.records()), kCompression,    compressor_.compress(chunk_.records())};
+              crc32(chunk_.records()), compression,     compressor_.compress(chunk_.records())};
   ChunkIndex index{.start_ns = chunk.start_ns,
                    .end_ns = chunk.end_ns,
                    .offset = position_,
-                   .compression = kCompression,
+                   .compression = compression,
                    .compressed_size = chunk.records.size(),
                    .uncompressed_size = chunk.uncompressed_size};
   if (auto done = emit_record(chunk); !done) return done;
@@ -130,6 +145,7 @@ Result<void> Writer::write_summary() {
   append_group(Opcode::kChannel, channels_, summary, offsets);
   append_group(Opcode::kStatistics, std::array{statistics_}, summary, offsets);
   append_group(Opcode::kChunkIndex, chunk_indexes_, summary, offsets);
+  append_group(Opcode::kAttachmentIndex, attachment_indexes_, summary, offsets);
   append_group(Opcode::kMetadataIndex, metadata_indexes_, summary, offsets);
 
   Footer footer{position_, position_ + summary.size(), 0};

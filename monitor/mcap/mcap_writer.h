@@ -14,12 +14,13 @@ struct WriterOptions {
   std::string library = "galilean";
   std::size_t chunk_bytes = std::size_t{1} << 20;  ///< a chunk closes when it holds so many bytes
   Duration chunk_span = std::chrono::seconds(1);   ///< or when it spans so much log time
+  Compression compression = Compression::kFast;
 };
 
-/// Writes an MCAP file: chunks compressed by zstd, with indexes and checksums, and a summary at the
-/// end. Each chunk is written whole, in order, and never changed afterwards, so all closed chunks
-/// can be read even if the recording breaks off. After the first failure nothing more is written,
-/// and every call returns that failure.
+/// Writes an MCAP file: chunks, compressed by zstd if at all, with indexes and checksums, and a
+/// summary at the end. Each chunk is written whole, in order, and never changed afterwards, so all
+/// closed chunks can be read even if the recording breaks off. After the first failure nothing more
+/// is written, and every call returns that failure.
 class Writer {
  public:
   explicit Writer(ByteSink& sink, WriterOptions options = {});
@@ -33,6 +34,8 @@ class Writer {
   [[nodiscard]] std::uint16_t add_channel(Channel channel);
   /// Adds a message to the open chunk, and copies its data.
   Result<void> write(const Message& message);
+  /// Writes an attachment at once, before the open chunk.
+  Result<void> write(const Attachment& attachment);
   /// Writes a metadata record at once, before the open chunk.
   Result<void> write(const Metadata& metadata);
   /// Closes the chunk if its span is over at `now_ns`, so that messages do not stay in memory while
@@ -66,6 +69,7 @@ class Writer {
   std::vector<Schema> schemas_;
   std::vector<Channel> channels_;
   std::vector<ChunkIndex> chunk_indexes_;
+  std::vector<AttachmentIndex> attachment_indexes_;
   std::vector<MetadataIndex> metadata_indexes_;
   Statistics statistics_;
 };

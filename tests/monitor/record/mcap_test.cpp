@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "monitor/mcap/crc32.h"
 #include "monitor/mcap/mcap_reader.h"
 #include "monitor/mcap/mcap_scan.h"
@@ -68,6 +70,52 @@ TEST(Mcap, AnEmptyRecordingIsWhole) {
   const Summary summary = summary_of(recording.disk.bytes());
   EXPECT_FALSE(summary.recovered);
   EXPECT_EQ(summary.statistics.messages, 0u);
+}
+
+const Bytes kAttachedText{'h', 'i'};
+
+Bytes recording_with_an_attachment() {
+  FaultyDisk disk;
+  Writer writer(disk);
+  EXPECT_TRUE(writer.begin());
+  EXPECT_TRUE(writer.write(Attachment{.log_ns = 7,
+                                      .create_ns = 5,
+                                      .name = "3f2a/talk.bhdl",
+                                      .media_type = "text/plain",
+                                      .data = kAttachedText}));
+  EXPECT_TRUE(writer.end());
+  return disk.bytes();
+}
+
+TEST(Mcap, GivesBackWhatWasAttached) {
+  const Bytes file = recording_with_an_attachment();
+  const Summary summary = summary_of(file);
+  EXPECT_FALSE(summary.recovered);
+  EXPECT_EQ(summary.statistics.attachments, 1u);
+  EXPECT_EQ(summary.attachments, std::vector<std::string>{"3f2a/talk.bhdl"});
+  EXPECT_EQ(summary_of(ByteView(file).first(file.size() - 1)).attachments, summary.attachments);
+  Visitor visitor;
+  int count = 0;
+  visitor.attachment = [&](const Attachment& attachment) {
+    ++count;
+    EXPECT_EQ(Bytes(attachment.data.begin(), attachment.data.end()), kAttachedText);
+    EXPECT_EQ(attachment.log_ns, 7u);
+    EXPECT_EQ(attachment.create_ns, 5u);
+    EXPECT_EQ(attachment.media_type, "text/plain");
+  };
+  EXPECT_TRUE(scan(MemorySource(file), visitor).complete);
+  EXPECT_EQ(count, 1);
+}
+
+TEST(Mcap, AnAttachmentThatFailsItsChecksumIsReported) {
+  Bytes file = recording_with_an_attachment();
+  const auto at = std::search(file.begin(), file.end(), kAttachedText.begin(), kAttachedText.end());
+  ASSERT_NE(at, file.end());
+  *at ^= 1;
+  const ScanEnd end = scan(MemorySource(file), {});
+  EXPECT_TRUE(end.complete);
+  ASSERT_EQ(end.damage.size(), 1u);
+  EXPECT_NE(end.damage[0].find("contradicts itself"), std::string::npos);
 }
 
 TEST(Mcap, ChunksCloseByTimeToo) {

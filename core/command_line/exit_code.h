@@ -9,6 +9,9 @@ namespace galilean {
 
 inline constexpr int kFailed = 1;
 inline constexpr int kWrongUsage = 2;
+/// Of programs that describe it themselves: it is done as far as could be, and what is missing was
+/// said.
+inline constexpr int kIncomplete = 3;
 
 struct ExitCode {
   int code;

@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "core/json_text.h"
 #include "core/plural.h"
@@ -42,6 +43,35 @@ std::string compression(const mcap::Summary& summary) {
   return names.empty() ? "none" : names;
 }
 
+std::string missing_line(const ToldLosses& losses) {
+  const auto missing = plural(total_missing(losses.writers), "message");
+  if (losses.is_whole) return missing;
+  return "at least " + missing + ", as far as was told before the recorder broke off";
+}
+
+void describe_losses(std::ostream& out, const std::optional<ToldLosses>& losses) {
+  out << "missing:   " << (losses ? missing_line(*losses) : "unknown; its recorder did not count")
+      << '\n';
+  if (!losses) return;
+  for (const auto& each : losses->writers) {
+    out << "  " << visible(each.topic) << " of " << visible(each.process) << ": "
+        << (each.lost ? std::to_string(*each.lost) : "unknown") << " lost, " << each.overrun
+        << " of them because the recorder was too slow, " << each.sent_before << " sent before";
+    if (each.unwritten > 0) out << ", " << each.unwritten << " not written for want of room";
+    if (each.left_out > 0) out << ", " << each.left_out << " left out as was asked";
+    out << '\n';
+  }
+}
+
+nlohmann::ordered_json losses_json(const std::optional<ToldLosses>& losses) {
+  if (!losses) return nullptr;
+  auto writers = nlohmann::ordered_json::array();
+  for (const auto& each : losses->writers) writers.push_back(json_of(each));
+  return {{"missing", total_missing(losses->writers)},
+          {"complete", losses->is_whole},
+          {"writers", std::move(writers)}};
+}
+
 void describe_channels(std::ostream& out, const mcap::Summary& summary) {
   auto all = rows(summary);
   std::size_t widest = 5;
@@ -61,7 +91,8 @@ double duration_s(const mcap::Summary& summary) {
   return static_cast<double>(summary.statistics.end_ns - summary.statistics.start_ns) * 1e-9;
 }
 
-std::string describe(const std::string& path, const mcap::Summary& summary) {
+std::string describe(const std::string& path, const mcap::Summary& summary,
+                     const std::optional<ToldLosses>& losses) {
   const auto& statistics = summary.statistics;
   std::ostringstream out;
   out << std::fixed << std::setprecision(1);
@@ -81,10 +112,13 @@ std::string describe(const std::string& path, const mcap::Summary& summary) {
       << '\n'
       << "channels:  " << summary.channels.size() << '\n';
   describe_channels(out, summary);
+  describe_losses(out, losses);
+  for (const auto& name : summary.attachments) out << "attached:  " << visible(name) << '\n';
   return out.str();
 }
 
-std::string describe_json(const std::string& path, const mcap::Summary& summary) {
+std::string describe_json(const std::string& path, const mcap::Summary& summary,
+                          const std::optional<ToldLosses>& losses) {
   const auto& statistics = summary.statistics;
   nlohmann::ordered_json json{{"file", path},
                               {"bytes", summary.bytes},
@@ -98,6 +132,8 @@ std::string describe_json(const std::string& path, const mcap::Summary& summary)
                               {"compression", compression(summary)},
                               {"recovered", summary.recovered},
                               {"damage", summary.damage},
+                              {"losses", losses_json(losses)},
+                              {"attachments", summary.attachments},
                               {"channels", nlohmann::ordered_json::array()},
                               {"metadata", nlohmann::ordered_json::object()}};
   for (const auto& row : rows(summary))

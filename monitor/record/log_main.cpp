@@ -14,8 +14,9 @@ int info(const std::string& path, bool json) {
   const auto summary = mcap::summarize(file.value());
   if (!summary)
     return std::cerr << "galilean-log: " << path << " " << summary.error().message << '\n', 1;
-  std::cout << (json ? monitor::describe_json(path, summary.value())
-                     : monitor::describe(path, summary.value()));
+  const auto losses = monitor::told_losses(file.value(), summary.value());
+  std::cout << (json ? monitor::describe_json(path, summary.value(), losses)
+                     : monitor::describe(path, summary.value(), losses));
   return std::cout.flush() ? 0 : 1;
 }
 

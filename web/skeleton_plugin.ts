@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What index.html paints before any script has run: the page's colours, and where its panels will stand.
+// What index.html paints before any file of the page has come: its colours, and where its panels will stand.
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import type { HtmlTagDescriptor, IndexHtmlTransformContext, Plugin, Rollup } from "vite";
@@ -8,6 +8,7 @@ import { treeOf } from "./src/layout/text";
 import { STANDARD } from "./src/shell/standard";
 
 const STYLES = fileURLToPath(new URL("src/app.css", import.meta.url));
+const THEME = fileURLToPath(new URL("src/theme.js", import.meta.url));
 /** The panel in whose place it says that the page starts. */
 const SAYS = "map";
 
@@ -47,10 +48,14 @@ export const skeleton = (): Plugin[] => [
     name: "galilean-skeleton",
     transformIndexHtml: {
       order: "pre",
-      handler: (html) => filled(filled(html, "<!-- places -->", boxes()), "<!-- page styles -->", `<style>${readFileSync(STYLES, "utf8")}</style>`),
+      handler: (html) => {
+        const placed = filled(html, "<!-- places -->", boxes());
+        const styled = filled(placed, "<!-- page styles -->", `<style>${readFileSync(STYLES, "utf8")}</style>`);
+        return filled(styled, "<!-- theme -->", `<script>${readFileSync(THEME, "utf8")}</script>`);
+      },
     },
     configureServer({ watcher, ws }) {
-      watcher.on("change", (path) => path === STYLES && ws.send({ type: "full-reload" }));
+      watcher.on("change", (path) => [STYLES, THEME].includes(path) && ws.send({ type: "full-reload" }));
     },
   },
   { name: "galilean-skeleton-links", transformIndexHtml: { order: "post", handler: (_, context) => linksOf(context) } },

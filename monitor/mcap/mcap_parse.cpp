@@ -2,7 +2,6 @@
 #include <cstring>
 #include <type_traits>
 
-#include "monitor/mcap/crc32.h"
 #include "monitor/mcap/mcap_records.h"
 
 namespace galilean::mcap {
@@ -97,27 +96,27 @@ bool parse(ByteView content, Chunk& r) {
   r.records = fields.take_bytes(size);
   return fields.ok();
 }
+bool parse(ByteView content, MessageIndex& r) {
+  Fields fields(content);
+  std::uint32_t size = 0;
+  fields.take(r.channel_id);
+  fields.take(size);
+  Fields entries(fields.take_bytes(size));
+  r.entries.clear();
+  while (!entries.empty()) {
+    MessageIndex::Entry entry{};
+    entries.take(entry.log_ns);
+    entries.take(entry.offset);
+    if (entries.ok()) r.entries.push_back(entry);
+  }
+  return fields.ok() && entries.ok();
+}
 bool parse(ByteView content, ChunkIndex& r) {
   return take_all(content, r.start_ns, r.end_ns, r.offset, r.length, r.message_index_offsets,
                   r.message_index_length, r.compression, r.compressed_size, r.uncompressed_size);
 }
 bool parse(ByteView content, Attachment& r) {
-  Fields fields(content);
-  fields.take(r.log_ns);
-  fields.take(r.create_ns);
-  fields.take(r.name);
-  fields.take(r.media_type);
-  std::uint64_t size = 0;
-  fields.take(size);
-  r.data = fields.take_bytes(size);
-  const std::size_t summed = content.size() - fields.rest().size();
-  std::uint32_t crc = 0;
-  fields.take(crc);
-  return fields.ok() && (crc == 0 || crc == crc32(content.first(summed)));
-}
-bool parse(ByteView content, AttachmentIndex& r) {
-  return take_all(content, r.offset, r.length, r.log_ns, r.create_ns, r.data_size, r.name,
-                  r.media_type);
+  return take_all(content, r.log_ns, r.create_ns, r.name, r.media_type, r.data_bytes);
 }
 bool parse(ByteView content, Metadata& r) {
   return take_all(content, r.name, r.entries);

@@ -3,13 +3,23 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <utility>
 
+#include "core/visible_text.h"
 #include "monitor/mcap/crc32.h"
+#include "monitor/mcap/lz4.h"
 
 namespace galilean::mcap {
 namespace {
 constexpr std::size_t kFooterFieldsBeforeCrc = kRecordHead + 8 + 8;
+/// Returns MCAP's name for it.
+const char* compression_name(Compression compression) {
+  if (compression == Compression::kNone) return "";
+  return compression == Compression::kLz4 ? "lz4" : "zstd";
+}
+
+constexpr std::size_t kAttachedAtOnce = std::size_t{1} << 20;
 }  // namespace
 
 Writer::Writer(ByteSink& sink, WriterOptions options)
@@ -62,25 +72,41 @@ Result<void> Writer::write(const Message& message) {
   return chunk_.records().size() >= options_.chunk_bytes ? close_chunk() : Result<void>{};
 }
 
-Result<void> Writer::write(const Attachment& attachment) {
-  const std::uint64_t offset = position_;
-  if (auto done = emit_record(attachment); !done) return done;
-  attachment_indexes_.push_back({.offset = offset,
-                                 .length = position_ - offset,
-                                 .log_ns = attachment.log_ns,
-                                 .create_ns = attachment.create_ns,
-                                 .data_size = attachment.data.size(),
-                                 .name = attachment.name,
-                                 .media_type = attachment.media_type});
-  ++statistics_.attachments;
-  return {};
-}
-
 Result<void> Writer::write(const Metadata& metadata) {
   const std::uint64_t offset = position_;
   if (auto done = emit_record(metadata); !done) return done;
   metadata_indexes_.push_back({offset, position_ - offset, metadata.name});
   ++statistics_.metadata;
+  return {};
+}
+
+Result<void> Writer::write(const Attachment& attachment, const ByteSource& source) {
+  const std::uint64_t offset = position_;
+  scratch_.clear();
+  append_head(scratch_, attachment);
+  std::uint32_t crc = crc32(ByteView(scratch_).subspan(kRecordHead));
+  if (auto done = emit(scratch_); !done) return done;
+  if (auto done = emit_attached(attachment, source, crc); !done) return done;
+  std::uint8_t end[sizeof crc];
+  std::memcpy(end, &crc, sizeof crc);
+  if (auto done = emit(end); !done) return done;
+  attachment_indexes_.push_back({offset, position_ - offset, attachment.log_ns,
+                                 attachment.create_ns, attachment.data_bytes, attachment.name,
+                                 attachment.media_type});
+  ++statistics_.attachments;
+  return {};
+}
+
+Result<void> Writer::emit_attached(const Attachment& attachment, const ByteSource& source,
+                                   std::uint32_t& crc) {
+  for (std::uint64_t done = 0; done < attachment.data_bytes; done += scratch_.size()) {
+    scratch_.resize(static_cast<std::size_t>(
+        std::min<std::uint64_t>(kAttachedAtOnce, attachment.data_bytes - done)));
+    if (!source.read(attachment.data_offset + done, scratch_))
+      return outcome_ = Error{"the attachment '" + visible(attachment.name) + "' cannot be read"};
+    crc = crc32(scratch_, crc);
+    if (auto written = emit(scratch_); !written) return written;
+  }
   return {};
 }
 
@@ -93,15 +119,24 @@ Result<void> Writer::close_chunk_if_due(std::uint64_t now_ns) {
   return chunk_is_due(now_ns) ? close_chunk() : outcome_;
 }
 
+ByteView Writer::compress(ByteView records) {
+  if (options_.compression != Compression::kLz4) return compressor_.compress(records);
+  compress_lz4(records, frame_);
+  return frame_;
+}
+
 Result<void> Writer::close_chunk() {
   if (!outcome_ || chunk_.empty()) return outcome_;
-  const char* compression = options_.compression == Compression::kNone ? "" : "zstd";
-  Chunk chunk{chunk_.start_ns(),       chunk_.end_ns(), chunk_.records().size(),
-              crc32(chunk_.records()), compression,     compressor_.compress(chunk_.records())};
+  Chunk chunk{.start_ns = chunk_.start_ns(),
+              .end_ns = chunk_.end_ns(),
+              .uncompressed_size = chunk_.records().size(),
+              .uncompressed_crc = crc32(chunk_.records()),
+              .compression = compression_name(options_.compression),
+              .records = compress(chunk_.records())};
   ChunkIndex index{.start_ns = chunk.start_ns,
                    .end_ns = chunk.end_ns,
                    .offset = position_,
-                   .compression = compression,
+                   .compression = compression_name(options_.compression),
                    .compressed_size = chunk.records.size(),
                    .uncompressed_size = chunk.uncompressed_size};
   if (auto done = emit_record(chunk); !done) return done;

@@ -14,7 +14,8 @@ namespace galilean::mcap {
 enum class Compression {
   kNone,
   kFast,
-  kSmall  ///< takes five times as long as kFast to save a tenth on telemetry
+  kSmall,  ///< takes five times as long as kFast to save a tenth on telemetry
+  kLz4     ///< faster than kFast, and larger; not made by a Compressor
 };
 
 /// Compresses chunks with zstd, and keeps its working memory from one chunk to the next.

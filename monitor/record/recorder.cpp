@@ -80,7 +80,8 @@ Result<void> Recorder::attach_programs(const wire::EndpointInfo& writer,
                          .create_ns = static_cast<std::uint64_t>(received.sent_ns),
                          .name = name,
                          .media_type = "text/plain",
-                         .data = {bytes, text.size()}});
+                         .data_bytes = text.size()},
+        mcap::MemorySource({bytes, text.size()}));
     if (!done) return done;
   }
   return {};

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "monitor/mcap/mcap_scan.h"
+#include "monitor/mcap/message_reader.h"
 
 namespace galilean::monitor {
 namespace {
@@ -27,14 +27,13 @@ std::vector<WriterLosses> at_the_end(const mcap::Metadata& metadata) {
 /// Returns the newest that was told of each writer.
 std::vector<WriterLosses> on_the_way(const mcap::ByteSource& source, const mcap::Summary& summary) {
   std::map<std::string, WriterLosses> newest;
-  mcap::Visitor visitor;
-  visitor.message = [&](const mcap::Message& message) {
-    const auto channel = summary.channels.find(message.channel_id);
-    if (channel == summary.channels.end() || channel->second.topic != kLossesTopic) return;
-    const std::string text(message.data.begin(), message.data.end());
+  mcap::MessageReader reader(source, summary.blocks);
+  while (const mcap::Message* message = reader.next()) {
+    const auto channel = summary.channels.find(message->channel_id);
+    if (channel == summary.channels.end() || channel->second.topic != kLossesTopic) continue;
+    const std::string text(message->data.begin(), message->data.end());
     if (auto losses = read_losses(text)) newest[losses->writer] = std::move(*losses);
-  };
-  static_cast<void>(mcap::scan(source, visitor));
+  }
   std::vector<WriterLosses> writers;
   for (auto& [writer, losses] : newest) writers.push_back(std::move(losses));
   return writers;
@@ -46,7 +45,7 @@ std::optional<ToldLosses> told_losses(const mcap::ByteSource& source,
                                       const mcap::Summary& summary) {
   if (const auto* metadata = find_metadata(summary, kLossesMetadata))
     return ToldLosses{at_the_end(*metadata), true};
-  if (!summary.recovered || !find_metadata(summary, kRecorderMetadata)) return std::nullopt;
+  if (!summary.recovered() || !find_metadata(summary, kRecorderMetadata)) return std::nullopt;
   return ToldLosses{on_the_way(source, summary), false};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the log and wire tests share: where the programs are, and the reference decoders.
 import assert from "node:assert/strict";
-import { execFileSync, spawn } from "node:child_process";
+import { execFileSync, spawn, spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
@@ -15,7 +15,7 @@ const require = createRequire(path.join(here, "../node/package.json"));
 const { parse: parseMsg } = require("@foxglove/rosmsg");
 export const { parseRos2idl } = require("@foxglove/ros2idl-parser");
 export const { MessageReader, MessageWriter } = require("@foxglove/rosmsg2-serialization");
-export const { McapIndexedReader, McapStreamReader } = require("@mcap/core");
+export const { McapChunkBuilder, McapIndexedReader, McapRecordBuilder, McapStreamReader, McapWriter } = require("@mcap/core");
 export const { decompress: unzstd } = require("fzstd");
 
 const build = process.env.GALILEAN_BUILD ?? path.join(here, "../../build");
@@ -64,8 +64,12 @@ export async function readIndexed(file) {
   return { reader, messages };
 }
 
-/** What galilean-log says of a recording. */
-export const info = (file) => JSON.parse(execFileSync(program("galilean-log"), ["info", file, "--json"], limit).toString());
+/** What `log info` says, of a file that is whole, or of one that is not. */
+export function info(file, status = 0) {
+  const ended = spawnSync(program("galilean-log"), ["info", file, "--json"], limit);
+  assert.equal(ended.status, status, `${ended.stderr}${ended.stdout}`);
+  return JSON.parse(ended.stdout.toString());
+}
 
 export function start(command, args, options = {}) {
   const child = spawn(command, args, options);

@@ -7,6 +7,7 @@
 #include "core/installation.h"
 #include "monitor/compression/gzip.h"
 #include "monitor/server/http/http_caching.h"
+#include "monitor/server/http/page_policy.h"
 
 namespace galilean::monitor {
 namespace {
@@ -60,6 +61,7 @@ PageFiles::PageFiles(const fs::path& folder) {
         content_of(at->path().string() + kCompressed));
   }
   if (!has("/index.html")) add("/index.html", kNotBuilt, {});
+  policy_ = page_policy(*files_.at("/index.html").plain);
 }
 
 void PageFiles::add(const std::string& path, std::string content, std::string small) {
@@ -82,9 +84,7 @@ HttpResponse PageFiles::get(const HttpRequest& request) const {
       {"ETag", file.etag},
       {"Vary", "Accept-Encoding"},
       {"Cache-Control", for_ever ? "public, max-age=31536000, immutable" : "no-cache"},
-      {"Content-Security-Policy",
-       "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
-       "connect-src 'self' ws: wss:; worker-src 'self' blob:; frame-ancestors 'none'"}};
+      {"Content-Security-Policy", policy_}};
   if (is_known(request.if_none_match, file.etag)) {
     response.status = 304;
     response.body.reset();

@@ -19,7 +19,7 @@ class RecorderFilesTest : public RecorderTest {
  protected:
   [[nodiscard]] std::uint64_t messages_in(const std::string& name) const {
     const auto summary = summary_of(name);
-    EXPECT_FALSE(summary.recovered) << name;
+    EXPECT_FALSE(summary.recovered()) << name;
     return summary.statistics.messages;
   }
   static FilePlan split_each_second() {

@@ -4,7 +4,7 @@
 import { command, orderBreaks } from "../feed/api";
 import type { BreakKind, StateChange } from "../feed/parts";
 import { Attempts } from "../lib/attempts.svelte";
-import { kindAt } from "./breaks";
+import { changeWords, kindAt } from "./breaks";
 import { live } from "./live.svelte";
 import { HOW_TO_STEER, rights } from "./rights.svelte";
 
@@ -56,7 +56,10 @@ export class BreakOrders {
 
   /** Tells those alone that have it: the others would refuse. */
   remove(change: StateChange): void {
-    const names = this.#told.names.filter((name) => kindAt(live.present.robots.get(name)?.breaks?.value, change));
+    const told = this.#told.names;
+    const names = told.filter((name) => kindAt(live.present.robots.get(name)?.breaks?.value, change));
+    const whose = this.forTeam ? "No robot has" : `${told[0]} no longer has`;
+    if (told.length > 0 && names.length === 0) live.trouble = `${whose} the break point ${changeWords(change)}: somebody may have taken it off.`;
     this.#order({ targets: names, names }, (targets) => orderBreaks("remove", targets, [change]));
   }
 

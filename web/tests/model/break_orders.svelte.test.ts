@@ -49,6 +49,14 @@ describe("a break point", () => {
     orders.clear();
     expect(asked()).toEqual([["remove", ["io"], [ENTERING]], ["clear", []]]);
   });
+  it("that is gone is told to nobody, and the reader is told so", () => {
+    orders.remove(ENTERING);
+    expect(live.trouble).toBe("io no longer has the break point on entering grab: somebody may have taken it off.");
+    orders.forTeam = true;
+    orders.remove({ from: "wander", to: "grab" });
+    expect(live.trouble).toBe("No robot has the break point wander → grab: somebody may have taken it off.");
+    expect(asked()).toEqual([]);
+  });
   it("is nothing that is sent where there is no robot, or no right", () => {
     live.robots = [];
     orders.toggle(ENTERING);

@@ -52,10 +52,11 @@ Sheet::Line line_of(const msg::Breaks& breaks, const msg::BreakPoint& point) {
 BreakSheet::BreakSheet(const DashboardModel& model, Steering& steering, std::string robot)
     : model_(model), steering_(steering), robot_(std::move(robot)) {
   const msg::Breaks* told = breaks();
-  if (!told) return;
+  if (!told || told->points.empty()) return;
   const auto lock = std::ranges::find_if(
       told->points, [&](const msg::BreakPoint& point) { return waits_at(*told, point); });
-  if (lock != told->points.end()) chosen_ = static_cast<std::size_t>(lock - told->points.begin());
+  const bool waits = lock != told->points.end();
+  choose(waits ? static_cast<std::size_t>(lock - told->points.begin()) : 0);
 }
 
 const msg::Breaks* BreakSheet::breaks() const {
@@ -65,16 +66,24 @@ const msg::Breaks* BreakSheet::breaks() const {
 
 const msg::BreakPoint* BreakSheet::chosen() const {
   const msg::Breaks* told = breaks();
-  if (!told || told->points.empty()) return nullptr;
-  return &told->points[std::min(chosen_, told->points.size() - 1)];
+  if (!told) return nullptr;
+  const auto found = std::ranges::find_if(told->points, [&](const msg::BreakPoint& point) {
+    return point.from_state == chosen_.from_state && point.to_state == chosen_.to_state;
+  });
+  return found == told->points.end() ? nullptr : &*found;
+}
+
+void BreakSheet::choose(std::size_t line) {
+  const auto& points = breaks()->points;
+  line_ = std::min(line, points.size() - 1);
+  chosen_ = points[line_];
 }
 
 OpenSheet::Turn BreakSheet::press(const Press& press) {
   if (press.key == Key::kEscape || press.letter == 'B') return close();
-  const msg::Breaks* told = breaks();
-  const auto last = told ? static_cast<int>(told->points.size()) - 1 : 0;
-  const int chosen = std::min(static_cast<int>(chosen_), last) + direction_of(press);
-  chosen_ = static_cast<std::size_t>(std::clamp(chosen, 0, std::max(last, 0)));
+  const int line = static_cast<int>(line_) + direction_of(press);
+  const bool moves = direction_of(press) != 0 && breaks() && !breaks()->points.empty();
+  if (moves) choose(static_cast<std::size_t>(std::max(line, 0)));
   if (press.key == Key::kEnter) press_letter('l');
   if (press.key == Key::kLetter) press_letter(press.letter);
   return stay();
@@ -82,6 +91,7 @@ OpenSheet::Turn BreakSheet::press(const Press& press) {
 
 void BreakSheet::press_letter(char letter) {
   if (letter == 'C') return steering_.order_breaks(robot_, "clear", {});
+  // What is gone is not changed, nor what has come into its line: the next picture chooses that.
   if (const msg::BreakPoint* point = chosen()) change(*point, letter);
 }
 
@@ -109,7 +119,9 @@ Sheet BreakSheet::sheet() {
     sheet.lines = {{"It has none. J and K choose a state, and b makes it stop on entering that."}};
     return sheet;
   }
-  sheet.chosen = std::min(chosen_, told->points.size() - 1);
+  const msg::BreakPoint* point = chosen();
+  choose(point ? static_cast<std::size_t>(point - told->points.data()) : line_);
+  sheet.chosen = line_;
   sheet.keys = "x remove  t stop, stop team or lock  l let through  C remove all  Esc back";
   return sheet;
 }

@@ -23,15 +23,19 @@ class BreakSheet : public OpenSheet {
  private:
   /// Returns what the robot told; nullptr if it told nothing.
   [[nodiscard]] const msg::Breaks* breaks() const;
-  /// Returns the chosen point; nullptr if there is none.
+  /// Returns the chosen point; nullptr if there is none, or if somebody has taken it off meanwhile.
   [[nodiscard]] const msg::BreakPoint* chosen() const;
+  /// Chooses the point in that line, or the last one. Requires: the robot told of points.
+  void choose(std::size_t line);
   void press_letter(char letter);
   void change(const msg::BreakPoint& point, char letter);
 
   const DashboardModel& model_;
   Steering& steering_;
   const std::string robot_;
-  std::size_t chosen_ = 0;
+  std::size_t line_ = 0;
+  /// By its two states: another operator's order may move the lines between a look and a key.
+  msg::BreakPoint chosen_;
 };
 
 }  // namespace galilean::monitor::top

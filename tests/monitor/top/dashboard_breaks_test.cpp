@@ -185,6 +185,25 @@ TEST_F(Breaking, TheListChangesKindsRemovesAndClears) {
   EXPECT_THAT(screen(), Not(HasSubstr("Break points of")));
 }
 
+TEST_F(Breaking, AKeyActsOnThePointThatWasSeenHoweverItsLineHasMoved) {
+  breaks.points = {{"", "grab", "stop"}, {"wander", "start", "stop"}};
+  tell_of_breaks(breaks);
+  press("B");
+  press(Key::kDown);
+  screen();
+  breaks.points = {{"", "wander", "lock"}, {"", "grab", "stop"}, {"wander", "start", "stop"}};
+  tell_of_breaks(breaks);
+  press("x");
+  EXPECT_EQ(said.back(), "remove wander:start for callisto");
+  breaks.points.pop_back();
+  tell_of_breaks(breaks);
+  press("x");
+  EXPECT_EQ(said.size(), 1U) << "it is gone, and what stands in its line was not looked at yet";
+  EXPECT_THAT(screen(), ContainsRegex("▶ ● stop +on entering grab"));
+  press("x");
+  EXPECT_EQ(said.back(), "remove :grab for callisto");
+}
+
 TEST_F(Breaking, StopAllWorksOverTheList) {
   press("B.");
   EXPECT_EQ(said, Said{"hold"});

@@ -18,10 +18,10 @@ TEST(PagePolicy, APageWithoutScriptsInsideItRunsItsOwnFilesOnly) {
   EXPECT_EQ(script_sources(R"(<script src="/main.js"></script>)"), "'self'");
 }
 
-// The first hash is the example of https://www.w3.org/TR/CSP3; the second has a "+" of base64.
+// The hashes are those that `openssl dgst -sha256 -binary | base64` prints.
 TEST(PagePolicy, NamesEachScriptInsideThePageByItsHash) {
   EXPECT_EQ(script_sources("<script>alert('Hello, world.');</script><p><script>2</script>"),
-            "'self' 'sha256-qznLcsROx4GACP2dm0UCKCzCg+HiZ1guq6ZZDob/Tng=' "
+            "'self' 'sha256-qznLcsROx4GACP2dm0UCKCzCG+HiZ1guq6ZZDob/Tng=' "
             "'sha256-1HNeOiZeFu7gP1lxi5tdAwGcB9i2xR+Q2jpmbuwTqzU='");
 }
 

@@ -3,7 +3,7 @@
 // page is handed what is newest when it has time: one batch at a time, the next when it asks.
 import { type Arrival, type Connection, Feed } from "./feed";
 import { type Batch, Inbox } from "./inbox";
-import { type DecodedPicture, PictureDesk } from "./picture_desk";
+import { type DecodedPicture, PictureDecoder } from "./picture_decoder";
 import { isPictureTopic } from "./topics";
 
 export type Order =
@@ -26,7 +26,7 @@ export type Report =
 export class FeedServer {
   #feed: Feed | undefined;
   #inbox = new Inbox();
-  #pictures: PictureDesk;
+  #pictures: PictureDecoder;
   #wanted = new Map<string, () => void>();
   #pageIsReady = true;
   #anythingNew = false;
@@ -37,7 +37,7 @@ export class FeedServer {
     bitmapOf?: (picture: Blob) => Promise<ImageBitmap>,
   ) {
     const trouble = (sentence: string) => send({ kind: "trouble", sentence });
-    this.#pictures = new PictureDesk({ trouble, picture: (picture) => send({ kind: "picture", picture }, [picture.bitmap]) }, bitmapOf);
+    this.#pictures = new PictureDecoder({ trouble, picture: (picture) => send({ kind: "picture", picture }, [picture.bitmap]) }, bitmapOf);
   }
 
   obey(order: Order): void {

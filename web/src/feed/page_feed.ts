@@ -2,7 +2,7 @@
 import type { Connection } from "./feed";
 import type { Order, Report } from "./feed_server";
 import type { Batch } from "./inbox";
-import type { DecodedPicture } from "./picture_desk";
+import type { DecodedPicture } from "./picture_decoder";
 
 export interface PageFeedEvents {
   batch: (batch: Batch) => void;

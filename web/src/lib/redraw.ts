@@ -4,7 +4,7 @@
 
 /** Of the time, drawing takes at most one part in so many: what changes all the time waits rather than queues. */
 const SHARE = 4;
-/** No slower than what of a crowd is only glanced at. */
+/** At most so long: a crowd of robots is handed over as often. */
 const LONGEST_WAIT_MS = 250;
 
 export interface Frames {

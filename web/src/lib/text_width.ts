@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How wide a text is, without asking the page for its layout: that would make it reckon the layout there and then.
+// How wide a text is, without asking the page for its layout: that would force it to lay itself out there and then.
 
 const KEPT = 500;
 const widths_px = new Map<string, number>();

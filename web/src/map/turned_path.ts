@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** How an outline is laid: turned clockwise as seen (y down), then enlarged, then moved, in pixels. */
-export interface Lay {
+/** Where an outline is drawn: turned clockwise as seen (y down), then enlarged, then moved, in pixels. */
+export interface Placement {
   readonly angle_rad?: number;
   readonly scale?: number;
   readonly x?: number;
@@ -12,10 +12,10 @@ export interface Lay {
 const NUMBERS_BEFORE_PLACE: Record<string, number> = { A: 5 };
 
 /**
- * An SVG path of M, L, Z and arcs of circles, laid elsewhere. It takes the place of a `transform`, for each of which
+ * An SVG path of M, L, Z and arcs of circles, drawn elsewhere. It takes the place of a `transform`, for each of which
  * the browser keeps a layer of paint.
  */
-export function turnedPath(path: string, { angle_rad = 0, scale = 1, x = 0, y = 0 }: Lay): string {
+export function turnedPath(path: string, { angle_rad = 0, scale = 1, x = 0, y = 0 }: Placement): string {
   const [cos, sin] = [Math.cos(angle_rad) * scale, Math.sin(angle_rad) * scale];
   return path.replace(/([MLA])([^MLAZ]*)/g, (_, command: string, told: string) => {
     const numbers = told.trim().split(/[\s,]+/).map(Number);

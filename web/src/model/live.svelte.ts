@@ -5,7 +5,7 @@ import { flushSync } from "svelte";
 import type { Connection } from "../feed/feed";
 import { type Batch, CROWD, GLANCE_MS } from "../feed/inbox";
 import { PageFeed } from "../feed/page_feed";
-import type { DecodedPicture } from "../feed/picture_desk";
+import type { DecodedPicture } from "../feed/picture_decoder";
 import { robotTopicOf, tellsWhatHappens } from "../feed/topics";
 import { plural } from "../lib/format";
 import { Listeners } from "../lib/listeners";
@@ -192,13 +192,13 @@ class Live {
       // What is forgotten is not shown under its old time.
       if (this.instant_ms !== undefined && this.instant_ms < this.earliest_ms) this.instant_ms = this.earliest_ms;
     }
-    if (!isUrgent) this.#goOn(now_ms);
+    if (!isUrgent) this.#advance(now_ms);
     this.feed.lookAt(this.robotName);
     flushSync();
   }
 
-  #goOn(now_ms: number): void {
-    this.#clock.goOn(now_ms);
+  #advance(now_ms: number): void {
+    this.#clock.advance(now_ms);
     this.#tellGlance(now_ms);
     const silent = silentIn(this.#shown.robots.values(), this.known_present_ms);
     if (!haveSame(silent, this.#silentNow)) this.#silentNow = silent;

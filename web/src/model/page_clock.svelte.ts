@@ -12,7 +12,7 @@ const STEP_MS = 500;
 
 /**
  * The time that the page shows, which goes on only when it is drawn, and that of which the monitor has told. What
- * changes seldom is told where it changes, rather than reckoned by all who read it whenever time goes on.
+ * changes seldom is told where it changes, rather than computed by all who read it whenever time goes on.
  */
 export class PageClock {
   now_ms = $state(Date.now());
@@ -39,11 +39,13 @@ export class PageClock {
     return at_ms - this.now_ms >= this.#ageing_ms * PATIENCE;
   }
 
-  goOn(at_ms: number): void {
+  /** Time goes on to `at_ms`, if that is far enough to be drawn. */
+  advance(at_ms: number): void {
     if (at_ms - this.now_ms >= this.#ageing_ms) [this.now_ms, this.#told_ms] = [at_ms, this.#toldNext_ms];
     this.isBehind = this.behind_ms > BEHIND_MS;
   }
 
+  /** The coarse steps go on. */
   step(at_ms: number): void {
     this.step_ms = Math.ceil(at_ms / STEP_MS) * STEP_MS;
   }

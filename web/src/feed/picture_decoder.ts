@@ -10,24 +10,24 @@ export interface DecodedPicture {
   readonly taken: Time;
 }
 
-export interface PictureDeskEvents {
+export interface PictureDecoderEvents {
   picture: (picture: DecodedPicture) => void;
   /** Something of a picture that the reader should know, in one sentence. */
   trouble: (sentence: string) => void;
 }
 
 /**
- * Makes pictures ready to be drawn, so that the page's own thread need not. Of each topic one is on its way at a time,
- * until the page has shown it, and the newest waits: a page that is slow misses pictures, and is never behind with them.
+ * Decodes pictures, so that the page's own thread need not. Of each topic one is on its way at a time, until the page has
+ * shown it, and the newest waits: a slow page misses pictures, but what it shows is never old.
  */
-export class PictureDesk {
+export class PictureDecoder {
   #waiting = new Map<string, Arrival>();
   #underWay = new Set<string>();
-  /** What was under way before this many times of forgetting is not wanted any more. */
+  /** How often each topic was forgotten: a picture that was begun before the last time is not wanted any more. */
   #forgotten = new Map<string, number>();
 
   constructor(
-    private readonly events: PictureDeskEvents,
+    private readonly events: PictureDecoderEvents,
     private readonly bitmapOf: (picture: Blob) => Promise<ImageBitmap> = (picture) => createImageBitmap(picture),
   ) {}
 

@@ -36,6 +36,8 @@ class Dashboard {
   /// Handles a key. Returns false if it was the key to quit.
   [[nodiscard]] bool press(const Press& press);
   [[nodiscard]] Canvas draw(int columns, int rows);
+  /// Returns the name of the robot that the last screen showed; empty where none was heard.
+  [[nodiscard]] const std::string& drawn_robot() const noexcept { return drawn_robot_; }
 
  private:
   enum class Mode { kTeam, kSheet, kQuestion, kFilter, kFile };
@@ -110,6 +112,7 @@ class Dashboard {
   std::unique_ptr<OpenSheet> sheet_;  ///< in Mode::kSheet
   Tab tab_ = Tab::kAll;
   Scrolls scrolls_;
+  std::string drawn_robot_;
   std::vector<Region> regions_;
   std::vector<AlarmLine> shown_alarms_;
   std::optional<Time> instant_;  ///< none: the present

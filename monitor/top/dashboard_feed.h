@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <string>
+
 #include "core/wake.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/top/model/dashboard_model.h"
@@ -11,33 +15,23 @@ namespace galilean::monitor::top {
 /// Reads the domain's messages into a DashboardModel.
 class DashboardFeed {
  public:
-  DashboardFeed(wire::Participant& participant, const Clock& clock)
-      : model_(clock),
-        history_(clock),
-        ingest_(
-            participant,
-            {.message =
-                 [this](const Message& message) {
-                   model_.receive(message);
-                   history_.note(message);
-                 }},
-            [this] { wake_.ring(); },
-            [](const Channel& channel) {
-              return DashboardModel::shows(channel.schema->ros_type);
-            }) {}
+  DashboardFeed(wire::Participant& participant, const Clock& clock);
 
   [[nodiscard]] const DashboardModel& model() const noexcept { return model_; }
   [[nodiscard]] const History& history() const noexcept { return history_; }
   [[nodiscard]] int descriptor() const noexcept { return wake_.descriptor(); }
-  void poll() {
-    wake_.clear();
-    ingest_.poll();
-  }
+  void poll();
+  /// Reads what this robot sees where no monitor tells of the team's map, and nobody else's
+  /// sightings: they come with each camera frame, and of a large team they are half of all
+  /// messages.
+  void look_through(const std::string& robot);
 
  private:
   Wake wake_;
   DashboardModel model_;
   History history_;
+  std::map<std::string, std::uint32_t> sightings_;  ///< channels by topic
+  std::uint32_t looked_through_ = 0;                ///< the channel that is read; 0: none
   Ingest ingest_;
 };
 

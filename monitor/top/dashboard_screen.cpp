@@ -37,7 +37,9 @@ std::string Dashboard::footer() const {
 }
 
 Canvas Dashboard::draw(int columns, int rows) {
-  Screen screen = lay_out(view(), surroundings(), columns, rows);
+  const View shown = view();
+  drawn_robot_ = shown.robots.empty() ? std::string() : shown.robots[shown.chosen].status.name;
+  Screen screen = lay_out(shown, surroundings(), columns, rows);
   regions_ = std::move(screen.regions);
   shown_alarms_ = std::move(screen.alarms);
   is_too_small_ = columns < kLeastColumns || rows < kLeastRows;

@@ -20,7 +20,14 @@ bool all_is_known(const Team& team) {
   return !team.robots().empty();
 }
 
-void wait_until_known(DashboardFeed& feed, Termination& termination, const Clock& clock) {
+/// The robot that the picture is of: the one that was asked for, or else the first.
+std::string shown_robot(const Team& team, const std::string& asked) {
+  if (team.find(asked) || team.robots().empty()) return asked;
+  return team.robots().begin()->first;
+}
+
+void wait_until_known(DashboardFeed& feed, Termination& termination, const Clock& clock,
+                      const std::string& robot) {
   constexpr Duration kMost = std::chrono::seconds(3), kMore = std::chrono::milliseconds(500);
   Time known{};
   const Time start = clock.now();
@@ -28,6 +35,7 @@ void wait_until_known(DashboardFeed& feed, Termination& termination, const Clock
     pollfd events[] = {{feed.descriptor(), POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
     ::poll(events, 2, kLookEach_ms);
     feed.poll();
+    feed.look_through(shown_robot(feed.model().team(), robot));
     if (known == Time{} && all_is_known(feed.model().team())) known = clock.now();
     if (known != Time{} && clock.now() - known >= kMore) break;
   }
@@ -49,7 +57,7 @@ Canvas picture_of(const View& view) {
 
 int print_once(DashboardFeed& feed, Termination& termination, const Clock& clock,
                const std::string& robot) {
-  wait_until_known(feed, termination, clock);
+  wait_until_known(feed, termination, clock, robot);
   AlarmFinder finder;
   AlarmBoard board;
   board.update(finder.find(feed.model(), clock.now()), clock.now());

@@ -81,6 +81,7 @@ int run_dashboard(top::DashboardFeed& feed, Signals& signals, const Clock& clock
     dashboard.update();
     terminal.measure();
     terminal.show(dashboard.draw(terminal.columns(), terminal.rows()));
+    feed.look_through(dashboard.drawn_robot());
     if (!wait(signals, terminal)) return 0;
     obey(signals.jobs, terminal);
     feed.poll();

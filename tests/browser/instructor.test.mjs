@@ -28,7 +28,7 @@ test("simulated time stands still and goes on at its word, and the timeline keep
   await answer("let the simulation go on");
   await at("instructor-rate").selectOption("5");
   await answer("set the rate to 5");
-  await tab.until(() => document.querySelector("[data-testid=timeline-instructor] [data-order=pause] title")?.textContent === "operator paused the simulation");
+  await tab.until(() => document.querySelector("[data-testid=timeline-instructor] [data-mark=pause] title")?.textContent === "operator paused the simulation");
 });
 
 test("the contest pauses and begins anew", async () => {

@@ -45,7 +45,7 @@ async function deadRobot(page) {
 
 async function deadCamera(page) {
   await bring(page, "vision");
-  await at(page, "picture-camera").getByTestId("rate").filter({ hasText: /^\d+(\.\d)? s old$/ }).waitFor();
+  await at(page, "picture-camera").getByTestId("rate").filter({ hasText: / old$|^no picture for / }).waitFor();
 }
 
 async function lagging(page) {
@@ -94,6 +94,13 @@ async function gains(page) {
   await page.locator("[data-gain]").first().waitFor();
 }
 
+async function breaks(page) {
+  await (isNarrow(page) ? at(page, "strip-io").filter({ hasText: "is stopped" }) : at(page, "break-io")).waitFor();
+  await bring(page, "machine");
+  await page.keyboard.press("B");
+  await at(page, "break-list").locator("[data-change]").first().waitFor();
+}
+
 async function tune(page) {
   await bring(page, "vision");
   await at(page, "tune-button").click();
@@ -112,6 +119,7 @@ export const scenes = [
   { name: "start", play: { empty: true }, show: start },
   { name: "team", play: AT_WORK, show: atWork, anyTeam: true },
   { name: "thick", play: { ...AT_WORK, robots: 30 }, show: (page) => atWork(page, 30) },
+  { name: "crowd", play: { ...AT_WORK, robots: 100 }, show: (page) => atWork(page, 100) },
   { name: "dead-robot", play: { ...AT_WORK, silent: "callisto" }, show: deadRobot },
   { name: "dead-camera", play: { ...AT_WORK, blind: "io" }, show: deadCamera },
   { name: "lagging", play: { ...AT_WORK, late: true }, show: lagging },
@@ -122,6 +130,7 @@ export const scenes = [
   { name: "help", play: AT_WORK, show: help, anyTeam: true },
   { name: "coverage", play: AT_WORK, show: coverage, anyTeam: true },
   { name: "gains", play: AT_WORK, show: gains, anyTeam: true },
+  { name: "breaks", play: { ...AT_WORK, stopping: "io" }, show: breaks },
   { name: "tune", play: AT_WORK, show: tune, anyTeam: true },
   { name: "editor", play: AT_WORK, show: editor, anyTeam: true },
 ];

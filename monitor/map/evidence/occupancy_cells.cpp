@@ -68,9 +68,10 @@ bool OccupancyCells::look_across(const Vec2& at_m, Look look, double sure) {
   const int column = grid.x2idx(at_m.x()), row = grid.y2idx(at_m.y());
   const float free = grid.getCell(column, row);
   if (look == Look::kAtNothing && free < kUnknownAbove) return false;
-  if (free < kMostByLooks)
-    grid.updateCell(column, row,
-                    if_right(look == Look::kAtObject ? kLookedAcross : kSawNothing, sure));
+  if (free >= kMostByLooks) return true;
+  grid.updateCell(column, row,
+                  if_right(look == Look::kAtObject ? kLookedAcross : kSawNothing, sure));
+  if (grid.getCell(column, row) > kMostByLooks) grid.setCell(column, row, kMostByLooks);
   return true;
 }
 

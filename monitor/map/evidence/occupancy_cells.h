@@ -15,8 +15,8 @@ namespace galilean::monitor {
 ///   law     A cell holds the log-odds l that it is free, and each piece of evidence adds its own:
 ///           l += log(p / (1 - p)). Evidence that is right with probability `sure` and says nothing
 ///           otherwise has p = 1/2 + sure (p - 1/2)
-///   looks   change no cell that is kMostByLooks free already, because they are not independent: a
-///           camera that sees no walls looks across each of them again and again
+///   looks   make no cell surer than kMostByLooks, because they are not independent: a camera that
+///           sees no walls looks across each of them again and again
 ///   touch   takes back what looks alone said of the cell
 ///   bounds  No cell becomes surer than kSurelyFree and kSurelyOccupied, so that the map can change
 ///           its mind

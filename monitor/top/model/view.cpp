@@ -61,12 +61,15 @@ void show_team_map(const msg::ObjectMap& map, double age_s, View& view) {
 
 void show_own_map(const DashboardModel& model, View& view) {
   const RobotStatus& status = view.robots[view.chosen].status;
-  view.map_title = status.name + "'s own frame (no monitor)";
+  const auto* seen = model.sightings(status.name);
+  // What robots see is read of the one that is shown alone.
+  view.map_title = status.name + "'s own frame (no monitor" +
+                   (view.is_past && !seen ? "; what it saw then was not read)" : ")");
   if (status.has_state)
     view.poses.push_back({view.chosen, {{status.x_m, status.y_m}, status.heading_rad}});
-  if (const auto* seen = model.sightings(status.name))
-    for (const auto& sighting : seen->items)
-      view.objects.push_back({sighting.object_class, {sighting.x_m, sighting.y_m}, 1});
+  if (!seen) return;
+  for (const auto& sighting : seen->items)
+    view.objects.push_back({sighting.object_class, {sighting.x_m, sighting.y_m}, 1});
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { OccupancyGrid } from "../feed/messages";
 import type { Team } from "../model/model";
+import { ROBOT_RADIUS_M } from "./robot_size";
 
 export interface Bounds {
   readonly left_m: number;
@@ -41,17 +42,24 @@ function knownCells({ info, data }: OccupancyGrid): Bounds | undefined {
   };
 }
 
-function corners({ left_m, bottom_m, width_m, height_m }: Bounds): { x_m: number; y_m: number }[] {
+interface Place {
+  readonly x_m: number;
+  readonly y_m: number;
+}
+
+function corners({ left_m, bottom_m, width_m, height_m }: Bounds): Place[] {
   return [
     { x_m: left_m, y_m: bottom_m },
     { x_m: left_m + width_m, y_m: bottom_m + height_m },
   ];
 }
 
+const around = ({ x_m, y_m }: Place): Place[] => [-ROBOT_RADIUS_M, ROBOT_RADIUS_M].map((off_m) => ({ x_m: x_m + off_m, y_m: y_m + off_m }));
+
 /** What the map must show to show everything: the known floor, every object and every robot. */
 export function bounds(team: Team): Bounds | undefined {
   const floor = team.grid && knownBounds(team.grid);
-  const poses = [...team.robots.values()].flatMap(({ pose }) => (pose ? [pose] : []));
+  const poses = [...team.robots.values()].flatMap(({ pose }) => (pose ? around(pose) : []));
   const points = [...(floor ? corners(floor) : []), ...(team.objects?.value ?? []), ...poses];
   if (points.length === 0) return undefined;
   const xs = points.map((point) => point.x_m);

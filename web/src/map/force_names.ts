@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the names of a robot's forces stand beside their arrows, in pixels from the robot, y down.
+import { ASCENT_PX, type Box, EVERYWHERE, isWithin, overlap, textBox } from "./text_box";
 
 export interface Arrow {
   readonly schema: string;
@@ -16,34 +17,33 @@ export interface ForceName {
 }
 
 const LETTER_PX = 6.2;
-const ASCENT_PX = 9;
-const DESCENT_PX = 3;
 const BESIDE_PX = 4;
 
-interface Box {
-  readonly left: number;
-  readonly right: number;
-  readonly top: number;
-  readonly bottom: number;
-}
-
 function boxOf({ x, y, anchor }: ForceName, text: string): Box {
-  const left = anchor === "start" ? x : x - text.length * LETTER_PX;
-  return { left, right: left + text.length * LETTER_PX, top: y - ASCENT_PX, bottom: y + DESCENT_PX };
+  const width_px = text.length * LETTER_PX;
+  return textBox(anchor === "start" ? x : x - width_px, y, width_px);
 }
 
-const overlap = (a: Box, b: Box) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-
-function beside({ x, y }: Arrow): ForceName {
-  return { x: x + Math.sign(x) * BESIDE_PX, y: y + (y > 0 ? ASCENT_PX + 2 : -BESIDE_PX), anchor: x < 0 ? "end" : "start" };
+/** Beyond the tip, or where the map ends there, from the tip inwards. */
+function beside({ x, y }: Arrow): ForceName[] {
+  const outwards = x < 0 ? "end" : "start";
+  const line = y + (y > 0 ? ASCENT_PX + 2 : -BESIDE_PX);
+  return [
+    { x: x + Math.sign(x) * BESIDE_PX, y: line, anchor: outwards },
+    { x, y: line, anchor: outwards === "end" ? "start" : "end" },
+  ];
 }
 
-/** By schema; the stronger first, and none over another: a name that finds no room is left out. */
-export function placeNames(arrows: readonly Arrow[]): ReadonlyMap<string, ForceName> {
+/**
+ * By schema; the stronger first, none over another, and none cut at the edge of the `room` that is seen: a name that finds
+ * no place is left out.
+ */
+export function placeNames(arrows: readonly Arrow[], room: Box = EVERYWHERE): ReadonlyMap<string, ForceName> {
   const names = new Map<string, ForceName>();
   const taken: Box[] = [];
   for (const arrow of [...arrows].sort((a, b) => b.strength - a.strength)) {
-    const name = beside(arrow);
+    const name = beside(arrow).find((each) => isWithin(boxOf(each, arrow.schema), room));
+    if (!name) continue;
     const box = boxOf(name, arrow.schema);
     if (taken.some((other) => overlap(box, other))) continue;
     taken.push(box);

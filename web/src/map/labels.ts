@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the labels of the map's items stand, in pixels, y down: beside their item, and none over another or over a robot.
+import { ASCENT_PX, type Box, DESCENT_PX, EVERYWHERE, isWithin, overlap, textBox } from "./text_box";
 
 export const sides = ["right", "left", "below", "above"] as const;
 export type LabelSide = (typeof sides)[number];
@@ -25,22 +26,10 @@ export interface LabelPlace {
   readonly dy: number;
 }
 
-export interface Box {
-  readonly left: number;
-  readonly right: number;
-  readonly top: number;
-  readonly bottom: number;
-}
-
 const LETTER_PX = 6.4;
-const ASCENT_PX = 9;
-const DESCENT_PX = 3;
 const GAP_PX = 3;
 
-const EVERYWHERE: Box = { left: -Infinity, right: Infinity, top: -Infinity, bottom: Infinity };
 const widthOf = (text: string) => text.length * LETTER_PX;
-const isWithin = (a: Box, b: Box) => a.left >= b.left && a.right <= b.right && a.top >= b.top && a.bottom <= b.bottom;
-const overlap = (a: Box, b: Box) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
 /** Where its text begins, from the middle of its item. */
 export function placeOf({ text, reach }: Label, side: LabelSide): LabelPlace {
@@ -52,8 +41,7 @@ export function placeOf({ text, reach }: Label, side: LabelSide): LabelPlace {
 
 function boxOf(label: Label, side: LabelSide): Box {
   const { dx, dy } = placeOf(label, side);
-  const [left, line] = [label.x + dx, label.y + dy];
-  return { left, right: left + widthOf(label.text), top: line - ASCENT_PX, bottom: line + DESCENT_PX };
+  return textBox(label.x + dx, label.y + dy, widthOf(label.text));
 }
 
 /**

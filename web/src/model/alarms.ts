@@ -9,7 +9,7 @@ import { lasting } from "../lib/format";
 import { isAlike } from "../lib/steady";
 import { loopOf, repeats } from "./loops";
 import type { Robot, Team } from "./model";
-import { isSilent } from "./silence";
+import { age_s, isSilent } from "./silence";
 
 export type AlarmKind = "silent" | "overrun" | "drift" | "stuck" | "loop" | "uncertain" | "problem" | "push";
 
@@ -24,6 +24,8 @@ export interface Alarm {
   readonly past?: string;
   /** The words say for how long. */
   readonly timed?: true;
+  /** Since when it is so; without it, since it was posted. */
+  readonly began_ms?: number;
   /** The words tell of an event, which lasts no time. */
   readonly happened?: true;
   /** What to do about it. */
@@ -80,7 +82,10 @@ interface Programs {
 
 function ofRobot(robot: Robot, team: Team, { shares, underWay }: Programs, now_ms: number): Alarm[] {
   const of = (kind: AlarmKind, words: string, advice: string, more = ""): Alarm => ({ key: `${kind} ${robot.name} ${more}`, kind, robot: robot.name, words, advice });
-  if (isSilent(robot, now_ms)) return [{ ...of("silent", `${robot.name} is silent.`, "Check its power and its network; it is shown where it was last heard."), past: `${robot.name} was silent` }];
+  if (isSilent(robot, now_ms)) {
+    const silent = of("silent", `${robot.name} is silent.`, "Check its power and its network; it is shown where it was last heard.");
+    return [{ ...silent, past: `${robot.name} was silent`, began_ms: now_ms - age_s(robot, now_ms) * 1000 }];
+  }
   const state = robot.state?.value;
   if (state?.out_of_service) return [];
   const found = Object.values(finders).flatMap((find) => find(robot, now_ms, team) ?? []);
@@ -124,7 +129,7 @@ export interface PostedAlarm {
 export function sentenceOf({ alarm, since_ms, over_ms }: PostedAlarm, now_ms: number): string {
   const words = alarm.words.replace(/\.$/, "");
   if (alarm.happened) return `${words}, ${lasting((now_ms - since_ms) / 1000)} ago`;
-  const lasted = lasting(((over_ms ?? now_ms) - since_ms) / 1000);
+  const lasted = lasting(((over_ms ?? now_ms) - (alarm.began_ms ?? since_ms)) / 1000);
   if (over_ms === undefined) return alarm.timed ? words : `${words}, for ${lasted}`;
   return alarm.past ? `${alarm.past} for ${lasted}` : `${words}; over after ${lasted}`;
 }
@@ -142,7 +147,8 @@ export function withAlarms(board: readonly PostedAlarm[], active: readonly Alarm
   const stands = active.map((alarm): PostedAlarm => {
     const before = known.get(alarm.key);
     if (!before || before.over_ms !== undefined) return { alarm, since_ms: now_ms, seen: false };
-    return isAlike(before.alarm, alarm) ? before : { ...before, alarm };
+    const same = alarm.began_ms === undefined ? alarm : { ...alarm, began_ms: before.alarm.began_ms };
+    return isAlike(before.alarm, same) ? before : { ...before, alarm: same };
   });
   const next = [...stands, ...ended.filter(({ seen }) => !seen)].sort((a, b) => Number(a.seen) - Number(b.seen) || b.since_ms - a.since_ms);
   return next.length === board.length && next.every((posted, i) => posted === board[i]) ? board : next;

@@ -28,6 +28,12 @@ export interface TimeMark {
 
 const STEPS_S = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600];
 
+/** How long ago a mark is: "now", "−90 s", "−2.5 min". */
+export function markWords(ago_s: number): string {
+  if (ago_s === 0) return "now";
+  return ago_s < 120 ? `−${ago_s} s` : `−${Number((ago_s / 60).toFixed(1))} min`;
+}
+
 /** Round ages, counted back from `reference_ms`, that fall into the span: six or so. */
 export function timeMarks({ from_ms, to_ms }: TimeSpan, reference_ms: number): TimeMark[] {
   const wanted_s = (to_ms - from_ms) / 1000 / 7;

@@ -11,6 +11,8 @@ export class PictureReader {
   width_px = $state(352);
   height_px = $state(186);
   count = $state(0);
+  /** Since when pictures are asked for. */
+  asked_ms = $state(0);
   shown_ms = $state(0);
   rate_hz = $state(0);
   /** When what is shown was taken, by the robot's clock. */
@@ -22,6 +24,7 @@ export class PictureReader {
   read(feed: PageFeed, robot: string, picture: Picture, canvas: HTMLCanvasElement, drawn?: () => void): () => void {
     const topic = pictureTopic(robot, picture);
     if (topic !== this.#topic) this.#begin(topic);
+    this.asked_ms = Date.now();
     const release = feed.want(topic);
     const silence = live.onPicture(topic, ({ bitmap, taken }) => {
       this.#show(bitmap, canvas);

@@ -26,4 +26,12 @@ describe("names of forces", () => {
     expect([...names.keys()]).toEqual(["avoid_static_obstacle"]);
     expect(placeNames([arrow("aso", 10, -20, 2), arrow("noise", 120, -20)]).size).toBe(2);
   });
+
+  it("turn inwards where the map ends, and are left out where they would be cut on both sides", () => {
+    const room = { left: -200, right: 60, top: -100, bottom: 100 };
+    expect(placeNames([arrow("noise", 50, -20)], room).get("noise")).toEqual({ x: 50, y: -24, anchor: "end" });
+    expect(placeNames([arrow("noise", 20, -20)], room).get("noise")?.anchor).toBe("start");
+    expect(placeNames([arrow("noise", 20, -20)], { ...room, left: -10, right: 40 }).size).toBe(0);
+    expect(placeNames([arrow("noise", 20, -98)], room).size).toBe(0);
+  });
 });

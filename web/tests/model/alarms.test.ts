@@ -134,9 +134,16 @@ describe("alarms", () => {
 describe("the sentence of a posted alarm", () => {
   const silent = alarms(told([["/io/state", state(), T0_MS]]), T0_MS + 9000)[0]!;
 
-  it("says how long it lasts, and in the past tense how long it lasted", () => {
-    expect(sentenceOf({ alarm: silent, since_ms: 1000, seen: false }, 13_000)).toBe("io is silent, for 12 s");
-    expect(sentenceOf({ alarm: silent, since_ms: 1000, over_ms: 13_000, seen: false }, 99_000)).toBe("io was silent for 12 s");
+  it("says how long it lasts, and in the past tense how long it lasted: a silence since the robot was last heard", () => {
+    const posted = { alarm: silent, since_ms: T0_MS + 9000, seen: false };
+    expect(sentenceOf(posted, T0_MS + 12_000)).toBe("io is silent, for 12 s");
+    expect(sentenceOf({ ...posted, over_ms: T0_MS + 12_000 }, T0_MS + 99_000)).toBe("io was silent for 12 s");
+  });
+  it("keeps when a silence began, so that the board stays the same", () => {
+    const team = told([["/io/state", state(), T0_MS]]);
+    const board = withAlarms([], alarms(team, T0_MS + 9000), T0_MS + 9000);
+    const later = alarms(team, T0_MS + 9100).map((alarm) => ({ ...alarm, began_ms: alarm.began_ms! + 40 }));
+    expect(withAlarms(board, later, T0_MS + 9100)).toBe(board);
   });
   it("adds no duration to words that say it", () => {
     const alarm: Alarm = { key: "loop io", kind: "loop", robot: "io", words: "io goes round a → b, 14 times in 10 s.", past: "io went round a → b", timed: true, advice: "" };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
-import { timeMarks, zoomed } from "../../src/model/time_span";
+import { markWords, timeMarks, zoomed } from "../../src/model/time_span";
 
 describe("a span of time", () => {
   it("keeps what the pointer is at where it is when it is zoomed", () => {
@@ -16,5 +16,8 @@ describe("a span of time", () => {
     const ages = (to_ms: number) => timeMarks({ from_ms: to_ms - 180_000, to_ms }, 1_000_000).map(({ ago_s }) => ago_s);
     expect(ages(1_000_000)).toEqual([0, 30, 60, 90, 120, 150, 180]);
     expect(ages(900_000)).toEqual([120, 150, 180, 210, 240, 270]);
+  });
+  it("gives no two marks the same words", () => {
+    expect([0, 90, 120, 150, 180, 600].map(markWords)).toEqual(["now", "−90 s", "−2 min", "−2.5 min", "−3 min", "−10 min"]);
   });
 });

@@ -73,6 +73,15 @@ TEST_F(OccupancyGridMapTest, ATouchOutweighsWhateverCamerasSaw) {
   EXPECT_GT(at(ahead_m), 60);
 }
 
+TEST_F(OccupancyGridMapTest, HoweverOftenACameraLooksItMakesNothingSurerThanLooksMay) {
+  constexpr int kLeast = 20;  // 100 (1 - OccupancyCells::kMostByLooks)
+  for (const double deviation_m : {0.01, 0.02, 0.03, 0.05}) {
+    look(100, deviation_m);
+    look(100, deviation_m, {{1.5, 0.06}});
+    EXPECT_EQ(at(ahead_m), kLeast) << deviation_m;
+  }
+}
+
 TEST_F(OccupancyGridMapTest, ACameraLooksNoFurtherThanWhatIsOccupied) {
   touch({0.52, 0}, kSure_m);
   look(100, kSure_m);

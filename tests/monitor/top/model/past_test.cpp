@@ -48,6 +48,14 @@ TEST_F(Remembered, StatesAreKeptTwiceASecondAndForSomeMinutes) {
   EXPECT_EQ(history.begin(), clock.now());
 }
 
+TEST_F(Remembered, ThePastSaysThatNobodyReadWhatARobotSaw) {
+  tell_of_io();
+  const Past then(history, clock.now());
+  const View view =
+      make_view({then.model(), then.clock(), model.identities(), &history, nullptr, &clock}, {});
+  EXPECT_EQ(view.map_title, "io's own frame (no monitor; what it saw then was not read)");
+}
+
 TEST_F(Remembered, AVariablesCurveIsMadeOfItsPast) {
   for (int i = 0; i < 6; ++i, clock.advance(History::kEach)) tell_of_io(i);
   const View view = make_view({model, clock, model.identities(), &history}, {.robot = "io"});

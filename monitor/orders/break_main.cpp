@@ -40,7 +40,7 @@ int tell_answers(OrderSession& session, const Names& robots, const std::string& 
       tell(robot, "did not answer; try again");
       continue;
     }
-    const std::string& refused = session.breaks_of(robot)->refused;
+    const std::string& refused = session.answer_of(robot, order_id)->refused;
     tell(robot, refused.empty() ? effect(robot) : "refused: " + refused);
     all_did &= refused.empty();
   }

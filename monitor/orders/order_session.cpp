@@ -8,6 +8,7 @@
 
 #include "core/command_line/domain_option.h"
 #include "core/visible_text.h"
+#include "monitor/orders/break_answer.h"
 
 namespace galilean::monitor {
 namespace {
@@ -64,8 +65,7 @@ std::vector<std::string> OrderSession::wait_for_answers(const std::vector<std::s
   std::vector<std::string> waiting = robots;
   wait(kAnswer, [&] {
     std::erase_if(waiting, [&](const std::string& robot) {
-      const msg::Breaks* told = breaks_of(robot);
-      return told && told->answered_id == order_id;
+      return answer_of(robot, order_id) != nullptr;
     });
     return waiting.empty();
   });
@@ -97,6 +97,12 @@ const msg::Program* OrderSession::program_of(const std::string& robot) const {
 const msg::Breaks* OrderSession::breaks_of(const std::string& robot) const {
   const auto found = breaks_.find(robot);
   return found == breaks_.end() ? nullptr : &found->second;
+}
+
+const msg::BreakAnswer* OrderSession::answer_of(const std::string& robot,
+                                                const std::string& order_id) const {
+  const msg::Breaks* told = breaks_of(robot);
+  return told ? answer_to(*told, order_id) : nullptr;
 }
 
 std::vector<std::string> OrderSession::speaking() const {

@@ -55,6 +55,10 @@ class OrderSession {
   [[nodiscard]] const msg::Program* program_of(const std::string& robot) const;
   /// Returns what the robot told about break points, or null if it told nothing.
   [[nodiscard]] const msg::Breaks* breaks_of(const std::string& robot) const;
+  /// Returns the robot's answer to an order about break points or a step, or null if it has not
+  /// answered it.
+  [[nodiscard]] const msg::BreakAnswer* answer_of(const std::string& robot,
+                                                  const std::string& order_id) const;
   [[nodiscard]] wire::Participant& participant() noexcept { return listener_->participant(); }
 
  private:

@@ -62,9 +62,10 @@ void BreakDesk::obey(const msg::BreakOrder& order) {
 /// Notes the answer to an order. Requires: mutex_ is locked.
 void BreakDesk::answer(const std::string& id, const std::string& what, const Result<void>& done) {
   ++told_.orders;
-  told_.answered_id = id;
-  told_.refused = done ? "" : done.error().message;
-  log_info(done ? what : what + ": refused: " + told_.refused);
+  auto& answers = told_.answers;
+  answers.push_back({id, done ? "" : done.error().message});
+  if (answers.size() > kAnswersKept) answers.erase(answers.begin());
+  log_info(done ? what : what + ": refused: " + done.error().message);
 }
 
 Result<void> BreakDesk::carry_out(const msg::BreakOrder& order) {

@@ -52,8 +52,7 @@ msg::Breaks BreakPublisher::compose(const Snapshot& newest, const BreakDesk::Tol
   breaks.stamp = WallTime::now();
   breaks.robot = robot_;
   breaks.stepping = newest.standstill.hold == Hold::kStepping;
-  breaks.answered_id = told.answered_id;
-  breaks.refused = told.refused;
+  breaks.answers = told.answers;
   tell_points(breaks);
   tell_stop(newest.standstill, told, breaks);
   tell_wait(newest, breaks);

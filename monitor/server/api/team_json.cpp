@@ -38,6 +38,9 @@ nlohmann::json breaks_json(const Team& team, const Robot& robot) {
   auto points = nlohmann::json::array();
   for (const auto& point : breaks.points)
     points.push_back({{"from", point.from_state}, {"to", point.to_state}, {"kind", point.kind}});
+  auto answers = nlohmann::json::array();
+  for (const auto& answer : breaks.answers)
+    answers.push_back({{"id", answer.id}, {"refused", answer.refused}});
   const double waits_s =
       waits_at_lock(breaks) ? lock_wait_s(breaks, team.since_breaks(robot)) : 0.0;
   return {{"points", std::move(points)},
@@ -49,8 +52,7 @@ nlohmann::json breaks_json(const Team& team, const Robot& robot) {
           {"waits_at_from", breaks.waits_at_from},
           {"waits_at_to", breaks.waits_at_to},
           {"waits_s", waits_s},
-          {"answered_id", breaks.answered_id},
-          {"refused", breaks.refused}};
+          {"answers", std::move(answers)}};
 }
 
 }  // namespace

@@ -173,8 +173,7 @@ TEST_F(BreakOrdersTest, WhatARobotTellsStandsInTheTeam) {
   told.waits_at_to = "move";
   told.stamp = wire::ros_time(5'000'000'000);
   told.waits_since = wire::ros_time(2'000'000'000);
-  told.answered_id = "x";
-  told.refused = "";
+  told.answers = {{"x", ""}, {"y", "there is no lock"}};
   ASSERT_TRUE(breaks.write(told));
   ASSERT_TRUE(becomes_true([&] { return !robot()["breaks"].is_null(); }));
   const auto shown = robot();
@@ -185,7 +184,9 @@ TEST_F(BreakOrdersTest, WhatARobotTellsStandsInTheTeam) {
   EXPECT_EQ(shown["breaks"]["waits_at_to"], "move");
   EXPECT_GE(shown["breaks"]["waits_s"], 3.0);
   EXPECT_LT(shown["breaks"]["waits_s"], 30.0);
-  EXPECT_EQ(shown["breaks"]["answered_id"], "x");
+  EXPECT_EQ(shown["breaks"]["answers"],
+            json::array(
+                {{{"id", "x"}, {"refused", ""}}, {{"id", "y"}, {"refused", "there is no lock"}}}));
   EXPECT_EQ(get("/api/status").as_json()["robots"][0]["break_reason"], shown["break_reason"]);
 }
 

@@ -32,8 +32,7 @@ class Breaking : public Steered {
   }
   /// The robot tells where it stops, as its answer to the newest order.
   void answer(std::string refused = "") {
-    breaks.answered_id = std::to_string(said.size());
-    breaks.refused = std::move(refused);
+    breaks.answers.push_back({std::to_string(said.size()), std::move(refused)});
     tell_of_breaks(breaks);
     dashboard.update();
   }
@@ -104,21 +103,34 @@ TEST_F(Breaking, TheTeamIsSteppedAndWhoRefusesIsNamed) {
   for (const char* name : {"ganymede", "io"}) {
     msg::Breaks answer;
     answer.robot = name;
-    answer.answered_id = "1";
-    if (answer.robot == "io") answer.refused = "io is held by Anna, not at a break point";
+    answer.answers = {{"1", name == std::string("io") ? "io is held by Anna" : ""}};
     tell_of_breaks(answer);
   }
   dashboard.update();
-  EXPECT_THAT(screen(), HasSubstr("io refused: io is held by Anna, not at a break point"));
+  EXPECT_THAT(screen(), HasSubstr("io refused: io is held by Anna"));
   answer();
   clock.advance(seconds(3));
   dashboard.update();
   EXPECT_THAT(screen(), Not(HasSubstr("did not answer")));
 }
 
-TEST_F(Breaking, OfTwoQuickOrdersTheSecondAnswerIsEnough) {
+TEST_F(Breaking, OfTwoQuickOrdersEachHasItsAnswer) {
   press("JJbb");
-  answer();
+  breaks.answers = {{"1", "it has enough"}, {"2", ""}};
+  tell_of_breaks(breaks);
+  dashboard.update();
+  EXPECT_THAT(screen(), HasSubstr("callisto refused: it has enough; callisto stops on entering"));
+  clock.advance(seconds(3));
+  dashboard.update();
+  EXPECT_THAT(screen(), Not(HasSubstr("did not answer")));
+}
+
+TEST_F(Breaking, AnAnswerCountsThoughAnotherOperatorsCameAfterIt) {
+  press("JJb");
+  breaks.answers = {{"1", ""}, {"another operator's", "there is no lock"}};
+  tell_of_breaks(breaks);
+  dashboard.update();
+  EXPECT_THAT(screen(), HasSubstr("callisto stops on entering grab"));
   clock.advance(seconds(3));
   dashboard.update();
   EXPECT_THAT(screen(), Not(HasSubstr("did not answer")));

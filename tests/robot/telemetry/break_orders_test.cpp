@@ -34,7 +34,7 @@ class BreakingRobot : public TelemetryRobot {
     message.order = order;
     message.points = std::move(points);
     send(message);
-    return answer_to(message.id);
+    return told_with_answer(message.id);
   }
   msg::Breaks step(const std::string& author = "Ben") {
     msg::Command command;
@@ -43,10 +43,13 @@ class BreakingRobot : public TelemetryRobot {
     command.targets = {name};
     command.kind = kinds::STEP;
     send(command);
-    return answer_to(command.id);
+    return told_with_answer(command.id);
   }
-  msg::Breaks answer_to(const std::string& id) {
-    return tell_when([&](const msg::Breaks& each) { return each.answered_id == id; });
+  /// Returns what it tells once it has answered the order. Requires: it is the newest order.
+  msg::Breaks told_with_answer(const std::string& id) {
+    return tell_when([&](const msg::Breaks& each) {
+      return !each.answers.empty() && each.answers.back().id == id;
+    });
   }
   msg::Breaks tell_when(const std::function<bool(const msg::Breaks&)>& is_it) {
     const auto found = told.wait_for(is_it);
@@ -67,6 +70,11 @@ class BreakingRobot : public TelemetryRobot {
   int asked_ = 0;
 };
 
+/// Returns why it refused the newest order; empty: it did not.
+std::string refusal_in(const msg::Breaks& told) {
+  return told.answers.empty() ? "it has answered nothing" : told.answers.back().refused;
+}
+
 class BreakOrdersTest : public testing::Test {
  protected:
   BreakOrdersTest() : io(name_of_this_test()) {}
@@ -77,7 +85,7 @@ class BreakOrdersTest : public testing::Test {
 TEST_F(BreakOrdersTest, ASetIsAnsweredWithThePoints) {
   const auto set = io.ask("set", {{"wander", "grab", "stop"}, {"", "rest", "lock"}});
   EXPECT_EQ(set.robot, io.name);
-  EXPECT_EQ(set.refused, "");
+  EXPECT_EQ(refusal_in(set), "");
   ASSERT_EQ(set.points.size(), 2U);
   EXPECT_EQ(set.points[0], (msg::BreakPoint{"wander", "grab", "stop"}));
   EXPECT_EQ(set.points[1], (msg::BreakPoint{"", "rest", "lock"}));
@@ -109,7 +117,7 @@ TEST_F(BreakOrdersTest, TellsWhereItStoppedAndWhoseBreakPointItIs) {
 }
 
 TEST_F(BreakOrdersTest, AStepIsAnsweredAndEndsAtTheNextChangeOfState) {
-  EXPECT_EQ(io.step().refused, "");
+  EXPECT_EQ(refusal_in(io.step()), "");
   io.robot.tick();
   EXPECT_TRUE(io.robot.drive.moving);
   io.tell_when([](const msg::Breaks& each) { return each.stepping && !each.stopped; });
@@ -130,7 +138,7 @@ TEST_F(BreakOrdersTest, AStepOfARobotThatAnOperatorHoldsIsRefused) {
   io.send(kinds::HOLD, 0, io.name);
   ASSERT_TRUE(io.tick_until([&] { return io.robot.executive->held(); }));
   const auto refused = io.step();
-  EXPECT_EQ(refused.refused, io.name + " is held by tester, not at a break point: resume it first");
+  EXPECT_EQ(refusal_in(refused), io.name + " is held by tester, not at a break point: resume it first");
   EXPECT_FALSE(refused.stopped);
   io.robot.tick();
   EXPECT_FALSE(io.robot.drive.moving);
@@ -139,13 +147,13 @@ TEST_F(BreakOrdersTest, AStepOfARobotThatAnOperatorHoldsIsRefused) {
 TEST_F(BreakOrdersTest, AStepOfARobotThatIsOutOfServiceIsRefused) {
   io.send(kinds::DECOMMISSION, 0, io.name);
   ASSERT_TRUE(io.tick_until([&] { return !io.robot.executive->in_service(); }));
-  EXPECT_EQ(io.step().refused, io.name + " is out of service: commission it first");
+  EXPECT_EQ(refusal_in(io.step()), io.name + " is out of service: commission it first");
 }
 
 TEST_F(BreakOrdersTest, SaysWhatIsWrongWithAnOrderAndChangesNothing) {
   io.ask("set", {{"wander", "grab", "stop"}});
   const auto expect_refused = [&](const msg::Breaks& answer, const std::string& why) {
-    EXPECT_THAT(answer.refused, HasSubstr(why));
+    EXPECT_THAT(refusal_in(answer), HasSubstr(why));
     EXPECT_EQ(answer.points.size(), 1U);
   };
   expect_refused(io.ask("forget", {}), "there is no order 'forget'");
@@ -159,7 +167,7 @@ TEST_F(BreakOrdersTest, SaysWhatIsWrongWithAnOrderAndChangesNothing) {
   expect_refused(io.ask("set", many), "33 break points");
   many.push_back({"", "one more", "stop"});
   expect_refused(io.ask("set", many), "names 33 break points, and 32 are the most");
-  EXPECT_EQ(io.ask("clear", {}).refused, "");
+  EXPECT_EQ(refusal_in(io.ask("clear", {})), "");
 }
 
 TEST_F(BreakOrdersTest, TellsAtWhichLockItWaitsUntilItIsLetThrough) {
@@ -172,11 +180,11 @@ TEST_F(BreakOrdersTest, TellsAtWhichLockItWaitsUntilItIsLetThrough) {
   EXPECT_EQ(waits.waits_at_to, "grab");
   EXPECT_LE(wire::since_epoch_ns(waits.waits_since), wire::since_epoch_ns(waits.stamp));
   EXPECT_GT(waits.waits_since.sec, 0);
-  EXPECT_EQ(io.ask("let_through", {{"wander", "grab", ""}}).refused, "");
+  EXPECT_EQ(refusal_in(io.ask("let_through", {{"wander", "grab", ""}})), "");
   io.robot.tick();
   EXPECT_EQ(io.robot.state(), "grab");
   io.tell_when([](const msg::Breaks& each) {
-    return each.answered_id.starts_with("let_through") && each.waits_at_to.empty();
+    return each.answers.back().id.starts_with("let_through") && each.waits_at_to.empty();
   });
 }
 
@@ -188,6 +196,31 @@ TEST_F(BreakOrdersTest, ALateJoinerLearnsThemAndEachSecondAnew) {
   const auto before = count();
   io.robot.tick(25);
   EXPECT_TRUE(io.tick_until([&] { return count() > before; }));
+}
+
+TEST_F(BreakOrdersTest, TwoOperatorsWhoOrderAtOnceBothFindTheirAnswers) {
+  msg::BreakOrder order;
+  order.targets = {io.name};
+  order.points = {{"", "grab", "stop"}};
+  for (const char* id : {"Anna's", "Ben's"}) {
+    order.id = id;
+    order.order = order.id == "Anna's" ? "set" : "forget";
+    io.send(order);
+  }
+  const auto told = io.told_with_answer("Ben's");
+  ASSERT_EQ(told.answers.size(), 2U);
+  EXPECT_EQ(told.answers[0], (msg::BreakAnswer{"Anna's", ""}));
+  EXPECT_EQ(told.answers[1].id, "Ben's");
+  EXPECT_THAT(told.answers[1].refused, HasSubstr("there is no order 'forget'"));
+}
+
+TEST_F(BreakOrdersTest, OnlyTheNewestAnswersAreKept) {
+  const std::size_t kept = BreakDesk::kAnswersKept;
+  for (std::size_t i = 0; i <= kept; ++i) io.ask("clear", {});
+  const auto answers = io.told.all().back().answers;
+  ASSERT_EQ(answers.size(), kept);
+  EXPECT_EQ(answers.front().id, "clear2");
+  EXPECT_EQ(answers.back().id, "clear" + std::to_string(kept + 1));
 }
 
 TEST_F(BreakOrdersTest, AnothersOrderIsNoneOfItsBusinessAndAStrangersIsObeyed) {
@@ -204,7 +237,7 @@ TEST_F(BreakOrdersTest, AnothersOrderIsNoneOfItsBusinessAndAStrangersIsObeyed) {
   order.id = "everybody's";
   order.points = {{"", "grab", "stop"}};
   ASSERT_TRUE(orders.write(order));
-  const auto told = io.answer_to(order.id);
+  const auto told = io.told_with_answer(order.id);
   ASSERT_EQ(told.points.size(), 1U);
   EXPECT_EQ(told.points[0].to_state, "grab");
 }
@@ -224,7 +257,7 @@ TEST_F(BreakOrdersTest, ABreakPointOfOneStopsTheTeamAndAStepLetsTheOtherGo) {
   EXPECT_EQ(stopped.stopped_by, io.name + "'s break point wander -> grab");
   EXPECT_EQ(stopped.author, "Anna");
   EXPECT_EQ(stopped.stopped_at, 0U);
-  EXPECT_EQ(ganymede.step().refused, "");
+  EXPECT_EQ(refusal_in(ganymede.step()), "");
   ganymede.robot.tick();
   EXPECT_TRUE(ganymede.robot.drive.moving);
 }

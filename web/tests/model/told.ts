@@ -32,7 +32,7 @@ export function breaks(changes: Partial<Breaks> & { at_ms?: number } = {}): Brea
   const { at_ms = T0_MS, ...rest } = changes;
   return {
     stamp: time(at_ms), robot: "io", points: [], stepping: false, stopped: false, stopped_at: 0n, stopped_by: "", author: "",
-    waits_at_from: "", waits_at_to: "", waits_since: time(0), answered_id: "", refused: "", ...rest,
+    waits_at_from: "", waits_at_to: "", waits_since: time(0), answers: [], ...rest,
   };
 }
 

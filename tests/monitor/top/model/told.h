@@ -116,8 +116,8 @@ class Told : public testing::Test {
         .text(breaks.waits_at_to)
         .number(breaks.waits_since.sec)
         .number(breaks.waits_since.nanosec)
-        .text(breaks.answered_id)
-        .text(breaks.refused);
+        .number(static_cast<std::uint32_t>(breaks.answers.size()));
+    for (const auto& answer : breaks.answers) bytes.text(answer.id).text(answer.refused);
     tell("rt/" + breaks.robot + "/breaks", msg::Breaks::kRosType, bytes);
   }
   /// Tells of a program that a robot runs: its name, hash, files and the names of its states.

@@ -31,6 +31,11 @@ void add_addressees(CommandLine& line, Addressees& whom) {
   robots.excludes(team);
 }
 
+Result<void> check_named(const Addressees& whom) {
+  if (whom.team || !whom.robots.empty()) return {};
+  return Error{"Name the robots with --team or --robot NAME."};
+}
+
 Result<std::unique_ptr<OrderSession>> OrderSession::join(const std::string& name, int domain) {
   auto listener = TeamListener::join(name, domain, is_heard_by_operators);
   if (!listener) return listener.error();
@@ -64,9 +69,8 @@ std::vector<std::string> OrderSession::wait_for_answers(const std::vector<std::s
                                                         const std::string& order_id) {
   std::vector<std::string> waiting = robots;
   wait(kAnswer, [&] {
-    std::erase_if(waiting, [&](const std::string& robot) {
-      return answer_of(robot, order_id) != nullptr;
-    });
+    std::erase_if(waiting,
+                  [&](const std::string& robot) { return answer_of(robot, order_id) != nullptr; });
     return waiting.empty();
   });
   return waiting;

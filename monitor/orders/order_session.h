@@ -22,6 +22,9 @@ struct Addressees {
 
 /// Adds --robot, --team and --domain.
 void add_addressees(CommandLine& line, Addressees& whom);
+/// Errors: neither robots nor the team are named. What changes what robots do must name them, so
+/// that a word that was forgotten does not reach the whole team.
+[[nodiscard]] Result<void> check_named(const Addressees& whom);
 
 /// One command's talk with robots over DDS: who is there, and what they tell.
 class OrderSession {

@@ -127,7 +127,7 @@ test('a team is stopped between states, steps on, waits at a lock and goes on', 
   });
 
   await t.test('what is wrong is said, and ends with 1', () => {
-    assert.equal(say('break', '--clear'), 'ganymede: has no break points\nio: has no break points');
+    assert.equal(say('break', '--clear', '--team'), 'ganymede: has no break points\nio: has no break points');
     assert.equal(say('break', 'rset', '--robot', 'io'), "io: stops on entering rset; its program has no state 'rset'");
     const full = run('break', ...Array.from({ length: 32 }, (_, i) => `state_${i}`), '--robot', 'io');
     assert.equal(full.status, 1);

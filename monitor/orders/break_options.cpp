@@ -6,6 +6,8 @@
 namespace galilean::monitor {
 namespace {
 
+namespace kinds = msg::BreakPoint_Constants;
+
 constexpr const char* kPlaces =
     "Where: STATE, on entering it; FROM:TO, at this change of state; FROM:, on leaving FROM";
 
@@ -26,7 +28,7 @@ Result<msg::BreakOrder> order_in(const BreakOptions& options) {
     msg::BreakPoint& point = order.points.emplace_back(place_in(text));
     if (point.from_state.empty() && point.to_state.empty())
       return Error{"'" + text + "' names no state: write STATE, FROM:TO or FROM:"};
-    point.kind = options.lock ? "lock" : options.stop_team ? "stop_team" : "stop";
+    point.kind = options.lock ? kinds::LOCK : options.stop_team ? kinds::STOP_TEAM : kinds::STOP;
   }
   return order;
 }

@@ -8,6 +8,8 @@
 namespace galilean::monitor {
 namespace {
 
+namespace kinds = msg::BreakPoint_Constants;
+
 std::string change_of(const std::string& from, const std::string& to) {
   return from + " -> " + to;
 }
@@ -43,8 +45,17 @@ std::string place_of(const msg::BreakPoint& point) {
 }
 
 std::string rule_of(const msg::BreakPoint& point) {
-  if (point.kind == "lock") return "is locked " + place_of(point);
-  return (point.kind == "stop_team" ? "stops the team " : "stops ") + place_of(point);
+  switch (point.kind) {
+    case kinds::STOP:
+      return "stops " + place_of(point);
+    case kinds::STOP_TEAM:
+      return "stops the team " + place_of(point);
+    case kinds::LOCK:
+      return "is locked " + place_of(point);
+    default:
+      return "has a break point of the unknown kind " + std::to_string(point.kind) + " " +
+             place_of(point);
+  }
 }
 
 std::string reason_of(const msg::Breaks& told) {

@@ -86,10 +86,11 @@ Result<void> BreakDesk::carry_out(const msg::BreakOrder& order) {
 Result<void> BreakDesk::set(const msg::BreakOrder& order) {
   std::vector<BreakPoint> points;
   for (const auto& point : order.points) {
-    const auto kind = break_kind_named(point.kind);
+    const auto kind = break_kind_of(point.kind);
     if (!kind)
-      return Error{"there is no kind '" + point.kind +
-                   "' of break point: it must be stop, stop_team or lock"};
+      return Error{"there is no kind " + std::to_string(point.kind) +
+                   " of break point: it must be " +
+                   msg::choice_of(msg::BreakPoint_Constants::kAll)};
     points.push_back({{point.from_state, point.to_state}, *kind, order.author});
   }
   return executive_.breaks().set(points);

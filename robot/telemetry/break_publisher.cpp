@@ -64,7 +64,7 @@ void BreakPublisher::tell_points(msg::Breaks& to) const {
     msg::BreakPoint& item = to.points.emplace_back();
     item.from_state = point.at.from_state;
     item.to_state = point.at.to_state;
-    item.kind = to_string(point.kind);
+    item.kind = on_wire(point.kind);
   }
 }
 

@@ -31,13 +31,18 @@ nlohmann::json transitions_json(const Robot& robot) {
   return transitions;
 }
 
+nlohmann::json point_json(const msg::BreakPoint& point) {
+  return {{"from", point.from_state},
+          {"to", point.to_state},
+          {"kind", msg::name_of(msg::BreakPoint_Constants::kAll, point.kind)}};
+}
+
 /// Returns the members of the robot's Breaks, or null before the first one came.
 nlohmann::json breaks_json(const Team& team, const Robot& robot) {
   if (!robot.breaks) return nullptr;
   const msg::Breaks& breaks = *robot.breaks;
   auto points = nlohmann::json::array();
-  for (const auto& point : breaks.points)
-    points.push_back({{"from", point.from_state}, {"to", point.to_state}, {"kind", point.kind}});
+  for (const auto& point : breaks.points) points.push_back(point_json(point));
   auto answers = nlohmann::json::array();
   for (const auto& answer : breaks.answers)
     answers.push_back({{"id", answer.id}, {"refused", answer.refused}});

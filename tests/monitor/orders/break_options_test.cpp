@@ -8,6 +8,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+namespace points = msg::BreakPoint_Constants;
 
 /// Reads a command line of `galilean break`. The test fails if it is refused.
 BreakOptions read(std::vector<const char*> arguments) {
@@ -35,13 +36,14 @@ TEST(BreakOptions, PlacesMakeAnOrderToSetThem) {
   EXPECT_THAT(options.whom.robots, ElementsAre("io", "ganymede"));
   const auto order = order_of(options).value();
   EXPECT_EQ(order.order, "set");
-  EXPECT_THAT(order.points, ElementsAre(msg::BreakPoint{"", "grab", "stop"},
-                                        msg::BreakPoint{"wander", "rest", "stop"}));
+  EXPECT_THAT(order.points, ElementsAre(msg::BreakPoint{"", "grab", points::STOP},
+                                        msg::BreakPoint{"wander", "rest", points::STOP}));
 }
 
 TEST(BreakOptions, FlagsChooseTheKindAndTheOrder) {
-  EXPECT_EQ(order_of(read({"grab", "--lock", "--team"})).value().points[0].kind, "lock");
-  EXPECT_EQ(order_of(read({"grab", "--stop-team", "--team"})).value().points[0].kind, "stop_team");
+  EXPECT_EQ(order_of(read({"grab", "--lock", "--team"})).value().points[0].kind, points::LOCK);
+  EXPECT_EQ(order_of(read({"grab", "--stop-team", "--team"})).value().points[0].kind,
+            points::STOP_TEAM);
   EXPECT_EQ(order_of(read({"grab", "--remove", "--team"})).value().order, "remove");
   EXPECT_EQ(order_of(read({"--clear", "--team"})).value().order, "clear");
   const auto order = order_of(read({"--let-through", "wander:grab", "--team"})).value();

@@ -13,6 +13,7 @@ namespace {
 namespace http = boost::beast::http;
 using nlohmann::json;
 using testing::HasSubstr;
+namespace kinds = msg::BreakPoint_Constants;
 
 class BreakOrdersTest : public ServerFixture {
  protected:
@@ -87,8 +88,8 @@ TEST_F(BreakOrdersTest, AnOrderReachesTheRobotsAsItWasGiven) {
   EXPECT_EQ(sent.author, "Ada");
   EXPECT_EQ(sent.order, "set");
   EXPECT_EQ(sent.targets, std::vector<std::string>{"io"});
-  EXPECT_EQ(sent.points,
-            (std::vector<msg::BreakPoint>{{"wander", "grab", "lock"}, {"", "rest", "stop"}}));
+  EXPECT_EQ(sent.points, (std::vector<msg::BreakPoint>{{"wander", "grab", kinds::LOCK},
+                                                       {"", "rest", kinds::STOP}}));
   EXPECT_GT(sent.stamp.sec, 0);
 }
 
@@ -148,7 +149,8 @@ TEST_F(BreakOrdersTest, TheServiceDoesTheSame) {
     if (each["name"] == "/galilean/breaks") service = each["id"];
   socket.send_binary(service_call(
       service, 7, R"({"order": "set", "points": [{"from": "grab", "kind": "stop_team"}]})"));
-  EXPECT_EQ(heard(orders).at(0).points, (std::vector<msg::BreakPoint>{{"grab", "", "stop_team"}}));
+  EXPECT_EQ(heard(orders).at(0).points,
+            (std::vector<msg::BreakPoint>{{"grab", "", kinds::STOP_TEAM}}));
   socket.send_binary(service_call(service, 8, R"({"order": "set"})"));
   EXPECT_THAT(socket.read_op("serviceCallFailure")["message"].get<std::string>(),
               HasSubstr("'points'"));
@@ -164,7 +166,7 @@ TEST_F(BreakOrdersTest, WhatARobotTellsStandsInTheTeam) {
   EXPECT_EQ(robot()["break_reason"], "");
   msg::Breaks told;
   told.robot = "io";
-  told.points = {{"wander", "grab", "stop"}};
+  told.points = {{"wander", "grab", kinds::STOP}};
   told.stopped = true;
   told.stopped_at = 7;
   told.stopped_by = "break point wander -> grab";

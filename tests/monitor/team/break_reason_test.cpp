@@ -50,7 +50,7 @@ TEST_F(BreakReasonTest, ARobotThatNothingKeepsHasNone) {
   state.robot = "io";
   team.note(state);
   EXPECT_EQ(present_reason(), "") << "it has told nothing of break points";
-  breaks.points = {{"wander", "grab", "stop"}};
+  breaks.points = {{"wander", "grab", msg::BreakPoint_Constants::STOP}};
   EXPECT_EQ(reason(), "");
 }
 

@@ -14,6 +14,7 @@ using std::chrono::seconds;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
+namespace points = msg::BreakPoint_Constants;
 
 class Breaking : public Steered {
  protected:
@@ -56,7 +57,7 @@ TEST_F(Breaking, AKeyTogglesABreakPointOnEnteringTheChosenState) {
   press("b");
   EXPECT_EQ(said, Said{"set :grab stop for callisto"});
   EXPECT_THAT(screen(), HasSubstr("told callisto about break points"));
-  breaks.points = {{"", "grab", "stop"}};
+  breaks.points = {{"", "grab", points::STOP}};
   answer();
   EXPECT_THAT(screen(), HasSubstr("callisto stops on entering grab"));
   EXPECT_THAT(states(), ContainsRegex("▶ wander *\n.* ●\\[grab\\]"));
@@ -152,7 +153,7 @@ TEST_F(Breaking, AStoppedRobotSaysWhyAndWhatLetsItGo) {
 }
 
 TEST_F(Breaking, ARobotThatWaitsAtALockIsLetThroughFromTheList) {
-  breaks.points = {{"", "start", "stop"}, {"", "grab", "lock"}};
+  breaks.points = {{"", "start", points::STOP}, {"", "grab", points::LOCK}};
   breaks.waits_at_from = "wander";
   breaks.waits_at_to = "grab";
   breaks.stamp = wire::ros_time(103'000'000'000);
@@ -172,7 +173,7 @@ TEST_F(Breaking, ARobotThatWaitsAtALockIsLetThroughFromTheList) {
 }
 
 TEST_F(Breaking, TheListChangesKindsRemovesAndClears) {
-  breaks.points = {{"", "grab", "stop"}, {"wander", "start", "stop_team"}};
+  breaks.points = {{"", "grab", points::STOP}, {"wander", "start", points::STOP_TEAM}};
   tell_of_breaks(breaks);
   press("Bt");
   EXPECT_EQ(said.back(), "set :grab stop_team for callisto");
@@ -198,12 +199,13 @@ TEST_F(Breaking, TheListChangesKindsRemovesAndClears) {
 }
 
 TEST_F(Breaking, AKeyActsOnThePointThatWasSeenHoweverItsLineHasMoved) {
-  breaks.points = {{"", "grab", "stop"}, {"wander", "start", "stop"}};
+  breaks.points = {{"", "grab", points::STOP}, {"wander", "start", points::STOP}};
   tell_of_breaks(breaks);
   press("B");
   press(Key::kDown);
   screen();
-  breaks.points = {{"", "wander", "lock"}, {"", "grab", "stop"}, {"wander", "start", "stop"}};
+  breaks.points = {
+      {"", "wander", points::LOCK}, {"", "grab", points::STOP}, {"wander", "start", points::STOP}};
   tell_of_breaks(breaks);
   press("x");
   EXPECT_EQ(said.back(), "remove wander:start for callisto");

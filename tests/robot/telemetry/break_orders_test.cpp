@@ -12,6 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 namespace kinds = msg::Command_Constants;
+namespace points = msg::BreakPoint_Constants;
 
 std::string name_of_this_test(const std::string& suffix = "") {
   return std::string("b_") + testing::UnitTest::GetInstance()->current_test_info()->name() + suffix;
@@ -83,14 +84,14 @@ class BreakOrdersTest : public testing::Test {
 };
 
 TEST_F(BreakOrdersTest, ASetIsAnsweredWithThePoints) {
-  const auto set = io.ask("set", {{"wander", "grab", "stop"}, {"", "rest", "lock"}});
+  const auto set = io.ask("set", {{"wander", "grab", points::STOP}, {"", "rest", points::LOCK}});
   EXPECT_EQ(set.robot, io.name);
   EXPECT_EQ(refusal_in(set), "");
   ASSERT_EQ(set.points.size(), 2U);
-  EXPECT_EQ(set.points[0], (msg::BreakPoint{"wander", "grab", "stop"}));
-  EXPECT_EQ(set.points[1], (msg::BreakPoint{"", "rest", "lock"}));
+  EXPECT_EQ(set.points[0], (msg::BreakPoint{"wander", "grab", points::STOP}));
+  EXPECT_EQ(set.points[1], (msg::BreakPoint{"", "rest", points::LOCK}));
   EXPECT_FALSE(set.stopped);
-  EXPECT_EQ(io.ask("remove", {{"", "rest", ""}}).points.size(), 1U);
+  EXPECT_EQ(io.ask("remove", {{"", "rest", 0}}).points.size(), 1U);
   EXPECT_EQ(io.ask("clear", {}).points.size(), 0U);
 }
 
@@ -98,7 +99,7 @@ TEST_F(BreakOrdersTest, TellsWhereItStoppedAndWhoseBreakPointItIs) {
   auto states = io.mailbox<msg::RobotState>("state");
   auto transitions = io.mailbox<msg::Transition>("transition");
   auto logs = Mailbox<msg::Log>(*io.other, wire::kLogTopic);
-  io.ask("set", {{"", "grab", "stop"}});
+  io.ask("set", {{"", "grab", points::STOP}});
   io.robot.tick();
   io.go_to("grab");
   const auto stopped = io.tell_when([](const msg::Breaks& each) { return each.stopped; });
@@ -138,7 +139,8 @@ TEST_F(BreakOrdersTest, AStepOfARobotThatAnOperatorHoldsIsRefused) {
   io.send(kinds::HOLD, 0, io.name);
   ASSERT_TRUE(io.tick_until([&] { return io.robot.executive->held(); }));
   const auto refused = io.step();
-  EXPECT_EQ(refusal_in(refused), io.name + " is held by tester, not at a break point: resume it first");
+  EXPECT_EQ(refusal_in(refused),
+            io.name + " is held by tester, not at a break point: resume it first");
   EXPECT_FALSE(refused.stopped);
   io.robot.tick();
   EXPECT_FALSE(io.robot.drive.moving);
@@ -151,27 +153,28 @@ TEST_F(BreakOrdersTest, AStepOfARobotThatIsOutOfServiceIsRefused) {
 }
 
 TEST_F(BreakOrdersTest, SaysWhatIsWrongWithAnOrderAndChangesNothing) {
-  io.ask("set", {{"wander", "grab", "stop"}});
+  io.ask("set", {{"wander", "grab", points::STOP}});
   const auto expect_refused = [&](const msg::Breaks& answer, const std::string& why) {
     EXPECT_THAT(refusal_in(answer), HasSubstr(why));
     EXPECT_EQ(answer.points.size(), 1U);
   };
   expect_refused(io.ask("forget", {}), "there is no order 'forget'");
   expect_refused(io.ask("set", {}), "names no break point");
-  expect_refused(io.ask("set", {{"", "rest", "stop"}, {"", "grab", "pause"}}), "kind 'pause'");
-  expect_refused(io.ask("set", {{"", "", "stop"}}), "must name the state");
-  expect_refused(io.ask("remove", {{"grab", "wander", ""}}), "no break point grab -> wander");
-  expect_refused(io.ask("let_through", {{"wander", "grab", ""}}), "no lock wander -> grab");
+  expect_refused(io.ask("set", {{"", "rest", points::STOP}, {"", "grab", 7}}),
+                 "no kind 7 of break point: it must be stop, stop_team or lock");
+  expect_refused(io.ask("set", {{"", "", points::STOP}}), "must name the state");
+  expect_refused(io.ask("remove", {{"grab", "wander", 0}}), "no break point grab -> wander");
+  expect_refused(io.ask("let_through", {{"wander", "grab", 0}}), "no lock wander -> grab");
   std::vector<msg::BreakPoint> many;
-  for (int i = 0; i < 32; ++i) many.push_back({"", std::to_string(i), "stop"});
+  for (int i = 0; i < 32; ++i) many.push_back({"", std::to_string(i), points::STOP});
   expect_refused(io.ask("set", many), "33 break points");
-  many.push_back({"", "one more", "stop"});
+  many.push_back({"", "one more", points::STOP});
   expect_refused(io.ask("set", many), "names 33 break points, and 32 are the most");
   EXPECT_EQ(refusal_in(io.ask("clear", {})), "");
 }
 
 TEST_F(BreakOrdersTest, TellsAtWhichLockItWaitsUntilItIsLetThrough) {
-  io.ask("set", {{"", "grab", "lock"}});
+  io.ask("set", {{"", "grab", points::LOCK}});
   io.robot.press(0);
   io.robot.tick(4);
   const auto waits =
@@ -180,7 +183,7 @@ TEST_F(BreakOrdersTest, TellsAtWhichLockItWaitsUntilItIsLetThrough) {
   EXPECT_EQ(waits.waits_at_to, "grab");
   EXPECT_LE(wire::since_epoch_ns(waits.waits_since), wire::since_epoch_ns(waits.stamp));
   EXPECT_GT(waits.waits_since.sec, 0);
-  EXPECT_EQ(refusal_in(io.ask("let_through", {{"wander", "grab", ""}})), "");
+  EXPECT_EQ(refusal_in(io.ask("let_through", {{"wander", "grab", 0}})), "");
   io.robot.tick();
   EXPECT_EQ(io.robot.state(), "grab");
   io.tell_when([](const msg::Breaks& each) {
@@ -189,7 +192,7 @@ TEST_F(BreakOrdersTest, TellsAtWhichLockItWaitsUntilItIsLetThrough) {
 }
 
 TEST_F(BreakOrdersTest, ALateJoinerLearnsThemAndEachSecondAnew) {
-  io.ask("set", {{"wander", "grab", "stop"}});
+  io.ask("set", {{"wander", "grab", points::STOP}});
   auto late = io.mailbox<msg::Breaks>("breaks");
   ASSERT_TRUE(late.wait_for([](const msg::Breaks& each) { return each.points.size() == 1; }));
   const auto count = [&] { return late.all().size(); };
@@ -201,7 +204,7 @@ TEST_F(BreakOrdersTest, ALateJoinerLearnsThemAndEachSecondAnew) {
 TEST_F(BreakOrdersTest, TwoOperatorsWhoOrderAtOnceBothFindTheirAnswers) {
   msg::BreakOrder order;
   order.targets = {io.name};
-  order.points = {{"", "grab", "stop"}};
+  order.points = {{"", "grab", points::STOP}};
   for (const char* id : {"Anna's", "Ben's"}) {
     order.id = id;
     order.order = order.id == "Anna's" ? "set" : "forget";
@@ -229,13 +232,13 @@ TEST_F(BreakOrdersTest, AnothersOrderIsNoneOfItsBusinessAndAStrangersIsObeyed) {
   while (orders.readers() == 0) std::this_thread::yield();
   msg::BreakOrder order;
   order.order = "set";
-  order.points = {{"", "rest", "stop"}};
+  order.points = {{"", "rest", points::STOP}};
   order.targets = {"ganymede"};
   order.id = "another's";
   ASSERT_TRUE(orders.write(order));
   order.targets = {};
   order.id = "everybody's";
-  order.points = {{"", "grab", "stop"}};
+  order.points = {{"", "grab", points::STOP}};
   ASSERT_TRUE(orders.write(order));
   const auto told = io.told_with_answer(order.id);
   ASSERT_EQ(told.points.size(), 1U);
@@ -243,7 +246,7 @@ TEST_F(BreakOrdersTest, AnothersOrderIsNoneOfItsBusinessAndAStrangersIsObeyed) {
 }
 
 TEST_F(BreakOrdersTest, ABreakPointOfOneStopsTheTeamAndAStepLetsTheOtherGo) {
-  io.ask("set", {{"wander", "grab", "stop_team"}});
+  io.ask("set", {{"wander", "grab", points::STOP_TEAM}});
   BreakingRobot ganymede(name_of_this_test("_too"));
   ganymede.robot.tick();
   ASSERT_TRUE(ganymede.robot.drive.moving);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a robot stops between states, and in words why it stands.
 
+import { kindOf } from "../feed/break_kinds";
 import type { BreakAnswer, BreakPoint, Breaks } from "../feed/messages";
 import { type BreakKind, seconds, type StateChange } from "../feed/parts";
 import { lasting } from "../lib/format";
@@ -26,7 +27,8 @@ export const changeAt = ({ from_state, to_state }: BreakPoint): StateChange => (
 
 /** The kind of the break point of just these two states. */
 export function kindAt(breaks: Breaks | undefined, { from, to }: StateChange): BreakKind | undefined {
-  return breaks?.points.find(({ from_state, to_state }) => from_state === from && to_state === to)?.kind as BreakKind | undefined;
+  const point = breaks?.points.find(({ from_state, to_state }) => from_state === from && to_state === to);
+  return point && kindOf(point);
 }
 
 /** What it answered to the order of that id; undefined: nothing yet. It tells its answers to the newest orders alone, whoever gave them. */

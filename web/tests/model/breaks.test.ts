@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
-import type { Breaks } from "../../src/feed/messages";
+import type { BreakPoint_Constants, Breaks } from "../../src/feed/messages";
 import { breakReason, changeOf, changeWords, kindAt, standReason, stopperWords, waitOf } from "../../src/model/breaks";
 import { breaks, point, T0_MS, time, transition } from "./told";
 
@@ -23,6 +23,7 @@ describe("what a part of the graph is for a break point", () => {
     expect(kindAt(told, changeOf("wander → grab"))).toBe("lock");
     expect(kindAt(told, changeOf("rest → grab"))).toBeUndefined();
     expect(kindAt(undefined, changeOf("grab"))).toBeUndefined();
+    expect(kindAt(breaks({ points: [{ ...point("", "grab"), kind: 9 as BreakPoint_Constants }] }), changeOf("grab"))).toBeUndefined();
   });
 });
 

@@ -106,7 +106,7 @@ class Told : public testing::Test {
         .text(breaks.robot)
         .number(static_cast<std::uint32_t>(breaks.points.size()));
     for (const auto& point : breaks.points)
-      bytes.text(point.from_state).text(point.to_state).text(point.kind);
+      bytes.text(point.from_state).text(point.to_state).number(point.kind);
     bytes.number<std::uint8_t>(breaks.stepping)
         .number<std::uint8_t>(breaks.stopped)
         .number<std::uint64_t>(breaks.stopped_at)

@@ -3,16 +3,13 @@
 
 #include <algorithm>
 
+#include "core/state_change.h"
 #include "core/wire/ros_time.h"
 
 namespace galilean::monitor {
 namespace {
 
 namespace kinds = msg::BreakPoint_Constants;
-
-std::string change_of(const std::string& from, const std::string& to) {
-  return from + " -> " + to;
-}
 
 /// Returns "3 s". Both stamps are of one robot's clock.
 std::string seconds_between(const msg::Time& from, const msg::Time& to) {
@@ -39,9 +36,7 @@ msg::BreakPoint place_in(std::string_view text) {
 }
 
 std::string place_of(const msg::BreakPoint& point) {
-  if (point.from_state.empty()) return "on entering " + point.to_state;
-  if (point.to_state.empty()) return "on leaving " + point.from_state;
-  return "at " + change_of(point.from_state, point.to_state);
+  return place_words(point.from_state, point.to_state);
 }
 
 std::string rule_of(const msg::BreakPoint& point) {
@@ -70,7 +65,7 @@ std::vector<std::string> lines_of(const msg::Breaks& told) {
   if (told.stopped) lines.push_back("was stopped by " + reason_of(told));
   if (told.stepping) lines.emplace_back("goes on until its next change of state");
   if (!told.waits_at_to.empty())
-    lines.push_back("has waited at the lock " + change_of(told.waits_at_from, told.waits_at_to) +
+    lines.push_back("has waited at the lock " + change_words(told.waits_at_from, told.waits_at_to) +
                     " for " + seconds_between(told.waits_since, told.stamp));
   return lines;
 }

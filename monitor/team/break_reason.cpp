@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "core/state_change.h"
 #include "core/wire/ros_time.h"
 
 namespace galilean::monitor {
@@ -35,7 +36,7 @@ std::string stop_reason(const Robot& robot, const msg::Breaks& breaks) {
     return "stopped by " + breaks.stopped_by +
            (breaks.author.empty() ? "" : ", set by " + breaks.author);
   const auto place =
-      change ? "at " + change->from_state + " -> " + change->to_state : place_in(breaks.stopped_by);
+      change ? place_words(change->from_state, change->to_state) : place_in(breaks.stopped_by);
   return "stopped " + place +
          (breaks.author.empty() ? "" : " (" + breaks.author + "'s break point)");
 }
@@ -58,7 +59,7 @@ std::string break_reason(const Robot& robot, Duration since_told) {
   if (breaks.stopped) return stop_reason(robot, breaks);
   if (waits_at_lock(breaks)) {
     const auto whole_s = static_cast<long>(lock_wait_s(breaks, since_told));
-    return "waits at the lock " + breaks.waits_at_from + " -> " + breaks.waits_at_to + " for " +
+    return "waits at the lock " + change_words(breaks.waits_at_from, breaks.waits_at_to) + " for " +
            std::to_string(whole_s) + " s";
   }
   return breaks.stepping ? "goes on until its next change of state" : "";

@@ -17,11 +17,14 @@ export function changeOf(part: string): StateChange {
   return to === undefined ? { from: "", to: part } : { from, to };
 }
 
-/** "wander → grab", "on entering grab" or "on leaving wander" */
+/** "wander → grab", "on entering grab", "on leaving wander" or "at any change of state": robots and tools have the same words. */
 export function changeWords({ from, to }: StateChange): string {
-  if (!from) return `on entering ${to}`;
+  if (!from) return to ? `on entering ${to}` : "at any change of state";
   return to ? `${from} → ${to}` : `on leaving ${from}`;
 }
+
+/** The same as a place: "at wander → grab", "on entering grab" */
+export const placeWords = (change: StateChange): string => (change.from && change.to ? `at ${changeWords(change)}` : changeWords(change));
 
 export const changeAt = ({ from_state, to_state }: BreakPoint): StateChange => ({ from: from_state, to: to_state });
 
@@ -62,7 +65,7 @@ export function stopReason({ breaks, transitions }: Pick<Robot, "breaks" | "tran
   const change = transitions.find(({ number }) => number === stopped_at);
   if (stopped_by === STEP) return change ? `stepped into ${change.to_state}` : "stopped after a step";
   if (stopped_at === 0n) return `stopped by ${stopperWords(breaks.value)}`;
-  const place = change ? `at ${change.from_state} → ${change.to_state}` : placeIn(stopped_by.replaceAll(" -> ", " → "));
+  const place = change ? placeWords({ from: change.from_state, to: change.to_state }) : placeIn(stopped_by.replaceAll(" -> ", " → "));
   return `stopped ${place}${author && ` (${author}'s break point)`}`;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import type { BreakPoint_Constants, Breaks } from "../../src/feed/messages";
-import { breakReason, changeOf, changeWords, kindAt, standReason, stopperWords, waitOf } from "../../src/model/breaks";
+import { breakReason, changeOf, changeWords, kindAt, placeWords, standReason, stopperWords, waitOf } from "../../src/model/breaks";
 import { breaks, point, T0_MS, time, transition } from "./told";
 
 const AT = { stopped: true, stopped_at: 7n, stopped_by: "break point on entering grab", author: "Anna" };
@@ -14,8 +15,13 @@ describe("what a part of the graph is for a break point", () => {
     expect(changeOf("grab")).toEqual({ from: "", to: "grab" });
     expect(changeOf("wander → grab")).toEqual({ from: "wander", to: "grab" });
   });
-  it("is said in words", () => {
-    expect([{ from: "", to: "grab" }, { from: "wander", to: "" }, { from: "wander", to: "grab" }].map(changeWords)).toEqual(["on entering grab", "on leaving wander", "wander → grab"]);
+  it("is said in the words that robots and the terminal have, with another arrow", () => {
+    const told = readFileSync(new URL("../fixture/state_changes.txt", import.meta.url), "utf8").trimEnd().replaceAll("->", "→").split("\n");
+    expect(told.length).toBe(4);
+    for (const line of told) {
+      const [from, to, ...words] = line.split("|") as [string, string, string, string];
+      expect([changeWords({ from, to }), placeWords({ from, to })]).toEqual(words);
+    }
   });
   it("has the kind that the robot tells of just these two states", () => {
     const told = breaks({ points: [point("wander", "grab", "lock"), point("", "grab")] });

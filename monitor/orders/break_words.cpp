@@ -5,6 +5,7 @@
 
 #include "core/state_change.h"
 #include "core/wire/ros_time.h"
+#include "monitor/team/break_reason.h"
 
 namespace galilean::monitor {
 namespace {
@@ -55,7 +56,7 @@ std::string rule_of(const msg::BreakPoint& point) {
 
 std::string reason_of(const msg::Breaks& told) {
   if (!told.stopped) return "";
-  return told.stopped_by + (told.author.empty() ? "" : " (" + told.author + ")");
+  return stopper_words(told) + (told.author.empty() ? "" : " (" + told.author + ")");
 }
 
 std::vector<std::string> lines_of(const msg::Breaks& told) {

@@ -3,7 +3,6 @@
 
 #include "robot/log/log.h"
 #include "robot/telemetry/break_words.h"
-#include "robot/telemetry/team_stop.h"
 
 namespace galilean::robot {
 namespace {
@@ -19,17 +18,18 @@ std::vector<StateChange> changes_in(const msg::BreakOrder& order) {
 void BreakDesk::hold(const msg::Command& command) {
   const std::lock_guard lock(mutex_);
   ++told_.orders;
-  const auto stop = team_stop_in(command);
-  if (!stop) {
-    log_info(command.author + " holds this robot");
-    held_by_ = command.author.empty() ? "an operator" : command.author;
-    return executive_.hold();
-  }
+  log_info(command.author + " holds this robot");
+  held_by_ = command.author.empty() ? "an operator" : command.author;
+  executive_.hold();
+}
+
+void BreakDesk::stop_with_team(const msg::TeamStop& stop) {
+  const std::lock_guard lock(mutex_);
   // The robot whose break point it is hears its own word. It may have gone on meanwhile.
-  if (stop->robot == robot_ || !executive_.stop_with_team()) return;
-  told_.team_stop = stop->robot + "'s " + stop->break_point;
-  told_.team_stop_by = stop->author;
-  log_info("stopped with the team by " + command.author);
+  if (stop.robot == robot_ || !executive_.stop_with_team()) return;
+  ++told_.orders;
+  told_.team_stop = stop;
+  log_info("stopped with the team by " + in_words(stop));
 }
 
 void BreakDesk::resume(const msg::Command& command) {

@@ -43,8 +43,18 @@ std::optional<BreakKind> break_kind_of(std::uint8_t value) noexcept {
   return std::nullopt;
 }
 
+msg::BreakPoint on_wire(const BreakPoint& point) {
+  return {point.at.from_state, point.at.to_state, on_wire(point.kind)};
+}
+
 std::string name_of(const BreakPoint& point) {
   return "break point " + in_words(point.at);
+}
+
+std::string in_words(const msg::TeamStop& stop) {
+  return stop.robot + "'s break point " +
+         change_words(stop.break_point.from_state, stop.break_point.to_state) + ", set by " +
+         stop.author;
 }
 
 std::string in_words(const msg::BreakOrder& order) {

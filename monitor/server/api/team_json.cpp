@@ -46,13 +46,17 @@ nlohmann::json breaks_json(const Team& team, const Robot& robot) {
   auto answers = nlohmann::json::array();
   for (const auto& answer : breaks.answers)
     answers.push_back({{"id", answer.id}, {"refused", answer.refused}});
+  const auto& at = breaks.break_point;
+  const bool is_known = !at.from_state.empty() || !at.to_state.empty();
   const double waits_s =
       waits_at_lock(breaks) ? lock_wait_s(breaks, team.since_breaks(robot)) : 0.0;
   return {{"points", std::move(points)},
           {"stepping", breaks.stepping},
           {"stopped", breaks.stopped},
           {"stopped_at", breaks.stopped_at},
-          {"stopped_by", breaks.stopped_by},
+          {"stopped_by", msg::name_of(msg::Breaks_Constants::kAll, breaks.stopped_by)},
+          {"break_robot", breaks.break_robot},
+          {"break_point", is_known ? point_json(at) : nlohmann::json()},
           {"author", breaks.author},
           {"waits_at_from", breaks.waits_at_from},
           {"waits_at_to", breaks.waits_at_to},

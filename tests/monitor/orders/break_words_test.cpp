@@ -36,7 +36,8 @@ TEST(BreakWords, WhatARobotTellsIsASentenceALine) {
   EXPECT_THAT(lines_of(told), ElementsAre("has no break points"));
   told.points = {point("", "grab", points::STOP), point("wander", "rest", points::LOCK)};
   told.stopped = true;
-  told.stopped_by = "break point on entering grab";
+  told.stopped_by = msg::Breaks_Constants::BREAK_POINT;
+  told.break_point = told.points[0];
   told.author = "Anna";
   EXPECT_THAT(lines_of(told), ElementsAre("stops on entering grab", "is locked at wander -> rest",
                                           "was stopped by break point on entering grab (Anna)"));
@@ -53,7 +54,7 @@ TEST(BreakWords, WhatARobotTellsIsASentenceALine) {
 
 TEST(BreakWords, ARobotThatNobodyStoppedHasNoReason) {
   msg::Breaks told;
-  told.stopped_by = "a step";
+  told.stopped_by = msg::Breaks_Constants::STEP;
   EXPECT_EQ(reason_of(told), "");
   told.stopped = true;
   EXPECT_EQ(reason_of(told), "a step");

@@ -169,7 +169,9 @@ TEST_F(BreakOrdersTest, WhatARobotTellsStandsInTheTeam) {
   told.points = {{"wander", "grab", kinds::STOP}};
   told.stopped = true;
   told.stopped_at = 7;
-  told.stopped_by = "break point wander -> grab";
+  told.stopped_by = msg::Breaks_Constants::BREAK_POINT;
+  told.break_robot = "io";
+  told.break_point = {"wander", "grab", kinds::STOP};
   told.author = "Anna";
   told.waits_at_from = "grab";
   told.waits_at_to = "move";
@@ -183,6 +185,9 @@ TEST_F(BreakOrdersTest, WhatARobotTellsStandsInTheTeam) {
   EXPECT_EQ(shown["breaks"]["points"],
             json::array({{{"from", "wander"}, {"to", "grab"}, {"kind", "stop"}}}));
   EXPECT_EQ(shown["breaks"]["stopped_at"], 7);
+  EXPECT_EQ(shown["breaks"]["stopped_by"], "break_point");
+  EXPECT_EQ(shown["breaks"]["break_robot"], "io");
+  EXPECT_EQ(shown["breaks"]["break_point"], shown["breaks"]["points"][0]);
   EXPECT_EQ(shown["breaks"]["waits_at_to"], "move");
   EXPECT_GE(shown["breaks"]["waits_s"], 3.0);
   EXPECT_LT(shown["breaks"]["waits_s"], 30.0);

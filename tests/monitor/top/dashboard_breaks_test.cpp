@@ -139,7 +139,8 @@ TEST_F(Breaking, AnAnswerCountsThoughAnotherOperatorsCameAfterIt) {
 
 TEST_F(Breaking, AStoppedRobotSaysWhyAndWhatLetsItGo) {
   breaks.stopped = true;
-  breaks.stopped_by = "break point on entering wander";
+  breaks.stopped_by = msg::Breaks_Constants::BREAK_POINT;
+  breaks.break_point = {"", "wander", points::STOP};
   breaks.author = "Anna";
   breaks.stopped_at = 7;
   tell_of_breaks(breaks);

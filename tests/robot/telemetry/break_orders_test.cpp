@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "core/wire/ros_time.h"
-#include "robot/telemetry/team_stop.h"
 #include "tests/robot/executive/branching_robot.h"
 #include "tests/robot/telemetry/telemetry_robot.h"
 
@@ -13,6 +12,7 @@ namespace {
 using testing::HasSubstr;
 namespace kinds = msg::Command_Constants;
 namespace points = msg::BreakPoint_Constants;
+namespace stoppers = msg::Breaks_Constants;
 
 std::string name_of_this_test(const std::string& suffix = "") {
   return std::string("b_") + testing::UnitTest::GetInstance()->current_test_info()->name() + suffix;
@@ -103,7 +103,9 @@ TEST_F(BreakOrdersTest, TellsWhereItStoppedAndWhoseBreakPointItIs) {
   io.robot.tick();
   io.go_to("grab");
   const auto stopped = io.tell_when([](const msg::Breaks& each) { return each.stopped; });
-  EXPECT_EQ(stopped.stopped_by, "break point on entering grab");
+  EXPECT_EQ(stopped.stopped_by, stoppers::BREAK_POINT);
+  EXPECT_EQ(stopped.break_robot, io.name);
+  EXPECT_EQ(stopped.break_point, (msg::BreakPoint{"", "grab", points::STOP}));
   EXPECT_EQ(stopped.author, "Anna");
   const auto transition =
       transitions.wait_for([](const msg::Transition& each) { return each.to_state == "grab"; });
@@ -124,14 +126,17 @@ TEST_F(BreakOrdersTest, AStepIsAnsweredAndEndsAtTheNextChangeOfState) {
   io.tell_when([](const msg::Breaks& each) { return each.stepping && !each.stopped; });
   io.go_to("rest");
   const auto stopped = io.tell_when([](const msg::Breaks& each) { return each.stopped; });
-  EXPECT_EQ(stopped.stopped_by, "a step");
+  EXPECT_EQ(stopped.stopped_by, stoppers::STEP);
+  EXPECT_EQ(stopped.break_robot, "");
+  EXPECT_EQ(stopped.break_point, msg::BreakPoint{});
   EXPECT_EQ(stopped.author, "Ben");
   EXPECT_FALSE(stopped.stepping);
   io.send(kinds::RESUME, 0, io.name);
   EXPECT_TRUE(io.tick_until([&] { return io.robot.drive.moving; }));
   EXPECT_TRUE(io.tick_until([&] {
     const msg::Breaks last = io.told.all().back();
-    return !last.stopped && last.stopped_by.empty() && last.stopped_at == 0 && !last.stepping;
+    return !last.stopped && last.stopped_by == stoppers::NOTHING && last.stopped_at == 0 &&
+           !last.stepping;
   }));
 }
 
@@ -251,13 +256,15 @@ TEST_F(BreakOrdersTest, ABreakPointOfOneStopsTheTeamAndAStepLetsTheOtherGo) {
   ganymede.robot.tick();
   ASSERT_TRUE(ganymede.robot.drive.moving);
   // What io writes from now on reaches both.
-  const wire::Writer<msg::Command> probe(*io.participant, wire::kCommandTopic);
+  const wire::Writer<msg::TeamStop> probe(*io.participant, wire::kTeamStopTopic);
   ASSERT_TRUE(io.tick_until([&] { return probe.readers() >= 2; }));
   io.go_to("grab");
   EXPECT_FALSE(io.robot.drive.moving);
   ASSERT_TRUE(ganymede.tick_until([&] { return !ganymede.robot.drive.moving; }));
   const auto stopped = ganymede.tell_when([](const msg::Breaks& each) { return each.stopped; });
-  EXPECT_EQ(stopped.stopped_by, io.name + "'s break point wander -> grab");
+  EXPECT_EQ(stopped.stopped_by, stoppers::TEAM);
+  EXPECT_EQ(stopped.break_robot, io.name);
+  EXPECT_EQ(stopped.break_point, (msg::BreakPoint{"wander", "grab", points::STOP_TEAM}));
   EXPECT_EQ(stopped.author, "Anna");
   EXPECT_EQ(stopped.stopped_at, 0U);
   EXPECT_EQ(refusal_in(ganymede.step()), "");
@@ -265,14 +272,26 @@ TEST_F(BreakOrdersTest, ABreakPointOfOneStopsTheTeamAndAStepLetsTheOtherGo) {
   EXPECT_TRUE(ganymede.robot.drive.moving);
 }
 
-TEST_F(BreakOrdersTest, ItsOwnWordToTheTeamDoesNotHoldItAnew) {
-  msg::Command own = command_of({io.name, "break point wander -> grab", "Anna"}, 1);
-  io.send(own);
-  // What comes after it on the same topic shows that it was heard.
-  own.kind = kinds::DECOMMISSION;
-  io.send(own);
-  ASSERT_TRUE(io.tick_until([&] { return !io.robot.executive->in_service(); }));
-  EXPECT_FALSE(io.robot.executive->held());
+TEST_F(BreakOrdersTest, WhatStopsTheTeamLeavesAHeldRobotHeld) {
+  io.send(kinds::HOLD, 0, io.name);
+  ASSERT_TRUE(io.tick_until([&] { return io.robot.executive->held(); }));
+  msg::TeamStop stop;
+  stop.robot = "ganymede";
+  io.send(stop);
+  const auto told = io.step();
+  EXPECT_THAT(refusal_in(told), HasSubstr("is held by tester"));
+  EXPECT_FALSE(told.stopped);
+}
+
+TEST_F(BreakOrdersTest, ItsOwnWordToTheTeamDoesNotStopItAnew) {
+  msg::TeamStop stop;
+  stop.robot = io.name;
+  io.send(stop);
+  // The first that stops it is the one that it tells of.
+  stop.robot = "ganymede";
+  io.send(stop);
+  const auto stopped = io.tell_when([](const msg::Breaks& each) { return each.stopped; });
+  EXPECT_EQ(stopped.break_robot, "ganymede");
 }
 
 }  // namespace

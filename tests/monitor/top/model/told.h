@@ -109,8 +109,12 @@ class Told : public testing::Test {
       bytes.text(point.from_state).text(point.to_state).number(point.kind);
     bytes.number<std::uint8_t>(breaks.stepping)
         .number<std::uint8_t>(breaks.stopped)
+        .number(breaks.stopped_by)
         .number<std::uint64_t>(breaks.stopped_at)
-        .text(breaks.stopped_by)
+        .text(breaks.break_robot)
+        .text(breaks.break_point.from_state)
+        .text(breaks.break_point.to_state)
+        .number(breaks.break_point.kind)
         .text(breaks.author)
         .text(breaks.waits_at_from)
         .text(breaks.waits_at_to)

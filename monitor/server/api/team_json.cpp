@@ -48,8 +48,9 @@ nlohmann::json breaks_json(const Team& team, const Robot& robot) {
     answers.push_back({{"id", answer.id}, {"refused", answer.refused}});
   const auto& at = breaks.break_point;
   const bool is_known = !at.from_state.empty() || !at.to_state.empty();
-  const double waits_s =
-      waits_at_lock(breaks) ? lock_wait_s(breaks, team.since_breaks(robot)) : 0.0;
+  // Whether a silent robot still waits is not known: it has waited as long as it told last.
+  const Duration since_told = team.silent(robot) ? Duration{} : team.since_breaks(robot);
+  const double waits_s = waits_at_lock(breaks) ? lock_wait_s(breaks, since_told) : 0.0;
   return {{"points", std::move(points)},
           {"stepping", breaks.stepping},
           {"stopped", breaks.stopped},

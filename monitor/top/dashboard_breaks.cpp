@@ -35,7 +35,7 @@ void Dashboard::toggle_break_point() {
 void Dashboard::open_breaks() {
   const std::string robot = shown_robot();
   if (robot.empty()) return notices_.tell("No robot is heard that could stop.");
-  open(std::make_unique<BreakSheet>(model_, steering_, robot));
+  open(std::make_unique<BreakSheet>(model_, steering_, robot, past_ != nullptr));
 }
 
 }  // namespace galilean::monitor::top

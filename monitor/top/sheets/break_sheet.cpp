@@ -52,8 +52,9 @@ Sheet::Line line_of(const msg::Breaks& breaks, const msg::BreakPoint& point) {
 
 }  // namespace
 
-BreakSheet::BreakSheet(const DashboardModel& model, Steering& steering, std::string robot)
-    : model_(model), steering_(steering), robot_(std::move(robot)) {
+BreakSheet::BreakSheet(const DashboardModel& model, Steering& steering, std::string robot,
+                       bool over_past)
+    : model_(model), steering_(steering), robot_(std::move(robot)), over_past_(over_past) {
   const msg::Breaks* told = breaks();
   if (!told || told->points.empty()) return;
   const auto lock = std::ranges::find_if(
@@ -111,7 +112,8 @@ void BreakSheet::change(const msg::BreakPoint& point, char letter) {
 }
 
 Sheet BreakSheet::sheet() {
-  Sheet sheet{.title = "Break points of " + robot_, .lines = {}, .keys = "Esc back"};
+  const std::string title = (over_past_ ? "Now: break points of " : "Break points of ") + robot_;
+  Sheet sheet{.title = title, .lines = {}, .keys = "Esc back"};
   const msg::Breaks* told = breaks();
   if (!told) {
     sheet.lines = {{robot_ + " has told nothing about break points."}};

@@ -219,6 +219,46 @@ TEST_F(Breaking, AKeyActsOnThePointThatWasSeenHoweverItsLineHasMoved) {
   EXPECT_EQ(said.back(), "remove :grab for callisto");
 }
 
+TEST_F(Breaking, KeysActNowAndSayItWhileThePastIsShown) {
+  for (int i = 0; i < 2; ++i) {
+    clock.advance(seconds(2));
+    for (const char* name : {"callisto", "ganymede", "io"}) tell_of({.robot = name});
+  }
+  press(Key::kLeft);
+  press("JJb");
+  EXPECT_EQ(said, Said{"set :grab stop for callisto"});
+  EXPECT_THAT(screen(), HasSubstr("now: told callisto about break points"));
+  answer();
+  EXPECT_THAT(screen(), HasSubstr("now: callisto stops on entering grab"));
+  press("n");
+  EXPECT_EQ(said.back(), "step callisto");
+  EXPECT_THAT(screen(), HasSubstr("now: told callisto to step"));
+  press("h");
+  EXPECT_THAT(screen(), HasSubstr("now: told callisto to hold"));
+  press("r");
+  EXPECT_THAT(screen(), HasSubstr("now: Resume callisto? y / n"));
+  press("n.");
+  EXPECT_THAT(screen(), HasSubstr("now: STOP ALL: "));
+  press("B");
+  EXPECT_THAT(screen(), HasSubstr("Now: break points of callisto"));
+  press(Key::kEscape);
+  press("ln");
+  EXPECT_THAT(screen(), Not(HasSubstr("now: ")));
+}
+
+TEST_F(Breaking, WhatLetAStoppedRobotGoIsNoHintInThePast) {
+  breaks.stopped = true;
+  breaks.stopped_by = msg::Breaks_Constants::STEP;
+  tell_of_breaks(breaks);
+  tell_of({.robot = "callisto", .held = true});
+  EXPECT_THAT(screen(), HasSubstr("n step  r go on"));
+  clock.advance(seconds(10));
+  tell_of({.robot = "callisto"});
+  press(Key::kHome);
+  EXPECT_THAT(screen(), HasSubstr("callisto: stopped after a step"));
+  EXPECT_THAT(screen(), Not(HasSubstr("n step  r go on")));
+}
+
 TEST_F(Breaking, StopAllWorksOverTheList) {
   press("B.");
   EXPECT_EQ(said, Said{"hold"});

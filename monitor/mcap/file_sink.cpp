@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -13,7 +14,12 @@ namespace galilean::mcap {
 Result<FileSink> FileSink::create(const std::string& path, bool replace) {
   const int how = O_WRONLY | O_CREAT | O_CLOEXEC | (replace ? O_TRUNC : O_EXCL);
   const int descriptor = open(path.c_str(), how, 0644);
-  if (descriptor >= 0) return FileSink(path, descriptor);
+  if (descriptor >= 0) {
+    // Tells readers that the file is being written. Where the disk knows no locks they are not
+    // told.
+    (void)flock(descriptor, LOCK_EX | LOCK_NB);
+    return FileSink(path, descriptor);
+  }
   if (errno == EEXIST)
     return Error{path + " exists already; choose another name, or give --replace"};
   return Error{path + " cannot be written: " + std::strerror(errno)};

@@ -3,16 +3,18 @@
 
 #include <algorithm>
 #include <iomanip>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/json_text.h"
 #include "core/plural.h"
 #include "core/visible_text.h"
+#include "monitor/record/damage_text.h"
 #include "monitor/record/times.h"
 
 namespace galilean::monitor {
 namespace {
+
+/// A longer name of a topic reaches into the next columns.
+constexpr std::size_t kWidestTopic = 48;
 
 struct Row {
   std::string topic, type;
@@ -35,19 +37,12 @@ std::vector<Row> rows(const mcap::Summary& summary) {
   return result;
 }
 
-std::string compression(const mcap::Summary& summary) {
-  std::string names;
-  for (const auto& [name, chunks] : summary.compressions)
-    names += (names.empty() ? "" : ", ") + (name.empty() ? "none" : name);
-  return names.empty() ? "none" : names;
-}
-
 void describe_channels(std::ostream& out, const mcap::Summary& summary) {
   auto all = rows(summary);
   std::size_t widest = 5;
   for (auto& row : all) {
     row.topic = visible(row.topic);
-    widest = std::max(widest, row.topic.size());
+    widest = std::min(std::max(widest, row.topic.size()), kWidestTopic);
   }
   for (const auto& row : all)
     out << "  " << std::left << std::setw(static_cast<int>(widest)) << row.topic << std::right
@@ -55,58 +50,53 @@ void describe_channels(std::ostream& out, const mcap::Summary& summary) {
         << visible(row.type) << '\n';
 }
 
+void describe_extras(std::ostream& out, const mcap::Summary& summary) {
+  for (const auto& metadata : summary.metadata)
+    out << "metadata:  " << visible(metadata.name) << ", "
+        << plural(metadata.entries.size(), "value") << '\n';
+  for (const auto& attachment : summary.attachments)
+    out << "attached:  " << visible(attachment.name) << ", " << visible(attachment.media_type)
+        << ", " << plural(attachment.data_bytes, "byte") << '\n';
+}
+
 }  // namespace
 
+std::string compression_text(const mcap::Summary& summary) {
+  std::string names;
+  for (const auto& [name, chunks] : summary.compressions)
+    names += (names.empty() ? "" : ", ") + (name.empty() ? "none" : name);
+  return names.empty() ? "none" : names;
+}
+
 double duration_s(const mcap::Summary& summary) {
-  return static_cast<double>(summary.statistics.end_ns - summary.statistics.start_ns) * 1e-9;
+  std::uint64_t span_ns = summary.statistics.end_ns - summary.statistics.start_ns;
+  for (const auto& silence : summary.silences) span_ns -= silence.end_ns - silence.start_ns;
+  return static_cast<double>(span_ns) * 1e-9;
 }
 
 std::string describe(const std::string& path, const mcap::Summary& summary) {
   const auto& statistics = summary.statistics;
   std::ostringstream out;
   out << std::fixed << std::setprecision(1);
-  if (summary.recovered)
-    out << path << " was not closed properly; recovered " << plural(statistics.messages, "message")
-        << "\n";
-  for (const auto& damage : summary.damage) out << "damage: " << visible(damage) << '\n';
+  out << condition_text(path, summary);
   out << "file:      " << path << ", " << static_cast<double>(summary.bytes) * 1e-6 << " MB\n"
       << "by:        " << visible(summary.header.library) << ", profile "
       << visible(summary.header.profile) << '\n';
   if (statistics.messages > 0)
-    out << "from:      " << iso_time(static_cast<std::int64_t>(statistics.start_ns)) << '\n'
-        << "to:        " << iso_time(static_cast<std::int64_t>(statistics.end_ns)) << '\n';
+    out << "from:      " << iso_time(statistics.start_ns) << '\n'
+        << "to:        " << iso_time(statistics.end_ns) << '\n';
   out << "duration:  " << duration_s(summary) << " s\n"
       << "messages:  " << statistics.messages << '\n'
-      << "chunks:    " << statistics.chunks << ", compression " << visible(compression(summary))
+      << "chunks:    " << statistics.chunks << ", compression "
+      << visible(compression_text(summary)) << '\n'
+      << "checked:   "
+      << (summary.checked ? "every message and checksum"
+                          : "what stands where; --check reads every message")
       << '\n'
       << "channels:  " << summary.channels.size() << '\n';
   describe_channels(out, summary);
+  describe_extras(out, summary);
   return out.str();
-}
-
-std::string describe_json(const std::string& path, const mcap::Summary& summary) {
-  const auto& statistics = summary.statistics;
-  nlohmann::ordered_json json{{"file", path},
-                              {"bytes", summary.bytes},
-                              {"library", summary.header.library},
-                              {"profile", summary.header.profile},
-                              {"start", iso_time(static_cast<std::int64_t>(statistics.start_ns))},
-                              {"end", iso_time(static_cast<std::int64_t>(statistics.end_ns))},
-                              {"duration_seconds", duration_s(summary)},
-                              {"messages", statistics.messages},
-                              {"chunks", statistics.chunks},
-                              {"compression", compression(summary)},
-                              {"recovered", summary.recovered},
-                              {"damage", summary.damage},
-                              {"channels", nlohmann::ordered_json::array()},
-                              {"metadata", nlohmann::ordered_json::object()}};
-  for (const auto& row : rows(summary))
-    json["channels"].push_back({{"topic", row.topic},
-                                {"type", row.type},
-                                {"messages", row.messages},
-                                {"rate_hz", row.rate_hz}});
-  for (const auto& metadata : summary.metadata) json["metadata"][metadata.name] = metadata.entries;
-  return ordered_json_text(json, 2) + "\n";
 }
 
 }  // namespace galilean::monitor

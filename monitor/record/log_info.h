@@ -7,8 +7,10 @@
 
 namespace galilean::monitor {
 
-/// Returns the time from the first message to the last [s].
+/// Returns the time from the first message to the last, without the silences [s].
 [[nodiscard]] double duration_s(const mcap::Summary& summary);
+/// Returns the names of the compressions, such as "zstd" or "lz4, none".
+[[nodiscard]] std::string compression_text(const mcap::Summary& summary);
 /// Returns a description of the file for people, with a line for each channel.
 [[nodiscard]] std::string describe(const std::string& path, const mcap::Summary& summary);
 /// Returns the same description as JSON, for programs.

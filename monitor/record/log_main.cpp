@@ -2,21 +2,34 @@
 #include <iostream>
 
 #include "core/command_line/command_line.h"
+#include "monitor/record/damage_text.h"
 #include "monitor/record/log_info.h"
 
 namespace {
 
 using namespace galilean;
 
-int info(const std::string& path, bool json) {
-  const auto file = mcap::FileSource::open(path);
-  if (!file) return std::cerr << "galilean-log: " << file.error().message << '\n', 1;
-  const auto summary = mcap::summarize(file.value());
-  if (!summary)
-    return std::cerr << "galilean-log: " << path << " " << summary.error().message << '\n', 1;
-  std::cout << (json ? monitor::describe_json(path, summary.value())
-                     : monitor::describe(path, summary.value()));
-  return std::cout.flush() ? 0 : 1;
+struct InfoOptions {
+  std::string file;
+  bool json = false;
+  bool check = false;
+};
+
+int fail(const std::string& sentence) {
+  std::cerr << "galilean-log: " << sentence << '\n';
+  return kFailed;
+}
+
+int info(const InfoOptions& options) {
+  const auto file = mcap::FileSource::open(options.file);
+  if (!file) return fail(file.error().message);
+  const auto summary =
+      mcap::summarize(file.value(), options.check ? mcap::Depth::kAll : mcap::Depth::kAsNeeded);
+  if (!summary) return fail(options.file + " " + summary.error().message);
+  std::cout << (options.json ? monitor::describe_json(options.file, summary.value())
+                             : monitor::describe(options.file, summary.value()));
+  if (!std::cout.flush()) return kFailed;
+  return summary.value().recovered() ? kIncomplete : 0;
 }
 
 }  // namespace
@@ -24,11 +37,14 @@ int info(const std::string& path, bool json) {
 int main(int argc, char** argv) {
   CommandLine app("Describes recordings of the team.", "galilean log");
   app.require_command();
-  std::string path;
-  bool json = false;
-  auto command = app.command("info", "Describe the contents of a recording");
-  command.option("file", path, "An MCAP file").required().names_file(".mcap");
-  command.flag("--json", json, "As JSON, for programs");
+  InfoOptions options;
+  auto command = app.command("info", "Describe the contents of a recording, and its damage");
+  command.option("file", options.file, "An MCAP file").required().names_file(".mcap");
+  command.flag("--json", options.json, "As JSON, for programs");
+  command.flag("--check", options.check,
+               "Read every message and compare every checksum; done anyway up to 256 MiB");
+  command.describe_exit(kIncomplete,
+                        "A part of the recording is damaged or missing; the rest was described.");
   if (const auto code = app.parse(argc, argv)) return *code;
-  return info(path, json);
+  return info(options);
 }

@@ -50,7 +50,8 @@ Result<void> begin(mcap::Writer& writer) {
   if (auto done = writer.begin(); !done) return done;
   return writer.write(mcap::Metadata{
       "galilean",
-      {{"version", GALILEAN_VERSION}, {"started", monitor::iso_time(wire::wall_clock_ns())}}});
+      {{"version", GALILEAN_VERSION},
+       {"started", monitor::iso_time(static_cast<std::uint64_t>(wire::wall_clock_ns()))}}});
 }
 
 Result<void> end(mcap::Writer& writer, mcap::FileSink& file) {

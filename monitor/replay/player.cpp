@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "monitor/mcap/message_reader.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -16,22 +18,33 @@ Player::Player(const std::map<std::uint16_t, Track>& tracks, Pace pace, const Cl
                Send send, Wait wait)
     : tracks_(tracks), pace_(pace), clock_(clock), send_(std::move(send)), wait_(std::move(wait)) {}
 
-mcap::ScanEnd Player::play(const mcap::ByteSource& recording, std::uint64_t start_ns) {
-  from_ns_ = start_ns + static_cast<std::uint64_t>(pace_.from.count());
+std::vector<mcap::Damage> Player::play(const mcap::ByteSource& recording,
+                                       const std::vector<mcap::Block>& blocks) {
   began_ = clock_.now();
-  mcap::Visitor visitor;
-  visitor.message = [this](const mcap::Message& message) { meet(message); };
-  visitor.enough = [this] { return !playing_; };
-  return mcap::scan(recording, visitor);
+  mcap::MessageReader reader(recording, blocks);
+  while (const mcap::Message* message = playing_ ? reader.next() : nullptr) meet(*message);
+  return reader.damages();
 }
 
 void Player::meet(const mcap::Message& message) {
+  move_to(message.log_ns);
   const auto track = tracks_.find(message.channel_id);
   if (track == tracks_.end()) return;
-  if (message.log_ns < from_ns_) return keep(message, track->second.delivery);
+  if (position_ns_ < static_cast<std::uint64_t>(pace_.from.count()))
+    return keep(message, track->second.delivery);
   if (!kept_.empty()) tell_kept();
-  playing_ = wait_(due(message.log_ns));
+  playing_ = wait_(due());
   if (playing_) send(message.channel_id, message.data);
+}
+
+void Player::move_to(std::uint64_t log_ns) {
+  const std::uint64_t before_ns = log_ns_.value_or(log_ns);
+  log_ns_ = std::max(before_ns, log_ns);
+  if (log_ns <= before_ns) return;
+  if (log_ns - before_ns > mcap::kLongestSilence_ns)
+    silences_.push_back({before_ns, log_ns});
+  else
+    position_ns_ += log_ns - before_ns;
 }
 
 void Player::keep(const mcap::Message& message, wire::Delivery delivery) {
@@ -56,9 +69,10 @@ void Player::send(std::uint16_t channel, mcap::ByteView cdr) {
   ++sent_;
 }
 
-Time Player::due(std::uint64_t log_ns) const {
-  const auto since = static_cast<double>(log_ns - from_ns_);
-  return began_ + Duration(static_cast<Duration::rep>(since / pace_.rate));
+Time Player::due() const {
+  const auto since_ns =
+      static_cast<double>(position_ns_ - static_cast<std::uint64_t>(pace_.from.count()));
+  return began_ + Duration(static_cast<Duration::rep>(since_ns / pace_.rate));
 }
 
 }  // namespace galilean::monitor

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "core/clock.h"
-#include "monitor/mcap/mcap_scan.h"
+#include "monitor/mcap/mcap_reader.h"
 #include "monitor/replay/tracks.h"
 
 namespace galilean::monitor {
@@ -15,8 +15,9 @@ struct Pace {
   Duration from{};  ///< time since the recording's start at which the replay begins
 };
 
-/// Sends a recording's messages again, with the intervals in which they were received, divided by
-/// the rate.
+/// Sends a recording's messages again in the order of their log times, with the intervals in which
+/// they were received, divided by the rate. A silence over mcap::kLongestSilence_ns is no part of
+/// the recording's time: the replay goes on at once.
 ///
 /// If the replay begins later than the recording, it first sends what a late joiner would have got
 /// at that time: the newest message of each state and the last 64 of each event.
@@ -29,11 +30,14 @@ class Player {
   Player(const std::map<std::uint16_t, Track>& tracks, Pace pace, const Clock& clock, Send send,
          Wait wait);
 
-  /// Plays the recording, whose first message is of `start_ns` (since the Unix epoch), on the
-  /// calling thread. Leaves out damaged parts and returns them in ScanEnd. Call it once.
-  [[nodiscard]] mcap::ScanEnd play(const mcap::ByteSource& recording, std::uint64_t start_ns);
+  /// Plays the recording, whose messages are in `blocks`, on the calling thread. Leaves out damaged
+  /// parts and returns them. Call it once.
+  [[nodiscard]] std::vector<mcap::Damage> play(const mcap::ByteSource& recording,
+                                               const std::vector<mcap::Block>& blocks);
   /// Returns the number of messages that were given to `send`.
   [[nodiscard]] std::uint64_t sent() const noexcept { return sent_; }
+  /// Returns the silences that were passed over.
+  [[nodiscard]] const std::vector<mcap::TimeRange>& silences() const noexcept { return silences_; }
 
  private:
   struct Kept {
@@ -43,10 +47,11 @@ class Player {
   };
 
   void meet(const mcap::Message& message);
+  void move_to(std::uint64_t log_ns);
   void keep(const mcap::Message& message, wire::Delivery delivery);
   void tell_kept();
   void send(std::uint16_t channel, mcap::ByteView cdr);
-  [[nodiscard]] Time due(std::uint64_t log_ns) const;
+  [[nodiscard]] Time due() const;
 
   const std::map<std::uint16_t, Track>& tracks_;
   Pace pace_;
@@ -54,7 +59,9 @@ class Player {
   Send send_;
   Wait wait_;
   std::map<std::uint16_t, std::vector<Kept>> kept_;
-  std::uint64_t from_ns_ = 0;
+  std::optional<std::uint64_t> log_ns_;  ///< of the newest message
+  std::uint64_t position_ns_ = 0;        ///< since the recording's start, without silences
+  std::vector<mcap::TimeRange> silences_;
   Time began_{};
   bool playing_ = true;
   std::uint64_t sent_ = 0;

@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 #include "core/broken_pipe.h"
 #include "core/command_line/command_line.h"
@@ -12,6 +13,7 @@
 #include "core/plural.h"
 #include "core/termination.h"
 #include "core/wire/discovery.h"
+#include "monitor/record/damage_text.h"
 #include "monitor/record/log_info.h"
 #include "monitor/replay/player.h"
 #include "monitor/replay/report.h"
@@ -97,7 +99,7 @@ class Replay {
     std::cout << before_playing(options_.file, summary_, tracks_) << std::flush;
     while (pass(participant) && options_.loop) {
     }
-    return 0;
+    return damaged_ || summary_.recovered() ? kIncomplete : 0;
   }
 
  private:
@@ -124,13 +126,28 @@ class Replay {
         [&](std::uint16_t channel, mcap::ByteView cdr) { stage.send(channel, cdr); },
         [&](Time due) { return to_its_end = waiting_.until(due, [&] { stage.look(); }); });
     const Time began = clock_.now();
-    (void)player.play(recording_, summary_.statistics.start_ns);
+    const auto damages = player.play(recording_, summary_.blocks);
     std::cout << "played " << plural(player.sent(), "message") << " in "
               << seconds(to_seconds(clock_.now() - began)) << std::endl;
+    tell_damage(damages, player.silences());
     if (stage.lost() > 0)
       std::cerr << "galilean-replay: could not send " << plural(stage.lost(), "message")
                 << "; a message is left out if it is damaged or DDS does not take it in time\n";
     return to_its_end;
+  }
+
+  /// Says what the replay left out, as far as it was not said before it began.
+  void tell_damage(const std::vector<mcap::Damage>& damages,
+                   const std::vector<mcap::TimeRange>& silences) {
+    if (std::exchange(told_, true)) return;
+    for (const auto& damage : newly_met(damages, summary_))
+      std::cerr << "galilean-replay: left out: " << damage_text(damage, summary_) << '\n';
+    if (!summary_.checked)
+      for (const auto& silence : silences)
+        std::cerr << "galilean-replay: " << silence_text(silence) << '\n';
+    damaged_ = !damages.empty();
+    if (const auto loss = loss_text(summary_); !loss.empty())
+      std::cerr << "galilean-replay: " << options_.file << ": " << loss << '\n';
   }
 
   const Options& options_;
@@ -139,6 +156,8 @@ class Replay {
   Tracks tracks_;
   SteadyClock clock_;
   Waiting waiting_;
+  bool told_ = false;
+  bool damaged_ = false;
 };
 
 int run(const Options& options) try {
@@ -175,6 +194,8 @@ int main(int argc, char** argv) {
   app.flag("--anyway", options.anyway,
            "Play even if live robots in the domain have the same names");
   add_domain_option(app, options.domain);
+  app.describe_exit(kIncomplete,
+                    "A part of the recording is damaged or missing; the rest was played.");
   if (const auto code = app.parse(argc, argv)) return *code;
   return run(options);
 }

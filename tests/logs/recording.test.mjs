@@ -42,7 +42,12 @@ const DATA_END_BYTES = 1 + 8 + 4;
 /** Behind a chunk's opcode, length, two times and uncompressed size. */
 const CHUNK_CRC_AT = 1 + 8 + 8 + 8 + 8;
 
-const info = (file) => JSON.parse(execFileSync(program("galilean-log"), ["info", file, "--json"], limit).toString());
+/** What `log info` says, of a file that is whole, or of one that is not. */
+function info(file, status = 0) {
+  const ended = spawnSync(program("galilean-log"), ["info", file, "--json"], limit);
+  assert.equal(ended.status, status, `${ended.stderr}${ended.stdout}`);
+  return JSON.parse(ended.stdout.toString());
+}
 
 describe("a recording", () => {
   const folder = mkdtempSync(path.join(tmpdir(), "galilean-logs-"));
@@ -128,20 +133,50 @@ describe("a recording", () => {
     assert.equal(records.find((record) => record.type === "DataEnd").dataSectionCrc, crc32(bytes.subarray(0, end)));
   });
 
-  test("that is damaged gives what is whole, and its damage is named", async () => {
+  test("that is damaged gives what is whole, and names what is lost, with and without its summary", async () => {
     const { reader, messages } = await readIndexed(file("whole.mcap"));
     const [, chunk] = reader.chunkIndexes;
     const at = Number(chunk.chunkStartOffset);
+    const lost = messages.filter(({ logTime }) => logTime >= chunk.messageStartTime && logTime <= chunk.messageEndTime);
+    assert.ok(lost.length > 0 && lost.length < messages.length);
+    const topics = {};
+    for (const { channelId } of lost) {
+      const { topic } = reader.channelsById.get(channelId);
+      topics[topic] = (topics[topic] ?? 0) + 1;
+    }
     const bytes = readFileSync(file("whole.mcap"));
     bytes[at + CHUNK_CRC_AT] ^= 0xff;
-    // Without its end, so that it must be read from the beginning.
-    writeFileSync(file("damaged.mcap"), bytes.subarray(0, bytes.length - 20));
-    const lost = messages.filter(({ logTime }) => logTime >= chunk.messageStartTime && logTime <= chunk.messageEndTime).length;
-    assert.ok(lost > 0 && lost < messages.length);
-    const told = info(file("damaged.mcap"));
-    assert.deepEqual(told.damage, [`the chunk at byte ${at} does not match its checksum`]);
-    assert.equal(told.recovered, true);
-    assert.equal(told.messages, messages.length - lost);
+    for (const end of [bytes.length, bytes.length - 20]) {
+      writeFileSync(file("damaged.mcap"), bytes.subarray(0, end));
+      const told = info(file("damaged.mcap"), 3);
+      assert.equal(told.damage.length, 1);
+      const [damage] = told.damage;
+      assert.equal(damage.what, `the chunk at byte ${at} does not match its checksum`);
+      assert.equal(damage.byte, at);
+      assert.equal(damage.messages, lost.length);
+      assert.equal(damage.start_ns, String(chunk.messageStartTime));
+      assert.equal(damage.end_ns, String(chunk.messageEndTime));
+      assert.deepEqual(Object.entries(damage.topics).sort(), Object.entries(topics).sort());
+      assert.equal(told.recovered, true);
+      assert.equal(told.closed, end === bytes.length);
+      assert.equal(told.lost.messages, lost.length);
+      assert.equal(told.lost.exact, end === bytes.length);
+      assert.equal(told.messages, messages.length - lost.length);
+    }
+  });
+
+  test("that is being written says so, and is not called damaged", async () => {
+    const recorder = record("growing.mcap");
+    await grown("growing.mcap", 20_000);
+    const told = info(file("growing.mcap"));
+    assert.equal(told.being_written, true);
+    assert.equal(told.recovered, false);
+    assert.ok(told.messages > 0);
+    const text = execFileSync(program("galilean-log"), ["info", file("growing.mcap")], limit).toString();
+    assert.match(text, /growing\.mcap is being written; it has \d+ messages so far\n/);
+    recorder.kill("SIGINT");
+    await recorder.ended;
+    assert.equal(info(file("growing.mcap")).being_written, false);
   });
 
   test("is closed properly when it is interrupted", async () => {
@@ -161,10 +196,10 @@ describe("a recording", () => {
     await grown("killed.mcap", 20_000);
     recorder.kill("SIGKILL");
     await recorder.ended;
-    const told = info(file("killed.mcap"));
+    const told = info(file("killed.mcap"), 3);
     assert.equal(told.recovered, true);
     assert.ok(told.messages > 50);
-    const text = execFileSync(program("galilean-log"), ["info", file("killed.mcap")], limit).toString();
+    const text = spawnSync(program("galilean-log"), ["info", file("killed.mcap")], limit).stdout.toString();
     assert.match(text, /was not closed properly; recovered \d+ messages/);
     const messages = readStream(file("killed.mcap")).filter((record) => record.type === "Message");
     assert.equal(messages.length, told.messages);
@@ -176,7 +211,7 @@ describe("a recording", () => {
     const recorder = start("/bin/bash", ["-c", script, program("galilean-record"), file("full.mcap")]);
     assert.equal((await recorder.ended).code, 1);
     assert.match(recorder.text, /^galilean-record: .*full\.mcap cannot be written: File too large; [^\n]*\n$/);
-    const told = info(file("full.mcap"));
+    const told = info(file("full.mcap"), 3);
     assert.equal(told.recovered, true);
     assert.ok(told.messages > 10);
   });
@@ -207,7 +242,8 @@ describe("a recording", () => {
       assert.match(ended.stderr.toString(), reason);
       assert.equal(ended.stderr.toString().trim().split("\n").length, 1);
     }
-    for (const none of ["/nonexistent.mcap", program("galilean-log")]) {
+    writeFileSync(file("empty.mcap"), "");
+    for (const none of ["/nonexistent.mcap", program("galilean-log"), file("empty.mcap"), folder]) {
       const ended = spawnSync(program("galilean-log"), ["info", none], limit);
       assert.equal(ended.status, 1);
       assert.equal(ended.stderr.toString().trim().split("\n").length, 1);

@@ -12,7 +12,7 @@ const require = createRequire(path.join(here, "../node/package.json"));
 
 export const { parseRos2idl } = require("@foxglove/ros2idl-parser");
 export const { MessageReader, MessageWriter } = require("@foxglove/rosmsg2-serialization");
-export const { McapIndexedReader, McapStreamReader } = require("@mcap/core");
+export const { McapChunkBuilder, McapIndexedReader, McapRecordBuilder, McapStreamReader, McapWriter } = require("@mcap/core");
 export const { decompress: unzstd } = require("fzstd");
 
 const build = process.env.GALILEAN_BUILD ?? path.join(here, "../../build");

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/expect/judge/robot_watch.h"
+
+#include "bhdl/source/names.h"
+#include "bhdl/source/text.h"
+#include "core/plural.h"
+#include "core/wire/ros_time.h"
+#include "monitor/expect/judge/needs.h"
+
+namespace galilean::expect {
+namespace {
+
+/// A transition is published with the next state. One that is older by the robot's clock was sent
+/// to a late joiner.
+constexpr std::int64_t kSameMoment_ns = 250'000'000;
+constexpr std::size_t kMostWaiting = 64;  ///< what a writer keeps for late joiners
+constexpr std::size_t kMostNames = 10'000;
+
+std::string unknown_name(const std::string& robot, std::string_view kind, const std::string& name,
+                         const std::set<std::string>& known) {
+  const std::vector<std::string_view> names(known.begin(), known.end());
+  const auto hint = bhdl::did_you_mean(meant_name(name, names));
+  return robot + " has no " + std::string(kind) + " " + bhdl::in_quotes(name) +
+         (hint.text.empty() ? "" : "; " + hint.text);
+}
+
+}  // namespace
+
+RobotWatch::RobotWatch(const std::string& robot, const TeamBelief& team, std::int64_t silence_ns) {
+  belief_.robot = robot;
+  belief_.team = &team;
+  belief_.silence_ns = silence_ns;
+}
+
+void RobotWatch::add(const Claim& claim) {
+  Entry entry{&claim, nullptr, make_topic_monitor(claim), {}};
+  if (entry.topic) {
+    entry.topic_name = topic_of(claim)->of(belief_.robot);
+  } else {
+    for (const auto& name : variables_of(claim)) belief_.variables.try_emplace(name);
+    entry.conditions = std::make_unique<ClaimWatch>(claim, belief_);
+  }
+  entries_.push_back(std::move(entry));
+}
+
+void RobotWatch::advance(std::int64_t at_ns, unsigned sources) {
+  for (const auto& entry : entries_)
+    if (entry.conditions && (entry.conditions->sources() & sources) != 0)
+      entry.conditions->advance(at_ns);
+}
+
+void RobotWatch::observe(std::int64_t at_ns, unsigned sources) {
+  for (const auto& entry : entries_)
+    if (entry.conditions && (entry.conditions->sources() & sources) != 0)
+      entry.conditions->observe(at_ns);
+}
+
+void RobotWatch::sample(std::int64_t at_ns, const msg::RobotState& state) {
+  const bool first = !heard();
+  advance(at_ns, kState);
+  if (first)
+    begin(state);
+  else if (state.tick < newest_tick_)
+    restart(state);
+  newest_tick_ = state.tick;
+  belief_.state.set(at_ns, state);
+  if (state.transitions >= belief_.transitions) {
+    belief_.current_state = state.state;
+    belief_.transitions = state.transitions;
+  }
+  observe(at_ns, kState);
+  if (!first) return;
+  for (const auto& transition : waiting_) deliver(at_ns, transition);
+  waiting_.clear();
+}
+
+void RobotWatch::begin(const msg::RobotState& state) {
+  first_stamp_ns_ = wire::since_epoch_ns(state.stamp);
+  first_number_ = state.transitions;
+}
+
+void RobotWatch::restart(const msg::RobotState& state) {
+  lost_ = lost_transitions();
+  delivered_ = 0;
+  first_number_ = 0;
+  belief_.transitions = state.transitions;
+}
+
+void RobotWatch::sample(std::int64_t at_ns, const msg::Transition& transition) {
+  if (heard()) return deliver(at_ns, transition);
+  if (waiting_.size() == kMostWaiting) waiting_.pop_front();
+  waiting_.push_back(transition);
+}
+
+bool RobotWatch::happened_before(const msg::Transition& transition) const {
+  return wire::since_epoch_ns(transition.stamp) < first_stamp_ns_ - kSameMoment_ns;
+}
+
+void RobotWatch::deliver(std::int64_t at_ns, const msg::Transition& transition) {
+  if (happened_before(transition)) return;
+  constexpr unsigned kAffected = kState | kTransitions;
+  advance(at_ns, kAffected);
+  if (transition.number > first_number_) ++delivered_;
+  if (transition.number > belief_.transitions) {
+    belief_.transitions = transition.number;
+    belief_.current_state = transition.to_state;
+  }
+  belief_.event = &transition;
+  observe(at_ns, kTransitions);
+  belief_.event = nullptr;
+  observe(at_ns, kTransitions);
+}
+
+std::uint64_t RobotWatch::lost_transitions() const noexcept {
+  const std::uint64_t happened =
+      belief_.transitions > first_number_ ? belief_.transitions - first_number_ : 0;
+  return lost_ + (happened > delivered_ ? happened - delivered_ : 0);
+}
+
+void RobotWatch::sample(std::int64_t at_ns, const msg::Variables& variables) {
+  advance(at_ns, kVariables);
+  if (!belief_.variables_ns)
+    for (const auto& item : variables.items)
+      if (variables_.size() < kMostNames) variables_.insert(item.name);
+  belief_.set_variables(at_ns, variables);
+  observe(at_ns, kVariables);
+}
+
+void RobotWatch::sample(const msg::Program& program) {
+  for (const auto& state : program.states)
+    if (states_.size() < kMostNames) states_.insert(state.name);
+}
+
+void RobotWatch::message(std::int64_t at_ns, std::string_view topic, std::uint32_t sequence) {
+  for (const auto& entry : entries_)
+    if (entry.topic && entry.topic_name == topic) entry.topic->message(at_ns, sequence);
+}
+
+std::string RobotWatch::complaint_on_names(const Claim& claim) const {
+  if (!states_.empty())
+    for (const auto& name : states_of(claim))
+      if (!states_.contains(name))
+        return unknown_name(belief_.robot + "'s program", "state", name, states_);
+  if (belief_.variables_ns)
+    for (const auto& name : variables_of(claim))
+      if (belief_.variables.at(name).type == 0)
+        return unknown_name(belief_.robot, "variable", name, variables_);
+  return {};
+}
+
+/// Turns an outcome that rests on what is not known into "cannot tell".
+void RobotWatch::settle(const Claim& claim, Finding& finding) const {
+  const auto cannot_tell = [&](std::string reason) {
+    finding.outcome = Outcome::kCannotTell;
+    finding.reason = std::move(reason);
+  };
+  if (!belief_.robot.empty() && !heard() && topic_of(claim) == nullptr)
+    return cannot_tell(belief_.robot + " was never heard");
+  if (auto complaint = complaint_on_names(claim); !complaint.empty())
+    return cannot_tell(std::move(complaint));
+  const auto lost = lost_transitions();
+  bool of_transitions = false;
+  for_each_condition(claim, [&](const Condition& condition) {
+    of_transitions = of_transitions || std::holds_alternative<Transition>(condition.kind);
+  });
+  if (!of_transitions || lost == 0) return;
+  const bool rests =
+      finding.outcome == Outcome::kHolds
+          ? finding.needs.has_value()
+          : !finding.counterexamples.empty() && finding.counterexamples.front().needs.has_value();
+  if (rests)
+    cannot_tell("the recording lacks " + plural(lost, "transition") + " of " + belief_.robot);
+}
+
+std::vector<Finding> RobotWatch::finish(std::int64_t end_ns) {
+  std::vector<Finding> findings;
+  for (const auto& entry : entries_) {
+    findings.push_back(entry.conditions ? entry.conditions->finish(end_ns)
+                                        : entry.topic->finish(end_ns));
+    settle(*entry.claim, findings.back());
+  }
+  return findings;
+}
+
+}  // namespace galilean::expect

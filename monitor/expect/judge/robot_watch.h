@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <set>
+
+#include "monitor/expect/judge/claim_watch.h"
+#include "monitor/expect/judge/topic_monitors.h"
+
+namespace galilean::expect {
+
+/// All claims about one robot, or about the team, and what is known of it.
+class RobotWatch {
+ public:
+  /// `robot` is empty for the team. Requires: `team` outlives this.
+  RobotWatch(const std::string& robot, const TeamBelief& team, std::int64_t silence_ns);
+  RobotWatch(const RobotWatch&) = delete;
+  RobotWatch& operator=(const RobotWatch&) = delete;
+
+  /// Adds a claim. Requires: it outlives this. `finish` returns what came of it.
+  void add(const Claim& claim);
+
+  void sample(std::int64_t at_ns, const msg::RobotState& state);
+  void sample(std::int64_t at_ns, const msg::Transition& transition);
+  void sample(std::int64_t at_ns, const msg::Variables& variables);
+  void sample(const msg::Program& program);
+  void message(std::int64_t at_ns, std::string_view topic, std::uint32_t sequence);
+  /// What all share changes: `advance` before it does, `observe` after it did.
+  void advance(std::int64_t at_ns, unsigned sources);
+  void observe(std::int64_t at_ns, unsigned sources);
+
+  [[nodiscard]] bool heard() const noexcept { return belief_.state.message.has_value(); }
+  /// Returns what came of each claim, in the order in which they were added. Call it once.
+  [[nodiscard]] std::vector<Finding> finish(std::int64_t end_ns);
+
+ private:
+  struct Entry {
+    const Claim* claim;
+    std::unique_ptr<ClaimWatch> conditions;  ///< one of the two
+    std::unique_ptr<TopicMonitor> topic;
+    std::string topic_name;
+  };
+
+  void begin(const msg::RobotState& state);
+  void restart(const msg::RobotState& state);
+  void deliver(std::int64_t at_ns, const msg::Transition& transition);
+  [[nodiscard]] bool happened_before(const msg::Transition& transition) const;
+  [[nodiscard]] std::uint64_t lost_transitions() const noexcept;
+  [[nodiscard]] std::string complaint_on_names(const Claim& claim) const;
+  void settle(const Claim& claim, Finding& finding) const;
+
+  Belief belief_;
+  std::vector<Entry> entries_;
+  std::deque<msg::Transition> waiting_;  ///< that came before the first state
+  std::int64_t first_stamp_ns_ = 0;      ///< of the first state, by the robot's clock
+  std::uint64_t first_number_ = 0, delivered_ = 0, lost_ = 0, newest_tick_ = 0;
+  std::set<std::string> states_, variables_;  ///< that its programs have
+};
+
+}  // namespace galilean::expect

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/expect/judge/topic_monitors.h"
+
+#include <algorithm>
+#include <deque>
+
+#include "core/plural.h"
+#include "monitor/expect/judge/duration_text.h"
+#include "monitor/expect/judge/monitor.h"
+
+namespace galilean::expect {
+namespace {
+
+bool has_upper_limit(Operator op) {
+  return op == Operator::kAtMost || op == Operator::kLess || op == Operator::kEqual;
+}
+
+/// Says which outcomes need that no message is missing: more messages could come only to the good
+/// of a lower limit.
+void judge_number(double number, Operator op, double limit, const Span& all,
+                  const std::string& values, Finding& finding,
+                  const std::function<void(std::optional<Span>)>& fail) {
+  finding.margin = margin(number, op, limit);
+  finding.note = values;
+  const bool lower = op == Operator::kAtLeast || op == Operator::kGreater;
+  if (holds(number, op, limit))
+    finding.needs = lower ? std::nullopt : std::optional(all);
+  else
+    fail(has_upper_limit(op) && number > limit ? std::nullopt : std::optional(all));
+}
+
+class MessageCount final : public TopicMonitor {
+ public:
+  MessageCount(Operator op, double limit, std::optional<double> window_s)
+      : op_(op), limit_(limit), window_ns_(window_s ? to_ns(*window_s) : 0) {}
+
+ private:
+  void step(std::int64_t at_ns, std::uint32_t) override {
+    if (window_ns_ == 0) return;
+    while (!times_ns_.empty() && times_ns_.front() < at_ns - window_ns_) times_ns_.pop_front();
+    times_ns_.push_back(at_ns);
+    const auto count = static_cast<double>(times_ns_.size());
+    finding_.margin = std::min(finding_.margin.value_or(limit_), limit_ - count);
+    if (!holds(count, op_, limit_)) fail(at_ns, plural(times_ns_.size(), "message"));
+    if (count > limit_) times_ns_.pop_front();
+  }
+  void conclude(std::int64_t end_ns, Finding& finding) override {
+    const Span all{first_ns_, end_ns};
+    if (window_ns_ > 0)
+      finding.needs = all;
+    else
+      judge_number(static_cast<double>(count_), op_, limit_, all, plural(count_, "message"),
+                   finding, [&](auto needs) { fail(end_ns, plural(count_, "message"), needs); });
+  }
+
+  Operator op_;
+  double limit_;
+  std::int64_t window_ns_;
+  std::deque<std::int64_t> times_ns_;
+};
+
+/// The messages after the first, a second of the time from the first to the end.
+class RateMonitor final : public TopicMonitor {
+ public:
+  RateMonitor(Operator op, double limit_hz) : op_(op), limit_hz_(limit_hz) {}
+
+ private:
+  void step(std::int64_t, std::uint32_t) override {}
+  void conclude(std::int64_t end_ns, Finding& finding) override {
+    if (end_ns <= first_ns_) {
+      finding.outcome = Outcome::kCannotTell;
+      finding.reason = "the recording ends with its first message";
+      return;
+    }
+    const double rate_hz =
+        static_cast<double>(count_ - 1) / (static_cast<double>(end_ns - first_ns_) * 1e-9);
+    const std::string values = "rate is " + short_number(rate_hz) + " Hz";
+    judge_number(rate_hz, op_, limit_hz_, {first_ns_, end_ns}, values, finding,
+                 [&](auto needs) { fail(end_ns, values, needs); });
+  }
+
+  Operator op_;
+  double limit_hz_;
+};
+
+class GapMonitor final : public TopicMonitor {
+ public:
+  explicit GapMonitor(double longest_s) : longest_ns_(to_ns(longest_s)) {}
+
+ private:
+  void step(std::int64_t at_ns, std::uint32_t) override {
+    if (count_ > 1) measure(at_ns);
+  }
+  void measure(std::int64_t at_ns) {
+    const std::int64_t gap_ns = at_ns - newest_ns_;
+    const double left_s = static_cast<double>(longest_ns_ - gap_ns) * 1e-9;
+    finding_.margin = std::min(finding_.margin.value_or(left_s), left_s);
+    if (gap_ns > longest_ns_)
+      fail(newest_ns_, "nothing came for " + duration_text(gap_ns), Span{newest_ns_, at_ns});
+  }
+  void conclude(std::int64_t end_ns, Finding&) override { measure(end_ns); }
+
+  std::int64_t longest_ns_;
+};
+
+/// The messages that are missing between others, by the numbers of their channel.
+class LossMonitor final : public TopicMonitor {
+ public:
+  LossMonitor(Operator op, double limit) : op_(op), limit_(limit) {}
+
+ private:
+  void step(std::int64_t at_ns, std::uint32_t sequence) override {
+    numbered_ = numbered_ || sequence != 0;
+    if (count_ > 1 && sequence > newest_ + 1) {
+      lost_ += sequence - newest_ - 1;
+      if (has_upper_limit(op_) && !holds(static_cast<double>(lost_), op_, limit_) && !told_) {
+        told_ = true;
+        fail(at_ns, plural(lost_, "message") + " lost by then");
+      }
+    }
+    newest_ = sequence;
+  }
+  void conclude(std::int64_t end_ns, Finding& finding) override {
+    if (!numbered_) {
+      finding.outcome = Outcome::kCannotTell;
+      finding.reason = "the recording does not number its messages";
+      return;
+    }
+    const std::string values = plural(lost_, "message") + " lost";
+    judge_number(static_cast<double>(lost_), op_, limit_, {first_ns_, end_ns}, values, finding,
+                 [&](auto needs) {
+                   if (!told_) fail(end_ns, values, needs);
+                 });
+  }
+
+  Operator op_;
+  double limit_;
+  bool numbered_ = false, told_ = false;
+  std::uint32_t newest_ = 0;
+  std::uint64_t lost_ = 0;
+};
+
+}  // namespace
+
+void TopicMonitor::message(std::int64_t at_ns, std::uint32_t sequence) {
+  if (count_++ == 0) first_ns_ = at_ns;
+  step(at_ns, sequence);
+  newest_ns_ = at_ns;
+}
+
+Finding TopicMonitor::finish(std::int64_t end_ns) {
+  if (count_ == 0) {
+    finding_.reason = "nothing came on the topic";
+    return std::move(finding_);
+  }
+  finding_.outcome = Outcome::kHolds;
+  conclude(end_ns, finding_);
+  if (finding_.failures > 0) finding_.outcome = Outcome::kFails;
+  lift_limits({first_ns_, end_ns}, finding_);
+  return std::move(finding_);
+}
+
+void TopicMonitor::fail(std::int64_t at_ns, std::string values, std::optional<Span> needs) {
+  ++finding_.failures;
+  if (finding_.counterexamples.size() < Finding::kMostKept)
+    finding_.counterexamples.push_back({at_ns, std::move(values), needs});
+}
+
+std::unique_ptr<TopicMonitor> make_topic_monitor(const Claim& claim) {
+  const auto& kind = claim.kind;
+  if (const auto* rate = std::get_if<Rate>(&kind))
+    return std::make_unique<RateMonitor>(rate->op, rate->limit_hz);
+  if (const auto* gaps = std::get_if<NoGaps>(&kind))
+    return std::make_unique<GapMonitor>(gaps->longest_s);
+  if (const auto* losses = std::get_if<Losses>(&kind))
+    return std::make_unique<LossMonitor>(losses->op, losses->limit);
+  const auto* count = std::get_if<Count>(&kind);
+  if (count && std::holds_alternative<TopicName>(count->what))
+    return std::make_unique<MessageCount>(count->op, count->limit, count->window_s);
+  return nullptr;
+}
+
+const TopicName* topic_of(const Claim& claim) {
+  const auto& kind = claim.kind;
+  if (const auto* rate = std::get_if<Rate>(&kind)) return &rate->topic;
+  if (const auto* gaps = std::get_if<NoGaps>(&kind)) return &gaps->topic;
+  if (const auto* losses = std::get_if<Losses>(&kind)) return &losses->topic;
+  const auto* count = std::get_if<Count>(&kind);
+  return count ? std::get_if<TopicName>(&count->what) : nullptr;
+}
+
+}  // namespace galilean::expect

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 
@@ -30,13 +32,18 @@ int fail(const std::string& sentence) {
   return kFailed;
 }
 
-/// Returns a file's text. A file that cannot be read is a diagnostic, too.
+/// Reads a file. That it cannot be read is a diagnostic, too.
 Parsed parse_file(const std::string& path) {
   const auto text = bhdl::DiskSources({}).read(path, kMostBytes);
   if (text) return parse(path, text.value());
+  const bool large = text.error().code == "file/too-large";
   Parsed parsed;
   parsed.diagnostics.push_back(
-      {.file = path, .code = text.error().code, .message = text.error().message});
+      {.file = path,
+       .code = text.error().code,
+       .message = large ? "the file is too large; expectations have at most " +
+                              std::to_string(kMostBytes) + " bytes"
+                        : text.error().message});
   return parsed;
 }
 
@@ -125,5 +132,6 @@ int main(int argc, char** argv) {
                     "None fails, but for some the recording does not tell: messages "
                     "are missing, or a robot was never heard.");
   if (const auto code = app.parse(argc, argv)) return *code;
+  if (std::isnan(options.silence_s)) return app.refuse("--silence nan is no number of seconds");
   return run(options);
 }

@@ -117,7 +117,7 @@ void Judge::sample(std::int64_t at_ns, const msg::Program& program) {
 
 void Judge::damage(const Span& span, const std::string& why) {
   damage_.add(span);
-  if (notes_.size() < kMostNotes) notes_.push_back(why);
+  if (!why.empty() && notes_.size() < kMostNotes) notes_.push_back(why);
 }
 
 /// Turns an outcome that rests on a time of which messages are lost into "cannot tell".

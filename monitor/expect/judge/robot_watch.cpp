@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/expect/judge/robot_watch.h"
 
+#include <algorithm>
+
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
 #include "core/plural.h"
@@ -150,26 +152,27 @@ std::string RobotWatch::complaint_on_names(const Claim& claim) const {
 
 /// Turns an outcome that rests on what is not known into "cannot tell".
 void RobotWatch::settle(const Claim& claim, Finding& finding) const {
-  const auto cannot_tell = [&](std::string reason) {
+  const auto doubt = [&](std::string reason) {
     finding.outcome = Outcome::kCannotTell;
     finding.reason = std::move(reason);
   };
   if (!belief_.robot.empty() && !heard() && topic_of(claim) == nullptr)
-    return cannot_tell(belief_.robot + " was never heard");
+    return doubt(belief_.robot + " was never heard");
   if (auto complaint = complaint_on_names(claim); !complaint.empty())
-    return cannot_tell(std::move(complaint));
+    return doubt(std::move(complaint));
   const auto lost = lost_transitions();
   bool of_transitions = false;
   for_each_condition(claim, [&](const Condition& condition) {
     of_transitions = of_transitions || std::holds_alternative<Transition>(condition.kind);
   });
   if (!of_transitions || lost == 0) return;
-  const bool rests =
-      finding.outcome == Outcome::kHolds
-          ? finding.needs.has_value()
-          : !finding.counterexamples.empty() && finding.counterexamples.front().needs.has_value();
-  if (rests)
-    cannot_tell("the recording lacks " + plural(lost, "transition") + " of " + belief_.robot);
+  const auto& wrong = finding.counterexamples;
+  const bool rests = finding.outcome == Outcome::kHolds
+                         ? finding.needs.has_value()
+                         : std::ranges::all_of(wrong, [](const Counterexample& each) {
+                             return each.needs.has_value();
+                           });
+  if (rests) doubt("the recording lacks " + plural(lost, "transition") + " of " + belief_.robot);
 }
 
 std::vector<Finding> RobotWatch::finish(std::int64_t end_ns) {

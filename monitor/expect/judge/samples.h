@@ -36,7 +36,8 @@ class SampleSink {
   virtual void sample(std::int64_t at_ns, const msg::Variables& variables) = 0;
   virtual void sample(std::int64_t at_ns, const msg::Score& score) = 0;
   virtual void sample(std::int64_t at_ns, const msg::Program& program) = 0;
-  /// Takes that messages of this time may be missing, and why. It may be called at any time.
+  /// Takes that messages of this time may be missing, and a sentence on why, or an empty text if it
+  /// was told before. It may be called at any time.
   virtual void damage(const Span& span, const std::string& why) = 0;
 };
 

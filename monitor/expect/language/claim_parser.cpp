@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/expect/language/claim_parser.h"
 
+#include <algorithm>
 #include <array>
 
+#include "bhdl/source/names.h"
 #include "monitor/expect/language/quantity_parser.h"
 
 namespace galilean::expect {
@@ -95,7 +97,21 @@ std::optional<ClaimParser::Kind> ClaimParser::parse_until(Condition held) {
   return until;
 }
 
+/// Returns the word that a misspelt beginning of a claim must have meant, or an empty text.
+std::string ClaimParser::meant_word() const {
+  const Token& first = tokens_.peek();
+  if (first.kind != TokenKind::kWord || tokens_.at_word("is", 1)) return {};
+  const auto words = condition_words();
+  if (std::ranges::find(words, first.text) != words.end()) return {};
+  return meant_name(first.text, kWords);
+}
+
 std::optional<ClaimParser::Kind> ClaimParser::parse_condition() {
+  if (const auto meant = meant_word(); !meant.empty()) {
+    tokens_.error(tokens_.peek(), "syntax/unexpected-token",
+                  "expected a claim, not " + describe(tokens_.peek()), bhdl::did_you_mean(meant));
+    return std::nullopt;
+  }
   auto stated = condition();
   if (!stated) return std::nullopt;
   if (tokens_.at_word("until")) return parse_until(std::move(*stated));

@@ -37,6 +37,8 @@ class ClaimParser {
   /// Reads `word TIME` where the word stands. Returns false if it reported an error.
   bool optional_time(std::string_view word, std::optional<double>& time_s);
 
+  [[nodiscard]] std::string meant_word() const;
+
   TokenReader& tokens_;
   bool of_robot_;
   std::optional<TopicName> topic_;  ///< of the newest claim about one

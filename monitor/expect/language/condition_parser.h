@@ -8,6 +8,9 @@
 
 namespace galilean::expect {
 
+/// Returns every word that may begin a condition, but for variables, for hints.
+[[nodiscard]] std::vector<std::string_view> condition_words();
+
 /// Reads conditions of one expectation. `of_robot` says that it is about a robot and not the team.
 class ConditionParser {
  public:
@@ -42,8 +45,8 @@ class ConditionParser {
   std::optional<std::string> parse_variable();
   bool needs_robot(const Token& word);
   /// Puts a condition of `kind` into a Not if `negated`.
-  template <class Kind>
-  Condition made(Kind kind, const Token& word, bool negated = false);
+  [[nodiscard]] Condition made(decltype(Condition::kind) kind, const Token& word,
+                               bool negated = false) const;
 
   TokenReader& tokens_;
   bool of_robot_;

@@ -99,9 +99,11 @@ Parsed parse(const std::string& file, std::string_view text) {
                       "the file has " + std::to_string(text.size()) +
                           " bytes; expectations have at most " + std::to_string(kMostBytes));
   else if (bhdl::is_readable(file, text, diagnostics)) {
-    for (const auto& list : cut(file, text, diagnostics))
+    for (const auto& list : cut(file, text, diagnostics)) {
+      if (list.size() == 1) continue;  // its end alone: what else it held was refused
       if (auto expectation = ExpectationParser(file, list, diagnostics).parse())
         parsed.expectations.push_back(std::move(*expectation));
+    }
     if (parsed.expectations.empty() && diagnostics.count() == 0)
       diagnostics.error({file, 1, 1}, "expect/nothing", "the file expects nothing",
                         "write a line such as: every robot: never state is \"stuck\" for 10 s");

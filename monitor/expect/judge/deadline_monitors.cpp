@@ -3,70 +3,11 @@
 
 #include <utility>
 
-#include "core/plural.h"
-#include "monitor/expect/judge/duration_text.h"
+#include "monitor/expect/judge/monitor_words.h"
+
+// Claims that something happens in time.
 
 namespace galilean::expect {
-namespace {
-
-double seconds(std::int64_t duration_ns) {
-  return static_cast<double>(duration_ns) * 1e-9;
-}
-
-void cannot_tell(Finding& finding, std::string reason) {
-  finding.outcome = Outcome::kCannotTell;
-  finding.reason = std::move(reason);
-}
-
-/// Says that the recording ends before a deadline.
-void too_short(Finding& finding, std::int64_t missing_ns) {
-  cannot_tell(finding, "the recording ends " + duration_text(missing_ns) + " too early to tell");
-}
-
-}  // namespace
-
-void AlwaysMonitor::step(std::int64_t at_ns, const Value& first, const Value&) {
-  const Value value = wanted_ ? first : !first;
-  const bool wrong = value.is_false();
-  if (wrong && !was_wrong_) fail(at_ns);
-  was_wrong_ = wrong;
-  if (!wrong && !value.is_true()) return;
-  had_value_ = true;
-  keep_least(value.margin);
-}
-
-void AlwaysMonitor::conclude(std::int64_t end_ns, Finding& finding) {
-  finding.needs = Span{begin_ns(), end_ns};
-  if (!had_value_) cannot_tell(finding, "what it asks about was never valid");
-}
-
-std::int64_t NeverForMonitor::deadline() const {
-  return since_ns_ && !told_ ? *since_ns_ + for_ns_ : kNever_ns;
-}
-
-void NeverForMonitor::step(std::int64_t at_ns, const Value& first, const Value&) {
-  if (since_ns_) measure(at_ns);
-  if (first.is_true()) {
-    if (!since_ns_) since_ns_ = at_ns;
-  } else {
-    since_ns_.reset();
-    told_ = false;
-  }
-}
-
-void NeverForMonitor::measure(std::int64_t at_ns) {
-  const std::int64_t lasted_ns = at_ns - *since_ns_;
-  keep_least(seconds(for_ns_ - lasted_ns));
-  if (lasted_ns < for_ns_ || told_) return;
-  told_ = true;
-  fail(*since_ns_ + for_ns_, Span{*since_ns_, *since_ns_ + for_ns_});
-}
-
-void NeverForMonitor::conclude(std::int64_t end_ns, Finding& finding) {
-  if (since_ns_) measure(end_ns);
-  if (!finding.margin) finding.margin = seconds(for_ns_);
-  finding.needs = Span{begin_ns(), end_ns};
-}
 
 std::int64_t EventuallyMonitor::deadline() const {
   if (met_ns_) return kNever_ns;
@@ -166,62 +107,6 @@ void UntilMonitor::conclude(std::int64_t end_ns, Finding& finding) {
   if (over_) return;
   if (limited()) return too_short(finding, begin_ns() + within_ns_ - end_ns);
   finding.note = "what it ends with never happened";
-}
-
-void AtEndMonitor::step(std::int64_t at_ns, const Value& first, const Value&) {
-  newest_ns_ = at_ns;
-  newest_ = first;
-}
-
-void AtEndMonitor::conclude(std::int64_t end_ns, Finding& finding) {
-  const Span since{newest_ns_, end_ns};
-  finding.needs = since;
-  if (newest_.is_true() || newest_.is_false()) set_margin(newest_.margin);
-  if (newest_.is_false())
-    fail(end_ns, since);
-  else if (!newest_.is_true())
-    cannot_tell(finding, newest_.is_missing() ? "it was not known at the end"
-                                              : "what it asks about was invalid at the end");
-}
-
-void CountMonitor::step(std::int64_t at_ns, const Value& first, const Value&) {
-  const bool rose = first.is_true() && !was_true_;
-  was_true_ = first.is_true();
-  if (!rose) return;
-  ++count_;
-  newest_ns_ = at_ns;
-  if (window_ns_ > 0) return slide(at_ns);
-  const bool upper = op_ == Operator::kAtMost || op_ == Operator::kLess || op_ == Operator::kEqual;
-  const double count = static_cast<double>(count_);
-  if (upper && !failed() && (count > limit_ || (op_ == Operator::kLess && count >= limit_)))
-    fail(at_ns);
-}
-
-void CountMonitor::slide(std::int64_t at_ns) {
-  while (!times_ns_.empty() && times_ns_.front() < at_ns - window_ns_) times_ns_.pop_front();
-  times_ns_.push_back(at_ns);
-  const double count = static_cast<double>(times_ns_.size());
-  keep_least(limit_ - count);
-  if (!holds(count, op_, limit_)) fail(at_ns);
-  if (count > limit_) times_ns_.pop_front();
-}
-
-void CountMonitor::conclude(std::int64_t end_ns, Finding& finding) {
-  const Span all{begin_ns(), end_ns};
-  const double count = static_cast<double>(count_);
-  if (window_ns_ > 0) {
-    finding.needs = all;
-    if (!finding.margin) finding.margin = limit_;
-    return;
-  }
-  set_margin(margin(count, op_, limit_));
-  finding.note = "it was so " + plural(count_, "time");
-  if (!holds(count, op_, limit_)) {
-    if (!failed()) fail(end_ns, all);
-    return;
-  }
-  const bool enough = op_ == Operator::kAtLeast || op_ == Operator::kGreater;
-  if (!enough) finding.needs = all;
 }
 
 }  // namespace galilean::expect

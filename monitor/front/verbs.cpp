@@ -19,6 +19,7 @@ constexpr std::array kVerbs{
     Verb{"record", "galilean-record", "", "Record all topics as MCAP"},
     Verb{"replay", "galilean-replay", "", "Play a recording again, as if it were live"},
     Verb{"log", "galilean-log", "", "Describe a recording: log info FILE"},
+    Verb{"log check", "galilean-log-check", "", "Judge a recording by expectations"},
     Verb{"list", "galilean-topic", "list", "List the topics on the wire"},
     Verb{"echo", "galilean-topic", "echo", "Print a topic's messages: echo io/state"},
     Verb{"rate", "galilean-topic", "rate", "Measure how often a topic's messages come"},

@@ -37,6 +37,7 @@ int info(const InfoOptions& options) {
 int main(int argc, char** argv) {
   CommandLine app("Describes recordings of the team.", "galilean log");
   app.require_command();
+  app.footer("'galilean log check' judges a recording by expectations.");
   InfoOptions options;
   auto command = app.command("info", "Describe the contents of a recording, and its damage");
   command.option("file", options.file, "An MCAP file").required().names_file(".mcap");

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <new>
+#include <stdexcept>
 
 namespace galilean::mcap {
 namespace {
@@ -32,6 +33,14 @@ bool decompress_lz4(std::span<const std::uint8_t> frame, std::span<std::uint8_t>
     frame = frame.subspan(taken);
   }
   return expected == 0 && to.empty();
+}
+
+void compress_lz4(std::span<const std::uint8_t> bytes, std::vector<std::uint8_t>& frame) {
+  frame.resize(LZ4F_compressFrameBound(bytes.size(), nullptr));
+  const std::size_t size =
+      LZ4F_compressFrame(frame.data(), frame.size(), bytes.data(), bytes.size(), nullptr);
+  if (LZ4F_isError(size)) throw std::runtime_error(LZ4F_getErrorName(size));
+  frame.resize(size);
 }
 
 }  // namespace galilean::mcap

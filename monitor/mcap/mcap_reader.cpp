@@ -42,15 +42,12 @@ void count(const Message& message, Statistics& statistics) {
 /// Reads and counts all messages.
 void count_all(const ByteSource& source, Summary& summary) {
   MessageReader reader(source, summary.blocks);
-  Statistics& statistics = summary.statistics;
-  std::uint64_t before_ns = 0;
+  RecordingTime time;
   while (const Message* message = reader.next()) {
-    const bool later = statistics.messages > 0 && message->log_ns > before_ns;
-    if (later && message->log_ns - before_ns > kLongestSilence_ns)
-      summary.silences.push_back({before_ns, message->log_ns});
-    before_ns = std::max(before_ns, message->log_ns);
-    count(*message, statistics);
+    time.move_to(message->log_ns);
+    count(*message, summary.statistics);
   }
+  summary.silences = time.silences();
   summary.schemas.insert(reader.schemas().begin(), reader.schemas().end());
   summary.channels.insert(reader.channels().begin(), reader.channels().end());
   summary.damages.insert(summary.damages.end(), reader.damages().begin(), reader.damages().end());

@@ -2,13 +2,10 @@
 #pragma once
 
 #include "core/result.h"
+#include "monitor/mcap/recording_time.h"
 #include "monitor/mcap/survey.h"
 
 namespace galilean::mcap {
-
-/// No message for longer than this is no part of a recording's duration: the clock was set, a
-/// message carries a wrong time, or the recording paused.
-inline constexpr std::uint64_t kLongestSilence_ns = std::uint64_t{600} * 1'000'000'000;
 
 /// The contents of a recording. What its data section holds counts, and not what its summary says.
 struct Summary {

@@ -31,6 +31,7 @@ enum class Opcode : std::uint8_t {
   kMessageIndex = 0x07,
   kChunkIndex = 0x08,
   kAttachment = 0x09,
+  kAttachmentIndex = 0x0a,
   kStatistics = 0x0b,
   kMetadata = 0x0c,
   kMetadataIndex = 0x0d,
@@ -89,6 +90,12 @@ struct Attachment {
   std::uint64_t log_ns = 0, create_ns = 0;
   std::string name, media_type;
   std::uint64_t data_bytes = 0;
+  std::uint64_t data_offset = 0;  ///< where in the file its data is; no part of the record
+};
+struct AttachmentIndex {
+  std::uint64_t offset = 0, length = 0;
+  std::uint64_t log_ns = 0, create_ns = 0, data_bytes = 0;
+  std::string name, media_type;
 };
 struct Metadata {
   std::string name;
@@ -122,11 +129,15 @@ void append(Bytes& to, const Message& record);
 void append(Bytes& to, const Chunk& record);
 void append(Bytes& to, const MessageIndex& record);
 void append(Bytes& to, const ChunkIndex& record);
+void append(Bytes& to, const AttachmentIndex& record);
 void append(Bytes& to, const Metadata& record);
 void append(Bytes& to, const MetadataIndex& record);
 void append(Bytes& to, const Statistics& record);
 void append(Bytes& to, const SummaryOffset& record);
 void append(Bytes& to, const DataEnd& record);
+/// Appends the attachment's record up to where its data begins. Behind the data stands a checksum
+/// of all that is between the record's length and itself.
+void append_head(Bytes& to, const Attachment& record);
 
 /// Reads a record from its content, without opcode and length. `data` of a message and `records` of
 /// a chunk point into `content`. Of an attachment, `content` may end where its data begins. Returns

@@ -88,6 +88,9 @@ bool RecordTaker::take_attachment(const RecordPlace& record) {
   if (!parse(content_of(record, static_cast<std::size_t>(head)), attachment) ||
       attachment.data_bytes > record.length)
     return false;
+  constexpr std::size_t kNumbers = 8 + 8 + 4 + 4 + 8;  // the times, and the lengths of what follows
+  attachment.data_offset = record.offset + kRecordHead + kNumbers + attachment.name.size() +
+                           attachment.media_type.size();
   found_.attachments.push_back(std::move(attachment));
   return true;
 }

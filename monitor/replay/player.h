@@ -5,6 +5,7 @@
 
 #include "core/clock.h"
 #include "monitor/mcap/mcap_reader.h"
+#include "monitor/replay/late_joiner.h"
 #include "monitor/replay/tracks.h"
 
 namespace galilean::monitor {
@@ -37,18 +38,12 @@ class Player {
   /// Returns the number of messages that were given to `send`.
   [[nodiscard]] std::uint64_t sent() const noexcept { return sent_; }
   /// Returns the silences that were passed over.
-  [[nodiscard]] const std::vector<mcap::TimeRange>& silences() const noexcept { return silences_; }
+  [[nodiscard]] const std::vector<mcap::TimeRange>& silences() const noexcept {
+    return time_.silences();
+  }
 
  private:
-  struct Kept {
-    std::uint64_t log_ns;
-    std::uint16_t channel;
-    mcap::Bytes cdr;
-  };
-
   void meet(const mcap::Message& message);
-  void move_to(std::uint64_t log_ns);
-  void keep(const mcap::Message& message, wire::Delivery delivery);
   void tell_kept();
   void send(std::uint16_t channel, mcap::ByteView cdr);
   [[nodiscard]] Time due() const;
@@ -58,10 +53,8 @@ class Player {
   const Clock& clock_;
   Send send_;
   Wait wait_;
-  std::map<std::uint16_t, std::vector<Kept>> kept_;
-  std::optional<std::uint64_t> log_ns_;  ///< of the newest message
-  std::uint64_t position_ns_ = 0;        ///< since the recording's start, without silences
-  std::vector<mcap::TimeRange> silences_;
+  LateJoiner kept_;
+  mcap::RecordingTime time_;
   Time began_{};
   bool playing_ = true;
   std::uint64_t sent_ = 0;

@@ -26,15 +26,14 @@ class Playing {
 
   void take(const mcap::Message& message) {
     const std::int64_t at_ns = to_time(message.log_ns);
-    if (played_.messages++ == 0) played_.begin_ns = played_.end_ns = at_ns;
-    if (at_ns - played_.end_ns > to_time(mcap::kLongestSilence_ns))
-      played_.silences.push_back({played_.end_ns, at_ns});
+    if (played_.messages++ == 0) played_.begin_ns = at_ns;
     played_.end_ns = at_ns;  // because messages come in the order of their times
+    time_.move_to(message.log_ns);
     if (decoders_.take(at_ns, message)) return;
     const bool first = played_.undecoded++ == 0;
-    sink_.damage({at_ns, at_ns}, first ? "a message of " + decoders_.topic(message.channel_id) +
-                                             " is not whole"
-                                       : std::string());
+    sink_.damage({at_ns, at_ns},
+                 first ? "a message of " + decoders_.topic(message.channel_id) + " is not whole"
+                       : std::string());
   }
 
   /// @param met  the damage that was met in reading
@@ -46,6 +45,8 @@ class Playing {
                                   ? "the recording is being written; it is judged as far as it goes"
                                   : "the recording was not closed; it is judged as far as it goes");
     std::ranges::move(decoders_.notes(), std::back_inserter(played_.notes));
+    for (const auto& silence : time_.silences())
+      played_.silences.push_back({to_time(silence.start_ns), to_time(silence.end_ns)});
     return std::move(played_);
   }
 
@@ -54,15 +55,15 @@ class Playing {
   void tell(const mcap::Damage& damage) {
     const std::string text = "damaged: " + monitor::damage_text(damage, summary_);
     if (damage.messages == std::uint64_t{0}) return played_.notes.push_back(text);
-    const Span span = damage.time
-                          ? Span{to_time(damage.time->start_ns), to_time(damage.time->end_ns)}
-                          : kAnyTime;
+    const Span span =
+        damage.time ? Span{to_time(damage.time->start_ns), to_time(damage.time->end_ns)} : kAnyTime;
     sink_.damage(span, text);
   }
 
   const mcap::Summary& summary_;
   ChannelDecoders decoders_;
   SampleSink& sink_;
+  mcap::RecordingTime time_;
   Played played_;
 };
 

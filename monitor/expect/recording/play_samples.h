@@ -14,7 +14,7 @@ namespace galilean::expect {
 struct Played {
   std::int64_t begin_ns = 0, end_ns = 0;  ///< of its messages, since the Unix epoch
   std::uint64_t messages = 0;
-  std::uint64_t undecoded = 0;  ///< messages that are not whole messages of their type
+  std::uint64_t undecoded = 0;     ///< messages that are not whole messages of their type
   std::vector<std::string> notes;  ///< sentences on what is wrong with it and changes no outcome
   std::vector<Span> silences;      ///< over mcap::kLongestSilence_ns, which a replay passes over
 };

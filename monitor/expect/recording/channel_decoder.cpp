@@ -2,41 +2,42 @@
 #include "monitor/expect/recording/channel_decoder.h"
 
 #include "core/visible_text.h"
-#include "core/wire/schemas.h"
-#include "core/wire/types/own_types.h"
 #include "monitor/replay/tracks.h"
+#include "monitor/schemas/message_trees.h"
 
 namespace galilean::expect {
 
-ChannelDecoders::ChannelDecoders(const mcap::Summary& summary, SampleSink& sink) : sink_(sink) {
+ChannelDecoders::ChannelDecoders(const mcap::Summary& summary, SampleSink& sink)
+    : sink_(sink), typed_(sink) {
   const auto tracks = monitor::tracks_of(summary);
   for (const auto& [id, channel] : summary.channels) {
     const auto schema = summary.schemas.find(channel.schema_id);
-    const std::string type = schema == summary.schemas.end() ? "" : schema->second.name;
-    add(channel, type, tracks.played.contains(id));
+    add(channel, schema == summary.schemas.end() ? mcap::Schema{} : schema->second,
+        tracks.played.contains(id));
   }
 }
 
-void ChannelDecoders::add(const mcap::Channel& channel, const std::string& type, bool known) {
+void ChannelDecoders::add(const mcap::Channel& channel, const mcap::Schema& schema, bool known) {
   Channel made{channel.topic, sink_.wants_messages(channel.topic), nullptr, std::nullopt};
-  const auto choose = [&]<class Message>(const Message&) {
-    if (type == Message::kRosType) made.decode = &ChannelDecoders::decode_as<Message>;
-  };
-  const bool typed = sink_.wants_type(type), fields = sink_.wants_fields(channel.topic);
-  if (known && typed) {
-    choose(msg::RobotState{});
-    choose(msg::Transition{});
-    choose(msg::Variables{});
-    choose(msg::Score{});
-    choose(msg::Program{});
-  }
-  const auto* schema = known && fields ? wire::find_schema_by_ros_type(type) : nullptr;
-  const auto* own = schema ? wire::find_own_type(schema->dds_type) : nullptr;
-  if (own) made.fields.emplace(own->description);
-  if ((typed && !known) || (fields && !own))
+  const bool typed = sink_.wants_type(schema.name);
+  if (typed && known) made.decode = TypedDecoder::function_for(schema.name);
+  if (typed && !known)
     notes_.push_back(visible(channel.topic) + " is not decoded: this release defines " +
-                     (type.empty() ? "its type" : visible(type)) + " otherwise or not at all");
+                     visible(schema.name) + " otherwise or not at all");
+  if (sink_.wants_fields(channel.topic)) add_fields(channel, schema, made);
   channels_.emplace(channel.id, std::move(made));
+}
+
+void ChannelDecoders::add_fields(const mcap::Channel& channel, const mcap::Schema& schema,
+                                 Channel& to) {
+  auto type = channel.message_encoding == "cdr"
+                  ? monitor::type_of_schema(schema)
+                  : Result<wire::Type>(Error{"is not encoded as CDR"});
+  if (type)
+    to.fields.emplace(std::move(type).value());
+  else
+    notes_.push_back("fields of " + visible(channel.topic) + " are not decoded: its type, " +
+                     visible(schema.name) + ", " + type.error().message);
 }
 
 bool ChannelDecoders::take(std::int64_t at_ns, const mcap::Message& message) {
@@ -44,17 +45,9 @@ bool ChannelDecoders::take(std::int64_t at_ns, const mcap::Message& message) {
   if (found == channels_.end()) return false;
   Channel& channel = found->second;
   if (channel.counted) sink_.message(at_ns, channel.topic, message.sequence);
-  const bool typed = !channel.decode || (this->*channel.decode)(at_ns, message);
+  const bool typed = !channel.decode || (typed_.*channel.decode)(at_ns, message.data);
   const bool fields = !channel.fields || decode_fields(channel, at_ns, message);
   return typed && fields;
-}
-
-template <class Message>
-bool ChannelDecoders::decode_as(std::int64_t at_ns, const mcap::Message& message) {
-  auto& decoded = std::get<Message>(scratch_);
-  if (!msg::decode_cdr(message.data, decoded)) return false;
-  sink_.sample(at_ns, decoded);
-  return true;
 }
 
 bool ChannelDecoders::decode_fields(Channel& channel, std::int64_t at_ns,

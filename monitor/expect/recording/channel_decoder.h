@@ -2,10 +2,10 @@
 #pragma once
 
 #include <optional>
-#include <tuple>
 #include <unordered_map>
 
 #include "monitor/expect/judge/samples.h"
+#include "monitor/expect/recording/typed_decoder.h"
 #include "monitor/mcap/mcap_reader.h"
 
 namespace galilean::expect {
@@ -24,24 +24,22 @@ class ChannelDecoders {
   [[nodiscard]] std::vector<std::string> notes() const { return notes_; }
 
  private:
-  using Decode = bool (ChannelDecoders::*)(std::int64_t, const mcap::Message&);
   struct Channel {
     std::string topic;
     bool counted = false;  ///< the sink wants to know of each message
-    Decode decode = nullptr;
+    TypedDecoder::Decode decode = nullptr;
     std::optional<monitor::MessageDecoder> fields;
   };
 
-  void add(const mcap::Channel& channel, const std::string& type, bool known);
-  template <class Message>
-  bool decode_as(std::int64_t at_ns, const mcap::Message& message);
+  /// `known`: whether this release defines the schema in the same way.
+  void add(const mcap::Channel& channel, const mcap::Schema& schema, bool known);
+  void add_fields(const mcap::Channel& channel, const mcap::Schema& schema, Channel& to);
   bool decode_fields(Channel& channel, std::int64_t at_ns, const mcap::Message& message);
 
   SampleSink& sink_;
+  TypedDecoder typed_;
   std::unordered_map<std::uint16_t, Channel> channels_;
   std::vector<std::string> notes_;
-  /// Kept, because to allocate their memory takes longer than to decode them.
-  std::tuple<msg::RobotState, msg::Transition, msg::Variables, msg::Score, msg::Program> scratch_;
 };
 
 }  // namespace galilean::expect

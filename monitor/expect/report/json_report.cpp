@@ -30,7 +30,8 @@ Json json_of(const Verdict& verdict, const Report& report) {
   json["counterexamples"] = Json::array();
   for (const auto& each : finding.counterexamples)
     json["counterexamples"].push_back(json_of(each, report.judgement));
-  json["replay"] = replay_command(verdict, report);
+  if (!report.live) json["replay"] = replay_command(verdict, report);
+  json["page"] = page_address(verdict);
   return json;
 }
 
@@ -38,7 +39,8 @@ Json json_of(const Verdict& verdict, const Report& report) {
 
 std::string json_report(const Report& report) {
   const auto& judgement = report.judgement;
-  Json json{{"recording", report.recording},
+  Json json{{"recording", report.live ? Json() : Json(report.recording)},
+            {"live", report.live},
             {"start", monitor::iso_time(judgement.begin_ns)},
             {"end", monitor::iso_time(judgement.end_ns)},
             {"holds", judgement.count(Outcome::kHolds)},

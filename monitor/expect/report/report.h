@@ -9,8 +9,9 @@ namespace galilean::expect {
 
 /// A judgement and what it is about.
 struct Report {
-  std::string recording;  ///< its path, as it was given
+  std::string recording;  ///< its path, as it was given; what was heard, if it was live
   const Judgement& judgement;
+  bool live = false;  ///< it is about a team that was heard, and which no recording shows again
 };
 
 // Each returns the whole report in one form, with a line end.

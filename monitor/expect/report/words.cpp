@@ -2,7 +2,7 @@
 #include "monitor/expect/report/words.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cctype>
 #include <cstdio>
 
 #include "core/visible_text.h"
@@ -40,6 +40,18 @@ std::string shell_word(const std::string& text) {
   return quoted + "'";
 }
 
+/// Returns the text as a value in an address. Names of robots hold what the wire brought.
+std::string in_query(const std::string& text) {
+  std::string safe;
+  for (const unsigned char c : text) {
+    char code[4];
+    std::snprintf(code, sizeof code, "%%%02X", c);
+    const bool plain = std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+    safe += plain ? std::string(1, static_cast<char>(c)) : code;
+  }
+  return safe;
+}
+
 }  // namespace
 
 std::string title(const Verdict& verdict) {
@@ -72,7 +84,10 @@ std::string margin_text(const Verdict& verdict) {
 }
 
 double since_begin_s(std::int64_t at_ns, const Judgement& judgement) {
-  return std::max(0.0, static_cast<double>(at_ns - judgement.begin_ns) * 1e-9);
+  std::int64_t since_ns = at_ns - judgement.begin_ns;
+  for (const auto& silence : judgement.silences)
+    if (silence.from_ns < at_ns) since_ns -= std::min(at_ns, silence.to_ns) - silence.from_ns;
+  return std::max(0.0, static_cast<double>(since_ns) * 1e-9);
 }
 
 std::string explanation(const Verdict& verdict, const Judgement& judgement) {
@@ -90,17 +105,23 @@ std::string explanation(const Verdict& verdict, const Judgement& judgement) {
 
 std::string replay_command(const Verdict& verdict, const Report& report) {
   const auto* first = first_of(verdict);
-  if (!first) return {};
+  if (!first || report.live) return {};
   const double from_s = std::max(0.0, since_begin_s(first->at_ns, report.judgement) - kBefore_s);
   return "galilean replay " + shell_word(report.recording) + " --from " + fixed(from_s, 3);
 }
 
-std::string how_to_see(const Verdict& verdict, const Report& report) {
+std::string page_address(const Verdict& verdict) {
   const auto* first = first_of(verdict);
   if (!first) return {};
-  const std::string robot = verdict.robot.empty() ? "" : "robot=" + verdict.robot + "&";
-  return visible(replay_command(verdict, report) + ", and on the monitor's page: /?" + robot +
-                 "at=" + monitor::iso_time(first->at_ns));
+  const std::string robot = verdict.robot.empty() ? "" : "robot=" + in_query(verdict.robot) + "&";
+  return "/?" + robot + "at=" + monitor::iso_time(static_cast<std::uint64_t>(first->at_ns));
+}
+
+std::string how_to_see(const Verdict& verdict, const Report& report) {
+  const auto address = page_address(verdict);
+  if (address.empty()) return {};
+  const auto replay = replay_command(verdict, report);
+  return visible((replay.empty() ? "" : replay + ", and ") + "on the monitor's page: " + address);
 }
 
 std::string totals(const Judgement& judgement) {

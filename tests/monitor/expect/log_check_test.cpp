@@ -107,6 +107,21 @@ TEST_F(LogCheckTest, FilesThatAreNoneGetASentence) {
   EXPECT_EQ(run("run.mcap --expect a.expect --junit none/o.xml").code, 1);
   EXPECT_EQ(run("run.mcap --expect a.expect --silence nan").code, 2);
   EXPECT_EQ(run("run.mcap").code, 2);
+  EXPECT_EQ(run("--expect a.expect").code, 2);
+  EXPECT_EQ(run("run.mcap --live --expect a.expect").code, 2);
+  EXPECT_EQ(run("run.mcap --for 5s --expect a.expect").code, 2);
+  EXPECT_EQ(run("--live --for 5x --expect a.expect").code, 2);
+}
+
+TEST_F(LogCheckTest, ADamagedRecordingIsNotCountedAsHolding) {
+  const auto text = read("run.mcap");
+  mcap::Bytes bytes(text.begin(), text.end());
+  damage_chunk_at(2.5, bytes);
+  write("run.mcap", {bytes.begin(), bytes.end()});
+  const auto answer = check("io: never state is \"grab\"\n");
+  EXPECT_EQ(answer.code, 3) << answer.text;
+  EXPECT_THAT(answer.text, HasSubstr("cannot tell: messages of that time are missing"));
+  EXPECT_THAT(answer.text, HasSubstr("note:  damaged: the chunk at byte "));
 }
 
 }  // namespace

@@ -229,6 +229,29 @@ TEST(Judge, DamageMakesUncertainWhatRestsOnIt) {
   EXPECT_EQ(verdicts[3].finding.outcome, kHolds);
 }
 
+TEST(Judge, WhatIsLostBeforeTheFirstMessageAndBehindTheLastIsMissedToo) {
+  for (const Span lost : {Span{Scene::at(-2), Scene::at(-1)}, Span{Scene::at(9), Scene::at(9.5)}}) {
+    Scene scene(
+        "io: never state is \"grab\"\n"
+        "io: eventually state is \"wander\"");
+    scene.states(0, 8, "wander");
+    scene.judge().damage(lost, "lost");
+    const auto verdicts = scene.end(8);
+    ASSERT_EQ(verdicts.size(), 2U);
+    EXPECT_EQ(verdicts[0].finding.outcome, kCannotTell);
+    EXPECT_EQ(verdicts[0].finding.reason, "messages of that time are missing");
+    EXPECT_EQ(verdicts[1].finding.outcome, kHolds);
+  }
+}
+
+TEST(Judge, WhatIsLostElsewhereExcusesNoFailure) {
+  Scene scene("io: never state is \"stuck\" for 2 s");
+  scene.states(0, 4, "stuck");
+  scene.states(4, 8, "wander");
+  scene.judge().damage({Scene::at(6), Scene::at(6.5)}, "lost");
+  EXPECT_EQ(scene.finding(8).outcome, kFails);
+}
+
 TEST(Judge, SaysWhichNameAProgramDoesNotHave) {
   Scene scene("io: never state is \"grab_trsh\" for 3 s, always certainty of trsh <= 1");
   msg::Program program;

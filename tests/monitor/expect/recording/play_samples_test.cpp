@@ -5,6 +5,7 @@
 
 #include "monitor/expect/judge/judge.h"
 #include "monitor/expect/language/parser.h"
+#include "monitor/expect/report/words.h"
 #include "tests/monitor/expect/recording/recorded_team.h"
 
 namespace galilean::expect {
@@ -34,6 +35,7 @@ Judgement judge(const mcap::Bytes& bytes, std::string_view text) {
   Judge judge(parsed.expectations);
   const auto played = play_samples(source, summary.value(), judge);
   auto judgement = judge.finish(played.begin_ns, played.end_ns);
+  judgement.silences = played.silences;
   std::ranges::copy(played.notes, std::back_inserter(judgement.notes));
   return judgement;
 }
@@ -53,12 +55,82 @@ TEST(PlaySamples, GivesTheJudgeWhatARecordingHolds) {
 
 TEST(PlaySamples, ADamagedChunkIsNeverCountedAsHolding) {
   auto bytes = stuck_robot();
-  bytes[bytes.size() / 2] ^= 0x55;
+  damage_chunk_at(2.5, bytes);
   const auto judgement =
       judge(bytes, "io: never state is \"grab\"\nio: eventually state is \"stuck\"");
   ASSERT_EQ(judgement.verdicts.size(), 2U);
   EXPECT_EQ(judgement.verdicts[0].finding.outcome, Outcome::kCannotTell);
   EXPECT_THAT(judgement.notes, testing::Contains(HasSubstr("damaged: the chunk")));
+}
+
+TEST(PlaySamples, ADamagedChunkMakesUncertainOnlyWhatItsTimeCouldDecide) {
+  constexpr const char* kText = "io: eventually within 2 s state is \"stuck\"";
+  auto late = stuck_robot(), early = stuck_robot();
+  damage_chunk_at(4.5, late);
+  damage_chunk_at(1.5, early);
+  EXPECT_EQ(judge(late, kText).verdicts.at(0).finding.outcome, Outcome::kFails);
+  EXPECT_EQ(judge(early, kText).verdicts.at(0).finding.outcome, Outcome::kCannotTell);
+}
+
+TEST(PlaySamples, AChunkThatIsLostAtTheBeginningOrTheEndIsMissed) {
+  for (const double s : {0.5, 5.8}) {
+    auto bytes = stuck_robot();
+    damage_chunk_at(s, bytes);
+    const auto judgement = judge(bytes, "io: never state is \"grab\"");
+    EXPECT_EQ(judgement.verdicts.at(0).finding.outcome, Outcome::kCannotTell) << s;
+    EXPECT_THAT(judgement.notes, testing::Contains(HasSubstr("(/io/state 1"))) << s;
+  }
+}
+
+TEST(PlaySamples, JudgesByTheTimesAndNotByTheOrderOfTheFile) {
+  RecordedTeam team;
+  msg::RobotState state;
+  state.robot = "io";
+  for (int i = 59; i >= 0; --i) {
+    state.tick = static_cast<std::uint64_t>(i);
+    state.state = i < 30 ? "wander" : "stuck";
+    team.send(0.1 * i, "/io/state", state);
+  }
+  const auto judgement = judge(team.end(), "io: never state is \"stuck\" for 2 s");
+  const auto& finding = judgement.verdicts.at(0).finding;
+  ASSERT_EQ(finding.outcome, Outcome::kFails);
+  EXPECT_NEAR(since_begin_s(finding.counterexamples.at(0).at_ns, judgement), 5, 1e-6);
+  EXPECT_THAT(judgement.notes, testing::IsEmpty());
+}
+
+TEST(PlaySamples, ATimeOfAReplayPassesOverLongSilences) {
+  RecordedTeam team;
+  msg::RobotState state;
+  state.robot = "io";
+  for (const double s : {0.0, 1.0, 5000.0, 5001.0}) {
+    ++state.tick;
+    state.overruns = s > 5000 ? 1 : 0;
+    team.send(s, "/io/state", state);
+  }
+  const auto judgement = judge(team.end(), "io: always tick overruns = 0");
+  const auto& finding = judgement.verdicts.at(0).finding;
+  ASSERT_EQ(finding.outcome, Outcome::kFails);
+  EXPECT_NEAR(since_begin_s(finding.counterexamples.at(0).at_ns, judgement), 2, 1e-6);
+}
+
+TEST(PlaySamples, FieldsOfTypesThatOnlyTheRecordingDefinesAreJudged) {
+  MemorySink sink;
+  mcap::Writer writer(sink);
+  ASSERT_TRUE(writer.begin());
+  const auto schema = writer.add_schema("a_msgs/msg/Level", "ros2msg", "float64 level_m\n");
+  const auto channel = writer.add_channel(
+      {.schema_id = schema, .topic = "/tank/level", .message_encoding = "cdr", .metadata = {}});
+  for (std::uint64_t i = 0; i < 5; ++i) {
+    CdrText text;
+    text.add(0.5 * static_cast<double>(i));
+    const auto at_ns = RecordedTeam::kBegin_ns + i * 100'000'000;
+    ASSERT_TRUE(writer.write(mcap::Message{channel, 1, at_ns, at_ns, text.bytes()}));
+  }
+  ASSERT_TRUE(writer.end());
+  const auto judgement = judge(sink.bytes_, "team: always /tank/level.level_m < 1.5 m");
+  const auto& finding = judgement.verdicts.at(0).finding;
+  ASSERT_EQ(finding.outcome, Outcome::kFails);
+  EXPECT_NEAR(since_begin_s(finding.counterexamples.at(0).at_ns, judgement), 0.3, 1e-6);
 }
 
 TEST(PlaySamples, NeverCrashesWhereverAFileIsCutOrFlipped) {

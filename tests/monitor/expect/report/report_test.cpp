@@ -85,7 +85,20 @@ TEST(Report, JsonHasEveryValue) {
   EXPECT_EQ(failed["margin"]["value"], -1.0);
   EXPECT_EQ(failed["counterexamples"][0]["seconds"], 12.3);
   EXPECT_EQ(failed["replay"], "galilean replay run.mcap --from 10.300");
+  EXPECT_EQ(failed["page"], "/?robot=io&at=2023-11-14T22:13:32.300Z");
   EXPECT_EQ(json.value()["verdicts"][2]["reason"], "io was never heard");
+}
+
+TEST(Report, OfALiveTeamThereIsNothingToReplay) {
+  auto all = judgement();
+  all.verdicts[1].robot = "io&at=";
+  const Report report{"the live team", all, true};
+  EXPECT_THAT(text_report(report), HasSubstr("to see it: on the monitor's page: "
+                                             "/?robot=io%26at%3D&at=2023-11-14T22:13:32.300Z\n"));
+  const auto json = read_json(json_report(report));
+  ASSERT_TRUE(json.ok());
+  EXPECT_TRUE(json.value()["recording"].is_null());
+  EXPECT_FALSE(json.value()["verdicts"][1].contains("replay"));
 }
 
 }  // namespace

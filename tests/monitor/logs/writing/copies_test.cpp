@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/logs/writing/copies.h"
+
+#include <gmock/gmock.h>
+
+#include "monitor/logs/reading/attachments.h"
+#include "monitor/mcap/crc32.h"
+#include "tests/monitor/logs/logged_team.h"
+
+namespace galilean::logs {
+namespace {
+
+using testing::HasSubstr;
+
+class CopiesTest : public LoggedTeam {
+ protected:
+  CopiesTest() { write("run.mcap", six_seconds()); }
+  Answer copy(const std::string& verb, CopyOptions options) {
+    for (auto& file : options.files) file = path(file);
+    options.output.path = path(options.output.path);
+    return answer_of([&] { return copy_recordings(verb, options); });
+  }
+};
+
+TEST_F(CopiesTest, AConvertedRecordingHasTheSameMessages) {
+  for (const char* compression : {"zstd", "lz4", "none"}) {
+    const std::string out = std::string(compression) + ".mcap";
+    const auto answer = copy(
+        "convert", {.files = {"run.mcap"}, .output = {.path = out, .compression = compression}});
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_THAT(answer.out, HasSubstr("120 messages of 2 channels"));
+    EXPECT_EQ(contents_of(path(out)), contents_of(path("run.mcap")));
+    const auto made = Recording::open(path(out));
+    EXPECT_TRUE(made.value().summary().compressions.contains(
+        std::string(compression) == "none" ? "" : compression));
+  }
+}
+
+TEST_F(CopiesTest, ASliceIsAPartOfTheMessages) {
+  const auto answer = copy("slice", {.files = {"run.mcap"},
+                                     .selection = {.topics = {"io/state"}, .from_s = 2, .to_s = 3},
+                                     .output = {.path = "slice.mcap"}});
+  EXPECT_EQ(answer.code, 0) << answer.errors;
+  auto expected = contents_of(path("run.mcap"));
+  std::erase_if(expected, [](const auto& each) {
+    const double s =
+        static_cast<double>(std::get<1>(each) - expect::RecordedTeam::kBegin_ns) * 1e-9;
+    return std::get<0>(each) != "/io/state" || s < 2 || s > 3;
+  });
+  EXPECT_EQ(expected.size(), 11U);
+  EXPECT_EQ(contents_of(path("slice.mcap")), expected);
+}
+
+TEST_F(CopiesTest, ASliceMayBeginWithTheStatesOfItsStart) {
+  (void)copy("slice", {.files = {"run.mcap"},
+                       .selection = {.from_s = 5.85},
+                       .with_states = true,
+                       .output = {.path = "slice.mcap"}});
+  const auto messages = contents_of(path("slice.mcap"));
+  ASSERT_EQ(messages.size(), 4U);  // the newest of both states, and two messages
+  EXPECT_EQ(std::get<1>(messages[0]), expect::RecordedTeam::kBegin_ns + 5'800'000'000);
+  EXPECT_EQ(std::get<1>(messages[3]), expect::RecordedTeam::kBegin_ns + 5'900'000'000);
+}
+
+TEST_F(CopiesTest, PartsMergeToTheWholeInWhateverOrderTheyAreNamed) {
+  const auto part = [&](const std::string& name, double from_s, double to_s) {
+    (void)copy("slice", {.files = {"run.mcap"},
+                         .selection = {.from_s = from_s, .to_s = to_s},
+                         .output = {.path = name}});
+  };
+  part("late.mcap", 3.95, 9);
+  part("early.mcap", 0, 1.95);
+  part("middle.mcap", 1.95, 3.95);
+  const auto answer = copy("merge", {.files = {"late.mcap", "early.mcap", "middle.mcap"},
+                                     .output = {.path = "merged.mcap"}});
+  EXPECT_EQ(answer.code, 0) << answer.errors;
+  EXPECT_THAT(answer.out, HasSubstr("of 2 channels"));
+  EXPECT_EQ(contents_of(path("merged.mcap")), contents_of(path("run.mcap")));
+}
+
+TEST_F(CopiesTest, NothingThatIsThereIsOverwrittenUnasked) {
+  const auto before = read("run.mcap");
+  const auto onto_itself =
+      copy("convert", {.files = {"run.mcap"}, .output = {.path = "run.mcap", .replace = true}});
+  EXPECT_EQ(onto_itself.code, 1);
+  EXPECT_THAT(onto_itself.errors, HasSubstr("is read here and cannot be written"));
+  write("there.mcap", {1, 2, 3});
+  EXPECT_EQ(copy("convert", {.files = {"run.mcap"}, .output = {.path = "there.mcap"}}).code, 1);
+  EXPECT_EQ(
+      copy("convert", {.files = {"none.mcap"}, .output = {.path = "there.mcap", .replace = true}})
+          .code,
+      1);
+  EXPECT_EQ(read("run.mcap"), before);
+  EXPECT_EQ(read("there.mcap"), (mcap::Bytes{1, 2, 3}));
+}
+
+TEST_F(CopiesTest, ADamagedRecordingIsCopiedAsFarAsItCanBeRead) {
+  auto bytes = six_seconds();
+  expect::damage_chunk_at(2.5, bytes);
+  write("run.mcap", bytes);
+  const auto answer = copy("convert", {.files = {"run.mcap"}, .output = {.path = "mended.mcap"}});
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_THAT(answer.errors, HasSubstr("damaged: the chunk at byte"));
+  EXPECT_EQ(contents_of(path("mended.mcap")).size(), 100U);
+}
+
+/// A recording with metadata and an attachment of 3 MB, written record by record.
+mcap::Bytes with_extras() {
+  mcap::Bytes bytes(std::begin(mcap::kMagic), std::end(mcap::kMagic));
+  mcap::append(bytes, mcap::Header{"ros2", "test"});
+  mcap::append(bytes, mcap::Metadata{"who", {{"name", "io"}}});
+  const auto at = bytes.size();
+  mcap::append_head(bytes, {.log_ns = 5,
+                            .create_ns = 4,
+                            .name = "a.bhdl",
+                            .media_type = "text/plain",
+                            .data_bytes = 3'000'000});
+  for (int i = 0; i < 3'000'000; ++i)
+    bytes.push_back(static_cast<std::uint8_t>((i % 256) * (i % 256)));
+  const auto crc = mcap::crc32(mcap::ByteView(bytes).subspan(at + mcap::kRecordHead));
+  for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(crc >> (8 * i)));
+  mcap::append(bytes, mcap::DataEnd{});
+  mcap::append(bytes, mcap::Footer{});
+  bytes.insert(bytes.end(), std::begin(mcap::kMagic), std::end(mcap::kMagic));
+  return bytes;
+}
+
+TEST_F(CopiesTest, MetadataAndAttachmentsAreCopiedOnce) {
+  write("extra.mcap", with_extras());
+  const auto answer = copy("merge", {.files = {"extra.mcap", "run.mcap", "extra.mcap"},
+                                     .output = {.path = "merged.mcap"}});
+  EXPECT_EQ(answer.code, 0) << answer.errors;
+  const auto made = Recording::open(path("merged.mcap"), mcap::Depth::kAll);
+  const auto& summary = made.value().summary();
+  EXPECT_FALSE(summary.recovered());
+  ASSERT_EQ(summary.metadata.size(), 1U);
+  EXPECT_EQ(summary.metadata[0].entries.at("name"), "io");
+  ASSERT_EQ(summary.attachments.size(), 1U);
+  const auto& attachment = summary.attachments[0];
+  EXPECT_EQ(attachment.name, "a.bhdl");
+  ASSERT_EQ(attachment.data_bytes, 3'000'000U);
+  EXPECT_TRUE(is_whole(made.value().source(), attachment));
+  mcap::Bytes data(4);
+  ASSERT_TRUE(made.value().source().read(attachment.data_offset + 250, data));
+  EXPECT_EQ(data, (mcap::Bytes{36, 25, 16, 9}));  // (250 - 256)² and so on
+}
+
+}  // namespace
+}  // namespace galilean::logs

@@ -13,10 +13,17 @@
 namespace galilean::mcap {
 namespace {
 constexpr std::size_t kFooterFieldsBeforeCrc = kRecordHead + 8 + 8;
+/// Returns MCAP's name for it.
+const char* compression_name(Compression compression) {
+  if (compression == Compression::kNone) return "";
+  return compression == Compression::kLz4 ? "lz4" : "zstd";
+}
+
 constexpr std::size_t kAttachedAtOnce = std::size_t{1} << 20;
 }  // namespace
 
-Writer::Writer(ByteSink& sink, WriterOptions options) : sink_(sink), options_(std::move(options)) {}
+Writer::Writer(ByteSink& sink, WriterOptions options)
+    : sink_(sink), options_(std::move(options)), compressor_(options_.compression) {}
 
 Result<void> Writer::emit(ByteView bytes) {
   if (!outcome_) return outcome_;
@@ -113,8 +120,7 @@ Result<void> Writer::close_chunk_if_due(std::uint64_t now_ns) {
 }
 
 ByteView Writer::compress(ByteView records) {
-  if (options_.compression.empty()) return records;
-  if (options_.compression == "zstd") return compressor_.compress(records);
+  if (options_.compression != Compression::kLz4) return compressor_.compress(records);
   compress_lz4(records, frame_);
   return frame_;
 }
@@ -125,12 +131,12 @@ Result<void> Writer::close_chunk() {
               .end_ns = chunk_.end_ns(),
               .uncompressed_size = chunk_.records().size(),
               .uncompressed_crc = crc32(chunk_.records()),
-              .compression = options_.compression,
+              .compression = compression_name(options_.compression),
               .records = compress(chunk_.records())};
   ChunkIndex index{.start_ns = chunk.start_ns,
                    .end_ns = chunk.end_ns,
                    .offset = position_,
-                   .compression = options_.compression,
+                   .compression = compression_name(options_.compression),
                    .compressed_size = chunk.records.size(),
                    .uncompressed_size = chunk.uncompressed_size};
   if (auto done = emit_record(chunk); !done) return done;

@@ -15,7 +15,7 @@ struct WriterOptions {
   std::string library = "galilean";
   std::size_t chunk_bytes = std::size_t{1} << 20;  ///< a chunk closes when it holds so many bytes
   Duration chunk_span = std::chrono::seconds(1);   ///< or when it spans so much log time
-  std::string compression = "zstd";                ///< or "lz4"; or "" for none
+  Compression compression = Compression::kFast;
 };
 
 /// Writes an MCAP file: compressed chunks with indexes and checksums, and a summary at the end.

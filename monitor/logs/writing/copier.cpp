@@ -10,11 +10,16 @@
 namespace galilean::logs {
 namespace {
 
+mcap::Compression compression_of(const std::string& word) {
+  if (word == "none") return mcap::Compression::kNone;
+  return word == "lz4" ? mcap::Compression::kLz4 : mcap::Compression::kFast;
+}
+
 mcap::WriterOptions writer_options(const OutputOptions& options, const mcap::Header& first) {
   return {.profile = first.profile,
           .library = "galilean " GALILEAN_VERSION,
           .chunk_bytes = static_cast<std::size_t>(options.chunk_kB) * 1024,
-          .compression = options.compression == "none" ? "" : options.compression};
+          .compression = compression_of(options.compression)};
 }
 
 /// To write where a recording is read from would destroy it.

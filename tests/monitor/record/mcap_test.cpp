@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "monitor/mcap/crc32.h"
 #include "monitor/mcap/mcap_reader.h"
 #include "monitor/mcap/message_reader.h"
@@ -68,6 +70,47 @@ TEST(Mcap, AnEmptyRecordingIsWhole) {
   const Summary summary = summary_of(recording.disk.bytes());
   EXPECT_FALSE(summary.recovered());
   EXPECT_EQ(summary.statistics.messages, 0u);
+}
+
+const Bytes kAttachedText{'h', 'i'};
+
+Bytes recording_with_an_attachment() {
+  FaultyDisk disk;
+  Writer writer(disk);
+  EXPECT_TRUE(writer.begin());
+  EXPECT_TRUE(writer.write(Attachment{.log_ns = 7,
+                                      .create_ns = 5,
+                                      .name = "3f2a/talk.bhdl",
+                                      .media_type = "text/plain",
+                                      .data_bytes = kAttachedText.size()},
+                           MemorySource(kAttachedText)));
+  EXPECT_TRUE(writer.end());
+  return disk.bytes();
+}
+
+TEST(Mcap, GivesBackWhatWasAttached) {
+  const Bytes file = recording_with_an_attachment();
+  const Summary summary = summary_of(file);
+  EXPECT_FALSE(summary.recovered());
+  EXPECT_EQ(summary.statistics.attachments, 1u);
+  ASSERT_EQ(summary.attachments.size(), 1u);
+  const auto& attachment = summary.attachments[0];
+  EXPECT_EQ(attachment.name, "3f2a/talk.bhdl");
+  EXPECT_EQ(attachment.log_ns, 7u);
+  EXPECT_EQ(attachment.create_ns, 5u);
+  EXPECT_EQ(attachment.media_type, "text/plain");
+  Bytes data(attachment.data_bytes);
+  ASSERT_TRUE(MemorySource(file).read(attachment.data_offset, data));
+  EXPECT_EQ(data, kAttachedText);
+  EXPECT_EQ(summary_of(ByteView(file).first(file.size() - 1)).attachments.size(), 1u);
+}
+
+TEST(Mcap, AnAttachmentThatChangedIsReported) {
+  Bytes file = recording_with_an_attachment();
+  const auto at = std::search(file.begin(), file.end(), kAttachedText.begin(), kAttachedText.end());
+  ASSERT_NE(at, file.end());
+  *at ^= 1;
+  EXPECT_EQ(summary_of(file).damages.size(), 1u);
 }
 
 TEST(Mcap, ChunksCloseByTimeToo) {

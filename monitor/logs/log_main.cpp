@@ -33,8 +33,9 @@ int print_info(const InfoOptions& options) {
       Recording::open(options.file, options.check ? mcap::Depth::kAll : mcap::Depth::kAsNeeded);
   if (!recording) return fail(recording.error().message);
   const auto& summary = recording.value().summary();
-  std::cout << (options.json ? monitor::describe_json(options.file, summary)
-                             : monitor::describe(options.file, summary));
+  const auto losses = monitor::told_losses(recording.value().source(), summary);
+  std::cout << (options.json ? monitor::describe_json(options.file, summary, losses)
+                             : monitor::describe(options.file, summary, losses));
   if (!std::cout.flush()) return kFailed;
   return summary.recovered() ? kIncomplete : 0;
 }

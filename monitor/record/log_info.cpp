@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 #include "core/plural.h"
 #include "core/visible_text.h"
@@ -35,6 +36,26 @@ std::vector<Row> rows(const mcap::Summary& summary) {
   std::sort(result.begin(), result.end(),
             [](const Row& a, const Row& b) { return a.topic < b.topic; });
   return result;
+}
+
+std::string missing_line(const ToldLosses& losses) {
+  const auto missing = plural(total_missing(losses.writers), "message");
+  if (losses.is_whole) return missing;
+  return "at least " + missing + ", as far as was told before the recorder broke off";
+}
+
+void describe_losses(std::ostream& out, const std::optional<ToldLosses>& losses) {
+  out << "missing:   " << (losses ? missing_line(*losses) : "unknown; its recorder did not count")
+      << '\n';
+  if (!losses) return;
+  for (const auto& each : losses->writers) {
+    out << "  " << visible(each.topic) << " of " << visible(each.process) << ": "
+        << (each.lost ? std::to_string(*each.lost) : "unknown") << " lost, " << each.overrun
+        << " of them because the recorder was too slow, " << each.sent_before << " sent before";
+    if (each.unwritten > 0) out << ", " << each.unwritten << " not written for want of room";
+    if (each.left_out > 0) out << ", " << each.left_out << " left out as was asked";
+    out << '\n';
+  }
 }
 
 void describe_channels(std::ostream& out, const mcap::Summary& summary) {
@@ -74,7 +95,8 @@ double duration_s(const mcap::Summary& summary) {
   return static_cast<double>(span_ns) * 1e-9;
 }
 
-std::string describe(const std::string& path, const mcap::Summary& summary) {
+std::string describe(const std::string& path, const mcap::Summary& summary,
+                     const std::optional<ToldLosses>& losses) {
   const auto& statistics = summary.statistics;
   std::ostringstream out;
   out << std::fixed << std::setprecision(1);
@@ -95,6 +117,7 @@ std::string describe(const std::string& path, const mcap::Summary& summary) {
       << '\n'
       << "channels:  " << summary.channels.size() << '\n';
   describe_channels(out, summary);
+  describe_losses(out, losses);
   describe_extras(out, summary);
   return out.str();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/json_text.h"
 #include "monitor/record/damage_text.h"
@@ -42,6 +43,15 @@ Json damage_json(const mcap::Damage& damage, const mcap::Summary& summary) {
   }
   json["topics"] = topics_json(damage.channel_messages, summary);
   return json;
+}
+
+Json losses_json(const std::optional<ToldLosses>& losses) {
+  if (!losses) return nullptr;
+  auto writers = Json::array();
+  for (const auto& each : losses->writers) writers.push_back(json_of(each));
+  return {{"missing", total_missing(losses->writers)},
+          {"complete", losses->is_whole},
+          {"writers", std::move(writers)}};
 }
 
 Json lost_json(const mcap::Summary& summary) {
@@ -134,7 +144,8 @@ Json metadata_records_json(const mcap::Summary& summary) {
 
 }  // namespace
 
-std::string describe_json(const std::string& path, const mcap::Summary& summary) {
+std::string describe_json(const std::string& path, const mcap::Summary& summary,
+                          const std::optional<ToldLosses>& losses) {
   const auto& statistics = summary.statistics;
   Json json{{"file", path},
             {"bytes", summary.bytes},
@@ -153,6 +164,7 @@ std::string describe_json(const std::string& path, const mcap::Summary& summary)
   json["damage"] = Json::array();
   for (const auto& damage : summary.damages) json["damage"].push_back(damage_json(damage, summary));
   json["lost"] = lost_json(summary);
+  json["losses"] = losses_json(losses);
   json["silences"] = silences_json(summary);
   json["channels"] = channels_json(summary);
   json["schemas"] = schemas_json(summary);

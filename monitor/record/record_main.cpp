@@ -1,44 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <iostream>
 
 #include "core/broken_pipe.h"
 #include "core/clock.h"
-#include "core/command_line/command_line.h"
-#include "core/command_line/domain_option.h"
-#include "core/plural.h"
+#include "core/command_line/exit_code.h"
 #include "core/termination.h"
-#include "core/wire/ros_time.h"
 #include "monitor/record/recorder.h"
-#include "monitor/record/times.h"
+#include "monitor/record/recording_options.h"
+#include "monitor/record/recording_report.h"
 
 namespace {
 
 using namespace galilean;
-using monitor::Recorder;
+using namespace galilean::monitor;
 
-struct Options {
-  std::string out;
-  double duration_s = 0;  // 0: records until termination is asked for
-  std::string topics;
-  int domain = -1;
-  bool no_images = false;
-  bool replace = false;
-};
+void say(const std::string& sentence) {
+  std::cerr << "galilean-record: " << sentence << '\n';
+}
 
 int fail(const std::string& sentence) {
-  std::cerr << "galilean-record: " << sentence << '\n';
-  return 1;
+  say(sentence);
+  return kFailed;
 }
 
 /// Records for `duration_s` seconds, or without end if that is 0, until termination is asked for.
 /// Errors: the recording ended sooner, because it could not be written.
-Result<void> record(Recorder& recorder, Termination& termination, double duration_s) {
+Result<void> record(Recorder& recorder, Termination& termination, const Clock& clock,
+                    double duration_s) {
   constexpr int kLookAtClockEach_ms = 100;
-  const SteadyClock clock;
+  const Time began = clock.now();
   while (!termination.asked() &&
-         (duration_s == 0 || to_seconds(clock.now() - Time{}) < duration_s)) {
+         (duration_s == 0 || to_seconds(clock.now() - began) < duration_s)) {
     pollfd events[] = {{recorder.descriptor(), POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
     poll(events, 2, kLookAtClockEach_ms);
     if (auto done = recorder.pump(); !done) return done;
@@ -46,60 +43,69 @@ Result<void> record(Recorder& recorder, Termination& termination, double duratio
   return {};
 }
 
-Result<void> begin(mcap::Writer& writer) {
-  if (auto done = writer.begin(); !done) return done;
-  return writer.write(mcap::Metadata{
-      "galilean",
-      {{"version", GALILEAN_VERSION},
-       {"started", monitor::iso_time(static_cast<std::uint64_t>(wire::wall_clock_ns()))}}});
+/// Who records, and where.
+mcap::Text about(const RecordingOptions& options) {
+  char host[256] = "";
+  static_cast<void>(gethostname(host, sizeof host - 1));
+  return {
+      {"version", GALILEAN_VERSION},
+      {"host", host},
+      {"domain", options.domain < 0 ? "as ROS_DOMAIN_ID says" : std::to_string(options.domain)}};
 }
 
-Result<void> end(mcap::Writer& writer, mcap::FileSink& file) {
-  if (auto done = writer.end(); !done) return done;
-  return file.sync();
+/// Returns whether the recording goes where standard output goes.
+bool is_standard_output(const std::string& out) {
+  using FileStatus = struct stat;
+  FileStatus file{}, standard{};
+  return out == kStandardOutput ||
+         (stat(out.c_str(), &file) == 0 && fstat(STDOUT_FILENO, &standard) == 0 &&
+          file.st_dev == standard.st_dev && file.st_ino == standard.st_ino);
 }
 
-void tell(const Options& options, const mcap::Writer& writer, std::size_t topics) {
-  const auto& statistics = writer.statistics();
-  if (statistics.messages == 0)
-    std::cerr
-        << "galilean-record: no robot sent anything; check that robots run, and in the same DDS "
-           "domain (--domain or ROS_DOMAIN_ID)\n";
-  std::printf("%s: %s of %s in %.1f s, %.1f MB\n", options.out.c_str(),
-              plural(statistics.messages, "message").c_str(), plural(topics, "topic").c_str(),
-              static_cast<double>(statistics.end_ns - statistics.start_ns) * 1e-9,
-              static_cast<double>(writer.bytes_written()) * 1e-6);
+void say_why_empty(const TopicRecordings& recordings) {
+  if (recordings.topics() > 0)
+    say(emptiness_text(Emptiness::kAllSilent));
+  else if (recordings.left_out_topics())
+    say(emptiness_text(Emptiness::kAllLeftOut));
+  else
+    say(emptiness_text(Emptiness::kNobodyHeard));
 }
 
-Recorder::Selection selection(const Options& options) {
-  Recorder::Selection selection;
-  selection.images = !options.no_images;
-  if (!options.topics.empty()) selection.topics.emplace(options.topics, std::regex::optimize);
-  return selection;
+/// Says what was recorded and what is missing. Returns the exit code.
+int report(const RecordingFiles& files, const TopicRecordings& recordings) {
+  const auto losses = recordings.losses();
+  const auto missing = total_missing(losses);
+  if (files.totals().messages == 0 && missing == 0) say_why_empty(recordings);
+  std::ostream& out = is_standard_output(files.plan().out) ? std::cerr : std::cout;
+  out << recording_text(files.name(), files.totals(), recordings.topics()) << std::endl;
+  for (const auto& sentence : missing_text(losses)) say(sentence);
+  return missing > 0 ? kIncomplete : 0;
 }
 
-int run(const Options& options) try {
+int run(RecordingOptions& options) try {
   ignore_broken_pipes();
+  std::signal(SIGXFSZ, SIG_IGN);  // beyond the limit of `ulimit -f` a write fails, and that is told
   Termination termination;
-  auto chosen = selection(options);
+  const SteadyClock clock;
   const auto participant = wire::Participant::join("record", options.domain);
   if (!participant) return fail(participant.error().message);
-  auto file = mcap::FileSink::create(options.out, options.replace);
-  if (!file) return fail(file.error().message);
-
-  mcap::Writer writer(file.value(), {.library = "galilean " GALILEAN_VERSION});
-  auto done = begin(writer);
-  Recorder recorder(
-      *participant.value(), writer, std::move(chosen),
-      [](const std::string& problem) { std::cerr << "galilean-record: " << problem << '\n'; });
-  if (done) done = record(recorder, termination, options.duration_s);
-  if (done) done = end(writer, file.value());
+  options.plan.library = "galilean " GALILEAN_VERSION;
+  RecordingFiles files(options.plan);
+  Recorder recorder({.participant = *participant.value(),
+                     .clock = clock,
+                     .files = files,
+                     .room = {options.min_free_bytes, [&] { return free_bytes(options.plan.out); }},
+                     .about = about(options),
+                     .selection = std::move(options.selection),
+                     .language = options.language,
+                     .picture_bytes_per_s = options.picture_bytes_per_s,
+                     .warn = say,
+                     .ended = [&] { return termination.asked(); }});
+  if (auto begun = recorder.begin(); !begun) return fail(begun.error().message);
+  auto done = record(recorder, termination, clock, options.duration_s);
+  if (done) done = recorder.conclude();
   if (!done) return fail(done.error().message + "; what was recorded until then can still be read");
-  tell(options, writer, recorder.topics());
-  return 0;
-} catch (const std::regex_error& error) {
-  return fail("--topics '" + options.topics +
-              "' is not a valid regular expression: " + error.what());
+  return report(files, recorder.recordings());
 } catch (const std::exception& error) {
   return fail(error.what());
 }
@@ -107,21 +113,7 @@ int run(const Options& options) try {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  CommandLine app("Records every topic of the team as MCAP, to be opened by Foxglove or ROS 2.",
-                  "galilean record");
-  app.option("--out", options.out, "File to write, such as run.mcap")
-      .required()
-      .names_file(".mcap");
-  app.option("--duration", options.duration_s,
-             "How many seconds to record; without it until Ctrl-C")
-      .positive();
-  app.option("--topics", options.topics,
-             "Record only topics whose names match this regular expression somewhere, such as "
-             "'^/io/|score'");
-  add_domain_option(app, options.domain);
-  app.flag("--no-images", options.no_images, "Leave the cameras' pictures out");
-  app.flag("--replace", options.replace, "Overwrite the file if it exists");
-  if (const auto code = app.parse(argc, argv)) return *code;
+  RecordingOptions options;
+  if (const auto code = read_options(argc, argv, options)) return *code;
   return run(options);
 }

@@ -84,7 +84,7 @@ export const rooms = {
     'server/http': ['access', 'background', 'compression', 'server/text', 'server/websocket', 'server/foxglove', 'server/lsp'],
     'server/api': ['map', 'map/export', 'programs', 'pushes', 'pushes/history', 'team', 'server/text', 'server/foxglove', 'server/http', 'simulation'],
     server: ['background', 'ingest', 'map', 'programs', 'pushes', 'team', 'server/foxglove', 'server/api', 'simulation'],
-    record: ['mcap'],
+    record: ['mcap', 'wire'],
     replay: ['mcap', 'record'],
     schemas: ['mcap', 'wire'],
     'logs/reading': ['mcap', 'record', 'replay', 'schemas'],

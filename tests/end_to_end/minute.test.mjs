@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { before, describe, test } from 'node:test';
-import { McapIndexedReader, MessageReader, definitionsFor, unzstd } from '../logs/tools.mjs';
+import { McapIndexedReader, MessageReader, definitionsOf, unzstd } from '../logs/tools.mjs';
 import { freePort, freshDomain, galilean, scratchFolder } from './tools.mjs';
 
 const robots = ['io', 'ganymede', 'callisto'];
@@ -19,10 +19,10 @@ async function readLog(path) {
   const reader = await McapIndexedReader.Initialize({ readable, decompressHandlers });
   const decoders = new Map(), topics = {};
   for await (const { channelId, data } of reader.readMessages({ validateCrcs: true })) {
-    const { topic, schemaId } = reader.channelsById.get(channelId);
+    const { topic, schemaId, messageEncoding } = reader.channelsById.get(channelId);
+    if (messageEncoding !== 'cdr') continue;
     if (!decoders.has(schemaId)) {
-      const { name, data: idl } = reader.schemasById.get(schemaId);
-      decoders.set(schemaId, new MessageReader(definitionsFor(name, new TextDecoder().decode(idl))));
+      decoders.set(schemaId, new MessageReader(definitionsOf(reader.schemasById.get(schemaId))));
     }
     (topics[topic] ??= []).push(decoders.get(schemaId).readMessage(data));
   }

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "monitor/record/channels.h"
+#include "monitor/record/recording_files.h"
+#include "monitor/record/selection.h"
+
+namespace galilean::monitor {
+
+/// What a user asks of a recording.
+struct RecordingOptions {
+  FilePlan plan;
+  Selection selection;
+  SchemaLanguage language = SchemaLanguage::kMessage;
+  std::uint64_t picture_bytes_per_s = 0;  ///< 0: without a limit
+  std::uint64_t min_free_bytes = 500'000'000;
+  double duration_s = 0;  ///< 0: until termination is asked for
+  int domain = -1;        ///< -1: as ROS_DOMAIN_ID says
+};
+
+/// Reads the options of `galilean record`. Returns nothing if the program is to go on, and the exit
+/// code otherwise.
+[[nodiscard]] std::optional<int> read_options(int count, const char* const* arguments,
+                                              RecordingOptions& options);
+
+}  // namespace galilean::monitor

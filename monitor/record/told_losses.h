@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "monitor/mcap/mcap_reader.h"
+#include "monitor/record/losses.h"
+
+namespace galilean::monitor {
+
+/// What a recording tells of what it lacks.
+struct ToldLosses {
+  std::vector<WriterLosses> writers;  ///< those of which something did not come
+  /// Whether it was told at the recording's end. Otherwise the recorder did not end in order, and
+  /// more may have been lost.
+  bool is_whole = false;
+};
+
+/// Returns what the recording tells. Nothing: a program made it that counts no losses.
+[[nodiscard]] std::optional<ToldLosses> told_losses(const mcap::ByteSource& source,
+                                                    const mcap::Summary& summary);
+
+}  // namespace galilean::monitor

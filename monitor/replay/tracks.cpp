@@ -9,6 +9,9 @@
 
 #include "core/wire/schemas.h"
 #include "core/wire/topic_names.h"
+#include "core/wire/types/message_definition.h"
+#include "core/wire/types/own_types.h"
+#include "monitor/record/losses.h"
 
 namespace galilean::monitor {
 namespace {
@@ -32,10 +35,19 @@ std::string words_of(std::string_view idl) {
 }
 
 /// Comments and layout are no part of a type: messages of another release may differ in them alone.
+bool defines_alike(const mcap::Schema& schema, const wire::Schema& known) {
+  if (schema.encoding != "ros2msg")
+    return known.idl == schema.data || words_of(known.idl) == words_of(schema.data);
+  const auto* own = wire::find_own_type(known.dds_type);
+  if (!own) return false;
+  const auto definition = wire::message_definition(own->description);
+  return definition && definition.value() == schema.data;
+}
+
 bool is_known(const mcap::Channel& channel, const mcap::Schema& schema) {
   const auto* known = wire::find_schema_by_ros_type(schema.name);
   return known && channel.message_encoding == "cdr" && channel.topic.starts_with('/') &&
-         (known->idl == schema.data || words_of(known->idl) == words_of(schema.data));
+         defines_alike(schema, *known);
 }
 
 }  // namespace
@@ -43,6 +55,7 @@ bool is_known(const mcap::Channel& channel, const mcap::Schema& schema) {
 Tracks tracks_of(const mcap::Summary& summary) {
   Tracks tracks;
   for (const auto& [id, channel] : summary.channels) {
+    if (channel.topic == kLossesTopic) continue;  // the recorder's own
     const auto schema = summary.schemas.find(channel.schema_id);
     const std::string type = schema == summary.schemas.end() ? "" : schema->second.name;
     const auto delivery = wire::delivery_of(type);

@@ -26,7 +26,7 @@ struct Tracks {
                                           ///< defines otherwise
 };
 
-/// Sorts a recording's channels into the three kinds.
+/// Sorts a recording's channels into the three kinds. What the recorder tells of itself is in none.
 [[nodiscard]] Tracks tracks_of(const mcap::Summary& summary);
 
 /// Returns whether a monitor makes the topic from the robots' messages.

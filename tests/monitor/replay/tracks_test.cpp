@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/wire/schemas.h"
+#include "core/wire/types/message_definition.h"
+#include "core/wire/types/own_types.h"
 #include "monitor/replay/report.h"
 #include "monitor/replay/stage.h"
 
@@ -53,6 +55,29 @@ TEST(Tracks, AReleaseThatDiffersInCommentsAndLayoutAloneIsPlayed) {
   ASSERT_NE(comment, std::string::npos);
   recording.schemas[2].data.insert(comment + 2, " in other words:\n//");
   EXPECT_EQ(tracks_of(recording).played.size(), 2u);
+}
+
+/// As galilean record defines it, in the language of .msg files.
+mcap::Schema defined_as_message(const mcap::Schema& schema) {
+  const auto* known = wire::find_schema_by_ros_type(schema.name);
+  const auto* own = wire::find_own_type(known->dds_type);
+  return {schema.id, schema.name, "ros2msg", wire::message_definition(own->description).value()};
+}
+
+TEST(Tracks, DefinitionsInTheLanguageOfMessageFilesAreKnownToo) {
+  auto recording = recording_with({{"/io/state", "galilean_msgs/msg/RobotState"},
+                                   {"/io/variables", "galilean_msgs/msg/Variables"}});
+  for (auto& [id, schema] : recording.schemas) schema = defined_as_message(schema);
+  recording.schemas[2].data += "int8 more\n";
+  const auto tracks = tracks_of(recording);
+  EXPECT_TRUE(tracks.played.contains(1));
+  EXPECT_EQ(tracks.foreign, std::vector<std::string>{"/io/variables"});
+}
+
+TEST(Tracks, WhatTheRecorderTellsOfItselfIsNoTopicOfTheTeam) {
+  auto recording = recording_with({{"/recorder/losses", "galilean.Losses"}});
+  EXPECT_TRUE(tracks_of(recording).foreign.empty());
+  EXPECT_TRUE(tracks_of(recording).played.empty());
 }
 
 TEST(Tracks, LiveNamesakesAreThoseThatWriteTheSameTopics) {

@@ -20,15 +20,26 @@ enum class SchemaLanguage {
   kIdl       ///< IDL
 };
 
-/// Gives each topic of a recording its channels: one for each definition of its messages. For use
-/// by one thread.
+/// The metadata of a channel in which numbers of messages skip though no message is missing, or are
+/// of several writers. It says why. Gaps in the numbers of other channels are missing messages.
+inline constexpr const char* kSequenceGaps = "sequence_gaps";
+
+/// Gives each writer's messages a channel of their own, so that their numbers tell what is missing
+/// of them, and what each writer keeps for late joiners can be told apart. For use by one thread.
 class Channels {
  public:
-  /// `warn` gets a sentence for each topic whose messages are recorded without a definition.
-  /// Requires: `writer` and `definitions` outlive this.
-  Channels(mcap::Writer& writer, Definitions& definitions, SchemaLanguage language,
-           std::function<void(const std::string&)> warn)
-      : writer_(writer), definitions_(definitions), language_(language), warn_(std::move(warn)) {}
+  struct Setup {
+    mcap::Writer& writer;      ///< outlives the channels
+    Definitions& definitions;  ///< outlives the channels
+    SchemaLanguage language = SchemaLanguage::kMessage;
+    bool leaves_out_pictures = false;  ///< pictures may be left out, which their numbers show
+    /// Gets a sentence for each topic whose messages are recorded without a definition.
+    std::function<void(const std::string&)> warn;
+  };
+  /// Writers beyond so many share one channel for each topic and definition: a file can have 65535.
+  static constexpr std::size_t kMostOfOneWriter = 20'000;
+
+  explicit Channels(Setup setup) : setup_(std::move(setup)) {}
 
   /// Returns the channel for a message of an endpoint. At the first one of a definition it asks the
   /// domain for it, and may block for 3 s.
@@ -40,17 +51,18 @@ class Channels {
     std::string encoding, text;
   };
 
+  std::uint16_t add(const wire::EndpointInfo& end, bool xcdr2, bool shared);
+  [[nodiscard]] std::string sequence_gaps(const wire::EndpointInfo& end, bool shared) const;
   Text schema_text(const wire::EndpointInfo& end, bool xcdr2);
   std::uint16_t schema_of(const wire::EndpointInfo& end, bool xcdr2);
 
-  mcap::Writer& writer_;
-  Definitions& definitions_;
-  SchemaLanguage language_;
-  std::function<void(const std::string&)> warn_;
+  Setup setup_;
   std::map<std::tuple<std::string, std::string, bool>, std::uint16_t>
       schemas_;  ///< by type, its hash, and whether it is encoded in XCDR2
+  std::map<std::pair<std::string, bool>, std::uint16_t>
+      channels_;  ///< by the writer's GUID, and as above
   std::map<std::tuple<std::string, std::string, std::string, bool>, std::uint16_t>
-      channels_;  ///< the topic before these
+      shared_;  ///< by the topic, and as `schemas_`
 };
 
 }  // namespace galilean::monitor

@@ -114,10 +114,14 @@ Result<void> Recorder::begin_file() {
   const std::size_t files_before = setup_.files.totals().files;
   if (auto done = setup_.files.begin(setup_.clock.now()); !done) return done;
   auto& writer = setup_.files.writer();
-  contents_.emplace(Contents{{writer, definitions_, setup_.language,
-                              [this](const std::string& sentence) { warn_once(sentence); }},
-                             LossLog(writer),
-                             {}});
+  contents_.emplace(
+      Contents{Channels({.writer = writer,
+                         .definitions = definitions_,
+                         .language = setup_.language,
+                         .leaves_out_pictures = setup_.picture_bytes_per_s > 0,
+                         .warn = [this](const std::string& sentence) { warn_once(sentence); }}),
+               LossLog(writer),
+               {}});
   mcap::Metadata about{"galilean", setup_.about};
   about.entries["started"] = iso_time(wire::wall_clock_ns());
   about.entries["file"] = std::to_string(files_before);

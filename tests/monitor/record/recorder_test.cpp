@@ -75,6 +75,37 @@ TEST_F(RecorderTest, ALaterWriterOfAnotherTypeHasAChannelOfItsOwn) {
   for (const auto& [id, channel] : summary.channels) EXPECT_EQ(channel.topic, "/mixed");
 }
 
+TEST_F(RecorderTest, EachWriterOfATopicHasAChannelInWhichItsNumbersRise) {
+  auto first = talk(Foreign::kCells, "rt/cells", Delivery::kFlow);
+  auto second = talk(Foreign::kCells, "rt/cells", Delivery::kFlow);
+  start();
+  ASSERT_TRUE(comes_to_be_heard(first));
+  ASSERT_TRUE(comes_to_be_heard(second));
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(first.write());
+  ASSERT_TRUE(comes_to_record(3));
+  ASSERT_TRUE(second.write());
+  ASSERT_TRUE(comes_to_record(4));
+  const auto summary = recorded();
+  ASSERT_EQ(summary.channels.size(), 2U);
+  EXPECT_EQ(summary.schemas.size(), 1U);
+  const auto& channels = summary.channels;
+  EXPECT_EQ(channels.at(1).metadata.at("process"), "talker");
+  EXPECT_NE(channels.at(1).metadata.at("writer"), channels.at(2).metadata.at("writer"));
+  EXPECT_FALSE(channels.at(1).metadata.contains(kSequenceGaps));
+  EXPECT_EQ(summary.statistics.channel_messages.at(1), 3U);
+  EXPECT_EQ(summary.statistics.channel_messages.at(2), 1U);
+}
+
+TEST_F(RecorderTest, AChannelSaysWhereItsNumbersSkipThoughNothingIsMissing) {
+  auto keyed = talk(Foreign::kKeyed, "rt/keyed");
+  ASSERT_TRUE(keyed.write());
+  start();
+  ASSERT_TRUE(comes_to_record(1));
+  const auto summary = recorded();
+  ASSERT_EQ(summary.channels.size(), 1U);
+  EXPECT_TRUE(summary.channels.begin()->second.metadata.contains(kSequenceGaps));
+}
+
 TEST_F(RecorderTest, AChannelTellsWhatItsWriterOffers) {
   auto stream = talk(Foreign::kCells, "rt/stream", Delivery::kStream);
   start();

@@ -37,7 +37,8 @@ int print_info(const InfoOptions& options) {
   std::cout << (options.json ? monitor::describe_json(options.file, summary, losses)
                              : monitor::describe(options.file, summary, losses));
   if (!std::cout.flush()) return kFailed;
-  return summary.recovered() ? kIncomplete : 0;
+  const bool is_missing = losses && monitor::total_missing(losses->writers) > 0;
+  return summary.recovered() || is_missing ? kIncomplete : 0;
 }
 
 template <class Run>

@@ -61,7 +61,8 @@ CommandLine add_info(CommandLine& app, InfoOptions& options) {
   command.flag("--check", options.check,
                "Read every message and compare every checksum; done anyway up to 256 MiB");
   command.describe_exit(kIncomplete,
-                        "A part of the recording is damaged or missing; the rest was described.");
+                        "A part of the recording is damaged or missing, or its recorder counted "
+                        "messages that it missed; the rest was described.");
   return command;
 }
 

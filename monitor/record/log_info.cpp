@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 #include "core/plural.h"
@@ -19,6 +20,7 @@ constexpr std::size_t kWidestTopic = 48;
 
 struct Row {
   std::string topic, type;
+  std::string process;  ///< of the writer whose channel it is; empty: several, or unknown
   std::uint64_t messages;
   double rate_hz;
 };
@@ -30,11 +32,12 @@ std::vector<Row> rows(const mcap::Summary& summary) {
     const auto messages = count == summary.statistics.channel_messages.end() ? 0 : count->second;
     const auto schema = summary.schemas.find(channel.schema_id);
     const double span_s = duration_s(summary);
+    const auto process = channel.metadata.find("process");
     result.push_back({channel.topic, schema == summary.schemas.end() ? "" : schema->second.name,
-                      messages, span_s > 0 ? static_cast<double>(messages) / span_s : 0});
+                      process == channel.metadata.end() ? "" : process->second, messages,
+                      span_s > 0 ? static_cast<double>(messages) / span_s : 0});
   }
-  std::sort(result.begin(), result.end(),
-            [](const Row& a, const Row& b) { return a.topic < b.topic; });
+  std::ranges::sort(result, {}, [](const Row& row) { return std::tie(row.topic, row.process); });
   return result;
 }
 
@@ -45,7 +48,7 @@ std::string missing_line(const ToldLosses& losses) {
 }
 
 void describe_losses(std::ostream& out, const std::optional<ToldLosses>& losses) {
-  out << "missing:   " << (losses ? missing_line(*losses) : "unknown; its recorder did not count")
+  out << "missing:   " << (losses ? missing_line(*losses) : "unknown; nothing in the file tells it")
       << '\n';
   if (!losses) return;
   for (const auto& each : losses->writers) {
@@ -68,7 +71,7 @@ void describe_channels(std::ostream& out, const mcap::Summary& summary) {
   for (const auto& row : all)
     out << "  " << std::left << std::setw(static_cast<int>(widest)) << row.topic << std::right
         << std::setw(9) << row.messages << std::setw(8) << row.rate_hz << " Hz  "
-        << visible(row.type) << '\n';
+        << visible(row.type) << (row.process.empty() ? "" : " of " + visible(row.process)) << '\n';
 }
 
 void describe_extras(std::ostream& out, const mcap::Summary& summary) {

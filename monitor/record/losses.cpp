@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/record/losses.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -34,6 +35,10 @@ std::uint64_t number_in(const nlohmann::json& json, const char* name) {
 std::string text_in(const nlohmann::json& json, const char* name) {
   const auto found = json.find(name);
   return found != json.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::uint64_t beyond(std::uint64_t count, std::uint64_t before) noexcept {
+  return count - std::min(count, before);
 }
 
 }  // namespace
@@ -74,6 +79,21 @@ std::optional<WriterLosses> read_losses(std::string_view text) {
   return losses;
 }
 
+WriterLosses beyond(WriterLosses losses, const WriterLosses& before) noexcept {
+  losses.recorded = beyond(losses.recorded, before.recorded);
+  if (losses.lost) losses.lost = beyond(*losses.lost, before.lost.value_or(0));
+  losses.overrun = beyond(losses.overrun, before.overrun);
+  losses.sent_before = beyond(losses.sent_before, before.sent_before);
+  losses.unwritten = beyond(losses.unwritten, before.unwritten);
+  losses.left_out = beyond(losses.left_out, before.left_out);
+  return losses;
+}
+
+Result<void> LossLog::begin(const std::vector<WriterLosses>& before) {
+  for (const auto& each : before) told_[each.writer] = each.missing();
+  return write_all(kLossesBeforeMetadata, before);
+}
+
 Result<void> LossLog::tell(const std::vector<WriterLosses>& losses, std::int64_t now_ns) {
   for (const auto& each : losses) {
     if (each.missing() == told_[each.writer]) continue;
@@ -97,12 +117,15 @@ Result<void> LossLog::write(const WriterLosses& losses, std::int64_t now_ns) {
 }
 
 Result<void> LossLog::conclude(const std::vector<WriterLosses>& losses) {
-  mcap::Metadata all{kLossesMetadata, {}};
+  return write_all(kLossesMetadata, losses);
+}
+
+Result<void> LossLog::write_all(const char* name, const std::vector<WriterLosses>& losses) {
+  mcap::Metadata all{name, {}};
   for (const auto& each : losses) {
-    if (each.lost == 0 && each.sent_before + each.unwritten + each.left_out == 0) continue;
-    const std::string name = each.topic + " of " + each.process;
-    const bool is_taken = all.entries.contains(name);
-    all.entries[is_taken ? name + " (" + each.writer + ")" : name] =
+    const std::string whose = each.topic + " of " + each.process;
+    const bool is_taken = all.entries.contains(whose);
+    all.entries[is_taken ? whose + " (" + each.writer + ")" : whose] =
         ordered_json_text(json_of(each));
   }
   all.entries["missing"] = std::to_string(total_missing(losses));

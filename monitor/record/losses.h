@@ -14,9 +14,11 @@
 
 namespace galilean::monitor {
 
-/// Where a recording tells what it lacks: a topic, whenever more was lost, and metadata at its end.
+/// Where a file tells what it lacks: a topic, whenever more was lost, and metadata at its end. What
+/// had been told when it began stands in metadata, too.
 inline constexpr const char* kLossesTopic = "/recorder/losses";
 inline constexpr const char* kLossesMetadata = "losses";
+inline constexpr const char* kLossesBeforeMetadata = "losses before";
 
 /// What a recording has, and lacks, of what one writer sent on a topic, since it began.
 struct WriterLosses {
@@ -44,12 +46,18 @@ struct WriterLosses {
 /// Reads what json_of made. Returns nothing if it is something else.
 [[nodiscard]] std::optional<WriterLosses> read_losses(std::string_view json);
 
-/// Writes into a recording what it lacks.
+/// Returns what one writer's losses are beyond those that were told of it before.
+[[nodiscard]] WriterLosses beyond(WriterLosses losses, const WriterLosses& before) noexcept;
+
+/// Writes into a file what it lacks.
 class LossLog {
  public:
   /// Requires: `writer` outlives this.
   explicit LossLog(mcap::Writer& writer) : writer_(writer) {}
 
+  /// Writes what was told at the end of the file before. Call it first. Errors: the file cannot be
+  /// written.
+  [[nodiscard]] Result<void> begin(const std::vector<WriterLosses>& before);
   /// Writes what has changed since the last call to the topic. Errors: the file cannot be written.
   [[nodiscard]] Result<void> tell(const std::vector<WriterLosses>& losses, std::int64_t now_ns);
   /// Writes all of it as metadata. Errors: the file cannot be written.
@@ -57,6 +65,7 @@ class LossLog {
 
  private:
   [[nodiscard]] Result<void> write(const WriterLosses& losses, std::int64_t now_ns);
+  [[nodiscard]] Result<void> write_all(const char* name, const std::vector<WriterLosses>& losses);
 
   mcap::Writer& writer_;
   std::uint16_t channel_ = 0;  ///< 0: nothing was told yet

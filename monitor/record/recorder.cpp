@@ -126,6 +126,7 @@ Result<void> Recorder::begin_file() {
   about.entries["started"] = iso_time(wire::wall_clock_ns());
   about.entries["file"] = std::to_string(files_before);
   if (auto done = writer.write(about); !done) return done;
+  if (auto done = contents_->losses.begin(concluded_); !done) return done;
   return write_kept();
 }
 
@@ -140,7 +141,8 @@ Result<void> Recorder::write_kept() {
 
 Result<void> Recorder::conclude() {
   if (!setup_.files.is_open()) return {};
-  if (auto done = contents_->losses.conclude(recordings_.losses()); !done) return done;
+  concluded_ = recordings_.losses();
+  if (auto done = contents_->losses.conclude(concluded_); !done) return done;
   contents_.reset();
   return setup_.files.end();
 }

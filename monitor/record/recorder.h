@@ -93,7 +93,8 @@ class Recorder {
   std::atomic<bool> writers_changed_{true};
   TopicRecordings recordings_;
   Definitions definitions_;
-  std::optional<Contents> contents_;  ///< of the open file
+  std::optional<Contents> contents_;     ///< of the open file
+  std::vector<WriterLosses> concluded_;  ///< what was told at the end of the newest file that ended
   KeptMessages kept_;
   ByteBudget picture_budget_;
   std::set<std::string> warned_;  ///< what was said

@@ -9,7 +9,8 @@
 
 namespace galilean::monitor {
 
-/// What a recording tells of what it lacks.
+/// What a file tells of what it lacks. Of a recording in several files, it is what the file lacks
+/// from the end of the file before.
 struct ToldLosses {
   std::vector<WriterLosses> writers;  ///< those of which something did not come
   /// Whether it was told at the recording's end. Otherwise the recorder did not end in order, and

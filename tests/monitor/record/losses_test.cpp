@@ -39,5 +39,17 @@ TEST(Losses, WhatWasNotAskedForOrCameBeforeIsNotMissing) {
   EXPECT_EQ(total_missing({}), 0U);
 }
 
+TEST(Losses, BeyondThoseBeforeAreWhatCameSince) {
+  WriterLosses later = kSome;
+  later.recorded += 10;
+  *later.lost += 2;
+  later.unwritten += 1;
+  const auto since = beyond(later, kSome);
+  EXPECT_EQ(since.recorded, 10U);
+  EXPECT_EQ(since.missing(), 3U);
+  EXPECT_EQ(since.sent_before, 0U);
+  EXPECT_EQ(beyond(kSome, later).missing(), 0U);
+}
+
 }  // namespace
 }  // namespace galilean::monitor

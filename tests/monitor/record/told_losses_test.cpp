@@ -48,6 +48,31 @@ TEST_F(ToldLossesTest, OfARecorderThatBrokeOffAreTheNewestThatItTold) {
   EXPECT_EQ(total_missing(losses.writers), 6U);
 }
 
+TEST_F(ToldLossesTest, OfALaterFileAreThoseSinceTheFileBefore) {
+  ASSERT_TRUE(log.begin({losses_of("a", 3), losses_of("b", 4)}));
+  ASSERT_TRUE(log.tell({losses_of("a", 3), losses_of("b", 4)}, 500));
+  ASSERT_TRUE(log.conclude({losses_of("a", 3), losses_of("b", 6), losses_of("c", 1)}));
+  ASSERT_TRUE(writer.end());
+  EXPECT_EQ(writer.statistics().messages, 0U);
+  const auto losses = told().value();
+  ASSERT_EQ(losses.writers.size(), 2U);
+  EXPECT_EQ(losses.writers[0].lost, 2U);
+  EXPECT_EQ(losses.writers[1].lost, 1U);
+}
+
+TEST_F(ToldLossesTest, OfFilesThatWereMergedAreThoseOfAll) {
+  ASSERT_TRUE(log.begin({losses_of("a", 1)}));
+  ASSERT_TRUE(log.conclude({losses_of("a", 3), losses_of("b", 4)}));
+  ASSERT_TRUE(LossLog(writer).begin({losses_of("a", 3), losses_of("b", 4)}));
+  ASSERT_TRUE(LossLog(writer).conclude({losses_of("a", 7), losses_of("b", 4)}));
+  ASSERT_TRUE(writer.end());
+  const auto losses = told().value();
+  EXPECT_TRUE(losses.is_whole);
+  ASSERT_EQ(losses.writers.size(), 2U);
+  EXPECT_EQ(losses.writers[0].lost, 6U);
+  EXPECT_EQ(losses.writers[1].lost, 4U);
+}
+
 TEST_F(ToldLossesTest, AreToldOnlyWhenTheyGrow) {
   for (const std::int64_t now_ns : {500, 600, 700})
     ASSERT_TRUE(log.tell({losses_of("a", 1), losses_of("b", 0)}, now_ns));

@@ -38,8 +38,8 @@ std::uint16_t Channels::add(const wire::EndpointInfo& end, bool xcdr2, bool shar
   channel.metadata["offered_qos_profiles"] = offered_qos_profiles(end.qos);
   if (channel.schema_id == 0) channel.metadata["type"] = shown_type(end.dds_type);
   if (!shared) {
-    channel.metadata["writer"] = end.guid;
-    channel.metadata["process"] = end.process;
+    channel.metadata[kChannelWriter] = end.guid;
+    channel.metadata[kChannelProcess] = end.process;
   }
   if (auto why = sequence_gaps(end, shared); !why.empty())
     channel.metadata[kSequenceGaps] = std::move(why);

@@ -10,6 +10,7 @@
 
 #include "core/wire/endpoints.h"
 #include "monitor/mcap/mcap_writer.h"
+#include "monitor/record/channel_metadata.h"
 #include "monitor/wire/definitions.h"
 
 namespace galilean::monitor {
@@ -19,10 +20,6 @@ enum class SchemaLanguage {
   kMessage,  ///< that of .msg files, "ros2msg", which most readers know
   kIdl       ///< IDL
 };
-
-/// The metadata of a channel in which numbers of messages skip though no message is missing, or are
-/// of several writers. It says why. Gaps in the numbers of other channels are missing messages.
-inline constexpr const char* kSequenceGaps = "sequence_gaps";
 
 /// Gives each writer's messages a channel of their own, so that their numbers tell what is missing
 /// of them, and what each writer keeps for late joiners can be told apart. For use by one thread.

@@ -9,6 +9,7 @@
 
 #include "core/plural.h"
 #include "core/visible_text.h"
+#include "monitor/record/channel_metadata.h"
 #include "monitor/record/damage_text.h"
 #include "monitor/record/times.h"
 
@@ -32,7 +33,7 @@ std::vector<Row> rows(const mcap::Summary& summary) {
     const auto messages = count == summary.statistics.channel_messages.end() ? 0 : count->second;
     const auto schema = summary.schemas.find(channel.schema_id);
     const double span_s = duration_s(summary);
-    const auto process = channel.metadata.find("process");
+    const auto process = channel.metadata.find(kChannelProcess);
     result.push_back({channel.topic, schema == summary.schemas.end() ? "" : schema->second.name,
                       process == channel.metadata.end() ? "" : process->second, messages,
                       span_s > 0 ? static_cast<double>(messages) / span_s : 0});

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/visible_text.h"
 #include "monitor/mcap/message_reader.h"
 
 namespace galilean::monitor {
@@ -95,6 +96,21 @@ std::optional<ToldLosses> told_losses(const mcap::ByteSource& source,
     if (!says_nothing(losses)) told.writers.push_back(std::move(losses));
   }
   return told;
+}
+
+std::map<std::string, std::optional<std::uint64_t>> missing_by_topic(const ToldLosses& losses,
+                                                                     const mcap::Summary& summary) {
+  std::map<std::string, std::optional<std::uint64_t>> topics;
+  if (losses.is_whole)
+    for (const auto& [id, channel] : summary.channels) topics[visible(channel.topic)] = 0;
+  for (const auto& each : losses.writers) {
+    auto& missing = topics.try_emplace(each.topic, 0).first->second;
+    if (missing && each.lost)
+      *missing += each.missing();
+    else
+      missing = std::nullopt;
+  }
+  return topics;
 }
 
 }  // namespace galilean::monitor

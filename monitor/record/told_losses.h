@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "monitor/mcap/mcap_reader.h"
@@ -21,5 +24,11 @@ struct ToldLosses {
 /// Returns what the recording tells. Nothing: a program made it that counts no losses.
 [[nodiscard]] std::optional<ToldLosses> told_losses(const mcap::ByteSource& source,
                                                     const mcap::Summary& summary);
+
+/// Returns how many messages of each topic are missing by what was told, by the topics' names as
+/// `visible` gives them; nothing: they could not be counted. Topics of which nothing was told are
+/// among them only if all was told.
+[[nodiscard]] std::map<std::string, std::optional<std::uint64_t>> missing_by_topic(
+    const ToldLosses& losses, const mcap::Summary& summary);
 
 }  // namespace galilean::monitor

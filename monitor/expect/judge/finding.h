@@ -45,4 +45,20 @@ inline void lift_limits(const Span& all, Finding& finding) noexcept {
     if (each.needs) each.needs = without_limits_of(all, *each.needs);
 }
 
+/// Turns an outcome that rests on a time of which something is missing into "cannot tell".
+inline void doubt_where(const SpanList& missing, const std::string& reason, Finding& finding) {
+  const auto is_doubtful = [&](const std::optional<Span>& needs) {
+    return needs && missing.overlap(*needs);
+  };
+  if (finding.outcome == Outcome::kFails)
+    std::erase_if(finding.counterexamples,
+                  [&](const Counterexample& each) { return is_doubtful(each.needs); });
+  const bool doubtful = finding.outcome == Outcome::kFails   ? finding.counterexamples.empty()
+                        : finding.outcome == Outcome::kHolds ? is_doubtful(finding.needs)
+                                                             : false;
+  if (!doubtful) return;
+  finding.outcome = Outcome::kCannotTell;
+  finding.reason = reason;
+}
+
 }  // namespace galilean::expect

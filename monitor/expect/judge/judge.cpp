@@ -62,12 +62,17 @@ bool Judge::wants_type(std::string_view ros_type) const {
          is(msg::Score::kRosType, kScore);
 }
 
-void Judge::message(std::int64_t at_ns, std::string_view topic, std::uint32_t sequence) {
+void Judge::message(std::int64_t at_ns, std::string_view topic, const Numbered& number) {
   at_ns = in_order(at_ns);
   // A robot's topic may be heard before its state, from which a robot is otherwise known.
   if (const auto robot = robot_of(topic); !robot.empty()) (void)watch(robot);
-  team_.message(at_ns, topic, sequence);
-  for (const auto& [name, robot] : robots_) robot->message(at_ns, topic, sequence);
+  team_.message(at_ns, topic, number);
+  for (const auto& [name, robot] : robots_) robot->message(at_ns, topic, number);
+}
+
+void Judge::missed(std::string_view topic, std::optional<std::uint64_t> messages) {
+  team_.missed(topic, messages);
+  for (const auto& [name, robot] : robots_) robot->missed(topic, messages);
 }
 
 template <class Apply>
@@ -120,22 +125,6 @@ void Judge::damage(const Span& span, const std::string& why) {
   if (!why.empty() && notes_.size() < kMostNotes) notes_.push_back(why);
 }
 
-/// Turns an outcome that rests on a time of which messages are lost into "cannot tell".
-void Judge::settle(Finding& finding) const {
-  const auto damaged = [&](const std::optional<Span>& needs) {
-    return needs && damage_.overlap(*needs);
-  };
-  if (finding.outcome == Outcome::kFails)
-    std::erase_if(finding.counterexamples,
-                  [&](const Counterexample& each) { return damaged(each.needs); });
-  const bool doubtful = finding.outcome == Outcome::kFails   ? finding.counterexamples.empty()
-                        : finding.outcome == Outcome::kHolds ? damaged(finding.needs)
-                                                             : false;
-  if (!doubtful) return;
-  finding.outcome = Outcome::kCannotTell;
-  finding.reason = "messages of that time are missing";
-}
-
 Judgement Judge::finish(std::int64_t begin_ns, std::int64_t end_ns) {
   Judgement judgement;
   judgement.begin_ns = begin_ns;
@@ -143,7 +132,8 @@ Judgement Judge::finish(std::int64_t begin_ns, std::int64_t end_ns) {
   Collected collected;
   const auto take = [&](const std::string& name, RobotWatch& robot) {
     auto findings = robot.finish(judgement.end_ns);
-    for (auto& finding : findings) settle(finding);
+    for (auto& finding : findings)
+      doubt_where(damage_, "messages of that time are missing", finding);
     collected[name] = {robot.heard(), std::move(findings)};
   };
   take({}, team_);

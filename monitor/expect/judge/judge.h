@@ -28,7 +28,7 @@ class Judge final : public SampleSink {
   [[nodiscard]] bool wants_messages(std::string_view topic) const override;
   [[nodiscard]] bool wants_fields(std::string_view topic) const override;
   [[nodiscard]] bool wants_type(std::string_view ros_type) const override;
-  void message(std::int64_t at_ns, std::string_view topic, std::uint32_t sequence) override;
+  void message(std::int64_t at_ns, std::string_view topic, const Numbered& number) override;
   void fields(std::int64_t at_ns, std::string_view topic,
               const monitor::MessageTree& message) override;
   void sample(std::int64_t at_ns, const msg::RobotState& state) override;
@@ -36,6 +36,7 @@ class Judge final : public SampleSink {
   void sample(std::int64_t at_ns, const msg::Variables& variables) override;
   void sample(std::int64_t at_ns, const msg::Score& score) override;
   void sample(std::int64_t at_ns, const msg::Program& program) override;
+  void missed(std::string_view topic, std::optional<std::uint64_t> messages) override;
   void damage(const Span& span, const std::string& why) override;
 
   /// Returns what came of the expectations between the two instants. Call it once, at the end.
@@ -48,7 +49,6 @@ class Judge final : public SampleSink {
   RobotWatch* watch(std::string_view robot);
   template <class Apply>
   void share(std::int64_t at_ns, unsigned source, const Apply& apply);
-  void settle(Finding& finding) const;
 
   const std::vector<Expectation>& expectations_;
   JudgeOptions options_;

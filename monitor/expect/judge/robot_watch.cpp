@@ -133,9 +133,14 @@ void RobotWatch::sample(const msg::Program& program) {
     if (states_.size() < kMostNames) states_.insert(state.name);
 }
 
-void RobotWatch::message(std::int64_t at_ns, std::string_view topic, std::uint32_t sequence) {
+void RobotWatch::message(std::int64_t at_ns, std::string_view topic, const Numbered& number) {
   for (const auto& entry : entries_)
-    if (entry.topic && entry.topic_name == topic) entry.topic->message(at_ns, sequence);
+    if (entry.topic && entry.topic_name == topic) entry.topic->message(at_ns, number);
+}
+
+void RobotWatch::missed(std::string_view topic, std::optional<std::uint64_t> messages) {
+  for (const auto& entry : entries_)
+    if (entry.topic && entry.topic_name == topic) entry.topic->missed(messages);
 }
 
 std::string RobotWatch::complaint_on_names(const Claim& claim) const {

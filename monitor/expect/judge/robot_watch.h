@@ -25,7 +25,8 @@ class RobotWatch {
   void sample(std::int64_t at_ns, const msg::Transition& transition);
   void sample(std::int64_t at_ns, const msg::Variables& variables);
   void sample(const msg::Program& program);
-  void message(std::int64_t at_ns, std::string_view topic, std::uint32_t sequence);
+  void message(std::int64_t at_ns, std::string_view topic, const Numbered& number);
+  void missed(std::string_view topic, std::optional<std::uint64_t> messages);
   /// What all share changes: `advance` before it does, `observe` after it did.
   void advance(std::int64_t at_ns, unsigned sources);
   void observe(std::int64_t at_ns, unsigned sources);

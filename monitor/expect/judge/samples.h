@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/wire/messages.h"
+#include "monitor/expect/judge/number_gaps.h"
 #include "monitor/expect/judge/span_list.h"
 #include "monitor/wire/message_decoder.h"
 
@@ -27,8 +29,8 @@ class SampleSink {
   /// Returns whether the messages of this type must be given to the function of that type.
   [[nodiscard]] virtual bool wants_type(std::string_view ros_type) const = 0;
 
-  /// Takes that there was a message. `sequence` is its number by its channel.
-  virtual void message(std::int64_t at_ns, std::string_view topic, std::uint32_t sequence) = 0;
+  /// Takes that there was a message.
+  virtual void message(std::int64_t at_ns, std::string_view topic, const Numbered& number) = 0;
   virtual void fields(std::int64_t at_ns, std::string_view topic,
                       const monitor::MessageTree& message) = 0;
   virtual void sample(std::int64_t at_ns, const msg::RobotState& state) = 0;
@@ -36,6 +38,9 @@ class SampleSink {
   virtual void sample(std::int64_t at_ns, const msg::Variables& variables) = 0;
   virtual void sample(std::int64_t at_ns, const msg::Score& score) = 0;
   virtual void sample(std::int64_t at_ns, const msg::Program& program) = 0;
+  /// Takes how many of a topic's messages its recorder counted as missing; nothing: it could not
+  /// count them. Call it after the topic's messages, once at most.
+  virtual void missed(std::string_view topic, std::optional<std::uint64_t> messages) = 0;
   /// Takes that messages of this time may be missing, and a sentence on why, or an empty text if it
   /// was told before. It may be called at any time.
   virtual void damage(const Span& span, const std::string& why) = 0;

@@ -29,13 +29,21 @@ void judge_number(double number, Operator op, double limit, const Span& all,
     fail(has_upper_limit(op) && number > limit ? std::nullopt : std::optional(all));
 }
 
+/// Returns whether a comparison comes out differently for numbers from one to another.
+bool differs_within(double from, double to, Operator op, double limit) {
+  if (from == to) return false;
+  const bool of_one_number = op == Operator::kEqual || op == Operator::kUnequal;
+  if (of_one_number) return from <= limit && limit <= to;
+  return holds(from, op, limit) != holds(to, op, limit);
+}
+
 class MessageCount final : public TopicMonitor {
  public:
   MessageCount(Operator op, double limit, std::optional<double> window_s)
       : op_(op), limit_(limit), window_ns_(window_s ? to_ns(*window_s) : 0) {}
 
  private:
-  void step(std::int64_t at_ns, std::uint32_t) override {
+  void step(std::int64_t at_ns) override {
     if (window_ns_ == 0) return;
     while (!times_ns_.empty() && times_ns_.front() < at_ns - window_ns_) times_ns_.pop_front();
     times_ns_.push_back(at_ns);
@@ -46,11 +54,16 @@ class MessageCount final : public TopicMonitor {
   }
   void conclude(std::int64_t end_ns, Finding& finding) override {
     const Span all{first_ns_, end_ns};
-    if (window_ns_ > 0)
+    if (window_ns_ > 0) {
       finding.needs = all;
-    else
-      judge_number(static_cast<double>(count_), op_, limit_, all, plural(count_, "message"),
-                   finding, [&](auto needs) { fail(end_ns, plural(count_, "message"), needs); });
+      return doubt_times();
+    }
+    const auto number = static_cast<double>(count_);
+    const std::string values = plural(count_, "message");
+    if (differs_within(number, number + static_cast<double>(missing()), op_, limit_))
+      return cannot_tell(values + " came, and " + missing_text());
+    judge_number(number, op_, limit_, all, values, finding,
+                 [&](auto needs) { fail(end_ns, values, needs); });
   }
 
   Operator op_;
@@ -65,16 +78,18 @@ class RateMonitor final : public TopicMonitor {
   RateMonitor(Operator op, double limit_hz) : op_(op), limit_hz_(limit_hz) {}
 
  private:
-  void step(std::int64_t, std::uint32_t) override {}
+  void step(std::int64_t) override {}
   void conclude(std::int64_t end_ns, Finding& finding) override {
     if (end_ns <= first_ns_) {
-      finding.outcome = Outcome::kCannotTell;
-      finding.reason = "the recording ends with its first message";
+      cannot_tell("the recording ends with its first message");
       return;
     }
-    const double rate_hz =
-        static_cast<double>(count_ - 1) / (static_cast<double>(end_ns - first_ns_) * 1e-9);
+    const double span_s = static_cast<double>(end_ns - first_ns_) * 1e-9;
+    const double rate_hz = static_cast<double>(count_ - 1) / span_s;
     const std::string values = "rate is " + short_number(rate_hz) + " Hz";
+    const double most_hz = static_cast<double>(count_ - 1 + missing()) / span_s;
+    if (differs_within(rate_hz, most_hz, op_, limit_hz_))
+      return cannot_tell(values + ", and " + missing_text());
     judge_number(rate_hz, op_, limit_hz_, {first_ns_, end_ns}, values, finding,
                  [&](auto needs) { fail(end_ns, values, needs); });
   }
@@ -88,7 +103,7 @@ class GapMonitor final : public TopicMonitor {
   explicit GapMonitor(double longest_s) : longest_ns_(to_ns(longest_s)) {}
 
  private:
-  void step(std::int64_t at_ns, std::uint32_t) override {
+  void step(std::int64_t at_ns) override {
     if (count_ > 1) measure(at_ns);
   }
   void measure(std::int64_t at_ns) {
@@ -98,54 +113,84 @@ class GapMonitor final : public TopicMonitor {
     if (gap_ns > longest_ns_)
       fail(newest_ns_, "nothing came for " + duration_text(gap_ns), Span{newest_ns_, at_ns});
   }
-  void conclude(std::int64_t end_ns, Finding&) override { measure(end_ns); }
+  void conclude(std::int64_t end_ns, Finding&) override {
+    measure(end_ns);
+    doubt_times();
+  }
 
   std::int64_t longest_ns_;
 };
 
-/// The messages that are missing between others, by the numbers of their channel.
+/// The messages that are missing, by their numbers and by what the recorder counted.
 class LossMonitor final : public TopicMonitor {
  public:
   LossMonitor(Operator op, double limit) : op_(op), limit_(limit) {}
 
  private:
-  void step(std::int64_t at_ns, std::uint32_t sequence) override {
-    numbered_ = numbered_ || sequence != 0;
-    if (count_ > 1 && sequence > newest_ + 1) {
-      lost_ += sequence - newest_ - 1;
-      if (has_upper_limit(op_) && !holds(static_cast<double>(lost_), op_, limit_) && !told_) {
-        told_ = true;
-        fail(at_ns, plural(lost_, "message") + " lost by then");
-      }
-    }
-    newest_ = sequence;
+  void step(std::int64_t at_ns) override {
+    const auto lost = gaps().missing();
+    const auto number = static_cast<double>(lost);
+    if (passed_ || !has_upper_limit(op_) || number < limit_ || holds(number, op_, limit_)) return;
+    passed_ = Counterexample{at_ns, plural(lost, "message") + " lost by then", std::nullopt};
   }
   void conclude(std::int64_t end_ns, Finding& finding) override {
-    if (!numbered_) {
-      finding.outcome = Outcome::kCannotTell;
-      finding.reason = "the recording does not number its messages";
-      return;
-    }
-    const std::string values = plural(lost_, "message") + " lost";
-    judge_number(static_cast<double>(lost_), op_, limit_, {first_ns_, end_ns}, values, finding,
+    if (auto reason = doubt(); !reason.empty()) return cannot_tell(std::move(reason));
+    const std::string values = plural(missing(), "message") + " lost";
+    judge_number(static_cast<double>(missing()), op_, limit_, {first_ns_, end_ns}, values, finding,
                  [&](auto needs) {
-                   if (!told_) fail(end_ns, values, needs);
+                   if (passed_ && !needs)
+                     fail(passed_->at_ns, passed_->values);
+                   else
+                     fail(end_ns, values, needs);
                  });
   }
 
   Operator op_;
   double limit_;
-  bool numbered_ = false, told_ = false;
-  std::uint32_t newest_ = 0;
-  std::uint64_t lost_ = 0;
+  std::optional<Counterexample> passed_;  ///< when the limit was passed
 };
 
 }  // namespace
 
-void TopicMonitor::message(std::int64_t at_ns, std::uint32_t sequence) {
+void TopicMonitor::message(std::int64_t at_ns, const Numbered& number) {
   if (count_++ == 0) first_ns_ = at_ns;
-  step(at_ns, sequence);
+  gaps_.note(at_ns, number);
+  step(at_ns);
   newest_ns_ = at_ns;
+}
+
+void TopicMonitor::missed(std::optional<std::uint64_t> messages) {
+  was_counted_ = true;
+  counted_ = messages;
+}
+
+std::uint64_t TopicMonitor::missing() const noexcept {
+  const std::uint64_t between = gaps_.doubt().empty() ? gaps_.missing() : 0;
+  return std::max(between, counted_.value_or(0));
+}
+
+std::string TopicMonitor::missing_text() const {
+  return plural(missing(), "message") + (missing() == 1 ? " is" : " are") + " missing";
+}
+
+void TopicMonitor::doubt_times() {
+  if (missing() == 0) return;
+  finding_.outcome = finding_.failures > 0 ? Outcome::kFails : Outcome::kHolds;
+  SpanList anywhere;
+  anywhere.add(kAnyTime);
+  const bool all_have_times = gaps_.doubt().empty() && missing() == gaps_.missing();
+  doubt_where(all_have_times ? gaps_.times() : anywhere, missing_text(), finding_);
+  if (finding_.outcome == Outcome::kCannotTell) finding_.failures = 0;
+}
+
+std::string TopicMonitor::doubt() const {
+  if (!was_counted_) return gaps_.doubt();
+  return counted_ ? "" : "its recorder could not count what is missing of it";
+}
+
+void TopicMonitor::cannot_tell(std::string reason) {
+  finding_.outcome = Outcome::kCannotTell;
+  finding_.reason = std::move(reason);
 }
 
 Finding TopicMonitor::finish(std::int64_t end_ns) {

@@ -84,8 +84,7 @@ void LiveSamples::take(Topic& topic) {
 }
 
 void LiveSamples::give(Topic& topic, const wire::Received& received, std::int64_t at_ns) {
-  constexpr std::uint32_t kUnnumbered = 0;
-  if (topic.counted) sink_.message(at_ns, topic.name, kUnnumbered);
+  if (topic.counted) sink_.message(at_ns, topic.name, {received.writer, received.sequence});
   const bool typed = !topic.decode || (typed_.*topic.decode)(at_ns, received.cdr);
   const bool fields = !topic.fields || give_fields(topic, received, at_ns);
   if (typed && fields) return;

@@ -2,6 +2,7 @@
 #include "monitor/expect/recording/channel_decoder.h"
 
 #include "core/visible_text.h"
+#include "monitor/record/channel_metadata.h"
 #include "monitor/replay/tracks.h"
 #include "monitor/schemas/message_trees.h"
 
@@ -18,7 +19,8 @@ ChannelDecoders::ChannelDecoders(const mcap::Summary& summary, SampleSink& sink)
 }
 
 void ChannelDecoders::add(const mcap::Channel& channel, const mcap::Schema& schema, bool known) {
-  Channel made{channel.topic, sink_.wants_messages(channel.topic), nullptr, std::nullopt};
+  Channel made{channel.topic, sink_.wants_messages(channel.topic),
+               !channel.metadata.contains(monitor::kSequenceGaps), nullptr, std::nullopt};
   const bool typed = sink_.wants_type(schema.name);
   if (typed && known) made.decode = TypedDecoder::function_for(schema.name);
   if (typed && !known)
@@ -44,7 +46,9 @@ bool ChannelDecoders::take(std::int64_t at_ns, const mcap::Message& message) {
   const auto found = channels_.find(message.channel_id);
   if (found == channels_.end()) return false;
   Channel& channel = found->second;
-  if (channel.counted) sink_.message(at_ns, channel.topic, message.sequence);
+  if (channel.counted)
+    sink_.message(at_ns, channel.topic,
+                  {message.channel_id, channel.numbered ? message.sequence : 0});
   const bool typed = !channel.decode || (typed_.*channel.decode)(at_ns, message.data);
   const bool fields = !channel.fields || decode_fields(channel, at_ns, message);
   return typed && fields;

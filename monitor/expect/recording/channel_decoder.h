@@ -26,7 +26,8 @@ class ChannelDecoders {
  private:
   struct Channel {
     std::string topic;
-    bool counted = false;  ///< the sink wants to know of each message
+    bool counted = false;   ///< the sink wants to know of each message
+    bool numbered = false;  ///< gaps in the numbers of its messages are missing messages
     TypedDecoder::Decode decode = nullptr;
     std::optional<monitor::MessageDecoder> fields;
   };

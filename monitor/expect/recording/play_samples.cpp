@@ -8,6 +8,7 @@
 #include "monitor/expect/recording/channel_decoder.h"
 #include "monitor/mcap/message_reader.h"
 #include "monitor/record/damage_text.h"
+#include "monitor/record/told_losses.h"
 #include "monitor/replay/report.h"
 
 namespace galilean::expect {
@@ -34,6 +35,11 @@ class Playing {
     sink_.damage({at_ns, at_ns},
                  first ? "a message of " + decoders_.topic(message.channel_id) + " is not whole"
                        : std::string());
+  }
+
+  void tell(const monitor::ToldLosses& losses) {
+    for (const auto& [topic, missed] : monitor::missing_by_topic(losses, summary_))
+      sink_.missed(topic, missed);
   }
 
   /// @param met  the damage that was met in reading
@@ -74,6 +80,7 @@ Played play_samples(const mcap::ByteSource& recording, const mcap::Summary& summ
   Playing playing(summary, sink);
   mcap::MessageReader reader(recording, summary.blocks);
   while (const mcap::Message* message = reader.next()) playing.take(*message);
+  if (const auto losses = monitor::told_losses(recording, summary)) playing.tell(*losses);
   return playing.end(reader.damages());
 }
 

@@ -10,7 +10,9 @@
 #include "core/visible_text.h"
 #include "monitor/logs/figures/topic_statistics.h"
 #include "monitor/logs/reading/undecoded.h"
+#include "monitor/record/channel_metadata.h"
 #include "monitor/record/damage_text.h"
+#include "monitor/record/told_losses.h"
 #include "monitor/wire/message_text.h"
 
 namespace galilean::logs {
@@ -76,7 +78,7 @@ class Statistics {
   /// Errors: a message has no field as asked for.
   Result<void> add(const mcap::Message& message, double at_s) {
     const std::string topic = monitor::topic_of(message.channel_id, recording_.summary());
-    topics_[topic].add(message, at_s);
+    topics_[topic].add(message, at_s, is_numbered(message.channel_id));
     if (options_.fields.empty()) return {};
     const auto tree = trees_.decode(message);
     if (!tree) return undecoded_.add(topic, tree.error().message), Result<void>();
@@ -88,6 +90,14 @@ class Statistics {
     return {};
   }
 
+  /// Takes what the recorder counted as missing of the whole recording.
+  void take(const monitor::ToldLosses& losses) {
+    const auto missing = monitor::missing_by_topic(losses, recording_.summary());
+    for (auto& [topic, statistics] : topics_)
+      if (const auto told = missing.find(visible(topic)); told != missing.end())
+        statistics.set_missing(told->second);
+  }
+
   [[nodiscard]] int print() const {
     if (options_.json)
       print_json();
@@ -97,6 +107,12 @@ class Statistics {
   }
 
  private:
+  [[nodiscard]] bool is_numbered(std::uint16_t id) const {
+    const auto found = recording_.summary().channels.find(id);
+    return found != recording_.summary().channels.end() &&
+           !found->second.metadata.contains(monitor::kSequenceGaps);
+  }
+
   void print_json() const {
     Json json{{"topics", Json::object()}, {"fields", Json::object()}};
     for (const auto& [name, statistics] : topics_) json["topics"][name] = statistics.figures();
@@ -135,6 +151,10 @@ int print_statistics(const StatsOptions& options) {
   while (const mcap::Message* message = messages.value().next())
     if (auto done = statistics.add(*message, messages.value().at_s()); !done)
       return fail_stats(done.error().message);
+  if (selection.from_s <= 0 && !selection.to_s)
+    if (const auto losses =
+            monitor::told_losses(recording.value().source(), recording.value().summary()))
+      statistics.take(*losses);
   const int undecoded = statistics.print();
   const int damaged = tell_damage(kStats, messages.value());
   if (!std::cout.flush()) return kFailed;

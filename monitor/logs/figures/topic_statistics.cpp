@@ -20,7 +20,7 @@ Json figures_of(const NumberStatistics& numbers) {
 
 }  // namespace
 
-void TopicStatistics::add(const mcap::Message& message, double at_s) {
+void TopicStatistics::add(const mcap::Message& message, double at_s, bool numbered) {
   if (messages_++ == 0)
     first_s_ = at_s;
   else
@@ -31,10 +31,21 @@ void TopicStatistics::add(const mcap::Message& message, double at_s) {
   const double delay_ns =
       static_cast<double>(message.log_ns) - static_cast<double>(message.publish_ns);
   if (message.publish_ns != 0) delay_s_.add(delay_ns * 1e-9);
-  if (message.sequence == 0) ++unnumbered_;
-  auto& newest = newest_[message.channel_id];
-  if (newest != 0 && message.sequence > newest + 1) missing_ += message.sequence - newest - 1;
-  newest = message.sequence;
+  note_number(message.channel_id, numbered ? message.sequence : 0);
+}
+
+/// Numbers that go back are those of several writers.
+void TopicStatistics::note_number(std::uint16_t channel, std::uint32_t sequence) {
+  auto& newest = newest_[channel];
+  if (sequence <= newest)
+    missing_ = std::nullopt;
+  else if (missing_ && newest != 0)
+    *missing_ += sequence - newest - 1;
+  newest = sequence;
+}
+
+void TopicStatistics::set_missing(std::optional<std::uint64_t> messages) {
+  missing_ = messages;
 }
 
 Json TopicStatistics::figures() const {
@@ -47,7 +58,7 @@ Json TopicStatistics::figures() const {
   json["gap_s"] = figures_of(gaps_s_);
   json["size_bytes"] = figures_of(size_bytes_);
   json["delay_s"] = figures_of(delay_s_);
-  json["missing"] = unnumbered_ == messages_ ? Json() : Json(missing_);
+  json["missing"] = missing_ ? Json(*missing_) : Json();
   return json;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,20 @@ namespace galilean::logs {
 /// their numbers.
 class TopicStatistics {
  public:
-  /// @param at_s  the message's time since the recording's start, without silences
-  void add(const mcap::Message& message, double at_s);
+  /// @param at_s      the message's time since the recording's start, without silences
+  /// @param numbered  whether gaps in the numbers of its channel are missing messages
+  void add(const mcap::Message& message, double at_s, bool numbered = true);
+  /// Takes how many are missing by what the recorder counted, which knows better than the numbers;
+  /// nothing: it could not count them.
+  void set_missing(std::optional<std::uint64_t> messages);
   /// Returns the figures, with null for what so few messages do not tell.
   [[nodiscard]] monitor::MessageTree figures() const;
 
  private:
-  std::uint64_t messages_ = 0, bytes_ = 0, unnumbered_ = 0, missing_ = 0;
+  void note_number(std::uint16_t channel, std::uint32_t sequence);
+
+  std::uint64_t messages_ = 0, bytes_ = 0;
+  std::optional<std::uint64_t> missing_ = 0;  ///< nothing: the numbers do not tell
   double first_s_ = 0, last_s_ = 0;
   NumberStatistics gaps_s_, size_bytes_, delay_s_;
   std::map<std::uint16_t, std::uint32_t> newest_;  ///< number of the newest, by channel

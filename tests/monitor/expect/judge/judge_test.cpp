@@ -199,19 +199,83 @@ TEST(Judge, UntilHoldsTheFirstUpToTheSecond) {
   EXPECT_EQ(other.finding(4).counterexamples.at(0).at_ns, Scene::at(1));
 }
 
-TEST(Judge, RatesGapsAndLossesOfATopic) {
-  Scene scene("io: rate of ~/state >= 9 Hz, no gaps longer than 500 ms, no losses");
+/// Messages ten times a second, of which none comes from 5 s to 6 s.
+void send_with_a_pause(Scene& scene, bool counting_on) {
   scene.state(0, "a");
-  for (std::uint32_t i = 0; i < 100; ++i) {
-    if (i >= 50 && i < 60) continue;
-    scene.judge().message(Scene::at(0.1 * i), "/io/state", i + 1);
+  std::uint64_t number = 0;
+  for (int i = 0; i < 100; ++i) {
+    const bool paused = i >= 50 && i < 60;
+    if (!paused || counting_on) ++number;
+    if (!paused) scene.judge().message(Scene::at(0.1 * i), "/io/state", {1, number});
   }
+}
+
+TEST(Judge, RatesGapsAndCountsOfATopic) {
+  Scene scene("io: rate of ~/state >= 9 Hz, no gaps longer than 500 ms, no losses");
+  send_with_a_pause(scene, false);
   const auto verdicts = scene.end(10);
   ASSERT_EQ(verdicts.size(), 3U);
   EXPECT_EQ(verdicts[0].finding.outcome, kFails);
   EXPECT_NEAR(*verdicts[0].finding.margin, -0.1, 1e-9);
   EXPECT_EQ(verdicts[1].finding.counterexamples.at(0).values, "nothing came for 1.1 s");
+  EXPECT_EQ(verdicts[2].finding.outcome, kHolds);
+}
+
+TEST(Judge, WhatMissingMessagesCouldDecideCannotBeTold) {
+  Scene scene(
+      "io: rate of ~/state >= 9 Hz, no gaps longer than 500 ms, no losses\n"
+      "io: rate of ~/state >= 20 Hz, count of messages of ~/state >= 80\n"
+      "io: count of messages of ~/state <= 95, count of messages of ~/state >= 95");
+  send_with_a_pause(scene, true);
+  const auto verdicts = scene.end(10);
+  ASSERT_EQ(verdicts.size(), 7U);
+  EXPECT_EQ(verdicts[0].finding.outcome, kCannotTell);
+  EXPECT_THAT(verdicts[0].finding.reason, HasSubstr("10 messages are missing"));
+  EXPECT_EQ(verdicts[1].finding.outcome, kCannotTell);
+  EXPECT_EQ(verdicts[2].finding.outcome, kFails);
   EXPECT_EQ(verdicts[2].finding.counterexamples.at(0).values, "10 messages lost by then");
+  EXPECT_EQ(verdicts[2].finding.counterexamples.at(0).at_ns, Scene::at(6));
+  EXPECT_EQ(verdicts[3].finding.outcome, kFails);
+  EXPECT_EQ(verdicts[4].finding.outcome, kHolds);
+  EXPECT_EQ(verdicts[5].finding.outcome, kCannotTell);
+  EXPECT_EQ(verdicts[6].finding.outcome, kCannotTell);
+}
+
+TEST(Judge, LossesAreCountedByTheNumbersOfEachWriter) {
+  Scene scene("io: no losses of /tf\nio: losses of /tf = 3");
+  scene.state(0, "a");
+  for (int i = 0; i < 10; ++i) {
+    scene.judge().message(Scene::at(i), "/tf", {1, 500U + i});
+    scene.judge().message(Scene::at(i), "/tf", {2, 1U + i + (i > 5 ? 1 : 0) + (i > 7 ? 2 : 0)});
+  }
+  const auto verdicts = scene.end(10);
+  ASSERT_EQ(verdicts.size(), 2U);
+  EXPECT_EQ(verdicts[0].finding.counterexamples.at(0).values, "1 message lost by then");
+  EXPECT_EQ(verdicts[1].finding.outcome, kHolds);
+}
+
+TEST(Judge, NumbersThatGoBackDoNotTellLosses) {
+  Scene scene("io: no losses of /tf");
+  scene.state(0, "a");
+  for (const std::uint64_t number : {1, 100, 2, 101})
+    scene.judge().message(Scene::at(1), "/tf", {1, number});
+  const auto finding = scene.finding(2);
+  EXPECT_EQ(finding.outcome, kCannotTell);
+  EXPECT_THAT(finding.reason, HasSubstr("go back"));
+}
+
+TEST(Judge, WhatTheRecorderCountedIsLostToo) {
+  const auto outcome = [](std::uint64_t first_number, std::optional<std::uint64_t> counted) {
+    Scene scene("io: no losses of /tf");
+    scene.state(0, "a");
+    scene.judge().message(Scene::at(1), "/tf", {1, first_number});
+    scene.judge().missed("/tf", counted);
+    return scene.finding(2).outcome;
+  };
+  EXPECT_EQ(outcome(7, 0), kHolds);
+  EXPECT_EQ(outcome(7, 3), kFails);
+  EXPECT_EQ(outcome(7, std::nullopt), kCannotTell);
+  EXPECT_EQ(outcome(0, 0), kHolds);  // without a number
 }
 
 TEST(Judge, DamageMakesUncertainWhatRestsOnIt) {

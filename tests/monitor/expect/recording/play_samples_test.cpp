@@ -6,6 +6,7 @@
 #include "monitor/expect/judge/judge.h"
 #include "monitor/expect/language/parser.h"
 #include "monitor/expect/report/words.h"
+#include "monitor/record/losses.h"
 #include "tests/monitor/expect/recording/recorded_team.h"
 
 namespace galilean::expect {
@@ -51,6 +52,22 @@ TEST(PlaySamples, GivesTheJudgeWhatARecordingHolds) {
             5'000'000'000);
   for (int i = 1; i < 4; ++i)
     EXPECT_EQ(judgement.verdicts[i].finding.outcome, Outcome::kHolds) << i;
+}
+
+TEST(PlaySamples, WhatTheRecorderCountedAsMissingIsLost) {
+  for (const std::uint64_t unwritten : {0, 2}) {
+    RecordedTeam team;
+    msg::RobotState state;
+    state.robot = "io";
+    for (int i = 0; i < 60; ++i) team.send(0.1 * i, "/io/state", state);
+    ASSERT_TRUE(monitor::LossLog(team.writer())
+                    .conclude({{.topic = "/io/state", .writer = "a", .unwritten = unwritten}}));
+    const auto finding = judge(team.end(), "io: no losses of /io/state").verdicts.at(0).finding;
+    EXPECT_EQ(finding.outcome, unwritten > 0 ? Outcome::kFails : Outcome::kHolds);
+    if (unwritten > 0) {
+      EXPECT_EQ(finding.counterexamples.at(0).values, "2 messages lost");
+    }
+  }
 }
 
 TEST(PlaySamples, ADamagedChunkIsNeverCountedAsHolding) {

@@ -33,6 +33,7 @@ class RecordedTeam {
     (void)writer_.write({channel(topic, Message::kRosType), ++sequence_[topic], at_ns, at_ns,
                          mcap::ByteView(bytes)});
   }
+  [[nodiscard]] mcap::Writer& writer() noexcept { return writer_; }
   /// Closes the file. Returns its bytes.
   [[nodiscard]] mcap::Bytes& end() {
     (void)writer_.end();

@@ -73,6 +73,27 @@ TEST(TopicStatistics, CountsNumbersThatAreMissing) {
   EXPECT_NEAR(figures["delay_s"]["mean"].get<double>(), 2e-6, 1e-12);
 }
 
+TEST(TopicStatistics, CountWhatIsMissingOfEachWriterByItsOwnNumbers) {
+  TopicStatistics of_two_channels, of_one;
+  for (const std::uint32_t number : {1, 2, 4}) {
+    of_two_channels.add({.channel_id = 1, .sequence = number}, number);
+    of_two_channels.add({.channel_id = 2, .sequence = number + 100}, number);
+    of_one.add({.channel_id = 1, .sequence = number}, number);
+    of_one.add({.channel_id = 1, .sequence = number + 100}, number);
+  }
+  EXPECT_EQ(of_two_channels.figures()["missing"], 2);
+  EXPECT_TRUE(of_one.figures()["missing"].is_null());
+}
+
+TEST(TopicStatistics, DoNotTellFromNumbersThatSkipWithoutALoss) {
+  TopicStatistics statistics;
+  for (const std::uint32_t number : {1, 9})
+    statistics.add({.channel_id = 1, .sequence = number}, number, false);
+  EXPECT_TRUE(statistics.figures()["missing"].is_null());
+  statistics.set_missing(3);
+  EXPECT_EQ(statistics.figures()["missing"], 3);
+}
+
 TEST(TopicStatistics, DoNotTellWhatOneMessageCannotTell) {
   TopicStatistics statistics;
   statistics.add({.channel_id = 1}, 3);

@@ -26,7 +26,7 @@ std::string before_playing(const std::string& path, const mcap::Summary& summary
   std::ostringstream out;
   out << std::fixed << std::setprecision(1);
   out << condition_text(path, summary);
-  out << path << ": " << plural(tracks.played.size(), "topic") << ", " << duration_s(summary)
+  out << path << ": " << plural(topics_played(tracks), "topic") << ", " << duration_s(summary)
       << " s, from " << iso_time(summary.statistics.start_ns) << '\n';
   if (!tracks.commands.empty())
     out << "not played: " << listed(tracks.commands) << "; a replay gives robots no commands\n";

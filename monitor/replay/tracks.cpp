@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/wire/schemas.h"
 #include "core/wire/topic_names.h"
@@ -50,6 +52,13 @@ bool is_known(const mcap::Channel& channel, const mcap::Schema& schema) {
          defines_alike(schema, *known);
 }
 
+/// A topic has a channel for each of its writers.
+void name_once(std::vector<std::string>& topics) {
+  std::ranges::sort(topics);
+  const auto [rest, end] = std::ranges::unique(topics);
+  topics.erase(rest, end);
+}
+
 }  // namespace
 
 Tracks tracks_of(const mcap::Summary& summary) {
@@ -66,9 +75,15 @@ Tracks tracks_of(const mcap::Summary& summary) {
     else
       tracks.foreign.push_back(channel.topic);
   }
-  std::ranges::sort(tracks.commands);
-  std::ranges::sort(tracks.foreign);
+  name_once(tracks.commands);
+  name_once(tracks.foreign);
   return tracks;
+}
+
+std::size_t topics_played(const Tracks& tracks) {
+  std::set<std::string_view> topics;
+  for (const auto& [id, track] : tracks.played) topics.insert(track.topic);
+  return topics.size();
 }
 
 bool is_made_by_monitor(const Track& track) {

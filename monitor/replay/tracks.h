@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ struct Tracks {
 /// Sorts a recording's channels into the three kinds. What the recorder tells of itself is in none.
 [[nodiscard]] Tracks tracks_of(const mcap::Summary& summary);
 
+/// Returns the number of topics that are sent again. Each writer of a topic has a channel.
+[[nodiscard]] std::size_t topics_played(const Tracks& tracks);
 /// Returns whether a monitor makes the topic from the robots' messages.
 [[nodiscard]] bool is_made_by_monitor(const Track& track);
 /// Returns whether several processes may write the topic at once, as ROS 2's own tools expect.

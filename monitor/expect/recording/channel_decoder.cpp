@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/expect/recording/channel_decoder.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/visible_text.h"
 #include "monitor/record/channel_metadata.h"
 #include "monitor/replay/tracks.h"
@@ -24,8 +27,8 @@ void ChannelDecoders::add(const mcap::Channel& channel, const mcap::Schema& sche
   const bool typed = sink_.wants_type(schema.name);
   if (typed && known) made.decode = TypedDecoder::function_for(schema.name);
   if (typed && !known)
-    notes_.push_back(visible(channel.topic) + " is not decoded: this release defines " +
-                     visible(schema.name) + " otherwise or not at all");
+    note(visible(channel.topic) + " is not decoded: this release defines " + visible(schema.name) +
+         " otherwise or not at all");
   if (sink_.wants_fields(channel.topic)) add_fields(channel, schema, made);
   channels_.emplace(channel.id, std::move(made));
 }
@@ -38,8 +41,13 @@ void ChannelDecoders::add_fields(const mcap::Channel& channel, const mcap::Schem
   if (type)
     to.fields.emplace(std::move(type).value());
   else
-    notes_.push_back("fields of " + visible(channel.topic) + " are not decoded: its type, " +
-                     visible(schema.name) + ", " + type.error().message);
+    note("fields of " + visible(channel.topic) + " are not decoded: its type, " +
+         visible(schema.name) + ", " + type.error().message);
+}
+
+/// A topic has a channel for each of its writers.
+void ChannelDecoders::note(std::string sentence) {
+  if (std::ranges::find(notes_, sentence) == notes_.end()) notes_.push_back(std::move(sentence));
 }
 
 bool ChannelDecoders::take(std::int64_t at_ns, const mcap::Message& message) {

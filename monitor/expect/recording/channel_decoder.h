@@ -20,7 +20,7 @@ class ChannelDecoders {
   /// channel that the summary lacks.
   [[nodiscard]] bool take(std::int64_t at_ns, const mcap::Message& message);
   [[nodiscard]] std::string topic(std::uint16_t channel) const;
-  /// Returns a sentence on each channel that the sink wants and whose type cannot be decoded.
+  /// Returns a sentence on each topic that the sink wants and whose type cannot be decoded.
   [[nodiscard]] std::vector<std::string> notes() const { return notes_; }
 
  private:
@@ -35,6 +35,7 @@ class ChannelDecoders {
   /// `known`: whether this release defines the schema in the same way.
   void add(const mcap::Channel& channel, const mcap::Schema& schema, bool known);
   void add_fields(const mcap::Channel& channel, const mcap::Schema& schema, Channel& to);
+  void note(std::string sentence);
   bool decode_fields(Channel& channel, std::int64_t at_ns, const mcap::Message& message);
 
   SampleSink& sink_;

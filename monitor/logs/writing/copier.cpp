@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "monitor/record/damage_text.h"
+#include "monitor/record/losses.h"
 
 namespace galilean::logs {
 namespace {
@@ -28,6 +29,11 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return std::filesystem::equivalent(a, b, unknown);
 }
 
+bool is_of_the_whole(const mcap::Metadata& metadata) {
+  return metadata.name == monitor::kLossesMetadata ||
+         metadata.name == monitor::kLossesBeforeMetadata;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Copier>> Copier::create(const OutputOptions& options,
@@ -44,8 +50,9 @@ Result<std::unique_ptr<Copier>> Copier::create(const OutputOptions& options,
   return Result<std::unique_ptr<Copier>>(std::move(copier));
 }
 
-Result<void> Copier::copy_extras(const Recording& from) {
+Result<void> Copier::copy_extras(const Recording& from, bool part) {
   for (const auto& metadata : from.summary().metadata) {
+    if (part && is_of_the_whole(metadata)) continue;
     if (!metadata_.emplace(metadata.name, metadata.entries).second) continue;
     if (auto done = writer_.write(metadata); !done) return done;
   }

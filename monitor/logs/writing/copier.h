@@ -29,8 +29,9 @@ class Copier {
   [[nodiscard]] static Result<std::unique_ptr<Copier>> create(
       const OutputOptions& options, const std::vector<const Recording*>& from);
 
-  /// Copies the metadata and the attachments of a recording, each once if several have it.
-  Result<void> copy_extras(const Recording& from);
+  /// Copies the metadata and the attachments of a recording, each once if several have it. Of a
+  /// part of the recording's time, it leaves out what was counted as missing of all of it.
+  Result<void> copy_extras(const Recording& from, bool part);
   /// Copies a message of a recording.
   Result<void> copy(const Recording& from, const mcap::Message& message);
   /// Closes the file, and waits until it is on the disk.

@@ -77,8 +77,9 @@ class Copying {
   }
 
   Result<void> copy() {
+    const bool part = options_.selection.from_s > 0 || options_.selection.to_s;
     for (const auto& source : sources_)
-      if (auto done = copier_->copy_extras(*source.recording); !done) return done;
+      if (auto done = copier_->copy_extras(*source.recording, part); !done) return done;
     for (auto& source : sources_) source.next = source.messages.next();
     while (CopySource* source = earliest()) {
       if (auto done = take(*source); !done) return done;

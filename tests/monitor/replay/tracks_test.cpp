@@ -74,6 +74,19 @@ TEST(Tracks, DefinitionsInTheLanguageOfMessageFilesAreKnownToo) {
   EXPECT_EQ(tracks.foreign, std::vector<std::string>{"/io/variables"});
 }
 
+TEST(Tracks, ATopicOfSeveralWritersIsNamedOnce) {
+  const auto tracks = tracks_of(recording_with({{"/io/state", "galilean_msgs/msg/RobotState"},
+                                                {"/io/state", "galilean_msgs/msg/RobotState"},
+                                                {"/team/command", "galilean_msgs/msg/Command"},
+                                                {"/team/command", "galilean_msgs/msg/Command"},
+                                                {"/scan", "sensor_msgs/msg/LaserScan"},
+                                                {"/scan", "sensor_msgs/msg/LaserScan"}}));
+  EXPECT_EQ(tracks.played.size(), 2u);  // of which each keeps for late joiners what its writer did
+  EXPECT_EQ(topics_played(tracks), 1u);
+  EXPECT_EQ(tracks.commands, std::vector<std::string>{"/team/command"});
+  EXPECT_EQ(tracks.foreign, std::vector<std::string>{"/scan"});
+}
+
 TEST(Tracks, WhatTheRecorderTellsOfItselfIsNoTopicOfTheTeam) {
   auto recording = recording_with({{"/recorder/losses", "galilean.Losses"}});
   EXPECT_TRUE(tracks_of(recording).foreign.empty());

@@ -5,6 +5,7 @@
 
 #include "monitor/logs/reading/attachments.h"
 #include "monitor/mcap/crc32.h"
+#include "monitor/record/losses.h"
 #include "tests/monitor/logs/logged_team.h"
 
 namespace galilean::logs {
@@ -49,6 +50,25 @@ TEST_F(CopiesTest, ASliceIsAPartOfTheMessages) {
   });
   EXPECT_EQ(expected.size(), 11U);
   EXPECT_EQ(contents_of(path("slice.mcap")), expected);
+}
+
+TEST_F(CopiesTest, ASliceLeavesOutWhatWasCountedAsMissingOfAll) {
+  expect::RecordedTeam team;
+  for (int i = 0; i < 10; ++i) team.send(i, "/io/state", msg::RobotState{});
+  ASSERT_TRUE(team.writer().write(mcap::Metadata{"who", {{"robot", "io"}}}));
+  ASSERT_TRUE(monitor::LossLog(team.writer()).conclude({{.topic = "/io/state", .lost = 5}}));
+  write("lossy.mcap", team.end());
+  const auto metadata_after = [&](Selection selection) {
+    (void)copy("slice", {.files = {"lossy.mcap"},
+                         .selection = std::move(selection),
+                         .output = {.path = "slice.mcap", .replace = true}});
+    std::vector<std::string> names;
+    const auto slice = Recording::open(path("slice.mcap"));
+    for (const auto& metadata : slice.value().summary().metadata) names.push_back(metadata.name);
+    return names;
+  };
+  EXPECT_THAT(metadata_after({.topics = {"/io/state"}}), testing::ElementsAre("who", "losses"));
+  EXPECT_THAT(metadata_after({.from_s = 4}), testing::ElementsAre("who"));
 }
 
 TEST_F(CopiesTest, ASliceMayBeginWithTheStatesOfItsStart) {

@@ -2,6 +2,7 @@
 #include "monitor/expect/judge/robot_watch.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
@@ -24,6 +25,15 @@ std::string unknown_name(const std::string& robot, std::string_view kind, const 
   const auto hint = bhdl::did_you_mean(meant_name(name, names));
   return robot + " has no " + std::string(kind) + " " + bhdl::in_quotes(name) +
          (hint.text.empty() ? "" : "; " + hint.text);
+}
+
+bool asks_for_states(const Claim& claim) {
+  bool asks = false;
+  for_each_condition(claim, [&](const Condition& condition) {
+    const auto* name = std::get_if<NameIs>(&condition.kind);
+    asks = asks || (name && name->what == NameIs::What::kState);
+  });
+  return asks;
 }
 
 }  // namespace
@@ -63,12 +73,14 @@ void RobotWatch::sample(std::int64_t at_ns, const msg::RobotState& state) {
   if (first)
     begin(state);
   else if (state.tick < newest_tick_)
-    restart(state);
+    restart();
   newest_tick_ = state.tick;
   belief_.state.set(at_ns, state);
   if (state.transitions >= belief_.transitions) {
+    if (!first) note_number(at_ns, state.transitions);
     belief_.current_state = state.state;
     belief_.transitions = state.transitions;
+    numbered_ns_ = at_ns;
   }
   observe(at_ns, kState);
   if (!first) return;
@@ -81,11 +93,17 @@ void RobotWatch::begin(const msg::RobotState& state) {
   first_number_ = state.transitions;
 }
 
-void RobotWatch::restart(const msg::RobotState& state) {
+void RobotWatch::restart() {
   lost_ = lost_transitions();
   delivered_ = 0;
   first_number_ = 0;
-  belief_.transitions = state.transitions;
+  missed_states_.restart();
+  belief_.transitions = 0;
+}
+
+/// Takes that the robot has come to this transition since the one that was known last.
+void RobotWatch::note_number(std::int64_t at_ns, std::uint64_t transition) {
+  missed_states_.pass(belief_.transitions, transition, {numbered_ns_, at_ns});
 }
 
 void RobotWatch::sample(std::int64_t at_ns, const msg::Transition& transition) {
@@ -104,9 +122,22 @@ void RobotWatch::deliver(std::int64_t at_ns, const msg::Transition& transition) 
   advance(at_ns, kAffected);
   if (transition.number > first_number_) ++delivered_;
   if (transition.number > belief_.transitions) {
+    note_number(at_ns, transition.number);
     belief_.transitions = transition.number;
     belief_.current_state = transition.to_state;
+    numbered_ns_ = at_ns;
+    return show(at_ns, transition);
   }
+  if (!missed_states_.find(transition.number)) return show(at_ns, transition);
+  // It is told after a later state, but the robot was in its state before that one.
+  const auto newest = std::exchange(belief_.current_state, transition.to_state);
+  show(at_ns, transition);
+  belief_.current_state = newest;
+  observe(at_ns, kTransitions);
+}
+
+/// Has the claims see a transition, and then that it is over.
+void RobotWatch::show(std::int64_t at_ns, const msg::Transition& transition) {
   belief_.event = &transition;
   observe(at_ns, kTransitions);
   belief_.event = nullptr;
@@ -165,6 +196,9 @@ void RobotWatch::settle(const Claim& claim, Finding& finding) const {
     return doubt(belief_.robot + " was never heard");
   if (auto complaint = complaint_on_names(claim); !complaint.empty())
     return doubt(std::move(complaint));
+  if (asks_for_states(claim))
+    doubt_where(missed_states_.times(),
+                belief_.robot + " was in states then that the recording does not tell", finding);
   const auto lost = lost_transitions();
   bool of_transitions = false;
   for_each_condition(claim, [&](const Condition& condition) {

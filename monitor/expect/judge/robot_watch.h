@@ -6,6 +6,7 @@
 #include <set>
 
 #include "monitor/expect/judge/claim_watch.h"
+#include "monitor/expect/judge/missed_states.h"
 #include "monitor/expect/judge/topic_monitors.h"
 
 namespace galilean::expect {
@@ -44,8 +45,10 @@ class RobotWatch {
   };
 
   void begin(const msg::RobotState& state);
-  void restart(const msg::RobotState& state);
+  void restart();
+  void note_number(std::int64_t at_ns, std::uint64_t transition);
   void deliver(std::int64_t at_ns, const msg::Transition& transition);
+  void show(std::int64_t at_ns, const msg::Transition& transition);
   [[nodiscard]] bool happened_before(const msg::Transition& transition) const;
   [[nodiscard]] std::uint64_t lost_transitions() const noexcept;
   [[nodiscard]] std::string complaint_on_names(const Claim& claim) const;
@@ -56,6 +59,8 @@ class RobotWatch {
   std::deque<msg::Transition> waiting_;  ///< that came before the first state
   std::int64_t first_stamp_ns_ = 0;      ///< of the first state, by the robot's clock
   std::uint64_t first_number_ = 0, delivered_ = 0, lost_ = 0, newest_tick_ = 0;
+  MissedStates missed_states_;
+  std::int64_t numbered_ns_ = 0;  ///< when `belief_.transitions` was told, or told again
   std::set<std::string> states_, variables_;  ///< that its programs have
 };
 

@@ -199,6 +199,43 @@ TEST(Judge, UntilHoldsTheFirstUpToTheSecond) {
   EXPECT_EQ(other.finding(4).counterexamples.at(0).at_ns, Scene::at(1));
 }
 
+constexpr const char* kOfPassedStates =
+    "io: never state is \"b\"\n"
+    "io: eventually state is \"c\"\n"
+    "io: always tick overruns = 0";
+
+/// A robot that passes two transitions between two states, of which the second is "c".
+void pass_two_transitions(Scene& scene) {
+  scene.states(0, 2, "a");
+  ++scene.robot().transitions;
+  scene.states(2, 4, "c");
+}
+
+TEST(Judge, AStateThatPassedUntoldCannotBeExcluded) {
+  Scene scene(kOfPassedStates);
+  pass_two_transitions(scene);
+  const auto verdicts = scene.end(4);
+  ASSERT_EQ(verdicts.size(), 3U);
+  EXPECT_EQ(verdicts[0].finding.outcome, kCannotTell);
+  EXPECT_EQ(verdicts[1].finding.outcome, kHolds);
+  EXPECT_EQ(verdicts[2].finding.outcome, kHolds);
+}
+
+TEST(Judge, ATransitionThatComesAfterALaterStateStillTellsItsOwn) {
+  for (const std::string passed : {"b", "d"}) {
+    Scene scene(kOfPassedStates);
+    pass_two_transitions(scene);
+    msg::Transition late;
+    late.stamp = wire::ros_time(Scene::at(1.95));
+    late.robot = "io";
+    late.number = 1;
+    late.from_state = "a";
+    late.to_state = passed;
+    scene.judge().sample(Scene::at(3.95), late);
+    EXPECT_EQ(scene.end(4).at(0).finding.outcome, passed == "b" ? kFails : kHolds);
+  }
+}
+
 /// Messages ten times a second, of which none comes from 5 s to 6 s.
 void send_with_a_pause(Scene& scene, bool counting_on) {
   scene.state(0, "a");

@@ -72,7 +72,8 @@ void add_what(CommandLine& app, RecordingOptions& options, Words& words) {
       .show_default();
   app.flag("--no-images", words.no_images, "The same as --pictures none");
   app.option("--picture-rate", size_into(options.picture_bytes_per_s),
-             "Leave pictures out beyond this many bytes a second, such as 2MB");
+             "Leave pictures out beyond this many bytes a second, such as 2MB; 0: leave out none")
+      .describe_default("200kB");
   app.option("--schema", words.schema,
              "How the recording defines its messages: as .msg files do, which PlotJuggler and ROS "
              "2 read, or in IDL")
@@ -87,9 +88,9 @@ void add_where(CommandLine& app, RecordingOptions& options, Words& words) {
       .names_file(".mcap");
   app.flag("--replace", options.plan.replace, "Overwrite files that exist");
   app.option("--compression", words.compression,
-             "How chunks are compressed by zstd: not at all, fast, or small, which takes several "
-             "times as long")
-      .one_of({"none", "fast", "small"})
+             "How chunks are compressed: not at all, fast by zstd, small by zstd, which takes "
+             "several times as long, or by LZ4")
+      .one_of({"none", "fast", "small", "lz4"})
       .show_default();
   app.option("--split-size", size_into(options.plan.split_bytes),
              "Write run_0.mcap, and go on in run_1.mcap whenever a file has this size, such as "
@@ -122,6 +123,7 @@ void take_words(RecordingOptions& options, const Words& words) {
   if (words.schema == "ros2idl") options.language = SchemaLanguage::kIdl;
   if (words.compression == "none") options.plan.compression = mcap::Compression::kNone;
   if (words.compression == "small") options.plan.compression = mcap::Compression::kSmall;
+  if (words.compression == "lz4") options.plan.compression = mcap::Compression::kLz4;
   if (words.pictures == "camera") options.selection.pictures = Pictures::kCamera;
   if (words.pictures == "none" || words.no_images) options.selection.pictures = Pictures::kNone;
   options.plan.split_span = from_seconds(std::min(words.split_duration_s, kLongest_s));

@@ -15,7 +15,8 @@ struct RecordingOptions {
   FilePlan plan;
   Selection selection;
   SchemaLanguage language = SchemaLanguage::kMessage;
-  std::uint64_t picture_bytes_per_s = 0;  ///< 0: without a limit
+  /// 0: without a limit. With the default, three robots make less than a gigabyte an hour.
+  std::uint64_t picture_bytes_per_s = 200'000;
   std::uint64_t min_free_bytes = 500'000'000;
   double duration_s = 0;  ///< 0: until termination is asked for
   int domain = -1;        ///< -1: as ROS_DOMAIN_ID says

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// galilean-log info|cat|csv|stats|plot|verify|diff|slice|merge|convert reads recordings.
+// galilean-log info|cat|csv|stats|plot|verify|diff|slice|merge|recover|convert reads recordings.
 #include <iostream>
 
 #include "monitor/logs/log_options.h"
@@ -20,7 +20,7 @@ struct Options {
   PlotOptions plot;
   VerifyOptions verify;
   DiffOptions diff;
-  CopyOptions slice, merge, convert;
+  CopyOptions slice, merge, recover, convert;
 };
 
 int fail(const std::string& sentence) {
@@ -64,6 +64,7 @@ int main(int argc, char** argv) {
   const auto diff = add_diff(app, options.diff);
   const auto slice = add_slice(app, options.slice);
   const auto merge = add_merge(app, options.merge);
+  const auto recover = add_recover(app, options.recover);
   const auto convert = add_convert(app, options.convert);
   if (const auto code = app.parse(argc, argv)) return *code;
   return guarded([&] {
@@ -76,6 +77,7 @@ int main(int argc, char** argv) {
     if (diff.chosen()) return print_difference(options.diff);
     if (slice.chosen()) return copy_recordings("slice", options.slice);
     if (merge.chosen()) return copy_recordings("merge", options.merge);
+    if (recover.chosen()) return copy_recordings("recover", options.recover);
     return convert.chosen() ? copy_recordings("convert", options.convert) : kWrongUsage;
   });
 }

@@ -166,6 +166,16 @@ CommandLine add_merge(CommandLine& app, CopyOptions& options) {
   return command;
 }
 
+CommandLine add_recover(CommandLine& app, CopyOptions& options) {
+  auto command = app.command(
+      "recover", "Write what can be read of a damaged recording to another, which is whole");
+  command.option("file", options.files, kFileHelp).required().takes(1, 1).names_file(".mcap");
+  add_output(command, options.output);
+  command.describe_exit(kFailed, "Nothing can be read, or the other could not be written.");
+  options.read_again = true;
+  return command;
+}
+
 CommandLine add_convert(CommandLine& app, CopyOptions& options) {
   constexpr int kMostKilobytes = 65536;
   auto command = app.command(

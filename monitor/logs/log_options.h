@@ -31,6 +31,7 @@ struct InfoOptions {
 [[nodiscard]] CommandLine add_diff(CommandLine& app, DiffOptions& options);
 [[nodiscard]] CommandLine add_slice(CommandLine& app, CopyOptions& options);
 [[nodiscard]] CommandLine add_merge(CommandLine& app, CopyOptions& options);
+[[nodiscard]] CommandLine add_recover(CommandLine& app, CopyOptions& options);
 [[nodiscard]] CommandLine add_convert(CommandLine& app, CopyOptions& options);
 
 }  // namespace galilean::logs

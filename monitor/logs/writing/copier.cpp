@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "monitor/logs/reading/attachments.h"
 #include "monitor/record/damage_text.h"
 #include "monitor/record/losses.h"
 
@@ -59,6 +60,10 @@ Result<void> Copier::copy_extras(const Recording& from, bool part) {
   for (const auto& attachment : from.summary().attachments) {
     const std::tuple key(attachment.name, attachment.log_ns, attachment.data_bytes);
     if (!attachments_.insert(key).second) continue;
+    if (!is_whole(from.source(), attachment)) {
+      broken_attachments_.push_back(attachment.name);
+      continue;
+    }
     if (auto done = writer_.write(attachment, from.source()); !done) return done;
   }
   return {};

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "monitor/logs/reading/recording.h"
 #include "monitor/mcap/mcap_writer.h"
@@ -30,13 +31,18 @@ class Copier {
       const OutputOptions& options, const std::vector<const Recording*>& from);
 
   /// Copies the metadata and the attachments of a recording, each once if several have it. Of a
-  /// part of the recording's time, it leaves out what was counted as missing of all of it.
+  /// part of the recording's time, it leaves out what was counted as missing of all of it. It
+  /// leaves out attachments that are not whole, too.
   Result<void> copy_extras(const Recording& from, bool part);
   /// Copies a message of a recording.
   Result<void> copy(const Recording& from, const mcap::Message& message);
   /// Closes the file, and waits until it is on the disk.
   Result<void> finish();
   [[nodiscard]] const mcap::Statistics& statistics() const noexcept { return writer_.statistics(); }
+  /// Returns the names of the attachments that were left out.
+  [[nodiscard]] const std::vector<std::string>& broken_attachments() const noexcept {
+    return broken_attachments_;
+  }
   [[nodiscard]] std::uint64_t bytes() const noexcept { return writer_.bytes_written(); }
 
  private:
@@ -54,6 +60,7 @@ class Copier {
   std::map<std::tuple<std::string, std::string, std::string>, std::uint16_t> schemas_;
   std::set<std::pair<std::string, mcap::Text>> metadata_;
   std::set<std::tuple<std::string, std::uint64_t, std::uint64_t>> attachments_;
+  std::vector<std::string> broken_attachments_;
 };
 
 }  // namespace galilean::logs

@@ -8,6 +8,7 @@
 
 #include "core/command_line/exit_code.h"
 #include "core/plural.h"
+#include "core/visible_text.h"
 #include "monitor/replay/late_joiner.h"
 
 namespace galilean::logs {
@@ -42,9 +43,13 @@ class Copying {
     done = copy();
     if (!done) return fail(done.error().message + "; what was written until then can be read");
     tell();
-    int code = 0;
+    int code = tell_broken_attachments();
     for (const auto& source : sources_)
       code = std::max(code, tell_damage(program_, source.messages));
+    if (!options_.read_again) return code;
+    if (code != 0 && copier_->statistics().messages == 0)
+      return fail("nothing of it can be read that is a message");
+    if (done = read_again(); !done) return fail(done.error().message);
     return code;
   }
 
@@ -114,6 +119,23 @@ class Copying {
       if (done) done = copier_->copy(*sources_.front().recording, message);
     });
     return done;
+  }
+
+  int tell_broken_attachments() const {
+    for (const auto& name : copier_->broken_attachments())
+      std::cerr << program_ << ": the attachment '" << visible(name)
+                << "' is damaged and was left out\n";
+    return copier_->broken_attachments().empty() ? 0 : kIncomplete;
+  }
+
+  /// Errors: what was written is not whole.
+  Result<void> read_again() const {
+    const auto written = Recording::open(options_.output.path, mcap::Depth::kAll);
+    if (!written) return written.error();
+    const auto& summary = written.value().summary();
+    if (summary.recovered() || summary.statistics.messages != copier_->statistics().messages)
+      return Error{options_.output.path + " is not what was written; look after the disk"};
+    return {};
   }
 
   void tell() const {

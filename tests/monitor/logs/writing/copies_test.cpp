@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <span>
+
 #include "monitor/logs/reading/attachments.h"
 #include "monitor/mcap/crc32.h"
 #include "monitor/record/losses.h"
@@ -12,6 +15,27 @@ namespace galilean::logs {
 namespace {
 
 using testing::HasSubstr;
+
+/// A recording with metadata and an attachment of 3 MB, written record by record.
+mcap::Bytes with_extras() {
+  mcap::Bytes bytes(std::begin(mcap::kMagic), std::end(mcap::kMagic));
+  mcap::append(bytes, mcap::Header{"ros2", "test"});
+  mcap::append(bytes, mcap::Metadata{"who", {{"name", "io"}}});
+  const auto at = bytes.size();
+  mcap::append_head(bytes, {.log_ns = 5,
+                            .create_ns = 4,
+                            .name = "a.bhdl",
+                            .media_type = "text/plain",
+                            .data_bytes = 3'000'000});
+  for (int i = 0; i < 3'000'000; ++i)
+    bytes.push_back(static_cast<std::uint8_t>((i % 256) * (i % 256)));
+  const auto crc = mcap::crc32(mcap::ByteView(bytes).subspan(at + mcap::kRecordHead));
+  for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(crc >> (8 * i)));
+  mcap::append(bytes, mcap::DataEnd{});
+  mcap::append(bytes, mcap::Footer{});
+  bytes.insert(bytes.end(), std::begin(mcap::kMagic), std::end(mcap::kMagic));
+  return bytes;
+}
 
 class CopiesTest : public LoggedTeam {
  protected:
@@ -124,25 +148,59 @@ TEST_F(CopiesTest, ADamagedRecordingIsCopiedAsFarAsItCanBeRead) {
   EXPECT_EQ(contents_of(path("mended.mcap")).size(), 100U);
 }
 
-/// A recording with metadata and an attachment of 3 MB, written record by record.
-mcap::Bytes with_extras() {
-  mcap::Bytes bytes(std::begin(mcap::kMagic), std::end(mcap::kMagic));
-  mcap::append(bytes, mcap::Header{"ros2", "test"});
-  mcap::append(bytes, mcap::Metadata{"who", {{"name", "io"}}});
-  const auto at = bytes.size();
-  mcap::append_head(bytes, {.log_ns = 5,
-                            .create_ns = 4,
-                            .name = "a.bhdl",
-                            .media_type = "text/plain",
-                            .data_bytes = 3'000'000});
-  for (int i = 0; i < 3'000'000; ++i)
-    bytes.push_back(static_cast<std::uint8_t>((i % 256) * (i % 256)));
-  const auto crc = mcap::crc32(mcap::ByteView(bytes).subspan(at + mcap::kRecordHead));
-  for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(crc >> (8 * i)));
-  mcap::append(bytes, mcap::DataEnd{});
-  mcap::append(bytes, mcap::Footer{});
-  bytes.insert(bytes.end(), std::begin(mcap::kMagic), std::end(mcap::kMagic));
-  return bytes;
+TEST_F(CopiesTest, WhatIsRecoveredIsWholeAndSaysWhatIsNot) {
+  const auto whole = six_seconds();
+  const auto all = contents_of(path("run.mcap"));
+  for (std::size_t bytes = 0; bytes < whole.size(); bytes += whole.size() / 200) {
+    write("cut.mcap", {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(bytes)});
+    const auto answer = copy("recover", {.files = {"cut.mcap"},
+                                         .output = {.path = "mended.mcap", .replace = true},
+                                         .read_again = true});
+    ASSERT_TRUE(answer.code == 1 || answer.code == 3) << bytes << ": " << answer.errors;
+    EXPECT_NE(answer.errors, "") << bytes;
+    if (answer.code == 1) continue;
+    const auto mended = contents_of(path("mended.mcap"));
+    ASSERT_FALSE(mended.empty()) << bytes;
+    EXPECT_TRUE(std::ranges::equal(mended, std::span(all).first(mended.size()))) << bytes;
+  }
+}
+
+TEST_F(CopiesTest, AFlippedBitNeverMakesAWrongRecordingOfARightOne) {
+  const auto whole = six_seconds();
+  const auto all = contents_of(path("run.mcap"));
+  for (std::size_t at = 0; at < whole.size(); at += whole.size() / 200) {
+    auto bytes = whole;
+    bytes[at] ^= 0x10;
+    write("flipped.mcap", bytes);
+    const auto answer = copy("recover", {.files = {"flipped.mcap"},
+                                         .output = {.path = "mended.mcap", .replace = true},
+                                         .read_again = true});
+    if (answer.code == 1) continue;
+    const auto mended = contents_of(path("mended.mcap"));
+    EXPECT_TRUE(answer.code == 3 || mended.size() == all.size()) << at << ": " << answer.errors;
+    for (const auto& message : mended) ASSERT_NE(std::ranges::find(all, message), all.end()) << at;
+  }
+}
+
+TEST_F(CopiesTest, NothingToRecoverIsAFailure) {
+  for (const mcap::Bytes& bytes : {mcap::Bytes{}, mcap::Bytes(5000, 7)}) {
+    write("foreign.mcap", bytes);
+    EXPECT_EQ(
+        copy("recover",
+             {.files = {"foreign.mcap"}, .output = {.path = "mended.mcap"}, .read_again = true})
+            .code,
+        1);
+  }
+}
+
+TEST_F(CopiesTest, ADamagedAttachmentIsLeftOutAndNamed) {
+  auto bytes = with_extras();
+  bytes[bytes.size() / 2] ^= 1;
+  write("extra.mcap", bytes);
+  const auto answer = copy("convert", {.files = {"extra.mcap"}, .output = {.path = "mended.mcap"}});
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_THAT(answer.errors, HasSubstr("'a.bhdl' is damaged and was left out"));
+  EXPECT_TRUE(Recording::open(path("mended.mcap")).value().summary().attachments.empty());
 }
 
 TEST_F(CopiesTest, MetadataAndAttachmentsAreCopiedOnce) {

@@ -25,6 +25,7 @@ struct Options {
   std::string format = "text";
   std::string junit;
   double silence_s = 2;
+  bool syntax = false;  ///< only read the expectations
   bool live = false;
   std::optional<double> for_s;  ///< live: nothing for "until termination is asked for"
   int domain = -1;
@@ -88,6 +89,7 @@ int tell(const Options& options, const Judgement& judgement) {
 int run(const Options& options) try {
   const auto parsed = parse_files(options.expectations);
   if (!parsed.ok()) return print(parsed.diagnostics, options), kFailed;
+  if (options.syntax) return 0;
   Judge judge(parsed.expectations, {.silence = from_seconds(options.silence_s)});
   auto played = options.live ? hear_team(options, judge) : read_recording(options, judge);
   if (!played) return fail(played.error().message);
@@ -119,6 +121,9 @@ void add_live_options(CommandLine& app, Options& options) {
 /// Returns what is wrong with the options together; empty if nothing is.
 std::string contradiction(const Options& options) {
   if (std::isnan(options.silence_s)) return "--silence nan is no number of seconds";
+  if (options.syntax && (options.live || !options.recording.empty()))
+    return "--syntax judges nothing: give neither a recording nor --live.";
+  if (options.syntax) return {};
   if (options.live && !options.recording.empty())
     return "Give a recording or --live, and not both.";
   if (!options.live && options.recording.empty())
@@ -142,6 +147,7 @@ int main(int argc, char** argv) {
       .show_default();
   app.option("--junit", options.junit, "Also write the report as JUnit's XML to this file")
       .names_file(".xml");
+  app.flag("--syntax", options.syntax, "Only read the expectations, and tell their mistakes");
   app.option("--silence", options.silence_s,
              "After how many seconds without a message a robot's state and variables are unknown")
       .between(0.001, 1e6)

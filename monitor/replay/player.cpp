@@ -21,6 +21,11 @@ std::vector<mcap::Damage> Player::play(const mcap::ByteSource& recording,
 
 void Player::meet(const mcap::Message& message) {
   time_.move_to(message.log_ns);
+  if (pace_.until && time_.position_ns() > static_cast<std::uint64_t>(pace_.until->count())) {
+    if (!kept_.empty()) tell_kept();
+    playing_ = false;
+    return;
+  }
   const auto track = tracks_.find(message.channel_id);
   if (track == tracks_.end()) return;
   if (time_.position_ns() < static_cast<std::uint64_t>(pace_.from.count()))

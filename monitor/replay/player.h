@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "core/clock.h"
 #include "monitor/mcap/mcap_reader.h"
@@ -10,10 +11,11 @@
 
 namespace galilean::monitor {
 
-/// The speed and the start of a replay.
+/// The speed, the start and the end of a replay.
 struct Pace {
   double rate = 1;  ///< 2 is twice as fast as recorded
   Duration from{};  ///< time since the recording's start at which the replay begins
+  std::optional<Duration> until = std::nullopt;  ///< and at which it ends
 };
 
 /// Sends a recording's messages again in the order of their log times, with the intervals in which

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "core/wire/discovery.h"
 #include "monitor/record/damage_text.h"
 #include "monitor/record/log_info.h"
+#include "monitor/replay/choice.h"
 #include "monitor/replay/player.h"
 #include "monitor/replay/report.h"
 #include "monitor/replay/stage.h"
@@ -27,11 +29,15 @@ using namespace galilean::monitor;
 /// The time for DDS' discovery in both directions.
 constexpr auto kAcquaintance = std::chrono::milliseconds(800);
 constexpr auto kLookEach = std::chrono::milliseconds(500);
+/// Thirty years, which a Duration can hold.
+constexpr double kLongest_s = 1e9;
 
 struct Options {
   std::string file;
   double rate = 1;
   double from_s = 0;
+  std::optional<double> until_s;
+  Choice choice;
   bool loop = false;
   bool anyway = false;
   int domain = -1;
@@ -84,11 +90,11 @@ class Waiting {
 class Replay {
  public:
   Replay(const Options& options, const mcap::ByteSource& recording, const mcap::Summary& summary,
-         Termination& termination)
+         Tracks tracks, Termination& termination)
       : options_(options),
         recording_(recording),
         summary_(summary),
-        tracks_(tracks_of(summary)),
+        tracks_(std::move(tracks)),
         waiting_(clock_, termination) {}
 
   int run() {
@@ -122,7 +128,7 @@ class Replay {
     if (!waiting_.until(clock_.now() + kAcquaintance)) return false;
     bool to_its_end = true;
     Player player(
-        tracks_.played, {options_.rate, from_seconds(options_.from_s)}, clock_,
+        tracks_.played, pace(), clock_,
         [&](std::uint16_t channel, mcap::ByteView cdr) { stage.send(channel, cdr); },
         [&](Time due) { return to_its_end = waiting_.until(due, [&] { stage.look(); }); });
     const Time began = clock_.now();
@@ -134,6 +140,12 @@ class Replay {
       std::cerr << "galilean-replay: could not send " << plural(stage.lost(), "message")
                 << "; a message is left out if it is damaged or DDS does not take it in time\n";
     return to_its_end;
+  }
+
+  [[nodiscard]] Pace pace() const {
+    Pace pace{options_.rate, from_seconds(options_.from_s)};
+    if (options_.until_s) pace.until = from_seconds(std::min(*options_.until_s, kLongest_s));
+    return pace;
   }
 
   /// Says what the replay left out, as far as it was not said before it began.
@@ -167,12 +179,14 @@ int run(const Options& options) try {
   if (!file) return fail(file.error().message);
   const auto summary = mcap::summarize(file.value());
   if (!summary) return fail(options.file + " " + summary.error().message);
-  if (tracks_of(summary.value()).played.empty())
-    return fail(options.file + " has no topic that can be played");
+  auto tracks = tracks_of(summary.value());
+  if (tracks.played.empty()) return fail(options.file + " has no topic that can be played");
+  if (const auto chosen = choose(options.choice, tracks); !chosen)
+    return fail(options.file + ": " + chosen.error().message);
   if (options.from_s > duration_s(summary.value()))
     return fail("--from " + seconds(options.from_s) + " is behind the end of " + options.file +
                 ", which lasts " + seconds(duration_s(summary.value())));
-  return Replay(options, file.value(), summary.value(), termination).run();
+  return Replay(options, file.value(), summary.value(), std::move(tracks), termination).run();
 } catch (const std::exception& error) {
   return fail(error.what());
 }
@@ -190,6 +204,18 @@ int main(int argc, char** argv) {
       .between(0.01, 100.0);
   app.option("--from", options.from_s, "Where to begin, in seconds from the start of the recording")
       .not_negative();
+  app.option("--until", options.until_s, "Where to end, in seconds from the start of the recording")
+      .positive();
+  app.option("--topic", options.choice.topics, "Play only these topics, such as io/state");
+  app.options(
+      "--remap",
+      [&options](const std::string& text) -> Result<void> {
+        auto renamed = read_renamed(text);
+        if (!renamed) return renamed.error();
+        options.choice.renamed.push_back(std::move(renamed).value());
+        return {};
+      },
+      "Play a topic under another name: /io/state:=/europa/state");
   app.flag("--loop", options.loop, "Begin again at the end, until Ctrl-C");
   app.flag("--anyway", options.anyway,
            "Play even if live robots in the domain have the same names");
@@ -197,5 +223,7 @@ int main(int argc, char** argv) {
   app.describe_exit(kIncomplete,
                     "A part of the recording is damaged or missing; the rest was played.");
   if (const auto code = app.parse(argc, argv)) return *code;
+  if (options.until_s && *options.until_s <= options.from_s)
+    return app.refuse("--until must be behind --from");
   return run(options);
 }

@@ -13,6 +13,7 @@
 #include "core/wire/topic_names.h"
 #include "core/wire/types/message_definition.h"
 #include "core/wire/types/own_types.h"
+#include "monitor/record/channel_metadata.h"
 #include "monitor/record/losses.h"
 
 namespace galilean::monitor {
@@ -52,6 +53,13 @@ bool is_known(const mcap::Channel& channel, const mcap::Schema& schema) {
          defines_alike(schema, *known);
 }
 
+/// What others recorded tells no sender: then a channel is one.
+std::string sender_of(const mcap::Channel& channel) {
+  const auto process = channel.metadata.find(kChannelProcess);
+  return process != channel.metadata.end() ? process->second
+                                           : "channel " + std::to_string(channel.id);
+}
+
 /// A topic has a channel for each of its writers.
 void name_once(std::vector<std::string>& topics) {
   std::ranges::sort(topics);
@@ -71,7 +79,7 @@ Tracks tracks_of(const mcap::Summary& summary) {
     if (delivery == wire::Delivery::kCommand)
       tracks.commands.push_back(channel.topic);
     else if (schema != summary.schemas.end() && is_known(channel, schema->second))
-      tracks.played[id] = {"rt" + channel.topic, type, delivery};
+      tracks.played[id] = {"rt" + channel.topic, type, delivery, sender_of(channel)};
     else
       tracks.foreign.push_back(channel.topic);
   }

@@ -16,6 +16,9 @@ struct Track {
   std::string topic;     ///< DDS' name of it: "rt/io/state"
   std::string ros_type;  ///< "galilean_msgs/msg/RobotState"
   wire::Delivery delivery = wire::Delivery::kStream;
+  /// Whose messages they are. Those of one topic and sender are sent by one writer, so that a
+  /// process that was started anew replaces what it kept for late joiners before.
+  std::string sender;
 };
 
 /// The topics of a recording that are sent again, and those that are not. The latter have their ROS

@@ -100,6 +100,13 @@ TEST(Player, BeginsWithWhatALateJoinerWouldBeTold) {
   EXPECT_NEAR(sent.back().at_s, 1.9, 1e-6);
 }
 
+TEST(Player, EndsAfterTheLastMessageThatIsWanted) {
+  const auto file = recording_of(10);
+  const auto sent = played(file.bytes(), {.from = from_seconds(8), .until = from_seconds(8.45)});
+  EXPECT_NEAR(sent.back().at_s, 0.4, 1e-6);
+  EXPECT_EQ(sent.back().byte, 84);
+}
+
 TEST(Player, PlaysWhatIsWholeOfATruncatedFile) {
   const auto file = recording_of(10);
   const auto whole = played(file.bytes(), {});

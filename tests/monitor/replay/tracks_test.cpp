@@ -87,6 +87,17 @@ TEST(Tracks, ATopicOfSeveralWritersIsNamedOnce) {
   EXPECT_EQ(tracks.foreign, std::vector<std::string>{"/scan"});
 }
 
+TEST(Tracks, AProcessThatWasStartedAnewIsOneSender) {
+  auto recording = recording_with({{"/io/state", "galilean_msgs/msg/RobotState"},
+                                   {"/io/state", "galilean_msgs/msg/RobotState"},
+                                   {"/io/state", "galilean_msgs/msg/RobotState"}});
+  recording.channels[1].metadata = {{"process", "io"}, {"writer", "a"}};
+  recording.channels[2].metadata = {{"process", "io"}, {"writer", "b"}};
+  const auto played = tracks_of(recording).played;
+  EXPECT_EQ(played.at(1).sender, played.at(2).sender);
+  EXPECT_NE(played.at(1).sender, played.at(3).sender);
+}
+
 TEST(Tracks, WhatTheRecorderTellsOfItselfIsNoTopicOfTheTeam) {
   auto recording = recording_with({{"/recorder/losses", "galilean.Losses"}});
   EXPECT_TRUE(tracks_of(recording).foreign.empty());

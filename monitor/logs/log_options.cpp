@@ -182,6 +182,10 @@ CommandLine add_convert(CommandLine& app, CopyOptions& options) {
       "convert", "Write a recording anew: compressed otherwise, in order, without what is damaged");
   command.option("file", options.files, kFileHelp).required().takes(1, 1).names_file(".mcap");
   add_output(command, options.output);
+  command
+      .option("--schema", options.output.schema,
+              "Define messages as .msg files do, or in IDL; without it as they are defined")
+      .one_of({"ros2msg", "ros2idl"});
   command.option("--chunk-kb", options.output.chunk_kB, "The size of a chunk in kB")
       .between(1, kMostKilobytes)
       .show_default();

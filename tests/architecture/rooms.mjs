@@ -90,7 +90,7 @@ export const rooms = {
     'logs/reading': ['mcap', 'record', 'replay', 'schemas'],
     'logs/printing': ['record', 'wire', 'logs/reading'],
     'logs/figures': ['mcap', 'record', 'wire', 'logs/reading'],
-    'logs/writing': ['mcap', 'record', 'replay', 'logs/reading'],
+    'logs/writing': ['mcap', 'record', 'replay', 'schemas', 'logs/reading'],
     'logs/comparing': ['record', 'schemas', 'logs/reading', 'logs/printing'],
     logs: ['record', 'logs/reading', 'logs/printing', 'logs/figures', 'logs/writing', 'logs/comparing'],
     'expect/language': [],

@@ -5,7 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "core/visible_text.h"
 #include "monitor/logs/reading/attachments.h"
+#include "monitor/logs/writing/schema_language.h"
 #include "monitor/record/damage_text.h"
 #include "monitor/record/losses.h"
 
@@ -46,7 +48,7 @@ Result<std::unique_ptr<Copier>> Copier::create(const OutputOptions& options,
   if (!file) return file.error();
   const auto header = from.empty() ? mcap::Header{} : from.front()->summary().header;
   std::unique_ptr<Copier> copier(
-      new Copier(std::move(file).value(), writer_options(options, header)));
+      new Copier(std::move(file).value(), writer_options(options, header), options.schema));
   if (auto done = copier->writer_.begin(); !done) return done.error();
   return Result<std::unique_ptr<Copier>>(std::move(copier));
 }
@@ -74,8 +76,19 @@ std::uint16_t Copier::schema_for(const Recording& from, std::uint16_t id) {
   if (found == from.summary().schemas.end()) return 0;  // MCAP's id for no schema
   const auto& schema = found->second;
   auto& made = schemas_[{schema.name, schema.encoding, schema.data}];
-  if (made == 0) made = writer_.add_schema(schema.name, schema.encoding, schema.data);
-  return made;
+  if (made != 0) return made;
+  const auto written = changed(schema);
+  return made = writer_.add_schema(written.name, written.encoding, written.data);
+}
+
+/// Returns the schema in the language that was asked for, or as it is if that cannot be.
+mcap::Schema Copier::changed(const mcap::Schema& schema) {
+  if (language_.empty()) return schema;
+  auto other = in_language(schema, language_);
+  if (other) return std::move(other).value();
+  unchanged_schemas_.push_back("the type " + visible(schema.name) + ", " + other.error().message +
+                               ": its schema stays as it is");
+  return schema;
 }
 
 Result<std::uint16_t> Copier::channel_for(const Recording& from, std::uint16_t id) {

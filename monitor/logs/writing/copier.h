@@ -19,6 +19,7 @@ struct OutputOptions {
   bool replace = false;              ///< overwrite what is there
   std::string compression = "zstd";  ///< "zstd", "lz4" or "none"
   std::uint64_t chunk_kB = 1024;     ///< size of a chunk before it is compressed
+  std::string schema;                ///< see in_language; empty: schemas stay as they are
 };
 
 /// Writes messages of recordings to a new one. Channels that are equal in all but their ids become
@@ -39,6 +40,10 @@ class Copier {
   /// Closes the file, and waits until it is on the disk.
   Result<void> finish();
   [[nodiscard]] const mcap::Statistics& statistics() const noexcept { return writer_.statistics(); }
+  /// Returns sentences on schemas that could not be changed as was asked, without full stops.
+  [[nodiscard]] const std::vector<std::string>& unchanged_schemas() const noexcept {
+    return unchanged_schemas_;
+  }
   /// Returns the names of the attachments that were left out.
   [[nodiscard]] const std::vector<std::string>& broken_attachments() const noexcept {
     return broken_attachments_;
@@ -48,19 +53,21 @@ class Copier {
  private:
   using ChannelKey = std::tuple<std::uint16_t, std::string, std::string, mcap::Text>;
 
-  Copier(mcap::FileSink file, mcap::WriterOptions options)
-      : file_(std::move(file)), writer_(file_, std::move(options)) {}
+  Copier(mcap::FileSink file, mcap::WriterOptions options, std::string schema)
+      : file_(std::move(file)), writer_(file_, std::move(options)), language_(std::move(schema)) {}
+  [[nodiscard]] mcap::Schema changed(const mcap::Schema& schema);
   Result<std::uint16_t> channel_for(const Recording& from, std::uint16_t id);
   std::uint16_t schema_for(const Recording& from, std::uint16_t id);
 
   mcap::FileSink file_;
   mcap::Writer writer_;
+  std::string language_;
   std::map<std::pair<const Recording*, std::uint16_t>, std::uint16_t> known_;  ///< new ids
   std::map<ChannelKey, std::uint16_t> channels_;
   std::map<std::tuple<std::string, std::string, std::string>, std::uint16_t> schemas_;
   std::set<std::pair<std::string, mcap::Text>> metadata_;
   std::set<std::tuple<std::string, std::uint64_t, std::uint64_t>> attachments_;
-  std::vector<std::string> broken_attachments_;
+  std::vector<std::string> broken_attachments_, unchanged_schemas_;
 };
 
 }  // namespace galilean::logs

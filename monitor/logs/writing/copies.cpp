@@ -43,7 +43,7 @@ class Copying {
     done = copy();
     if (!done) return fail(done.error().message + "; what was written until then can be read");
     tell();
-    int code = tell_broken_attachments();
+    int code = tell_what_is_not_as_asked();
     for (const auto& source : sources_)
       code = std::max(code, tell_damage(program_, source.messages));
     if (!options_.read_again) return code;
@@ -121,11 +121,14 @@ class Copying {
     return done;
   }
 
-  int tell_broken_attachments() const {
+  int tell_what_is_not_as_asked() const {
+    for (const auto& sentence : copier_->unchanged_schemas())
+      std::cerr << program_ << ": " << sentence << '\n';
     for (const auto& name : copier_->broken_attachments())
       std::cerr << program_ << ": the attachment '" << visible(name)
                 << "' is damaged and was left out\n";
-    return copier_->broken_attachments().empty() ? 0 : kIncomplete;
+    const bool all = copier_->broken_attachments().empty() && copier_->unchanged_schemas().empty();
+    return all ? 0 : kIncomplete;
   }
 
   /// Errors: what was written is not whole.

@@ -10,6 +10,7 @@
 #include "monitor/mcap/crc32.h"
 #include "monitor/record/losses.h"
 #include "tests/monitor/logs/logged_team.h"
+#include "tests/monitor/record/faulty_disk.h"
 
 namespace galilean::logs {
 namespace {
@@ -59,6 +60,45 @@ TEST_F(CopiesTest, AConvertedRecordingHasTheSameMessages) {
     EXPECT_TRUE(made.value().summary().compressions.contains(
         std::string(compression) == "none" ? "" : compression));
   }
+}
+
+TEST_F(CopiesTest, SchemasAreChangedIntoTheOtherLanguageAndBack) {
+  const auto original = Recording::open(path("run.mcap"));
+  const auto& schemas = original.value().summary().schemas;
+  (void)copy("convert",
+             {.files = {"run.mcap"}, .output = {.path = "msg.mcap", .schema = "ros2msg"}});
+  (void)copy("convert",
+             {.files = {"msg.mcap"}, .output = {.path = "idl.mcap", .schema = "ros2idl"}});
+  const auto as_messages = Recording::open(path("msg.mcap")),
+             back = Recording::open(path("idl.mcap"));
+  EXPECT_EQ(contents_of(path("msg.mcap")), contents_of(path("run.mcap")));
+  for (const auto& [id, schema] : as_messages.value().summary().schemas) {
+    EXPECT_EQ(schema.encoding, "ros2msg");
+    EXPECT_THAT(schema.data, HasSubstr("builtin_interfaces/Time stamp\n"));
+  }
+  ASSERT_EQ(back.value().summary().schemas.size(), schemas.size());
+  for (const auto& [id, schema] : back.value().summary().schemas) {
+    EXPECT_EQ(schema.encoding, "ros2idl");
+    EXPECT_TRUE(std::ranges::any_of(
+        schemas, [&](const auto& each) { return each.second.data == schema.data; }));
+  }
+}
+
+TEST_F(CopiesTest, ASchemaThatCannotBeReadStaysAsItIs) {
+  mcap::FaultyDisk disk;
+  mcap::Writer writer(disk);
+  ASSERT_TRUE(writer.begin());
+  const auto schema = writer.add_schema("a/msg/B", "protobuf", "?");
+  const auto channel =
+      writer.add_channel({.schema_id = schema, .topic = "/b", .message_encoding = "protobuf"});
+  ASSERT_TRUE(writer.write(mcap::Message{channel, 1, 5, 5, {}}));
+  ASSERT_TRUE(writer.end());
+  write("other.mcap", disk.bytes());
+  const auto answer = copy(
+      "convert", {.files = {"other.mcap"}, .output = {.path = "out.mcap", .schema = "ros2msg"}});
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_THAT(answer.errors, HasSubstr("the type a/msg/B, has a schema that is in the encoding"));
+  EXPECT_EQ(contents_of(path("out.mcap")).size(), 1U);
 }
 
 TEST_F(CopiesTest, ASliceIsAPartOfTheMessages) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// galilean-log info|cat|csv|stats|plot|verify|diff|slice|merge|recover|convert reads recordings.
+// galilean-log info|cat|csv|stats|plot|verify|diff|coverage|slice|merge|recover|convert reads
+// recordings.
 #include <iostream>
 
 #include "monitor/logs/log_options.h"
@@ -20,6 +21,7 @@ struct Options {
   PlotOptions plot;
   VerifyOptions verify;
   DiffOptions diff;
+  CoverageOptions coverage;
   CopyOptions slice, merge, recover, convert;
 };
 
@@ -62,6 +64,7 @@ int main(int argc, char** argv) {
   const auto plotted = add_plot(app, options.plot);
   const auto verify = add_verify(app, options.verify);
   const auto diff = add_diff(app, options.diff);
+  const auto coverage = add_coverage(app, options.coverage);
   const auto slice = add_slice(app, options.slice);
   const auto merge = add_merge(app, options.merge);
   const auto recover = add_recover(app, options.recover);
@@ -75,6 +78,7 @@ int main(int argc, char** argv) {
     if (plotted.chosen()) return plot(options.plot);
     if (verify.chosen()) return verify_recordings(options.verify);
     if (diff.chosen()) return print_difference(options.diff);
+    if (coverage.chosen()) return print_coverage(options.coverage);
     if (slice.chosen()) return copy_recordings("slice", options.slice);
     if (merge.chosen()) return copy_recordings("merge", options.merge);
     if (recover.chosen()) return copy_recordings("recover", options.recover);

@@ -146,6 +146,23 @@ CommandLine add_diff(CommandLine& app, DiffOptions& options) {
   return command;
 }
 
+CommandLine add_coverage(CommandLine& app, CoverageOptions& options) {
+  auto command = app.command(
+      "coverage", "Tell which states and conditions of their programs robots have exercised");
+  command.option("files", options.files, "MCAP files, which are counted together")
+      .required()
+      .names_file(".mcap");
+  command.option("--format", options.format, "What to print: text, JSON, or a graph for Graphviz")
+      .one_of({"text", "json", "dot"})
+      .show_default();
+  command.option("--at-least", options.least_percent,
+                 "Fail unless so many per cent of each program's states, and of its conditions, "
+                 "were exercised");
+  command.describe_exit(kFailed, "Less was exercised than --at-least, or nothing can be read.");
+  describe_damage(command, "the rest was counted.");
+  return command;
+}
+
 CommandLine add_slice(CommandLine& app, CopyOptions& options) {
   auto command = app.command("slice", "Write a part of a recording to another");
   command.option("file", options.files, kFileHelp).required().takes(1, 1).names_file(".mcap");

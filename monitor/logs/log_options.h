@@ -4,6 +4,7 @@
 #include "core/command_line/command_line.h"
 #include "monitor/logs/comparing/diff.h"
 #include "monitor/logs/comparing/verify.h"
+#include "monitor/logs/coverage/coverage.h"
 #include "monitor/logs/figures/plot.h"
 #include "monitor/logs/figures/stats.h"
 #include "monitor/logs/printing/cat.h"
@@ -29,6 +30,7 @@ struct InfoOptions {
 [[nodiscard]] CommandLine add_plot(CommandLine& app, PlotOptions& options);
 [[nodiscard]] CommandLine add_verify(CommandLine& app, VerifyOptions& options);
 [[nodiscard]] CommandLine add_diff(CommandLine& app, DiffOptions& options);
+[[nodiscard]] CommandLine add_coverage(CommandLine& app, CoverageOptions& options);
 [[nodiscard]] CommandLine add_slice(CommandLine& app, CopyOptions& options);
 [[nodiscard]] CommandLine add_merge(CommandLine& app, CopyOptions& options);
 [[nodiscard]] CommandLine add_recover(CommandLine& app, CopyOptions& options);

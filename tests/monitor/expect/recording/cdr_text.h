@@ -31,6 +31,11 @@ class CdrText {
     return *this;
   }
   CdrText& add(const msg::Time& time) { return add(time.sec).add(time.nanosec); }
+  CdrText& add(const std::vector<std::string>& texts) {
+    add(static_cast<std::uint32_t>(texts.size()));
+    for (const auto& text : texts) add(text);
+    return *this;
+  }
   [[nodiscard]] const std::vector<std::uint8_t>& bytes() const noexcept { return bytes_; }
 
  private:
@@ -58,6 +63,40 @@ class CdrText {
     text.add(item.certainty).add(item.decay_per_s).add(item.updated);
     text.add(static_cast<std::uint32_t>(item.values.size()));
     for (const double value : item.values) text.add(value);
+  }
+  return text.bytes();
+}
+
+[[nodiscard]] inline std::vector<std::uint8_t> cdr(const msg::Transition& transition) {
+  CdrText text;
+  text.add(transition.stamp).add(transition.robot).add(transition.number).add(transition.tick);
+  text.add(transition.from_state).add(transition.to_state).add(transition.cause);
+  text.add(transition.program_hash).add(transition.file).add(transition.line);
+  text.add(transition.bits_variable).add(transition.bit_index).add(transition.bit_value);
+  text.add(transition.reset_variables);
+  text.add(static_cast<std::uint32_t>(transition.tested.size()));
+  for (const auto& tested : transition.tested) {
+    text.add(tested.to_state).add(tested.file).add(tested.line).add(tested.bits_variable);
+    text.add(tested.bit_index).add(tested.bit_value).add(tested.valid).add(tested.holds);
+  }
+  return text.bytes();
+}
+[[nodiscard]] inline std::vector<std::uint8_t> cdr(const msg::Program& program) {
+  CdrText text;
+  text.add(program.stamp).add(program.robot).add(program.name).add(program.hash);
+  text.add(program.start_state);
+  text.add(static_cast<std::uint32_t>(program.files.size()));
+  for (const auto& file : program.files) text.add(file.path).add(file.text);
+  text.add(static_cast<std::uint32_t>(program.states.size()));
+  for (const auto& state : program.states) {
+    text.add(state.name).add(state.file).add(state.line);
+    text.add(state.perceptual_schemas).add(state.motor_schemas);
+  }
+  text.add(static_cast<std::uint32_t>(program.transitions.size()));
+  for (const auto& each : program.transitions) {
+    text.add(each.from_state).add(each.to_state).add(each.file).add(each.line);
+    text.add(each.bits_variable).add(each.bit_index).add(each.bit_value).add(each.bit_update);
+    text.add(each.reset_variables);
   }
   return text.bytes();
 }

@@ -30,7 +30,12 @@ Recorder::Recorder(Setup setup)
     writers_changed_ = true;
     wake_.ring();
   });
+  if (setup_.snapshots.trigger) ring_.emplace(setup_.snapshots.before, setup_.snapshots.most_bytes);
   wake_.ring();
+}
+
+Result<void> Recorder::begin() {
+  return ring_ ? Result<void>() : begin_file(wire::wall_clock_ns());
 }
 
 Result<void> Recorder::pump() {
@@ -38,6 +43,8 @@ Result<void> Recorder::pump() {
   if (writers_changed_.exchange(false)) recordings_.follow_writers();
   if (auto done = record(); !done) return done;
   const Time now = setup_.clock.now();
+  if (ring_)
+    if (auto done = follow_events(now); !done) return done;
   if (!looked_ || now - *looked_ >= kLookEach) {
     looked_ = now;
     recordings_.watch_matches();
@@ -51,23 +58,71 @@ Result<void> Recorder::pump() {
 Result<void> Recorder::record() {
   Result<void> done;
   recordings_.take([&](const wire::Received& received, TopicRecording::Writer& writer) {
-    kept_.note(writer.info, received);
-    if (!setup_.files.is_open())
-      ++writer.unwritten;
-    else if (is_picture(writer.info) &&
-             !picture_budget_.takes(received.cdr.size(), setup_.clock.now()))
-      ++writer.left_out;
-    else if (done)
-      done = write(writer.info, received);
+    if (done) done = take_in(received, writer);
   });
   return done;
 }
 
-Result<void> Recorder::write(const wire::EndpointInfo& writer, const wire::Received& received) {
+Result<void> Recorder::take_in(const wire::Received& received, TopicRecording::Writer& writer) {
+  const Time now = setup_.clock.now();
+  const bool waits = ring_ && !setup_.files.is_open();
+  if (ring_) setup_.snapshots.trigger->take(writer.info, received, now);
+  if (!waits) kept_.note(writer.info, received);
+  if (!waits && !setup_.files.is_open())
+    ++writer.unwritten;
+  else if (is_picture(writer.info) && !picture_budget_.takes(received.cdr.size(), now))
+    ++writer.left_out;
+  else if (waits)
+    ring_->add(writer.info, received, now, wire::wall_clock_ns());
+  else
+    return write(writer.info, received, wire::wall_clock_ns());
+  return {};
+}
+
+/// Begins a file when something has happened, and ends it when its time is over.
+Result<void> Recorder::follow_events(Time now) {
+  const bool too_much = ring_->forget(
+      now, [&](const MessageRing::Held& held) { kept_.note(*held.writer, held.received()); });
+  if (too_much)
+    warn_once("more came than " + megabytes(setup_.snapshots.most_bytes) +
+              " in the time that is kept before an event (--keep-memory): less of it is kept");
+  const auto event = setup_.snapshots.trigger->happened();
+  if (event) {
+    snapshot_until_ = now + setup_.snapshots.after;
+    if (!setup_.files.is_open()) return begin_snapshot(*event);
+  }
+  return setup_.files.is_open() && now >= snapshot_until_ ? conclude() : Result<void>();
+}
+
+Result<void> Recorder::begin_snapshot(const std::string& event) {
+  if (!setup_.room.look()) {
+    setup_.warn(event + ": not recorded, because the disk is nearly full");
+    return {};
+  }
+  event_ = event;
+  if (!losses_then_.empty()) concluded_ = losses_then_.front().second;
+  auto done = begin_file(ring_->empty() ? wire::wall_clock_ns() : ring_->oldest().log_ns);
+  ring_->give([&](const MessageRing::Held& held) {
+    kept_.note(*held.writer, held.received());
+    if (done) done = write(*held.writer, held.received(), held.log_ns);
+  });
+  if (done) setup_.warn(event + ": recorded to " + setup_.files.newest());
+  return done;
+}
+
+/// Remembers what was missing when the time began that is kept before an event.
+void Recorder::remember_losses(Time now) {
+  losses_then_.emplace_back(now, recordings_.losses());
+  while (losses_then_.size() > 1 && now - losses_then_[1].first >= setup_.snapshots.before)
+    losses_then_.pop_front();
+}
+
+Result<void> Recorder::write(const wire::EndpointInfo& writer, const wire::Received& received,
+                             std::int64_t log_ns) {
   if (auto done = attach_programs(writer, received); !done) return done;
   return setup_.files.writer().write({contents_->channels.of(writer, received.cdr),
                                       static_cast<std::uint32_t>(received.sequence),
-                                      static_cast<std::uint64_t>(wire::wall_clock_ns()),
+                                      static_cast<std::uint64_t>(log_ns),
                                       static_cast<std::uint64_t>(received.sent_ns), received.cdr});
 }
 
@@ -90,17 +145,18 @@ Result<void> Recorder::attach_programs(const wire::EndpointInfo& writer,
 /// Tells what was lost, goes on in another file, and looks whether there is room.
 Result<void> Recorder::look_after_files(Time now) {
   const bool has_room = setup_.room.look();
+  if (!setup_.files.is_open() && ring_) return remember_losses(now), Result<void>();
   if (!setup_.files.is_open()) {
     if (!has_room) return {};
     setup_.warn("there is room on the disk again: the recording goes on");
-    return begin_file();
+    return begin_file(wire::wall_clock_ns());
   }
   if (!has_room) return stand_still();
   if (auto done = contents_->losses.tell(recordings_.losses(), wire::wall_clock_ns()); !done)
     return done;
   if (!setup_.files.is_full(now)) return {};
   if (auto done = conclude(); !done) return done;
-  return begin_file();
+  return begin_file(wire::wall_clock_ns());
 }
 
 Result<void> Recorder::stand_still() {
@@ -110,7 +166,7 @@ Result<void> Recorder::stand_still() {
   return conclude();
 }
 
-Result<void> Recorder::begin_file() {
+Result<void> Recorder::begin_file(std::int64_t log_ns) {
   const std::size_t files_before = setup_.files.totals().files;
   if (auto done = setup_.files.begin(setup_.clock.now()); !done) return done;
   auto& writer = setup_.files.writer();
@@ -125,16 +181,17 @@ Result<void> Recorder::begin_file() {
   mcap::Metadata about{"galilean", setup_.about};
   about.entries["started"] = iso_time(wire::wall_clock_ns());
   about.entries["file"] = std::to_string(files_before);
+  if (ring_) about.entries["event"] = event_;
   if (auto done = writer.write(about); !done) return done;
   if (auto done = contents_->losses.begin(concluded_); !done) return done;
-  return write_kept();
+  return write_kept(log_ns);
 }
 
-Result<void> Recorder::write_kept() {
+Result<void> Recorder::write_kept(std::int64_t log_ns) {
   kept_.forget_all_but(recordings_.present());
   for (const auto& [guid, kept] : kept_.all()) {
     const wire::Received again{kept.cdr, kept.sent_ns, kept.writer.handle, kept.sequence};
-    if (auto done = write(kept.writer, again); !done) return done;
+    if (auto done = write(kept.writer, again, log_ns); !done) return done;
   }
   return {};
 }
@@ -144,6 +201,7 @@ Result<void> Recorder::conclude() {
   concluded_ = recordings_.losses();
   if (auto done = contents_->losses.conclude(concluded_); !done) return done;
   contents_.reset();
+  losses_then_.clear();
   return setup_.files.end();
 }
 

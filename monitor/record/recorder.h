@@ -3,10 +3,12 @@
 
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/clock.h"
@@ -18,9 +20,11 @@
 #include "monitor/record/disk_room.h"
 #include "monitor/record/kept_messages.h"
 #include "monitor/record/losses.h"
+#include "monitor/record/message_ring.h"
 #include "monitor/record/program_texts.h"
 #include "monitor/record/recording_files.h"
 #include "monitor/record/selection.h"
+#include "monitor/record/snapshots.h"
 #include "monitor/record/topic_recordings.h"
 #include "monitor/wire/definitions.h"
 
@@ -34,6 +38,9 @@ namespace galilean::monitor {
 /// counted. A file that follows another begins with the newest message of every state. The texts of
 /// programs are attached.
 ///
+/// With a trigger, nothing is written until something happens. Then a file begins with what came
+/// shortly before, and with the states that were so then, and ends some time after the last event.
+///
 /// For use by one thread, which calls `pump` when `descriptor` is readable, and at least each
 /// second.
 class Recorder {
@@ -46,7 +53,8 @@ class Recorder {
     mcap::Text about;  ///< what each file tells of who recorded it
     Selection selection;
     SchemaLanguage language = SchemaLanguage::kMessage;
-    std::uint64_t picture_bytes_per_s = 0;         ///< what pictures may take; 0: without a limit
+    std::uint64_t picture_bytes_per_s = 0;  ///< what pictures may take; 0: without a limit
+    Snapshots snapshots = {};
     std::function<void(const std::string&)> warn;  ///< gets a sentence for what is not as it should
     std::function<bool()> ended;                   ///< whether waiting should end
   };
@@ -56,8 +64,9 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Begins the first file. Call it once, before `pump`. Errors: it cannot be written.
-  [[nodiscard]] Result<void> begin() { return begin_file(); }
+  /// Begins the first file, unless a trigger has to. Call it once, before `pump`. Errors: it cannot
+  /// be written.
+  [[nodiscard]] Result<void> begin();
   [[nodiscard]] int descriptor() const noexcept { return wake_.descriptor(); }
   /// Records the messages that came since the last call. It may block for 3 s at the first message
   /// of a type that this release does not define. Errors: the file cannot be written.
@@ -78,14 +87,20 @@ class Recorder {
   };
 
   [[nodiscard]] Result<void> record();
-  [[nodiscard]] Result<void> write(const wire::EndpointInfo& writer,
-                                   const wire::Received& received);
+  [[nodiscard]] Result<void> take_in(const wire::Received& received,
+                                     TopicRecording::Writer& writer);
+  [[nodiscard]] Result<void> follow_events(Time now);
+  [[nodiscard]] Result<void> begin_snapshot(const std::string& event);
+  void remember_losses(Time now);
+  [[nodiscard]] Result<void> write(const wire::EndpointInfo& writer, const wire::Received& received,
+                                   std::int64_t log_ns);
   [[nodiscard]] Result<void> attach_programs(const wire::EndpointInfo& writer,
                                              const wire::Received& received);
   [[nodiscard]] Result<void> look_after_files(Time now);
   [[nodiscard]] Result<void> stand_still();
-  [[nodiscard]] Result<void> begin_file();
-  [[nodiscard]] Result<void> write_kept();
+  /// `log_ns` is the log time of the states that the file begins with.
+  [[nodiscard]] Result<void> begin_file(std::int64_t log_ns);
+  [[nodiscard]] Result<void> write_kept(std::int64_t log_ns);
   void warn_once(const std::string& sentence);
 
   Setup setup_;
@@ -96,6 +111,11 @@ class Recorder {
   std::optional<Contents> contents_;     ///< of the open file
   std::vector<WriterLosses> concluded_;  ///< what was told at the end of the newest file that ended
   KeptMessages kept_;
+  /// What may belong to a snapshot; nothing if all is written. What leaves it is in `kept_`.
+  std::optional<MessageRing> ring_;
+  std::string event_;      ///< for which the open file was begun
+  Time snapshot_until_{};  ///< when it ends
+  std::deque<std::pair<Time, std::vector<WriterLosses>>> losses_then_;  ///< since the ring begins
   ByteBudget picture_budget_;
   std::set<std::string> warned_;  ///< what was said
   std::optional<Time> looked_;

@@ -52,6 +52,8 @@ class RecordingFiles {
   [[nodiscard]] mcap::Writer& writer() noexcept { return file_->writer; }
   /// Returns what was written, into the open file, too.
   [[nodiscard]] Totals totals() const noexcept;
+  /// Returns the path of the file that was begun last. Requires: one was.
+  [[nodiscard]] const std::string& newest() const noexcept { return kept_.back(); }
   /// Returns how users know the recording: its file, or the first and the last of those that are
   /// left.
   [[nodiscard]] std::string name() const;

@@ -98,6 +98,7 @@ export const rooms = {
     'expect/judge': ['expect/language', 'wire'],
     'expect/recording': ['expect/judge', 'mcap', 'record', 'replay', 'schemas', 'wire'],
     'expect/live': ['expect/judge', 'expect/recording', 'wire'],
+    'record/command': ['record', 'wire', 'expect/language', 'expect/judge', 'expect/recording'],
     'expect/report': ['expect/language', 'expect/judge', 'record'],
     expect: ['mcap', 'expect/language', 'expect/judge', 'expect/recording', 'expect/live', 'expect/report', 'wire'],
     'top/screen': [],

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "monitor/expect/judge/belief.h"
@@ -16,6 +19,10 @@ class ClaimWatch {
   /// Requires: the claim is about conditions. Both references outlive this.
   ClaimWatch(const Claim& claim, const Belief& belief);
 
+  /// Sets what is called with the instant and what was so then, whenever the claim fails.
+  void on_failure(std::function<void(std::int64_t, const std::string&)> call) {
+    monitor_->on_failure = std::move(call);
+  }
   [[nodiscard]] unsigned sources() const noexcept { return sources_; }
   /// Takes what changes with time alone, up to `at_ns`. Call it before the belief changes.
   void advance(std::int64_t at_ns);

@@ -2,6 +2,7 @@
 #include "monitor/expect/judge/judge.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/plural.h"
 #include "monitor/expect/judge/collect.h"
@@ -15,9 +16,9 @@ constexpr std::size_t kMostRobots = 1000, kMostNotes = 20;
 
 Judge::Judge(const std::vector<Expectation>& expectations, JudgeOptions options)
     : expectations_(expectations),
-      options_(options),
+      options_(std::move(options)),
       needs_(expectations),
-      team_({}, team_belief_, options.silence.count()) {
+      team_({}, team_belief_, options_.silence.count(), options_.on_failure) {
   for (const auto& expectation : expectations) {
     if (expectation.scope.who == Scope::Who::kNamed) (void)watch(expectation.scope.robot);
     if (expectation.scope.who != Scope::Who::kTeam) continue;
@@ -33,7 +34,8 @@ RobotWatch* Judge::watch(std::string_view robot) {
   // The team is what has no name.
   if (robot.empty() || robots_.size() >= kMostRobots) return ++refused_, nullptr;
   const std::string name(robot);
-  auto made = std::make_unique<RobotWatch>(name, team_belief_, options_.silence.count());
+  auto made = std::make_unique<RobotWatch>(name, team_belief_, options_.silence.count(),
+                                           options_.on_failure);
   for (const auto& expectation : expectations_)
     if (concerns(expectation.scope, name))
       for (const auto& claim : expectation.claims) made->add(claim);

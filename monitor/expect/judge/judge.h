@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -15,6 +16,9 @@ namespace galilean::expect {
 struct JudgeOptions {
   /// A robot's state and variables are unknown once nothing was heard of them for longer.
   Duration silence = std::chrono::seconds(2);
+  /// Called whenever a claim about conditions fails, while samples are taken; may be left empty. A
+  /// claim about `some robot` fails for each robot for which it does not hold.
+  std::function<void(const FailureNow&)> on_failure = {};
 };
 
 /// Judges expectations, one sample at a time. Its memory is bounded by the expectations, by the

@@ -2,6 +2,7 @@
 #include "monitor/expect/judge/monitor.h"
 
 #include <cmath>
+#include <utility>
 
 #include "monitor/expect/judge/condition_monitors.h"
 #include "monitor/expect/judge/duration_text.h"
@@ -53,8 +54,11 @@ void Monitor::fail(std::int64_t at_ns, std::optional<Span> needs) {
     return;
   }
   ++finding_.failures;
-  if (finding_.counterexamples.size() < Finding::kMostKept)
-    finding_.counterexamples.push_back({at_ns, describe ? describe() : std::string(), needs});
+  const bool kept = finding_.counterexamples.size() < Finding::kMostKept;
+  if (!kept && !on_failure) return;
+  std::string values = describe ? describe() : std::string();
+  if (on_failure) on_failure(at_ns, values);
+  if (kept) finding_.counterexamples.push_back({at_ns, std::move(values), needs});
 }
 
 void Monitor::keep_least(double margin) noexcept {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <string>
 
 #include "monitor/expect/judge/finding.h"
 #include "monitor/expect/judge/truth.h"
@@ -27,6 +28,9 @@ class Monitor {
 
   /// Returns what was so at that instant, in words.
   std::function<std::string()> describe;
+
+  /// Called with the instant and what was so then, whenever the claim fails; may be left empty.
+  std::function<void(std::int64_t at_ns, const std::string& values)> on_failure;
 
   /// Takes what holds from `at_ns` on. `second` is the response or the end, if the claim has one.
   /// Requires: times do not fall.

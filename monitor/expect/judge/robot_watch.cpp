@@ -38,7 +38,9 @@ bool asks_for_states(const Claim& claim) {
 
 }  // namespace
 
-RobotWatch::RobotWatch(const std::string& robot, const TeamBelief& team, std::int64_t silence_ns) {
+RobotWatch::RobotWatch(const std::string& robot, const TeamBelief& team, std::int64_t silence_ns,
+                       const OnFailure& on_failure)
+    : on_failure_(on_failure) {
   belief_.robot = robot;
   belief_.team = &team;
   belief_.silence_ns = silence_ns;
@@ -51,6 +53,10 @@ void RobotWatch::add(const Claim& claim) {
   } else {
     for (const auto& name : variables_of(claim)) belief_.variables.try_emplace(name);
     entry.conditions = std::make_unique<ClaimWatch>(claim, belief_);
+    if (on_failure_)
+      entry.conditions->on_failure([this, &claim](std::int64_t at_ns, const std::string& values) {
+        on_failure_({claim, belief_.robot, at_ns, values});
+      });
   }
   entries_.push_back(std::move(entry));
 }

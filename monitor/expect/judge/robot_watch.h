@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <set>
 
@@ -11,11 +12,23 @@
 
 namespace galilean::expect {
 
+/// A claim about conditions that fails, when it does.
+struct FailureNow {
+  const Claim& claim;
+  const std::string& robot;  ///< empty: the team
+  std::int64_t at_ns;
+  const std::string& values;  ///< what was so then
+};
+
 /// All claims about one robot, or about the team, and what is known of it.
 class RobotWatch {
  public:
-  /// `robot` is empty for the team. Requires: `team` outlives this.
-  RobotWatch(const std::string& robot, const TeamBelief& team, std::int64_t silence_ns);
+  using OnFailure = std::function<void(const FailureNow&)>;
+
+  /// `robot` is empty for the team. Requires: `team` and `on_failure`, which may be empty, outlive
+  /// this.
+  RobotWatch(const std::string& robot, const TeamBelief& team, std::int64_t silence_ns,
+             const OnFailure& on_failure);
   RobotWatch(const RobotWatch&) = delete;
   RobotWatch& operator=(const RobotWatch&) = delete;
 
@@ -54,6 +67,7 @@ class RobotWatch {
   [[nodiscard]] std::string complaint_on_names(const Claim& claim) const;
   void settle(const Claim& claim, Finding& finding) const;
 
+  const OnFailure& on_failure_;
   Belief belief_;
   std::vector<Entry> entries_;
   std::deque<msg::Transition> waiting_;  ///< that came before the first state

@@ -36,6 +36,7 @@ class RecorderTest : public testing::Test {
                                      .room = {kLeastRoom, [this] { return std::optional(free); }},
                                      .about = {{"version", "1"}},
                                      .selection = std::move(selection),
+                                     .snapshots = snapshots,
                                      .warn = [this](const auto& what) { warnings += what + "\n"; },
                                      .ended = [] { return false; }});
     ASSERT_TRUE(recorder->begin());
@@ -69,6 +70,7 @@ class RecorderTest : public testing::Test {
   SteppedClock clock;
   std::uint64_t free = 1'000'000;  ///< bytes
   std::string warnings;
+  Snapshots snapshots;  ///< without a trigger unless a test sets one before `start`
   std::optional<RecordingFiles> files;
   std::optional<Recorder> recorder;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/record/recording_options.h"
+#include "monitor/record/command/recording_options.h"
 
 #include <unistd.h>
 
@@ -12,6 +12,7 @@
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
 #include "core/command_line/exit_code.h"
+#include "core/command_line/seconds_of.h"
 #include "core/visible_text.h"
 #include "monitor/record/size_text.h"
 
@@ -47,6 +48,18 @@ Result<std::regex> expression_of(const std::string& text) try {
   return std::regex(text, std::regex::optimize);
 } catch (const std::regex_error& error) {
   return Error{"'" + visible(text) + "' is not a valid regular expression: " + error.what()};
+}
+
+/// As size_into. A day is as much as anybody keeps in memory.
+CommandLine::Reader time_into(Duration& target) {
+  return [&target](const std::string& text) -> Result<void> {
+    constexpr double kDay_s = 86'400;
+    const auto seconds = seconds_of(text);
+    if (!seconds) return seconds.error();
+    if (seconds.value() > kDay_s) return Error{"'" + visible(text) + "' is more than a day"};
+    target = from_seconds(seconds.value());
+    return {};
+  };
 }
 
 /// As size_into.
@@ -106,6 +119,28 @@ void add_where(CommandLine& app, RecordingOptions& options, Words& words) {
       .describe_default("500MB");
 }
 
+void add_snapshots(CommandLine& app, RecordingOptions& options) {
+  app.option("--on", options.on,
+             "Record only what is around an event: when this comes true for a robot, such as "
+             "'state is \"stuck\" for 3 s', in the words of docs/EXPECT.md");
+  app.option("--keep-last", time_into(options.snapshots.before),
+             "How long before an event a file begins, such as 30s")
+      .describe_default("30s");
+  app.option("--keep-after", time_into(options.snapshots.after),
+             "How long after the last event it ends")
+      .describe_default("10s");
+  app.option(
+         "--keep-memory",
+         [&options](const std::string& text) -> Result<void> {
+           const auto bytes = bytes_of(text);
+           if (!bytes) return bytes.error();
+           options.snapshots.most_bytes = static_cast<std::size_t>(bytes.value());
+           return {};
+         },
+         "How much of that is kept in memory at most")
+      .describe_default("64MB");
+}
+
 /// Returns why the options contradict each other, or nothing.
 std::string contradiction(const RecordingOptions& options, const Words& words) {
   const bool is_split = options.plan.split_bytes > 0 || words.split_duration_s > 0;
@@ -113,6 +148,7 @@ std::string contradiction(const RecordingOptions& options, const Words& words) {
     return "--max-files needs --split-size or --split-duration";
   if (options.plan.out != kStandardOutput) return "";
   if (is_split) return "standard output cannot be split; give --out the name of a file";
+  if (!options.on.empty()) return "each event has a file of its own; give --out the name of a file";
   if (isatty(STDOUT_FILENO))
     return "a recording is no text for a terminal; give --out the name of a file, or redirect "
            "standard output";
@@ -143,6 +179,7 @@ std::optional<int> read_options(int count, const char* const* arguments,
              "How many seconds to record; without it until Ctrl-C")
       .positive();
   add_what(app, options, words);
+  add_snapshots(app, options);
   add_domain_option(app, options.domain);
   app.describe_exit(kIncomplete, "It is recorded, and messages are missing, which was said.");
   if (const auto code = app.parse(count, arguments)) return code;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "monitor/record/channels.h"
 #include "monitor/record/recording_files.h"
 #include "monitor/record/selection.h"
+#include "monitor/record/snapshots.h"
 
 namespace galilean::monitor {
 
@@ -18,6 +21,9 @@ struct RecordingOptions {
   /// 0: without a limit. With the default, three robots make less than a gigabyte an hour.
   std::uint64_t picture_bytes_per_s = 200'000;
   std::uint64_t min_free_bytes = 500'000'000;
+  std::string on;  ///< the event around which is recorded; empty: all is
+  /// What is kept before and after it; without a trigger.
+  Snapshots snapshots{nullptr, std::chrono::seconds(30), std::chrono::seconds(10)};
   double duration_s = 0;  ///< 0: until termination is asked for
   int domain = -1;        ///< -1: as ROS_DOMAIN_ID says
 };

@@ -4,14 +4,18 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <filesystem>
 #include <iostream>
+#include <memory>
+#include <utility>
 
 #include "core/broken_pipe.h"
 #include "core/clock.h"
 #include "core/command_line/exit_code.h"
 #include "core/termination.h"
+#include "monitor/record/command/expression_trigger.h"
+#include "monitor/record/command/recording_options.h"
 #include "monitor/record/recorder.h"
-#include "monitor/record/recording_options.h"
 #include "monitor/record/recording_report.h"
 
 namespace {
@@ -62,6 +66,15 @@ bool is_standard_output(const std::string& out) {
           file.st_dev == standard.st_dev && file.st_ino == standard.st_ino);
 }
 
+/// Returns why the file for the first event cannot be made, which is better known before the event;
+/// or an empty text.
+std::string taken(const RecordingOptions& options) {
+  std::error_code unknown;
+  if (options.on.empty() || options.plan.replace) return {};
+  if (!std::filesystem::exists(options.plan.out, unknown)) return {};
+  return options.plan.out + " exists already; --replace overwrites it";
+}
+
 void say_why_empty(const TopicRecordings& recordings) {
   if (recordings.topics() > 0)
     say(emptiness_text(Emptiness::kAllSilent));
@@ -71,8 +84,13 @@ void say_why_empty(const TopicRecordings& recordings) {
     say(emptiness_text(Emptiness::kNobodyHeard));
 }
 
-/// Says what was recorded and what is missing. Returns the exit code.
-int report(const RecordingFiles& files, const TopicRecordings& recordings) {
+/// Says what was recorded and what is missing. `on` is the event that was waited for, or empty.
+/// Returns the exit code.
+int report(const RecordingFiles& files, const TopicRecordings& recordings, const std::string& on) {
+  if (!on.empty() && files.totals().files == 0) {
+    say("nothing was recorded, because it never came true: " + on);
+    return 0;
+  }
   const auto losses = recordings.losses();
   const auto missing = total_missing(losses);
   if (files.totals().messages == 0 && missing == 0) say_why_empty(recordings);
@@ -90,6 +108,15 @@ int run(RecordingOptions& options) try {
   const auto participant = wire::Participant::join("record", options.domain);
   if (!participant) return fail(participant.error().message);
   options.plan.library = "galilean " GALILEAN_VERSION;
+  if (const auto there = taken(options); !there.empty()) return fail(there);
+  Definitions definitions(*participant.value(), [&] { return termination.asked(); });
+  std::unique_ptr<ExpressionTrigger> trigger;
+  if (!options.on.empty()) {
+    auto read = ExpressionTrigger::read(options.on, definitions);
+    if (!read) return fail("--on: " + read.error().message);
+    trigger = std::move(read).value();
+    options.snapshots.trigger = trigger.get();
+  }
   RecordingFiles files(options.plan);
   Recorder recorder({.participant = *participant.value(),
                      .clock = clock,
@@ -99,13 +126,14 @@ int run(RecordingOptions& options) try {
                      .selection = std::move(options.selection),
                      .language = options.language,
                      .picture_bytes_per_s = options.picture_bytes_per_s,
+                     .snapshots = options.snapshots,
                      .warn = say,
                      .ended = [&] { return termination.asked(); }});
   if (auto begun = recorder.begin(); !begun) return fail(begun.error().message);
   auto done = record(recorder, termination, clock, options.duration_s);
   if (done) done = recorder.conclude();
   if (!done) return fail(done.error().message + "; what was recorded until then can still be read");
-  return report(files, recorder.recordings());
+  return report(files, recorder.recordings(), options.on);
 } catch (const std::exception& error) {
   return fail(error.what());
 }

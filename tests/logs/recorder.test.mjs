@@ -126,6 +126,26 @@ describe("beside a robot that talks", () => {
     }
   });
 
+  test("with --on it writes what came shortly before and after an event, and nothing else", async () => {
+    const recorder = record("event.mcap", "--domain", domain, "--duration", "4", "--on", "/io/state.tick > 0 for 1.5 s", "--keep-last", "500ms", "--keep-after", "500ms");
+    await endsWell(recorder);
+    assert.match(recorder.text, /galilean-record: io: [^\n]*: recorded to .*event\.mcap\n/);
+    assert.equal(info(file("event.mcap")).recovered, false);
+    const { messages } = await readIndexed(file("event.mcap"));
+    const times = messages.filter(({ topic }) => topic === "/io/state").map(({ logTime }) => Number(logTime / 1_000_000n));
+    assert.ok(times.length > 50, `${times.length} states`);
+    assert.ok(times.at(-1) - times[0] > 700 && times.at(-1) - times[0] < 2500, `${times.at(-1) - times[0]} ms`);
+    assert.ok(messages.some(({ topic }) => topic === "/io/program"), "a state that was sent long before");
+
+    const waiting = record("never.mcap", "--domain", domain, "--duration", "1", "--on", "/io/state.tick < 0");
+    assert.equal((await waiting.ended).code, 0, waiting.text);
+    assert.match(waiting.text, /nothing was recorded, because it never came true: \/io\/state\.tick < 0\n/);
+    assert.equal(statSync(file("never.mcap"), { throwIfNoEntry: false }), undefined);
+    const refused = recorded("--out", file("no.mcap"), "--domain", domain, "--on", "state are stuck");
+    assert.equal(refused.status, 1);
+    assert.match(refused.stderr.toString(), /^galilean-record: --on: 'state are stuck' is no condition: /);
+  });
+
   test("it stands still while the disk is nearly full, and says how much is missing", async () => {
     const recorder = record("full.mcap", "--domain", domain, "--duration", "3", "--min-free", "1000000GB");
     assert.equal((await recorder.ended).code, 3, recorder.text);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 
 #include "core/visible_text.h"
 
@@ -12,18 +13,21 @@ namespace {
 
 constexpr std::size_t kLabelWidth = 10;
 
-/// The frame that all series are drawn in.
+/// The frame that all is drawn in.
 struct Frame {
-  double from_s = 0, to_s = 0;
+  double from_s = std::numeric_limits<double>::infinity(), to_s = -from_s;
   ValueRange values;
 
-  explicit Frame(const std::vector<NamedSeries>& all)
-      : from_s(all.front().series.first_s()), to_s(all.front().series.last_s()) {
+  Frame(const std::vector<NamedSeries>& all, const std::vector<NamedBars>& bars) {
     for (const auto& each : all) {
-      from_s = std::min(from_s, each.series.first_s());
-      to_s = std::max(to_s, each.series.last_s());
+      include(each.series.first_s(), each.series.last_s());
       values.take(each.series.range());
     }
+    for (const auto& each : bars) include(each.bars.first_s(), each.bars.last_s());
+  }
+  void include(double first_s, double last_s) {
+    from_s = std::min(from_s, first_s);
+    to_s = std::max(to_s, last_s);
   }
   /// Returns where a value is: 0 at the bottom, 1 on top; in the middle if all are one.
   [[nodiscard]] double height_of(double value) const {
@@ -62,7 +66,33 @@ char letter_of(std::size_t index, std::size_t count) {
   return count == 1 ? '*' : static_cast<char>('a' + index % 26);
 }
 
+char bar_letter(std::size_t name) {
+  return static_cast<char>('A' + name);  // of at most 26
+}
+
+std::string legend_of(const NamedBars& each) {
+  std::string text = visible(each.name) + ":";
+  for (std::size_t i = 0; i < each.bars.names().size(); ++i)
+    text +=
+        (i == 0 ? " " : ", ") + std::string(1, bar_letter(i)) + ' ' + visible(each.bars.names()[i]);
+  return text + '\n';
+}
+
+/// Returns the last part of a name, as much of it as a label has room for.
+std::string label_of(const NamedBars& each) {
+  const std::string name = visible(each.name.substr(each.name.rfind('.') + 1));
+  return name.substr(0, kLabelWidth);
+}
+
+std::string bar_row(const NamedBars& each, const Frame& frame, std::size_t width) {
+  std::string row;
+  for (const auto& name : each.bars.columns(frame.from_s, frame.to_s, width))
+    row += name ? bar_letter(*name) : ' ';
+  return right(label_of(each)) + " |" + row.substr(0, row.find_last_not_of(' ') + 1) + '\n';
+}
+
 constexpr double kPictureWidth = 960, kPictureHeight = 360, kMargin = 60;
+constexpr double kBarHeight = 16, kBarDistance = 44;  // a bar and its legend
 constexpr std::array kColours{"#1f77b4", "#d62728", "#2ca02c", "#9467bd",
                               "#ff7f0e", "#17becf", "#8c564b", "#7f7f7f"};
 
@@ -90,10 +120,35 @@ std::string svg_line(const NamedSeries& each, const char* colour, const Frame& f
          "\"/>\n";
 }
 
+/// Returns the bar of texts whose top is at `top_y`, with its legend below.
+std::string svg_bar(const NamedBars& each, double top_y, const Frame& frame) {
+  const auto width = static_cast<std::size_t>(kPictureWidth - 2 * kMargin);
+  const auto columns = each.bars.columns(frame.from_s, frame.to_s, width);
+  std::string text = svg_text(kMargin - 6, top_y + 12, label_of(each), "text-anchor=\"end\"");
+  for (std::size_t begin = 0, end = 0; begin < width; begin = end) {
+    while (end < width && columns[end] == columns[begin]) ++end;
+    if (!columns[begin]) continue;
+    text += "  <rect x=\"" + short_text(kMargin + static_cast<double>(begin)) + "\" y=\"" +
+            short_text(top_y) + "\" width=\"" + short_text(static_cast<double>(end - begin)) +
+            "\" height=\"" + short_text(kBarHeight) + "\" fill=\"" +
+            kColours[*columns[begin] % kColours.size()] + "\"/>\n";
+  }
+  double x = kMargin;
+  for (std::size_t i = 0; i < each.bars.names().size(); ++i) {
+    const std::string fill =
+        "fill=\"" + std::string(kColours[i % kColours.size()]) + "\" font-size=\"10\"";
+    text += svg_text(x, top_y + kBarHeight + 12, each.bars.names()[i], fill.c_str());
+    x += 12 + 6 * static_cast<double>(each.bars.names()[i].size());
+  }
+  return text;
+}
+
 }  // namespace
 
-std::string chart_text(const std::vector<NamedSeries>& all, std::size_t width, std::size_t height) {
-  const Frame frame(all);
+std::string chart_text(const std::vector<NamedSeries>& all, std::size_t width, std::size_t height,
+                       const std::vector<NamedBars>& bars) {
+  const Frame frame(all, bars);
+  if (all.empty()) height = 0;
   std::vector<std::string> rows(height, std::string(width, ' '));
   std::string text;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -103,12 +158,14 @@ std::string chart_text(const std::vector<NamedSeries>& all, std::size_t width, s
             short_text(all[i].series.range().least) + " to " +
             short_text(all[i].series.range().most) + '\n';
   }
+  for (const auto& each : bars) text += legend_of(each);
   for (std::size_t row = 0; row < height; ++row) {
     const std::string label = row == 0            ? short_text(frame.values.most)
                               : row + 1 == height ? short_text(frame.values.least)
                                                   : "";
     text += right(label) + " |" + rows[row].substr(0, rows[row].find_last_not_of(' ') + 1) + '\n';
   }
+  for (const auto& each : bars) text += bar_row(each, frame, width);
   const std::string from = short_text(frame.from_s) + " s", to = short_text(frame.to_s) + " s";
   const std::size_t used = from.size() + to.size();
   text += std::string(kLabelWidth + 1, ' ') + '+' + std::string(width, '-') + '\n';
@@ -116,16 +173,22 @@ std::string chart_text(const std::vector<NamedSeries>& all, std::size_t width, s
          std::string(width > used ? width - used : 1, ' ') + to + '\n';
 }
 
-std::string chart_svg(const std::vector<NamedSeries>& all) {
-  const Frame frame(all);
+std::string chart_svg(const std::vector<NamedSeries>& all, const std::vector<NamedBars>& bars) {
+  const Frame frame(all, bars);
+  const std::string height =
+      short_text(kPictureHeight + kBarDistance * static_cast<double>(bars.size()));
   const double right_x = kPictureWidth - kMargin, bottom_y = kPictureHeight - kMargin;
-  std::string text =
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 960 360\" "
-      "font-family=\"sans-serif\" font-size=\"12\">\n"
-      "  <rect width=\"960\" height=\"360\" fill=\"white\"/>\n"
-      "  <path d=\"M60 60 V300 H900\" fill=\"none\" stroke=\"black\"/>\n";
-  text += svg_text(kMargin - 6, kMargin + 4, short_text(frame.values.most), "text-anchor=\"end\"");
-  text += svg_text(kMargin - 6, bottom_y, short_text(frame.values.least), "text-anchor=\"end\"");
+  std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 960 " + height +
+                     "\" font-family=\"sans-serif\" font-size=\"12\">\n"
+                     "  <rect width=\"960\" height=\"" +
+                     height +
+                     "\" fill=\"white\"/>\n"
+                     "  <path d=\"M60 60 V300 H900\" fill=\"none\" stroke=\"black\"/>\n";
+  if (!all.empty()) {
+    text +=
+        svg_text(kMargin - 6, kMargin + 4, short_text(frame.values.most), "text-anchor=\"end\"");
+    text += svg_text(kMargin - 6, bottom_y, short_text(frame.values.least), "text-anchor=\"end\"");
+  }
   text += svg_text(kMargin, bottom_y + 20, short_text(frame.from_s) + " s", "");
   text += svg_text(right_x, bottom_y + 20, short_text(frame.to_s) + " s", "text-anchor=\"end\"");
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -135,6 +198,8 @@ std::string chart_svg(const std::vector<NamedSeries>& all) {
     text += svg_text(kMargin + 200 * static_cast<double>(i % 4),
                      20 + 16 * static_cast<double>(i / 4), all[i].name, fill.c_str());
   }
+  for (std::size_t i = 0; i < bars.size(); ++i)
+    text += svg_bar(bars[i], bottom_y + 36 + kBarDistance * static_cast<double>(i), frame);
   return text + "</svg>\n";
 }
 

@@ -27,6 +27,7 @@ struct Curve {
   std::string topic, field;
   std::set<std::uint16_t> channels = {};
   NamedSeries named = {};
+  StateBars bars = {};
 };
 
 /// Returns the number of a value; nothing for one that is no finite number.
@@ -42,7 +43,7 @@ class Plotting {
   Plotting(const Recording& recording, const PlotOptions& options)
       : recording_(recording), options_(options), trees_(recording.summary()), undecoded_(kPlot) {}
 
-  /// Errors: a value's topic or field is not there, or has no number.
+  /// Errors: a value's topic or field is not there, or has no number and no text.
   Result<void> read() {
     Selection selection{.topics = {}, .from_s = options_.from_s, .to_s = options_.to_s};
     for (const auto& value : options_.values) {
@@ -61,7 +62,14 @@ class Plotting {
 
   [[nodiscard]] std::vector<NamedSeries> series() const {
     std::vector<NamedSeries> all;
-    for (const auto& curve : curves_) all.push_back(curve.named);
+    for (const auto& curve : curves_)
+      if (curve.named.series.count() > 0) all.push_back(curve.named);
+    return all;
+  }
+  [[nodiscard]] std::vector<NamedBars> bars() const {
+    std::vector<NamedBars> all;
+    for (const auto& curve : curves_)
+      if (!curve.bars.empty()) all.push_back({curve.named.name, curve.bars});
     return all;
   }
   [[nodiscard]] int finish() const { return undecoded_.finish() != 0 ? kIncomplete : damaged_; }
@@ -89,15 +97,16 @@ class Plotting {
         return Error{"in messages of " + visible(curve.topic) + " " + field.error().message};
       const auto number = field.value() ? number_of(*field.value()) : std::nullopt;
       if (number) curve.named.series.add(at_s, *number);
+      if (field.value() && field.value()->is_string())
+        curve.bars.add(at_s, field.value()->get_ref<const std::string&>());
     }
     return {};
   }
 
   Result<void> check_numbers() const {
     for (const auto& curve : curves_)
-      if (curve.named.series.count() == 0)
-        return Error{"there is no number of " + visible(curve.named.name) +
-                     " to draw; 'galilean log stats --field' counts texts"};
+      if (curve.named.series.count() == 0 && curve.bars.empty())
+        return Error{"there is no number and no text of " + visible(curve.named.name) + " to draw"};
     return {};
   }
 
@@ -124,10 +133,11 @@ int plot(const PlotOptions& options) {
   Plotting plotting(recording.value(), options);
   if (auto done = plotting.read(); !done) return fail_plot(done.error().message);
   const auto series = plotting.series();
+  const auto bars = plotting.bars();
   if (options.svg.empty()) {
     std::cout << chart_text(series, static_cast<std::size_t>(options.width),
-                            static_cast<std::size_t>(options.height));
-  } else if (auto done = write_svg(options, chart_svg(series)); !done) {
+                            static_cast<std::size_t>(options.height), bars);
+  } else if (auto done = write_svg(options, chart_svg(series, bars)); !done) {
     return fail_plot(done.error().message);
   }
   return std::cout.flush() ? plotting.finish() : kFailed;

@@ -19,7 +19,8 @@ struct PlotOptions {
   bool replace = false;         ///< overwrite that file
 };
 
-/// Draws fields over time. Returns the exit code.
+/// Draws fields over time: numbers as curves, and texts, such as states, as bars. Returns the exit
+/// code.
 [[nodiscard]] int plot(const PlotOptions& options);
 
 }  // namespace galilean::logs

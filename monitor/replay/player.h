@@ -39,6 +39,10 @@ class Player {
                                                const std::vector<mcap::Block>& blocks);
   /// Returns the number of messages that were given to `send`.
   [[nodiscard]] std::uint64_t sent() const noexcept { return sent_; }
+  /// Returns where in the recording the newest message is [since its start, without silences].
+  [[nodiscard]] Duration position() const noexcept {
+    return Duration(static_cast<Duration::rep>(time_.position_ns()));
+  }
   /// Returns the silences that were passed over.
   [[nodiscard]] const std::vector<mcap::TimeRange>& silences() const noexcept {
     return time_.silences();

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <poll.h>
-
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
@@ -17,6 +15,7 @@
 #include "monitor/record/damage_text.h"
 #include "monitor/record/log_info.h"
 #include "monitor/replay/choice.h"
+#include "monitor/replay/playback.h"
 #include "monitor/replay/player.h"
 #include "monitor/replay/report.h"
 #include "monitor/replay/stage.h"
@@ -28,7 +27,6 @@ using namespace galilean::monitor;
 
 /// The time for DDS' discovery in both directions.
 constexpr auto kAcquaintance = std::chrono::milliseconds(800);
-constexpr auto kLookEach = std::chrono::milliseconds(500);
 /// Thirty years, which a Duration can hold.
 constexpr double kLongest_s = 1e9;
 
@@ -55,38 +53,6 @@ int fail(const std::string& sentence) {
   return 1;
 }
 
-/// Waits by the machine's clock, and ends early if termination is asked for.
-class Waiting {
- public:
-  Waiting(const Clock& clock, Termination& termination)
-      : clock_(clock), termination_(termination) {}
-
-  /// Waits until `due`, and calls `look` about every 0.5 s. Returns false if termination was asked
-  /// for.
-  bool until(Time due, const std::function<void()>& look = {}) {
-    for (Time now = clock_.now(); !termination_.asked(); now = clock_.now()) {
-      if (look && now >= next_look_) {
-        look();
-        next_look_ = now + kLookEach;
-      }
-      if (now >= due) return true;
-      sleep(std::min<Duration>(due - now, kLookEach));
-    }
-    return false;
-  }
-
- private:
-  void sleep(Duration wait) {
-    const timespec time{wait.count() / 1'000'000'000, wait.count() % 1'000'000'000};
-    pollfd event{termination_.descriptor(), POLLIN, 0};
-    ppoll(&event, 1, &time, nullptr);
-  }
-
-  const Clock& clock_;
-  Termination& termination_;
-  Time next_look_{};
-};
-
 class Replay {
  public:
   Replay(const Options& options, const mcap::ByteSource& recording, const mcap::Summary& summary,
@@ -95,7 +61,7 @@ class Replay {
         recording_(recording),
         summary_(summary),
         tracks_(std::move(tracks)),
-        waiting_(clock_, termination) {}
+        playback_(clock_, termination, options.rate) {}
 
   int run() {
     const auto joined = wire::Participant::join("replay", options_.domain);
@@ -103,15 +69,28 @@ class Replay {
     auto& participant = *joined.value();
     if (!options_.anyway && !is_free(participant)) return 1;
     std::cout << before_playing(options_.file, summary_, tracks_) << std::flush;
+    if (playback_.has_keys())
+      std::cout << "keys: space pauses, . steps, + and - change the rate, arrows go 10 s on and "
+                   "back, Home to the start, q ends\n"
+                << std::flush;
     while (pass(participant) && options_.loop) {
     }
     return damaged_ || summary_.recovered() ? kIncomplete : 0;
   }
 
  private:
+  /// What was played so far, and from where it goes on.
+  struct Played {
+    Duration from{};
+    bool goes_on = false, to_its_end = true;
+    std::uint64_t messages = 0;
+    std::vector<mcap::Damage> damages = {};
+    std::vector<mcap::TimeRange> silences = {};
+  };
+
   bool is_free(wire::Participant& participant) {
     const wire::Discovery others(participant);
-    if (!waiting_.until(clock_.now() + kAcquaintance)) return false;
+    if (!playback_.rest(clock_.now() + kAcquaintance)) return false;
     const auto names = live_namesakes(others.publications(), tracks_.played);
     if (names.empty()) return true;
     (void)fail(listed(names) + (names.size() == 1 ? " is" : " are") +
@@ -125,25 +104,44 @@ class Replay {
   /// of an earlier pass. Returns false if termination was asked for.
   bool pass(wire::Participant& participant) {
     Stage stage(participant, tracks_.played);
-    if (!waiting_.until(clock_.now() + kAcquaintance)) return false;
-    bool to_its_end = true;
-    Player player(
-        tracks_.played, pace(), clock_,
-        [&](std::uint16_t channel, mcap::ByteView cdr) { stage.send(channel, cdr); },
-        [&](Time due) { return to_its_end = waiting_.until(due, [&] { stage.look(); }); });
+    if (!playback_.rest(clock_.now() + kAcquaintance)) return false;
     const Time began = clock_.now();
-    const auto damages = player.play(recording_, summary_.blocks);
-    std::cout << "played " << plural(player.sent(), "message") << " in "
+    Played played{.from = from_seconds(options_.from_s)};
+    do {
+      play(stage, played);
+    } while (played.goes_on);
+    std::cout << "played " << plural(played.messages, "message") << " in "
               << seconds(to_seconds(clock_.now() - began)) << std::endl;
-    tell_damage(damages, player.silences());
+    tell_damage(played.damages, played.silences);
     if (stage.lost() > 0)
       std::cerr << "galilean-replay: could not send " << plural(stage.lost(), "message")
                 << "; a message is left out if it is damaged or DDS does not take it in time\n";
-    return to_its_end;
+    return played.to_its_end;
   }
 
-  [[nodiscard]] Pace pace() const {
-    Pace pace{options_.rate, from_seconds(options_.from_s)};
+  /// Plays from one place to the end, or until it has to go on at another place.
+  void play(Stage& stage, Played& played) {
+    played.to_its_end = true;
+    Player player(
+        tracks_.played, pace(played.from), playback_.clock(),
+        [&](std::uint16_t channel, mcap::ByteView cdr) { stage.send(channel, cdr); },
+        [&](Time due) {
+          played.to_its_end = playback_.until(due, player.position(), [&] { stage.look(); });
+          return played.to_its_end;
+        });
+    for (auto& damage : player.play(recording_, summary_.blocks))
+      if (std::ranges::find(played.damages, damage.offset, &mcap::Damage::offset) ==
+          played.damages.end())
+        played.damages.push_back(std::move(damage));
+    played.messages += player.sent();
+    played.silences = player.silences();
+    const auto target = playback_.take_target();
+    played.goes_on = target.has_value();
+    if (target) played.from = std::min(*target, from_seconds(duration_s(summary_)));
+  }
+
+  [[nodiscard]] Pace pace(Duration from) const {
+    Pace pace{1, from};  // the clock of the replay has the rate
     if (options_.until_s) pace.until = from_seconds(std::min(*options_.until_s, kLongest_s));
     return pace;
   }
@@ -167,7 +165,7 @@ class Replay {
   const mcap::Summary& summary_;
   Tracks tracks_;
   SteadyClock clock_;
-  Waiting waiting_;
+  Playback playback_;
   bool told_ = false;
   bool damaged_ = false;
 };
@@ -201,7 +199,7 @@ int main(int argc, char** argv) {
       .required()
       .names_file(".mcap");
   app.option("--rate", options.rate, "Speed of the replay: 2 is twice as fast as recorded")
-      .between(0.01, 100.0);
+      .between(Playback::kLeastRate, Playback::kMostRate);
   app.option("--from", options.from_s, "Where to begin, in seconds from the start of the recording")
       .not_negative();
   app.option("--until", options.until_s, "Where to end, in seconds from the start of the recording")

@@ -26,7 +26,7 @@ bool is_service(std::string_view topic) noexcept {
 }
 
 bool Selection::takes(const wire::EndpointInfo& writer) const {
-  if (is_service(writer.topic)) return false;
+  if (is_service(writer.topic) || (wants && !wants(writer))) return false;
   if (is_picture(writer) && is_left_out(writer, pictures)) return false;
   const std::string name = shown_topic(writer.topic);
   const auto matches = [&](const std::regex& each) { return std::regex_search(name, each); };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <regex>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,7 @@ struct Selection {
   std::vector<std::regex> topics;    ///< one must match a part of a topic's name; none: all topics
   std::vector<std::regex> excluded;  ///< none may match a part of it
   Pictures pictures = Pictures::kAll;
+  std::function<bool(const wire::EndpointInfo&)> wants;  ///< must be true, too; empty: it is
 
   /// Returns whether what this writer sends is recorded. The requests and replies of ROS 2's
   /// services are no topics.

@@ -37,6 +37,10 @@ class WireSession {
   /// Where an end's type is found. It lives as long as this.
   [[nodiscard]] Definitions& definitions() noexcept { return definitions_; }
 
+  [[nodiscard]] wire::Participant& participant() noexcept { return *participant_; }
+  /// Has `wait` look at once. Any thread may call it.
+  void ring() noexcept { wake_.ring(); }
+
   /// Calls `enough` whenever messages may have come, until it returns true, `most` is over, or
   /// termination is asked for. Returns whether it returned true.
   bool wait(Duration most, const std::function<bool()>& enough);

@@ -2,34 +2,30 @@
 #include "monitor/expect/live/live_samples.h"
 
 #include <algorithm>
-#include <exception>
 #include <utility>
 
 #include "core/visible_text.h"
 #include "core/wire/ros_time.h"
+#include "monitor/record/told_losses.h"
 #include "monitor/wire/topic_name.h"
 
 namespace galilean::expect {
 namespace {
 
-constexpr Duration kLookForTopicsEach = std::chrono::milliseconds(200);
+constexpr Duration kLookForWritersEach = std::chrono::milliseconds(200);
+constexpr Duration kWatchMatchesEach = std::chrono::seconds(1);
 constexpr std::size_t kMostNotes = 20;
-
-/// Returns whether all that write the topic have this release's definition of its type.
-bool is_ours(const monitor::FoundTopic& topic) {
-  return std::ranges::all_of(topic.ends, [](const wire::EndpointInfo& end) {
-    const auto definition = monitor::definition_of(end);
-    return definition == monitor::Definition::kOurs ||
-           definition == monitor::Definition::kUnpublished;
-  });
-}
 
 }  // namespace
 
 LiveSamples::LiveSamples(monitor::WireSession& session, SampleSink& sink)
     : session_(session),
       sink_(sink),
-      typed_(sink),
+      decoders_(session.definitions(), sink),
+      recordings_({.participant = session.participant(),
+                   .selection = {.wants = [this](const auto& end) { return decoders_.wants(end); }},
+                   .warn = [this](const std::string& sentence) { note(sentence); },
+                   .on_data = [this] { session_.ring(); }}),
       began_(session.now()),
       began_ns_(wire::wall_clock_ns()) {}
 
@@ -38,68 +34,33 @@ std::int64_t LiveSamples::time_ns(Time at) const {
 }
 
 void LiveSamples::pump() {
-  if (const Time now = session_.now(); now >= next_look_) {
-    next_look_ = now + kLookForTopicsEach;
-    open_new();
+  const Time now = session_.now();
+  if (now >= next_look_) {
+    next_look_ = now + kLookForWritersEach;
+    recordings_.follow_writers();
   }
-  for (auto& [name, topic] : topics_)
-    if (topic.reader) take(topic);
-}
-
-void LiveSamples::open_new() {
-  std::map<std::string, monitor::FoundTopic> found;
-  for (const auto& end : session_.known()) {
-    if (!end.writes || !end.topic.starts_with("rt/") || topics_.contains(end.topic)) continue;
-    auto& topic = found[end.topic];
-    topic.dds_topic = end.topic;
-    topic.ends.push_back(end);
+  if (now >= next_watch_) {
+    next_watch_ = now + kWatchMatchesEach;
+    recordings_.watch_matches();
   }
-  for (auto& [name, topic] : found) open(std::move(topic));
+  recordings_.take(
+      [this](const wire::Received& received, const monitor::TopicRecording::Writer& writer) {
+        take(received, writer.info);
+      });
+  for (const auto& sentence : decoders_.take_notes()) note(sentence);
 }
 
-void LiveSamples::open(monitor::FoundTopic found) try {
-  const std::string type = monitor::shown_type(found.ends.front().dds_type);
-  Topic& topic = topics_[found.dds_topic];
-  topic.name = monitor::shown_topic(found.dds_topic);
-  topic.counted = sink_.wants_messages(topic.name);
-  topic.fields = sink_.wants_fields(topic.name);
-  const bool typed = sink_.wants_type(type), ours = is_ours(found);
-  if (typed && ours) topic.decode = TypedDecoder::function_for(type);
-  if (typed && !ours)
-    note(visible(topic.name) + " is not judged: its writer defines " + visible(type) +
-         " otherwise than this release");
-  if (topic.counted || topic.fields || topic.decode) topic.reader = session_.read(std::move(found));
-} catch (const std::exception& error) {
-  note(std::string("a topic cannot be read: ") + error.what());
-}
-
-void LiveSamples::take(Topic& topic) {
-  topic.reader->take([&](const wire::Received& received) {
-    const Time now = session_.now();
-    if (!first_) first_ = now;
-    ++played_.messages;
-    give(topic, received, time_ns(now));
-  });
-  for (const auto& each : topic.reader->take_notes()) note(each);
-}
-
-void LiveSamples::give(Topic& topic, const wire::Received& received, std::int64_t at_ns) {
-  if (topic.counted) sink_.message(at_ns, topic.name, {received.writer, received.sequence});
-  const bool typed = !topic.decode || (typed_.*topic.decode)(at_ns, received.cdr);
-  const bool fields = !topic.fields || give_fields(topic, received, at_ns);
-  if (typed && fields) return;
+void LiveSamples::take(const wire::Received& received, const wire::EndpointInfo& writer) {
+  const Time now = session_.now();
+  if (!first_) first_ = now;
+  ++played_.messages;
+  const auto at_ns = time_ns(now);
+  if (decoders_.take(at_ns, writer, received)) return;
   const bool first = played_.undecoded++ == 0;
-  sink_.damage({at_ns, at_ns}, first ? "a message of " + visible(topic.name) +
-                                           " is not whole, or "
-                                           "its definition is not known"
-                                     : std::string());
-}
-
-bool LiveSamples::give_fields(Topic& topic, const wire::Received& received, std::int64_t at_ns) {
-  const auto decoded = topic.reader->decode(received);
-  if (!decoded) return note(decoded.error().message), false;
-  sink_.fields(at_ns, topic.name, decoded.value());
-  return true;
+  sink_.damage({at_ns, at_ns}, first
+                                   ? "a message of " + visible(monitor::shown_topic(writer.topic)) +
+                                         " is not whole, or its definition is not known"
+                                   : std::string());
 }
 
 void LiveSamples::note(const std::string& sentence) {
@@ -109,6 +70,9 @@ void LiveSamples::note(const std::string& sentence) {
 
 Played LiveSamples::finish() {
   pump();
+  const monitor::ToldLosses losses{recordings_.losses(), true};
+  for (const auto& [topic, missed] : monitor::missing_by_topic(losses, {}))
+    sink_.missed(topic, missed);
   played_.begin_ns = time_ns(first_.value_or(began_));
   played_.end_ns = time_ns(session_.now());
   return std::move(played_);

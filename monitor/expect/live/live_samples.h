@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
-#include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 
+#include "monitor/expect/live/writer_decoders.h"
 #include "monitor/expect/recording/play_samples.h"
-#include "monitor/expect/recording/typed_decoder.h"
+#include "monitor/record/topic_recordings.h"
 #include "monitor/wire/wire_session.h"
 
 namespace galilean::expect {
 
 /// Gives the messages of a DDS domain to a sink as they come, as play_samples gives those of a
-/// recording. It reads the topics that the sink wants, each from when it is first written on.
+/// recording. It hears as the recorder does the topics that the sink wants: each message once,
+/// whatever quality of service its writer offers, and counts what does not come.
 ///
 /// Times are those at which messages were received. They begin with this machine's wall clock, and
 /// then go on by its monotonic clock, so that no setting of the clock shows in them. For one
@@ -33,30 +32,18 @@ class LiveSamples {
   [[nodiscard]] Played finish();
 
  private:
-  struct Topic {
-    std::string name;      ///< in ROS 2
-    bool counted = false;  ///< the sink wants to know of each message
-    bool fields = false;   ///< the sink wants their fields
-    TypedDecoder::Decode decode = nullptr;
-    std::unique_ptr<monitor::TopicReader> reader;
-  };
-
-  void open_new();
-  void open(monitor::FoundTopic found);
-  void take(Topic& topic);
-  void give(Topic& topic, const wire::Received& received, std::int64_t at_ns);
-  [[nodiscard]] bool give_fields(Topic& topic, const wire::Received& received, std::int64_t at_ns);
+  void take(const wire::Received& received, const wire::EndpointInfo& writer);
   void note(const std::string& sentence);
   [[nodiscard]] std::int64_t time_ns(Time at) const;
 
   monitor::WireSession& session_;
   SampleSink& sink_;
-  TypedDecoder typed_;
+  WriterDecoders decoders_;
+  monitor::TopicRecordings recordings_;
   const Time began_;
   const std::int64_t began_ns_;  ///< the same instant by the wall clock
-  Time next_look_{};
+  Time next_look_{}, next_watch_{};
   std::optional<Time> first_;
-  std::map<std::string, Topic> topics_;  ///< by DDS' name; those that are not read, too
   std::set<std::string> notes_;
   Played played_;
 };

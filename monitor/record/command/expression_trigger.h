@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <deque>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/result.h"
 #include "monitor/expect/judge/judge.h"
-#include "monitor/expect/recording/typed_decoder.h"
+#include "monitor/expect/live/writer_decoders.h"
 #include "monitor/record/snapshots.h"
 #include "monitor/wire/definitions.h"
 
@@ -27,22 +27,12 @@ class ExpressionTrigger final : public Trigger {
   [[nodiscard]] std::optional<std::string> happened() override;
 
  private:
-  /// How the messages of one writer are given to the judge.
-  struct Way {
-    std::string topic;
-    expect::TypedDecoder::Decode typed = nullptr;
-    std::optional<MessageDecoder> fields;
-  };
-
   ExpressionTrigger(std::vector<expect::Expectation> expectations, Definitions& definitions);
-  [[nodiscard]] Way way_of(const wire::EndpointInfo& writer);
 
   const std::vector<expect::Expectation> expectations_;
-  Definitions& definitions_;
   std::optional<std::string> event_;
   expect::Judge judge_;
-  expect::TypedDecoder typed_;
-  std::map<std::string, Way> ways_;  ///< by the writer's GUID
+  expect::WriterDecoders decoders_;
 };
 
 }  // namespace galilean::monitor

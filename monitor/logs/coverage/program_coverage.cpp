@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/plural.h"
+#include "core/state_change.h"
 #include "core/visible_text.h"
 
 namespace galilean::logs {
@@ -36,7 +37,7 @@ double share(std::size_t part, std::size_t all) {
 }  // namespace
 
 std::string ProgramCoverage::Condition::text() const {
-  return visible(file) + ':' + std::to_string(line) + ": " + visible(from) + " → " + visible(to) +
+  return visible(file) + ':' + std::to_string(line) + ": " + visible(change_words(from, to)) +
          " when " + visible(variable) + '[' + std::to_string(bit) + "] is " + (value ? '1' : '0');
 }
 

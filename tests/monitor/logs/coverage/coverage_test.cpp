@@ -86,7 +86,7 @@ TEST_F(CoverageTest, TellsWhatWasNeverDone) {
   EXPECT_THAT(answer.out, HasSubstr("fetch: 2 of 3 states (67 %), 2 of 3 conditions (67 %)\n"));
   EXPECT_THAT(answer.out, HasSubstr("  never in flee\n"));
   EXPECT_THAT(answer.out,
-              HasSubstr("  never taken: fetch.bhdl:6: wander → flee when bumpers[0] is 1; it held "
+              HasSubstr("  never taken: fetch.bhdl:6: wander -> flee when bumpers[0] is 1; it held "
                         "1 time while another came first\n"));
   EXPECT_THAT(answer.out, Not(HasSubstr("fetch.bhdl:5")));
 }

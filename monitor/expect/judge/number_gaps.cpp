@@ -16,7 +16,7 @@ void NumberGaps::note(std::int64_t at_ns, const Numbered& message) {
     went_back_ = true;
   } else if (const auto skipped = message.sequence - newest.sequence - 1; skipped > 0) {
     missing_ += skipped;
-    times_.add({newest.at_ns, at_ns});
+    times_.add(inside({newest.at_ns, at_ns}));
   }
   newest = {message.sequence, at_ns};
 }

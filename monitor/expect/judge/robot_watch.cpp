@@ -109,7 +109,7 @@ void RobotWatch::restart() {
 
 /// Takes that the robot has come to this transition since the one that was known last.
 void RobotWatch::note_number(std::int64_t at_ns, std::uint64_t transition) {
-  missed_states_.pass(belief_.transitions, transition, {numbered_ns_, at_ns});
+  missed_states_.pass(belief_.transitions, transition, inside({numbered_ns_, at_ns}));
 }
 
 void RobotWatch::sample(std::int64_t at_ns, const msg::Transition& transition) {

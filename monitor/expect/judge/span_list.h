@@ -30,6 +30,12 @@ inline constexpr Span kAnyTime{std::numeric_limits<std::int64_t>::min(),
   return span;
 }
 
+/// Returns the instants between the two limits of a span, at which themselves something was heard;
+/// or the span if there are none.
+[[nodiscard]] inline Span inside(const Span& span) noexcept {
+  return span.to_ns - span.from_ns < 2 ? span : Span{span.from_ns + 1, span.to_ns - 1};
+}
+
 /// Spans of time in which something is not known. It takes bounded memory: once it is full, the
 /// newest grows to cover what is added.
 class SpanList {

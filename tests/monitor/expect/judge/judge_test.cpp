@@ -221,6 +221,12 @@ TEST(Judge, AStateThatPassedUntoldCannotBeExcluded) {
   EXPECT_EQ(verdicts[2].finding.outcome, kHolds);
 }
 
+TEST(Judge, WhatPassedUntoldBeforeDoesNotExcuseWhatLastedAfterwards) {
+  Scene scene("io: never state is \"c\" for 1.5 s");
+  pass_two_transitions(scene);
+  EXPECT_EQ(scene.finding(4).outcome, kFails);
+}
+
 TEST(Judge, ATransitionThatComesAfterALaterStateStillTellsItsOwn) {
   for (const std::string passed : {"b", "d"}) {
     Scene scene(kOfPassedStates);
@@ -276,6 +282,15 @@ TEST(Judge, WhatMissingMessagesCouldDecideCannotBeTold) {
   EXPECT_EQ(verdicts[4].finding.outcome, kHolds);
   EXPECT_EQ(verdicts[5].finding.outcome, kCannotTell);
   EXPECT_EQ(verdicts[6].finding.outcome, kCannotTell);
+}
+
+TEST(Judge, AMessageThatIsMissingBeforeAPauseDoesNotExcuseIt) {
+  Scene scene("io: no gaps in ~/state longer than 500 ms");
+  scene.state(0, "a");
+  std::uint64_t number = 0;
+  for (const double s : {0.1, 0.2, 0.4, 2.0})
+    scene.judge().message(Scene::at(s), "/io/state", {1, number += s == 0.4 ? 2 : 1});
+  EXPECT_EQ(scene.finding(2).outcome, kFails);
 }
 
 TEST(Judge, LossesAreCountedByTheNumbersOfEachWriter) {

@@ -15,30 +15,30 @@ namespace {
 constexpr const char* kMessageLanguage = "ros2msg";
 
 /// Returns this release's own schema of the type, or nullptr if it defines none that is the same.
-const wire::Schema* own_schema(const std::string& ros_type, const std::string& definition) {
-  const auto* known = wire::find_schema_by_ros_type(ros_type);
+const wire::Schema* own_schema(const mcap::Schema& schema) {
+  const auto* known = wire::find_schema_by_ros_type(schema.name);
   const auto* own = known ? wire::find_own_type(known->dds_type) : nullptr;
   if (!own) return nullptr;
-  const auto ours = wire::message_definition(own->description);
-  return ours && ours.value() == definition ? known : nullptr;
+  const auto definition = wire::message_definition(own->description);
+  return definition && definition.value() == schema.data ? known : nullptr;
 }
 
 }  // namespace
 
 Result<mcap::Schema> in_language(const mcap::Schema& schema, const std::string& encoding) {
   if (schema.encoding == encoding) return schema;
-  const auto type = monitor::type_of_schema(schema);
-  if (!type) return type.error();
-  auto definition = wire::message_definition(type.value());
   mcap::Schema other{schema.id, schema.name, encoding, {}};
-  if (encoding == kMessageLanguage) {
-    if (!definition) return definition.error();
-    other.data = std::move(definition).value();
-    return other;
-  }
-  const auto* own = definition ? own_schema(schema.name, definition.value()) : nullptr;
+  const auto* own = encoding == kMessageLanguage ? nullptr : own_schema(schema);
   if (own) {
     other.data = std::string(own->idl);
+    return other;
+  }
+  const auto type = monitor::type_of_schema(schema);
+  if (!type) return type.error();
+  if (encoding == kMessageLanguage) {
+    auto definition = wire::message_definition(type.value());
+    if (!definition) return definition.error();
+    other.data = std::move(definition).value();
     return other;
   }
   other.encoding = "omgidl";

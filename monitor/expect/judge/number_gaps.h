@@ -24,7 +24,9 @@ class NumberGaps {
   [[nodiscard]] std::uint64_t missing() const noexcept { return missing_; }
   /// Returns when they are missing.
   [[nodiscard]] const SpanList& times() const noexcept { return times_; }
-  /// Returns why the numbers do not tell what is missing; an empty text if they do.
+  /// Returns whether the numbers tell what is missing.
+  [[nodiscard]] bool tells() const noexcept { return !unnumbered_ && !went_back_; }
+  /// Returns why they do not; an empty text if they do.
   [[nodiscard]] std::string doubt() const;
 
  private:

@@ -21,7 +21,7 @@ void TopicMonitor::missed(std::optional<std::uint64_t> messages) {
 }
 
 std::uint64_t TopicMonitor::missing() const noexcept {
-  const std::uint64_t between = gaps_.doubt().empty() ? gaps_.missing() : 0;
+  const std::uint64_t between = gaps_.tells() ? gaps_.missing() : 0;
   return std::max(between, counted_.value_or(0));
 }
 
@@ -34,7 +34,7 @@ void TopicMonitor::doubt_times() {
   finding_.outcome = finding_.failures > 0 ? Outcome::kFails : Outcome::kHolds;
   SpanList anywhere;
   anywhere.add(kAnyTime);
-  const bool all_have_times = gaps_.doubt().empty() && missing() == gaps_.missing();
+  const bool all_have_times = gaps_.tells() && missing() == gaps_.missing();
   doubt_where(all_have_times ? gaps_.times() : anywhere, missing_text(), finding_);
   if (finding_.outcome == Outcome::kCannotTell) finding_.failures = 0;
 }

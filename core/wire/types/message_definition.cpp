@@ -14,16 +14,21 @@ namespace {
 /// In the order of TypeKind. What is unsigned and of 8 bits is "uint8" and "byte" alike.
 constexpr std::array kPrimitives{"bool",  "uint8",  "int8",  "char",   "int16",   "uint16",
                                  "int32", "uint32", "int64", "uint64", "float32", "float64"};
-constexpr std::string_view kRosRoom = "::msg::dds_::";
+constexpr std::string_view kRosRoom = "::msg::dds_::", kIdlRoom = "::msg::";
 const std::string kSeparator = std::string(80, '=') + "\nMSG: ";
 
-/// Returns "geometry_msgs/Point" for "geometry_msgs::msg::dds_::Point_", or an empty text for a
-/// name that is no message's.
+/// Returns "geometry_msgs/Point" for "geometry_msgs::msg::dds_::Point_", as it is called on DDS,
+/// and for "geometry_msgs::msg::Point", as IDL calls it; or an empty text for a name that is no
+/// message's.
 std::string message_name(const std::string& name) {
   const auto room = name.find(kRosRoom);
-  if (room == name.npos || !name.ends_with('_')) return "";
-  const auto start = room + kRosRoom.size();
-  return visible(name.substr(0, room) + "/" + name.substr(start, name.size() - start - 1));
+  if (room != name.npos && name.ends_with('_')) {
+    const auto start = room + kRosRoom.size();
+    return visible(name.substr(0, room) + "/" + name.substr(start, name.size() - start - 1));
+  }
+  const auto plain = name.find(kIdlRoom);
+  if (plain == name.npos || name.find("::", plain + kIdlRoom.size()) != name.npos) return "";
+  return visible(name.substr(0, plain) + "/" + name.substr(plain + kIdlRoom.size()));
 }
 
 class DefinitionWriter {

@@ -36,8 +36,8 @@ constexpr auto table_of() {
 constexpr auto kMakers =
     table_of<msg::RobotState, msg::Transition, msg::Variables, msg::Forces, msg::Sightings,
              msg::Program, msg::ProgramPush, msg::ProgramRollback, msg::ProgramReply,
-             msg::PushProgress, msg::Catalog, msg::Command, msg::BreakOrder, msg::Breaks,
-             msg::ObjectMap, msg::Score, msg::SimulationOrder, msg::SimulationEvent,
+             msg::PushProgress, msg::Catalog, msg::Command, msg::BreakOrder, msg::TeamStop,
+             msg::Breaks, msg::ObjectMap, msg::Score, msg::SimulationOrder, msg::SimulationEvent,
              msg::SimulationState, msg::CompressedImage, msg::Odometry, msg::OccupancyGrid,
              msg::TFMessage, msg::MarkerArray, msg::DiagnosticArray, msg::Log>();
 

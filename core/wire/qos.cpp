@@ -28,6 +28,7 @@ constexpr auto kDeliveries = std::to_array<std::pair<std::string_view, Delivery>
     {"galilean_msgs/msg/ProgramRollback", Delivery::kCommand},
     {"galilean_msgs/msg/Command", Delivery::kCommand},
     {"galilean_msgs/msg/BreakOrder", Delivery::kCommand},
+    {"galilean_msgs/msg/TeamStop", Delivery::kCommand},
     {"galilean_msgs/msg/SimulationOrder", Delivery::kCommand},
     {"nav_msgs/msg/Odometry", Delivery::kFlow},
     {"tf2_msgs/msg/TFMessage", Delivery::kFlow},

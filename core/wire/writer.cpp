@@ -53,6 +53,7 @@ template class Writer<msg::PushProgress>;
 template class Writer<msg::Catalog>;
 template class Writer<msg::Command>;
 template class Writer<msg::BreakOrder>;
+template class Writer<msg::TeamStop>;
 template class Writer<msg::Breaks>;
 template class Writer<msg::ObjectMap>;
 template class Writer<msg::Score>;

@@ -40,7 +40,7 @@ int tell_answers(OrderSession& session, const Names& robots, const std::string& 
       tell(robot, "did not answer; try again");
       continue;
     }
-    const std::string& refused = session.breaks_of(robot)->refused;
+    const std::string& refused = session.answer_of(robot, order_id)->refused;
     tell(robot, refused.empty() ? effect(robot) : "refused: " + refused);
     all_did &= refused.empty();
   }
@@ -126,8 +126,7 @@ int main(int argc, char** argv) {
   add_addressees(stepped, stepping);
   if (const auto code = app.parse(argc, argv)) return *code;
   if (breaking.chosen()) return run_break(options, app);
-  if (!stepping.team && stepping.robots.empty())
-    return app.refuse("Name the robots with --team or --robot NAME.");
+  if (const auto named = check_named(stepping); !named) return app.refuse(named.error().message);
   return run(stepping, [&](OrderSession& session, const Names& robots) {
     return step(session, stepping, robots);
   });

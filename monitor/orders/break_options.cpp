@@ -6,8 +6,32 @@
 namespace galilean::monitor {
 namespace {
 
+namespace kinds = msg::BreakPoint_Constants;
+
 constexpr const char* kPlaces =
     "Where: STATE, on entering it; FROM:TO, at this change of state; FROM:, on leaving FROM";
+
+/// Returns the order, whoever is named.
+Result<msg::BreakOrder> order_in(const BreakOptions& options) {
+  msg::BreakOrder order;
+  order.order = options.clear                  ? "clear"
+                : !options.let_through.empty() ? "let_through"
+                : options.remove               ? "remove"
+                                               : "set";
+  if (options.clear) return order;
+  auto places = options.places;
+  if (!options.let_through.empty()) places = {options.let_through};
+  if (places.empty())
+    return Error{
+        "Name a state, or a change of state as FROM:TO, before --robot and other options."};
+  for (const auto& text : places) {
+    msg::BreakPoint& point = order.points.emplace_back(place_in(text));
+    if (point.from_state.empty() && point.to_state.empty())
+      return Error{"'" + text + "' names no state: write STATE, FROM:TO or FROM:"};
+    point.kind = options.lock ? kinds::LOCK : options.stop_team ? kinds::STOP_TEAM : kinds::STOP;
+  }
+  return order;
+}
 
 }  // namespace
 
@@ -29,27 +53,14 @@ void add_break_options(CommandLine& line, BreakOptions& options) {
     for (const CommandLineOption& other : {places, stop_team, lock, remove}) alone.excludes(other);
   clear.excludes(list).excludes(let_through);
   list.excludes(let_through);
-  line.footer("Without --robot every robot that sends its state is meant.");
+  line.footer(
+      "Orders name their robots with --team or --robot NAME. --list lists every robot that sends "
+      "its state, unless --robot names some.");
 }
 
 Result<msg::BreakOrder> order_of(const BreakOptions& options) {
-  msg::BreakOrder order;
-  order.order = options.clear                  ? "clear"
-                : !options.let_through.empty() ? "let_through"
-                : options.remove               ? "remove"
-                                               : "set";
-  if (options.clear) return order;
-  auto places = options.places;
-  if (!options.let_through.empty()) places = {options.let_through};
-  if (places.empty())
-    return Error{
-        "Name a state, or a change of state as FROM:TO, before --robot and other options."};
-  for (const auto& text : places) {
-    msg::BreakPoint& point = order.points.emplace_back(place_in(text));
-    if (point.from_state.empty() && point.to_state.empty())
-      return Error{"'" + text + "' names no state: write STATE, FROM:TO or FROM:"};
-    point.kind = options.lock ? "lock" : options.stop_team ? "stop_team" : "stop";
-  }
+  auto order = order_in(options);
+  if (const auto named = check_named(options.whom); order && !named) return named.error();
   return order;
 }
 

@@ -27,7 +27,7 @@ struct BreakOptions {
 void add_break_options(CommandLine& line, BreakOptions& options);
 
 /// Returns the order that the options give, without whom and from whom. Requires: they do not ask
-/// for the list. Errors: the options make no order.
+/// for the list. Errors: the options make no order, or name neither robots nor the team.
 [[nodiscard]] Result<msg::BreakOrder> order_of(const BreakOptions& options);
 
 }  // namespace galilean::monitor

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
+#include "core/state_change.h"
 #include "core/wire/ros_time.h"
+#include "monitor/team/break_reason.h"
 
 namespace galilean::monitor {
 namespace {
 
-std::string change_of(const std::string& from, const std::string& to) {
-  return from + " -> " + to;
-}
+namespace kinds = msg::BreakPoint_Constants;
 
 /// Returns "3 s". Both stamps are of one robot's clock.
 std::string seconds_between(const msg::Time& from, const msg::Time& to) {
@@ -37,19 +37,26 @@ msg::BreakPoint place_in(std::string_view text) {
 }
 
 std::string place_of(const msg::BreakPoint& point) {
-  if (point.from_state.empty()) return "on entering " + point.to_state;
-  if (point.to_state.empty()) return "on leaving " + point.from_state;
-  return "at " + change_of(point.from_state, point.to_state);
+  return place_words(point.from_state, point.to_state);
 }
 
 std::string rule_of(const msg::BreakPoint& point) {
-  if (point.kind == "lock") return "is locked " + place_of(point);
-  return (point.kind == "stop_team" ? "stops the team " : "stops ") + place_of(point);
+  switch (point.kind) {
+    case kinds::STOP:
+      return "stops " + place_of(point);
+    case kinds::STOP_TEAM:
+      return "stops the team " + place_of(point);
+    case kinds::LOCK:
+      return "is locked " + place_of(point);
+    default:
+      return "has a break point of the unknown kind " + std::to_string(point.kind) + " " +
+             place_of(point);
+  }
 }
 
 std::string reason_of(const msg::Breaks& told) {
   if (!told.stopped) return "";
-  return told.stopped_by + (told.author.empty() ? "" : " (" + told.author + ")");
+  return stopper_words(told) + (told.author.empty() ? "" : " (" + told.author + ")");
 }
 
 std::vector<std::string> lines_of(const msg::Breaks& told) {
@@ -59,7 +66,7 @@ std::vector<std::string> lines_of(const msg::Breaks& told) {
   if (told.stopped) lines.push_back("was stopped by " + reason_of(told));
   if (told.stepping) lines.emplace_back("goes on until its next change of state");
   if (!told.waits_at_to.empty())
-    lines.push_back("has waited at the lock " + change_of(told.waits_at_from, told.waits_at_to) +
+    lines.push_back("has waited at the lock " + change_words(told.waits_at_from, told.waits_at_to) +
                     " for " + seconds_between(told.waits_since, told.stamp));
   return lines;
 }

@@ -108,8 +108,7 @@ int main(int argc, char** argv) {
     whom.team = true;
     return run(Word::kHold, whom, true);
   }
-  if (!whom.team && whom.robots.empty())
-    return app.refuse("Name the robots with --team or --robot NAME.");
+  if (const auto named = check_named(whom); !named) return app.refuse(named.error().message);
   for (const auto& [line, word] : words)
     if (line.chosen()) return run(word, whom);
   return kWrongUsage;

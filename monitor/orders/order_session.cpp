@@ -8,6 +8,7 @@
 
 #include "core/command_line/domain_option.h"
 #include "core/visible_text.h"
+#include "monitor/orders/break_answer.h"
 
 namespace galilean::monitor {
 namespace {
@@ -28,6 +29,11 @@ void add_addressees(CommandLine& line, Addressees& whom) {
   const auto team = line.flag("--team", whom.team, "Command every robot that sends its state");
   add_domain_option(line, whom.domain);
   robots.excludes(team);
+}
+
+Result<void> check_named(const Addressees& whom) {
+  if (whom.team || !whom.robots.empty()) return {};
+  return Error{"Name the robots with --team or --robot NAME."};
 }
 
 Result<std::unique_ptr<OrderSession>> OrderSession::join(const std::string& name, int domain) {
@@ -63,10 +69,8 @@ std::vector<std::string> OrderSession::wait_for_answers(const std::vector<std::s
                                                         const std::string& order_id) {
   std::vector<std::string> waiting = robots;
   wait(kAnswer, [&] {
-    std::erase_if(waiting, [&](const std::string& robot) {
-      const msg::Breaks* told = breaks_of(robot);
-      return told && told->answered_id == order_id;
-    });
+    std::erase_if(waiting,
+                  [&](const std::string& robot) { return answer_of(robot, order_id) != nullptr; });
     return waiting.empty();
   });
   return waiting;
@@ -97,6 +101,12 @@ const msg::Program* OrderSession::program_of(const std::string& robot) const {
 const msg::Breaks* OrderSession::breaks_of(const std::string& robot) const {
   const auto found = breaks_.find(robot);
   return found == breaks_.end() ? nullptr : &found->second;
+}
+
+const msg::BreakAnswer* OrderSession::answer_of(const std::string& robot,
+                                                const std::string& order_id) const {
+  const msg::Breaks* told = breaks_of(robot);
+  return told ? answer_to(*told, order_id) : nullptr;
 }
 
 std::vector<std::string> OrderSession::speaking() const {

@@ -22,6 +22,9 @@ struct Addressees {
 
 /// Adds --robot, --team and --domain.
 void add_addressees(CommandLine& line, Addressees& whom);
+/// Errors: neither robots nor the team are named. What changes what robots do must name them, so
+/// that a word that was forgotten does not reach the whole team.
+[[nodiscard]] Result<void> check_named(const Addressees& whom);
 
 /// One command's talk with robots over DDS: who is there, and what they tell.
 class OrderSession {
@@ -55,6 +58,10 @@ class OrderSession {
   [[nodiscard]] const msg::Program* program_of(const std::string& robot) const;
   /// Returns what the robot told about break points, or null if it told nothing.
   [[nodiscard]] const msg::Breaks* breaks_of(const std::string& robot) const;
+  /// Returns the robot's answer to an order about break points or a step, or null if it has not
+  /// answered it.
+  [[nodiscard]] const msg::BreakAnswer* answer_of(const std::string& robot,
+                                                  const std::string& order_id) const;
   [[nodiscard]] wire::Participant& participant() noexcept { return listener_->participant(); }
 
  private:

@@ -2,42 +2,45 @@
 #include "monitor/team/break_reason.h"
 
 #include <algorithm>
-#include <string_view>
 
+#include "core/state_change.h"
 #include "core/wire/ros_time.h"
 
 namespace galilean::monitor {
 namespace {
 
-/// What a robot says of the end of a step, and how it begins the name of one of its break points.
-constexpr std::string_view kStep = "a step";
-constexpr std::string_view kBreakPoint = "break point ";
+namespace stoppers = msg::Breaks_Constants;
 
 const msg::Transition* transition_numbered(const Robot& robot, std::uint64_t number) {
   const auto found = std::ranges::find(robot.transitions, number, &msg::Transition::number);
   return found == robot.transitions.end() ? nullptr : &*found;
 }
 
-/// Returns where the robot's own break point is, by its name: "at wander -> grab", "on entering
-/// grab".
-std::string place_in(std::string_view name) {
-  if (!name.starts_with(kBreakPoint)) return "at " + std::string(name);
-  name.remove_prefix(kBreakPoint.size());
-  const bool names_both = name.find(" -> ") != name.npos;
-  return (names_both ? "at " : "") + std::string(name);
+bool is_known(const msg::BreakPoint& point) {
+  return !point.from_state.empty() || !point.to_state.empty();
+}
+
+std::string break_point_words(const msg::BreakPoint& point) {
+  return is_known(point) ? "break point " + change_words(point.from_state, point.to_state)
+                         : "a break point";
+}
+
+std::string reason_at_break_point(const msg::Transition* change, const msg::Breaks& breaks) {
+  const auto& point = breaks.break_point;
+  const auto place = change            ? place_words(change->from_state, change->to_state)
+                     : is_known(point) ? place_words(point.from_state, point.to_state)
+                                       : "at a break point";
+  return "stopped " + place +
+         (breaks.author.empty() ? "" : " (" + breaks.author + "'s break point)");
 }
 
 std::string stop_reason(const Robot& robot, const msg::Breaks& breaks) {
   const msg::Transition* change = transition_numbered(robot, breaks.stopped_at);
-  if (breaks.stopped_by == kStep)
+  if (breaks.stopped_by == stoppers::BREAK_POINT) return reason_at_break_point(change, breaks);
+  if (breaks.stopped_by == stoppers::STEP)
     return change ? "stepped into " + change->to_state : "stopped after a step";
-  if (breaks.stopped_at == 0)
-    return "stopped by " + breaks.stopped_by +
-           (breaks.author.empty() ? "" : ", set by " + breaks.author);
-  const auto place =
-      change ? "at " + change->from_state + " -> " + change->to_state : place_in(breaks.stopped_by);
-  return "stopped " + place +
-         (breaks.author.empty() ? "" : " (" + breaks.author + "'s break point)");
+  return "stopped by " + stopper_words(breaks) +
+         (breaks.author.empty() ? "" : ", set by " + breaks.author);
 }
 
 }  // namespace
@@ -52,13 +55,29 @@ double lock_wait_s(const msg::Breaks& breaks, Duration since_told) noexcept {
   return std::max(static_cast<double>(waited_ns) * 1e-9 + to_seconds(since_told), 0.0);
 }
 
+std::string stopper_words(const msg::Breaks& breaks) {
+  switch (breaks.stopped_by) {
+    case stoppers::NOTHING:
+      return {};
+    case stoppers::BREAK_POINT:
+      return break_point_words(breaks.break_point);
+    case stoppers::STEP:
+      return "a step";
+    case stoppers::TEAM:
+      return breaks.break_robot + "'s " +
+             (is_known(breaks.break_point) ? break_point_words(breaks.break_point) : "break point");
+    default:
+      return "a reason that this release does not know";
+  }
+}
+
 std::string break_reason(const Robot& robot, Duration since_told) {
   if (!robot.breaks) return {};
   const msg::Breaks& breaks = *robot.breaks;
   if (breaks.stopped) return stop_reason(robot, breaks);
   if (waits_at_lock(breaks)) {
     const auto whole_s = static_cast<long>(lock_wait_s(breaks, since_told));
-    return "waits at the lock " + breaks.waits_at_from + " -> " + breaks.waits_at_to + " for " +
+    return "waits at the lock " + change_words(breaks.waits_at_from, breaks.waits_at_to) + " for " +
            std::to_string(whole_s) + " s";
   }
   return breaks.stepping ? "goes on until its next change of state" : "";

@@ -15,6 +15,9 @@ namespace galilean::monitor {
 /// `breaks` came. Requires: waits_at_lock(breaks).
 [[nodiscard]] double lock_wait_s(const msg::Breaks& breaks, Duration since_told) noexcept;
 
+/// Returns what stopped a robot: "break point wander -> grab", "a step", "io's break point on
+/// entering grab". Returns an empty text if neither a break point nor a step did.
+[[nodiscard]] std::string stopper_words(const msg::Breaks& breaks);
 /// Returns in a few words why the robot stands still or what it waits for: "stopped at wander ->
 /// grab (Anna's break point)", "stepped into grab", "waits at the lock grab -> move for 3 s".
 /// Returns an empty string if no break point, step or lock keeps it. `since_told` is the time since

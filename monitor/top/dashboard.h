@@ -94,6 +94,8 @@ class Dashboard {
   [[nodiscard]] View view() const;
   [[nodiscard]] Surroundings surroundings() const;
   [[nodiscard]] std::string footer() const;
+  /// Returns what stands before the present's sentences while the past is shown.
+  [[nodiscard]] std::string of_now() const;
 
   const DashboardModel& model_;
   const History& history_;

@@ -25,7 +25,7 @@ void Dashboard::toggle_break_point() {
     return notices_.tell("Choose a state with J and K first, or click on it.");
   const Robot* known = model_.team().find(robot);
   if (!known || !known->breaks) return notices_.tell(robot + " tells nothing of break points.");
-  const msg::BreakPoint point{.to_state = chosen->name, .kind = "stop"};
+  const msg::BreakPoint point{.to_state = chosen->name, .kind = msg::BreakPoint_Constants::STOP};
   const bool is_set = std::ranges::any_of(known->breaks->points, [&](const auto& each) {
     return each.from_state.empty() && each.to_state == point.to_state;
   });
@@ -35,7 +35,7 @@ void Dashboard::toggle_break_point() {
 void Dashboard::open_breaks() {
   const std::string robot = shown_robot();
   if (robot.empty()) return notices_.tell("No robot is heard that could stop.");
-  open(std::make_unique<BreakSheet>(model_, steering_, robot));
+  open(std::make_unique<BreakSheet>(model_, steering_, robot, past_ != nullptr));
 }
 
 }  // namespace galilean::monitor::top

@@ -13,6 +13,7 @@ View Dashboard::view() const {
 Surroundings Dashboard::surroundings() const {
   Surroundings around{.tab = tab_, .scrolls = scrolls_};
   around.banner = steering_.stop_report();
+  if (!around.banner.empty()) around.banner.insert(0, of_now());
   around.footer = footer();
   if (instant_)
     around.remark = lasting(to_seconds(clock_.now() - *instant_)) + " ago (l: now)";
@@ -21,14 +22,18 @@ Surroundings Dashboard::surroundings() const {
   return around;
 }
 
+std::string Dashboard::of_now() const {
+  return past_ ? "now: " : "";
+}
+
 std::string Dashboard::footer() const {
-  if (mode_ == Mode::kQuestion) return question_ + " y / n   . STOP ALL";
+  if (mode_ == Mode::kQuestion) return of_now() + question_ + " y / n   . STOP ALL";
   if (mode_ == Mode::kFile) return "Push which file? " + file_ + "_  Enter, Esc, Ctrl-X STOP ALL";
   if (mode_ == Mode::kFilter)
     return std::string(tab_ == Tab::kVariables ? "Variables" : "Robots") +
            " with: " + (tab_ == Tab::kVariables ? choice_.variable_filter : choice_.robot_filter) +
            "_  Enter keeps it, Esc shows all, Ctrl-X STOP ALL";
-  return notices_.shown();
+  return notices_.shown(past_ != nullptr);
 }
 
 Canvas Dashboard::draw(int columns, int rows) {
@@ -39,7 +44,7 @@ Canvas Dashboard::draw(int columns, int rows) {
   shown_alarms_ = std::move(screen.alarms);
   is_too_small_ = columns < kLeastColumns || rows < kLeastRows;
   if (!is_too_small_) scrolls_ = screen.scrolls;
-  if (mode_ == Mode::kSheet) sheet_->lay_over(notices_.shown(), screen.canvas);
+  if (mode_ == Mode::kSheet) sheet_->lay_over(notices_.shown(past_ != nullptr), screen.canvas);
   return std::move(screen.canvas);
 }
 

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/state_change.h"
+
 namespace galilean::robot {
 
 /// A change of state by the names of the two states. An empty name stands for any state.
@@ -27,7 +29,9 @@ struct StateChange {
 };
 
 /// Returns "wander -> grab", "on entering grab" or "on leaving wander".
-[[nodiscard]] std::string in_words(const StateChange& change);
+[[nodiscard]] inline std::string in_words(const StateChange& change) {
+  return change_words(change.from_state, change.to_state);
+}
 
 enum class BreakKind : std::uint8_t {
   kStop,      ///< the robot stands still from the change of state on

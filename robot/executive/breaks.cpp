@@ -29,13 +29,6 @@ Result<void> check_pass(const StateChange& change, const std::vector<BreakPoint>
 
 }  // namespace
 
-std::string in_words(const StateChange& change) {
-  if (change.from_state.empty() && change.to_state.empty()) return "at any change of state";
-  if (change.from_state.empty()) return "on entering " + change.to_state;
-  if (change.to_state.empty()) return "on leaving " + change.from_state;
-  return change.from_state + " -> " + change.to_state;
-}
-
 Result<void> Breaks::set(const std::vector<BreakPoint>& points) {
   const std::lock_guard lock(mutex_);
   std::vector<StateChange> places;

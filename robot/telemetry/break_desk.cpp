@@ -3,7 +3,6 @@
 
 #include "robot/log/log.h"
 #include "robot/telemetry/break_words.h"
-#include "robot/telemetry/team_stop.h"
 
 namespace galilean::robot {
 namespace {
@@ -19,17 +18,18 @@ std::vector<StateChange> changes_in(const msg::BreakOrder& order) {
 void BreakDesk::hold(const msg::Command& command) {
   const std::lock_guard lock(mutex_);
   ++told_.orders;
-  const auto stop = team_stop_in(command);
-  if (!stop) {
-    log_info(command.author + " holds this robot");
-    held_by_ = command.author.empty() ? "an operator" : command.author;
-    return executive_.hold();
-  }
+  log_info(command.author + " holds this robot");
+  held_by_ = command.author.empty() ? "an operator" : command.author;
+  executive_.hold();
+}
+
+void BreakDesk::stop_with_team(const msg::TeamStop& stop) {
+  const std::lock_guard lock(mutex_);
   // The robot whose break point it is hears its own word. It may have gone on meanwhile.
-  if (stop->robot == robot_ || !executive_.stop_with_team()) return;
-  told_.team_stop = stop->robot + "'s " + stop->break_point;
-  told_.team_stop_by = stop->author;
-  log_info("stopped with the team by " + command.author);
+  if (stop.robot == robot_ || !executive_.stop_with_team()) return;
+  ++told_.orders;
+  told_.team_stop = stop;
+  log_info("stopped with the team by " + in_words(stop));
 }
 
 void BreakDesk::resume(const msg::Command& command) {
@@ -62,9 +62,10 @@ void BreakDesk::obey(const msg::BreakOrder& order) {
 /// Notes the answer to an order. Requires: mutex_ is locked.
 void BreakDesk::answer(const std::string& id, const std::string& what, const Result<void>& done) {
   ++told_.orders;
-  told_.answered_id = id;
-  told_.refused = done ? "" : done.error().message;
-  log_info(done ? what : what + ": refused: " + told_.refused);
+  auto& answers = told_.answers;
+  answers.push_back({id, done ? "" : done.error().message});
+  if (answers.size() > kAnswersKept) answers.erase(answers.begin());
+  log_info(done ? what : what + ": refused: " + done.error().message);
 }
 
 Result<void> BreakDesk::carry_out(const msg::BreakOrder& order) {
@@ -85,10 +86,11 @@ Result<void> BreakDesk::carry_out(const msg::BreakOrder& order) {
 Result<void> BreakDesk::set(const msg::BreakOrder& order) {
   std::vector<BreakPoint> points;
   for (const auto& point : order.points) {
-    const auto kind = break_kind_named(point.kind);
+    const auto kind = break_kind_of(point.kind);
     if (!kind)
-      return Error{"there is no kind '" + point.kind +
-                   "' of break point: it must be stop, stop_team or lock"};
+      return Error{"there is no kind " + std::to_string(point.kind) +
+                   " of break point: it must be " +
+                   msg::choice_of(msg::BreakPoint_Constants::kAll)};
     points.push_back({{point.from_state, point.to_state}, *kind, order.author});
   }
   return executive_.breaks().set(points);

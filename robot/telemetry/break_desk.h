@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/result.h"
 #include "core/wire/messages.h"
@@ -16,21 +18,24 @@ namespace galilean::robot {
 /// who gave them and what the robot answers. Any thread but the control loop may call it.
 class BreakDesk {
  public:
+  static constexpr std::size_t kAnswersKept = 16;
+
   struct Told {
     std::uint64_t orders = 0;  ///< how many were given: another number means that something changed
-    std::string answered_id;   ///< of the newest order about break points, or of the newest step
-    std::string refused;       ///< why that one changed nothing; empty: it did
-    std::string stepped_by;    ///< who ordered the newest step
-    std::string team_stop;     ///< of Hold::kTeam: whose break point stopped the team
-    std::string team_stop_by;  ///< who set that break point
+    /// To the newest orders about break points and steps, the oldest first. An answer stays for
+    /// some orders more, because several operators may give theirs between two messages.
+    std::vector<msg::BreakAnswer> answers;
+    std::string stepped_by;   ///< who ordered the newest step
+    msg::TeamStop team_stop;  ///< of Hold::kTeam: what stopped the team
   };
 
   /// Requires: `executive` outlives this.
   BreakDesk(std::string robot, Executive& executive)
       : robot_(std::move(robot)), executive_(executive) {}
 
-  /// An operator's hold, or a break point of another robot that stops the team.
   void hold(const msg::Command& command);
+  /// Another robot's break point stops the team. A robot that stands already is left as it is.
+  void stop_with_team(const msg::TeamStop& stop);
   void resume(const msg::Command& command);
   void step(const msg::Command& command);
   void obey(const msg::BreakOrder& order);

@@ -4,12 +4,30 @@
 #include "core/wire/topic_names.h"
 #include "robot/log/log.h"
 #include "robot/telemetry/break_words.h"
-#include "robot/telemetry/team_stop.h"
 
 namespace galilean::robot {
 namespace {
 
+namespace stoppers = msg::Breaks_Constants;
+
 constexpr Duration kReportEach = std::chrono::seconds(1);
+
+/// Returns what stopped the robot as a value of msg::Breaks_Constants.
+std::uint8_t stopper_on_wire(Hold hold) noexcept {
+  switch (hold) {
+    case Hold::kBreakPoint:
+      return stoppers::BREAK_POINT;
+    case Hold::kStepEnd:
+      return stoppers::STEP;
+    case Hold::kTeam:
+      return stoppers::TEAM;
+    case Hold::kNone:
+    case Hold::kStepping:
+    case Hold::kOperator:
+      break;
+  }
+  return stoppers::NOTHING;
+}
 
 }  // namespace
 
@@ -20,7 +38,7 @@ BreakPublisher::BreakPublisher(const TelemetrySource& source, const BreakDesk& d
       clock_(source.clock),
       wall_(source.clock),
       breaks_(source.participant, wire::robot_topic(source.robot, "breaks")),
-      commands_(source.participant, wire::kCommandTopic) {}
+      team_stops_(source.participant, wire::kTeamStopTopic) {}
 
 void BreakPublisher::on_event(const Event& event) {
   if (event.kind != Event::Kind::kTransition) return;
@@ -34,8 +52,18 @@ void BreakPublisher::on_event(const Event& event) {
 void BreakPublisher::log_break(const BreakPoint& point, std::uint64_t transition) {
   log_info("stopped at " + name_of(point) + ", set by " + point.author);
   if (point.kind != BreakKind::kStopTeam) return;
-  if (!commands_.write(command_of({robot_, name_of(point), point.author}, transition)))
+  if (!team_stops_.write(team_stop_at(point, transition)))
     log_error("the other robots could not be told to stop: DDS did not take the command");
+}
+
+msg::TeamStop BreakPublisher::team_stop_at(const BreakPoint& point,
+                                           std::uint64_t transition) const {
+  return {.stamp = WallTime::now(),
+          .robot = robot_,
+          .targets = {},
+          .transition = transition,
+          .break_point = on_wire(point),
+          .author = point.author};
 }
 
 void BreakPublisher::on_round(const Snapshot& newest) {
@@ -52,8 +80,7 @@ msg::Breaks BreakPublisher::compose(const Snapshot& newest, const BreakDesk::Tol
   breaks.stamp = WallTime::now();
   breaks.robot = robot_;
   breaks.stepping = newest.standstill.hold == Hold::kStepping;
-  breaks.answered_id = told.answered_id;
-  breaks.refused = told.refused;
+  breaks.answers = told.answers;
   tell_points(breaks);
   tell_stop(newest.standstill, told, breaks);
   tell_wait(newest, breaks);
@@ -61,30 +88,27 @@ msg::Breaks BreakPublisher::compose(const Snapshot& newest, const BreakDesk::Tol
 }
 
 void BreakPublisher::tell_points(msg::Breaks& to) const {
-  for (const BreakPoint& point : executive_.breaks().points()) {
-    msg::BreakPoint& item = to.points.emplace_back();
-    item.from_state = point.at.from_state;
-    item.to_state = point.at.to_state;
-    item.kind = to_string(point.kind);
-  }
+  for (const BreakPoint& point : executive_.breaks().points()) to.points.push_back(on_wire(point));
 }
 
 void BreakPublisher::tell_stop(const Standstill& standstill, const BreakDesk::Told& told,
                                msg::Breaks& to) const {
   to.stopped = is_stop(standstill.hold);
+  to.stopped_by = stopper_on_wire(standstill.hold);
   if (!to.stopped) return;
   if (standstill.hold == Hold::kTeam) {
-    to.stopped_by = told.team_stop;
-    to.author = told.team_stop_by;
+    to.break_robot = told.team_stop.robot;
+    to.break_point = told.team_stop.break_point;
+    to.author = told.team_stop.author;
     return;
   }
   to.stopped_at = standstill.stopped_at;
-  to.stopped_by = "a step";
   to.author = told.stepped_by;
   if (standstill.hold != Hold::kBreakPoint) return;
-  const auto point = executive_.breaks().find(standstill.break_point);
-  to.stopped_by = point ? name_of(*point) : "a break point";
-  to.author = point ? point->author : "";
+  const auto point = executive_.breaks().find(standstill.break_point).value_or(BreakPoint{});
+  to.break_robot = robot_;
+  to.break_point = on_wire(point);
+  to.author = point.author;
 }
 
 void BreakPublisher::tell_wait(const Snapshot& newest, msg::Breaks& to) const {

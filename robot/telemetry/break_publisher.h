@@ -14,7 +14,7 @@
 namespace galilean::robot {
 
 /// Publishes where the robot stops and why it stands, at each change and every second. When a break
-/// point that stops the team is reached, it asks every robot to hold. The publisher's thread calls
+/// point that stops the team is reached, it tells every robot to stop. The publisher's thread calls
 /// it.
 class BreakPublisher {
  public:
@@ -36,6 +36,7 @@ class BreakPublisher {
   };
 
   void log_break(const BreakPoint& point, std::uint64_t transition);
+  [[nodiscard]] msg::TeamStop team_stop_at(const BreakPoint& point, std::uint64_t transition) const;
   [[nodiscard]] msg::Breaks compose(const Snapshot& newest, const BreakDesk::Told& told);
   void tell_points(msg::Breaks& to) const;
   void tell_stop(const Standstill& standstill, const BreakDesk::Told& told, msg::Breaks& to) const;
@@ -47,7 +48,7 @@ class BreakPublisher {
   const Clock& clock_;
   WallTime wall_;
   wire::Writer<msg::Breaks> breaks_;
-  wire::Writer<msg::Command> commands_;
+  wire::Writer<msg::TeamStop> team_stops_;
   std::optional<Shown> shown_;
   Time next_report_{};
 };

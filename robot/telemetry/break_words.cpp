@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/break_words.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "core/plural.h"
 
 namespace galilean::robot {
 namespace {
 
-struct KindName {
+namespace kinds = msg::BreakPoint_Constants;
+
+struct KindOnWire {
   BreakKind kind;
-  std::string_view name;
+  std::uint8_t value;
 };
-constexpr std::array kKindNames{KindName{BreakKind::kStop, "stop"},
-                                KindName{BreakKind::kStopTeam, "stop_team"},
-                                KindName{BreakKind::kLock, "lock"}};
+constexpr std::array kKindsOnWire{KindOnWire{BreakKind::kStop, kinds::STOP},
+                                  KindOnWire{BreakKind::kStopTeam, kinds::STOP_TEAM},
+                                  KindOnWire{BreakKind::kLock, kinds::LOCK}};
+static_assert(kKindsOnWire.size() == std::size(kinds::kAll));
 
 /// Returns the points of an order, such as "wander -> grab, on entering rest".
 std::string list_of(const msg::BreakOrder& order) {
@@ -22,26 +27,34 @@ std::string list_of(const msg::BreakOrder& order) {
   std::string list;
   for (const auto& point : order.points)
     list += (list.empty() ? "" : ", ") + in_words(StateChange{point.from_state, point.to_state}) +
-            (order.order == "set" ? " (" + point.kind + ")" : "");
+            (order.order == "set" ? " (" + msg::name_of(kinds::kAll, point.kind) + ")" : "");
   return list;
 }
 
 }  // namespace
 
-std::string_view to_string(BreakKind kind) noexcept {
-  for (const auto& each : kKindNames)
-    if (each.kind == kind) return each.name;
-  return "";
+std::uint8_t on_wire(BreakKind kind) noexcept {
+  return std::ranges::find(kKindsOnWire, kind, &KindOnWire::kind)->value;
 }
 
-std::optional<BreakKind> break_kind_named(std::string_view name) noexcept {
-  for (const auto& each : kKindNames)
-    if (each.name == name) return each.kind;
+std::optional<BreakKind> break_kind_of(std::uint8_t value) noexcept {
+  for (const auto& each : kKindsOnWire)
+    if (each.value == value) return each.kind;
   return std::nullopt;
+}
+
+msg::BreakPoint on_wire(const BreakPoint& point) {
+  return {point.at.from_state, point.at.to_state, on_wire(point.kind)};
 }
 
 std::string name_of(const BreakPoint& point) {
   return "break point " + in_words(point.at);
+}
+
+std::string in_words(const msg::TeamStop& stop) {
+  return stop.robot + "'s break point " +
+         change_words(stop.break_point.from_state, stop.break_point.to_state) + ", set by " +
+         stop.author;
 }
 
 std::string in_words(const msg::BreakOrder& order) {

@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/state_change.h"
 #include "robot/log/log.h"
 #include "robot/telemetry/robot_writers.h"
 #include "robot/telemetry/words.h"
@@ -113,7 +114,8 @@ void Publisher::tell_transition(const Event& event) {
   const auto to = source_.executive.description(event.program);
   if (!from || !to) return;
   const msg::Transition transition = compose_.transition(event, *from, *to);
-  log_info(transition.from_state + " -> " + transition.to_state + " (" + transition.cause + ")");
+  log_info(change_words(transition.from_state, transition.to_state) + " (" + transition.cause +
+           ")");
   write(writers_->transition, transition);
 }
 

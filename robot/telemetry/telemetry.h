@@ -32,7 +32,11 @@ class Telemetry {
         break_orders_(
             source.participant, wire::kBreakOrderTopic, source.robot,
             [this](const msg::BreakOrder& order) { break_desk_.obey(order); },
-            problems_.reporter("break_receiver")) {}
+            problems_.reporter("break_receiver")),
+        team_stops_(
+            source.participant, wire::kTeamStopTopic, source.robot,
+            [this](const msg::TeamStop& stop) { break_desk_.stop_with_team(stop); },
+            problems_.reporter("team_stop_receiver")) {}
 
   /// Returns where other threads enter their problems, so that these are published too.
   [[nodiscard]] ThreadProblems& problems() noexcept { return problems_; }
@@ -53,6 +57,7 @@ class Telemetry {
   ImagePublisher images_;
   CommandReceiver commands_;
   OrderReader<msg::BreakOrder> break_orders_;
+  OrderReader<msg::TeamStop> team_stops_;
 };
 
 }  // namespace galilean::robot

@@ -89,7 +89,7 @@ export const rooms = {
     'top/screen': [],
     'top/model': ['ingest', 'team'],
     'top/panels': ['team', 'top/screen', 'top/model'],
-    orders: ['commands'],
+    orders: ['commands', 'team'],
     'top/push': ['commands', 'pushes/history', 'top/panels'],
     'top/gains': ['team'],
     'top/steering': ['orders', 'team', 'top/model'],

@@ -6,6 +6,10 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { eventually, freshDomain, galilean, Running, scratchFolder } from './tools.mjs';
 
+/** Of BreakPoint.kind and of Breaks.stopped_by, as core/wire/idl numbers them. */
+const [STOP, STOP_TEAM] = [1, 2];
+const [BREAK_POINT, STEP, TEAM] = [1, 2, 3];
+
 /** Drives slowly for a second whenever a bumper was pushed, and then rests until the next push. */
 const program = `
 variables:
@@ -71,7 +75,8 @@ test('a team is stopped between states, steps on, waits at a lock and goes on', 
     say('start', '--team');
     comes('io/breaks.stopped == true');
     const told = newest('io/breaks');
-    assert.deepEqual([told.stopped_by, told.author, Number(told.stopped_at)], ['break point wait -> go', 'anna', 1]);
+    assert.deepEqual([told.stopped_by, told.break_robot, told.author, Number(told.stopped_at)], [BREAK_POINT, 'io', 'anna', 1]);
+    assert.deepEqual(told.break_point, { from_state: 'wait', to_state: 'go', kind: STOP });
     await io.line(/stopped at break point wait -> go, set by anna/);
     comes('io/state.state == "rest" and ganymede/state.state == "rest"');
     const after = [newest('io/state'), newest('ganymede/state')];
@@ -85,7 +90,7 @@ test('a team is stopped between states, steps on, waits at a lock and goes on', 
     assert.equal(say('step', '--robot', 'io'), 'io: goes on until its next change of state');
     comes('io/state.held == false and io/breaks.stepping == true');
     assert.equal(say('start', '--robot', 'io'), 'io: rest → go');
-    comes('io/breaks.stopped_by == "a step" and io/state.held == true');
+    comes(`io/breaks.stopped_by == ${STEP} and io/state.held == true`);
     assert.equal(say('resume', '--robot', 'io'), 'io: goes on; it was stopped by a step (anna)');
     comes('io/breaks.stopped == false');
   });
@@ -119,7 +124,8 @@ test('a team is stopped between states, steps on, waits at a lock and goes on', 
     say('start', '--team');
     comes('io/breaks.stopped == true and ganymede/breaks.stopped == true');
     const told = newest('ganymede/breaks');
-    assert.deepEqual([told.stopped_by, told.author], ["io's break point on entering rest", 'anna']);
+    assert.deepEqual([told.stopped_by, told.break_robot, told.author], [TEAM, 'io', 'anna']);
+    assert.deepEqual(told.break_point, { from_state: '', to_state: 'rest', kind: STOP_TEAM });
     assert.equal(newest('ganymede/state').held, true);
     assert.equal(say('step', '--robot', 'ganymede'), 'ganymede: goes on until its next change of state');
     assert.equal(say('hold', '--robot', 'ganymede'), 'ganymede: stands still');
@@ -127,7 +133,7 @@ test('a team is stopped between states, steps on, waits at a lock and goes on', 
   });
 
   await t.test('what is wrong is said, and ends with 1', () => {
-    assert.equal(say('break', '--clear'), 'ganymede: has no break points\nio: has no break points');
+    assert.equal(say('break', '--clear', '--team'), 'ganymede: has no break points\nio: has no break points');
     assert.equal(say('break', 'rset', '--robot', 'io'), "io: stops on entering rset; its program has no state 'rset'");
     const full = run('break', ...Array.from({ length: 32 }, (_, i) => `state_${i}`), '--robot', 'io');
     assert.equal(full.status, 1);

@@ -47,6 +47,7 @@ const endings = [
   ['', 2], ['demo --port 99999', 2], ['demo --port many', 2], ['log', 2], ['log info', 2], ['record', 2], ['robot', 2],
   ['swap x.bhdl', 2], ['bhdl graph --format png x.bhdl', 2], ['hold', 2], ['hold --team --robot io', 2],
   ['break', 2], ['break :', 2], ['break grab --lock --stop-team', 2], ['break grab --clear', 2], ['step', 2],
+  ['break grab', 2], ['break --clear', 2],
   ['step --team --robot io', 2],
   ['log info /none.mcap', 1], ['replay /none.mcap', 1], ['bhdl check /none.bhdl', 1], ['robot --bhdl /none.bhdl', 1],
   ['programs list --monitor http://127.0.0.1:1', 1], ['programs diff a b --monitor http://127.0.0.1:1', 2],

@@ -2,6 +2,7 @@
 #include "core/wire/generate/emit.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <sstream>
 
@@ -43,6 +44,25 @@ std::string cpp_field(const Field& field) {
     return "std::array<" + type + ", " + std::to_string(field.array_size) + "> " + field.name +
            "{};";
   return type + " " + field.name + (basic_type(field.type) ? "{};" : ";");
+}
+
+std::string in_lower_case(std::string text) {
+  for (char& letter : text)
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return text;
+}
+
+/// Emits a file's constants, and a list of those of each group.
+void emit_constants(std::ostream& out, const std::vector<Constant>& constants) {
+  std::map<std::string, std::string> lists;
+  for (const auto& [group, name, value] : constants) {
+    out << "namespace " << group << " { inline constexpr std::uint8_t " << name << " = " << value
+        << "; }\n";
+    lists[group] += "{\"" + in_lower_case(name) + "\", " + name + "}, ";
+  }
+  for (const auto& [group, list] : lists)
+    out << "namespace " << group << " { inline constexpr NamedConstant kAll[] = {" << list
+        << "}; }\n";
 }
 
 void emit_struct(std::ostream& out, const Struct& type) {
@@ -127,11 +147,10 @@ std::string emit_structs(const std::vector<File>& files) {
   std::ostringstream out;
   out << "#pragma once\n\n#include <array>\n#include <cstdint>\n#include <string>\n#include "
          "<vector>\n\n"
-         "#include \"core/wire/cdr.h\"\n\nnamespace galilean::msg {\n\n";
+         "#include \"core/wire/cdr.h\"\n#include \"core/wire/constants.h\"\n\nnamespace "
+         "galilean::msg {\n\n";
   for (const auto& file : files) {
-    for (const auto& constant : file.constants)
-      out << "namespace " << constant.group << " { inline constexpr std::uint8_t " << constant.name
-          << " = " << constant.value << "; }\n";
+    emit_constants(out, file.constants);
     for (const auto& type : file.structs) emit_struct(out, type);
   }
   out << "}  // namespace galilean::msg\n";

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/wire/type_hash.h"
 
@@ -81,9 +82,14 @@ std::vector<std::uint32_t> sizes(const Sequence& bounds) {
 
 }  // namespace
 
-Type TypeDescriber::describe(const DDS_XTypes_TypeIdentifier& id, Place place) {
-  if (place.depth > kDeepestType)
+void TypeDescriber::reach(int depth) {
+  if (depth > kDeepestType)
     throw Indescribable("nests deeper than " + std::to_string(kDeepestType) + " levels");
+  deepest_ = std::max(deepest_, depth);
+}
+
+Type TypeDescriber::describe(const DDS_XTypes_TypeIdentifier& id, Place place) {
+  reach(place.depth);
   switch (id._d) {
     case DDS_XTypes_TI_STRING8_SMALL:
       return text_type(id._u.string_sdefn.bound);
@@ -132,11 +138,19 @@ Type TypeDescriber::array(const DDS_XTypes_TypeIdentifier* element,
 Type TypeDescriber::named(const DDS_XTypes_TypeIdentifier& id, Place place) {
   const auto hash = type_hash(id);
   const auto key = std::pair(hash, place.in_ros_type);
-  if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  if (const auto known = known_.find(key); known != known_.end()) {
+    // It may have been described at a place that is less deep than this one.
+    reach(place.depth + known->second.levels);
+    return known->second.type;
+  }
   const auto found = find_(hash);
   if (!found) throw Indescribable(found.error().message);
   if (found.value()->_d != DDS_XTypes_EK_COMPLETE) refuse(DDS_XTypes_EK_MINIMAL);
-  return known_[key] = defined(found.value()->_u.complete, place);
+  const int around = std::exchange(deepest_, place.depth);
+  Type type = defined(found.value()->_u.complete, place);
+  known_[key] = {type, deepest_ - place.depth};
+  deepest_ = std::max(deepest_, around);
+  return type;
 }
 
 }  // namespace galilean::wire

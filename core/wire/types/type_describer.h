@@ -29,6 +29,15 @@ class TypeDescriber {
   [[nodiscard]] Type describe(const DDS_XTypes_TypeIdentifier& id, Place place);
 
  private:
+  /// A type that was described before, and how many levels of types are within it.
+  struct Known {
+    Type type;
+    int levels = 0;
+  };
+
+  /// Notes that the description goes down to this depth. Errors: throws Indescribable if that is
+  /// deeper than the decoder, which calls itself for each level, shall go.
+  void reach(int depth);
   Type named(const DDS_XTypes_TypeIdentifier& id, Place place);
   Type defined(const DDS_XTypes_CompleteTypeObject& object, Place place);
   Type sequence(const DDS_XTypes_TypeIdentifier* element, std::uint32_t bound, Place place);
@@ -38,7 +47,8 @@ class TypeDescriber {
   Type choice(const DDS_XTypes_CompleteUnionType& object, Place place);
 
   const FindTypeObject& find_;
-  std::map<std::pair<std::string, bool>, Type> known_;  ///< by hash and whether in a ROS 2 type
+  std::map<std::pair<std::string, bool>, Known> known_;  ///< by hash and whether in a ROS 2 type
+  int deepest_ = 0;  ///< the depth that the named type in hand reaches so far
 };
 
 }  // namespace galilean::wire

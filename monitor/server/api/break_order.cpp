@@ -9,11 +9,11 @@ namespace galilean::monitor {
 namespace {
 
 using namespace std::string_view_literals;
+namespace kinds = msg::BreakPoint_Constants;
 
 /// As many as a robot has at most.
 constexpr std::size_t kMostPoints = 32;
 constexpr std::array kOrders{"set"sv, "remove"sv, "clear"sv, "let_through"sv};
-constexpr std::array kPointKinds{"stop"sv, "stop_team"sv, "lock"sv};
 
 msg::BreakPoint break_point(const nlohmann::json& item, RequestFields& request) {
   if (!item.is_object()) {
@@ -24,9 +24,9 @@ msg::BreakPoint break_point(const nlohmann::json& item, RequestFields& request) 
   msg::BreakPoint point;
   point.from_state = fields.text("from");
   point.to_state = fields.text("to");
-  point.kind = fields.text("kind", "stop");
-  if (std::ranges::find(kPointKinds, point.kind) == kPointKinds.end())
-    fields.refuse("'kind' must be stop, stop_team or lock.");
+  const auto kind = msg::value_of(kinds::kAll, fields.text("kind", "stop"));
+  if (!kind) fields.refuse("'kind' must be " + msg::choice_of(kinds::kAll) + ".");
+  point.kind = kind.value_or(kinds::STOP);
   if (point.from_state.empty() && point.to_state.empty())
     fields.refuse("'from' or 'to' must name a state.");
   if (!fields.ok()) request.refuse("One of 'points' is wrong: " + fields.objection());

@@ -31,26 +31,38 @@ nlohmann::json transitions_json(const Robot& robot) {
   return transitions;
 }
 
+nlohmann::json point_json(const msg::BreakPoint& point) {
+  return {{"from", point.from_state},
+          {"to", point.to_state},
+          {"kind", msg::name_of(msg::BreakPoint_Constants::kAll, point.kind)}};
+}
+
 /// Returns the members of the robot's Breaks, or null before the first one came.
 nlohmann::json breaks_json(const Team& team, const Robot& robot) {
   if (!robot.breaks) return nullptr;
   const msg::Breaks& breaks = *robot.breaks;
   auto points = nlohmann::json::array();
-  for (const auto& point : breaks.points)
-    points.push_back({{"from", point.from_state}, {"to", point.to_state}, {"kind", point.kind}});
-  const double waits_s =
-      waits_at_lock(breaks) ? lock_wait_s(breaks, team.since_breaks(robot)) : 0.0;
+  for (const auto& point : breaks.points) points.push_back(point_json(point));
+  auto answers = nlohmann::json::array();
+  for (const auto& answer : breaks.answers)
+    answers.push_back({{"id", answer.id}, {"refused", answer.refused}});
+  const auto& at = breaks.break_point;
+  const bool is_known = !at.from_state.empty() || !at.to_state.empty();
+  // Whether a silent robot still waits is not known: it has waited as long as it told last.
+  const Duration since_told = team.silent(robot) ? Duration{} : team.since_breaks(robot);
+  const double waits_s = waits_at_lock(breaks) ? lock_wait_s(breaks, since_told) : 0.0;
   return {{"points", std::move(points)},
           {"stepping", breaks.stepping},
           {"stopped", breaks.stopped},
           {"stopped_at", breaks.stopped_at},
-          {"stopped_by", breaks.stopped_by},
+          {"stopped_by", msg::name_of(msg::Breaks_Constants::kAll, breaks.stopped_by)},
+          {"break_robot", breaks.break_robot},
+          {"break_point", is_known ? point_json(at) : nlohmann::json()},
           {"author", breaks.author},
           {"waits_at_from", breaks.waits_at_from},
           {"waits_at_to", breaks.waits_at_to},
           {"waits_s", waits_s},
-          {"answered_id", breaks.answered_id},
-          {"refused", breaks.refused}};
+          {"answers", std::move(answers)}};
 }
 
 }  // namespace

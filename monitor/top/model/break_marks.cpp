@@ -18,11 +18,17 @@ BreakMark mark_where(const std::optional<msg::Breaks>& breaks, Condition is_ther
 
 }  // namespace
 
-BreakMark mark_of(std::string_view kind) {
-  return kind == "lock"        ? BreakMark::kLock
-         : kind == "stop_team" ? BreakMark::kStopTeam
-         : kind == "stop"      ? BreakMark::kStop
-                               : BreakMark::kNone;
+BreakMark mark_of(std::uint8_t kind) noexcept {
+  switch (kind) {
+    case msg::BreakPoint_Constants::STOP:
+      return BreakMark::kStop;
+    case msg::BreakPoint_Constants::STOP_TEAM:
+      return BreakMark::kStopTeam;
+    case msg::BreakPoint_Constants::LOCK:
+      return BreakMark::kLock;
+    default:
+      return BreakMark::kNone;
+  }
 }
 
 BreakMark mark_on_entering(const std::optional<msg::Breaks>& breaks, std::string_view state) {

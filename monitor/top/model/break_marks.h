@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -17,7 +18,7 @@ namespace galilean::monitor::top {
 /// Returns what the break points do that name `from`, and `to` or no state that is entered.
 [[nodiscard]] BreakMark mark_at(const std::optional<msg::Breaks>& breaks, std::string_view from,
                                 std::string_view to);
-/// Returns what a kind on the wire does; kNone if no kind is called so.
-[[nodiscard]] BreakMark mark_of(std::string_view kind);
+/// Returns what a kind of msg::BreakPoint_Constants does; kNone if this release does not know it.
+[[nodiscard]] BreakMark mark_of(std::uint8_t kind) noexcept;
 
 }  // namespace galilean::monitor::top

@@ -2,6 +2,7 @@
 #include "monitor/top/sheets/break_sheet.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "monitor/orders/break_words.h"
@@ -12,45 +13,48 @@
 namespace galilean::monitor::top {
 namespace {
 
+namespace kinds = msg::BreakPoint_Constants;
+
+constexpr std::size_t kKindColumns = 11;
+
 /// Returns whether it is this lock at which the robot waits.
 bool waits_at(const msg::Breaks& breaks, const msg::BreakPoint& point) {
   const auto fits = [](const std::string& name, const std::string& wanted) {
     return wanted.empty() || name == wanted;
   };
-  return point.kind == "lock" && waits_at_lock(breaks) &&
+  return point.kind == kinds::LOCK && waits_at_lock(breaks) &&
          fits(breaks.waits_at_from, point.from_state) && fits(breaks.waits_at_to, point.to_state);
 }
 
-std::string name_of_kind(BreakMark mark) {
-  switch (mark) {
-    case BreakMark::kStop:
-      return "stop       ";
-    case BreakMark::kStopTeam:
-      return "stop team  ";
-    case BreakMark::kLock:
-      return "lock       ";
-    case BreakMark::kNone:
-      break;
-  }
-  return "unknown    ";
+/// Returns "stop team  ", as wide as its column.
+std::string column_of(std::uint8_t kind) {
+  std::string words = msg::name_of(kinds::kAll, kind);
+  std::ranges::replace(words, '_', ' ');
+  words.resize(std::max(words.size(), kKindColumns), ' ');
+  return words;
 }
 
-std::string kind_after(const std::string& kind) {
-  return kind == "stop" ? "stop_team" : kind == "stop_team" ? "lock" : "stop";
+/// Returns the next kind in the order of the IDL; after the last one, and after an unknown one, the
+/// first.
+std::uint8_t kind_after(std::uint8_t kind) {
+  const auto found = std::ranges::find(kinds::kAll, kind, &msg::NamedConstant::value);
+  const bool has_next = found != std::end(kinds::kAll) && found + 1 != std::end(kinds::kAll);
+  return has_next ? (found + 1)->value : std::begin(kinds::kAll)->value;
 }
 
 Sheet::Line line_of(const msg::Breaks& breaks, const msg::BreakPoint& point) {
   const BreakMark mark = mark_of(point.kind);
   const bool waits = waits_at(breaks, point);
-  return {sign_of(mark) + (" " + name_of_kind(mark)) + place_of(point) +
+  return {sign_of(mark) + (" " + column_of(point.kind)) + place_of(point) +
               (waits ? "  the robot waits here" : ""),
           waits ? Style::kWarning : Style::kPlain};
 }
 
 }  // namespace
 
-BreakSheet::BreakSheet(const DashboardModel& model, Steering& steering, std::string robot)
-    : model_(model), steering_(steering), robot_(std::move(robot)) {
+BreakSheet::BreakSheet(const DashboardModel& model, Steering& steering, std::string robot,
+                       bool over_past)
+    : model_(model), steering_(steering), robot_(std::move(robot)), over_past_(over_past) {
   const msg::Breaks* told = breaks();
   if (!told || told->points.empty()) return;
   const auto lock = std::ranges::find_if(
@@ -108,7 +112,8 @@ void BreakSheet::change(const msg::BreakPoint& point, char letter) {
 }
 
 Sheet BreakSheet::sheet() {
-  Sheet sheet{.title = "Break points of " + robot_, .lines = {}, .keys = "Esc back"};
+  const std::string title = (over_past_ ? "Now: break points of " : "Break points of ") + robot_;
+  Sheet sheet{.title = title, .lines = {}, .keys = "Esc back"};
   const msg::Breaks* told = breaks();
   if (!told) {
     sheet.lines = {{robot_ + " has told nothing about break points."}};

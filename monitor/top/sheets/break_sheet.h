@@ -12,8 +12,9 @@ namespace galilean::monitor::top {
 /// Lists a robot's break points and locks, and changes them.
 class BreakSheet : public OpenSheet {
  public:
-  /// Chooses the lock at which the robot waits, if it does. Requires: the references outlive this.
-  BreakSheet(const DashboardModel& model, Steering& steering, std::string robot);
+  /// Chooses the lock at which the robot waits, if it does. `over_past` says that an instant of the
+  /// past is shown below; the sheet is of the present. Requires: the references outlive this.
+  BreakSheet(const DashboardModel& model, Steering& steering, std::string robot, bool over_past);
 
   [[nodiscard]] Turn press(const Press& press) override;
 
@@ -33,6 +34,7 @@ class BreakSheet : public OpenSheet {
   const DashboardModel& model_;
   Steering& steering_;
   const std::string robot_;
+  const bool over_past_;
   std::size_t line_ = 0;
   /// By its two states: another operator's order may move the lines between a look and a key.
   msg::BreakPoint chosen_;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/top/steering/answers.h"
 
-#include <set>
 #include <utility>
+
+#include "monitor/orders/break_answer.h"
 
 namespace galilean::monitor::top {
 namespace {
@@ -17,29 +18,26 @@ std::string joined(const std::vector<std::string>& robots) {
   return names;
 }
 
-/// Returns the robot's answer to this order; nullptr if its newest answer is to another one.
-const msg::Breaks* answer_of(const Team& team, const std::string& robot, const std::string& id) {
+/// Returns the robot's answer to this order; nullptr if it has not answered.
+const msg::BreakAnswer* answer_of(const Team& team, const std::string& robot,
+                                  const std::string& id) {
   const Robot* known = team.find(robot);
-  return known && known->breaks && known->breaks->answered_id == id ? &*known->breaks : nullptr;
+  return known && known->breaks ? answer_to(*known->breaks, id) : nullptr;
 }
 
 }  // namespace
 
 void Answers::expect(const std::string& id, const std::string& effect,
                      std::vector<std::string> robots, Time now) {
-  open_.insert(open_.begin(), {id, effect, std::move(robots), now});
+  open_.push_back({id, effect, std::move(robots), now});
 }
 
 std::string Answers::take(const Team& team, Time now) {
   std::string told;
-  // A robot tells its newest answer alone, so it has answered what was ordered before, too.
-  std::set<std::string> answered;
   for (auto& order : open_) {
     std::erase_if(order.robots, [&](const std::string& robot) {
-      if (answered.contains(robot)) return true;
-      const msg::Breaks* answer = answer_of(team, robot, order.id);
+      const msg::BreakAnswer* answer = answer_of(team, robot, order.id);
       if (!answer) return false;
-      answered.insert(robot);
       if (!answer->refused.empty())
         add(robot + " refused: " + answer->refused, told);
       else if (!order.effect.empty())

@@ -30,7 +30,7 @@ class Answers {
     Time sent;
   };
 
-  std::vector<Open> open_;  ///< the newest first
+  std::vector<Open> open_;  ///< the oldest first
 };
 
 }  // namespace galilean::monitor::top

@@ -25,7 +25,7 @@ Steering::Steering(const DashboardModel& model, const Clock& clock, Voice voice,
 
 void Steering::update() {
   if (auto told = answers_.take(model_.team(), clock_.now()); !told.empty())
-    notices_.tell(std::move(told));
+    notices_.tell_of_now(std::move(told));
   if (stop_order_) tell_stop_again();
 }
 
@@ -47,8 +47,8 @@ void Steering::stop_all() {
   stop_told_ = clock_.now();
   stop_order_.emplace(stop_told_);
   all_stopped_.reset();
-  notices_.tell(sent ? "told all robots to stop; Esc ends the report"
-                     : "DDS did not take the order to stop; it is sent again every second");
+  notices_.tell_of_now(sent ? "told all robots to stop; Esc ends the report"
+                            : "DDS did not take the order to stop; it is sent again every second");
 }
 
 void Steering::say(Operator::Word word, const std::string& robot, bool to_all) {
@@ -59,8 +59,8 @@ void Steering::say(Operator::Word word, const std::string& robot, bool to_all) {
   // Of all words robots refuse a step alone.
   if (word == Operator::Word::kStep && !id.empty())
     answers_.expect(id, "", to_all ? heard() : std::vector<std::string>{robot}, clock_.now());
-  notices_.tell((id.empty() ? "could not tell " : "told ") + (to_all ? "all robots" : robot) +
-                " to " + words_of(word));
+  notices_.tell_of_now((id.empty() ? "could not tell " : "told ") +
+                       (to_all ? "all robots" : robot) + " to " + words_of(word));
 }
 
 void Steering::order_breaks(const std::string& robot, const std::string& order,
@@ -70,9 +70,9 @@ void Steering::order_breaks(const std::string& robot, const std::string& order,
   told.order = order;
   told.points = std::move(points);
   const std::string id = voice_.order_breaks(told);
-  if (id.empty()) return notices_.tell("could not tell " + robot + " about break points");
+  if (id.empty()) return notices_.tell_of_now("could not tell " + robot + " about break points");
   answers_.expect(id, effect_of(told), {robot}, clock_.now());
-  notices_.tell("told " + robot + " about break points");
+  notices_.tell_of_now("told " + robot + " about break points");
 }
 
 std::vector<std::string> Steering::heard() const {

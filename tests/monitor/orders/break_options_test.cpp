@@ -8,6 +8,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+namespace points = msg::BreakPoint_Constants;
 
 /// Reads a command line of `galilean break`. The test fails if it is refused.
 BreakOptions read(std::vector<const char*> arguments) {
@@ -35,16 +36,17 @@ TEST(BreakOptions, PlacesMakeAnOrderToSetThem) {
   EXPECT_THAT(options.whom.robots, ElementsAre("io", "ganymede"));
   const auto order = order_of(options).value();
   EXPECT_EQ(order.order, "set");
-  EXPECT_THAT(order.points, ElementsAre(msg::BreakPoint{"", "grab", "stop"},
-                                        msg::BreakPoint{"wander", "rest", "stop"}));
+  EXPECT_THAT(order.points, ElementsAre(msg::BreakPoint{"", "grab", points::STOP},
+                                        msg::BreakPoint{"wander", "rest", points::STOP}));
 }
 
 TEST(BreakOptions, FlagsChooseTheKindAndTheOrder) {
-  EXPECT_EQ(order_of(read({"grab", "--lock"})).value().points[0].kind, "lock");
-  EXPECT_EQ(order_of(read({"grab", "--stop-team"})).value().points[0].kind, "stop_team");
-  EXPECT_EQ(order_of(read({"grab", "--remove"})).value().order, "remove");
+  EXPECT_EQ(order_of(read({"grab", "--lock", "--team"})).value().points[0].kind, points::LOCK);
+  EXPECT_EQ(order_of(read({"grab", "--stop-team", "--team"})).value().points[0].kind,
+            points::STOP_TEAM);
+  EXPECT_EQ(order_of(read({"grab", "--remove", "--team"})).value().order, "remove");
   EXPECT_EQ(order_of(read({"--clear", "--team"})).value().order, "clear");
-  const auto order = order_of(read({"--let-through", "wander:grab"})).value();
+  const auto order = order_of(read({"--let-through", "wander:grab", "--team"})).value();
   EXPECT_EQ(order.order, "let_through");
   EXPECT_EQ(order.points[0].from_state, "wander");
   EXPECT_TRUE(read({"--list"}).list);
@@ -54,6 +56,15 @@ TEST(BreakOptions, WithoutAPlaceThereIsNoOrder) {
   EXPECT_THAT(order_of(read({})).error().message, HasSubstr("Name a state"));
   EXPECT_THAT(order_of(read({"--remove"})).error().message, HasSubstr("Name a state"));
   EXPECT_THAT(order_of(read({":"})).error().message, HasSubstr("names no state"));
+}
+
+TEST(BreakOptions, AnOrderThatNamesNobodyIsRefusedAndSaysWhatToType) {
+  for (const auto& words : std::vector<std::vector<const char*>>{
+           {"grab"}, {"grab", "--remove"}, {"--clear"}, {"--let-through", "wander:grab"}}) {
+    const auto order = order_of(read(words));
+    ASSERT_FALSE(order.ok()) << words[0];
+    EXPECT_EQ(order.error().message, "Name the robots with --team or --robot NAME.");
+  }
 }
 
 TEST(BreakOptions, WhatContradictsItselfIsRefused) {

@@ -9,31 +9,35 @@ namespace galilean::monitor {
 namespace {
 
 using testing::ElementsAre;
+namespace points = msg::BreakPoint_Constants;
 
-msg::BreakPoint point(const std::string& from, const std::string& to, const std::string& kind) {
+msg::BreakPoint point(const std::string& from, const std::string& to, std::uint8_t kind) {
   return {from, to, kind};
 }
 
 TEST(BreakWords, APlaceIsAStateThatIsEnteredOrAChangeOfState) {
-  EXPECT_EQ(place_in("grab"), point("", "grab", ""));
-  EXPECT_EQ(place_in(":grab"), point("", "grab", ""));
-  EXPECT_EQ(place_in("wander:grab"), point("wander", "grab", ""));
-  EXPECT_EQ(place_in("wander:"), point("wander", "", ""));
-  EXPECT_EQ(place_in(":"), point("", "", ""));
+  EXPECT_EQ(place_in("grab"), point("", "grab", 0));
+  EXPECT_EQ(place_in(":grab"), point("", "grab", 0));
+  EXPECT_EQ(place_in("wander:grab"), point("wander", "grab", 0));
+  EXPECT_EQ(place_in("wander:"), point("wander", "", 0));
+  EXPECT_EQ(place_in(":"), point("", "", 0));
 }
 
 TEST(BreakWords, ARuleSaysWhatHappensWhere) {
-  EXPECT_EQ(rule_of(point("", "grab", "stop")), "stops on entering grab");
-  EXPECT_EQ(rule_of(point("wander", "", "stop_team")), "stops the team on leaving wander");
-  EXPECT_EQ(rule_of(point("wander", "grab", "lock")), "is locked at wander -> grab");
+  EXPECT_EQ(rule_of(point("", "grab", points::STOP)), "stops on entering grab");
+  EXPECT_EQ(rule_of(point("wander", "", points::STOP_TEAM)), "stops the team on leaving wander");
+  EXPECT_EQ(rule_of(point("wander", "grab", points::LOCK)), "is locked at wander -> grab");
+  EXPECT_EQ(rule_of(point("", "grab", 9)),
+            "has a break point of the unknown kind 9 on entering grab");
 }
 
 TEST(BreakWords, WhatARobotTellsIsASentenceALine) {
   msg::Breaks told;
   EXPECT_THAT(lines_of(told), ElementsAre("has no break points"));
-  told.points = {point("", "grab", "stop"), point("wander", "rest", "lock")};
+  told.points = {point("", "grab", points::STOP), point("wander", "rest", points::LOCK)};
   told.stopped = true;
-  told.stopped_by = "break point on entering grab";
+  told.stopped_by = msg::Breaks_Constants::BREAK_POINT;
+  told.break_point = told.points[0];
   told.author = "Anna";
   EXPECT_THAT(lines_of(told), ElementsAre("stops on entering grab", "is locked at wander -> rest",
                                           "was stopped by break point on entering grab (Anna)"));
@@ -50,7 +54,7 @@ TEST(BreakWords, WhatARobotTellsIsASentenceALine) {
 
 TEST(BreakWords, ARobotThatNobodyStoppedHasNoReason) {
   msg::Breaks told;
-  told.stopped_by = "a step";
+  told.stopped_by = msg::Breaks_Constants::STEP;
   EXPECT_EQ(reason_of(told), "");
   told.stopped = true;
   EXPECT_EQ(reason_of(told), "a step");
@@ -59,7 +63,7 @@ TEST(BreakWords, ARobotThatNobodyStoppedHasNoReason) {
 TEST(BreakWords, AnEffectSaysWhatAnOrderDid) {
   msg::BreakOrder order;
   order.order = "set";
-  order.points = {point("", "grab", "stop"), point("wander", "rest", "lock")};
+  order.points = {point("", "grab", points::STOP), point("wander", "rest", points::LOCK)};
   EXPECT_EQ(effect_of(order), "stops on entering grab, is locked at wander -> rest");
   order.order = "remove";
   EXPECT_EQ(effect_of(order), "no longer stops or waits on entering grab, at wander -> rest");
@@ -73,7 +77,7 @@ TEST(BreakWords, FindsStatesThatAProgramDoesNotHave) {
   msg::Program program;
   program.states = {{.name = "wander"}, {.name = "grab"}};
   msg::BreakOrder order;
-  order.points = {point("", "grab", "stop"), point("wander", "gras", "stop")};
+  order.points = {point("", "grab", points::STOP), point("wander", "gras", points::STOP)};
   EXPECT_THAT(unknown_states(order, program), ElementsAre("gras"));
 }
 

@@ -36,14 +36,16 @@ TEST(OrderSession, KnowsWhoAnsweredAnOrder) {
   wire::Writer<msg::Breaks> breaks(*participant.value(), wire::robot_topic("io", "breaks"));
   msg::Breaks told;
   told.robot = "io";
-  told.answered_id = "order 1";
+  told.answers = {{"order 1", "it stands"}, {"another operator's", ""}};
   ASSERT_TRUE(breaks.write(told));
   const auto session = OrderSession::join("test", kDomain);
   ASSERT_TRUE(session);
   EXPECT_THAT(session.value()->wait_for_answers({"io"}, "order 1"), IsEmpty());
   EXPECT_THAT(session.value()->wait_for_answers({"io", "ganymede"}, "order 2"),
               ElementsAre("io", "ganymede"));
-  EXPECT_EQ(session.value()->breaks_of("io")->answered_id, "order 1");
+  EXPECT_EQ(session.value()->answer_of("io", "order 1")->refused, "it stands");
+  EXPECT_EQ(session.value()->answer_of("io", "order 2"), nullptr);
+  EXPECT_EQ(session.value()->answer_of("ganymede", "order 1"), nullptr);
   EXPECT_EQ(session.value()->breaks_of("ganymede"), nullptr);
 }
 

@@ -13,6 +13,7 @@ namespace {
 namespace http = boost::beast::http;
 using nlohmann::json;
 using testing::HasSubstr;
+namespace kinds = msg::BreakPoint_Constants;
 
 class BreakOrdersTest : public ServerFixture {
  protected:
@@ -87,8 +88,8 @@ TEST_F(BreakOrdersTest, AnOrderReachesTheRobotsAsItWasGiven) {
   EXPECT_EQ(sent.author, "Ada");
   EXPECT_EQ(sent.order, "set");
   EXPECT_EQ(sent.targets, std::vector<std::string>{"io"});
-  EXPECT_EQ(sent.points,
-            (std::vector<msg::BreakPoint>{{"wander", "grab", "lock"}, {"", "rest", "stop"}}));
+  EXPECT_EQ(sent.points, (std::vector<msg::BreakPoint>{{"wander", "grab", kinds::LOCK},
+                                                       {"", "rest", kinds::STOP}}));
   EXPECT_GT(sent.stamp.sec, 0);
 }
 
@@ -148,7 +149,8 @@ TEST_F(BreakOrdersTest, TheServiceDoesTheSame) {
     if (each["name"] == "/galilean/breaks") service = each["id"];
   socket.send_binary(service_call(
       service, 7, R"({"order": "set", "points": [{"from": "grab", "kind": "stop_team"}]})"));
-  EXPECT_EQ(heard(orders).at(0).points, (std::vector<msg::BreakPoint>{{"grab", "", "stop_team"}}));
+  EXPECT_EQ(heard(orders).at(0).points,
+            (std::vector<msg::BreakPoint>{{"grab", "", kinds::STOP_TEAM}}));
   socket.send_binary(service_call(service, 8, R"({"order": "set"})"));
   EXPECT_THAT(socket.read_op("serviceCallFailure")["message"].get<std::string>(),
               HasSubstr("'points'"));
@@ -164,17 +166,18 @@ TEST_F(BreakOrdersTest, WhatARobotTellsStandsInTheTeam) {
   EXPECT_EQ(robot()["break_reason"], "");
   msg::Breaks told;
   told.robot = "io";
-  told.points = {{"wander", "grab", "stop"}};
+  told.points = {{"wander", "grab", kinds::STOP}};
   told.stopped = true;
   told.stopped_at = 7;
-  told.stopped_by = "break point wander -> grab";
+  told.stopped_by = msg::Breaks_Constants::BREAK_POINT;
+  told.break_robot = "io";
+  told.break_point = {"wander", "grab", kinds::STOP};
   told.author = "Anna";
   told.waits_at_from = "grab";
   told.waits_at_to = "move";
   told.stamp = wire::ros_time(5'000'000'000);
   told.waits_since = wire::ros_time(2'000'000'000);
-  told.answered_id = "x";
-  told.refused = "";
+  told.answers = {{"x", ""}, {"y", "there is no lock"}};
   ASSERT_TRUE(breaks.write(told));
   ASSERT_TRUE(becomes_true([&] { return !robot()["breaks"].is_null(); }));
   const auto shown = robot();
@@ -182,10 +185,15 @@ TEST_F(BreakOrdersTest, WhatARobotTellsStandsInTheTeam) {
   EXPECT_EQ(shown["breaks"]["points"],
             json::array({{{"from", "wander"}, {"to", "grab"}, {"kind", "stop"}}}));
   EXPECT_EQ(shown["breaks"]["stopped_at"], 7);
+  EXPECT_EQ(shown["breaks"]["stopped_by"], "break_point");
+  EXPECT_EQ(shown["breaks"]["break_robot"], "io");
+  EXPECT_EQ(shown["breaks"]["break_point"], shown["breaks"]["points"][0]);
   EXPECT_EQ(shown["breaks"]["waits_at_to"], "move");
   EXPECT_GE(shown["breaks"]["waits_s"], 3.0);
   EXPECT_LT(shown["breaks"]["waits_s"], 30.0);
-  EXPECT_EQ(shown["breaks"]["answered_id"], "x");
+  EXPECT_EQ(shown["breaks"]["answers"],
+            json::array(
+                {{{"id", "x"}, {"refused", ""}}, {{"id", "y"}, {"refused", "there is no lock"}}}));
   EXPECT_EQ(get("/api/status").as_json()["robots"][0]["break_reason"], shown["break_reason"]);
 }
 

@@ -10,6 +10,8 @@ namespace galilean::monitor {
 namespace {
 
 using namespace std::chrono_literals;
+namespace points = msg::BreakPoint_Constants;
+namespace stoppers = msg::Breaks_Constants;
 
 class BreakReasonTest : public testing::Test {
  protected:
@@ -25,10 +27,12 @@ class BreakReasonTest : public testing::Test {
   [[nodiscard]] std::string present_reason() const {
     return team.status(*team.find("io")).break_reason;
   }
-  void stopped(std::uint64_t number, const std::string& by, const std::string& author) {
+  void stopped(std::uint64_t number, std::uint8_t by, const std::string& author,
+               const msg::BreakPoint& point = {}) {
     breaks.stopped = true;
     breaks.stopped_at = number;
     breaks.stopped_by = by;
+    breaks.break_point = point;
     breaks.author = author;
   }
   void changed(std::uint64_t number, const std::string& from, const std::string& to) {
@@ -50,38 +54,49 @@ TEST_F(BreakReasonTest, ARobotThatNothingKeepsHasNone) {
   state.robot = "io";
   team.note(state);
   EXPECT_EQ(present_reason(), "") << "it has told nothing of break points";
-  breaks.points = {{"wander", "grab", "stop"}};
+  breaks.points = {{"wander", "grab", points::STOP}};
   EXPECT_EQ(reason(), "");
 }
 
 TEST_F(BreakReasonTest, ABreakPointSaysWhereAndWhose) {
-  stopped(7, "break point wander -> grab", "Anna");
+  stopped(7, stoppers::BREAK_POINT, "Anna", {"wander", "grab", points::STOP});
   EXPECT_EQ(reason(), "stopped at wander -> grab (Anna's break point)");
-  stopped(7, "break point on entering grab", "Anna");
+  stopped(7, stoppers::BREAK_POINT, "Anna", {"", "grab", points::STOP});
   EXPECT_EQ(reason(), "stopped on entering grab (Anna's break point)");
-  stopped(7, "a break point", "");
+  stopped(7, stoppers::BREAK_POINT, "");
   EXPECT_EQ(reason(), "stopped at a break point") << "it was taken off long ago";
 }
 
 TEST_F(BreakReasonTest, TheChangeOfStateThatStoppedItIsNamedWhereItIsKnown) {
   changed(7, "move_to_trash", "grab");
   changed(8, "grab", "wander");
-  stopped(7, "break point on entering grab", "Anna");
+  stopped(7, stoppers::BREAK_POINT, "Anna", {"", "grab", points::STOP});
   EXPECT_EQ(reason(), "stopped at move_to_trash -> grab (Anna's break point)");
 }
 
 TEST_F(BreakReasonTest, AStepSaysWhereItLed) {
-  stopped(8, "a step", "Anna");
+  stopped(8, stoppers::STEP, "Anna");
   EXPECT_EQ(reason(), "stopped after a step");
   changed(8, "wander", "grab");
   EXPECT_EQ(reason(), "stepped into grab");
 }
 
 TEST_F(BreakReasonTest, AnotherRobotsBreakPointIsSaidToBeIts) {
-  stopped(0, "ganymede's break point wander -> grab", "Anna");
+  breaks.break_robot = "ganymede";
+  stopped(0, stoppers::TEAM, "Anna", {"wander", "grab", points::STOP_TEAM});
   EXPECT_EQ(reason(), "stopped by ganymede's break point wander -> grab, set by Anna");
-  stopped(0, "ganymede's break point wander -> grab", "");
+  stopped(0, stoppers::TEAM, "", {"wander", "grab", points::STOP_TEAM});
   EXPECT_EQ(reason(), "stopped by ganymede's break point wander -> grab");
+}
+
+TEST_F(BreakReasonTest, NamesLikeThoseOfTheSentencesDoNotMisleadIt) {
+  stopped(7, stoppers::BREAK_POINT, "Anna", {"a step", "x -> y", points::STOP});
+  EXPECT_EQ(reason(), "stopped at a step -> x -> y (Anna's break point)");
+}
+
+TEST_F(BreakReasonTest, AReasonOfALaterReleaseIsSaidToBeUnknown) {
+  stopped(7, 99, "Anna");
+  EXPECT_EQ(reason(), "stopped by a reason that this release does not know, set by Anna");
 }
 
 TEST_F(BreakReasonTest, AWaitAtALockGoesOnBetweenMessages) {
@@ -111,7 +126,7 @@ TEST_F(BreakReasonTest, AStepThatIsUnderWayIsSaid) {
 }
 
 TEST_F(BreakReasonTest, TheNewestBreaksCount) {
-  stopped(7, "break point wander -> grab", "Anna");
+  stopped(7, stoppers::BREAK_POINT, "Anna", {"wander", "grab", points::STOP});
   EXPECT_NE(reason(), "");
   breaks = {};
   breaks.robot = "io";

@@ -14,6 +14,7 @@ using std::chrono::seconds;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
+namespace points = msg::BreakPoint_Constants;
 
 class Breaking : public Steered {
  protected:
@@ -32,8 +33,7 @@ class Breaking : public Steered {
   }
   /// The robot tells where it stops, as its answer to the newest order.
   void answer(std::string refused = "") {
-    breaks.answered_id = std::to_string(said.size());
-    breaks.refused = std::move(refused);
+    breaks.answers.push_back({std::to_string(said.size()), std::move(refused)});
     tell_of_breaks(breaks);
     dashboard.update();
   }
@@ -57,7 +57,7 @@ TEST_F(Breaking, AKeyTogglesABreakPointOnEnteringTheChosenState) {
   press("b");
   EXPECT_EQ(said, Said{"set :grab stop for callisto"});
   EXPECT_THAT(screen(), HasSubstr("told callisto about break points"));
-  breaks.points = {{"", "grab", "stop"}};
+  breaks.points = {{"", "grab", points::STOP}};
   answer();
   EXPECT_THAT(screen(), HasSubstr("callisto stops on entering grab"));
   EXPECT_THAT(states(), ContainsRegex("▶ wander *\n.* ●\\[grab\\]"));
@@ -104,21 +104,34 @@ TEST_F(Breaking, TheTeamIsSteppedAndWhoRefusesIsNamed) {
   for (const char* name : {"ganymede", "io"}) {
     msg::Breaks answer;
     answer.robot = name;
-    answer.answered_id = "1";
-    if (answer.robot == "io") answer.refused = "io is held by Anna, not at a break point";
+    answer.answers = {{"1", name == std::string("io") ? "io is held by Anna" : ""}};
     tell_of_breaks(answer);
   }
   dashboard.update();
-  EXPECT_THAT(screen(), HasSubstr("io refused: io is held by Anna, not at a break point"));
+  EXPECT_THAT(screen(), HasSubstr("io refused: io is held by Anna"));
   answer();
   clock.advance(seconds(3));
   dashboard.update();
   EXPECT_THAT(screen(), Not(HasSubstr("did not answer")));
 }
 
-TEST_F(Breaking, OfTwoQuickOrdersTheSecondAnswerIsEnough) {
+TEST_F(Breaking, OfTwoQuickOrdersEachHasItsAnswer) {
   press("JJbb");
-  answer();
+  breaks.answers = {{"1", "it has enough"}, {"2", ""}};
+  tell_of_breaks(breaks);
+  dashboard.update();
+  EXPECT_THAT(screen(), HasSubstr("callisto refused: it has enough; callisto stops on entering"));
+  clock.advance(seconds(3));
+  dashboard.update();
+  EXPECT_THAT(screen(), Not(HasSubstr("did not answer")));
+}
+
+TEST_F(Breaking, AnAnswerCountsThoughAnotherOperatorsCameAfterIt) {
+  press("JJb");
+  breaks.answers = {{"1", ""}, {"another operator's", "there is no lock"}};
+  tell_of_breaks(breaks);
+  dashboard.update();
+  EXPECT_THAT(screen(), HasSubstr("callisto stops on entering grab"));
   clock.advance(seconds(3));
   dashboard.update();
   EXPECT_THAT(screen(), Not(HasSubstr("did not answer")));
@@ -126,7 +139,8 @@ TEST_F(Breaking, OfTwoQuickOrdersTheSecondAnswerIsEnough) {
 
 TEST_F(Breaking, AStoppedRobotSaysWhyAndWhatLetsItGo) {
   breaks.stopped = true;
-  breaks.stopped_by = "break point on entering wander";
+  breaks.stopped_by = msg::Breaks_Constants::BREAK_POINT;
+  breaks.break_point = {"", "wander", points::STOP};
   breaks.author = "Anna";
   breaks.stopped_at = 7;
   tell_of_breaks(breaks);
@@ -140,7 +154,7 @@ TEST_F(Breaking, AStoppedRobotSaysWhyAndWhatLetsItGo) {
 }
 
 TEST_F(Breaking, ARobotThatWaitsAtALockIsLetThroughFromTheList) {
-  breaks.points = {{"", "start", "stop"}, {"", "grab", "lock"}};
+  breaks.points = {{"", "start", points::STOP}, {"", "grab", points::LOCK}};
   breaks.waits_at_from = "wander";
   breaks.waits_at_to = "grab";
   breaks.stamp = wire::ros_time(103'000'000'000);
@@ -160,7 +174,7 @@ TEST_F(Breaking, ARobotThatWaitsAtALockIsLetThroughFromTheList) {
 }
 
 TEST_F(Breaking, TheListChangesKindsRemovesAndClears) {
-  breaks.points = {{"", "grab", "stop"}, {"wander", "start", "stop_team"}};
+  breaks.points = {{"", "grab", points::STOP}, {"wander", "start", points::STOP_TEAM}};
   tell_of_breaks(breaks);
   press("Bt");
   EXPECT_EQ(said.back(), "set :grab stop_team for callisto");
@@ -186,12 +200,13 @@ TEST_F(Breaking, TheListChangesKindsRemovesAndClears) {
 }
 
 TEST_F(Breaking, AKeyActsOnThePointThatWasSeenHoweverItsLineHasMoved) {
-  breaks.points = {{"", "grab", "stop"}, {"wander", "start", "stop"}};
+  breaks.points = {{"", "grab", points::STOP}, {"wander", "start", points::STOP}};
   tell_of_breaks(breaks);
   press("B");
   press(Key::kDown);
   screen();
-  breaks.points = {{"", "wander", "lock"}, {"", "grab", "stop"}, {"wander", "start", "stop"}};
+  breaks.points = {
+      {"", "wander", points::LOCK}, {"", "grab", points::STOP}, {"wander", "start", points::STOP}};
   tell_of_breaks(breaks);
   press("x");
   EXPECT_EQ(said.back(), "remove wander:start for callisto");
@@ -202,6 +217,46 @@ TEST_F(Breaking, AKeyActsOnThePointThatWasSeenHoweverItsLineHasMoved) {
   EXPECT_THAT(screen(), ContainsRegex("▶ ● stop +on entering grab"));
   press("x");
   EXPECT_EQ(said.back(), "remove :grab for callisto");
+}
+
+TEST_F(Breaking, KeysActNowAndSayItWhileThePastIsShown) {
+  for (int i = 0; i < 2; ++i) {
+    clock.advance(seconds(2));
+    for (const char* name : {"callisto", "ganymede", "io"}) tell_of({.robot = name});
+  }
+  press(Key::kLeft);
+  press("JJb");
+  EXPECT_EQ(said, Said{"set :grab stop for callisto"});
+  EXPECT_THAT(screen(), HasSubstr("now: told callisto about break points"));
+  answer();
+  EXPECT_THAT(screen(), HasSubstr("now: callisto stops on entering grab"));
+  press("n");
+  EXPECT_EQ(said.back(), "step callisto");
+  EXPECT_THAT(screen(), HasSubstr("now: told callisto to step"));
+  press("h");
+  EXPECT_THAT(screen(), HasSubstr("now: told callisto to hold"));
+  press("r");
+  EXPECT_THAT(screen(), HasSubstr("now: Resume callisto? y / n"));
+  press("n.");
+  EXPECT_THAT(screen(), HasSubstr("now: STOP ALL: "));
+  press("B");
+  EXPECT_THAT(screen(), HasSubstr("Now: break points of callisto"));
+  press(Key::kEscape);
+  press("ln");
+  EXPECT_THAT(screen(), Not(HasSubstr("now: ")));
+}
+
+TEST_F(Breaking, WhatLetAStoppedRobotGoIsNoHintInThePast) {
+  breaks.stopped = true;
+  breaks.stopped_by = msg::Breaks_Constants::STEP;
+  tell_of_breaks(breaks);
+  tell_of({.robot = "callisto", .held = true});
+  EXPECT_THAT(screen(), HasSubstr("n step  r go on"));
+  clock.advance(seconds(10));
+  tell_of({.robot = "callisto"});
+  press(Key::kHome);
+  EXPECT_THAT(screen(), HasSubstr("callisto: stopped after a step"));
+  EXPECT_THAT(screen(), Not(HasSubstr("n step  r go on")));
 }
 
 TEST_F(Breaking, StopAllWorksOverTheList) {

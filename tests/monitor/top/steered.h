@@ -57,7 +57,9 @@ class Steered : public Told {
               std::string what = order.order;
               for (const auto& point : order.points)
                 what += " " + point.from_state + ":" + point.to_state +
-                        (order.order == "set" ? " " + point.kind : "");
+                        (order.order == "set"
+                             ? " " + msg::name_of(msg::BreakPoint_Constants::kAll, point.kind)
+                             : "");
               return note(what + " for", order.targets);
             }};
   }

@@ -55,6 +55,7 @@ class TelemetryRobot {
   void send(const msg::ProgramPush& push) { send_on(wire::kProgramPushTopic, push); }
   void send(const msg::ProgramRollback& order) { send_on(wire::kProgramRollbackTopic, order); }
   void send(const msg::Command& command) { send_on(wire::kCommandTopic, command); }
+  void send(const msg::TeamStop& stop) { send_on(wire::kTeamStopTopic, stop); }
   void send(const msg::BreakOrder& order) { send_on(wire::kBreakOrderTopic, order); }
   void send(std::uint8_t kind, std::int32_t argument, const std::string& target) {
     msg::Command command;

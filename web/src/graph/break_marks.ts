@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The break points that are drawn on a machine.
 
+import { kindOf } from "../feed/break_kinds";
 import type { BreakPoint } from "../feed/messages";
 import type { BreakKind } from "../feed/parts";
 
@@ -15,19 +16,21 @@ export interface BreakMarks {
 
 export const NO_MARKS: BreakMarks = { entering: new Map(), leaving: new Map(), arrows: new Map() };
 
-/** What each kind is called, and its sign in a text. */
-export const BREAK_KINDS: Readonly<Record<BreakKind, { readonly sign: string; readonly words: string }>> = {
-  stop: { sign: "●", words: "stops the robot" },
-  stop_team: { sign: "◉", words: "stops the team" },
-  lock: { sign: "■", words: "locked" },
+/** What each kind is called, its sign in a text, and the button that sets it. */
+export const BREAK_KINDS: Readonly<Record<BreakKind, { readonly sign: string; readonly words: string; readonly button: string }>> = {
+  stop: { sign: "●", words: "stops the robot", button: "Stop" },
+  stop_team: { sign: "◉", words: "stops the team", button: "Stop team" },
+  lock: { sign: "■", words: "locked", button: "Lock" },
 };
 
 export function marksOf(points: readonly BreakPoint[]): BreakMarks {
   const marks = { entering: new Map<string, BreakKind>(), leaving: new Map<string, BreakKind>(), arrows: new Map<string, BreakKind>() };
-  for (const { from_state: from, to_state: to, kind } of points) {
-    if (!(kind in BREAK_KINDS)) continue;
+  for (const point of points) {
+    const { from_state: from, to_state: to } = point;
+    const kind = kindOf(point);
+    if (!kind) continue;
     const [marked, key] = !from ? [marks.entering, to] : !to ? [marks.leaving, from] : [marks.arrows, `${from} → ${to}`];
-    marked.set(key, kind as BreakKind);
+    marked.set(key, kind);
   }
   return marks;
 }

@@ -4,7 +4,7 @@
 import { command, orderBreaks } from "../feed/api";
 import type { BreakKind, StateChange } from "../feed/parts";
 import { Attempts } from "../lib/attempts.svelte";
-import { changeWords, kindAt } from "./breaks";
+import { answerTo, changeWords, kindAt } from "./breaks";
 import { live } from "./live.svelte";
 import { HOW_TO_STEER, rights } from "./rights.svelte";
 
@@ -80,10 +80,10 @@ export class BreakOrders {
   refresh(): void {
     const given = this.#given;
     if (!given) return;
-    const breaksOf = (name: string) => live.present.robots.get(name)?.breaks?.value;
-    const answered = given.waiting.filter((name) => breaksOf(name)?.answered_id === given.id);
+    const refusedBy = (name: string) => answerTo(live.present.robots.get(name)?.breaks?.value, given.id)?.refused;
+    const answered = given.waiting.filter((name) => refusedBy(name) !== undefined);
     if (answered.length === 0) return;
-    const refused = answered.filter((name) => breaksOf(name)?.refused).map((name) => `${name} refused: ${breaksOf(name)?.refused}.`);
+    const refused = answered.filter(refusedBy).map((name) => `${name} refused: ${refusedBy(name)}.`);
     this.#given = { ...given, waiting: given.waiting.filter((name) => !answered.includes(name)), refusals: [...given.refusals, ...refused] };
   }
 

@@ -22,9 +22,9 @@ function withStop(stops: Stops, breaks: Breaks): Stops {
 }
 
 /** Whether it was made to stand since it told of itself before. When a page hears it first, it stood already. */
-function isNewStop(before: Breaks | undefined, { stopped, stopped_at, stopped_by }: Breaks): boolean {
-  if (!before || !stopped) return false;
-  return !before.stopped || before.stopped_at !== stopped_at || before.stopped_by !== stopped_by;
+function isNewStop(before: Breaks | undefined, breaks: Breaks): boolean {
+  if (!before || !breaks.stopped) return false;
+  return !before.stopped || before.stopped_at !== breaks.stopped_at || stopperWords(before) !== stopperWords(breaks);
 }
 
 export function withBreaks(robot: Robot, value: Breaks, received_ms: number): Robot {

@@ -7,7 +7,7 @@ import { describe, expect, it } from "vitest";
 import { messagesModule } from "../../generate/messages.mjs";
 import { decoderOf } from "../../src/feed/decoder";
 import { declaredIn, misfits } from "../fixture/declared";
-import { schemaOf, writerOf } from "../fixture/idl.mjs";
+import { constantsOf, schemaOf, writerOf } from "../fixture/idl.mjs";
 
 const module = messagesModule();
 const declared = declaredIn(module);
@@ -41,6 +41,11 @@ describe("the types of messages", () => {
   it("are those of the whole IDL", () => {
     expect(types.map(([type]) => type)).toEqual(expect.arrayContaining(["galilean_msgs/msg/Score", "nav_msgs/msg/OccupancyGrid", "rcl_interfaces/msg/Log"]));
     expect(types.length).toBeGreaterThan(40);
+  });
+  it("have the kinds of break points that docs/openapi.yaml lists", () => {
+    const description = readFileSync(new URL("../../../docs/openapi.yaml", import.meta.url), "utf8");
+    const listed = /^ {4}BreakPoint:$[^]*?\bkind: \{ enum: \[([^\]]+)\]/m.exec(description)?.[1]?.split(", ");
+    expect(listed).toEqual(Object.keys(constantsOf("galilean_msgs/msg/BreakPoint")));
   });
   it("stand in the module that the page imports", () => {
     expect(readFileSync(new URL("../../src/feed/messages.ts", import.meta.url), "utf8")).toBe(module);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import type { Breaks } from "../../src/feed/messages";
+import type { BreakAnswer, Breaks } from "../../src/feed/messages";
 import { BreakOrders } from "../../src/model/break_orders.svelte";
 import { rights } from "../../src/model/rights.svelte";
 import type { Questions } from "../fixture/answers";
@@ -19,6 +19,7 @@ const ENTERING = { from: "", to: "grab" };
 let orders: BreakOrders;
 const robot = (name: string, changes: Partial<Breaks> = {}) =>
   ({ ...runs(name, { name: "a.bhdl", hash: "aaaa", files: [] }), breaks: { value: breaks({ robot: name, ...changes }), received_ms: 0 } });
+const answers = (id: string, refused = ""): BreakAnswer[] => [{ id, refused }];
 const asked = () => questions.asked.map(({ told }) => told);
 
 beforeEach(() => {
@@ -82,7 +83,7 @@ describe("what robots answer", () => {
   it("is not told where they do it", async () => {
     orders.step("io");
     await questions.of("command").answer({ id: "1" });
-    live.robots = [robot("io", { answered_id: "1" })];
+    live.robots = [robot("io", { answers: answers("1") })];
     orders.refresh();
     known(9000);
     expect(orders.complaint).toBeUndefined();
@@ -91,7 +92,7 @@ describe("what robots answer", () => {
     const refuses = async (id: string) => {
       orders.step("io");
       await questions.of("command").answer({ id });
-      live.robots = [robot("io", { answered_id: id, refused: "io is held by Anna, not at a break point: resume it first" })];
+      live.robots = [robot("io", { answers: answers(id, "io is held by Anna, not at a break point: resume it first") })];
       orders.refresh();
     };
     await refuses("1");
@@ -106,13 +107,21 @@ describe("what robots answer", () => {
   it("is missed where somebody does not, and counts though another order came after it", async () => {
     orders.step();
     await questions.of("command").answer({ id: "1" });
-    live.robots = [robot("io", { answered_id: "1" }), robot("ganymede")];
+    live.robots = [robot("io", { answers: answers("1") }), robot("ganymede")];
     orders.refresh();
-    live.robots = [robot("io", { answered_id: "of somebody else" }), robot("ganymede")];
+    live.robots = [robot("io", { answers: answers("of somebody else") }), robot("ganymede")];
     orders.refresh();
     expect(orders.complaint).toBeUndefined();
     known(3000);
     expect(orders.complaint).toBe("ganymede has not answered.");
+  });
+  it("is found though another operator's order was answered after it, before anybody looked", async () => {
+    orders.step("io");
+    await questions.of("command").answer({ id: "1" });
+    live.robots = [robot("io", { answers: [...answers("1", "io is held by Anna"), ...answers("of somebody else")] })];
+    orders.refresh();
+    known(9000);
+    expect(orders.complaint).toBe("io refused: io is held by Anna.");
   });
   it("is that of the newest order, though the monitor answered the earlier one last", async () => {
     orders.step("ganymede");

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import type { Breaks } from "../../src/feed/messages";
-import { breakReason, changeOf, changeWords, kindAt, standReason, stopperWords, waitOf } from "../../src/model/breaks";
+import { type BreakPoint_Constants, type Breaks, Breaks_Constants } from "../../src/feed/messages";
+import { breakReason, changeOf, changeWords, kindAt, placeWords, standReason, stopperWords, waitOf } from "../../src/model/breaks";
 import { breaks, point, T0_MS, time, transition } from "./told";
 
-const AT = { stopped: true, stopped_at: 7n, stopped_by: "break point on entering grab", author: "Anna" };
+const { BREAK_POINT, STEP, TEAM } = Breaks_Constants;
+const AT = { stopped: true, stopped_at: 7n, stopped_by: BREAK_POINT, break_robot: "io", break_point: point("", "grab"), author: "Anna" };
+const OF_GANYMEDE = { ...AT, stopped_at: 0n, stopped_by: TEAM, break_robot: "ganymede", break_point: point("wander", "grab", "stop_team") };
+const UNKNOWN = breaks().break_point;
 const robot = (changes: Partial<Breaks>, transitions = [{ ...transition(7, "grab"), from_state: "wander" }]) =>
   ({ breaks: { value: breaks(changes), received_ms: T0_MS }, transitions });
 const reason = (changes: Partial<Breaks>, transitions?: ReturnType<typeof transition>[]) => breakReason(robot(changes, transitions), T0_MS);
@@ -14,8 +18,13 @@ describe("what a part of the graph is for a break point", () => {
     expect(changeOf("grab")).toEqual({ from: "", to: "grab" });
     expect(changeOf("wander → grab")).toEqual({ from: "wander", to: "grab" });
   });
-  it("is said in words", () => {
-    expect([{ from: "", to: "grab" }, { from: "wander", to: "" }, { from: "wander", to: "grab" }].map(changeWords)).toEqual(["on entering grab", "on leaving wander", "wander → grab"]);
+  it("is said in the words that robots and the terminal have, with another arrow", () => {
+    const told = readFileSync(new URL("../fixture/state_changes.txt", import.meta.url), "utf8").trimEnd().replaceAll("->", "→").split("\n");
+    expect(told.length).toBe(4);
+    for (const line of told) {
+      const [from, to, ...words] = line.split("|") as [string, string, string, string];
+      expect([changeWords({ from, to }), placeWords({ from, to })]).toEqual(words);
+    }
   });
   it("has the kind that the robot tells of just these two states", () => {
     const told = breaks({ points: [point("wander", "grab", "lock"), point("", "grab")] });
@@ -23,6 +32,7 @@ describe("what a part of the graph is for a break point", () => {
     expect(kindAt(told, changeOf("wander → grab"))).toBe("lock");
     expect(kindAt(told, changeOf("rest → grab"))).toBeUndefined();
     expect(kindAt(undefined, changeOf("grab"))).toBeUndefined();
+    expect(kindAt(breaks({ points: [{ ...point("", "grab"), kind: 9 as BreakPoint_Constants }] }), changeOf("grab"))).toBeUndefined();
   });
 });
 
@@ -34,15 +44,22 @@ describe("why a robot stands", () => {
   it("is where it was stopped, and by whose break point", () => {
     expect(reason(AT)).toBe("stopped at wander → grab (Anna's break point)");
     expect(reason(AT, [])).toBe("stopped on entering grab (Anna's break point)");
-    expect(reason({ ...AT, stopped_by: "break point rest -> grab" }, [])).toBe("stopped at rest → grab (Anna's break point)");
-    expect(reason({ ...AT, stopped_by: "a break point", author: "" }, [])).toBe("stopped at a break point");
+    expect(reason({ ...AT, break_point: point("rest", "grab") }, [])).toBe("stopped at rest → grab (Anna's break point)");
+    expect(reason({ ...AT, break_point: UNKNOWN, author: "" }, [])).toBe("stopped at a break point");
   });
   it("is where a step led", () => {
-    expect(reason({ ...AT, stopped_by: "a step" })).toBe("stepped into grab");
-    expect(reason({ ...AT, stopped_by: "a step" }, [])).toBe("stopped after a step");
+    expect(reason({ ...AT, stopped_by: STEP })).toBe("stepped into grab");
+    expect(reason({ ...AT, stopped_by: STEP }, [])).toBe("stopped after a step");
   });
   it("is another robot's break point where that stopped the team", () => {
-    expect(reason({ ...AT, stopped_at: 0n, stopped_by: "io's break point wander -> grab" })).toBe("stopped by io's break point wander → grab, set by Anna");
+    expect(reason(OF_GANYMEDE)).toBe("stopped by ganymede's break point wander → grab, set by Anna");
+    expect(reason({ ...OF_GANYMEDE, break_point: UNKNOWN, author: "" })).toBe("stopped by ganymede's break point");
+  });
+  it("is not read out of names that look like its own words", () => {
+    expect(reason({ ...AT, break_point: point("a step", "x -> y") }, [])).toBe("stopped at a step → x -> y (Anna's break point)");
+  });
+  it("is said to be unknown where a later release tells it", () => {
+    expect(reason({ ...AT, stopped_by: 99 as Breaks_Constants })).toBe("stopped by a reason that this release does not know, set by Anna");
   });
   it("is the lock that it waits at, and for how long", () => {
     const waits = { waits_at_from: "grab", waits_at_to: "move", waits_since: time(T0_MS - 2000) };
@@ -58,7 +75,7 @@ describe("why a robot stands", () => {
   });
   it("names what stopped it, and whose that was", () => {
     expect(stopperWords(breaks(AT))).toBe("break point on entering grab, set by Anna");
-    expect(stopperWords(breaks({ ...AT, stopped_by: "a step" }))).toBe("a step, ordered by Anna");
-    expect(stopperWords(breaks({ stopped_by: "a step" }))).toBe("a step");
+    expect(stopperWords(breaks({ ...AT, stopped_by: STEP }))).toBe("a step, ordered by Anna");
+    expect(stopperWords(breaks({ stopped_by: STEP }))).toBe("a step");
   });
 });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
+import { Breaks_Constants } from "../../src/feed/messages";
 import { emptyTeam } from "../../src/model/model";
 import { stopProgress, stopSentence } from "../../src/model/stop_order";
 import { breaks, state, T0_MS, told } from "./told";
@@ -29,7 +30,7 @@ describe("STOP ALL", () => {
     expect(sentence([at("io", false, ORDERED_MS + 50, { out_of_service: true })], ORDERED_MS + 100)).toBe("io has stopped.");
   });
   it("does not take a stop at a break point for one of its own", () => {
-    const stands = (stopped: boolean) => ["/io/breaks", breaks({ stopped, stopped_by: stopped ? "a step" : "" }), ORDERED_MS + 50] as [string, unknown, number];
+    const stands = (stopped: boolean) => ["/io/breaks", breaks({ stopped, stopped_by: stopped ? Breaks_Constants.STEP : Breaks_Constants.NOTHING }), ORDERED_MS + 50] as [string, unknown, number];
     expect(sentence([stands(true), at("io", true, ORDERED_MS + 100)], ORDERED_MS + 200)).toBe("0 of 1 stopped; io has not answered for 0.2 s.");
     expect(sentence([stands(false), at("io", true, ORDERED_MS + 100)], ORDERED_MS + 200)).toBe("io has stopped.");
   });

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
+import { Breaks_Constants } from "../../src/feed/messages";
 import { stopAt } from "../../src/model/stops";
-import { breaks, robotOf, state, T0_MS, told, transition } from "./told";
+import { breaks, point, robotOf, state, T0_MS, told, transition } from "./told";
 
-const AT = { stopped: true, stopped_at: 7n, stopped_by: "break point wander -> grab", author: "Anna" };
+const { BREAK_POINT, STEP, TEAM } = Breaks_Constants;
+const AT = { stopped: true, stopped_at: 7n, stopped_by: BREAK_POINT, break_robot: "io", break_point: point("wander", "grab"), author: "Anna" };
 const CHANGE = { ...transition(7, "grab"), from_state: "wander" };
 const WORDS = "stopped at wander → grab (Anna's break point)";
 type Told = [string, unknown, number];
@@ -21,8 +23,13 @@ describe("what stopped a robot", () => {
     expect(events(change, held, stop)).toEqual([["stopped", WORDS]]);
   });
   it("is told again where it stops elsewhere, and not where it only tells so again", () => {
-    const next: Told = ["/io/breaks", breaks({ ...AT, stopped_at: 8n, stopped_by: "a step" }), T0_MS + 3000];
+    const next: Told = ["/io/breaks", breaks({ ...AT, stopped_at: 8n, stopped_by: STEP }), T0_MS + 3000];
     expect(events(change, held, stop, stop, next)).toEqual([["stopped", WORDS], ["stopped", "stopped after a step"]]);
+  });
+  it("is told again where it is another robot's break point", () => {
+    const of = (break_robot: string, at_ms: number): Told => ["/io/breaks", breaks({ ...AT, stopped_at: 0n, stopped_by: TEAM, break_robot }), at_ms];
+    const words = (name: string) => `stopped by ${name}'s break point wander → grab, set by Anna`;
+    expect(events(held, of("ganymede", T0_MS + 100), of("ganymede", T0_MS + 1100), of("callisto", T0_MS + 3000))).toEqual([["stopped", words("ganymede")], ["stopped", words("callisto")]]);
   });
   it("leaves a hold that was before it, and a robot that goes on", () => {
     const [early, on]: [Told, Told] = [["/io/state", state({ held: true }), T0_MS - 5000], ["/io/state", state(), T0_MS - 4000]];
@@ -41,7 +48,7 @@ describe("what stopped a robot", () => {
     expect(stopAt(robot(change, stop), transition(7, "rest", T0_MS + 60_000))).toBeUndefined();
   });
   it("is none of another robot's break point, which no change of its own is", () => {
-    expect(robot(["/io/breaks", breaks({ ...AT, stopped_at: 0n, stopped_by: "ganymede's break point wander -> grab" }), T0_MS]).stops?.size).toBe(0);
+    expect(robot(["/io/breaks", breaks({ ...AT, stopped_at: 0n, stopped_by: TEAM, break_robot: "ganymede" }), T0_MS]).stops?.size).toBe(0);
   });
   it("has not happened yet where a recording's time goes back", () => {
     const back = robot(["/io/state", state({ at_ms: T0_MS, transitions: 7n }), T0_MS], change, stop, ["/io/state", state({ at_ms: T0_MS - 60_000, transitions: 2n }), T0_MS + 200]);

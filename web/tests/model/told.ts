@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Messages as a robot tells them, with what a test does not care about filled in.
-import type { BreakPoint, Breaks, MapRobot, RobotState, Transition } from "../../src/feed/messages";
+import { BreakPoint_Constants, type BreakPoint, type Breaks, Breaks_Constants, type MapRobot, type RobotState, type Transition } from "../../src/feed/messages";
+import type { BreakKind } from "../../src/feed/parts";
 import { emptyTeam, type Robot, type Team } from "../../src/model/model";
 import { apply } from "../../src/model/reduce";
 
@@ -26,13 +27,16 @@ export function transition(number: number, to_state: string, at_ms = T0_MS): Tra
   };
 }
 
-export const point = (from_state: string, to_state: string, kind = "stop"): BreakPoint => ({ from_state, to_state, kind });
+export const point = (from_state: string, to_state: string, kind: BreakKind = "stop"): BreakPoint =>
+  ({ from_state, to_state, kind: BreakPoint_Constants[kind.toUpperCase() as keyof typeof BreakPoint_Constants] });
+
+const NO_POINT = { from_state: "", to_state: "", kind: 0 as BreakPoint_Constants };
 
 export function breaks(changes: Partial<Breaks> & { at_ms?: number } = {}): Breaks {
   const { at_ms = T0_MS, ...rest } = changes;
   return {
-    stamp: time(at_ms), robot: "io", points: [], stepping: false, stopped: false, stopped_at: 0n, stopped_by: "", author: "",
-    waits_at_from: "", waits_at_to: "", waits_since: time(0), answered_id: "", refused: "", ...rest,
+    stamp: time(at_ms), robot: "io", points: [], stepping: false, stopped: false, stopped_at: 0n, stopped_by: Breaks_Constants.NOTHING, break_robot: "", break_point: NO_POINT, author: "",
+    waits_at_from: "", waits_at_to: "", waits_since: time(0), answers: [], ...rest,
   };
 }
 

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <deque>
+#include <vector>
 
+#include "core/wire/type_hash.h"
 #include "core/wire/types/own_types.h"
 #include "core/wire/unwrapped.h"
 #include "tests/core/wire/types/foreign_talk.h"
@@ -157,6 +160,56 @@ TEST(DescribeType, RefusesToNestWithoutEnd) {
   EXPECT_TRUE(describe(nest.back()).ok());
   wrap();
   EXPECT_FALSE(describe(nest.back()).ok());
+}
+
+/// Structs that hold one another by their hashes: number 0 holds a byte, and each other one the one
+/// before it. The outermost holds all of them, the shallowest first.
+class SharedStructs {
+ public:
+  explicit SharedStructs(int count) : members_(count + 1), objects_(count + 1) {
+    for (int i = 0; i < count; ++i) hold(i, {i == 0 ? byte() : type_identifier(hash_of(i - 1))});
+    std::vector<DDS_XTypes_TypeIdentifier> all;
+    for (int i = 0; i < count; ++i) all.push_back(type_identifier(hash_of(i)));
+    hold(count, all);
+  }
+  [[nodiscard]] Result<Type> describe_outermost() const {
+    const int outermost = static_cast<int>(objects_.size()) - 1;
+    return describe_type(type_identifier(hash_of(outermost)), [this](const std::string& hash) {
+      return Result<const DDS_XTypes_TypeObject*>(&objects_.at(std::stoul(hash, nullptr, 16)));
+    });
+  }
+
+ private:
+  static std::string hash_of(int number) {
+    char digits[29];
+    std::snprintf(digits, sizeof digits, "%028x", static_cast<unsigned>(number));
+    return digits;
+  }
+  static DDS_XTypes_TypeIdentifier byte() {
+    DDS_XTypes_TypeIdentifier id{};
+    id._d = DDS_XTypes_TK_BYTE;
+    return id;
+  }
+  void hold(int number, const std::vector<DDS_XTypes_TypeIdentifier>& ids) {
+    auto& members = members_.at(number);
+    for (const auto& id : ids) members.emplace_back().common.member_type_id = id;
+    auto& object = objects_.at(number);
+    object._d = DDS_XTypes_EK_COMPLETE;
+    object._u.complete._d = DDS_XTypes_TK_STRUCTURE;
+    auto& held = object._u.complete._u.struct_type.member_seq;
+    held._buffer = members.data();
+    held._length = static_cast<std::uint32_t>(members.size());
+  }
+
+  std::vector<std::vector<DDS_XTypes_CompleteStructMember>> members_;
+  std::vector<DDS_XTypes_TypeObject> objects_;
+};
+
+TEST(DescribeType, ATypeThatIsUsedTwiceCountsWithAllThatItHolds) {
+  EXPECT_TRUE(SharedStructs(31).describe_outermost().ok());
+  const auto deeper = SharedStructs(32).describe_outermost();
+  ASSERT_FALSE(deeper.ok());
+  EXPECT_EQ(deeper.error().message, "nests deeper than 32 levels");
 }
 
 TEST(DescribeType, ASequenceOfNothingIsRefused) {

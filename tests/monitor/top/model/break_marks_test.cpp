@@ -6,6 +6,8 @@
 namespace galilean::monitor::top {
 namespace {
 
+namespace points = msg::BreakPoint_Constants;
+
 msg::Breaks breaks_at(std::vector<msg::BreakPoint> points) {
   msg::Breaks breaks;
   breaks.points = std::move(points);
@@ -13,7 +15,7 @@ msg::Breaks breaks_at(std::vector<msg::BreakPoint> points) {
 }
 
 TEST(BreakMarks, APointThatNamesOneStateMarksItOrEachWayOutOfIt) {
-  const auto breaks = breaks_at({{"", "grab", "stop"}, {"wander", "", "stop_team"}});
+  const auto breaks = breaks_at({{"", "grab", points::STOP}, {"wander", "", points::STOP_TEAM}});
   EXPECT_EQ(mark_on_entering(breaks, "grab"), BreakMark::kStop);
   EXPECT_EQ(mark_on_entering(breaks, "wander"), BreakMark::kNone);
   EXPECT_EQ(mark_at(breaks, "wander", "grab"), BreakMark::kStopTeam);
@@ -22,15 +24,15 @@ TEST(BreakMarks, APointThatNamesOneStateMarksItOrEachWayOutOfIt) {
 }
 
 TEST(BreakMarks, APointThatNamesBothStatesMarksThatTransitionAlone) {
-  const auto breaks = breaks_at({{"wander", "grab", "lock"}});
+  const auto breaks = breaks_at({{"wander", "grab", points::LOCK}});
   EXPECT_EQ(mark_at(breaks, "wander", "grab"), BreakMark::kLock);
   EXPECT_EQ(mark_at(breaks, "wander", "rest"), BreakMark::kNone);
   EXPECT_EQ(mark_on_entering(breaks, "grab"), BreakMark::kNone);
 }
 
 TEST(BreakMarks, OfSeveralALockCountsMostAndAnUnknownKindNothing) {
-  const auto breaks = breaks_at(
-      {{"wander", "grab", "lock"}, {"wander", "", "stop"}, {"", "rest", "something_new"}});
+  const auto breaks =
+      breaks_at({{"wander", "grab", points::LOCK}, {"wander", "", points::STOP}, {"", "rest", 9}});
   EXPECT_EQ(mark_at(breaks, "wander", "grab"), BreakMark::kLock);
   EXPECT_EQ(mark_at(breaks, "wander", "rest"), BreakMark::kStop);
   EXPECT_EQ(mark_on_entering(breaks, "rest"), BreakMark::kNone);

@@ -106,18 +106,22 @@ class Told : public testing::Test {
         .text(breaks.robot)
         .number(static_cast<std::uint32_t>(breaks.points.size()));
     for (const auto& point : breaks.points)
-      bytes.text(point.from_state).text(point.to_state).text(point.kind);
+      bytes.text(point.from_state).text(point.to_state).number(point.kind);
     bytes.number<std::uint8_t>(breaks.stepping)
         .number<std::uint8_t>(breaks.stopped)
+        .number(breaks.stopped_by)
         .number<std::uint64_t>(breaks.stopped_at)
-        .text(breaks.stopped_by)
+        .text(breaks.break_robot)
+        .text(breaks.break_point.from_state)
+        .text(breaks.break_point.to_state)
+        .number(breaks.break_point.kind)
         .text(breaks.author)
         .text(breaks.waits_at_from)
         .text(breaks.waits_at_to)
         .number(breaks.waits_since.sec)
         .number(breaks.waits_since.nanosec)
-        .text(breaks.answered_id)
-        .text(breaks.refused);
+        .number(static_cast<std::uint32_t>(breaks.answers.size()));
+    for (const auto& answer : breaks.answers) bytes.text(answer.id).text(answer.refused);
     tell("rt/" + breaks.robot + "/breaks", msg::Breaks::kRosType, bytes);
   }
   /// Tells of a program that a robot runs: its name, hash, files and the names of its states.

@@ -29,7 +29,8 @@ export class FeedServer {
   #pictures: PictureDecoder;
   #wanted = new Map<string, () => void>();
   #pageIsReady = true;
-  #anythingNew = false;
+  /** Until what waits is due. */
+  #wait: ReturnType<typeof setTimeout> | undefined;
 
   /** `send` hands over what stands in `transfer` rather than copies it. `bitmapOf` decodes a picture. */
   constructor(
@@ -85,18 +86,24 @@ export class FeedServer {
 
   #ready(): void {
     this.#pageIsReady = true;
-    if (this.#anythingNew) this.#handOver();
+    this.#changed();
   }
 
   #changed(): void {
-    this.#anythingNew = true;
-    if (this.#pageIsReady) this.#handOver();
+    if (!this.#pageIsReady) return;
+    const due_ms = this.#inbox.due_ms(performance.now());
+    if (due_ms <= 0) this.#handOver();
+    else if (due_ms < Infinity)
+      this.#wait ??= setTimeout(() => {
+        this.#wait = undefined;
+        this.#changed();
+      }, due_ms);
   }
 
   #handOver(now_ms = performance.now()): void {
     const damaged = (topic: string, reason: string) => this.send({ kind: "trouble", sentence: `a message on ${topic} was damaged: ${reason}` });
     const batch = this.#inbox.take(damaged, now_ms);
-    [this.#pageIsReady, this.#anythingNew] = [false, false];
+    this.#pageIsReady = false;
     this.send({ kind: "batch", batch });
   }
 }

@@ -23,7 +23,7 @@ export interface Batch {
 /** As many events as thirty robots have in some hours. */
 const MOST_EVENTS = 20_000;
 
-/** Of more robots than these, those that nobody looks at are told of four times a second. */
+/** Of more robots than these, those that nobody looks at are told of in turns, so many at a time, each four times a second. */
 export const CROWD = 12;
 export const GLANCE_MS = 250;
 
@@ -39,17 +39,23 @@ interface Waiting extends Arrival {
 export class Inbox {
   /** States by their topic, events each by a key of its own, in the order in which they came. */
   #waiting = new Map<string, Waiting>();
+  /**
+   * How the robots of a crowd stand that nobody looks at, each by its topics; who waits longest comes first. All of a
+   * hundred at once is more than a page draws between two keys of its reader.
+   */
+  #aside = new Map<string, Map<string, Waiting>>();
   #events: string[] = [];
   #eventsEver = 0;
   #dropped = 0;
   #told_ms = 0;
+  #isTold = true;
   #robots = new Set<string>();
   #looked: string | undefined;
-  /** When the page was handed all that waited. */
-  #emptied_ms = 0;
+  /** When robots of the crowd were told of last. */
+  #turn_ms = -Infinity;
 
   put(arrival: Arrival): void {
-    this.told(arrival.received_ms);
+    this.#told_ms = Math.max(this.#told_ms, arrival.received_ms);
     if (tellsWhatHappens(arrival.topic)) this.#putEvent(arrival);
     else this.#putState(arrival);
   }
@@ -57,53 +63,75 @@ export class Inbox {
   /** The monitor told its time. */
   told(monitor_ms: number): void {
     this.#told_ms = Math.max(this.#told_ms, monitor_ms);
+    this.#isTold = false;
   }
 
   /** The robot that the page shows whole. */
   lookAt(robot: string | undefined): void {
     this.#looked = robot;
+    for (const [topic, waiting] of this.#aside.get(robot ?? "") ?? []) this.#waiting.set(topic, waiting);
+    this.#aside.delete(robot ?? "");
   }
 
-  /**
-   * What waits, decoded; `damaged` is called for what cannot be. How the robots of a crowd stand that nobody looks at
-   * waits longer: to decode and hand over what is new of a hundred, ten times a second, is all that a slow machine can do.
-   */
+  /** In how many milliseconds there is something to be handed over: 0: now; Infinity: nothing waits. */
+  due_ms(now_ms: number): number {
+    if (this.#waiting.size > 0 || !this.#isTold || this.#dropped > 0) return 0;
+    return this.#aside.size > 0 ? Math.max(this.#turn_ms + this.#betweenTurns_ms() - now_ms, 0) : Infinity;
+  }
+
+  /** What waits, decoded; `damaged` is called for what cannot be. At the time Infinity it is all, whoever's turn it is. */
   take(damaged: (topic: string, reason: string) => void, now_ms: number): Batch {
-    const news: News[] = [];
-    const isAll = this.#robots.size <= CROWD || now_ms - this.#emptied_ms >= GLANCE_MS;
-    if (isAll) this.#emptied_ms = now_ms;
-    for (const [key, { topic, decode, received_ms, count }] of this.#waiting) {
-      if (!isAll && this.#isAside(topic)) continue;
-      this.#waiting.delete(key);
+    const news = this.#takeDue(now_ms).flatMap(({ topic, decode, received_ms, count }): News[] => {
       try {
-        news.push({ topic, message: decode(), received_ms, count });
+        return [{ topic, message: decode(), received_ms, count }];
       } catch (error) {
         damaged(topic, (error as Error).message);
+        return [];
       }
-    }
+    });
     const batch = { told_ms: this.#told_ms, news, dropped: this.#dropped };
-    [this.#events, this.#dropped] = [[], 0];
+    [this.#events, this.#dropped, this.#isTold] = [[], 0, true];
     return batch;
   }
 
-  #isAside(topic: string): boolean {
-    const robot = robotTopicOf(topic)?.robot;
-    return robot !== undefined && robot !== this.#looked && !tellsWhatHappens(topic);
+  #takeDue(now_ms: number): Waiting[] {
+    const due = [...this.#waiting.values()];
+    this.#waiting.clear();
+    if (this.#aside.size === 0 || now_ms < this.#turn_ms + this.#betweenTurns_ms()) return due;
+    this.#turn_ms = now_ms === Infinity ? -Infinity : now_ms;
+    for (const [robot, states] of [...this.#aside].slice(0, now_ms === Infinity ? undefined : CROWD)) {
+      due.push(...states.values());
+      this.#aside.delete(robot);
+    }
+    return due;
+  }
+
+  #betweenTurns_ms(): number {
+    return (GLANCE_MS * CROWD) / this.#robots.size;
   }
 
   /** Forgets what waits and the time: another connection begins. */
   clear(): void {
     this.#waiting.clear();
+    this.#aside.clear();
     [this.#events, this.#dropped, this.#told_ms] = [[], 0, 0];
   }
 
   #putState(arrival: Arrival): void {
     const robot = robotTopicOf(arrival.topic)?.robot;
     if (robot !== undefined) this.#robots.add(robot);
-    const count = (this.#waiting.get(arrival.topic)?.count ?? 0) + 1;
+    const shelf = this.#shelfOf(robot);
+    const count = (shelf.get(arrival.topic)?.count ?? 0) + 1;
     // Behind what came before it: an event and the state after it keep their order.
-    this.#waiting.delete(arrival.topic);
-    this.#waiting.set(arrival.topic, { ...arrival, count });
+    shelf.delete(arrival.topic);
+    shelf.set(arrival.topic, { ...arrival, count });
+  }
+
+  #shelfOf(robot: string | undefined): Map<string, Waiting> {
+    if (robot === undefined || robot === this.#looked || this.#robots.size <= CROWD) return this.#waiting;
+    const shelf = this.#aside.get(robot) ?? new Map<string, Waiting>();
+    this.#aside.set(robot, shelf);
+    return shelf;
   }
 
   #putEvent(arrival: Arrival): void {

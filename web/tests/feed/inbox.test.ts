@@ -71,6 +71,41 @@ describe("what came since the page looked last", () => {
     expect(taken(1200)).toEqual(["r3 third × 1"]);
     expect(taken(1000 + GLANCE_MS)).toEqual(names.filter((name) => name !== "r3").map((name) => `${name} third × 2`));
   });
+  it("is of a larger crowd in turns, of whoever waits longest, and of everybody four times a second", () => {
+    const inbox = new Inbox();
+    const names = Array.from({ length: 3 * CROWD }, (_, i) => `r${i}`);
+    const tellAll = () => names.forEach((name) => inbox.put(arrival(`/${name}/state`, name, 1)));
+    tellAll(); // the first of them when nobody knew yet that they are a crowd
+    inbox.take(undamaged, Infinity);
+    const turns: unknown[][] = [];
+    let now_ms = 1000;
+    for (; now_ms < 1000 + GLANCE_MS; now_ms += 1) {
+      tellAll();
+      if (inbox.due_ms(now_ms) === 0) turns.push(inbox.take(undamaged, now_ms).news.map(({ message }) => message));
+    }
+    expect(turns.map(({ length }) => length)).toEqual([CROWD, CROWD, CROWD]);
+    expect(turns.flat().sort()).toEqual([...names].sort());
+  });
+  it("says when it has to be looked at", () => {
+    const inbox = new Inbox();
+    expect(inbox.due_ms(0)).toBe(Infinity);
+    inbox.told(1);
+    expect(inbox.due_ms(0)).toBe(0);
+    inbox.take(undamaged, 0);
+    expect(inbox.due_ms(0)).toBe(Infinity);
+    inbox.put(arrival("/io/state", "a", 1));
+    expect(inbox.due_ms(0)).toBe(0);
+  });
+  it("tells of a robot of the crowd as soon as it is looked at", () => {
+    const inbox = new Inbox();
+    const names = Array.from({ length: 2 * CROWD }, (_, i) => `r${i}`);
+    const tellAll = () => names.forEach((name) => inbox.put(arrival(`/${name}/state`, name, 1)));
+    tellAll();
+    inbox.take(undamaged, 1000);
+    tellAll();
+    inbox.lookAt("r20");
+    expect(inbox.take(undamaged, 1001).news.map(({ message }) => message)).toContain("r20");
+  });
   it("is of a small team always all", () => {
     const inbox = new Inbox();
     for (const now_ms of [1000, 1001, 1002]) {

@@ -25,8 +25,10 @@ test("it opens to each of them, and one is seen alone", async () => {
 
 test("the rest is seen with one click, and no other alarm with it", async () => {
   await group().getByRole("button", { name: /^Seen: 4 robots silent/ }).click();
-  await until(() => document.querySelector("[data-alarm-group=silent]")?.dataset.seen === "true");
-  assert.equal(await group().getAttribute("data-count"), "5");
+  await until(() => {
+    const { seen, count } = document.querySelector("[data-alarm-group=silent]")?.dataset ?? {};
+    return seen === "true" && count === "5";
+  });
   assert.equal(await at("alarms").locator("[data-alarm=problem]").getAttribute("data-seen"), "false");
 });
 

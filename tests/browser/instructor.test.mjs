@@ -2,13 +2,17 @@
 // The instructor's panel, on a team that is played in a simulation: what it orders, and what it answers.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { eventually } from "../tools/patience.mjs";
 import { playedTab, startFixture, Tab } from "./tab.mjs";
 
 const tab = playedTab({ ahead: 30, simulated: true });
 const { at } = tab;
 const answer = (words, done = true) => at("instructor-answers").locator("li").first().and(tab.page.locator(`[data-done="${done}"]`)).filter({ hasText: words }).waitFor();
-const place = async (name) => ["data-x", "data-y"].reduce(async (so_far, each) => [...(await so_far), Number(await at(`movable-${name}`).getAttribute(each))], Promise.resolve([]));
-const near = (one, other) => one.every((value, i) => Math.abs(value - other[i]) < 0.02);
+const place = (name) => at(`movable-${name}`).evaluate(({ dataset }) => [Number(dataset.x), Number(dataset.y)]);
+const untilAt = (name, place_m, within_m) => tab.until(([id, [x_m, y_m], most_m]) => {
+  const { x, y } = document.querySelector(`[data-testid=movable-${id}]`)?.dataset ?? {};
+  return Math.abs(x - x_m) < most_m && Math.abs(y - y_m) < most_m;
+}, [name, place_m, within_m]);
 
 test("it is opened by its key, and stands in no arrangement before", async () => {
   await at("map-robot-io").waitFor();
@@ -81,18 +85,21 @@ test("a chair is dragged, and an arrow key moves it by 10 cm", async () => {
   await tab.page.mouse.move(x + width / 2 - Number(floor) / 2, y + height / 2, { steps: 4 });
   await tab.page.mouse.up();
   await answer("moved chair_1");
-  assert.ok(near(await place("chair_1"), [from[0] - 0.5, from[1]]), `${from} ${await place("chair_1")}`);
+  await untilAt("chair_1", [from[0] - 0.5, from[1]], 0.02);
   assert.equal(await tab.page.locator("[data-testid=map] .floor").getAttribute("data-px-per-m"), floor);
+  const [x_m, y_m] = await place("chair_1");
   await at("movable-chair_1").focus();
   await tab.page.keyboard.press("ArrowUp");
-  await tab.until((y_m) => Math.abs(Number(document.querySelector("[data-testid=movable-chair_1]").dataset.y) - y_m) < 0.001, from[1] + 0.1);
+  await untilAt("chair_1", [x_m, y_m + 0.1], 0.001);
 });
 
 test("what cannot be done is answered with the reason", async () => {
   await at("movable-basket_1").focus();
-  for (let i = 0; i < 6; i += 1) await tab.page.keyboard.press("ArrowLeft");
+  // From 0.6 m to 0.1 m, however many of the steps are under way at once: only the last place is refused.
+  for (let i = 0; i < 5; i += 1) await tab.page.keyboard.press("ArrowLeft");
   await answer("basket_1 cannot stand at", false);
   // The browser logs every answer that is a refusal.
+  await eventually(() => tab.complaints.length > 0);
   assert.match(tab.complaints.pop(), /409/);
 });
 

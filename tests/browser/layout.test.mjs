@@ -76,7 +76,7 @@ test("keys alone move a panel, and the keyboard stays on it", async () => {
   await until(() => document.activeElement?.dataset.title === "machine");
   await tab.page.keyboard.press("Shift+ArrowDown");
   await isAbove("why", "machine");
-  assert.equal(await tab.page.evaluate(() => document.activeElement?.dataset.title), "machine");
+  await until(() => document.activeElement?.dataset.title === "machine");
   await backToStandard();
 });
 
@@ -89,7 +89,7 @@ test("a border is moved by the pointer and by keys", async () => {
   assert.ok(Math.abs(dragged.width - before.width - 100) < 3, `${before.width} → ${dragged.width}`);
   await border.focus();
   await tab.page.keyboard.press("ArrowRight");
-  assert.ok((await box("machine")).width < dragged.width);
+  await until((before_px) => document.querySelector("[data-panel=machine]").getBoundingClientRect().width < before_px, dragged.width);
   await backToStandard();
 });
 

@@ -8,23 +8,19 @@ const tab = playedTab({ ahead: 60 });
 const { at } = tab;
 
 /** Whether all of an element is in the window and nothing lies over its middle. */
-async function isInSight(locator) {
-  const { x, y, width, height } = await locator.boundingBox();
-  const isInside = x >= 0 && y >= 0 && x + width <= LAPTOP.width && y + height <= LAPTOP.height;
-  return isInside && locator.evaluate((element) => {
-    const box = element.getBoundingClientRect();
-    const top = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
-    return element.contains(top) || top.contains(element);
-  });
-}
+const isInSight = (locator) => locator.evaluate((element, { width, height }) => {
+  const box = element.getBoundingClientRect();
+  const top = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
+  const isInside = box.x >= 0 && box.y >= 0 && box.right <= width && box.bottom <= height;
+  return isInside && (element.contains(top) || top.contains(element));
+}, LAPTOP);
 
 test("what the program does otherwise, the targets, the ways and the click are in sight", async () => {
   await at("program-select").selectOption("sit_and_spin.bhdl");
   await at("push-button").click();
-  for (const part of ["program-changes", "push-try", "push-canary", "push-confirm"]) {
-    await at(part).waitFor();
-    assert.ok(await isInSight(at(part)), `${part} is hidden`);
-  }
+  const parts = ["program-changes", "push-try", "push-canary", "push-confirm"];
+  for (const part of parts) await at(part).waitFor();
+  for (const part of parts) assert.ok(await isInSight(at(part)), `${part} is hidden`);
   assert.match(await at("push-sheet").innerText(), /sit_and_spin\.bhdl \w+ to the team \(3 robots\)/);
 });
 
@@ -55,10 +51,9 @@ test("Escape closes the sheet and pushes nothing", async () => {
 test("each robot's answer is in sight, until somebody closes the sheet", async () => {
   await at("push-button").click();
   await at("push-confirm").click();
-  for (const robot of ["io", "ganymede", "callisto"]) {
-    await tab.untilReply(robot, ["running", "confirmed"]);
-    assert.ok(await isInSight(at(`reply-${robot}`)), `${robot}'s answer is hidden`);
-  }
+  const robots = ["io", "ganymede", "callisto"];
+  for (const robot of robots) await tab.untilReply(robot, ["running", "confirmed"]);
+  for (const robot of robots) assert.ok(await isInSight(at(`reply-${robot}`)), `${robot}'s answer is hidden`);
   await tab.page.keyboard.press("Escape");
   await at("push-sheet").waitFor({ state: "detached" });
   await at("reply-io").waitFor();

@@ -5,13 +5,12 @@ import { test } from "node:test";
 import { playedTab, startFixture } from "./tab.mjs";
 
 const tab = playedTab();
-const { at, until } = tab;
-const text = (wanted) => until((words) => document.querySelector("[data-testid=connection]").textContent.includes(words), wanted);
+const { at, until, untilText } = tab;
 
 test("a monitor that went away is told of, with for how long, and no robot is accused", async () => {
   await at("team-row-io").waitFor();
   await tab.fixture.stop();
-  await text("nothing heard for 3");
+  await untilText("connection", /nothing heard for ([3-9]|\d\d)/);
   await at("timeline-gap").waitFor();
   await until(() => document.querySelector("[data-testid=team-rows]").dataset.stale === "true");
   assert.equal(await tab.row("io").getAttribute("data-silent"), "false", "nothing is known against io");
@@ -19,8 +18,9 @@ test("a monitor that went away is told of, with for how long, and no robot is ac
 });
 
 test("it is live again by itself, and the gap stays on the timeline", async () => {
-  tab.fixture = await startFixture({}, new URL(tab.url).port);
-  await text("live");
+  // With time enough to end it again while the push of the next test is under way.
+  tab.fixture = await startFixture({ probation: 60 }, new URL(tab.url).port);
+  await untilText("connection", /live/);
   await until(() => document.querySelector("[data-testid=team-rows]").dataset.stale === "false");
   assert.equal(await at("timeline-gap").count(), 1);
   assert.match(await at("timeline-gap").getAttribute("title"), /^Nothing was heard from the monitor for \d/);

@@ -15,7 +15,7 @@ import { ROBOTS, Tab } from "./tab.mjs";
 
 const GALILEAN = fileURLToPath(new URL("../../build/bin/galilean", import.meta.url));
 const tab = new Tab();
-const { at, row, until } = tab;
+const { at, row, until, untilGiven } = tab;
 const folder = mkdtempSync(join(tmpdir(), "galilean-recorded-"));
 const env = { ...process.env, ROS_DOMAIN_ID: freshDomain() };
 const started = [];
@@ -46,10 +46,14 @@ after(async () => {
 
 test("every robot is in the team, well, with a state that it has been in for a time that can be", async () => {
   for (const robot of ROBOTS) {
-    await row(robot).locator(".since").waitFor();
-    assert.equal(await row(robot).getAttribute("data-silent"), "false");
-    assert.match(await row(robot).getAttribute("data-hash"), /^[0-9a-f]{64}$/);
-    assert.match(await row(robot).locator(".since").innerText(), /^\d+(\.\d)? s$/);
+    const { since, silent, hash } = await untilGiven((id) => {
+      const element = document.querySelector(`[data-testid=${id}]`);
+      const since = element?.querySelector(".since")?.innerText;
+      return since && { ...element.dataset, since };
+    }, `team-row-${robot}`);
+    assert.equal(silent, "false");
+    assert.match(hash, /^[0-9a-f]{64}$/);
+    assert.match(since, /^\d+(\.\d)? s$/);
   }
 });
 
@@ -74,9 +78,12 @@ test("why: changes come with their causes and with times as recent as they were"
   const newest = at("why").locator("li.newest");
   await newest.waitFor();
   const known = await newest.getAttribute("data-testid");
-  await until((before) => document.querySelector("[data-testid=why] li.newest")?.dataset.testid !== before, known);
-  assert.match(await newest.locator("time").innerText(), /^(now|\d+ s ago)$/);
-  assert.match(await newest.locator(".cause").innerText(), /\w+\[\d+\] became [01]/);
+  const { time, cause } = await untilGiven((before) => {
+    const now = document.querySelector("[data-testid=why] li.newest");
+    return now && now.dataset.testid !== before && { time: now.querySelector("time").innerText, cause: now.querySelector(".cause").innerText };
+  }, known);
+  assert.match(time, /^(now|\d+ s ago)$/);
+  assert.match(cause, /\w+\[\d+\] became [01]/);
 });
 
 test("the timeline has bars of every robot, within its span", async () => {
@@ -95,9 +102,10 @@ test("the timeline has bars of every robot, within its span", async () => {
 
 test("variables are told with certainties, and the camera is seen, not long ago", async () => {
   await at("variables").locator("[data-variable=shaft] [data-valid=true]").waitFor();
-  await until(() => Number(document.querySelector("[data-testid=picture-camera]")?.dataset.shown) > 2);
-  const latency_ms = Number.parseFloat(await at("picture-camera").getAttribute("data-latency-ms"));
-  assert.ok(latency_ms >= 0 && latency_ms < 2000, `${latency_ms} ms old`);
+  await until(() => {
+    const { shown, latencyMs } = document.querySelector("[data-testid=picture-camera]")?.dataset ?? {};
+    return shown > 2 && latencyMs >= 0 && latencyMs < 2000;
+  });
 });
 
 tab.testComplaints();

@@ -19,6 +19,7 @@ test("what steers looks as if it may not be used, and says where to get the righ
 
 test("break points are looked at, and neither set nor stepped through", async () => {
   await at("state-grab_trash").click();
+  await at("break-choice").getByRole("button").first().waitFor();
   for (const button of await at("break-choice").getByRole("button").all()) assert.equal(await button.getAttribute("aria-disabled"), "true");
   await at("trouble").getByRole("button", { name: "Dismiss" }).click();
   for (const key of ["n", "b"]) {

@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { playedTab, startFixture } from "./tab.mjs";
 
 const tab = playedTab({ ahead: 60, silent: "callisto" });
-const { at, until, untilRow, row } = tab;
+const { at, until, untilGiven, untilRow, row } = tab;
 const reveal = async (panel) => {
   await at("panels-menu").click();
   const box = at(`open-${panel}`);
@@ -16,8 +16,10 @@ const reveal = async (panel) => {
 
 test("a robot's health is told: ticks, messages a second, when it was last heard", async () => {
   await row("io").getByRole("button").first().click();
-  await until(() => /\d+ messages\/s/.test(document.querySelector("[data-testid=health-io]")?.textContent ?? ""));
-  const health = await at("health-io").innerText();
+  const health = await untilGiven(() => {
+    const text = document.querySelector("[data-testid=health-io]")?.innerText ?? "";
+    return /\d+ messages\/s/.test(text) && text;
+  });
   assert.match(health, /last tick \d+ µs of 20 ms, longest lately \d+ µs/);
   assert.match(health, /0 late ticks/);
   assert.match(health, /heard \d+\.\d s ago/);

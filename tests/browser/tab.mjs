@@ -37,9 +37,21 @@ export class Tab {
   /** Waits until `condition`, which runs in the page, gives true. */
   until = (condition, argument) => this.page.waitForFunction(condition, argument, { timeout: PATIENCE_MS });
 
+  /** Waits as `until()` does. Returns what `condition` gave then: values of one moment, where the page goes on meanwhile. */
+  untilGiven = async (condition, argument) => (await this.until(condition, argument)).jsonValue();
+
   /** Waits until an element's attribute has the value wanted. */
   untilIs = (testid, attribute, value) =>
     this.until(([id, name, wanted]) => document.querySelector(`[data-testid="${id}"]`)?.getAttribute(name) === wanted, [testid, attribute, value]);
+
+  /** Waits until an element's text matches `pattern`. */
+  untilText = (testid, { source }) =>
+    this.until(([id, pattern]) => new RegExp(pattern).test(document.querySelector(`[data-testid="${id}"]`)?.innerText ?? ""), [testid, source]);
+
+  /** Waits until what has changed its size is drawn as it is then: an observer of sizes hears of it in the next frame. */
+  untilDrawn = () => this.page.evaluate(async () => {
+    for (let frames = 0; frames < 2; frames += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+  });
 
   untilRow = (robot, attribute, value) => this.untilIs(`team-row-${robot}`, attribute, value);
 

@@ -7,26 +7,31 @@ import { LAPTOP, playedTab } from "./tab.mjs";
 const tab = playedTab({ ahead: 60, silent: "callisto", ailing: "io", looping: "ganymede" });
 const { at, until } = tab;
 
-/** Whether all of an element is in the window, and not scrolled away or covered at its top or bottom. */
-const isInSight = (locator) => locator.evaluate((element, { width, height }) => {
-  const box = element.getBoundingClientRect();
-  const seen = (y) => {
-    const top = document.elementFromPoint(box.x + box.width / 2, y);
-    return top !== null && (element.contains(top) || top.contains(element));
+/** The elements that are not wholly in the window, or are scrolled away or covered at their top or bottom. */
+const hidden = (what) => tab.page.locator(what).evaluateAll((all, { width, height }) => {
+  const isInSight = (element) => {
+    const box = element.getBoundingClientRect();
+    const seen = (y) => {
+      const top = document.elementFromPoint(box.x + box.width / 2, y);
+      return top !== null && (element.contains(top) || top.contains(element));
+    };
+    return box.x >= 0 && box.y >= 0 && box.right <= width && box.bottom <= height && seen(box.y + 2) && seen(box.bottom - 2);
   };
-  return box.x >= 0 && box.y >= 0 && box.right <= width && box.bottom <= height && seen(box.y + 2) && seen(box.bottom - 2);
+  return all.filter((element) => !isInSight(element)).map(({ dataset, innerText }) => `${dataset.testid ?? dataset.alarm}: ${innerText}`);
 }, LAPTOP);
 
+const PARTS = ["team-row-io", "team-row-ganymede", "team-row-callisto", "program-select", "push-target", "push-button"];
+
 async function allInSight() {
-  for (const robot of ["io", "ganymede", "callisto"]) assert.ok(await isInSight(at(`team-row-${robot}`)), `${robot} is hidden`);
-  for (const alarm of await at("alarms").locator("[data-alarm]").all()) assert.ok(await isInSight(alarm), `hidden: ${await alarm.innerText()}`);
-  for (const part of ["program-select", "push-target", "push-button"]) assert.ok(await isInSight(at(part)), `${part} is hidden`);
+  for (const part of PARTS) await at(part).waitFor();
+  assert.deepEqual(await hidden([...PARTS.map((part) => `[data-testid=${part}]`), "[data-testid=alarms] [data-alarm]"].join()), []);
 }
 
 test("three robots and three alarms are in sight, and the push's place", async () => {
   await until(() => ["silent", "loop", "problem"].every((kind) => document.querySelector(`[data-alarm=${kind}]`)));
   await allInSight();
-  assert.ok(await isInSight(at("health-io")), "the chosen robot's health is hidden");
+  await at("health-io").waitFor();
+  assert.deepEqual(await hidden("[data-testid=health-io]"), []);
   assert.match(await at("team-row-ganymede").innerText(), /\d µs/);
 });
 

@@ -15,11 +15,14 @@ test("camera and supercomponents of the chosen robot are shown", async () => {
 test("what was found stands over the camera, with horizon and ranges, rate and age", async () => {
   const camera = at("picture-camera");
   await until(() => document.querySelector("[data-testid=picture-camera] rect") !== null);
+  await camera.getByTestId("range-scale").locator("text").first().waitFor();
   const words = await camera.getByTestId("range-scale").locator("text").allTextContents();
   assert.deepEqual(words, ["horizon", "2 m", "1 m", "0.5 m"]);
   await until(() => /^\d+ Hz · [\d.]+ (ms|s|min|h) old$/.test(document.querySelector("[data-testid=picture-camera] [data-testid=rate]")?.textContent));
-  const latency_ms = Number.parseFloat(await camera.getAttribute("data-latency-ms"));
-  assert.ok(latency_ms > 0 && latency_ms < 2000, `${latency_ms} ms old`);
+  await until(() => {
+    const { latencyMs } = document.querySelector("[data-testid=picture-camera]").dataset;
+    return latencyMs > 0 && latencyMs < 2000;
+  });
   await at("vision-scale").click();
   await camera.getByTestId("range-scale").waitFor({ state: "detached" });
   await at("vision-scale").click();
@@ -42,11 +45,10 @@ test("a threshold that was tuned on a live picture goes to the robot as a progra
   await until(() => document.querySelector("[data-testid=vision-tuning] canvas")?.width === 352);
   await at("tune-write").click();
   await at("push-confirm").click();
-  await until(([hash]) => {
+  const hash = await tab.untilGiven((before) => {
     const now = document.querySelector("[data-testid=team-row-io]")?.dataset.hash;
-    return now !== undefined && now !== hash;
-  }, [running]);
-  const hash = await row("io").getAttribute("data-hash");
+    return now !== before && now;
+  }, running);
   assert.equal(await row("callisto").getAttribute("data-hash"), others);
   const pushed = await api(`/api/pushed/${hash}`);
   assert.match(pushed.files.map(({ text }) => text).join(""), /threshold: 255/);

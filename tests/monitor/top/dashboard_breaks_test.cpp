@@ -249,12 +249,13 @@ TEST_F(Breaking, KeysActNowAndSayItWhileThePastIsShown) {
 TEST_F(Breaking, WhatLetAStoppedRobotGoIsNoHintInThePast) {
   breaks.stopped = true;
   breaks.stopped_by = msg::Breaks_Constants::STEP;
+  clock.advance(seconds(2));
   tell_of_breaks(breaks);
   tell_of({.robot = "callisto", .held = true});
   EXPECT_THAT(screen(), HasSubstr("n step  r go on"));
-  clock.advance(seconds(10));
+  clock.advance(seconds(2));
   tell_of({.robot = "callisto"});
-  press(Key::kHome);
+  press(Key::kLeft);
   EXPECT_THAT(screen(), HasSubstr("callisto: stopped after a step"));
   EXPECT_THAT(screen(), Not(HasSubstr("n step  r go on")));
 }

@@ -17,9 +17,11 @@ find_package(mrpt-tfest REQUIRED)
 find_package(mrpt-poses REQUIRED)
 
 # Without a config file of their own.
-find_library(zstd_LIBRARY zstd REQUIRED)
-add_library(system::zstd INTERFACE IMPORTED)
-target_link_libraries(system::zstd INTERFACE ${zstd_LIBRARY})
+foreach(library zstd lz4)
+  find_library(${library}_LIBRARY ${library} REQUIRED)
+  add_library(system::${library} INTERFACE IMPORTED)
+  target_link_libraries(system::${library} INTERFACE ${${library}_LIBRARY})
+endforeach()
 
 # OpenCV's config file comes with libopencv-dev alone, which pulls Qt in: find the four libraries by name.
 find_path(OPENCV_INCLUDE_DIR opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)

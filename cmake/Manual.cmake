@@ -4,7 +4,7 @@ get_property(programs GLOBAL PROPERTY GALILEAN_PROGRAMS)
 set(share ${PROJECT_BINARY_DIR}/share)
 set(completion $<TARGET_FILE:galilean-manual> completion)
 set(stamp ${PROJECT_BINARY_DIR}/generated/manual.stamp)
-add_custom_command(OUTPUT ${stamp} DEPENDS ${programs} ship_programs ship_scenarios
+add_custom_command(OUTPUT ${stamp} DEPENDS ${programs} ship_programs ship_scenarios ship_expectations
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${share}/man
   COMMAND ${CMAKE_COMMAND} -E make_directory
           ${share}/bash-completion/completions ${share}/zsh/site-functions ${share}/fish/vendor_completions.d

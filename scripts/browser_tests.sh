@@ -33,7 +33,12 @@ start_demo() {
   GALILEAN_URL=$(grep -o "http://127.0.0.1:$port[^ ]*" "$folder/demo.log" | head -n 1)
   GALILEAN_RECORDING=$folder/recorded.mcap
   export GALILEAN_URL GALILEAN_RECORDING
-  [[ " ${live[*]} " != *recorded.test.mjs* ]] || build/bin/galilean record --out "$GALILEAN_RECORDING" --duration 15
+  [[ " ${live[*]} " != *recorded.test.mjs* ]] || record_demo
+}
+
+# Pictures that are lost on a busy machine, which is what 3 tells, are no reason to fail.
+record_demo() {
+  build/bin/galilean record --out "$GALILEAN_RECORDING" --duration 15 || [ $? -eq 3 ]
 }
 
 # Leaves in `ending` how it ended: its exit code, with "early" before it if it did so by itself.

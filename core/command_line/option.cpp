@@ -2,10 +2,14 @@
 #include "core/command_line/option.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
 #include <sstream>
 #include <utility>
 
 #include "core/command_line/option_notes.h"
+#include "core/visible_text.h"
 
 namespace galilean {
 namespace {
@@ -17,6 +21,17 @@ std::string range_in_words(Number least, Number most) {
   return text.str();
 }
 
+/// Returns the check that a text is a finite number for which `holds`, which is `range` in words.
+std::function<std::string(const std::string&)> number_check(const std::string& range,
+                                                            std::function<bool(double)> holds) {
+  return [range, holds = std::move(holds)](const std::string& text) -> std::string {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    if (end != text.c_str() && *end == 0 && std::isfinite(number) && holds(number)) return "";
+    return "the value must be " + range + ", and not '" + visible(text) + "'";
+  };
+}
+
 }  // namespace
 
 CommandLineOption CommandLineOption::required() {
@@ -25,22 +40,28 @@ CommandLineOption CommandLineOption::required() {
 
 CommandLineOption CommandLineOption::between(int least, int most) {
   notes_->range = range_in_words(least, most);
-  return option_->check(CLI::Range(least, most)), *this;
+  return option_->check(number_check(
+             notes_->range, [=](double number) { return number >= least && number <= most; })),
+         *this;
 }
 
 CommandLineOption CommandLineOption::between(double least, double most) {
   notes_->range = range_in_words(least, most);
-  return option_->check(CLI::Range(least, most)), *this;
+  return option_->check(number_check(
+             notes_->range, [=](double number) { return number >= least && number <= most; })),
+         *this;
 }
 
 CommandLineOption CommandLineOption::positive() {
   notes_->range = "above 0";
-  return option_->check(CLI::PositiveNumber), *this;
+  return option_->check(number_check(notes_->range, [](double number) { return number > 0; })),
+         *this;
 }
 
 CommandLineOption CommandLineOption::not_negative() {
   notes_->range = "at least 0";
-  return option_->check(CLI::NonNegativeNumber), *this;
+  return option_->check(number_check(notes_->range, [](double number) { return number >= 0; })),
+         *this;
 }
 
 CommandLineOption CommandLineOption::one_of(std::vector<std::string> words) {

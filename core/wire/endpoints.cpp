@@ -59,7 +59,8 @@ EndpointInfo endpoint_of(const dds_builtintopic_endpoint_t& sample) {
           .process = hexadecimal(sample.participant_key),
           .qos = endpoint_qos(sample.qos),
           .type_hash = published_type_hash(sample),
-          .keyed = has_keys(sample.key)};
+          .keyed = has_keys(sample.key),
+          .guid = hexadecimal(sample.key)};
 }
 
 }  // namespace

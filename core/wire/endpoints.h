@@ -32,7 +32,9 @@ struct EndpointInfo {
   /// endpoint publishes none, and for those of this process.
   std::string type_hash = {};
   bool keyed = false;        ///< whether its type has keys
-  std::uint64_t handle = 0;  ///< Received::writer of what it writes
+  std::uint64_t handle = 0;  ///< Received::writer of what it writes; another one after a while in
+                             ///< which it was not heard
+  std::string guid = {};     ///< by which the whole domain knows it, hexadecimal
 };
 
 /// Finds all writers and readers of the domain, except those of DDS itself.

@@ -83,7 +83,8 @@ void Reader::take(const std::function<void(const Received&)>& receive) {
       if (infos[i].valid_data) {
         bytes.resize(ddsi_serdata_size(samples[i]));
         ddsi_serdata_to_ser(samples[i], 0, bytes.size(), bytes.data());
-        receive({bytes, infos[i].source_timestamp, infos[i].publication_handle});
+        receive({bytes, infos[i].source_timestamp, infos[i].publication_handle,
+                 sequence_of(*samples[i])});
       }
     }
   }
@@ -103,6 +104,10 @@ std::optional<std::string> Reader::sender(const Received& received) const {
   if (!writer) return std::nullopt;
   return participant_name(dds_get_participant(entity_.handle()),
                           writer->participant_instance_handle);
+}
+
+bool Reader::matches(std::uint64_t writer) const {
+  return Endpoint(dds_get_matched_publication_data(entity_.handle(), writer)) != nullptr;
 }
 
 int Reader::writers() const {

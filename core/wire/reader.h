@@ -21,6 +21,9 @@ struct Received {
   std::span<const std::uint8_t> cdr;  ///< with its four-byte header
   std::int64_t sent_ns;               ///< by its writer's clock, since the Unix epoch
   std::uint64_t writer;               ///< for Reader::sender; EndpointInfo::handle
+  /// The writer's number of the message, from 1, of which none is used twice; 0: unknown, as on
+  /// all topics that are not untyped.
+  std::uint64_t sequence = 0;
 };
 
 /// Receives the messages of one topic as bytes. msg::decode_cdr turns them into structs.
@@ -42,6 +45,8 @@ class Reader {
   void on_data(std::function<void()> callback);
   /// Returns the number of writers that are matched now.
   [[nodiscard]] int writers() const;
+  /// Returns whether this writer is matched now. `writer` is EndpointInfo::handle.
+  [[nodiscard]] bool matches(std::uint64_t writer) const;
   /// Returns the name with which the writer's process joined the domain, or nothing if the writer
   /// has left or announced no name. The process announces this name to the whole domain. It is not
   /// a field of the message. Without DDS security nothing proves that it is true.

@@ -3,9 +3,12 @@
 
 #include <dds/dds.h>
 #include <dds/ddsi/ddsi_serdata.h>
+#include <dds/ddsi/q_misc.h>
+#include <dds/ddsi/q_protocol.h>
 #include <dds/ddsi/q_radmin.h>
 
 #include <algorithm>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -18,6 +21,7 @@ namespace {
 /// A message as it came: with its header, in the byte order of its writer.
 struct UntypedMessage : ddsi_serdata {
   std::vector<std::uint8_t> bytes;
+  std::uint64_t sequence = 0;
 
   UntypedMessage(const ddsi_sertype* of_type, ddsi_serdata_kind of_kind) : ddsi_serdata() {
     ddsi_serdata_init(this, of_type, of_kind);
@@ -28,10 +32,18 @@ struct UntypedMessage : ddsi_serdata {
   }
 };
 
+/// Cyclone has turned the header of the packet into this machine's byte order.
+std::uint64_t sequence_in_packet(const nn_rdata& first) {
+  Data_DataFrag_common_t header;
+  std::memcpy(&header, NN_RMSG_PAYLOADOFF(first.rmsg, NN_RDATA_SUBMSG_OFF(&first)), sizeof header);
+  return fromSN(header.writerSN);
+}
+
 ddsi_serdata* from_fragments(const ddsi_sertype* type, ddsi_serdata_kind kind,
                              const nn_rdata* fragment, std::size_t size) {
   auto* message = new UntypedMessage(type, kind);
   message->bytes.reserve(size);
+  message->sequence = sequence_in_packet(*fragment);
   for (; fragment; fragment = fragment->nextfrag) {
     const std::size_t had = message->bytes.size();
     if (fragment->maxp1 <= had) continue;  // fragments may overlap
@@ -121,6 +133,10 @@ Entity make_untyped_topic(const Participant& participant, const UntypedTopic& to
                                                nullptr, nullptr, nullptr);
   if (handle < 0) ddsi_sertype_unref(type);
   return Entity(checked(handle, "topic " + topic.name));
+}
+
+std::uint64_t sequence_of(const ddsi_serdata& message) noexcept {
+  return message.ops == &kMessageOperations ? UntypedMessage::of(&message).sequence : 0;
 }
 
 }  // namespace galilean::wire

@@ -1,29 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/commands/push_options.h"
 
-#include <charconv>
-
 #include "core/command_line/command_line.h"
+#include "core/command_line/seconds_of.h"
 
 namespace galilean::monitor {
-namespace {
-
-/// Reads a time such as "10", "10s", "500ms" or "2min". Returns seconds.
-Result<double> seconds_of(const std::string& text) {
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, wrong] = std::from_chars(text.data(), end, number);
-  const std::string unit(rest, end);
-  const double factor = unit == "ms"                  ? 1e-3
-                        : unit == "min"               ? 60
-                        : unit.empty() || unit == "s" ? 1
-                                                      : 0;
-  if (wrong != std::errc() || factor == 0 || !(number >= 0))
-    return Error{"'" + text + "' is not a valid time, such as 10s"};
-  return number * factor;
-}
-
-}  // namespace
 
 void add_monitor_option(CommandLine& app, PushOptions& options) {
   app.option("--monitor", options.monitor, "the monitor to use").show_default();

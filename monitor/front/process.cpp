@@ -86,8 +86,13 @@ std::string Process::ending() const {
   return "exit code " + std::to_string(WEXITSTATUS(*status_));
 }
 
+std::optional<int> Process::exit_code() const noexcept {
+  if (!status_ || !WIFEXITED(*status_)) return std::nullopt;
+  return WEXITSTATUS(*status_);
+}
+
 bool Process::ended_well() const noexcept {
-  return status_ && WIFEXITED(*status_) && WEXITSTATUS(*status_) == 0;
+  return exit_code() == 0;
 }
 
 void Process::ask_to_end() noexcept {

@@ -36,6 +36,8 @@ class Process {
   /// Returns "exit code 1" or "killed by signal 9 (Killed)", or an empty string if `running` has
   /// not yet returned false.
   [[nodiscard]] std::string ending() const;
+  /// Returns the exit code, or nothing if the process is not known to have ended by itself.
+  [[nodiscard]] std::optional<int> exit_code() const noexcept;
   /// Returns whether the process is known to have ended with exit code 0.
   [[nodiscard]] bool ended_well() const noexcept;
 

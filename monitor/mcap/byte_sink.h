@@ -24,6 +24,9 @@ class FileSink final : public ByteSink {
   /// Makes the file. With `replace`, empties a file that exists.
   /// Errors: the file exists and `replace` is false, or it cannot be written.
   [[nodiscard]] static Result<FileSink> create(const std::string& path, bool replace);
+  /// Appends to this process's standard output, be it a file, a pipe or a socket.
+  /// Errors: it is closed.
+  [[nodiscard]] static Result<FileSink> standard_output();
   FileSink(FileSink&& other) noexcept
       : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
   FileSink& operator=(FileSink&&) = delete;

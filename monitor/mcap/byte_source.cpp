@@ -2,6 +2,7 @@
 #include "monitor/mcap/byte_source.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -42,6 +43,13 @@ bool FileSource::read(std::uint64_t offset, std::span<std::uint8_t> to) const {
     to = to.subspan(static_cast<std::size_t>(count));
   }
   return true;
+}
+
+bool FileSource::is_being_written() const {
+  // A FileSink holds an exclusive lock as long as it lives; the kernel releases it on a kill.
+  if (flock(descriptor_, LOCK_SH | LOCK_NB) != 0) return errno == EWOULDBLOCK;
+  flock(descriptor_, LOCK_UN);
+  return false;
 }
 
 bool MemorySource::read(std::uint64_t offset, std::span<std::uint8_t> to) const {

@@ -19,6 +19,8 @@ class ByteSource {
   /// Fills `to` with the bytes from `offset` on. Returns false if there are not that many bytes, or
   /// the disk fails.
   [[nodiscard]] virtual bool read(std::uint64_t offset, std::span<std::uint8_t> to) const = 0;
+  /// Returns whether a recorder of Galilean is writing to it now.
+  [[nodiscard]] virtual bool is_being_written() const { return false; }
 };
 
 /// A file on disk. It may shrink or grow while it is read.
@@ -32,6 +34,7 @@ class FileSource final : public ByteSource {
 
   [[nodiscard]] std::uint64_t size() const override;
   [[nodiscard]] bool read(std::uint64_t offset, std::span<std::uint8_t> to) const override;
+  [[nodiscard]] bool is_being_written() const override;
 
  private:
   explicit FileSource(int descriptor) : descriptor_(descriptor) {}

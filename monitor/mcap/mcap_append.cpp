@@ -89,6 +89,10 @@ void append(Bytes& to, const ChunkIndex& r) {
              r.message_index_offsets, r.message_index_length, r.compression, r.compressed_size,
              r.uncompressed_size);
 }
+void append(Bytes& to, const AttachmentIndex& r) {
+  put_record(to, Opcode::kAttachmentIndex, r.offset, r.length, r.log_ns, r.create_ns, r.data_bytes,
+             r.name, r.media_type);
+}
 void append(Bytes& to, const Metadata& r) {
   put_record(to, Opcode::kMetadata, r.name, r.entries);
 }
@@ -104,6 +108,12 @@ void append(Bytes& to, const SummaryOffset& r) {
 }
 void append(Bytes& to, const DataEnd& r) {
   put_record(to, Opcode::kDataEnd, r.crc);
+}
+void append_head(Bytes& to, const Attachment& r) {
+  const auto at = to.size();
+  put_record(to, Opcode::kAttachment, r.log_ns, r.create_ns, r.name, r.media_type, r.data_bytes);
+  const std::uint64_t length = to.size() - at - kRecordHead + r.data_bytes + sizeof(std::uint32_t);
+  std::memcpy(to.data() + at + 1, &length, sizeof length);
 }
 
 }  // namespace galilean::mcap

@@ -96,9 +96,27 @@ bool parse(ByteView content, Chunk& r) {
   r.records = fields.take_bytes(size);
   return fields.ok();
 }
+bool parse(ByteView content, MessageIndex& r) {
+  Fields fields(content);
+  std::uint32_t size = 0;
+  fields.take(r.channel_id);
+  fields.take(size);
+  Fields entries(fields.take_bytes(size));
+  r.entries.clear();
+  while (!entries.empty()) {
+    MessageIndex::Entry entry{};
+    entries.take(entry.log_ns);
+    entries.take(entry.offset);
+    if (entries.ok()) r.entries.push_back(entry);
+  }
+  return fields.ok() && entries.ok();
+}
 bool parse(ByteView content, ChunkIndex& r) {
   return take_all(content, r.start_ns, r.end_ns, r.offset, r.length, r.message_index_offsets,
                   r.message_index_length, r.compression, r.compressed_size, r.uncompressed_size);
+}
+bool parse(ByteView content, Attachment& r) {
+  return take_all(content, r.log_ns, r.create_ns, r.name, r.media_type, r.data_bytes);
 }
 bool parse(ByteView content, Metadata& r) {
   return take_all(content, r.name, r.entries);

@@ -3,89 +3,33 @@
 
 #include <algorithm>
 #include <cstring>
-#include <optional>
+#include <numeric>
 
-#include "monitor/mcap/crc32.h"
-#include "monitor/mcap/mcap_scan.h"
+#include "monitor/mcap/losses.h"
+#include "monitor/mcap/message_reader.h"
+#include "monitor/mcap/summary_section.h"
 
 namespace galilean::mcap {
 namespace {
 
-constexpr std::uint64_t kFooterBytes = kRecordHead + 8 + 8 + 4;
-
-bool has_magic(const ByteSource& source, std::uint64_t offset) {
-  std::uint8_t magic[sizeof kMagic];
-  return source.read(offset, magic) && std::memcmp(magic, kMagic, sizeof magic) == 0;
+std::uint64_t sum_of_counts(const std::map<std::uint16_t, std::uint64_t>& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const auto& each) { return sum + each.second; });
 }
 
-/// The records of the summary section.
-struct SummarySection {
-  std::uint64_t start = 0;
-  Bytes bytes;
-};
-
-/// Returns nothing if the section or its footer is missing or damaged.
-std::optional<SummarySection> read_section(const ByteSource& source) {
-  const std::uint64_t size = source.size();
-  if (size < 2 * sizeof kMagic + kFooterBytes || !has_magic(source, size - sizeof kMagic))
-    return {};
-  const std::uint64_t footer_at = size - sizeof kMagic - kFooterBytes;
-  Opcode opcode{};
-  Bytes content;
-  Footer footer;
-  if (!read_record(source, footer_at, opcode, content) || opcode != Opcode::kFooter ||
-      !parse(content, footer) || footer.summary_start == 0 || footer.summary_start > footer_at)
-    return {};
-  SummarySection section{footer.summary_start, {}};
-  section.bytes.resize(static_cast<std::size_t>(footer_at + kFooterBytes - footer.summary_start));
-  if (!source.read(section.start, section.bytes)) return {};
-  const auto summed = ByteView(section.bytes).first(section.bytes.size() - 4);
-  if (footer.summary_crc != 0 && crc32(summed) != footer.summary_crc) return {};
-  section.bytes.resize(section.bytes.size() - kFooterBytes);
-  return section;
-}
-
-/// Adds a record of the summary section to `summary`. Returns false if the record, or the metadata
-/// record that it points to, is damaged.
-bool note(Opcode opcode, ByteView content, const ByteSource& source, Summary& summary) {
-  if (opcode == Opcode::kSchema) {
-    Schema schema;
-    if (!parse(content, schema)) return false;
-    summary.schemas[schema.id] = schema;
-  } else if (opcode == Opcode::kChannel) {
-    Channel channel;
-    if (!parse(content, channel)) return false;
-    summary.channels[channel.id] = channel;
-  } else if (opcode == Opcode::kStatistics) {
-    return parse(content, summary.statistics);
-  } else if (opcode == Opcode::kChunkIndex) {
-    ChunkIndex index;
-    if (!parse(content, index)) return false;
-    ++summary.compressions[index.compression];
-  } else if (opcode == Opcode::kMetadataIndex) {
-    MetadataIndex index;
-    Opcode found{};
-    Bytes record;
-    return parse(content, index) && read_record(source, index.offset, found, record) &&
-           found == Opcode::kMetadata && parse(record, summary.metadata.emplace_back());
-  }
-  return true;
-}
-
-bool read_summary(const ByteSource& source, Summary& summary) {
-  const auto section = read_section(source);
-  if (!section) return false;
-  const MemorySource records(section->bytes);
-  Opcode opcode{};
-  Bytes content;
-  bool has_statistics = false;
-  for (std::uint64_t at = 0; at < records.size(); at += kRecordHead + content.size()) {
-    if (!read_record(records, at, opcode, content) || !note(opcode, content, source, summary))
-      return false;
-    has_statistics |= opcode == Opcode::kStatistics;
-  }
-  return has_statistics && read_record(source, sizeof kMagic, opcode, content) &&
-         opcode == Opcode::kHeader && parse(content, summary.header);
+/// Returns whether the statistics agree with what else is known, so that no message need be read to
+/// count them.
+bool agrees(const Statistics& statistics, const Summary& summary) {
+  const auto chunks =
+      std::ranges::count_if(summary.blocks, [](const Block& block) { return block.is_chunk; });
+  return statistics.schemas == summary.schemas.size() &&
+         statistics.channels == summary.channels.size() &&
+         statistics.chunks == static_cast<std::size_t>(chunks) &&
+         statistics.start_ns <= statistics.end_ns &&
+         statistics.messages == sum_of_counts(statistics.channel_messages) &&
+         std::ranges::all_of(statistics.channel_messages, [&](const auto& each) {
+           return summary.channels.contains(each.first);
+         });
 }
 
 void count(const Message& message, Statistics& statistics) {
@@ -95,37 +39,83 @@ void count(const Message& message, Statistics& statistics) {
   statistics.end_ns = std::max(statistics.end_ns, message.log_ns);
 }
 
-Summary count_all(const ByteSource& source) {
-  Summary summary;
+/// Reads and counts all messages.
+void count_all(const ByteSource& source, Summary& summary) {
+  MessageReader reader(source, summary.blocks);
+  RecordingTime time;
+  while (const Message* message = reader.next()) {
+    time.move_to(message->log_ns);
+    count(*message, summary.statistics);
+  }
+  summary.silences = time.silences();
+  summary.schemas.insert(reader.schemas().begin(), reader.schemas().end());
+  summary.channels.insert(reader.channels().begin(), reader.channels().end());
+  summary.damages.insert(summary.damages.end(), reader.damages().begin(), reader.damages().end());
+  summary.checked = true;
+}
+
+/// Takes over what was found, and returns the rest of it.
+Survey take_over(Survey found, SummarySection& section, Summary& summary) {
+  summary.header = std::move(found.header);
+  summary.schemas = std::move(found.schemas);
+  summary.channels = std::move(found.channels);
+  summary.schemas.merge(section.schemas);
+  summary.channels.merge(section.channels);
+  summary.compressions = std::move(found.compressions);
+  summary.metadata = std::move(found.metadata);
+  summary.attachments = std::move(found.attachments);
+  summary.blocks = std::move(found.blocks);
+  summary.closed = section.closed;
+  if (section.damage) summary.damages.push_back(*section.damage);
+  summary.damages.insert(summary.damages.end(), found.damages.begin(), found.damages.end());
+  return found;
+}
+
+/// Sets the numbers of the statistics that need no message to be read.
+void count_records(Summary& summary) {
   Statistics& statistics = summary.statistics;
-  Visitor visitor;
-  visitor.header = [&](const Header& header) { summary.header = header; };
-  visitor.schema = [&](const Schema& schema) { summary.schemas[schema.id] = schema; };
-  visitor.channel = [&](const Channel& channel) { summary.channels[channel.id] = channel; };
-  visitor.message = [&](const Message& message) { count(message, statistics); };
-  visitor.metadata = [&](const Metadata& metadata) { summary.metadata.push_back(metadata); };
-  visitor.chunk = [&](const Chunk& chunk) {
-    ++statistics.chunks;
-    ++summary.compressions[chunk.compression];
-  };
-  const ScanEnd end = scan(source, visitor);
-  summary.damage = end.damage;
-  summary.recovered =
-      !end.complete || !end.damage.empty() || !has_magic(source, source.size() - sizeof kMagic);
   statistics.schemas = static_cast<std::uint16_t>(summary.schemas.size());
   statistics.channels = static_cast<std::uint32_t>(summary.channels.size());
   statistics.metadata = static_cast<std::uint32_t>(summary.metadata.size());
-  return summary;
+  statistics.attachments = static_cast<std::uint32_t>(summary.attachments.size());
+  statistics.chunks = static_cast<std::uint32_t>(
+      std::ranges::count_if(summary.blocks, [](const Block& block) { return block.is_chunk; }));
+}
+
+bool is_to_be_read(const Summary& summary, const SummarySection& section, Depth depth) {
+  const auto bytes = std::accumulate(
+      summary.blocks.begin(), summary.blocks.end(), std::uint64_t{0},
+      [](std::uint64_t sum, const Block& block) {
+        return std::min(kCheckedBytes + 1,
+                        sum + std::min(block.uncompressed_bytes, kCheckedBytes + 1));
+      });
+  return depth == Depth::kAll || bytes <= kCheckedBytes || !summary.damages.empty() ||
+         !summary.closed || !section.statistics || !agrees(*section.statistics, summary);
 }
 
 }  // namespace
 
-Result<Summary> summarize(const ByteSource& source) {
+Result<Summary> summarize(const ByteSource& source, Depth depth) {
+  std::uint8_t magic[sizeof kMagic];
   if (source.size() == 0) return Error{"is empty: nothing was recorded"};
-  if (!has_magic(source, 0)) return Error{"is not an MCAP file"};
+  if (!source.read(0, magic) || std::memcmp(magic, kMagic, sizeof kMagic) != 0)
+    return Error{"is not an MCAP file"};
   Summary summary;
-  if (!read_summary(source, summary)) summary = count_all(source);
+  summary.being_written = source.is_being_written();
+  SummarySection section = read_summary_section(source);
   summary.bytes = source.size();
+  const auto known = section.checked ? section.chunks : std::vector<ChunkIndex>{};
+  const Survey found = take_over(survey(source, known, section.data_end), section, summary);
+  if (!summary.closed && summary.being_written) forgive_unfinished(found, summary);
+  if (is_to_be_read(summary, section, depth)) {
+    count_all(source, summary);
+    check_data_section(source, found, summary);
+  } else {
+    summary.statistics = *section.statistics;
+  }
+  count_records(summary);
+  name_nameless(summary);
+  count_losses(section.statistics, summary);
   return summary;
 }
 

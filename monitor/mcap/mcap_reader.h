@@ -2,29 +2,45 @@
 #pragma once
 
 #include "core/result.h"
-#include "monitor/mcap/byte_source.h"
-#include "monitor/mcap/mcap_records.h"
+#include "monitor/mcap/recording_time.h"
+#include "monitor/mcap/survey.h"
 
 namespace galilean::mcap {
 
-/// The contents of a recording.
+/// The contents of a recording. What its data section holds counts, and not what its summary says.
 struct Summary {
   Header header;
   std::map<std::uint16_t, Schema> schemas;
   std::map<std::uint16_t, Channel> channels;
-  Statistics statistics;
+  Statistics statistics;                              ///< of what can be read
   std::map<std::string, std::uint32_t> compressions;  ///< number of chunks; "" is uncompressed
   std::vector<Metadata> metadata;
-  std::uint64_t bytes = 0;  ///< size of the file
-  /// Whether the file was not closed or is damaged. The contents were then counted from the chunks
-  /// that are whole.
-  bool recovered = false;
-  std::vector<std::string> damage;  ///< as in ScanEnd
+  std::vector<Attachment> attachments;
+  std::vector<Block> blocks;   ///< where its messages are; for a MessageReader
+  std::uint64_t bytes = 0;     ///< size of the file
+  bool closed = true;          ///< whether its recorder came to its end
+  bool being_written = false;  ///< whether a recorder of Galilean writes it now
+  bool checked = false;        ///< whether all messages were read, and every checksum compared
+  std::vector<Damage> damages;
+  std::map<std::uint16_t, std::uint64_t> lost;  ///< number of lost messages by channel, as known
+  bool lost_is_exact = true;                    ///< whether no other message is lost
+  std::vector<TimeRange> silences;  ///< those over kLongestSilence_ns; found only if checked
+
+  /// Returns whether a part of the recording is damaged or missing.
+  [[nodiscard]] bool recovered() const { return (!closed && !being_written) || !damages.empty(); }
 };
 
-/// Reads the file's summary if it is whole and matches its checksum, else scans the whole file.
+/// How much of the messages is read.
+enum class Depth {
+  kAsNeeded,  ///< all if the recording has at most kCheckedBytes, or its summary does not suffice
+  kAll        ///< all, so that every damage is found
+};
+/// A recording of this many uncompressed bytes is read in less than a second.
+inline constexpr std::uint64_t kCheckedBytes = std::uint64_t{256} << 20;
+
+/// Reads what a file holds.
 /// Errors: the file is empty or no MCAP file. The message is a predicate, so that the caller can
 /// put the file's name before it.
-[[nodiscard]] Result<Summary> summarize(const ByteSource& source);
+[[nodiscard]] Result<Summary> summarize(const ByteSource& source, Depth depth = Depth::kAsNeeded);
 
 }  // namespace galilean::mcap

@@ -18,6 +18,8 @@ using ByteView = std::span<const std::uint8_t>;
 
 inline constexpr std::uint8_t kMagic[8] = {0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
 inline constexpr std::size_t kRecordHead = 1 + 8;  ///< opcode and length
+inline constexpr std::size_t kDataEndBytes = kRecordHead + 4;
+inline constexpr std::size_t kFooterBytes = kRecordHead + 8 + 8 + 4;
 
 enum class Opcode : std::uint8_t {
   kHeader = 0x01,
@@ -28,6 +30,8 @@ enum class Opcode : std::uint8_t {
   kChunk = 0x06,
   kMessageIndex = 0x07,
   kChunkIndex = 0x08,
+  kAttachment = 0x09,
+  kAttachmentIndex = 0x0a,
   kStatistics = 0x0b,
   kMetadata = 0x0c,
   kMetadataIndex = 0x0d,
@@ -81,6 +85,18 @@ struct ChunkIndex {
   std::string compression;
   std::uint64_t compressed_size = 0, uncompressed_size = 0;
 };
+/// An attachment without its data, which may be larger than memory.
+struct Attachment {
+  std::uint64_t log_ns = 0, create_ns = 0;
+  std::string name, media_type;
+  std::uint64_t data_bytes = 0;
+  std::uint64_t data_offset = 0;  ///< where in the file its data is; no part of the record
+};
+struct AttachmentIndex {
+  std::uint64_t offset = 0, length = 0;
+  std::uint64_t log_ns = 0, create_ns = 0, data_bytes = 0;
+  std::string name, media_type;
+};
 struct Metadata {
   std::string name;
   Text entries;
@@ -113,22 +129,28 @@ void append(Bytes& to, const Message& record);
 void append(Bytes& to, const Chunk& record);
 void append(Bytes& to, const MessageIndex& record);
 void append(Bytes& to, const ChunkIndex& record);
+void append(Bytes& to, const AttachmentIndex& record);
 void append(Bytes& to, const Metadata& record);
 void append(Bytes& to, const MetadataIndex& record);
 void append(Bytes& to, const Statistics& record);
 void append(Bytes& to, const SummaryOffset& record);
 void append(Bytes& to, const DataEnd& record);
+/// Appends the attachment's record up to where its data begins. Behind the data stands a checksum
+/// of all that is between the record's length and itself.
+void append_head(Bytes& to, const Attachment& record);
 
 /// Reads a record from its content, without opcode and length. `data` of a message and `records` of
-/// a chunk point into `content`. Returns false if the content is cut short or invalid. Skips fields
-/// that later versions may have added.
+/// a chunk point into `content`. Of an attachment, `content` may end where its data begins. Returns
+/// false if the content is cut short or invalid. Skips fields that later versions may have added.
 [[nodiscard]] bool parse(ByteView content, Header& record);
 [[nodiscard]] bool parse(ByteView content, Footer& record);
 [[nodiscard]] bool parse(ByteView content, Schema& record);
 [[nodiscard]] bool parse(ByteView content, Channel& record);
 [[nodiscard]] bool parse(ByteView content, Message& record);
 [[nodiscard]] bool parse(ByteView content, Chunk& record);
+[[nodiscard]] bool parse(ByteView content, MessageIndex& record);
 [[nodiscard]] bool parse(ByteView content, ChunkIndex& record);
+[[nodiscard]] bool parse(ByteView content, Attachment& record);
 [[nodiscard]] bool parse(ByteView content, Metadata& record);
 [[nodiscard]] bool parse(ByteView content, MetadataIndex& record);
 [[nodiscard]] bool parse(ByteView content, Statistics& record);

@@ -3,17 +3,27 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <utility>
 
+#include "core/visible_text.h"
 #include "monitor/mcap/crc32.h"
+#include "monitor/mcap/lz4.h"
 
 namespace galilean::mcap {
 namespace {
-constexpr const char* kCompression = "zstd";
 constexpr std::size_t kFooterFieldsBeforeCrc = kRecordHead + 8 + 8;
+/// Returns MCAP's name for it.
+const char* compression_name(Compression compression) {
+  if (compression == Compression::kNone) return "";
+  return compression == Compression::kLz4 ? "lz4" : "zstd";
+}
+
+constexpr std::size_t kAttachedAtOnce = std::size_t{1} << 20;
 }  // namespace
 
-Writer::Writer(ByteSink& sink, WriterOptions options) : sink_(sink), options_(std::move(options)) {}
+Writer::Writer(ByteSink& sink, WriterOptions options)
+    : sink_(sink), options_(std::move(options)), compressor_(options_.compression) {}
 
 Result<void> Writer::emit(ByteView bytes) {
   if (!outcome_) return outcome_;
@@ -70,6 +80,36 @@ Result<void> Writer::write(const Metadata& metadata) {
   return {};
 }
 
+Result<void> Writer::write(const Attachment& attachment, const ByteSource& source) {
+  const std::uint64_t offset = position_;
+  scratch_.clear();
+  append_head(scratch_, attachment);
+  std::uint32_t crc = crc32(ByteView(scratch_).subspan(kRecordHead));
+  if (auto done = emit(scratch_); !done) return done;
+  if (auto done = emit_attached(attachment, source, crc); !done) return done;
+  std::uint8_t end[sizeof crc];
+  std::memcpy(end, &crc, sizeof crc);
+  if (auto done = emit(end); !done) return done;
+  attachment_indexes_.push_back({offset, position_ - offset, attachment.log_ns,
+                                 attachment.create_ns, attachment.data_bytes, attachment.name,
+                                 attachment.media_type});
+  ++statistics_.attachments;
+  return {};
+}
+
+Result<void> Writer::emit_attached(const Attachment& attachment, const ByteSource& source,
+                                   std::uint32_t& crc) {
+  for (std::uint64_t done = 0; done < attachment.data_bytes; done += scratch_.size()) {
+    scratch_.resize(static_cast<std::size_t>(
+        std::min<std::uint64_t>(kAttachedAtOnce, attachment.data_bytes - done)));
+    if (!source.read(attachment.data_offset + done, scratch_))
+      return outcome_ = Error{"the attachment '" + visible(attachment.name) + "' cannot be read"};
+    crc = crc32(scratch_, crc);
+    if (auto written = emit(scratch_); !written) return written;
+  }
+  return {};
+}
+
 bool Writer::chunk_is_due(std::uint64_t now_ns) const {
   const auto span_ns = static_cast<std::uint64_t>(options_.chunk_span.count());
   return chunk_.end_ns() != 0 && now_ns >= chunk_.start_ns() + span_ns;
@@ -79,14 +119,24 @@ Result<void> Writer::close_chunk_if_due(std::uint64_t now_ns) {
   return chunk_is_due(now_ns) ? close_chunk() : outcome_;
 }
 
+ByteView Writer::compress(ByteView records) {
+  if (options_.compression != Compression::kLz4) return compressor_.compress(records);
+  compress_lz4(records, frame_);
+  return frame_;
+}
+
 Result<void> Writer::close_chunk() {
   if (!outcome_ || chunk_.empty()) return outcome_;
-  Chunk chunk{chunk_.start_ns(),       chunk_.end_ns(), chunk_.records().size(),
-              crc32(chunk_.records()), kCompression,    compressor_.compress(chunk_.records())};
+  Chunk chunk{.start_ns = chunk_.start_ns(),
+              .end_ns = chunk_.end_ns(),
+              .uncompressed_size = chunk_.records().size(),
+              .uncompressed_crc = crc32(chunk_.records()),
+              .compression = compression_name(options_.compression),
+              .records = compress(chunk_.records())};
   ChunkIndex index{.start_ns = chunk.start_ns,
                    .end_ns = chunk.end_ns,
                    .offset = position_,
-                   .compression = kCompression,
+                   .compression = compression_name(options_.compression),
                    .compressed_size = chunk.records.size(),
                    .uncompressed_size = chunk.uncompressed_size};
   if (auto done = emit_record(chunk); !done) return done;
@@ -130,6 +180,7 @@ Result<void> Writer::write_summary() {
   append_group(Opcode::kChannel, channels_, summary, offsets);
   append_group(Opcode::kStatistics, std::array{statistics_}, summary, offsets);
   append_group(Opcode::kChunkIndex, chunk_indexes_, summary, offsets);
+  append_group(Opcode::kAttachmentIndex, attachment_indexes_, summary, offsets);
   append_group(Opcode::kMetadataIndex, metadata_indexes_, summary, offsets);
 
   Footer footer{position_, position_ + summary.size(), 0};

@@ -3,6 +3,7 @@
 
 #include "core/clock.h"
 #include "monitor/mcap/byte_sink.h"
+#include "monitor/mcap/byte_source.h"
 #include "monitor/mcap/chunk_builder.h"
 #include "monitor/mcap/mcap_records.h"
 #include "monitor/mcap/zstd.h"
@@ -14,12 +15,13 @@ struct WriterOptions {
   std::string library = "galilean";
   std::size_t chunk_bytes = std::size_t{1} << 20;  ///< a chunk closes when it holds so many bytes
   Duration chunk_span = std::chrono::seconds(1);   ///< or when it spans so much log time
+  Compression compression = Compression::kFast;
 };
 
-/// Writes an MCAP file: chunks compressed by zstd, with indexes and checksums, and a summary at the
-/// end. Each chunk is written whole, in order, and never changed afterwards, so all closed chunks
-/// can be read even if the recording breaks off. After the first failure nothing more is written,
-/// and every call returns that failure.
+/// Writes an MCAP file: compressed chunks with indexes and checksums, and a summary at the end.
+/// Each chunk is written whole, in order, and never changed afterwards, so all closed chunks can be
+/// read even if the recording breaks off. After the first failure nothing more is written, and
+/// every call returns that failure.
 class Writer {
  public:
   explicit Writer(ByteSink& sink, WriterOptions options = {});
@@ -35,6 +37,10 @@ class Writer {
   Result<void> write(const Message& message);
   /// Writes a metadata record at once, before the open chunk.
   Result<void> write(const Metadata& metadata);
+  /// Writes an attachment at once, whose data stands in `source` at `attachment.data_offset`. It is
+  /// copied piece by piece, so that it may be larger than memory. Errors: also if it cannot be read
+  /// whole; nothing can be written behind it then.
+  Result<void> write(const Attachment& attachment, const ByteSource& source);
   /// Closes the chunk if its span is over at `now_ns`, so that messages do not stay in memory while
   /// no more arrive.
   Result<void> close_chunk_if_due(std::uint64_t now_ns);
@@ -49,7 +55,10 @@ class Writer {
   Result<void> close_chunk();
   Result<void> write_message_indexes(ChunkIndex& index);
   Result<void> write_summary();
+  [[nodiscard]] ByteView compress(ByteView records);
   Result<void> emit(ByteView bytes);
+  Result<void> emit_attached(const Attachment& attachment, const ByteSource& source,
+                             std::uint32_t& crc);
   template <class Record>
   Result<void> emit_record(const Record& record);
   template <class Records>
@@ -59,7 +68,7 @@ class Writer {
   WriterOptions options_;
   Compressor compressor_;
   ChunkBuilder chunk_;
-  Bytes scratch_;
+  Bytes scratch_, frame_;
   std::uint64_t position_ = 0;
   std::uint32_t data_crc_ = 0;
   Result<void> outcome_;
@@ -67,6 +76,7 @@ class Writer {
   std::vector<Channel> channels_;
   std::vector<ChunkIndex> chunk_indexes_;
   std::vector<MetadataIndex> metadata_indexes_;
+  std::vector<AttachmentIndex> attachment_indexes_;
   Statistics statistics_;
 };
 

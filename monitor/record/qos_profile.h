@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "core/wire/delivery.h"
+#include "core/wire/endpoints.h"
 
 namespace galilean::monitor {
 
 /// Returns the quality of service that a topic was offered with, in YAML. A channel of MCAP's
 /// profile "ros2" must state it, so that ROS 2 replays the topic in the same way.
-[[nodiscard]] std::string offered_qos_profiles(wire::Delivery delivery);
+[[nodiscard]] std::string offered_qos_profiles(const wire::EndpointQos& offered);
 
 }  // namespace galilean::monitor

@@ -1,121 +1,212 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/record/recorder.h"
 
-#include <exception>
 #include <utility>
 
-#include "core/wire/reader.h"
 #include "core/wire/ros_time.h"
-#include "monitor/record/qos_profile.h"
+#include "monitor/record/times.h"
 
 namespace galilean::monitor {
 namespace {
 
-/// The number of messages of each writer that may wait while a chunk is compressed and written. It
-/// is a minute of a robot's state or six seconds of images.
-constexpr int kReaderDepth = 600, kImageDepth = 60;
-constexpr std::string_view kRosPrefix = "rt";  // stands before ROS topics' names on DDS
+constexpr Duration kLookEach = std::chrono::seconds(1);
 
-bool is_image(std::string_view ros_type) {
-  return ros_type == msg::CompressedImage::kRosType;
+std::string megabytes(std::uint64_t bytes) {
+  return std::to_string(bytes / 1'000'000) + " MB";
 }
 
 }  // namespace
 
-struct Recorder::Subscription {
-  std::uint16_t channel = 0;
-  std::uint32_t sequence = 0;
-  std::atomic<bool> ready{true};
-  std::unique_ptr<wire::Reader> reader;
-};
-
-Recorder::Recorder(wire::Participant& participant, mcap::Writer& writer, Selection selection,
-                   std::function<void(const std::string&)> warn)
-    : participant_(participant),
-      writer_(writer),
-      selection_(std::move(selection)),
-      warn_(std::move(warn)),
-      discovery_(participant) {
+Recorder::Recorder(Setup setup)
+    : setup_(std::move(setup)),
+      recordings_({.participant = setup_.participant,
+                   .selection = setup_.selection,
+                   .warn = setup_.warn,
+                   .on_data = [this] { wake_.ring(); }}),
+      definitions_(setup_.participant, setup_.ended),
+      picture_budget_(setup_.picture_bytes_per_s),
+      discovery_(setup_.participant) {
   discovery_.on_change([this] {
-    topics_changed_ = true;
+    writers_changed_ = true;
     wake_.ring();
   });
+  if (setup_.snapshots.trigger) ring_.emplace(setup_.snapshots.before, setup_.snapshots.most_bytes);
   wake_.ring();
 }
 
-Recorder::~Recorder() {
-  for (const auto& subscription : subscriptions_) subscription->reader.reset();
+Result<void> Recorder::begin() {
+  return ring_ ? Result<void>() : begin_file(wire::wall_clock_ns());
 }
 
 Result<void> Recorder::pump() {
   wake_.clear();
-  if (topics_changed_.exchange(false)) subscribe_to_new();
-  for (const auto& subscription : subscriptions_)
-    if (subscription->ready.exchange(false))
-      if (auto done = record(*subscription); !done) return done;
-  return writer_.close_chunk_if_due(static_cast<std::uint64_t>(wire::wall_clock_ns()));
-}
-
-bool Recorder::selected(const std::string& name, std::string_view ros_type) const {
-  if (!selection_.images && is_image(ros_type)) return false;
-  return !selection_.topics || std::regex_search(name, *selection_.topics);
-}
-
-void Recorder::subscribe_to_new() {
-  for (const auto& publication : discovery_.publications()) {
-    const std::string& topic = publication.topic;
-    if (!topic.starts_with("rt/") || !settled_.insert(topic).second) continue;
-    const std::string name = topic.substr(kRosPrefix.size());
-    const auto* schema = wire::find_schema_by_dds_type(publication.dds_type);
-    if (!selected(name, schema ? schema->ros_type : "")) continue;
-    if (schema)
-      subscribe(topic, *schema);
-    else
-      warn_(name + " is not recorded: its type, " + publication.dds_type +
-            ", is none of Galilean's messages");
+  if (writers_changed_.exchange(false)) recordings_.follow_writers();
+  if (auto done = record(); !done) return done;
+  const Time now = setup_.clock.now();
+  if (ring_)
+    if (auto done = follow_events(now); !done) return done;
+  if (!looked_ || now - *looked_ >= kLookEach) {
+    looked_ = now;
+    recordings_.watch_matches();
+    if (auto done = look_after_files(now); !done) return done;
   }
+  if (!setup_.files.is_open()) return {};
+  const auto wall_ns = static_cast<std::uint64_t>(wire::wall_clock_ns());
+  return setup_.files.writer().close_chunk_if_due(wall_ns);
 }
 
-void Recorder::subscribe(const std::string& topic, const wire::Schema& schema) try {
-  auto subscription = std::make_unique<Subscription>();
-  subscription->reader =
-      std::make_unique<wire::Reader>(participant_, topic, std::string(schema.ros_type),
-                                     is_image(schema.ros_type) ? kImageDepth : kReaderDepth);
-  subscription->channel = channel_for(topic.substr(kRosPrefix.size()), schema);
-  subscription->reader->on_data([this, &ready = subscription->ready] {
-    ready = true;
-    wake_.ring();
-  });
-  wake_.ring();  // because messages may have come before the callback was set
-  subscriptions_.push_back(std::move(subscription));
-} catch (const std::exception& error) {
-  warn_(topic.substr(kRosPrefix.size()) + " is not recorded: " + error.what());
-}
-
-std::uint16_t Recorder::channel_for(const std::string& name, const wire::Schema& schema) {
-  const std::string type(schema.ros_type);
-  auto known = schema_ids_.find(type);
-  if (known == schema_ids_.end())
-    known = schema_ids_.emplace(type, writer_.add_schema(type, "ros2idl", std::string(schema.idl)))
-                .first;
-  mcap::Channel channel;
-  channel.schema_id = known->second;
-  channel.topic = name;
-  channel.message_encoding = "cdr";
-  channel.metadata["offered_qos_profiles"] =
-      offered_qos_profiles(wire::delivery_of(schema.ros_type));
-  return writer_.add_channel(std::move(channel));
-}
-
-Result<void> Recorder::record(Subscription& subscription) {
+Result<void> Recorder::record() {
   Result<void> done;
-  subscription.reader->take([&](const wire::Received& received) {
-    if (!done) return;
-    done = writer_.write({subscription.channel, ++subscription.sequence,
-                          static_cast<std::uint64_t>(wire::wall_clock_ns()),
-                          static_cast<std::uint64_t>(received.sent_ns), received.cdr});
+  recordings_.take([&](const wire::Received& received, TopicRecording::Writer& writer) {
+    if (done) done = take_in(received, writer);
   });
   return done;
+}
+
+Result<void> Recorder::take_in(const wire::Received& received, TopicRecording::Writer& writer) {
+  const Time now = setup_.clock.now();
+  const bool waits = ring_ && !setup_.files.is_open();
+  if (ring_) setup_.snapshots.trigger->take(writer.info, received, now);
+  if (!waits) kept_.note(writer.info, received);
+  if (!waits && !setup_.files.is_open())
+    ++writer.unwritten;
+  else if (is_picture(writer.info) && !picture_budget_.takes(received.cdr.size(), now))
+    ++writer.left_out;
+  else if (waits)
+    ring_->add(writer.info, received, now, wire::wall_clock_ns());
+  else
+    return write(writer.info, received, wire::wall_clock_ns());
+  return {};
+}
+
+/// Begins a file when something has happened, and ends it when its time is over.
+Result<void> Recorder::follow_events(Time now) {
+  const bool too_much = ring_->forget(
+      now, [&](const MessageRing::Held& held) { kept_.note(*held.writer, held.received()); });
+  if (too_much)
+    warn_once("more came than " + megabytes(setup_.snapshots.most_bytes) +
+              " in the time that is kept before an event (--keep-memory): less of it is kept");
+  const auto event = setup_.snapshots.trigger->happened();
+  if (event) {
+    snapshot_until_ = now + setup_.snapshots.after;
+    if (!setup_.files.is_open()) return begin_snapshot(*event);
+  }
+  return setup_.files.is_open() && now >= snapshot_until_ ? conclude() : Result<void>();
+}
+
+Result<void> Recorder::begin_snapshot(const std::string& event) {
+  if (!setup_.room.look()) {
+    setup_.warn(event + ": not recorded, because the disk is nearly full");
+    return {};
+  }
+  event_ = event;
+  if (!losses_then_.empty()) concluded_ = losses_then_.front().second;
+  auto done = begin_file(ring_->empty() ? wire::wall_clock_ns() : ring_->oldest().log_ns);
+  ring_->give([&](const MessageRing::Held& held) {
+    kept_.note(*held.writer, held.received());
+    if (done) done = write(*held.writer, held.received(), held.log_ns);
+  });
+  if (done) setup_.warn(event + ": recorded to " + setup_.files.newest());
+  return done;
+}
+
+/// Remembers what was missing when the time began that is kept before an event.
+void Recorder::remember_losses(Time now) {
+  losses_then_.emplace_back(now, recordings_.losses());
+  while (losses_then_.size() > 1 && now - losses_then_[1].first >= setup_.snapshots.before)
+    losses_then_.pop_front();
+}
+
+Result<void> Recorder::write(const wire::EndpointInfo& writer, const wire::Received& received,
+                             std::int64_t log_ns) {
+  if (auto done = attach_programs(writer, received); !done) return done;
+  return setup_.files.writer().write({contents_->channels.of(writer, received.cdr),
+                                      static_cast<std::uint32_t>(received.sequence),
+                                      static_cast<std::uint64_t>(log_ns),
+                                      static_cast<std::uint64_t>(received.sent_ns), received.cdr});
+}
+
+Result<void> Recorder::attach_programs(const wire::EndpointInfo& writer,
+                                       const wire::Received& received) {
+  for (const auto& [name, text] : contents_->programs.find(writer, received)) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+    auto done = setup_.files.writer().write(
+        mcap::Attachment{.log_ns = static_cast<std::uint64_t>(wire::wall_clock_ns()),
+                         .create_ns = static_cast<std::uint64_t>(received.sent_ns),
+                         .name = name,
+                         .media_type = "text/plain",
+                         .data_bytes = text.size()},
+        mcap::MemorySource({bytes, text.size()}));
+    if (!done) return done;
+  }
+  return {};
+}
+
+/// Tells what was lost, goes on in another file, and looks whether there is room.
+Result<void> Recorder::look_after_files(Time now) {
+  const bool has_room = setup_.room.look();
+  if (!setup_.files.is_open() && ring_) return remember_losses(now), Result<void>();
+  if (!setup_.files.is_open()) {
+    if (!has_room) return {};
+    setup_.warn("there is room on the disk again: the recording goes on");
+    return begin_file(wire::wall_clock_ns());
+  }
+  if (!has_room) return stand_still();
+  if (auto done = contents_->losses.tell(recordings_.losses(), wire::wall_clock_ns()); !done)
+    return done;
+  if (!setup_.files.is_full(now)) return {};
+  if (auto done = conclude(); !done) return done;
+  return begin_file(wire::wall_clock_ns());
+}
+
+Result<void> Recorder::stand_still() {
+  setup_.warn("only " + megabytes(setup_.room.free()) + " are free for '" +
+              setup_.files.plan().out + "', less than " + megabytes(setup_.room.least()) +
+              " (--min-free): nothing is recorded until there is room again; delete something");
+  return conclude();
+}
+
+Result<void> Recorder::begin_file(std::int64_t log_ns) {
+  const std::size_t files_before = setup_.files.totals().files;
+  if (auto done = setup_.files.begin(setup_.clock.now()); !done) return done;
+  auto& writer = setup_.files.writer();
+  contents_.emplace(
+      Contents{Channels({.writer = writer,
+                         .definitions = definitions_,
+                         .language = setup_.language,
+                         .leaves_out_pictures = setup_.picture_bytes_per_s > 0,
+                         .warn = [this](const std::string& sentence) { warn_once(sentence); }}),
+               LossLog(writer),
+               {}});
+  mcap::Metadata about{"galilean", setup_.about};
+  about.entries["started"] = iso_time(wire::wall_clock_ns());
+  about.entries["file"] = std::to_string(files_before);
+  if (ring_) about.entries["event"] = event_;
+  if (auto done = writer.write(about); !done) return done;
+  if (auto done = contents_->losses.begin(concluded_); !done) return done;
+  return write_kept(log_ns);
+}
+
+Result<void> Recorder::write_kept(std::int64_t log_ns) {
+  kept_.forget_all_but(recordings_.present());
+  for (const auto& [guid, kept] : kept_.all()) {
+    const wire::Received again{kept.cdr, kept.sent_ns, kept.writer.handle, kept.sequence};
+    if (auto done = write(kept.writer, again, log_ns); !done) return done;
+  }
+  return {};
+}
+
+Result<void> Recorder::conclude() {
+  if (!setup_.files.is_open()) return {};
+  concluded_ = recordings_.losses();
+  if (auto done = contents_->losses.conclude(concluded_); !done) return done;
+  contents_.reset();
+  losses_then_.clear();
+  return setup_.files.end();
+}
+
+void Recorder::warn_once(const std::string& sentence) {
+  if (warned_.insert(sentence).second) setup_.warn(sentence);
 }
 
 }  // namespace galilean::monitor

@@ -2,68 +2,124 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
+#include <deque>
 #include <functional>
-#include <memory>
 #include <optional>
-#include <regex>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/clock.h"
 #include "core/wake.h"
 #include "core/wire/discovery.h"
 #include "core/wire/participant.h"
-#include "core/wire/schemas.h"
-#include "monitor/mcap/mcap_writer.h"
+#include "monitor/record/byte_budget.h"
+#include "monitor/record/channels.h"
+#include "monitor/record/disk_room.h"
+#include "monitor/record/kept_messages.h"
+#include "monitor/record/losses.h"
+#include "monitor/record/message_ring.h"
+#include "monitor/record/program_texts.h"
+#include "monitor/record/recording_files.h"
+#include "monitor/record/selection.h"
+#include "monitor/record/snapshots.h"
+#include "monitor/record/topic_recordings.h"
+#include "monitor/wire/definitions.h"
 
 namespace galilean::monitor {
 
-/// Reads all topics of the team and writes their bytes unchanged to an MCAP file. A topic is read
-/// as soon as it has a writer. A message's log time is when it was received, by this machine's
-/// clock. Its publish time is when it was sent, by its writer's clock. Topics have their ROS names:
-/// /io/state.
+/// Reads all topics of the domain and writes their bytes unchanged to MCAP files. A topic is read
+/// as soon as it has a writer, whatever its type and its quality of service. A message's log time
+/// is when it was received, by this machine's clock. Its publish time is when it was sent, by its
+/// writer's clock. Topics have their ROS names: /io/state. What is lost is counted, and written
+/// into the files, too. While the disk is nearly full nothing is written, which is said and
+/// counted. A file that follows another begins with the newest message of every state. The texts of
+/// programs are attached.
 ///
-/// For use by one thread, which calls `pump` when `descriptor` is readable.
+/// With a trigger, nothing is written until something happens. Then a file begins with what came
+/// shortly before, and with the states that were so then, and ends some time after the last event.
+///
+/// For use by one thread, which calls `pump` when `descriptor` is readable, and at least each
+/// second.
 class Recorder {
  public:
-  struct Selection {
-    std::optional<std::regex> topics;  ///< must match a part of a topic's name; none: all topics
-    bool images = true;                ///< costly, because robots encode images only for readers
+  struct Setup {
+    wire::Participant& participant;
+    const Clock& clock;
+    RecordingFiles& files;
+    DiskRoom room;
+    mcap::Text about;  ///< what each file tells of who recorded it
+    Selection selection;
+    SchemaLanguage language = SchemaLanguage::kMessage;
+    std::uint64_t picture_bytes_per_s = 0;  ///< what pictures may take; 0: without a limit
+    Snapshots snapshots = {};
+    std::function<void(const std::string&)> warn;  ///< gets a sentence for what is not as it should
+    std::function<bool()> ended;                   ///< whether waiting should end
   };
 
-  /// `warn` gets a sentence for each topic that cannot be recorded.
-  /// Requires: `writer` has begun. Both references outlive this.
-  Recorder(wire::Participant& participant, mcap::Writer& writer, Selection selection,
-           std::function<void(const std::string&)> warn);
-  ~Recorder();
+  /// Requires: what `setup` refers to outlives this.
+  explicit Recorder(Setup setup);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
+  /// Begins the first file, unless a trigger has to. Call it once, before `pump`. Errors: it cannot
+  /// be written.
+  [[nodiscard]] Result<void> begin();
   [[nodiscard]] int descriptor() const noexcept { return wake_.descriptor(); }
-  /// Records the messages that came since the last call. Never waits for more.
-  /// Errors: the file cannot be written.
+  /// Records the messages that came since the last call. It may block for 3 s at the first message
+  /// of a type that this release does not define. Errors: the file cannot be written.
   [[nodiscard]] Result<void> pump();
-  [[nodiscard]] std::size_t topics() const noexcept { return subscriptions_.size(); }
+  /// Writes what was lost into the open file and ends it. Call it last. Errors: the file cannot be
+  /// written.
+  [[nodiscard]] Result<void> conclude();
+
+  /// Returns what is read, what came and what did not.
+  [[nodiscard]] const TopicRecordings& recordings() const noexcept { return recordings_; }
 
  private:
-  struct Subscription;
+  /// What each file has of its own.
+  struct Contents {
+    Channels channels;
+    LossLog losses;
+    ProgramTexts programs;
+  };
 
-  bool selected(const std::string& name, std::string_view ros_type) const;
-  void subscribe_to_new();
-  void subscribe(const std::string& topic, const wire::Schema& schema);
-  std::uint16_t channel_for(const std::string& name, const wire::Schema& schema);
-  Result<void> record(Subscription& subscription);
+  [[nodiscard]] Result<void> record();
+  [[nodiscard]] Result<void> take_in(const wire::Received& received,
+                                     TopicRecording::Writer& writer);
+  [[nodiscard]] Result<void> follow_events(Time now);
+  [[nodiscard]] Result<void> begin_snapshot(const std::string& event);
+  void remember_losses(Time now);
+  [[nodiscard]] Result<void> write(const wire::EndpointInfo& writer, const wire::Received& received,
+                                   std::int64_t log_ns);
+  [[nodiscard]] Result<void> attach_programs(const wire::EndpointInfo& writer,
+                                             const wire::Received& received);
+  [[nodiscard]] Result<void> look_after_files(Time now);
+  [[nodiscard]] Result<void> stand_still();
+  /// `log_ns` is the log time of the states that the file begins with.
+  [[nodiscard]] Result<void> begin_file(std::int64_t log_ns);
+  [[nodiscard]] Result<void> write_kept(std::int64_t log_ns);
+  void warn_once(const std::string& sentence);
 
-  wire::Participant& participant_;
-  mcap::Writer& writer_;
-  Selection selection_;
-  std::function<void(const std::string&)> warn_;
+  Setup setup_;
   Wake wake_;
-  std::map<std::string, std::uint16_t, std::less<>> schema_ids_;  ///< by ROS type
-  std::set<std::string> settled_;  ///< topics that are recorded, not selected or not known
-  std::vector<std::unique_ptr<Subscription>> subscriptions_;
-  std::atomic<bool> topics_changed_{true};
-  wire::Discovery discovery_;
+  std::atomic<bool> writers_changed_{true};
+  TopicRecordings recordings_;
+  Definitions definitions_;
+  std::optional<Contents> contents_;     ///< of the open file
+  std::vector<WriterLosses> concluded_;  ///< what was told at the end of the newest file that ended
+  KeptMessages kept_;
+  /// What may belong to a snapshot; nothing if all is written. What leaves it is in `kept_`.
+  std::optional<MessageRing> ring_;
+  std::string event_;      ///< for which the open file was begun
+  Time snapshot_until_{};  ///< when it ends
+  std::deque<std::pair<Time, std::vector<WriterLosses>>> losses_then_;  ///< since the ring begins
+  ByteBudget picture_budget_;
+  std::set<std::string> warned_;  ///< what was said
+  std::optional<Time> looked_;
+  wire::Discovery discovery_;  ///< last, because its callback uses the others
 };
 
 }  // namespace galilean::monitor

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/replay/report.h"
 
+#include <algorithm>
 #include <iomanip>
+#include <iterator>
 #include <sstream>
 
 #include "core/plural.h"
 #include "core/visible_text.h"
+#include "monitor/record/damage_text.h"
 #include "monitor/record/log_info.h"
 #include "monitor/record/times.h"
 
@@ -22,18 +25,25 @@ std::string before_playing(const std::string& path, const mcap::Summary& summary
                            const Tracks& tracks) {
   std::ostringstream out;
   out << std::fixed << std::setprecision(1);
-  if (summary.recovered)
-    out << path << " was not closed properly; plays the "
-        << plural(summary.statistics.messages, "message") << " that could be recovered\n";
-  for (const auto& damage : summary.damage) out << "damage: " << visible(damage) << '\n';
-  out << path << ": " << plural(tracks.played.size(), "topic") << ", " << duration_s(summary)
-      << " s, from " << iso_time(static_cast<std::int64_t>(summary.statistics.start_ns)) << '\n';
+  out << condition_text(path, summary);
+  out << path << ": " << plural(topics_played(tracks), "topic") << ", " << duration_s(summary)
+      << " s, from " << iso_time(summary.statistics.start_ns) << '\n';
   if (!tracks.commands.empty())
     out << "not played: " << listed(tracks.commands) << "; a replay gives robots no commands\n";
   if (!tracks.foreign.empty())
     out << "not played: " << listed(tracks.foreign)
         << "; this release does not know their types, or defines them otherwise\n";
   return out.str();
+}
+
+std::vector<mcap::Damage> newly_met(const std::vector<mcap::Damage>& met,
+                                    const mcap::Summary& summary) {
+  std::vector<mcap::Damage> fresh;
+  std::ranges::copy_if(met, std::back_inserter(fresh), [&](const mcap::Damage& damage) {
+    return std::ranges::find(summary.damages, damage.offset, &mcap::Damage::offset) ==
+           summary.damages.end();
+  });
+  return fresh;
 }
 
 }  // namespace galilean::monitor

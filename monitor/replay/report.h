@@ -11,6 +11,10 @@ namespace galilean::monitor {
 [[nodiscard]] std::string before_playing(const std::string& path, const mcap::Summary& summary,
                                          const Tracks& tracks);
 
+/// Returns those damages that a replay met and that the summary did not know.
+[[nodiscard]] std::vector<mcap::Damage> newly_met(const std::vector<mcap::Damage>& met,
+                                                  const mcap::Summary& summary);
+
 /// Returns the names as a list: "io", "io and callisto", "io, ganymede and callisto".
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 

@@ -31,14 +31,16 @@ void Stage::look() {
   has_monitor_ = monitor_is_in(graph_.topics());
   for (const auto& [channel, track] : tracks_) {
     if (has_monitor_ && is_made_by_monitor(track))
-      writers_.erase(channel);
-    else if (!writers_.contains(channel))
-      writers_.emplace(channel, wire::ByteWriter(participant_, track.topic, track.ros_type));
+      writers_.erase(key_of(track));
+    else if (!writers_.contains(key_of(track)))
+      writers_.emplace(key_of(track), wire::ByteWriter(participant_, track.topic, track.ros_type));
   }
 }
 
 void Stage::send(std::uint16_t channel, std::span<const std::uint8_t> cdr) {
-  const auto writer = writers_.find(channel);
+  const auto track = tracks_.find(channel);
+  if (track == tracks_.end()) return;
+  const auto writer = writers_.find(key_of(track->second));
   if (writer != writers_.end() && !writer->second.write(cdr)) ++lost_;
 }
 

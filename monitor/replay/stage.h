@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/wire/byte_writer.h"
@@ -28,11 +29,17 @@ class Stage {
   [[nodiscard]] std::uint64_t lost() const noexcept { return lost_; }
 
  private:
+  /// A topic, its type, and whose messages they are.
+  using WriterKey = std::tuple<std::string, std::string, std::string>;
+  [[nodiscard]] static WriterKey key_of(const Track& track) {
+    return {track.topic, track.ros_type, track.sender};
+  }
+
   wire::Participant& participant_;
   const std::map<std::uint16_t, Track>& tracks_;
   wire::Graph graph_;
   bool has_monitor_ = false;
-  std::map<std::uint16_t, wire::ByteWriter> writers_;
+  std::map<WriterKey, wire::ByteWriter> writers_;
   std::uint64_t lost_ = 0;
 };
 

@@ -3,12 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/wire/schemas.h"
 #include "core/wire/topic_names.h"
+#include "core/wire/types/message_definition.h"
+#include "core/wire/types/own_types.h"
+#include "monitor/record/channel_metadata.h"
+#include "monitor/record/losses.h"
 
 namespace galilean::monitor {
 namespace {
@@ -32,10 +38,33 @@ std::string words_of(std::string_view idl) {
 }
 
 /// Comments and layout are no part of a type: messages of another release may differ in them alone.
+bool defines_alike(const mcap::Schema& schema, const wire::Schema& known) {
+  if (schema.encoding != "ros2msg")
+    return known.idl == schema.data || words_of(known.idl) == words_of(schema.data);
+  const auto* own = wire::find_own_type(known.dds_type);
+  if (!own) return false;
+  const auto definition = wire::message_definition(own->description);
+  return definition && definition.value() == schema.data;
+}
+
 bool is_known(const mcap::Channel& channel, const mcap::Schema& schema) {
   const auto* known = wire::find_schema_by_ros_type(schema.name);
   return known && channel.message_encoding == "cdr" && channel.topic.starts_with('/') &&
-         (known->idl == schema.data || words_of(known->idl) == words_of(schema.data));
+         defines_alike(schema, *known);
+}
+
+/// What others recorded tells no sender: then a channel is one.
+std::string sender_of(const mcap::Channel& channel) {
+  const auto process = channel.metadata.find(kChannelProcess);
+  return process != channel.metadata.end() ? process->second
+                                           : "channel " + std::to_string(channel.id);
+}
+
+/// A topic has a channel for each of its writers.
+void name_once(std::vector<std::string>& topics) {
+  std::ranges::sort(topics);
+  const auto [rest, end] = std::ranges::unique(topics);
+  topics.erase(rest, end);
 }
 
 }  // namespace
@@ -43,19 +72,26 @@ bool is_known(const mcap::Channel& channel, const mcap::Schema& schema) {
 Tracks tracks_of(const mcap::Summary& summary) {
   Tracks tracks;
   for (const auto& [id, channel] : summary.channels) {
+    if (channel.topic == kLossesTopic) continue;  // the recorder's own
     const auto schema = summary.schemas.find(channel.schema_id);
     const std::string type = schema == summary.schemas.end() ? "" : schema->second.name;
     const auto delivery = wire::delivery_of(type);
     if (delivery == wire::Delivery::kCommand)
       tracks.commands.push_back(channel.topic);
     else if (schema != summary.schemas.end() && is_known(channel, schema->second))
-      tracks.played[id] = {"rt" + channel.topic, type, delivery};
+      tracks.played[id] = {"rt" + channel.topic, type, delivery, sender_of(channel)};
     else
       tracks.foreign.push_back(channel.topic);
   }
-  std::ranges::sort(tracks.commands);
-  std::ranges::sort(tracks.foreign);
+  name_once(tracks.commands);
+  name_once(tracks.foreign);
   return tracks;
+}
+
+std::size_t topics_played(const Tracks& tracks) {
+  std::set<std::string_view> topics;
+  for (const auto& [id, track] : tracks.played) topics.insert(track.topic);
+  return topics.size();
 }
 
 bool is_made_by_monitor(const Track& track) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ struct Track {
   std::string topic;     ///< DDS' name of it: "rt/io/state"
   std::string ros_type;  ///< "galilean_msgs/msg/RobotState"
   wire::Delivery delivery = wire::Delivery::kStream;
+  /// Whose messages they are. Those of one topic and sender are sent by one writer, so that a
+  /// process that was started anew replaces what it kept for late joiners before.
+  std::string sender;
 };
 
 /// The topics of a recording that are sent again, and those that are not. The latter have their ROS
@@ -26,9 +30,11 @@ struct Tracks {
                                           ///< defines otherwise
 };
 
-/// Sorts a recording's channels into the three kinds.
+/// Sorts a recording's channels into the three kinds. What the recorder tells of itself is in none.
 [[nodiscard]] Tracks tracks_of(const mcap::Summary& summary);
 
+/// Returns the number of topics that are sent again. Each writer of a topic has a channel.
+[[nodiscard]] std::size_t topics_played(const Tracks& tracks);
 /// Returns whether a monitor makes the topic from the robots' messages.
 [[nodiscard]] bool is_made_by_monitor(const Track& track);
 /// Returns whether several processes may write the topic at once, as ROS 2's own tools expect.

@@ -29,14 +29,21 @@ TopicReader::TopicReader(Wire wire, FoundTopic topic, const std::function<void()
     auto reader =
         std::make_unique<wire::Reader>(wire_.participant, untyped, least_qos(ends), kMessagesKept);
     reader->on_data(on_data);
-    readers_.push_back({type.first, std::move(reader)});
+    readers_.push_back({type.first, type.second, std::move(reader)});
   }
 }
 
 void TopicReader::take(const std::function<void(const wire::Received&)>& receive) {
-  for (const auto& [dds_type, reader] : readers_) {
+  for (const auto& [dds_type, keyed, reader] : readers_) {
     taken_type_ = dds_type;
-    reader->take(receive);
+    if (!keyed) {
+      reader->take(receive);
+      continue;
+    }
+    reader->take([&](wire::Received received) {
+      received.sequence = 0;
+      receive(received);
+    });
   }
 }
 

@@ -37,7 +37,8 @@ class TopicReader {
   /// outlives this. Errors: throws std::runtime_error if Cyclone refuses the topic.
   TopicReader(Wire wire, FoundTopic topic, const std::function<void()>& on_data);
 
-  /// Calls `receive` for each message that came since the last call.
+  /// Calls `receive` for each message that came since the last call. Messages of types with keys
+  /// have no sequence, because what ends a key has a number, too, and is no message.
   void take(const std::function<void(const wire::Received&)>& receive);
   /// Learns the definitions that the present ends have. It may block.
   /// Errors: there is none of them; the error is a sentence.
@@ -54,6 +55,7 @@ class TopicReader {
   using Decoder = std::shared_ptr<const MessageDecoder>;
   struct TypeReader {
     std::string dds_type;
+    bool keyed = false;
     std::unique_ptr<wire::Reader> reader;
   };
 

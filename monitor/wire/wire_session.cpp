@@ -17,9 +17,9 @@ constexpr int kLookAtDomainEach_ms = 50;
 
 }  // namespace
 
-Result<std::unique_ptr<WireSession>> WireSession::join(int domain) {
+Result<std::unique_ptr<WireSession>> WireSession::join(int domain, const std::string& name) {
   auto termination = std::make_unique<Termination>();  // before Cyclone's threads
-  auto participant = wire::Participant::join("topics", domain);
+  auto participant = wire::Participant::join(name, domain);
   if (!participant) return participant.error();
   return std::unique_ptr<WireSession>(
       new WireSession(std::move(participant).value(), std::move(termination)));

@@ -19,7 +19,7 @@ const [schemas, others] = [named('schema'), named('settings')];
 const VOCABULARY = ['core/device/device_names.h', 'core/variable/type_name.h', 'web/src/model/variable_text.ts'];
 /** The same word for something else. */
 const OTHER_MEANINGS = {
-  lost: ['web/src/feed/feed.ts', 'web/src/feed/feed_server.ts', 'web/src/model/live.svelte.ts', 'web/src/shell/Announcer.svelte', 'web/src/shell/Header.svelte'], // a connection
+  lost: ['web/src/feed/feed.ts', 'web/src/feed/feed_server.ts', 'web/src/model/live.svelte.ts', 'web/src/shell/Announcer.svelte', 'web/src/shell/Header.svelte', 'monitor/record/log_info_json.cpp'], // a connection; messages
   dock: ['web/src/shell/Dock.svelte'], // of panels
   noise: ['sim/camera/renderer.cpp'], // of a camera's pixels
   bits: ['web/src/plots/quantities.ts'], // what is plotted

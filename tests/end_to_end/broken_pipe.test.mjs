@@ -41,8 +41,11 @@ test('a team drives, is recorded and played again when nobody reads what its pro
   });
   assert.ok(last.tick > first.tick);
 
-  for (const program of [robot, sim, recorder, monitor]) assert.deepEqual(await program.stop(), ended, program.process.spawnargs.join(' '));
+  for (const program of [robot, sim]) assert.deepEqual(await program.stop(), ended, program.process.spawnargs.join(' '));
+  const recorded = await recorder.stop();
+  assert.deepEqual(await monitor.stop(), ended);
   const info = galilean(['log', 'info', 'run.mcap', '--json'], { cwd });
+  assert.deepEqual(recorded, { code: JSON.parse(info.stdout).losses.missing > 0 ? 3 : 0, signal: null });
   assert.ok(JSON.parse(info.stdout).channels.some(({ topic }) => topic === '/io/state'), info.stderr);
   assert.deepEqual(await start('replay', 'run.mcap', '--rate', '20').exited, ended);
 });

@@ -44,12 +44,17 @@ for (const [words, said] of misspelt)
   });
 
 const endings = [
-  ['', 2], ['demo --port 99999', 2], ['demo --port many', 2], ['log', 2], ['log info', 2], ['record', 2], ['robot', 2],
-  ['swap x.bhdl', 2], ['bhdl graph --format png x.bhdl', 2], ['hold', 2], ['hold --team --robot io', 2],
+  ['', 2], ['demo --port 99999', 2], ['demo --port many', 2], ['log', 2], ['log info', 2], ['log check', 2],
+  ['record', 2], ['robot', 2], ['swap x.bhdl', 2], ['bhdl graph --format png x.bhdl', 2], ['hold', 2], ['hold --team --robot io', 2],
   ['break', 2], ['break :', 2], ['break grab --lock --stop-team', 2], ['break grab --clear', 2], ['step', 2],
   ['break grab', 2], ['break --clear', 2],
   ['step --team --robot io', 2],
-  ['log info /none.mcap', 1], ['replay /none.mcap', 1], ['bhdl check /none.bhdl', 1], ['robot --bhdl /none.bhdl', 1],
+  ['log cat', 2], ['log cat --from 5x /none.mcap', 2], ['log diff /none.mcap', 2], ['log slice /none.mcap', 2],
+  ['log check --live --for 0 --expect /none.expect', 2], ['log check --expect /none.expect', 2],
+  ['log cat /none.mcap', 1], ['log verify /none.mcap', 1], ['log merge /none.mcap --out /none/out.mcap', 1],
+  ['log diff /none.mcap /none.mcap', 2],
+  ['log info /none.mcap', 1], ['log check /none.mcap --expect /none.expect', 1],
+  ['replay /none.mcap', 1], ['bhdl check /none.bhdl', 1], ['robot --bhdl /none.bhdl', 1],
   ['programs list --monitor http://127.0.0.1:1', 1], ['programs diff a b --monitor http://127.0.0.1:1', 2],
   ['monitor --listen 127.0.0.1:0 --data /dev/null/none', 1],
 ];

@@ -123,6 +123,26 @@ test('what cannot start says why in a line and leaves nothing', limit, async (t)
   }
 });
 
+test('mistakes in expectations are told before anything starts', limit, async (t) => {
+  const cwd = scratchFolder(t), domain = freshDomain();
+  writeFileSync(`${cwd}/bad.expect`, 'io: nevr it is healthy\n');
+  const run = galilean(['demo', '--headless-for', '60', '--expect', 'bad.expect'], { domain, cwd });
+  assert.equal(run.status, 1);
+  assert.match(run.stderr, /galilean-demo: the expectations cannot be used:\n[^\n]*bad\.expect:1:5: error: /);
+  assert.deepEqual(processesIn(domain), []);
+  assert.equal(galilean(['demo', '--expect', 'bad.expect'], { domain, cwd }).status, 2);
+  assert.equal(galilean(['demo', '--headless-for', '1', '--junit', 'out.xml'], { domain, cwd }).status, 2);
+});
+
+test('a run that does not do what is expected of it fails', limit, async (t) => {
+  const cwd = scratchFolder(t), domain = freshDomain();
+  writeFileSync(`${cwd}/moon.expect`, 'every robot: never state is "start"\n');
+  const run = galilean(['demo', '--port', String(await freePort()), '--headless-for', '8', '--expect', 'moon.expect'], { domain, cwd, timeout: 90_000 });
+  assert.equal(run.status, 1, run.stdout + run.stderr);
+  assert.match(run.stdout, /never state is "start"/);
+  await nothingIsLeft(domain, 'none');
+});
+
 test('a robot that refuses its program is named with its reason', limit, async (t) => {
   const { team } = await startTeam(t, ['--bhdl', '/nonexistent.bhdl']);
   await team.line(/io ended \(exit code 1\)[^]*nonexistent/);

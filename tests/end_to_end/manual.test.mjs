@@ -55,6 +55,9 @@ test('every page has the sections of a command, in their order', () => {
     for (const code of [0, 1, 2]) assert.ok(exits.includes(`.TP\n\\fB${code}\\fR`), `${name} ${code}`);
   }
   assert.match(read(pages['galilean-bhdl.1']), /\n1, of galilean bhdl diff\nThe programs differ\.\n/);
+  assert.match(read(pages['galilean-log-check.1']), /\n3\nNone fails, but for some it cannot be told/);
+  assert.match(read(pages['galilean-log.1']), /\n3, of galilean log cat\nA part of the recording is damaged/);
+  assert.doesNotMatch(pages['galilean-list.1'].split('.SH EXIT STATUS\n')[1], /\\fB3/);
 });
 
 test('every page refers only to pages that there are, and galilean(1) to all', () => {

@@ -87,7 +87,7 @@ describe('a recorded team', () => {
     assert.deepEqual(first.map(({ name }) => name), ['callisto', 'ganymede', 'io']);
     await replay.line(/played \d+ messages[^]*played \d+ messages/);
     const listener = galilean(['record', '--out', 'monitored.mcap', '--duration', '2', '--topics', 'objects'], { domain, cwd });
-    assert.equal(listener.status, 0, listener.stderr);
+    assert.equal(listener.status, / lost \d+ of /.test(listener.stderr) ? 3 : 0, listener.stderr);
     const { '/team/objects': maps } = await messagesOf(`${cwd}/monitored.mcap`);
     assert.ok(maps.length <= 12, `${maps.length} maps in 2 s: two draw them`);
   });
@@ -96,8 +96,8 @@ describe('a recorded team', () => {
     const bytes = readFileSync(`${cwd}/run.mcap`);
     writeFileSync(`${cwd}/cut.mcap`, bytes.subarray(0, bytes.length / 2));
     const cut = said(['cut.mcap', '--rate', '20'], { domain: freshDomain() });
-    assert.equal(cut.status, 0, cut.stderr);
-    const [, whole] = /cut\.mcap was not closed properly; plays the (\d+) messages that could be recovered/.exec(cut.stdout);
+    assert.equal(cut.status, 3, cut.stderr);
+    const [, whole] = /cut\.mcap was not closed properly; recovered (\d+) messages/.exec(cut.stdout);
     const [, played] = /played (\d+) messages/.exec(cut.stdout);
     assert.ok(Number(played) > 50 && Number(played) <= Number(whole), `${played} of ${whole}`);
   });

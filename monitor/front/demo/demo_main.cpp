@@ -8,6 +8,7 @@
 #include "core/clock.h"
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "core/command_line/exit_code.h"
 #include "core/command_line/robots_option.h"
 #include "core/termination.h"
 #include "core/wake.h"
@@ -105,6 +106,24 @@ int judge(const Evidence& evidence, const Outcome& outcome, bool interrupted) {
   return reasons.empty() ? 0 : 1;
 }
 
+/// Returns the exit code of a headless run: that of the team's work and that of its expectations.
+int judge_all(Ensemble& ensemble, const Evidence& evidence, const Outcome& outcome,
+              const DemoOptions& options, bool interrupted) {
+  const int work = judge(evidence, outcome, interrupted);
+  if (options.expectations.empty() || interrupted) return work;
+  const auto expectations = ensemble.judge_recording();
+  if (!expectations) return complain(expectations.error().message), kFailed;
+  return work == kFailed ? kFailed : expectations.value();
+}
+
+/// Returns what is wrong with the options together; an empty text if nothing is.
+std::string contradiction(const DemoOptions& options) {
+  if (!options.expectations.empty() && !options.headless_for_s)
+    return "--expect judges a run that ends: give --headless-for, too";
+  if (!options.junit.empty() && options.expectations.empty()) return "--junit needs --expect";
+  return {};
+}
+
 std::string list(const std::vector<std::string>& names) {
   std::string text;
   for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
@@ -141,7 +160,7 @@ int run(const DemoOptions& options) try {
   const auto problems = ensemble.end();
   for (const auto& problem : problems) complain(problem);
   if (outcome.fatal_loss || !problems.empty()) return std::cout << evidence.summary(), kFailed;
-  if (options.headless_for_s) return judge(evidence, outcome, interrupted);
+  if (options.headless_for_s) return judge_all(ensemble, evidence, outcome, options, interrupted);
   std::cout << '\n' << evidence.summary();  // behind the terminal's ^C
   return 0;
 } catch (const std::exception& error) {
@@ -168,13 +187,22 @@ int main(int argc, char** argv) {
   app.flag("--watch", options.watch, "Swap the robots' program whenever it is saved");
   app.option("--seed", options.seed, "Seed of the random number generators").show_default();
   app.option("--headless-for", options.headless_for_s,
-             "End after this many seconds, with exit code 0 if the team worked, else 1")
+             "End after this many seconds, with exit code 0 if the team worked")
       .positive();
   app.option("--record", options.record, "Record all topics to this file, as MCAP")
       .names_file(".mcap");
+  app.option("--expect", options.expectations,
+             "Judge the recording of a headless run by these expectations: files, or those that "
+             "ship")
+      .names_shipped_file("expectations", ".expect");
+  app.option("--junit", options.junit, "Write what came of them as JUnit's XML to this file, too")
+      .names_file(".xml");
   app.option("--allow-origin", options.allowed_origins,
              "Another page that may use the monitor, as https://host[:port]");
   add_domain_option(app, options.domain);
+  app.describe_exit(kFailed, "The team did not work, or an expectation does not hold.");
+  app.describe_exit(kIncomplete, "The team worked, and for some expectations it cannot be told.");
   if (const auto code = app.parse(argc, argv)) return *code;
+  if (const auto sentence = contradiction(options); !sentence.empty()) return app.refuse(sentence);
   return run(options);
 }

@@ -30,7 +30,11 @@ Ensemble::Ensemble(const DemoOptions& options, Termination& termination)
     : options_(options),
       termination_(termination),
       logs_(fs::path(".galilean") / ("run-" + std::to_string(getpid()))),
-      run_("demo-" + std::to_string(getpid())) {}
+      check_(options.expectations, options.junit, logs_, termination),
+      run_("demo-" + std::to_string(getpid())) {
+  if (!options_.expectations.empty() && options_.record.empty())
+    options_.record = (logs_ / "run.mcap").string();
+}
 
 Ensemble::~Ensemble() {
   (void)end();
@@ -48,6 +52,8 @@ Result<void> Ensemble::start() {
   std::error_code error;
   fs::create_directories(logs_, error);
   if (error) return Error{logs_.string() + " cannot be made: " + error.message()};
+  if (!options_.expectations.empty())
+    if (auto read = check_.read_expectations(); !read) return read;
   if (auto started = start_simulator(); !started) return started;
   auto ready = await_line("\"ready\"");
   if (!ready) return ready.error();

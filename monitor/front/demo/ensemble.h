@@ -9,6 +9,7 @@
 #include "core/result.h"
 #include "core/termination.h"
 #include "monitor/front/demo/options.h"
+#include "monitor/front/demo/recording_check.h"
 #include "monitor/front/process.h"
 
 namespace galilean::front {
@@ -41,6 +42,9 @@ class Ensemble {
 
   [[nodiscard]] const std::vector<std::string>& robots() const noexcept { return robot_names_; }
   [[nodiscard]] const std::filesystem::path& logs() const noexcept { return logs_; }
+  /// Prints what came of the expectations. Returns the exit code of `galilean log check`.
+  /// Requires: there are expectations, and all processes have ended. Errors: they cannot be judged.
+  [[nodiscard]] Result<int> judge_recording() { return check_.judge(options_.record); }
   /// Returns the page's address, with the operator's token if that can be read.
   [[nodiscard]] std::string operator_link() const;
 
@@ -63,6 +67,7 @@ class Ensemble {
   DemoOptions options_;
   Termination& termination_;
   std::filesystem::path logs_;
+  RecordingCheck check_;
   std::string run_;
   std::vector<std::string> robot_names_;
   std::vector<std::string> starts_;  ///< the monitor's --start: ROBOT:X,Y,HEADING in m and degrees

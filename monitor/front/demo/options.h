@@ -17,7 +17,9 @@ struct DemoOptions {
   bool watch = false;                   ///< the robots swap to the file whenever it is saved
   std::uint64_t seed = 1;
   std::optional<double> headless_for_s;
-  std::string record;                        ///< the recording's file; empty for none
+  std::string record;  ///< the recording's file; empty for none, or for one among the run's logs
+  std::vector<std::string> expectations;     ///< by which the recording is judged: files, or names
+  std::string junit;                         ///< where to write what came of them; empty: nowhere
   std::vector<std::string> allowed_origins;  ///< other sites whose pages may use the monitor
   int domain = -1;  ///< the DDS domain; negative: that of ROS_DOMAIN_ID, else 0
 };

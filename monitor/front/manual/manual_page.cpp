@@ -65,7 +65,8 @@ void write_exit_status(const CommandDescription& command, Roff& roff) {
   for (const auto& exit : kExitCodes) {
     const std::string code = std::to_string(exit.code);
     const auto own = command.exit_codes.find(code);
-    roff.item(Roff::bold(code), own == command.exit_codes.end() ? exit.meaning : own->second);
+    const std::string meaning = own == command.exit_codes.end() ? exit.meaning : own->second;
+    if (!meaning.empty()) roff.item(Roff::bold(code), meaning);
     write_own_exit_codes(command, code, roff);
   }
 }

@@ -94,10 +94,15 @@ TEST(CommandLine, RefusesWhatIsWrongAndSaysIt) {
     return reading.code == kWrongUsage ? reading.errors : "accepted";
   };
   EXPECT_THAT(refused({}), HasSubstr("file is required"));
-  EXPECT_THAT(refused({"f", "--robots", "17"}), HasSubstr("Value 17 not in range"));
+  EXPECT_THAT(refused({"f", "--robots", "17"}),
+              HasSubstr("--robots: the value must be from 1 to 16, and not '17'"));
   EXPECT_THAT(refused({"f", "--robots", "many"}), HasSubstr("--robots"));
   EXPECT_THAT(refused({"f", "--timeout", "0"}), HasSubstr("--timeout"));
   EXPECT_THAT(refused({"f", "--from", "-1"}), HasSubstr("--from"));
+  for (const char* none : {"nan", "inf", "1e999", "", "3 s"}) {
+    EXPECT_THAT(refused({"f", "--timeout", none}), HasSubstr("--timeout: ")) << none;
+    EXPECT_THAT(refused({"f", "--from", none}), HasSubstr("--from: ")) << none;
+  }
   EXPECT_THAT(refused({"f", "--format", "pdf"}), HasSubstr("pdf not in {dot,svg}"));
   EXPECT_THAT(refused({"f", "--team", "--robot", "io"}), HasSubstr("excludes"));
   EXPECT_THAT(refused({"f", "--name", "sun"}), HasSubstr("sun is no moon"));

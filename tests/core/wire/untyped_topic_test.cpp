@@ -65,6 +65,23 @@ TEST(UntypedTopic, PutsTogetherWhatCameInManyPackets) {
     ASSERT_EQ(got[12 + i], static_cast<std::uint8_t>(i * 7)) << i;
 }
 
+TEST(UntypedTopic, NumbersMessagesAsTheirWriterDoes) {
+  const auto own = join_as_reader();
+  const ForeignProcess foreign("talker", kUntypedDomain);
+  ForeignTalk small(foreign.participant(), Foreign::kCells, "rt/numbered", Cdr::kFirst);
+  ForeignTalk large(foreign.participant(), Foreign::kLarge, "rt/large", Cdr::kFirst);
+  Reader reader(*own, {"rt/numbered", foreign_type(Foreign::kCells), false}, kKeepsNewest, 10);
+  Reader large_reader(*own, {"rt/large", foreign_type(Foreign::kLarge), false}, kKeepsNewest, 10);
+  ASSERT_TRUE(wait_until([&] { return small.readers() == 1 && large.readers() == 1; }));
+  std::vector<std::uint64_t> numbers;
+  const auto note = [&](const Received& received) { numbers.push_back(received.sequence); };
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(small.write());
+  EXPECT_TRUE(wait_until([&] { return reader.take(note), numbers.size() >= 3; }));
+  ASSERT_TRUE(large.write());
+  EXPECT_TRUE(wait_until([&] { return large_reader.take(note), numbers.size() >= 4; }));
+  EXPECT_EQ(numbers, (std::vector<std::uint64_t>{1, 2, 3, 1}));
+}
+
 TEST(UntypedTopic, MatchesByTheNameOfTheTypeWhateverItsDefinition) {
   const auto own = join_as_reader();
   const ForeignProcess foreign("talker", kUntypedDomain);

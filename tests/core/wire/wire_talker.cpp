@@ -35,6 +35,8 @@ msg::Program program_of(const std::string& name) {
   msg::Program program;
   program.robot = name;
   program.name = "talk";
+  program.hash = "3f2a91c0";
+  program.files = {{.path = "talk.bhdl", .text = "; talks and breathes\n"}};
   program.states = {{.name = "talk"}, {.name = "breathe"}};
   return program;
 }

@@ -13,8 +13,8 @@ TEST(LogInfo, ShowsTheCodesOfWhatATerminalWouldObey) {
   mcap::Summary summary;
   summary.header.library = "lib\x1b]0;title\a";
   summary.channels[1].topic = "/i\u200Bo/state\x1b[2J";
-  summary.damage = {"chunk \x9b"};
-  const auto told = describe("run.mcap", summary);
+  summary.damages = {{.what = "chunk \x9b"}};
+  const auto told = describe("run.mcap", summary, std::nullopt);
   EXPECT_THAT(told, HasSubstr("libU+001B]0;titleU+0007"));
   EXPECT_THAT(told, HasSubstr("/iU+200Bo/stateU+001B[2J"));
   EXPECT_THAT(told, HasSubstr("chunk 0x9B"));

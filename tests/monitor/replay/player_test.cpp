@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "monitor/mcap/mcap_writer.h"
 #include "tests/monitor/record/faulty_disk.h"
 
@@ -58,7 +60,8 @@ std::vector<Sent> played(mcap::ByteView file, Pace pace,
         if (due > clock.now()) clock.advance(due - clock.now());
         return true;
       });
-  (void)player.play(mcap::MemorySource(file), kStart_ns);
+  const mcap::MemorySource source(file);
+  (void)player.play(source, mcap::summarize(source).value().blocks);
   EXPECT_EQ(player.sent(), sent.size());
   return sent;
 }
@@ -97,6 +100,13 @@ TEST(Player, BeginsWithWhatALateJoinerWouldBeTold) {
   EXPECT_NEAR(sent.back().at_s, 1.9, 1e-6);
 }
 
+TEST(Player, EndsAfterTheLastMessageThatIsWanted) {
+  const auto file = recording_of(10);
+  const auto sent = played(file.bytes(), {.from = from_seconds(8), .until = from_seconds(8.45)});
+  EXPECT_NEAR(sent.back().at_s, 0.4, 1e-6);
+  EXPECT_EQ(sent.back().byte, 84);
+}
+
 TEST(Player, PlaysWhatIsWholeOfATruncatedFile) {
   const auto file = recording_of(10);
   const auto whole = played(file.bytes(), {});
@@ -106,6 +116,42 @@ TEST(Player, PlaysWhatIsWholeOfATruncatedFile) {
     ASSERT_LT(sent.size(), whole.size());
     EXPECT_TRUE(std::equal(sent.begin(), sent.end(), whole.begin()));
   }
+}
+
+/// One message of one byte a chunk, so many milliseconds behind the start; none is stamped 0.
+mcap::FaultyDisk recording_at(const std::vector<std::optional<int>>& times_ms) {
+  mcap::FaultyDisk disk;
+  mcap::Writer writer(disk, {.chunk_bytes = 1});
+  EXPECT_TRUE(writer.begin());
+  (void)writer.add_channel({.topic = "/io/state", .message_encoding = "cdr"});
+  for (std::uint8_t i = 0; i < times_ms.size(); ++i) {
+    const auto at_ms = times_ms[i];
+    const std::uint64_t log_ns =
+        at_ms ? kStart_ns + static_cast<std::uint64_t>(*at_ms) * 1'000'000 : 0;
+    EXPECT_TRUE(writer.write(mcap::Message{kState, i, log_ns, log_ns, {&i, 1}}));
+  }
+  EXPECT_TRUE(writer.end());
+  return disk;
+}
+
+TEST(Player, PlaysInTheOrderOfLogTimeAcrossChunks) {
+  const auto sent = played(recording_at({0, 300, 100, 200}).bytes(), {});
+  ASSERT_EQ(sent.size(), 4u);
+  for (const int i : {0, 1, 2, 3})
+    EXPECT_NEAR(sent[static_cast<std::size_t>(i)].at_s, 0.1 * i, 1e-6);
+  EXPECT_EQ(sent[1].byte, 2);
+  EXPECT_EQ(sent[3].byte, 1);
+}
+
+TEST(Player, DoesNotWaitForDecadesAfterAMessageStampedZero) {
+  const auto sent = played(recording_at({0, std::nullopt, 500}).bytes(), {});
+  ASSERT_EQ(sent.size(), 3u);
+  EXPECT_EQ(sent[0].byte, 1);
+  EXPECT_NEAR(sent[2].at_s, 0.5, 1e-6);
+  const auto later =
+      played(recording_at({0, std::nullopt, 500}).bytes(), {.from = from_seconds(0.4)});
+  ASSERT_EQ(later.size(), 2u);  // the newest state before, and the message behind
+  EXPECT_NEAR(later[1].at_s, 0.1, 1e-6);
 }
 
 TEST(Player, LeavesOutWhatIsNotAskedFor) {

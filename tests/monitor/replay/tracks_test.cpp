@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/wire/schemas.h"
+#include "core/wire/types/message_definition.h"
+#include "core/wire/types/own_types.h"
 #include "monitor/replay/report.h"
 #include "monitor/replay/stage.h"
 
@@ -55,6 +57,53 @@ TEST(Tracks, AReleaseThatDiffersInCommentsAndLayoutAloneIsPlayed) {
   EXPECT_EQ(tracks_of(recording).played.size(), 2u);
 }
 
+/// As galilean record defines it, in the language of .msg files.
+mcap::Schema defined_as_message(const mcap::Schema& schema) {
+  const auto* known = wire::find_schema_by_ros_type(schema.name);
+  const auto* own = wire::find_own_type(known->dds_type);
+  return {schema.id, schema.name, "ros2msg", wire::message_definition(own->description).value()};
+}
+
+TEST(Tracks, DefinitionsInTheLanguageOfMessageFilesAreKnownToo) {
+  auto recording = recording_with({{"/io/state", "galilean_msgs/msg/RobotState"},
+                                   {"/io/variables", "galilean_msgs/msg/Variables"}});
+  for (auto& [id, schema] : recording.schemas) schema = defined_as_message(schema);
+  recording.schemas[2].data += "int8 more\n";
+  const auto tracks = tracks_of(recording);
+  EXPECT_TRUE(tracks.played.contains(1));
+  EXPECT_EQ(tracks.foreign, std::vector<std::string>{"/io/variables"});
+}
+
+TEST(Tracks, ATopicOfSeveralWritersIsNamedOnce) {
+  const auto tracks = tracks_of(recording_with({{"/io/state", "galilean_msgs/msg/RobotState"},
+                                                {"/io/state", "galilean_msgs/msg/RobotState"},
+                                                {"/team/command", "galilean_msgs/msg/Command"},
+                                                {"/team/command", "galilean_msgs/msg/Command"},
+                                                {"/scan", "sensor_msgs/msg/LaserScan"},
+                                                {"/scan", "sensor_msgs/msg/LaserScan"}}));
+  EXPECT_EQ(tracks.played.size(), 2u);  // of which each keeps for late joiners what its writer did
+  EXPECT_EQ(topics_played(tracks), 1u);
+  EXPECT_EQ(tracks.commands, std::vector<std::string>{"/team/command"});
+  EXPECT_EQ(tracks.foreign, std::vector<std::string>{"/scan"});
+}
+
+TEST(Tracks, AProcessThatWasStartedAnewIsOneSender) {
+  auto recording = recording_with({{"/io/state", "galilean_msgs/msg/RobotState"},
+                                   {"/io/state", "galilean_msgs/msg/RobotState"},
+                                   {"/io/state", "galilean_msgs/msg/RobotState"}});
+  recording.channels[1].metadata = {{"process", "io"}, {"writer", "a"}};
+  recording.channels[2].metadata = {{"process", "io"}, {"writer", "b"}};
+  const auto played = tracks_of(recording).played;
+  EXPECT_EQ(played.at(1).sender, played.at(2).sender);
+  EXPECT_NE(played.at(1).sender, played.at(3).sender);
+}
+
+TEST(Tracks, WhatTheRecorderTellsOfItselfIsNoTopicOfTheTeam) {
+  auto recording = recording_with({{"/recorder/losses", "galilean.Losses"}});
+  EXPECT_TRUE(tracks_of(recording).foreign.empty());
+  EXPECT_TRUE(tracks_of(recording).played.empty());
+}
+
 TEST(Tracks, LiveNamesakesAreThoseThatWriteTheSameTopics) {
   const auto tracks = tracks_of(recording_with({{"/io/state", "galilean_msgs/msg/RobotState"},
                                                 {"/io/program", "galilean_msgs/msg/Program"},
@@ -74,12 +123,11 @@ TEST(Tracks, LiveNamesakesAreThoseThatWriteTheSameTopics) {
 TEST(Report, SaysWhatIsPlayedAndWhatIsNot) {
   auto recording = recording_with({{"/io/state", "galilean_msgs/msg/RobotState"},
                                    {"/team/command", "galilean_msgs/msg/Command"}});
-  recording.recovered = true;
+  recording.closed = false;
   recording.statistics.messages = 7;
   const auto text = before_playing("run.mcap", recording, tracks_of(recording));
-  EXPECT_NE(
-      text.find("run.mcap was not closed properly; plays the 7 messages that could be recovered"),
-      std::string::npos);
+  EXPECT_NE(text.find("run.mcap was not closed properly; recovered 7 messages\n"),
+            std::string::npos);
   EXPECT_NE(text.find("not played: /team/command; "), std::string::npos);
   EXPECT_EQ(listed({"io", "ganymede", "callisto"}), "io, ganymede and callisto");
 }

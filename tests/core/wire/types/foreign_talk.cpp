@@ -35,8 +35,8 @@ const void* foreign_sample(Foreign message) {
   return nullptr;
 }
 
-Qos writer_qos(Cdr version, const std::string& partition) {
-  Qos qos = make_qos(Delivery::kState);
+Qos writer_qos(Cdr version, const std::string& partition, Delivery delivery) {
+  Qos qos = make_qos(delivery);
   const char* name = partition.c_str();
   if (!partition.empty()) dds_qset_partition(qos.get(), 1, &name);
   dds_qset_latency_budget(qos.get(), DDS_SECS(1));
@@ -87,9 +87,9 @@ std::string foreign_type(Foreign message) {
 }
 
 ForeignTalk::ForeignTalk(std::int32_t participant, Foreign message, const std::string& topic,
-                         Cdr version, const std::string& partition)
+                         Cdr version, const std::string& partition, Delivery delivery)
     : message_(message) {
-  const auto qos = writer_qos(version, partition);
+  const auto qos = writer_qos(version, partition, delivery);
   const std::string type = foreign_type(message);
   dds_topic_descriptor_t descriptor = foreign_descriptor(message);
   descriptor.m_typename = type.c_str();
@@ -111,6 +111,10 @@ int ForeignTalk::readers() const {
   dds_publication_matched_status_t status{};
   dds_get_publication_matched_status(writer_.handle(), &status);
   return static_cast<int>(status.current_count);
+}
+
+bool ForeignTalk::arrived() const {
+  return dds_wait_for_acks(writer_.handle(), DDS_SECS(10)) == DDS_RETCODE_OK;
 }
 
 ForeignProcess::ForeignProcess(const std::string& name, int domain) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "core/wire/delivery.h"
 #include "core/wire/entity.h"
 
 struct dds_topic_descriptor;
@@ -31,18 +32,21 @@ enum class Foreign {
 /// How a writer encodes its messages.
 enum class Cdr { kFirst = 1, kSecond = 2 };
 
-/// Writes the sample of a foreign message to a topic, in a partition unless that is empty. It is
-/// reliable, keeps the newest for late joiners, and wants to be in no hurry.
+/// Writes the sample of a foreign message to a topic, in a partition unless that is empty. It wants
+/// to be in no hurry. Without a delivery it is reliable and keeps the newest for late joiners.
 class ForeignTalk {
  public:
   /// Errors: throws std::runtime_error if Cyclone refuses it.
   ForeignTalk(std::int32_t participant, Foreign message, const std::string& topic, Cdr version,
-              const std::string& partition = {});
+              const std::string& partition = {}, Delivery delivery = Delivery::kState);
   /// Returns whether Cyclone took the sample.
   [[nodiscard]] bool write();
   /// Says that the key of the sample is no more.
   [[nodiscard]] bool dispose();
   [[nodiscard]] int readers() const;
+  /// Waits until every reader has got all samples, for at most ten seconds. Returns whether they
+  /// have.
+  [[nodiscard]] bool arrived() const;
 
  private:
   Foreign message_;

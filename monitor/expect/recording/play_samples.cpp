@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/expect/recording/play_samples.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
+#include "monitor/expect/recording/channel_decoder.h"
+#include "monitor/mcap/message_reader.h"
+#include "monitor/record/damage_text.h"
+#include "monitor/record/told_losses.h"
+#include "monitor/replay/report.h"
+
+namespace galilean::expect {
+namespace {
+
+/// A time beyond this is damage or nonsense: the year 2262 ends what 64 bits can count.
+std::int64_t to_time(std::uint64_t log_ns) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::int64_t>::max() / 2;
+  return static_cast<std::int64_t>(std::min(log_ns, kMost));
+}
+
+class Playing {
+ public:
+  Playing(const mcap::Summary& summary, SampleSink& sink)
+      : summary_(summary), decoders_(summary, sink), sink_(sink) {}
+
+  void take(const mcap::Message& message) {
+    const std::int64_t at_ns = to_time(message.log_ns);
+    if (played_.messages++ == 0) played_.begin_ns = at_ns;
+    played_.end_ns = at_ns;  // because messages come in the order of their times
+    time_.move_to(message.log_ns);
+    if (decoders_.take(at_ns, message)) return;
+    const bool first = played_.undecoded++ == 0;
+    sink_.damage({at_ns, at_ns},
+                 first ? "a message of " + decoders_.topic(message.channel_id) + " is not whole"
+                       : std::string());
+  }
+
+  void tell(const monitor::ToldLosses& losses) {
+    for (const auto& [topic, missed] : monitor::missing_by_topic(losses, summary_))
+      sink_.missed(topic, missed);
+  }
+
+  /// @param met  the damage that was met in reading
+  Played end(const std::vector<mcap::Damage>& met) {
+    for (const auto& damage : summary_.damages) tell(damage);
+    for (const auto& damage : monitor::newly_met(met, summary_)) tell(damage);
+    if (!summary_.closed)
+      played_.notes.push_back(summary_.being_written
+                                  ? "the recording is being written; it is judged as far as it goes"
+                                  : "the recording was not closed; it is judged as far as it goes");
+    std::ranges::move(decoders_.notes(), std::back_inserter(played_.notes));
+    for (const auto& silence : time_.silences())
+      played_.silences.push_back({to_time(silence.start_ns), to_time(silence.end_ns)});
+    return std::move(played_);
+  }
+
+ private:
+  /// The judge is told only of what loses messages.
+  void tell(const mcap::Damage& damage) {
+    const std::string text = "damaged: " + monitor::damage_text(damage, summary_);
+    if (damage.messages == std::uint64_t{0}) return played_.notes.push_back(text);
+    const Span span =
+        damage.time ? Span{to_time(damage.time->start_ns), to_time(damage.time->end_ns)} : kAnyTime;
+    sink_.damage(span, text);
+  }
+
+  const mcap::Summary& summary_;
+  ChannelDecoders decoders_;
+  SampleSink& sink_;
+  mcap::RecordingTime time_;
+  Played played_;
+};
+
+}  // namespace
+
+Played play_samples(const mcap::ByteSource& recording, const mcap::Summary& summary,
+                    SampleSink& sink) {
+  Playing playing(summary, sink);
+  mcap::MessageReader reader(recording, summary.blocks);
+  while (const mcap::Message* message = reader.next()) playing.take(*message);
+  if (const auto losses = monitor::told_losses(recording, summary)) playing.tell(*losses);
+  return playing.end(reader.damages());
+}
+
+}  // namespace galilean::expect

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/front/demo/recording_check.h"
+
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <thread>
+#include <utility>
+
+#include "core/installation.h"
+#include "monitor/front/process.h"
+#include "monitor/front/siblings.h"
+
+namespace galilean::front {
+namespace {
+
+constexpr auto kLookAtCheckEach = std::chrono::milliseconds(10);
+
+std::string contents_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+RecordingCheck::RecordingCheck(const std::vector<std::string>& expectations, std::string junit,
+                               std::filesystem::path logs, Termination& termination)
+    : junit_(std::move(junit)), logs_(std::move(logs)), termination_(termination) {
+  for (const auto& each : expectations)
+    expectations_.push_back(find_file(each, "expectations", ".expect").string());
+}
+
+Result<void> RecordingCheck::read_expectations() {
+  const auto said = run("expectations", {"--syntax"});
+  if (!said) return said.error();
+  if (said.value().code == 0) return {};
+  return Error{"the expectations cannot be used:\n" + said.value().text};
+}
+
+Result<int> RecordingCheck::judge(const std::string& recording) {
+  std::vector<std::string> arguments{recording};
+  if (!junit_.empty()) arguments.insert(arguments.end(), {"--junit", junit_});
+  const auto said = run("check", std::move(arguments));
+  if (!said) return said.error();
+  std::cout << said.value().text << std::flush;
+  return said.value().code;
+}
+
+Result<RecordingCheck::Said> RecordingCheck::run(const std::string& name,
+                                                 std::vector<std::string> arguments) const {
+  const auto program = sibling("galilean-log-check");
+  if (!is_program(program)) return Error{program + " is not there; build it first"};
+  arguments.insert(arguments.begin(), program);
+  for (const auto& each : expectations_) arguments.insert(arguments.end(), {"--expect", each});
+  auto process = Process::start(name, arguments, logs_ / (name + ".log"));
+  if (!process) return process.error();
+  while (process.value().running()) {
+    if (termination_.asked()) return Error{"ended before the recording was judged"};
+    std::this_thread::sleep_for(kLookAtCheckEach);
+  }
+  const auto code = process.value().exit_code();
+  if (!code) return Error{program + " was " + process.value().ending()};
+  return Said{*code, contents_of(process.value().log())};
+}
+
+}  // namespace galilean::front

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "core/termination.h"
+
+namespace galilean::front {
+
+/// Judges the recording of a run by files of expectations. `galilean log check` does the work, so
+/// that the demo knows no expectation.
+class RecordingCheck {
+ public:
+  /// @param expectations  files, or names of those that ship
+  /// @param junit         where to write JUnit's XML, too; empty: nowhere
+  /// @param logs          the folder of the run's logs
+  RecordingCheck(const std::vector<std::string>& expectations, std::string junit,
+                 std::filesystem::path logs, Termination& termination);
+
+  /// Errors: an expectation cannot be read, or has mistakes; or termination was asked for.
+  [[nodiscard]] Result<void> read_expectations();
+  /// Prints what came of the expectations. Returns the exit code of `galilean log check`.
+  /// Errors: it could not be run, or termination was asked for.
+  [[nodiscard]] Result<int> judge(const std::string& recording);
+
+ private:
+  struct Said {
+    int code = 0;
+    std::string text;  ///< what it printed
+  };
+  Result<Said> run(const std::string& name, std::vector<std::string> arguments) const;
+
+  std::vector<std::string> expectations_;  ///< paths
+  std::string junit_;
+  std::filesystem::path logs_;
+  Termination& termination_;
+};
+
+}  // namespace galilean::front

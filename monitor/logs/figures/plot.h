@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "monitor/logs/reading/selection.h"
+
+namespace galilean::logs {
+
+/// What `galilean log plot` is asked for.
+struct PlotOptions {
+  std::string file;
+  std::vector<std::string> values;  ///< TOPIC.FIELD, such as "io/state.x_m"
+  double from_s = 0;
+  std::optional<double> to_s;
+  int width = 72, height = 16;  ///< of the drawing [letters]
+  std::string svg;              ///< file to write the picture to; empty: it is drawn as text
+  bool replace = false;         ///< overwrite that file
+};
+
+/// Draws fields over time: numbers as curves, and texts, such as states, as bars. Returns the exit
+/// code.
+[[nodiscard]] int plot(const PlotOptions& options);
+
+}  // namespace galilean::logs

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/logs/reading/selection.h"
+
+#include <algorithm>
+#include <iostream>
+#include <iterator>
+#include <limits>
+
+#include "core/command_line/exit_code.h"
+#include "core/visible_text.h"
+#include "monitor/record/damage_text.h"
+#include "monitor/replay/report.h"
+
+namespace galilean::logs {
+namespace {
+
+/// Of more damages than so many, the rest is counted.
+constexpr std::size_t kMostTold = 20;
+
+}  // namespace
+
+Result<SelectedMessages> SelectedMessages::of(const Recording& recording,
+                                              const Selection& selection,
+                                              std::size_t memory_bytes) {
+  SelectedMessages made(recording, selection, memory_bytes);
+  for (const auto& topic : selection.topics) {
+    const auto ids = recording.channels_of(topic);
+    if (!ids) return ids.error();
+    made.channels_.insert(ids.value().begin(), ids.value().end());
+  }
+  return made;
+}
+
+SelectedMessages::SelectedMessages(const Recording& recording, const Selection& selection,
+                                   std::size_t memory_bytes)
+    : recording_(&recording),
+      from_s_(selection.from_s),
+      to_s_(selection.to_s.value_or(std::numeric_limits<double>::infinity())),
+      all_topics_(selection.topics.empty()),
+      reader_(std::make_unique<mcap::MessageReader>(recording.source(), recording.summary().blocks,
+                                                    memory_bytes)) {}
+
+const mcap::Message* SelectedMessages::next() {
+  while (const mcap::Message* message = reader_->next()) {
+    time_.move_to(message->log_ns);
+    if (at_s() > to_s_) return nullptr;
+    if (is_wanted(*message)) return message;
+  }
+  return nullptr;
+}
+
+bool SelectedMessages::is_wanted(const mcap::Message& message) const {
+  return at_s() >= from_s_ && (all_topics_ || channels_.contains(message.channel_id));
+}
+
+std::vector<mcap::Damage> SelectedMessages::damages() const {
+  auto all = recording_->summary().damages;
+  std::ranges::move(monitor::newly_met(reader_->damages(), recording_->summary()),
+                    std::back_inserter(all));
+  return all;
+}
+
+int tell_damage(const std::string& program, const SelectedMessages& read) {
+  const auto& summary = read.recording().summary();
+  const std::string who = program + ": " + read.recording().path();
+  const auto damages = read.damages();
+  for (std::size_t i = 0; i < std::min(damages.size(), kMostTold); ++i)
+    std::cerr << who << ": damaged: " << monitor::damage_text(damages[i], summary) << '\n';
+  if (damages.size() > kMostTold)
+    std::cerr << who << ": " << damages.size() - kMostTold
+              << " damages more; 'galilean log info --json' lists all\n";
+  const bool unclosed = !summary.closed && !summary.being_written;
+  if (unclosed) std::cerr << who << " was not closed properly; what it has was read\n";
+  return damages.empty() && !unclosed ? 0 : kIncomplete;
+}
+
+}  // namespace galilean::logs

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "monitor/logs/reading/recording.h"
+#include "monitor/mcap/message_reader.h"
+
+namespace galilean::logs {
+
+/// Which messages of a recording are wanted. Times are seconds since its start, without silences,
+/// as `galilean replay --from` counts them.
+struct Selection {
+  std::vector<std::string> topics;  ///< none: all
+  double from_s = 0;
+  std::optional<double> to_s;  ///< nothing: up to the end
+};
+
+/// Reads the wanted messages of a recording in the order of their log times, in bounded memory.
+class SelectedMessages {
+ public:
+  /// Errors: a topic is not there. Requires: the recording stays where it is, and outlives this.
+  [[nodiscard]] static Result<SelectedMessages> of(const Recording& recording,
+                                                   const Selection& selection,
+                                                   std::size_t memory_bytes = std::size_t{48}
+                                                                              << 20);
+
+  /// Returns the next message; nothing after the last. Its data is valid until the next call.
+  [[nodiscard]] const mcap::Message* next();
+  /// Returns the time of the newest message [s since the start, without silences].
+  [[nodiscard]] double at_s() const noexcept {
+    return static_cast<double>(time_.position_ns()) * 1e-9;
+  }
+  [[nodiscard]] const Recording& recording() const noexcept { return *recording_; }
+  /// Returns what was damaged of all that was read so far, and of the file as a whole.
+  [[nodiscard]] std::vector<mcap::Damage> damages() const;
+
+ private:
+  SelectedMessages(const Recording& recording, const Selection& selection,
+                   std::size_t memory_bytes);
+  [[nodiscard]] bool is_wanted(const mcap::Message& message) const;
+
+  const Recording* recording_;
+  double from_s_, to_s_;
+  bool all_topics_;
+  std::unordered_set<std::uint16_t> channels_;  ///< if not all topics are wanted
+  std::unique_ptr<mcap::MessageReader> reader_;
+  mcap::RecordingTime time_;
+};
+
+/// Says on standard error, as `program`, what of a recording was left out because it is damaged.
+/// Returns the exit code: kIncomplete if anything was, else 0.
+[[nodiscard]] int tell_damage(const std::string& program, const SelectedMessages& read);
+
+}  // namespace galilean::logs

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/record/selection.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/wire/messages.h"
+#include "monitor/wire/topic_name.h"
+
+namespace galilean::monitor {
+namespace {
+
+bool is_left_out(const wire::EndpointInfo& picture, Pictures pictures) {
+  if (pictures == Pictures::kCamera) return !picture.topic.ends_with("/camera/compressed");
+  return pictures == Pictures::kNone;
+}
+
+}  // namespace
+
+bool is_picture(const wire::EndpointInfo& writer) {
+  return shown_type(writer.dds_type) == msg::CompressedImage::kRosType;
+}
+
+bool is_service(std::string_view topic) noexcept {
+  return topic.starts_with("rq/") || topic.starts_with("rr/");
+}
+
+bool Selection::takes(const wire::EndpointInfo& writer) const {
+  if (is_service(writer.topic) || (wants && !wants(writer))) return false;
+  if (is_picture(writer) && is_left_out(writer, pictures)) return false;
+  const std::string name = shown_topic(writer.topic);
+  const auto matches = [&](const std::regex& each) { return std::regex_search(name, each); };
+  if (std::ranges::any_of(excluded, matches)) return false;
+  return topics.empty() || std::ranges::any_of(topics, matches);
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <regex>
+#include <string_view>
+#include <vector>
+
+#include "core/wire/endpoints.h"
+
+namespace galilean::monitor {
+
+/// Which pictures are recorded. They are costly, because robots encode pictures only for readers.
+enum class Pictures {
+  kNone,
+  kCamera,  ///< those of cameras, and not those of the channels that are made of them
+  kAll
+};
+
+/// Returns whether the writer sends compressed pictures.
+[[nodiscard]] bool is_picture(const wire::EndpointInfo& writer);
+
+/// Which topics are recorded.
+struct Selection {
+  std::vector<std::regex> topics;    ///< one must match a part of a topic's name; none: all topics
+  std::vector<std::regex> excluded;  ///< none may match a part of it
+  Pictures pictures = Pictures::kAll;
+  std::function<bool(const wire::EndpointInfo&)> wants;  ///< must be true, too; empty: it is
+
+  /// Returns whether what this writer sends is recorded. The requests and replies of ROS 2's
+  /// services are no topics.
+  [[nodiscard]] bool takes(const wire::EndpointInfo& writer) const;
+};
+
+/// Returns whether the topic carries the requests or the replies of a service of ROS 2.
+[[nodiscard]] bool is_service(std::string_view topic) noexcept;
+
+}  // namespace galilean::monitor

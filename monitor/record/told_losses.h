@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "monitor/mcap/mcap_reader.h"
+#include "monitor/record/losses.h"
+
+namespace galilean::monitor {
+
+/// What a file tells of what it lacks. Of a recording in several files, it is what the file lacks
+/// from the end of the file before.
+struct ToldLosses {
+  std::vector<WriterLosses> writers;  ///< those of which something did not come
+  /// Whether it was told at the recording's end. Otherwise the recorder did not end in order, and
+  /// more may have been lost.
+  bool is_whole = false;
+};
+
+/// Returns what the recording tells. Nothing: a program made it that counts no losses.
+[[nodiscard]] std::optional<ToldLosses> told_losses(const mcap::ByteSource& source,
+                                                    const mcap::Summary& summary);
+
+/// Returns how many messages of each topic are missing by what was told, by the topics' names as
+/// `visible` gives them; nothing: they could not be counted. Topics of which nothing was told are
+/// among them only if all was told.
+[[nodiscard]] std::map<std::string, std::optional<std::uint64_t>> missing_by_topic(
+    const ToldLosses& losses, const mcap::Summary& summary);
+
+}  // namespace galilean::monitor

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/record/topic_recordings.h"
+
+#include <exception>
+#include <string_view>
+
+#include "core/visible_text.h"
+#include "monitor/wire/topic_name.h"
+
+namespace galilean::monitor {
+namespace {
+
+/// The number of messages of each reader that may wait while a chunk is compressed and written. It
+/// is a minute of a robot's state or six seconds of pictures.
+constexpr int kReaderDepth = 600, kPictureDepth = 60;
+
+}  // namespace
+
+void TopicRecordings::follow_writers() {
+  for (const auto& end : endpoints_.known()) {
+    if (!end.writes) continue;
+    if (setup_.selection.takes(end))
+      follow(end);
+    else
+      left_out_topics_ = left_out_topics_ || !is_service(end.topic);
+  }
+}
+
+void TopicRecordings::follow(const wire::EndpointInfo& writer) try {
+  if (!refused_.contains(writer.guid)) recording_of(writer).follow(writer);
+} catch (const std::exception& error) {
+  refused_.insert(writer.guid);
+  setup_.warn("'" + visible(shown_topic(writer.topic)) + "' of " + visible(writer.process) +
+              " is not recorded: " + error.what());
+}
+
+TopicRecording& TopicRecordings::recording_of(const wire::EndpointInfo& writer) {
+  auto& recording = recordings_[TopicRecording::kind_of(writer)];
+  if (!recording)
+    recording = std::make_unique<TopicRecording>(
+        TopicRecording::Setup{.participant = setup_.participant,
+                              .kind = TopicRecording::kind_of(writer),
+                              .depth = is_picture(writer) ? kPictureDepth : kReaderDepth,
+                              .find = [this](std::uint64_t handle) { return find_writer(handle); },
+                              .on_data = setup_.on_data});
+  return *recording;
+}
+
+std::optional<wire::EndpointInfo> TopicRecordings::find_writer(std::uint64_t handle) {
+  for (const auto& end : endpoints_.known())
+    if (end.handle == handle) return end;
+  return std::nullopt;
+}
+
+void TopicRecordings::take(const TopicRecording::Receive& receive) {
+  for (const auto& [kind, recording] : recordings_) recording->take(receive);
+}
+
+void TopicRecordings::watch_matches() {
+  for (const auto& end : endpoints_.known()) {
+    const auto* recording = find_recording(end);
+    if (!recording) continue;
+    if (const auto sentence = matches_.look(end, *recording)) setup_.warn(*sentence);
+  }
+}
+
+/// Returns nullptr if the end is no writer that is followed.
+const TopicRecording* TopicRecordings::find_recording(const wire::EndpointInfo& end) const {
+  if (!end.writes || refused_.contains(end.guid)) return nullptr;
+  const auto found = recordings_.find(TopicRecording::kind_of(end));
+  if (found == recordings_.end() || !found->second->writers().contains(end.guid)) return nullptr;
+  return found->second.get();
+}
+
+std::size_t TopicRecordings::topics() const {
+  std::set<std::string_view> names;
+  for (const auto& [kind, recording] : recordings_) names.insert(kind.topic);
+  return names.size();
+}
+
+std::vector<WriterLosses> TopicRecordings::losses() const {
+  std::vector<WriterLosses> all;
+  for (const auto& [kind, recording] : recordings_)
+    for (const auto& [guid, writer] : recording->writers())
+      all.push_back({.topic = visible(shown_topic(kind.topic)),
+                     .process = visible(writer.info.process),
+                     .writer = guid,
+                     .recorded = writer.tally.received() - writer.unwritten - writer.left_out,
+                     .lost = kind.keyed ? std::nullopt : std::optional(writer.tally.lost()),
+                     .overrun = writer.overrun,
+                     .sent_before = writer.tally.sent_before(),
+                     .unwritten = writer.unwritten,
+                     .left_out = writer.left_out});
+  return all;
+}
+
+}  // namespace galilean::monitor

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "core/termination.h"
+#include "monitor/replay/key_terminal.h"
+#include "monitor/replay/replay_clock.h"
+
+namespace galilean::monitor {
+
+/// Waits for the times of a replay, and lets people pause it, step, change its rate and go to
+/// another place by keys. For use by one thread.
+class Playback {
+ public:
+  /// What is called about every half second while it waits; may be empty.
+  using Look = std::function<void()>;
+
+  static constexpr double kLeastRate = 0.01, kMostRate = 100;
+
+  /// Requires: `real` and `termination` outlive this.
+  Playback(const Clock& real, Termination& termination, double rate)
+      : real_(real), termination_(termination), clock_(real, rate) {}
+
+  /// Returns the replay's time, by which messages are due.
+  [[nodiscard]] const Clock& clock() const noexcept { return clock_; }
+  [[nodiscard]] bool has_keys() const noexcept { return keys_.is_there(); }
+
+  /// Waits until `due` by the real clock. Returns false if the replay has to end.
+  [[nodiscard]] bool rest(Time due, const Look& look = {});
+  /// Waits until `due` by the replay's clock. `position` is where it is in the recording. Returns
+  /// false if the replay has to end, or to go on at another place: see `take_target`.
+  [[nodiscard]] bool until(Time due, Duration position, const Look& look);
+  /// Returns where in the recording the replay has to go on; nothing if it has to end.
+  [[nodiscard]] std::optional<Duration> take_target() noexcept {
+    return std::exchange(target_, std::nullopt);
+  }
+
+ private:
+  void obey(ReplayKey key, Time due, Duration position);
+  void tell(Duration position) const;
+  void look_now_and_then(const Look& look);
+  void sleep(Duration most) const;
+
+  const Clock& real_;
+  Termination& termination_;
+  ReplayClock clock_;
+  KeyTerminal keys_;
+  std::optional<Duration> target_;
+  bool ended_ = false;
+  Time next_look_{};
+};
+
+}  // namespace galilean::monitor

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `galilean log check` as a user or a CI server calls it.
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "tests/monitor/expect/recording/recorded_team.h"
+#include "tests/temporary_folder.h"
+
+namespace galilean::expect {
+namespace {
+
+using testing::HasSubstr;
+
+struct Answer {
+  int code = -1;
+  std::string text;  ///< of both outputs
+};
+
+class LogCheckTest : public testing::Test {
+ protected:
+  LogCheckTest() {
+    RecordedTeam team;
+    msg::RobotState state;
+    state.robot = "io";
+    for (int i = 0; i < 60; ++i) {
+      ++state.tick;
+      state.state = i < 30 ? "wander" : "stuck";
+      team.send(0.1 * i, "/io/state", state);
+    }
+    const auto& bytes = team.end();
+    write("run.mcap", {bytes.begin(), bytes.end()});
+  }
+
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_.path() / name, std::ios::binary) << text;
+  }
+  std::string read(const std::string& name) {
+    std::ifstream file(folder_.path() / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  /// Judges run.mcap by the text.
+  Answer check(const std::string& text, const std::string& options = "") {
+    write("a.expect", text);
+    return run("run.mcap --expect a.expect " + options);
+  }
+  Answer run(const std::string& arguments) {
+    const std::string command =
+        "cd '" + folder_.path().string() + "' && '" GALILEAN_LOG_CHECK "' " + arguments + " 2>&1";
+    Answer answer;
+    FILE* output = popen(command.c_str(), "r");
+    for (int letter; (letter = std::fgetc(output)) != EOF;)
+      answer.text += static_cast<char>(letter);
+    answer.code = WEXITSTATUS(pclose(output));
+    return answer;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(LogCheckTest, EndsWithZeroIfAllHolds) {
+  const auto answer = check("io: never state is \"stuck\" for 10 s\n");
+  EXPECT_EQ(answer.code, 0) << answer.text;
+  EXPECT_THAT(answer.text,
+              HasSubstr("ok     io: never state is \"stuck\" for 10 s (7.1 s to spare)"));
+}
+
+TEST_F(LogCheckTest, EndsWithOneIfSomethingFails) {
+  const auto answer = check("io: never state is \"stuck\" for 2 s\neuropa: always it is healthy\n",
+                            "--junit o.xml");
+  EXPECT_EQ(answer.code, 1) << answer.text;
+  EXPECT_THAT(answer.text, HasSubstr("galilean replay run.mcap --from 3.000"));
+  EXPECT_THAT(read("o.xml"), HasSubstr("tests=\"2\" failures=\"1\" errors=\"1\""));
+}
+
+TEST_F(LogCheckTest, EndsWithThreeIfTheRecordingCannotTell) {
+  const auto answer = check("europa: always it is healthy\n", "--format json");
+  EXPECT_EQ(answer.code, 3) << answer.text;
+  EXPECT_THAT(answer.text, HasSubstr("\"reason\": \"europa was never heard\""));
+}
+
+TEST_F(LogCheckTest, EveryFormatIsPrinted) {
+  const std::string text = "io: never state is \"stuck\" for 2 s\n";
+  EXPECT_THAT(check(text, "--format tap").text,
+              testing::StartsWith("TAP version 13\n1..1\nnot ok"));
+  EXPECT_THAT(check(text, "--format github").text, testing::StartsWith("::error file=a.expect,"));
+  EXPECT_THAT(check(text, "--format junit").text, testing::StartsWith("<?xml"));
+}
+
+TEST_F(LogCheckTest, MistakesAreToldWithTheirPlaces) {
+  const auto answer = check("io: nevr state is \"a\"\nio: always x < 3 s\n");
+  EXPECT_EQ(answer.code, 1);
+  EXPECT_THAT(answer.text, HasSubstr("a.expect:1:5: error: expected a claim, not 'nevr'"));
+  EXPECT_THAT(answer.text, HasSubstr("a.expect:2:18: error: 's' is a unit of time"));
+}
+
+TEST_F(LogCheckTest, FilesThatAreNoneGetASentence) {
+  write("a.expect", "io: always it is healthy\n");
+  write("empty.mcap", "");
+  EXPECT_THAT(run("empty.mcap --expect a.expect").text, HasSubstr("empty.mcap is empty"));
+  EXPECT_EQ(run("empty.mcap --expect a.expect").code, 1);
+  EXPECT_EQ(run("none.mcap --expect a.expect").code, 1);
+  EXPECT_EQ(run("run.mcap --expect none.expect").code, 1);
+  EXPECT_EQ(run("run.mcap --expect .").code, 1);
+  EXPECT_EQ(run("run.mcap --expect a.expect --junit none/o.xml").code, 1);
+  EXPECT_EQ(run("run.mcap --expect a.expect --silence nan").code, 2);
+  EXPECT_EQ(run("run.mcap").code, 2);
+  EXPECT_EQ(run("--expect a.expect").code, 2);
+  EXPECT_EQ(run("run.mcap --live --expect a.expect").code, 2);
+  EXPECT_EQ(run("run.mcap --for 5s --expect a.expect").code, 2);
+  EXPECT_EQ(run("--live --for 5x --expect a.expect").code, 2);
+}
+
+TEST_F(LogCheckTest, ADamagedRecordingIsNotCountedAsHolding) {
+  const auto text = read("run.mcap");
+  mcap::Bytes bytes(text.begin(), text.end());
+  damage_chunk_at(2.5, bytes);
+  write("run.mcap", {bytes.begin(), bytes.end()});
+  const auto answer = check("io: never state is \"grab\"\n");
+  EXPECT_EQ(answer.code, 3) << answer.text;
+  EXPECT_THAT(answer.text, HasSubstr("cannot tell: messages of that time are missing"));
+  EXPECT_THAT(answer.text, HasSubstr("note:  damaged: the chunk at byte "));
+}
+
+}  // namespace
+}  // namespace galilean::expect

@@ -78,9 +78,10 @@ test("why: changes come with their causes and with times as recent as they were"
   const newest = at("why").locator("li.newest");
   await newest.waitFor();
   const known = await newest.getAttribute("data-testid");
+  // The words of a line that has just come are not laid out yet.
   const { time, cause } = await untilGiven((before) => {
     const now = document.querySelector("[data-testid=why] li.newest");
-    return now && now.dataset.testid !== before && { time: now.querySelector("time").innerText, cause: now.querySelector(".cause").innerText };
+    return now && now.dataset.testid !== before && { time: now.querySelector("time").textContent, cause: now.querySelector(".cause").textContent };
   }, known);
   assert.match(time, /^(now|\d+ s ago)$/);
   assert.match(cause, /\w+\[\d+\] became [01]/);

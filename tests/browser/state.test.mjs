@@ -86,7 +86,9 @@ test("the state machine fits its panel, lights the current state, and says how l
 });
 
 test("the states keep their places when the panel changes size, until they are placed anew", async () => {
-  const places = () => at("machine").locator("g[data-state]").evaluateAll((states) => states.map((state) => `${state.dataset.state} ${state.getAttribute("transform")}`));
+  const places = () => at("machine").locator("g[data-state]").evaluateAll((states) =>
+    states.map((state) => [state.dataset.state, ...["x", "y"].map((side) => state.querySelector("rect").getAttribute(side))].join(" ")),
+  );
   const width = () => at("machine").locator(".room").evaluate(({ clientWidth }) => clientWidth);
   const before = await places();
   for (const size of [{ width: 1900, height: 460 }, { width: 1100, height: 1000 }]) {

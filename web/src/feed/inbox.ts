@@ -97,9 +97,11 @@ export class Inbox {
   #takeDue(now_ms: number): Waiting[] {
     const due = [...this.#waiting.values()];
     this.#waiting.clear();
-    if (this.#aside.size === 0 || now_ms < this.#turn_ms + this.#betweenTurns_ms()) return due;
+    // A page that slept is told of as many as had their turns meanwhile: whom it is not told of looks silent.
+    const turns = Math.floor((now_ms - this.#turn_ms) / this.#betweenTurns_ms());
+    if (this.#aside.size === 0 || turns < 1) return due;
     this.#turn_ms = now_ms === Infinity ? -Infinity : now_ms;
-    for (const [robot, states] of [...this.#aside].slice(0, now_ms === Infinity ? undefined : CROWD)) {
+    for (const [robot, states] of [...this.#aside].slice(0, turns * CROWD)) {
       due.push(...states.values());
       this.#aside.delete(robot);
     }

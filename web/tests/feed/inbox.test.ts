@@ -76,15 +76,24 @@ describe("what came since the page looked last", () => {
     const names = Array.from({ length: 3 * CROWD }, (_, i) => `r${i}`);
     const tellAll = () => names.forEach((name) => inbox.put(arrival(`/${name}/state`, name, 1)));
     tellAll(); // the first of them when nobody knew yet that they are a crowd
-    inbox.take(undamaged, Infinity);
+    inbox.take(undamaged, 1000);
     const turns: unknown[][] = [];
-    let now_ms = 1000;
-    for (; now_ms < 1000 + GLANCE_MS; now_ms += 1) {
+    for (let now_ms = 1001; now_ms < 1000 + 1.1 * GLANCE_MS; now_ms += 1) {
       tellAll();
       if (inbox.due_ms(now_ms) === 0) turns.push(inbox.take(undamaged, now_ms).news.map(({ message }) => message));
     }
     expect(turns.map(({ length }) => length)).toEqual([CROWD, CROWD, CROWD]);
     expect(turns.flat().sort()).toEqual([...names].sort());
+  });
+  it("is of everybody who had a turn meanwhile where the page comes seldom, so that nobody looks silent", () => {
+    const inbox = new Inbox();
+    const names = Array.from({ length: 3 * CROWD }, (_, i) => `r${i}`);
+    const tellAll = () => names.forEach((name) => inbox.put(arrival(`/${name}/state`, name, 1)));
+    tellAll();
+    inbox.take(undamaged, 1000);
+    const toldAfter = (now_ms: number) => (tellAll(), inbox.take(undamaged, now_ms).news.length);
+    expect(toldAfter(1000 + (2 * GLANCE_MS) / 3 + 1)).toBe(2 * CROWD);
+    expect(toldAfter(3000)).toBe(3 * CROWD);
   });
   it("says when it has to be looked at", () => {
     const inbox = new Inbox();

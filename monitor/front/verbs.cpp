@@ -17,6 +17,8 @@ constexpr std::array kVerbs{
     Verb{"monitor", "galilean-monitor", "", "The team in a browser, with its map"},
     Verb{"top", "galilean-top", "", "The team in a terminal"},
     Verb{"record", "galilean-record", "", "Record all topics as MCAP"},
+    Verb{"record pause", "galilean-record-ctl", "pause", "Let a recorder record nothing"},
+    Verb{"record resume", "galilean-record-ctl", "resume", "Let it record again"},
     Verb{"replay", "galilean-replay", "", "Play a recording again, as if it were live"},
     Verb{"log", "galilean-log", "", "Read, compare and cut recordings: log info FILE"},
     Verb{"log check", "galilean-log-check", "", "Judge a recording, or a team, by expectations"},

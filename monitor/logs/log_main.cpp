@@ -72,6 +72,9 @@ int main(int argc, char** argv) {
   const auto recover = add_recover(app, options.recover);
   const auto convert = add_convert(app, options.convert);
   if (const auto code = app.parse(argc, argv)) return *code;
+  if (plotted.chosen() && options.plot.map == !options.plot.values.empty())
+    return app.refuse(options.plot.map ? "--map draws no fields; leave them out, or --map"
+                                       : "plot needs TOPIC.FIELD, such as io/state.x_m, or --map");
   return guarded([&] {
     if (info.chosen()) return print_info(options.info);
     if (cat.chosen()) return print_messages(options.cat);

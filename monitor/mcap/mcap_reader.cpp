@@ -42,10 +42,12 @@ void count(const Message& message, Statistics& statistics) {
 }
 
 /// Reads and counts all messages.
-void count_all(const ByteSource& source, Summary& summary) {
+void count_all(const ByteSource& source, const Progress& progress, Summary& summary) {
+  constexpr std::uint64_t kTellEach = 256;  // messages
   MessageReader reader(source, summary.blocks);
   RecordingTime time;
   while (const Message* message = reader.next()) {
+    if (progress && summary.statistics.messages % kTellEach == 0) progress(reader.progress());
     time.move_to(message->log_ns);
     count(*message, summary.statistics);
   }
@@ -114,7 +116,7 @@ std::optional<std::size_t> differing_magic(const ByteSource& source) {
 
 }  // namespace
 
-Result<Summary> summarize(const ByteSource& source, Depth depth) {
+Result<Summary> summarize(const ByteSource& source, Depth depth, const Progress& progress) {
   if (source.size() == 0) return Error{"is empty: nothing was recorded"};
   const auto differing = differing_magic(source);
   if (!differing) return Error{"is not an MCAP file"};
@@ -129,7 +131,7 @@ Result<Summary> summarize(const ByteSource& source, Depth depth) {
   const Survey found = take_over(survey(source, known, section.data_end), section, summary);
   if (!summary.closed && summary.being_written) forgive_unfinished(found, summary);
   if (is_to_be_read(summary, section, depth)) {
-    count_all(source, summary);
+    count_all(source, progress, summary);
     check_data_section(source, found, summary);
   } else {
     summary.statistics = *section.statistics;

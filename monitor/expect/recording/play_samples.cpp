@@ -83,10 +83,14 @@ class Playing {
 }  // namespace
 
 Played play_samples(const mcap::ByteSource& recording, const mcap::Summary& summary,
-                    SampleSink& sink) {
+                    SampleSink& sink, const mcap::Progress& progress) {
+  constexpr std::uint64_t kTellEach = 256;  // messages
   Playing playing(summary, sink);
   mcap::MessageReader reader(recording, summary.blocks);
-  while (const mcap::Message* message = reader.next()) playing.take(*message);
+  for (std::uint64_t read = 0; const mcap::Message* message = reader.next(); ++read) {
+    if (progress && read % kTellEach == 0) progress(reader.progress());
+    playing.take(*message);
+  }
   if (const auto losses = monitor::told_losses(recording, summary)) playing.tell(*losses);
   for (const auto& pause : monitor::told_pauses(recording, summary)) playing.tell(pause);
   return playing.end(reader.damages());

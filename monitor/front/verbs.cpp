@@ -51,7 +51,7 @@ constexpr std::array kOwnWords{
 };
 
 std::string line(std::string_view name, std::string_view help) {
-  constexpr std::size_t kColumn = 14;
+  constexpr std::size_t kColumn = 15;
   return "  " + std::string(name) + std::string(kColumn - name.size(), ' ') + std::string(help) +
          "\n";
 }

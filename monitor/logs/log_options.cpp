@@ -116,11 +116,11 @@ CommandLine add_plot(CommandLine& app, PlotOptions& options) {
   command.option("--height", options.height, "Its height in lines")
       .between(3, kMostLetters)
       .show_default();
-  command.option("--svg", options.svg, "Write an SVG picture to this file instead")
+  command.option("--svg", options.pictures.svg, "Write an SVG picture to this file instead")
       .names_file(".svg");
-  command.option("--png", options.png, "Write a PNG picture to this file instead")
+  command.option("--png", options.pictures.png, "Write a PNG picture to this file instead")
       .names_file(".png");
-  command.flag("--replace", options.replace, "Overwrite those files if they exist");
+  command.flag("--replace", options.pictures.replace, "Overwrite those files if they exist");
   describe_damage(command, "the rest was drawn.");
   return command;
 }

@@ -89,7 +89,7 @@ export const rooms = {
     schemas: ['mcap', 'wire'],
     'logs/reading': ['mcap', 'record', 'replay', 'schemas'],
     'logs/printing': ['record', 'wire', 'logs/reading'],
-    'logs/pictures': [],
+    'logs/pictures': ['mcap'],
     'logs/figures': ['mcap', 'record', 'schemas', 'wire', 'logs/reading', 'logs/pictures'],
     'logs/writing': ['mcap', 'record', 'replay', 'schemas', 'logs/reading'],
     'logs/comparing': ['record', 'schemas', 'logs/reading', 'logs/printing'],

@@ -9,9 +9,7 @@
 #include "core/visible_text.h"
 #include "monitor/logs/figures/chart.h"
 #include "monitor/logs/figures/map_drawing.h"
-#include "monitor/logs/pictures/png.h"
 #include "monitor/logs/reading/undecoded.h"
-#include "monitor/mcap/byte_sink.h"
 #include "monitor/wire/message_text.h"
 
 namespace galilean::logs {
@@ -120,36 +118,16 @@ class Plotting {
   int damaged_ = 0;
 };
 
-Result<void> write_file(const std::string& path, bool replace, const std::string& content) {
-  auto file = mcap::FileSink::create(path, replace);
-  if (!file) return file.error();
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(content.data());
-  return file.value().write({bytes, content.size()});
-}
-
-/// Writes the pictures that were asked for. Errors: one cannot be made or written.
-Result<void> write_pictures(const PlotOptions& options, const Drawing& drawing) {
-  if (!options.svg.empty())
-    if (auto done = write_file(options.svg, options.replace, svg_of(drawing)); !done) return done;
-  if (options.png.empty()) return {};
-  const auto png = png_of(drawing);
-  return png ? write_file(options.png, options.replace, png.value()) : png.error();
-}
-
-bool wants_pictures(const PlotOptions& options) {
-  return !options.svg.empty() || !options.png.empty();
-}
-
 /// Returns the exit code.
 int plot_map(const Recording& recording, const PlotOptions& options) {
   const auto read = read_tracks(recording, options.from_s, options.to_s);
   if (!read) return fail_plot(read.error().message);
   const auto& tracks = read.value().tracks;
   std::cerr << kPlot << ": " << source_text(tracks.source) << '\n';
-  if (!wants_pictures(options))
+  if (!options.pictures.any())
     std::cout << map_text(tracks, static_cast<std::size_t>(options.width),
                           static_cast<std::size_t>(options.height));
-  else if (auto done = write_pictures(options, map_drawing(tracks)); !done)
+  else if (auto done = write_pictures(options.pictures, map_drawing(tracks)); !done)
     return fail_plot(done.error().message);
   return std::cout.flush() ? read.value().code : kFailed;
 }
@@ -164,10 +142,10 @@ int plot(const PlotOptions& options) {
   if (auto done = plotting.read(); !done) return fail_plot(done.error().message);
   const auto series = plotting.series();
   const auto bars = plotting.bars();
-  if (!wants_pictures(options)) {
+  if (!options.pictures.any()) {
     std::cout << chart_text(series, static_cast<std::size_t>(options.width),
                             static_cast<std::size_t>(options.height), bars);
-  } else if (auto done = write_pictures(options, chart_drawing(series, bars)); !done) {
+  } else if (auto done = write_pictures(options.pictures, chart_drawing(series, bars)); !done) {
     return fail_plot(done.error().message);
   }
   return std::cout.flush() ? plotting.finish() : kFailed;

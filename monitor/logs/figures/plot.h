@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "monitor/logs/pictures/picture_files.h"
 #include "monitor/logs/reading/selection.h"
 
 namespace galilean::logs {
@@ -16,8 +17,7 @@ struct PlotOptions {
   double from_s = 0;
   std::optional<double> to_s;
   int width = 72, height = 16;  ///< of the drawing [letters]
-  std::string svg, png;         ///< files to write pictures to; both empty: it is drawn as text
-  bool replace = false;         ///< overwrite those files
+  PictureFiles pictures;        ///< to write; without any it is drawn as text
 };
 
 /// Draws fields over time: numbers as curves, and texts, such as states, as bars; or robots'

@@ -17,7 +17,11 @@ namespace {
 /// installed.
 constexpr std::array kModuleFolders{".", "../bin", "../lib/galilean"};
 
-Result<DrawPng> load_module() {
+struct PngModule {
+  DrawPng draw;
+};
+
+Result<PngModule> load_module() {
   const auto folder = program_folder();
   std::filesystem::path found;
   std::error_code unknown;
@@ -34,16 +38,16 @@ Result<DrawPng> load_module() {
   if (!module) return Error{std::string("OpenCV cannot be loaded: ") + dlerror()};
   const auto draw = reinterpret_cast<DrawPng>(dlsym(module, kDrawPng));
   if (!draw) return Error{found.string() + " is not a module of this release; build it again"};
-  return draw;
+  return PngModule{draw};
 }
 
 }  // namespace
 
 Result<std::string> png_of(const Drawing& drawing) {
-  const auto draw = load_module();
-  if (!draw) return draw.error();
+  const auto module = load_module();
+  if (!module) return module.error();
   std::string png;
-  if (!draw.value()(drawing, png)) return Error{"the picture cannot be drawn as PNG"};
+  if (!module.value().draw(drawing, png)) return Error{"the picture cannot be drawn as PNG"};
   return png;
 }
 

@@ -44,8 +44,8 @@ msg::OccupancyGrid floor_of_the_team() {
 
 class MapTest : public LoggedTeam {
  protected:
-  [[nodiscard]] Result<ReadTracks> tracks_of(expect::RecordedTeam& team) const {
-    write("run.mcap", team.end());
+  [[nodiscard]] Result<ReadTracks> tracks_of(expect::RecordedTeam& recorded) const {
+    write("run.mcap", recorded.end());
     const auto recording = Recording::open(path("run.mcap"));
     return read_tracks(recording.value(), 0, std::nullopt);
   }

@@ -96,13 +96,13 @@ TEST_F(PlotTest, DrawsStatesBelowNumbers) {
   EXPECT_THAT(answer.out,
               HasSubstr("* io/state.x_m: 0 to 5.9\nio/state.state: A wander, B stuck\n"));
   EXPECT_THAT(answer.out, HasSubstr("\n     state |AAAA"));
-  EXPECT_EQ(plotted({.values = {"io/state.state"}, .svg = path("s.svg")}).code, 0);
+  EXPECT_EQ(plotted({.values = {"io/state.state"}, .pictures = {.svg = path("s.svg")}}).code, 0);
   const auto bytes = read("s.svg");
   EXPECT_THAT(std::string(bytes.begin(), bytes.end()), HasSubstr(">wander</text>"));
 }
 
 TEST_F(PlotTest, WritesAPictureOnce) {
-  const PlotOptions options{.values = {"io/state.x_m"}, .svg = path("x.svg")};
+  const PlotOptions options{.values = {"io/state.x_m"}, .pictures = {.svg = path("x.svg")}};
   EXPECT_EQ(plotted(options).code, 0);
   const auto bytes = read("x.svg");
   EXPECT_THAT(std::string(bytes.begin(), bytes.end()),
@@ -112,7 +112,8 @@ TEST_F(PlotTest, WritesAPictureOnce) {
 }
 
 TEST_F(PlotTest, WritesAPngOfTheSamePicture) {
-  const PlotOptions options{.values = {"io/state.x_m", "io/state.state"}, .png = path("x.png")};
+  const PlotOptions options{.values = {"io/state.x_m", "io/state.state"},
+                            .pictures = {.png = path("x.png")}};
   const auto answer = plotted(options);
   EXPECT_EQ(answer.code, 0) << answer.errors;
   const auto bytes = read("x.png");

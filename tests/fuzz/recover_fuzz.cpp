@@ -12,7 +12,7 @@
 
 #include "monitor/logs/writing/copies.h"
 #include "tests/fuzz/input.h"
-#include "tests/monitor/logs/recovering/sample_recording.h"
+#include "tests/monitor/logs/writing/sample_recording.h"
 #include "tests/monitor/record/faulty_disk.h"
 
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Nothing is lost in silence: what was published is recorded, or counted as lost, whatever drops it: the network, the
 // recorder's disk, or the end of who writes.
 import assert from "node:assert/strict";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A recording that is paused and goes on: by command and by key. What was not recorded is told, and is no loss.
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";

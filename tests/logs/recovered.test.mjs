@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is left of recordings that end within a write, are cut, or have a bit changed, at thousands of places:
 // `galilean log recover` makes a recording of it that MCAP's own reference reader reads, and less than a second is lost.
 import assert from "node:assert/strict";

@@ -14,8 +14,8 @@
 #include <fstream>
 #include <iostream>
 
-#include "tests/monitor/logs/recovering/dying_sink.h"
-#include "tests/monitor/logs/recovering/recovered_file.h"
+#include "tests/monitor/logs/writing/dying_sink.h"
+#include "tests/monitor/logs/writing/recovered_file.h"
 #include "tests/monitor/record/faulty_disk.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/monitor/logs/recovering/sample_recording.h"
+#include "tests/monitor/logs/writing/sample_recording.h"
 
 #include <random>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tests/monitor/logs/recovering/sample_recording.h"
+#include "tests/monitor/logs/writing/sample_recording.h"
 
 namespace galilean::logs {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/monitor/logs/recovering/recovered_file.h"
+#include "tests/monitor/logs/writing/recovered_file.h"
 
 #include <algorithm>
 #include <cstdlib>

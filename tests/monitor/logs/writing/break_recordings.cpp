@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdio>
 #include <fstream>
 #include <iostream>
 
@@ -27,7 +28,7 @@ constexpr mcap::Compression kCompressions[] = {mcap::Compression::kFast, mcap::C
                                                mcap::Compression::kLz4};
 
 /// What this program prints; recover prints to standard output, too, which goes nowhere.
-std::ofstream answers;
+std::FILE* answers = nullptr;
 std::string folder;
 
 std::string broken_path() {
@@ -37,8 +38,9 @@ std::string broken_path() {
 /// Recovers what stands at broken_path() and tells of it.
 RecoveredFile recover_and_tell(const std::string& name) {
   auto recovered = recover(broken_path(), folder + "/" + name);
-  answers << R"({"file":")" << name << R"(","code":)" << recovered.code << R"(,"messages":)"
-          << recovered.samples.size() << "}" << std::endl;
+  std::fprintf(answers, "{\"file\":\"%s\",\"code\":%d,\"messages\":%zu}\n", name.c_str(),
+               recovered.code, recovered.samples.size());
+  std::fflush(answers);  // a process that is forked must not have it, too
   return recovered;
 }
 
@@ -151,7 +153,7 @@ int main(int argc, char** argv) {
   const std::string how = argv[1];
   const auto count = static_cast<std::size_t>(std::stoul(argv[2]));
   folder = argv[3];
-  answers.open("/dev/fd/" + std::to_string(dup(STDOUT_FILENO)));
+  answers = fdopen(dup(STDOUT_FILENO), "w");
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
   if (how == "kill") kill_at_each_write(count);

@@ -13,7 +13,6 @@
 #include <atomic>
 #include <cstdio>
 #include <fstream>
-#include <iostream>
 
 #include "tests/monitor/logs/writing/dying_sink.h"
 #include "tests/monitor/logs/writing/recovered_file.h"

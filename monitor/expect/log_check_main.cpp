@@ -8,6 +8,7 @@
 #include "core/command_line/domain_option.h"
 #include "core/command_line/seconds_of.h"
 #include "core/json_text.h"
+#include "core/progress_bar.h"
 #include "monitor/expect/judge/judge.h"
 #include "monitor/expect/language/expectation_files.h"
 #include "monitor/expect/live/live_samples.h"
@@ -66,9 +67,13 @@ int exit_code(const Judgement& judgement) {
 Result<Played> read_recording(const Options& options, Judge& judge) {
   const auto file = mcap::FileSource::open(options.recording);
   if (!file) return file.error();
-  const auto summary = mcap::summarize(file.value());
+  const auto bar = progress_on_terminal("judging " + options.recording);
+  const auto show = [&](double done) {
+    if (bar) bar->show(done);
+  };
+  const auto summary = mcap::summarize(file.value(), mcap::Depth::kAsNeeded, show);
   if (!summary) return Error{options.recording + " " + summary.error().message};
-  return play_samples(file.value(), summary.value(), judge);
+  return play_samples(file.value(), summary.value(), judge, show);
 }
 
 Result<Played> hear_team(const Options& options, Judge& judge) {

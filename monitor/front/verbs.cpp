@@ -17,6 +17,8 @@ constexpr std::array kVerbs{
     Verb{"monitor", "galilean-monitor", "", "The team in a browser, with its map"},
     Verb{"top", "galilean-top", "", "The team in a terminal"},
     Verb{"record", "galilean-record", "", "Record all topics as MCAP"},
+    Verb{"record pause", "galilean-record-ctl", "pause", "Let a recorder record nothing"},
+    Verb{"record resume", "galilean-record-ctl", "resume", "Let it record again"},
     Verb{"replay", "galilean-replay", "", "Play a recording again, as if it were live"},
     Verb{"log", "galilean-log", "", "Read, compare and cut recordings: log info FILE"},
     Verb{"log check", "galilean-log-check", "", "Judge a recording, or a team, by expectations"},
@@ -49,7 +51,7 @@ constexpr std::array kOwnWords{
 };
 
 std::string line(std::string_view name, std::string_view help) {
-  constexpr std::size_t kColumn = 14;
+  constexpr std::size_t kColumn = 15;
   return "  " + std::string(name) + std::string(kColumn - name.size(), ' ') + std::string(help) +
          "\n";
 }

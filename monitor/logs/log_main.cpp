@@ -6,6 +6,7 @@
 #include "monitor/logs/log_options.h"
 #include "monitor/logs/reading/recording.h"
 #include "monitor/record/log_info.h"
+#include "monitor/record/told_pauses.h"
 
 namespace {
 
@@ -36,8 +37,9 @@ int print_info(const InfoOptions& options) {
   if (!recording) return fail(recording.error().message);
   const auto& summary = recording.value().summary();
   const auto losses = monitor::told_losses(recording.value().source(), summary);
-  std::cout << (options.json ? monitor::describe_json(options.file, summary, losses)
-                             : monitor::describe(options.file, summary, losses));
+  const auto pauses = monitor::told_pauses(recording.value().source(), summary);
+  std::cout << (options.json ? monitor::describe_json(options.file, summary, losses, pauses)
+                             : monitor::describe(options.file, summary, losses, pauses));
   if (!std::cout.flush()) return kFailed;
   const bool is_missing = losses && monitor::total_missing(losses->writers) > 0;
   return summary.recovered() || is_missing ? kIncomplete : 0;
@@ -70,6 +72,9 @@ int main(int argc, char** argv) {
   const auto recover = add_recover(app, options.recover);
   const auto convert = add_convert(app, options.convert);
   if (const auto code = app.parse(argc, argv)) return *code;
+  if (plotted.chosen() && options.plot.map == !options.plot.values.empty())
+    return app.refuse(options.plot.map ? "--map draws no fields; leave them out, or --map"
+                                       : "plot needs TOPIC.FIELD, such as io/state.x_m, or --map");
   return guarded([&] {
     if (info.chosen()) return print_info(options.info);
     if (cat.chosen()) return print_messages(options.cat);

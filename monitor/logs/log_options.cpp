@@ -102,11 +102,13 @@ CommandLine add_stats(CommandLine& app, StatsOptions& options) {
 
 CommandLine add_plot(CommandLine& app, PlotOptions& options) {
   constexpr int kMostLetters = 1000;
-  auto command = app.command("plot", "Draw fields over time, as text or as an SVG picture");
+  auto command = app.command(
+      "plot", "Draw fields over time, or robots' tracks, as text or as an SVG or PNG picture");
   add_file(command, options.file);
   command.option("values", options.values, "TOPIC.FIELD, such as io/state.x_m; up to 26 of them")
-      .required()
       .takes(1, 26);
+  command.flag("--map", options.map,
+               "Draw where robots were, over the floor of the team's map if it was recorded");
   add_times(command, options);
   command.option("--width", options.width, "Width of the drawing in letters")
       .between(10, kMostLetters)
@@ -114,9 +116,11 @@ CommandLine add_plot(CommandLine& app, PlotOptions& options) {
   command.option("--height", options.height, "Its height in lines")
       .between(3, kMostLetters)
       .show_default();
-  command.option("--svg", options.svg, "Write an SVG picture to this file instead")
+  command.option("--svg", options.pictures.svg, "Write an SVG picture to this file instead")
       .names_file(".svg");
-  command.flag("--replace", options.replace, "Overwrite that file if it exists");
+  command.option("--png", options.pictures.png, "Write a PNG picture to this file instead")
+      .names_file(".png");
+  command.flag("--replace", options.pictures.replace, "Overwrite those files if they exist");
   describe_damage(command, "the rest was drawn.");
   return command;
 }

@@ -2,8 +2,10 @@
 #include "monitor/mcap/mcap_reader.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cctype>
 #include <numeric>
+#include <optional>
+#include <span>
 
 #include "monitor/mcap/losses.h"
 #include "monitor/mcap/message_reader.h"
@@ -40,10 +42,12 @@ void count(const Message& message, Statistics& statistics) {
 }
 
 /// Reads and counts all messages.
-void count_all(const ByteSource& source, Summary& summary) {
+void count_all(const ByteSource& source, const Progress& progress, Summary& summary) {
+  constexpr std::uint64_t kTellEach = 256;  // messages
   MessageReader reader(source, summary.blocks);
   RecordingTime time;
   while (const Message* message = reader.next()) {
+    if (progress && summary.statistics.messages % kTellEach == 0) progress(reader.progress());
     time.move_to(message->log_ns);
     count(*message, summary.statistics);
   }
@@ -93,14 +97,33 @@ bool is_to_be_read(const Summary& summary, const SummarySection& section, Depth 
          !summary.closed || !section.statistics || !agrees(*section.statistics, summary);
 }
 
+/// Returns how many of the first bytes are not those of an MCAP file. Nothing: they are those of
+/// something else. A damaged one has nearly all of them right, and its header behind them.
+std::optional<std::size_t> differing_magic(const ByteSource& source) {
+  constexpr std::size_t kMostDiffering = 2, kVersionAt = 5;
+  std::uint8_t bytes[sizeof kMagic + kRecordHead];
+  if (!source.read(0, std::span(bytes).first(sizeof kMagic))) return std::nullopt;
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < sizeof kMagic; ++i) differing += bytes[i] != kMagic[i] ? 1 : 0;
+  if (differing == 0) return differing;
+  const bool other_version = bytes[kVersionAt] != kMagic[kVersionAt] &&
+                             std::isdigit(static_cast<unsigned char>(bytes[kVersionAt])) != 0;
+  const bool has_header =
+      source.read(0, bytes) && bytes[sizeof kMagic] == static_cast<std::uint8_t>(Opcode::kHeader);
+  return differing > kMostDiffering || other_version || !has_header ? std::nullopt
+                                                                    : std::optional(differing);
+}
+
 }  // namespace
 
-Result<Summary> summarize(const ByteSource& source, Depth depth) {
-  std::uint8_t magic[sizeof kMagic];
+Result<Summary> summarize(const ByteSource& source, Depth depth, const Progress& progress) {
   if (source.size() == 0) return Error{"is empty: nothing was recorded"};
-  if (!source.read(0, magic) || std::memcmp(magic, kMagic, sizeof kMagic) != 0)
-    return Error{"is not an MCAP file"};
+  const auto differing = differing_magic(source);
+  if (!differing) return Error{"is not an MCAP file"};
   Summary summary;
+  if (*differing > 0)
+    summary.damages.push_back(
+        {.what = "the first bytes are not those of an MCAP file", .offset = 0, .messages = 0});
   summary.being_written = source.is_being_written();
   SummarySection section = read_summary_section(source);
   summary.bytes = source.size();
@@ -108,7 +131,7 @@ Result<Summary> summarize(const ByteSource& source, Depth depth) {
   const Survey found = take_over(survey(source, known, section.data_end), section, summary);
   if (!summary.closed && summary.being_written) forgive_unfinished(found, summary);
   if (is_to_be_read(summary, section, depth)) {
-    count_all(source, summary);
+    count_all(source, progress, summary);
     check_data_section(source, found, summary);
   } else {
     summary.statistics = *section.statistics;

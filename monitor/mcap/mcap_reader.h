@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+
 #include "core/result.h"
 #include "monitor/mcap/recording_time.h"
 #include "monitor/mcap/survey.h"
@@ -38,9 +40,13 @@ enum class Depth {
 /// A recording of this many uncompressed bytes is read in less than a second.
 inline constexpr std::uint64_t kCheckedBytes = std::uint64_t{256} << 20;
 
+/// Gets how much of a task is done, from 0 to 1; may be empty.
+using Progress = std::function<void(double)>;
+
 /// Reads what a file holds.
 /// Errors: the file is empty or no MCAP file. The message is a predicate, so that the caller can
 /// put the file's name before it.
-[[nodiscard]] Result<Summary> summarize(const ByteSource& source, Depth depth = Depth::kAsNeeded);
+[[nodiscard]] Result<Summary> summarize(const ByteSource& source, Depth depth = Depth::kAsNeeded,
+                                        const Progress& progress = {});
 
 }  // namespace galilean::mcap

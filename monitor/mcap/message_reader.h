@@ -24,6 +24,10 @@ class MessageReader {
   /// Returns the next message; nothing after the last. Its data is valid until the next call.
   [[nodiscard]] const Message* next();
 
+  /// Returns how much of the blocks was opened, from 0 to 1.
+  [[nodiscard]] double progress() const noexcept {
+    return order_.empty() ? 1 : static_cast<double>(opened_) / static_cast<double>(order_.size());
+  }
   /// Returns the damage that was met so far.
   [[nodiscard]] const std::vector<Damage>& damages() const noexcept { return damages_; }
   /// Returns the schemas and channels that were met in blocks so far.

@@ -24,10 +24,17 @@ std::uint16_t Channels::of(const wire::EndpointInfo& end, std::span<const std::u
   const bool xcdr2 = is_xcdr2(cdr);
   const auto known = channels_.find({end.guid, xcdr2});
   if (known != channels_.end()) return known->second;
-  if (channels_.size() < kMostOfOneWriter)
+  if (of_one_writer_ < kMostOfOneWriter) {
+    ++of_one_writer_;
     return channels_[{end.guid, xcdr2}] = add(end, xcdr2, false);
+  }
   auto& shared = shared_[{end.topic, end.dds_type, end.type_hash, xcdr2}];
   return shared != 0 ? shared : shared = add(end, xcdr2, true);
+}
+
+void Channels::begin_part() {
+  ++part_;
+  channels_.clear();
 }
 
 std::uint16_t Channels::add(const wire::EndpointInfo& end, bool xcdr2, bool shared) {
@@ -40,6 +47,7 @@ std::uint16_t Channels::add(const wire::EndpointInfo& end, bool xcdr2, bool shar
   if (!shared) {
     channel.metadata[kChannelWriter] = end.guid;
     channel.metadata[kChannelProcess] = end.process;
+    if (part_ > 1) channel.metadata[kChannelPart] = std::to_string(part_);
   }
   if (auto why = sequence_gaps(end, shared); !why.empty())
     channel.metadata[kSequenceGaps] = std::move(why);

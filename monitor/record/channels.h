@@ -41,6 +41,9 @@ class Channels {
   /// Returns the channel for a message of an endpoint. At the first one of a definition it asks the
   /// domain for it, and may block for 3 s.
   [[nodiscard]] std::uint16_t of(const wire::EndpointInfo& end, std::span<const std::uint8_t> cdr);
+  /// Gives later messages other channels than those before, so that no reader takes the numbers
+  /// that a pause leaves out for missing messages.
+  void begin_part();
 
  private:
   /// A schema's encoding and text. Both are empty where there is no definition.
@@ -54,6 +57,8 @@ class Channels {
   std::uint16_t schema_of(const wire::EndpointInfo& end, bool xcdr2);
 
   Setup setup_;
+  std::uint64_t part_ = 1;
+  std::size_t of_one_writer_ = 0;  ///< channels, in all parts
   std::map<std::tuple<std::string, std::string, bool>, std::uint16_t>
       schemas_;  ///< by type, its hash, and whether it is encoded in XCDR2
   std::map<std::pair<std::string, bool>, std::uint16_t>

@@ -11,6 +11,7 @@
 #include "core/visible_text.h"
 #include "monitor/record/channel_metadata.h"
 #include "monitor/record/damage_text.h"
+#include "monitor/record/program_changes.h"
 #include "monitor/record/times.h"
 
 namespace galilean::monitor {
@@ -18,6 +19,8 @@ namespace {
 
 /// A longer name of a topic reaches into the next columns.
 constexpr std::size_t kWidestTopic = 48;
+/// As much of a program's hash as tells programs apart for people.
+constexpr std::size_t kShownOfHash = 12;
 
 struct Row {
   std::string topic, type;
@@ -57,6 +60,7 @@ void describe_losses(std::ostream& out, const std::optional<ToldLosses>& losses)
         << (each.lost ? std::to_string(*each.lost) : "unknown") << " lost, " << each.overrun
         << " of them because the recorder was too slow, " << each.sent_before << " sent before";
     if (each.unwritten > 0) out << ", " << each.unwritten << " not written for want of room";
+    if (each.paused > 0) out << ", " << each.paused << " sent while it was paused";
     if (each.left_out > 0) out << ", " << each.left_out << " left out as was asked";
     out << '\n';
   }
@@ -75,10 +79,30 @@ void describe_channels(std::ostream& out, const mcap::Summary& summary) {
         << visible(row.type) << (row.process.empty() ? "" : " of " + visible(row.process)) << '\n';
 }
 
+std::string value_in(const mcap::Metadata& metadata, const std::string& name) {
+  const auto found = metadata.entries.find(name);
+  return found == metadata.entries.end() ? "?" : visible(found->second);
+}
+
+/// Returns the metadata that tells who recorded, as "host lab3, seed 7, …".
+std::string about_text(const mcap::Metadata& metadata) {
+  std::string text;
+  for (const auto& [name, value] : metadata.entries)
+    text += (text.empty() ? "" : ", ") + visible(name) + ' ' + visible(value);
+  return text;
+}
+
 void describe_extras(std::ostream& out, const mcap::Summary& summary) {
   for (const auto& metadata : summary.metadata)
-    out << "metadata:  " << visible(metadata.name) << ", "
-        << plural(metadata.entries.size(), "value") << '\n';
+    if (metadata.name == kRecorderMetadata)
+      out << "recorder:  " << about_text(metadata) << '\n';
+    else if (metadata.name == kProgramMetadata)
+      out << "program:   " << value_in(metadata, "robot") << " ran " << value_in(metadata, "name")
+          << ' ' << value_in(metadata, "hash").substr(0, kShownOfHash) << " from "
+          << value_in(metadata, "since") << '\n';
+    else
+      out << "metadata:  " << visible(metadata.name) << ", "
+          << plural(metadata.entries.size(), "value") << '\n';
   for (const auto& attachment : summary.attachments)
     out << "attached:  " << visible(attachment.name) << ", " << visible(attachment.media_type)
         << ", " << plural(attachment.data_bytes, "byte") << '\n';
@@ -100,7 +124,7 @@ double duration_s(const mcap::Summary& summary) {
 }
 
 std::string describe(const std::string& path, const mcap::Summary& summary,
-                     const std::optional<ToldLosses>& losses) {
+                     const std::optional<ToldLosses>& losses, const std::vector<Pause>& pauses) {
   const auto& statistics = summary.statistics;
   std::ostringstream out;
   out << std::fixed << std::setprecision(1);
@@ -122,6 +146,7 @@ std::string describe(const std::string& path, const mcap::Summary& summary,
       << "channels:  " << summary.channels.size() << '\n';
   describe_channels(out, summary);
   describe_losses(out, losses);
+  for (const auto& pause : pauses) out << "pause:     " << pause_text(pause) << '\n';
   describe_extras(out, summary);
   return out.str();
 }

@@ -145,7 +145,8 @@ Json metadata_records_json(const mcap::Summary& summary) {
 }  // namespace
 
 std::string describe_json(const std::string& path, const mcap::Summary& summary,
-                          const std::optional<ToldLosses>& losses) {
+                          const std::optional<ToldLosses>& losses,
+                          const std::vector<Pause>& pauses) {
   const auto& statistics = summary.statistics;
   Json json{{"file", path},
             {"bytes", summary.bytes},
@@ -165,6 +166,8 @@ std::string describe_json(const std::string& path, const mcap::Summary& summary,
   for (const auto& damage : summary.damages) json["damage"].push_back(damage_json(damage, summary));
   json["lost"] = lost_json(summary);
   json["losses"] = losses_json(losses);
+  json["pauses"] = Json::array();
+  for (const auto& pause : pauses) json["pauses"].push_back(json_of(pause));
   json["silences"] = silences_json(summary);
   json["channels"] = channels_json(summary);
   json["schemas"] = schemas_json(summary);

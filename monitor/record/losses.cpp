@@ -23,7 +23,8 @@ constexpr const char* kLossesSchema = R"({
     "overrun": {"type": "integer", "description": "of these: missed while the recorder's own queue was full"},
     "sent_before": {"type": "integer", "description": "sent before the first that came"},
     "unwritten": {"type": "integer", "description": "came while there was no room to write them"},
-    "left_out": {"type": "integer", "description": "pictures beyond the bytes a second that were asked for; not missing"}
+    "left_out": {"type": "integer", "description": "pictures beyond the bytes a second that were asked for; not missing"},
+    "paused": {"type": "integer", "description": "sent while the recording was paused; not missing"}
   }
 })";
 
@@ -59,7 +60,8 @@ nlohmann::ordered_json json_of(const WriterLosses& losses) {
           {"overrun", losses.overrun},
           {"sent_before", losses.sent_before},
           {"unwritten", losses.unwritten},
-          {"left_out", losses.left_out}};
+          {"left_out", losses.left_out},
+          {"paused", losses.paused}};
 }
 
 std::optional<WriterLosses> read_losses(std::string_view text) {
@@ -74,7 +76,8 @@ std::optional<WriterLosses> read_losses(std::string_view text) {
                       .overrun = number_in(json, "overrun"),
                       .sent_before = number_in(json, "sent_before"),
                       .unwritten = number_in(json, "unwritten"),
-                      .left_out = number_in(json, "left_out")};
+                      .left_out = number_in(json, "left_out"),
+                      .paused = number_in(json, "paused")};
   if (json.contains("not_received") && json["not_received"].is_null()) losses.lost = std::nullopt;
   return losses;
 }
@@ -86,6 +89,7 @@ WriterLosses beyond(WriterLosses losses, const WriterLosses& before) noexcept {
   losses.sent_before = beyond(losses.sent_before, before.sent_before);
   losses.unwritten = beyond(losses.unwritten, before.unwritten);
   losses.left_out = beyond(losses.left_out, before.left_out);
+  losses.paused = beyond(losses.paused, before.paused);
   return losses;
 }
 

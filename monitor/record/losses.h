@@ -14,6 +14,9 @@
 
 namespace galilean::monitor {
 
+/// The metadata of each file that tells who recorded it, where and with what.
+inline constexpr const char* kRecorderMetadata = "galilean";
+
 /// Where a file tells what it lacks: a topic, whenever more was lost, and metadata at its end. What
 /// had been told when it began stands in metadata, too.
 inline constexpr const char* kLossesTopic = "/recorder/losses";
@@ -33,6 +36,7 @@ struct WriterLosses {
   std::uint64_t sent_before = 0;  ///< sent before the first that came
   std::uint64_t unwritten = 0;    ///< came while there was no room to write them
   std::uint64_t left_out = 0;     ///< pictures beyond what they may take; nobody misses them
+  std::uint64_t paused = 0;       ///< sent while the recording was paused; nobody misses them
 
   /// Returns how many should be here and are not.
   [[nodiscard]] std::uint64_t missing() const noexcept { return lost.value_or(0) + unwritten; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/record/recorder.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/wire/ros_time.h"
@@ -64,6 +65,7 @@ Result<void> Recorder::record() {
 }
 
 Result<void> Recorder::take_in(const wire::Received& received, TopicRecording::Writer& writer) {
+  if (pause_) return pass_over(received, writer), Result<void>();
   const Time now = setup_.clock.now();
   const bool waits = ring_ && !setup_.files.is_open();
   if (ring_) setup_.snapshots.trigger->take(writer.info, received, now);
@@ -120,6 +122,8 @@ void Recorder::remember_losses(Time now) {
 Result<void> Recorder::write(const wire::EndpointInfo& writer, const wire::Received& received,
                              std::int64_t log_ns) {
   if (auto done = attach_programs(writer, received); !done) return done;
+  if (const auto changed = contents_->program_changes.note(writer, received, log_ns))
+    if (auto done = setup_.files.writer().write(*changed); !done) return done;
   return setup_.files.writer().write({contents_->channels.of(writer, received.cdr),
                                       static_cast<std::uint32_t>(received.sequence),
                                       static_cast<std::uint64_t>(log_ns),
@@ -147,14 +151,14 @@ Result<void> Recorder::look_after_files(Time now) {
   const bool has_room = setup_.room.look();
   if (!setup_.files.is_open() && ring_) return remember_losses(now), Result<void>();
   if (!setup_.files.is_open()) {
-    if (!has_room) return {};
+    if (!has_room || pause_) return {};
     setup_.warn("there is room on the disk again: the recording goes on");
     return begin_file(wire::wall_clock_ns());
   }
   if (!has_room) return stand_still();
   if (auto done = contents_->losses.tell(recordings_.losses(), wire::wall_clock_ns()); !done)
     return done;
-  if (!setup_.files.is_full(now)) return {};
+  if (pause_ || !setup_.files.is_full(now)) return {};
   if (auto done = conclude(); !done) return done;
   return begin_file(wire::wall_clock_ns());
 }
@@ -177,8 +181,10 @@ Result<void> Recorder::begin_file(std::int64_t log_ns) {
                          .leaves_out_pictures = setup_.picture_bytes_per_s > 0,
                          .warn = [this](const std::string& sentence) { warn_once(sentence); }}),
                LossLog(writer),
+               PauseLog(writer),
+               {},
                {}});
-  mcap::Metadata about{"galilean", setup_.about};
+  mcap::Metadata about{kRecorderMetadata, setup_.about};
   about.entries["started"] = iso_time(wire::wall_clock_ns());
   about.entries["file"] = std::to_string(files_before);
   if (ring_) about.entries["event"] = event_;
@@ -187,9 +193,10 @@ Result<void> Recorder::begin_file(std::int64_t log_ns) {
   return write_kept(log_ns);
 }
 
-Result<void> Recorder::write_kept(std::int64_t log_ns) {
+Result<void> Recorder::write_kept(std::int64_t log_ns, const std::set<std::string>* writers) {
   kept_.forget_all_but(recordings_.present());
   for (const auto& [guid, kept] : kept_.all()) {
+    if (writers && !writers->contains(guid)) continue;
     const wire::Received again{kept.cdr, kept.sent_ns, kept.writer.handle, kept.sequence};
     if (auto done = write(kept.writer, again, log_ns); !done) return done;
   }
@@ -199,6 +206,12 @@ Result<void> Recorder::write_kept(std::int64_t log_ns) {
 Result<void> Recorder::conclude() {
   if (!setup_.files.is_open()) return {};
   concluded_ = recordings_.losses();
+  if (pause_) {
+    auto until_now = *pause_;
+    until_now.to_ns = std::max(pause_->from_ns, wire::wall_clock_ns());
+    if (auto done = contents_->pauses.tell(until_now); !done) return done;
+  }
+  if (auto done = contents_->pauses.conclude(); !done) return done;
   if (auto done = contents_->losses.conclude(concluded_); !done) return done;
   contents_.reset();
   losses_then_.clear();

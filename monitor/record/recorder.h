@@ -21,6 +21,8 @@
 #include "monitor/record/kept_messages.h"
 #include "monitor/record/losses.h"
 #include "monitor/record/message_ring.h"
+#include "monitor/record/pause_log.h"
+#include "monitor/record/program_changes.h"
 #include "monitor/record/program_texts.h"
 #include "monitor/record/recording_files.h"
 #include "monitor/record/selection.h"
@@ -36,10 +38,13 @@ namespace galilean::monitor {
 /// writer's clock. Topics have their ROS names: /io/state. What is lost is counted, and written
 /// into the files, too. While the disk is nearly full nothing is written, which is said and
 /// counted. A file that follows another begins with the newest message of every state. The texts of
-/// programs are attached.
+/// programs are attached, and metadata tells which robot runs which, and when that changes.
 ///
 /// With a trigger, nothing is written until something happens. Then a file begins with what came
 /// shortly before, and with the states that were so then, and ends some time after the last event.
+///
+/// While it is paused it writes nothing, and what comes is no loss. It goes on with what the states
+/// are then. A pause empties what is kept for a trigger.
 ///
 /// For use by one thread, which calls `pump` when `descriptor` is readable, and at least each
 /// second.
@@ -75,6 +80,15 @@ class Recorder {
   /// written.
   [[nodiscard]] Result<void> conclude();
 
+  /// Records what has come until now, and then nothing until `resume`. `by` is who asks for it.
+  /// Does nothing while it is paused. Errors: the file cannot be written.
+  [[nodiscard]] Result<void> pause(const std::string& by);
+  /// Goes on. Returns the pause that has ended; nothing if it was not paused. Errors: the file
+  /// cannot be written.
+  [[nodiscard]] Result<std::optional<Pause>> resume();
+  /// Returns the pause that is going on; nothing while it records.
+  [[nodiscard]] const std::optional<Pause>& paused() const noexcept { return pause_; }
+
   /// Returns what is read, what came and what did not.
   [[nodiscard]] const TopicRecordings& recordings() const noexcept { return recordings_; }
 
@@ -83,12 +97,15 @@ class Recorder {
   struct Contents {
     Channels channels;
     LossLog losses;
+    PauseLog pauses;
     ProgramTexts programs;
+    ProgramChanges program_changes;
   };
 
   [[nodiscard]] Result<void> record();
   [[nodiscard]] Result<void> take_in(const wire::Received& received,
                                      TopicRecording::Writer& writer);
+  void pass_over(const wire::Received& received, TopicRecording::Writer& writer);
   [[nodiscard]] Result<void> follow_events(Time now);
   [[nodiscard]] Result<void> begin_snapshot(const std::string& event);
   void remember_losses(Time now);
@@ -100,7 +117,9 @@ class Recorder {
   [[nodiscard]] Result<void> stand_still();
   /// `log_ns` is the log time of the states that the file begins with.
   [[nodiscard]] Result<void> begin_file(std::int64_t log_ns);
-  [[nodiscard]] Result<void> write_kept(std::int64_t log_ns);
+  /// Writes the states that writers keep, or only those of `writers`.
+  [[nodiscard]] Result<void> write_kept(std::int64_t log_ns,
+                                        const std::set<std::string>* writers = nullptr);
   void warn_once(const std::string& sentence);
 
   Setup setup_;
@@ -111,6 +130,9 @@ class Recorder {
   std::optional<Contents> contents_;     ///< of the open file
   std::vector<WriterLosses> concluded_;  ///< what was told at the end of the newest file that ended
   KeptMessages kept_;
+  std::optional<Pause> pause_;              ///< the one that is going on
+  std::uint64_t pauses_ = 0;                ///< that have begun
+  std::set<std::string> changed_in_pause_;  ///< GUIDs of the writers whose messages came in it
   /// What may belong to a snapshot; nothing if all is written. What leaves it is in `kept_`.
   std::optional<MessageRing> ring_;
   std::string event_;      ///< for which the open file was begun

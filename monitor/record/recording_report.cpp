@@ -38,7 +38,7 @@ std::vector<std::string> missing_text(const std::vector<WriterLosses>& losses) {
   std::vector<std::string> sentences;
   for (const auto& each : losses) {
     const auto lost = each.lost.value_or(0);
-    const auto sent = each.recorded + lost + each.unwritten + each.left_out;
+    const auto sent = each.recorded + lost + each.unwritten + each.left_out + each.paused;
     const std::string of = " of " + plural(sent, "message") + " of " + each.process;
     if (lost > 0)
       sentences.push_back(each.topic + " lost " + std::to_string(lost) + of +

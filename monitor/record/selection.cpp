@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/wire/messages.h"
+#include "monitor/record/recorder_topics.h"
 #include "monitor/wire/topic_name.h"
 
 namespace galilean::monitor {
@@ -25,8 +26,13 @@ bool is_service(std::string_view topic) noexcept {
   return topic.starts_with("rq/") || topic.starts_with("rr/");
 }
 
+bool is_of_recorders(std::string_view topic) noexcept {
+  return topic == kRecorderCommandTopic || topic == kRecorderStatusTopic;
+}
+
 bool Selection::takes(const wire::EndpointInfo& writer) const {
-  if (is_service(writer.topic) || (wants && !wants(writer))) return false;
+  if (is_service(writer.topic) || is_of_recorders(writer.topic)) return false;
+  if (wants && !wants(writer)) return false;
   if (is_picture(writer) && is_left_out(writer, pictures)) return false;
   const std::string name = shown_topic(writer.topic);
   const auto matches = [&](const std::regex& each) { return std::regex_search(name, each); };

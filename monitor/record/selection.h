@@ -28,11 +28,13 @@ struct Selection {
   std::function<bool(const wire::EndpointInfo&)> wants;  ///< must be true, too; empty: it is
 
   /// Returns whether what this writer sends is recorded. The requests and replies of ROS 2's
-  /// services are no topics.
+  /// services are no topics, and what recorders tell of themselves stands in their files.
   [[nodiscard]] bool takes(const wire::EndpointInfo& writer) const;
 };
 
 /// Returns whether the topic carries the requests or the replies of a service of ROS 2.
 [[nodiscard]] bool is_service(std::string_view topic) noexcept;
+/// Returns whether it is one of those by which recorders are steered and tell how they are.
+[[nodiscard]] bool is_of_recorders(std::string_view topic) noexcept;
 
 }  // namespace galilean::monitor

@@ -12,8 +12,6 @@
 namespace galilean::monitor {
 namespace {
 
-constexpr const char* kRecorderMetadata = "galilean";
-
 using ByWriter = std::map<std::string, WriterLosses>;
 
 auto count_metadata(const mcap::Summary& summary, std::string_view name) {
@@ -22,7 +20,7 @@ auto count_metadata(const mcap::Summary& summary, std::string_view name) {
 
 /// Returns how many of its writer's messages were accounted for. It grows while a recorder records.
 std::uint64_t progress(const WriterLosses& losses) noexcept {
-  return losses.recorded + losses.missing() + losses.left_out;
+  return losses.recorded + losses.missing() + losses.left_out + losses.paused;
 }
 
 /// Keeps the newer of what is told of one writer.
@@ -75,10 +73,16 @@ void take_in_what_was_told(const mcap::ByteSource& source, const mcap::Summary& 
 }
 
 bool says_nothing(const WriterLosses& losses) noexcept {
-  return losses.lost == 0 && losses.sent_before + losses.unwritten + losses.left_out == 0;
+  return losses.lost == 0 &&
+         losses.sent_before + losses.unwritten + losses.left_out + losses.paused == 0;
 }
 
 }  // namespace
+
+bool tells_its_end(const mcap::Summary& summary) {
+  const auto ended = count_metadata(summary, kLossesMetadata);
+  return ended > 0 && ended >= count_metadata(summary, kLossesBeforeMetadata);
+}
 
 std::optional<ToldLosses> told_losses(const mcap::ByteSource& source,
                                       const mcap::Summary& summary) {
@@ -86,7 +90,7 @@ std::optional<ToldLosses> told_losses(const mcap::ByteSource& source,
   const bool is_ours = count_metadata(summary, kRecorderMetadata) > 0;
   if (ended == 0 && (summary.closed || !is_ours)) return std::nullopt;
   ToldLosses told;
-  told.is_whole = ended > 0 && ended >= count_metadata(summary, kLossesBeforeMetadata);
+  told.is_whole = tells_its_end(summary);
   auto newest = at_the_end(summary);
   if (!told.is_whole) take_in_what_was_told(source, summary, newest);
   const auto before = before_the_beginning(summary);

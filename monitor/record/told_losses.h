@@ -21,6 +21,10 @@ struct ToldLosses {
   bool is_whole = false;
 };
 
+/// Returns whether the recorder told everything at its end; of files that were merged, each
+/// recorder.
+[[nodiscard]] bool tells_its_end(const mcap::Summary& summary);
+
 /// Returns what the recording tells. Nothing: a program made it that counts no losses.
 [[nodiscard]] std::optional<ToldLosses> told_losses(const mcap::ByteSource& source,
                                                     const mcap::Summary& summary);

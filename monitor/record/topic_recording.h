@@ -13,6 +13,7 @@
 #include "core/wire/endpoints.h"
 #include "core/wire/participant.h"
 #include "core/wire/reader.h"
+#include "monitor/record/paused_tally.h"
 #include "monitor/record/sequence_tally.h"
 
 namespace galilean::monitor {
@@ -39,6 +40,7 @@ class TopicRecording {
     // For who receives the messages, to count what he did not write:
     std::uint64_t unwritten = 0;  ///< for want of room
     std::uint64_t left_out = 0;   ///< because more was not asked for
+    PausedTally paused;           ///< because the recording was paused
   };
   using Receive = std::function<void(const wire::Received&, Writer&)>;
   struct Setup {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/record/topic_recordings.h"
 
+#include <algorithm>
 #include <exception>
 #include <string_view>
 
@@ -14,6 +15,21 @@ namespace {
 /// is a minute of a robot's state or six seconds of pictures.
 constexpr int kReaderDepth = 600, kPictureDepth = 60;
 
+WriterLosses losses_of(const TopicRecording::Kind& kind, const TopicRecording::Writer& writer) {
+  const auto lost = writer.tally.lost() - writer.paused.lost();
+  return {.topic = visible(shown_topic(kind.topic)),
+          .process = visible(writer.info.process),
+          .writer = writer.info.guid,
+          .recorded =
+              writer.tally.received() - writer.unwritten - writer.left_out - writer.paused.came(),
+          .lost = kind.keyed ? std::nullopt : std::optional(lost),
+          .overrun = std::min(writer.overrun, lost),
+          .sent_before = writer.tally.sent_before(),
+          .unwritten = writer.unwritten,
+          .left_out = writer.left_out,
+          .paused = writer.paused.came() + writer.paused.lost()};
+}
+
 }  // namespace
 
 void TopicRecordings::follow_writers() {
@@ -22,7 +38,8 @@ void TopicRecordings::follow_writers() {
     if (setup_.selection.takes(end))
       follow(end);
     else
-      left_out_topics_ = left_out_topics_ || !is_service(end.topic);
+      left_out_topics_ =
+          left_out_topics_ || (!is_service(end.topic) && !is_of_recorders(end.topic));
   }
 }
 
@@ -81,16 +98,7 @@ std::size_t TopicRecordings::topics() const {
 std::vector<WriterLosses> TopicRecordings::losses() const {
   std::vector<WriterLosses> all;
   for (const auto& [kind, recording] : recordings_)
-    for (const auto& [guid, writer] : recording->writers())
-      all.push_back({.topic = visible(shown_topic(kind.topic)),
-                     .process = visible(writer.info.process),
-                     .writer = guid,
-                     .recorded = writer.tally.received() - writer.unwritten - writer.left_out,
-                     .lost = kind.keyed ? std::nullopt : std::optional(writer.tally.lost()),
-                     .overrun = writer.overrun,
-                     .sent_before = writer.tally.sent_before(),
-                     .unwritten = writer.unwritten,
-                     .left_out = writer.left_out});
+    for (const auto& [guid, writer] : recording->writers()) all.push_back(losses_of(kind, writer));
   return all;
 }
 

@@ -27,7 +27,7 @@ bool Playback::rest(Time due, const Look& look) {
 bool Playback::until(Time due, Duration position, const Look& look) {
   while (!termination_.asked()) {
     look_now_and_then(look);
-    for (const auto key : keys_.read()) obey(key, due, position);
+    for (const auto key : keys_in(keys_.read())) obey(key, due, position);
     if (ended_ || target_) return false;
     const auto left = clock_.real_until(due);
     if (left && *left <= Duration{}) return true;

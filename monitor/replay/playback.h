@@ -5,8 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "core/key_terminal.h"
 #include "core/termination.h"
-#include "monitor/replay/key_terminal.h"
+#include "monitor/replay/replay_keys.h"
 #include "monitor/replay/replay_clock.h"
 
 namespace galilean::monitor {

@@ -18,7 +18,8 @@ test('cmake --install into a DESTDIR gives programs that find their share folder
   const shipped = (name) => existsSync(join(destination, 'usr/share/galilean', name));
   for (const name of ['catalog.json', 'web/index.html', 'programs/office_cleanup.bhdl', 'scenarios/office.json'])
     assert.ok(shipped(name), name);
-  assert.ok(existsSync(join(destination, 'usr/lib/galilean/libgalilean_opencv_source.so')));
+  for (const module of ['libgalilean_opencv_source.so', 'libgalilean_png.so'])
+    assert.ok(existsSync(join(destination, 'usr/lib/galilean', module)), module);
 
   const below = (name) => existsSync(join(destination, 'usr/share', name));
   for (const name of ['man/man1/galilean.1', 'man/man1/galilean-sim-ctl.1', 'bash-completion/completions/galilean',

@@ -9,6 +9,7 @@
 #include "monitor/mcap/message_reader.h"
 #include "monitor/record/damage_text.h"
 #include "monitor/record/told_losses.h"
+#include "monitor/record/told_pauses.h"
 #include "monitor/replay/report.h"
 
 namespace galilean::expect {
@@ -40,6 +41,12 @@ class Playing {
   void tell(const monitor::ToldLosses& losses) {
     for (const auto& [topic, missed] : monitor::missing_by_topic(losses, summary_))
       sink_.missed(topic, missed);
+  }
+
+  /// What came in a pause is unknown, and nothing of it is lost.
+  void tell(const monitor::Pause& pause) {
+    const auto end_ns = pause.to_ns.value_or(std::max(pause.from_ns, played_.end_ns));
+    sink_.damage({pause.from_ns, end_ns}, "the recording was " + monitor::pause_text(pause));
   }
 
   /// @param met  the damage that was met in reading
@@ -76,11 +83,16 @@ class Playing {
 }  // namespace
 
 Played play_samples(const mcap::ByteSource& recording, const mcap::Summary& summary,
-                    SampleSink& sink) {
+                    SampleSink& sink, const mcap::Progress& progress) {
+  constexpr std::uint64_t kTellEach = 256;  // messages
   Playing playing(summary, sink);
   mcap::MessageReader reader(recording, summary.blocks);
-  while (const mcap::Message* message = reader.next()) playing.take(*message);
+  for (std::uint64_t read = 0; const mcap::Message* message = reader.next(); ++read) {
+    if (progress && read % kTellEach == 0) progress(reader.progress());
+    playing.take(*message);
+  }
   if (const auto losses = monitor::told_losses(recording, summary)) playing.tell(*losses);
+  for (const auto& pause : monitor::told_pauses(recording, summary)) playing.tell(pause);
   return playing.end(reader.damages());
 }
 

@@ -21,8 +21,9 @@ struct Played {
 
 /// Gives a recording's messages to `sink` in the order of their log times, in bounded memory. What
 /// is lost of it is told as damage, with its time if the recording tells that.
+/// `progress` is called now and then.
 /// Requires: `summary` is that of `recording`.
 [[nodiscard]] Played play_samples(const mcap::ByteSource& recording, const mcap::Summary& summary,
-                                  SampleSink& sink);
+                                  SampleSink& sink, const mcap::Progress& progress = {});
 
 }  // namespace galilean::expect

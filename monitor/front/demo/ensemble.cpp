@@ -129,7 +129,11 @@ Result<void> Ensemble::start_monitor() {
 
 Result<void> Ensemble::start_recorder() {
   if (options_.record.empty()) return {};
-  return add("record", {"galilean-record", "--out", options_.record}, false);
+  return add("record",
+             {"galilean-record", "--out", options_.record, "--about",
+              "seed=" + std::to_string(options_.seed), "scenario=" + options_.scenario,
+              "bhdl=" + options_.bhdl, "robots=" + std::to_string(options_.robots)},
+             false);
 }
 
 Result<std::string> Ensemble::await_line(std::string_view mark) {

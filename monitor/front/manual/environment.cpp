@@ -28,7 +28,8 @@ constexpr std::array kVariables{
     EnvironmentVariable{"USER",
                         "The author of pushes and orders, as others see it. Without it that is the "
                         "account's name.",
-                        "--author", "top,sim ctl,start,stop,hold,resume"},
+                        "--author",
+                        "top,sim ctl,start,stop,hold,resume,record,record pause,record resume"},
     EnvironmentVariable{"XDG_RUNTIME_DIR",
                         "The folder of a live simulation's serial lines, if it can be written. "
                         "Otherwise they are in the folder for temporary files.",

@@ -9,6 +9,7 @@
 #include "core/command_line/exit_code.h"
 #include "core/json_text.h"
 #include "core/plural.h"
+#include "core/progress_bar.h"
 #include "core/visible_text.h"
 #include "monitor/logs/reading/attachments.h"
 #include "monitor/logs/reading/selection.h"
@@ -38,9 +39,11 @@ void decode_all(const Recording& recording, Findings& to) {
   const auto& summary = recording.summary();
   const monitor::MessageTrees trees(summary);
   std::map<std::uint16_t, std::uint64_t> broken;
+  const auto bar = progress_on_terminal("decoding " + recording.path());
   mcap::MessageReader reader(recording.source(), summary.blocks);
   while (const mcap::Message* message = reader.next()) {
     ++to.messages;
+    if (bar) bar->show(reader.progress());
     const bool readable = summary.channels.contains(message->channel_id) &&
                           trees.problem_of(message->channel_id).empty();
     if (readable && !trees.decode(*message)) ++broken[message->channel_id];

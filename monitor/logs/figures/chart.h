@@ -6,6 +6,7 @@
 
 #include "monitor/logs/figures/series.h"
 #include "monitor/logs/figures/state_bars.h"
+#include "monitor/logs/pictures/drawing.h"
 
 namespace galilean::logs {
 
@@ -26,8 +27,8 @@ struct NamedBars {
 /// each has a value; `width` and `height` are at least 10 and 3.
 [[nodiscard]] std::string chart_text(const std::vector<NamedSeries>& all, std::size_t width,
                                      std::size_t height, const std::vector<NamedBars>& bars = {});
-/// Returns the same as an SVG picture.
-[[nodiscard]] std::string chart_svg(const std::vector<NamedSeries>& all,
+/// Returns the same as a picture.
+[[nodiscard]] Drawing chart_drawing(const std::vector<NamedSeries>& all,
                                     const std::vector<NamedBars>& bars = {});
 
 }  // namespace galilean::logs

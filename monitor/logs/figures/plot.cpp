@@ -8,8 +8,8 @@
 #include "core/command_line/exit_code.h"
 #include "core/visible_text.h"
 #include "monitor/logs/figures/chart.h"
+#include "monitor/logs/figures/map_drawing.h"
 #include "monitor/logs/reading/undecoded.h"
-#include "monitor/mcap/byte_sink.h"
 #include "monitor/wire/message_text.h"
 
 namespace galilean::logs {
@@ -118,11 +118,18 @@ class Plotting {
   int damaged_ = 0;
 };
 
-Result<void> write_svg(const PlotOptions& options, const std::string& picture) {
-  auto file = mcap::FileSink::create(options.svg, options.replace);
-  if (!file) return file.error();
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(picture.data());
-  return file.value().write({bytes, picture.size()});
+/// Returns the exit code.
+int plot_map(const Recording& recording, const PlotOptions& options) {
+  const auto read = read_tracks(recording, options.from_s, options.to_s);
+  if (!read) return fail_plot(read.error().message);
+  const auto& tracks = read.value().tracks;
+  std::cerr << kPlot << ": " << source_text(tracks.source) << '\n';
+  if (!options.pictures.any())
+    std::cout << map_text(tracks, static_cast<std::size_t>(options.width),
+                          static_cast<std::size_t>(options.height));
+  else if (auto done = write_pictures(options.pictures, map_drawing(tracks)); !done)
+    return fail_plot(done.error().message);
+  return std::cout.flush() ? read.value().code : kFailed;
 }
 
 }  // namespace
@@ -130,14 +137,15 @@ Result<void> write_svg(const PlotOptions& options, const std::string& picture) {
 int plot(const PlotOptions& options) {
   const auto recording = Recording::open(options.file);
   if (!recording) return fail_plot(recording.error().message);
+  if (options.map) return plot_map(recording.value(), options);
   Plotting plotting(recording.value(), options);
   if (auto done = plotting.read(); !done) return fail_plot(done.error().message);
   const auto series = plotting.series();
   const auto bars = plotting.bars();
-  if (options.svg.empty()) {
+  if (!options.pictures.any()) {
     std::cout << chart_text(series, static_cast<std::size_t>(options.width),
                             static_cast<std::size_t>(options.height), bars);
-  } else if (auto done = write_svg(options, chart_svg(series, bars)); !done) {
+  } else if (auto done = write_pictures(options.pictures, chart_drawing(series, bars)); !done) {
     return fail_plot(done.error().message);
   }
   return std::cout.flush() ? plotting.finish() : kFailed;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "monitor/logs/pictures/picture_files.h"
 #include "monitor/logs/reading/selection.h"
 
 namespace galilean::logs {
@@ -11,16 +12,16 @@ namespace galilean::logs {
 /// What `galilean log plot` is asked for.
 struct PlotOptions {
   std::string file;
-  std::vector<std::string> values;  ///< TOPIC.FIELD, such as "io/state.x_m"
+  std::vector<std::string> values;  ///< TOPIC.FIELD, such as "io/state.x_m"; none with `map`
+  bool map = false;                 ///< robots' tracks over the floor are drawn, and no fields
   double from_s = 0;
   std::optional<double> to_s;
   int width = 72, height = 16;  ///< of the drawing [letters]
-  std::string svg;              ///< file to write the picture to; empty: it is drawn as text
-  bool replace = false;         ///< overwrite that file
+  PictureFiles pictures;        ///< to write; without any it is drawn as text
 };
 
-/// Draws fields over time: numbers as curves, and texts, such as states, as bars. Returns the exit
-/// code.
+/// Draws fields over time: numbers as curves, and texts, such as states, as bars; or robots'
+/// tracks. Returns the exit code.
 [[nodiscard]] int plot(const PlotOptions& options);
 
 }  // namespace galilean::logs

@@ -86,7 +86,9 @@ class Printer {
 int print_messages(const CatOptions& options) {
   const auto recording = Recording::open(options.file);
   if (!recording) return fail_cat(recording.error().message);
-  auto messages = SelectedMessages::of(recording.value(), options.selection);
+  auto messages =
+      SelectedMessages::of(recording.value(), options.selection, SelectedMessages::kMemoryBytes,
+                           ShowsProgress::kUnlessPrinting);
   if (!messages) return fail_cat(messages.error().message);
   Printer printer(recording.value(), options);
   int left = options.count;

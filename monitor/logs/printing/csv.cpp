@@ -57,7 +57,8 @@ class Table {
   template <class Take>
   Result<void> for_each_message(Take take) {
     auto messages = SelectedMessages::of(
-        recording_, {.topics = {topic_}, .from_s = options_.from_s, .to_s = options_.to_s});
+        recording_, {.topics = {topic_}, .from_s = options_.from_s, .to_s = options_.to_s},
+        SelectedMessages::kMemoryBytes, ShowsProgress::kUnlessPrinting);
     if (!messages) return messages.error();
     undecoded_ = Undecoded(kCsv);
     while (const mcap::Message* message = messages.value().next()) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/progress_bar.h"
 #include "core/spelling.h"
 #include "core/visible_text.h"
 
@@ -41,7 +42,10 @@ Result<Recording> Recording::open(const std::string& path, mcap::Depth depth) {
   auto opened = mcap::FileSource::open(path);
   if (!opened) return opened.error();
   auto file = std::make_unique<mcap::FileSource>(std::move(opened).value());
-  auto summary = mcap::summarize(*file, depth);
+  const auto bar = progress_on_terminal("reading " + path);
+  auto summary = mcap::summarize(*file, depth, [&](double done) {
+    if (bar) bar->show(done);
+  });
   if (!summary) return Error{path + " " + summary.error().message};
   return Recording(path, std::move(file), std::move(summary).value());
 }

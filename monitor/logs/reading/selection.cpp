@@ -20,14 +20,17 @@ constexpr std::size_t kMostTold = 20;
 }  // namespace
 
 Result<SelectedMessages> SelectedMessages::of(const Recording& recording,
-                                              const Selection& selection,
-                                              std::size_t memory_bytes) {
+                                              const Selection& selection, std::size_t memory_bytes,
+                                              ShowsProgress shows) {
   SelectedMessages made(recording, selection, memory_bytes);
   for (const auto& topic : selection.topics) {
     const auto ids = recording.channels_of(topic);
     if (!ids) return ids.error();
     made.channels_.insert(ids.value().begin(), ids.value().end());
   }
+  if (shows != ShowsProgress::kNo)
+    made.bar_ = progress_on_terminal("reading " + recording.path(),
+                                     shows == ShowsProgress::kUnlessPrinting);
   return made;
 }
 
@@ -41,11 +44,14 @@ SelectedMessages::SelectedMessages(const Recording& recording, const Selection& 
                                                     memory_bytes)) {}
 
 const mcap::Message* SelectedMessages::next() {
+  constexpr std::uint64_t kTellEach = 256;  // messages
   while (const mcap::Message* message = reader_->next()) {
+    if (bar_ && read_++ % kTellEach == 0) bar_->show(reader_->progress());
     time_.move_to(message->log_ns);
-    if (at_s() > to_s_) return nullptr;
+    if (at_s() > to_s_) break;
     if (is_wanted(*message)) return message;
   }
+  bar_.reset();
   return nullptr;
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_set>
 #include <vector>
 
+#include "core/progress_bar.h"
 #include "monitor/logs/reading/recording.h"
 #include "monitor/mcap/message_reader.h"
 
@@ -19,14 +22,23 @@ struct Selection {
   std::optional<double> to_s;  ///< nothing: up to the end
 };
 
+/// Whether a terminal shows how far a command has read.
+enum class ShowsProgress {
+  kYes,
+  kUnlessPrinting,  ///< the command prints meanwhile: not where its lines go to a terminal
+  kNo
+};
+
 /// Reads the wanted messages of a recording in the order of their log times, in bounded memory.
 class SelectedMessages {
  public:
+  static constexpr std::size_t kMemoryBytes = std::size_t{48} << 20;
+
   /// Errors: a topic is not there. Requires: the recording stays where it is, and outlives this.
   [[nodiscard]] static Result<SelectedMessages> of(const Recording& recording,
                                                    const Selection& selection,
-                                                   std::size_t memory_bytes = std::size_t{48}
-                                                                              << 20);
+                                                   std::size_t memory_bytes = kMemoryBytes,
+                                                   ShowsProgress shows = ShowsProgress::kYes);
 
   /// Returns the next message; nothing after the last. Its data is valid until the next call.
   [[nodiscard]] const mcap::Message* next();
@@ -48,6 +60,8 @@ class SelectedMessages {
   bool all_topics_;
   std::unordered_set<std::uint16_t> channels_;  ///< if not all topics are wanted
   std::unique_ptr<mcap::MessageReader> reader_;
+  std::unique_ptr<ProgressBar> bar_;  ///< nothing: none is shown
+  std::uint64_t read_ = 0;            ///< messages
   mcap::RecordingTime time_;
 };
 

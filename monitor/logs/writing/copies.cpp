@@ -70,7 +70,8 @@ class Copying {
     std::vector<const Recording*> from;
     for (const auto& recording : recordings_) {
       auto messages = SelectedMessages::of(
-          *recording, selection, std::max(kLeastBytes, kReadingBytes / recordings_.size()));
+          *recording, selection, std::max(kLeastBytes, kReadingBytes / recordings_.size()),
+          sources_.empty() ? ShowsProgress::kYes : ShowsProgress::kNo);
       if (!messages) return messages.error();
       sources_.push_back({recording.get(), std::move(messages).value()});
       from.push_back(recording.get());

@@ -13,8 +13,10 @@
 #include "core/clock.h"
 #include "core/command_line/exit_code.h"
 #include "core/termination.h"
+#include "monitor/record/command/about.h"
 #include "monitor/record/command/expression_trigger.h"
 #include "monitor/record/command/recording_options.h"
+#include "monitor/record/command/steering.h"
 #include "monitor/record/recorder.h"
 #include "monitor/record/recording_report.h"
 
@@ -32,29 +34,22 @@ int fail(const std::string& sentence) {
   return kFailed;
 }
 
-/// Records for `duration_s` seconds, or without end if that is 0, until termination is asked for.
-/// Errors: the recording ended sooner, because it could not be written.
-Result<void> record(Recorder& recorder, Termination& termination, const Clock& clock,
-                    double duration_s) {
+/// Records for `duration_s` seconds, or without end if that is 0, until termination is asked for or
+/// a key ends it. Errors: the recording ended sooner, because it could not be written.
+Result<void> record(Recorder& recorder, Steering& steering, Termination& termination,
+                    const Clock& clock, double duration_s) {
   constexpr int kLookAtClockEach_ms = 100;
   const Time began = clock.now();
-  while (!termination.asked() &&
+  while (!termination.asked() && !steering.ended() &&
          (duration_s == 0 || to_seconds(clock.now() - began) < duration_s)) {
-    pollfd events[] = {{recorder.descriptor(), POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
-    poll(events, 2, kLookAtClockEach_ms);
+    pollfd events[] = {{recorder.descriptor(), POLLIN, 0},
+                       {termination.descriptor(), POLLIN, 0},
+                       {steering.descriptor(), POLLIN, 0}};
+    poll(events, 3, kLookAtClockEach_ms);
     if (auto done = recorder.pump(); !done) return done;
+    if (auto done = steering.obey(); !done) return done;
   }
   return {};
-}
-
-/// Who records, and where.
-mcap::Text about(const RecordingOptions& options) {
-  char host[256] = "";
-  static_cast<void>(gethostname(host, sizeof host - 1));
-  return {
-      {"version", GALILEAN_VERSION},
-      {"host", host},
-      {"domain", options.domain < 0 ? "as ROS_DOMAIN_ID says" : std::to_string(options.domain)}};
 }
 
 /// Returns whether the recording goes where standard output goes.
@@ -130,7 +125,10 @@ int run(RecordingOptions& options) try {
                      .warn = say,
                      .ended = [&] { return termination.asked(); }});
   if (auto begun = recorder.begin(); !begun) return fail(begun.error().message);
-  auto done = record(recorder, termination, clock, options.duration_s);
+  RecorderDesk desk(*participant.value(), options.name);
+  Steering steering({recorder, files, desk, clock, host_name(), say});
+  steering.greet();
+  auto done = record(recorder, steering, termination, clock, options.duration_s);
   if (done) done = recorder.conclude();
   if (!done) return fail(done.error().message + "; what was recorded until then can still be read");
   return report(files, recorder.recordings(), options.on);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -119,6 +120,22 @@ void add_where(CommandLine& app, RecordingOptions& options, Words& words) {
       .describe_default("500MB");
 }
 
+void add_about(CommandLine& app, RecordingOptions& options) {
+  app.option("--name", options.name,
+             "How 'galilean record pause' and 'resume' call this recorder; without it, by the name "
+             "of its file without .mcap");
+  app.options(
+      "--about",
+      [&options](const std::string& text) -> Result<void> {
+        const auto equals = text.find('=');
+        if (equals == 0 || equals == std::string::npos)
+          return Error{"'" + visible(text) + "' is no WORD=VALUE, such as seed=7"};
+        options.about[text.substr(0, equals)] = text.substr(equals + 1);
+        return {};
+      },
+      "Tell this in the metadata 'galilean' of each file: WORD=VALUE, such as seed=7");
+}
+
 void add_snapshots(CommandLine& app, RecordingOptions& options) {
   app.option("--on", options.on,
              "Record only what is around an event: when this comes true for a robot, such as "
@@ -165,6 +182,9 @@ void take_words(RecordingOptions& options, const Words& words) {
   options.plan.split_span = from_seconds(std::min(words.split_duration_s, kLongest_s));
   options.plan.most_files = static_cast<std::size_t>(words.most_files);
   if (options.plan.out == kStandardOutput) options.min_free_bytes = 0;
+  if (options.name.empty() && options.plan.out != kStandardOutput)
+    options.name = std::filesystem::path(options.plan.out).stem().string();
+  if (options.name.empty()) options.name = "standard output";
 }
 
 }  // namespace
@@ -180,6 +200,7 @@ std::optional<int> read_options(int count, const char* const* arguments,
       .positive();
   add_what(app, options, words);
   add_snapshots(app, options);
+  add_about(app, options);
   add_domain_option(app, options.domain);
   app.describe_exit(kIncomplete, "It is recorded, and messages are missing, which was said.");
   if (const auto code = app.parse(count, arguments)) return code;

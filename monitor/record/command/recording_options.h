@@ -26,6 +26,8 @@ struct RecordingOptions {
   Snapshots snapshots{nullptr, std::chrono::seconds(30), std::chrono::seconds(10)};
   double duration_s = 0;  ///< 0: until termination is asked for
   int domain = -1;        ///< -1: as ROS_DOMAIN_ID says
+  std::string name;       ///< by which commands call the recorder
+  mcap::Text about;       ///< what a user wants each file to tell, such as a seed
 };
 
 /// Reads the options of `galilean record`. Returns nothing if the program is to go on, and the exit

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // wire_talker NAME DOMAIN: a robot that only talks, for tests of those who listen. Its states are
 // numbered by their tick; with each go variables and a picture. Says "talking" once somebody reads
-// its states, and ends with its standard input.
+// its states. At a byte on its standard input it sends no more, and says in JSON how many messages
+// of each topic it has sent. It ends with its standard input.
 #include <poll.h>
 #include <unistd.h>
 
@@ -82,11 +83,21 @@ int main(int argc, char** argv) {
                                               wire::robot_topic(name, "camera/compressed"));
   if (!programs.write(program_of(name))) return 1;
   bool heard = false;
+  std::uint64_t sent = 0, pictures_sent = 0;
   for (std::uint64_t tick = 1; !input_ended(10); ++tick) {
     if (!states.write(state_at(name, tick)) || !variables.write(variables_at(name, tick))) return 1;
-    if (pictures.readers() > 0 && !pictures.write(picture_at(tick))) return 1;
+    ++sent;
+    if (pictures.readers() > 0) {
+      if (!pictures.write(picture_at(tick))) return 1;
+      ++pictures_sent;
+    }
     if (!heard && states.readers() > 0) std::cout << "talking" << std::endl;
     heard = heard || states.readers() > 0;
+  }
+  std::cout << R"({"program":1,"state":)" << sent << R"(,"variables":)" << sent
+            << R"(,"camera/compressed":)" << pictures_sent << '}' << std::endl;
+  char byte = 0;
+  while (read(STDIN_FILENO, &byte, 1) > 0) {
   }
   return 0;
 }

@@ -18,7 +18,8 @@ const WriterLosses kSome{.topic = "/io/state",
                          .overrun = 1,
                          .sent_before = 4,
                          .unwritten = 2,
-                         .left_out = 5};
+                         .left_out = 5,
+                         .paused = 6};
 
 TEST(Losses, AreReadAsTheyWereWritten) {
   EXPECT_EQ(read_losses(ordered_json_text(json_of(kSome))), kSome);

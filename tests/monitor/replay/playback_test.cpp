@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
-#include "monitor/replay/key_terminal.h"
+#include "monitor/replay/replay_keys.h"
 #include "monitor/replay/replay_clock.h"
 
 namespace galilean::monitor {

@@ -100,5 +100,47 @@ class CdrText {
   }
   return text.bytes();
 }
+[[nodiscard]] inline std::vector<std::uint8_t> cdr(const msg::ObjectMap& map) {
+  CdrText text;
+  text.add(map.stamp).add(static_cast<std::uint32_t>(map.objects.size()));
+  for (const auto& object : map.objects) {
+    text.add(object.id).add(object.object_class).add(object.x_m).add(object.y_m);
+    text.add(object.variance_xx).add(object.variance_xy).add(object.variance_yy);
+    text.add(object.certainty).add(object.decay_per_s).add(object.last_seen);
+    text.add(object.seen_by).add(object.held_by);
+  }
+  text.add(static_cast<std::uint32_t>(map.robots.size()));
+  for (const auto& robot : map.robots) {
+    text.add(robot.name).add(robot.x_m).add(robot.y_m).add(robot.heading_rad);
+    text.add(robot.variance_xx).add(robot.variance_xy).add(robot.variance_yy);
+    text.add(robot.age_s).add(robot.silent);
+  }
+  return text.bytes();
+}
+[[nodiscard]] inline std::vector<std::uint8_t> cdr(const msg::OccupancyGrid& grid) {
+  CdrText text;
+  text.add(grid.header.stamp).add(grid.header.frame_id).add(grid.info.map_load_time);
+  text.add(grid.info.resolution).add(grid.info.width).add(grid.info.height);
+  const auto& [position, orientation] = grid.info.origin;
+  text.add(position.x).add(position.y).add(position.z);
+  text.add(orientation.x).add(orientation.y).add(orientation.z).add(orientation.w);
+  text.add(static_cast<std::uint32_t>(grid.data.size()));
+  for (const auto cell : grid.data) text.add(cell);
+  return text.bytes();
+}
+[[nodiscard]] inline std::vector<std::uint8_t> cdr(const msg::SimulationState& state) {
+  CdrText text;
+  text.add(state.stamp).add(state.simulation).add(state.scenario).add(state.step);
+  text.add(state.simulated_s).add(state.paused).add(state.rate).add(state.contest);
+  text.add(state.width_m).add(state.depth_m);
+  text.add(static_cast<std::uint32_t>(state.bodies.size()));
+  for (const auto& body : state.bodies) {
+    text.add(body.name).add(body.kind).add(body.x_m).add(body.y_m).add(body.heading_rad);
+    text.add(body.held_by);
+  }
+  text.add(static_cast<std::uint32_t>(state.faults.size()));
+  for (const auto& fault : state.faults) text.add(fault.robot).add(fault.part).add(fault.fault);
+  return text.bytes();
+}
 
 }  // namespace galilean::expect

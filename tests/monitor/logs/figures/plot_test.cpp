@@ -96,19 +96,39 @@ TEST_F(PlotTest, DrawsStatesBelowNumbers) {
   EXPECT_THAT(answer.out,
               HasSubstr("* io/state.x_m: 0 to 5.9\nio/state.state: A wander, B stuck\n"));
   EXPECT_THAT(answer.out, HasSubstr("\n     state |AAAA"));
-  EXPECT_EQ(plotted({.values = {"io/state.state"}, .svg = path("s.svg")}).code, 0);
+  EXPECT_EQ(plotted({.values = {"io/state.state"}, .pictures = {.svg = path("s.svg")}}).code, 0);
   const auto bytes = read("s.svg");
   EXPECT_THAT(std::string(bytes.begin(), bytes.end()), HasSubstr(">wander</text>"));
 }
 
 TEST_F(PlotTest, WritesAPictureOnce) {
-  const PlotOptions options{.values = {"io/state.x_m"}, .svg = path("x.svg")};
+  const PlotOptions options{.values = {"io/state.x_m"}, .pictures = {.svg = path("x.svg")}};
   EXPECT_EQ(plotted(options).code, 0);
   const auto bytes = read("x.svg");
   EXPECT_THAT(std::string(bytes.begin(), bytes.end()),
               testing::AllOf(testing::StartsWith("<svg xmlns="), HasSubstr("<polyline"),
                              testing::EndsWith("</svg>\n")));
   EXPECT_THAT(plotted(options).errors, HasSubstr("exists already"));
+}
+
+TEST_F(PlotTest, WritesAPngOfTheSamePicture) {
+  const PlotOptions options{.values = {"io/state.x_m", "io/state.state"},
+                            .pictures = {.png = path("x.png")}};
+  const auto answer = plotted(options);
+  EXPECT_EQ(answer.code, 0) << answer.errors;
+  const auto bytes = read("x.png");
+  ASSERT_GT(bytes.size(), 24U);
+  EXPECT_EQ(std::string(bytes.begin() + 1, bytes.begin() + 4), "PNG");
+  const auto size_at = [&](std::size_t at) { return bytes[at + 2] << 8 | bytes[at + 3]; };
+  EXPECT_EQ(size_at(16), 960);       // width
+  EXPECT_EQ(size_at(20), 360 + 44);  // height, with a bar
+}
+
+TEST(Svg, TakesNoTextForItsOwn) {
+  const auto svg =
+      svg_of({10, 20, {Label{.x = 1, .y = 2, .text = "<a>&\x1b", .colour = "#ff0000"}}});
+  EXPECT_THAT(svg, HasSubstr("viewBox=\"0 0 10 20\""));
+  EXPECT_THAT(svg, HasSubstr(">&lt;a>&amp;U+001B</text>"));
 }
 
 TEST_F(PlotTest, SaysWhatCannotBeDrawn) {

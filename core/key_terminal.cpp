@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/replay/key_terminal.h"
+#include "core/key_terminal.h"
 
 #include <unistd.h>
 
 #include <algorithm>
-#include <utility>
 
-namespace galilean::monitor {
+namespace galilean {
 namespace {
-
-constexpr std::pair<std::string_view, ReplayKey> kKeys[] = {
-    {"\x1b[C", ReplayKey::kForward}, {"\x1b[D", ReplayKey::kBack}, {"\x1b[H", ReplayKey::kBegin},
-    {" ", ReplayKey::kPause},        {".", ReplayKey::kStep},      {"+", ReplayKey::kFaster},
-    {"=", ReplayKey::kFaster},       {"-", ReplayKey::kSlower},    {"q", ReplayKey::kEnd},
-};
 
 /// A process in the background that reads from its terminal, or changes it, is stopped.
 bool in_foreground() {
@@ -30,13 +23,11 @@ std::size_t length_of_key(std::string_view bytes) {
 
 }  // namespace
 
-std::vector<ReplayKey> keys_in(std::string_view bytes) {
-  std::vector<ReplayKey> keys;
+std::vector<std::string_view> split_keys(std::string_view bytes) {
+  std::vector<std::string_view> keys;
   while (!bytes.empty()) {
-    const auto key = bytes.substr(0, length_of_key(bytes));
-    for (const auto& [sequence, meaning] : kKeys)
-      if (key == sequence) keys.push_back(meaning);
-    bytes.remove_prefix(key.size());
+    keys.push_back(bytes.substr(0, length_of_key(bytes)));
+    bytes.remove_prefix(keys.back().size());
   }
   return keys;
 }
@@ -59,11 +50,11 @@ int KeyTerminal::descriptor() const noexcept {
   return before_ && in_foreground() ? STDIN_FILENO : -1;
 }
 
-std::vector<ReplayKey> KeyTerminal::read() {
+std::string KeyTerminal::read() {
   char bytes[64];
   if (!before_ || !in_foreground()) return {};
   const auto count = ::read(STDIN_FILENO, bytes, sizeof bytes);
-  return count > 0 ? keys_in({bytes, static_cast<std::size_t>(count)}) : std::vector<ReplayKey>();
+  return count > 0 ? std::string(bytes, static_cast<std::size_t>(count)) : std::string();
 }
 
-}  // namespace galilean::monitor
+}  // namespace galilean

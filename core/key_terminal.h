@@ -8,13 +8,11 @@
 #include <string_view>
 #include <vector>
 
-namespace galilean::monitor {
+namespace galilean {
 
-/// What a key asks of a replay.
-enum class ReplayKey { kPause, kStep, kFaster, kSlower, kForward, kBack, kBegin, kEnd };
-
-/// Returns what the keys ask for whose bytes a terminal sent. Other keys ask for nothing.
-[[nodiscard]] std::vector<ReplayKey> keys_in(std::string_view bytes);
+/// Returns the keys whose bytes a terminal sent, one by one: a letter, or an escape sequence such
+/// as that of an arrow. They point into `bytes`.
+[[nodiscard]] std::vector<std::string_view> split_keys(std::string_view bytes);
 
 /// Reads keys from the terminal on standard input as they are pressed, if there is one and this
 /// process is in its foreground. The destructor leaves the terminal as it was.
@@ -29,11 +27,11 @@ class KeyTerminal {
   /// Returns a file descriptor for poll; a negative one, which poll ignores, if there is no
   /// terminal, or this process is in its background.
   [[nodiscard]] int descriptor() const noexcept;
-  /// Returns what was asked for since the last call. It never waits.
-  [[nodiscard]] std::vector<ReplayKey> read();
+  /// Returns the bytes of the keys since the last call. It never waits.
+  [[nodiscard]] std::string read();
 
  private:
   std::optional<termios> before_;
 };
 
-}  // namespace galilean::monitor
+}  // namespace galilean

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "monitor/mcap/mcap_records.h"
+#include "monitor/record/command/recording_options.h"
+
+namespace galilean::monitor {
+
+/// Returns this machine's name, as the network knows it.
+[[nodiscard]] std::string host_name();
+
+/// Returns what each file of a recording tells of who recorded it, where and with what: the
+/// versions of Galilean, Cyclone DDS and the system, the host, the user, the DDS domain, and what
+/// --about adds. The recording's name is that by which commands call the recorder.
+[[nodiscard]] mcap::Text about(const RecordingOptions& options);
+
+}  // namespace galilean::monitor

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes a recording beside plain zstd of the same bytes at the same level, and tells what a large
+// recording holds.
+#include <benchmark/benchmark.h>
+#include <unistd.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include "monitor/mcap/mcap_reader.h"
+#include "monitor/mcap/mcap_writer.h"
+
+namespace galilean::mcap {
+namespace {
+
+constexpr std::size_t kMessageBytes = 300, kMessages = 200'000, kChunkBytes = std::size_t{1} << 20;
+constexpr std::uint64_t kStep_ns = 1'000'000;
+
+/// Takes bytes, and counts them.
+class CountingSink final : public ByteSink {
+ public:
+  Result<void> write(std::span<const std::uint8_t> bytes) override {
+    bytes_ += bytes.size();
+    return {};
+  }
+  std::size_t bytes_ = 0;
+};
+
+/// Messages like a robot's state: names that stay, and some numbers that change with each.
+Bytes telemetry() {
+  Bytes bytes(kMessageBytes * kMessages);
+  std::mt19937 random(1);
+  for (std::size_t i = 0; i < kMessages; ++i) {
+    auto* message = bytes.data() + i * kMessageBytes;
+    for (std::size_t at = 0; at < kMessageBytes; ++at)
+      message[at] = static_cast<std::uint8_t>("office_cleanup.bhdl wander "[at % 27]);
+    for (std::size_t at = 100; at < 180; ++at) message[at] = static_cast<std::uint8_t>(random());
+  }
+  return bytes;
+}
+
+void write_recording(benchmark::State& state) {
+  const Bytes bytes = telemetry();
+  const auto compression = static_cast<Compression>(state.range(0));
+  for (auto _ : state) {
+    CountingSink sink;
+    Writer writer(sink, {.chunk_bytes = kChunkBytes, .compression = compression});
+    (void)writer.begin();
+    const auto channel = writer.add_channel({.topic = "/io/state", .message_encoding = "cdr"});
+    for (std::size_t i = 0; i < kMessages; ++i) {
+      const auto now_ns = (i + 1) * kStep_ns;
+      (void)writer.write(Message{channel, static_cast<std::uint32_t>(i), now_ns, now_ns,
+                                 ByteView(bytes).subspan(i * kMessageBytes, kMessageBytes)});
+    }
+    (void)writer.end();
+    benchmark::DoNotOptimize(sink.bytes_);
+  }
+  state.SetBytesProcessed(static_cast<std::int64_t>(bytes.size()) *
+                          static_cast<std::int64_t>(state.iterations()));
+}
+BENCHMARK(write_recording)
+    ->ArgName("compression")
+    ->Arg(static_cast<int>(Compression::kFast))
+    ->Arg(static_cast<int>(Compression::kLz4))
+    ->Arg(static_cast<int>(Compression::kNone))
+    ->Unit(benchmark::kMillisecond);
+
+/// What compression alone takes of it.
+void plain_zstd_1(benchmark::State& state) {
+  const Bytes bytes = telemetry();
+  Bytes frame(ZSTD_compressBound(kChunkBytes));
+  auto* context = ZSTD_createCCtx();
+  for (auto _ : state)
+    for (std::size_t at = 0; at < bytes.size(); at += kChunkBytes)
+      benchmark::DoNotOptimize(ZSTD_compressCCtx(context, frame.data(), frame.size(),
+                                                 bytes.data() + at,
+                                                 std::min(kChunkBytes, bytes.size() - at), 1));
+  ZSTD_freeCCtx(context);
+  state.SetBytesProcessed(static_cast<std::int64_t>(bytes.size()) *
+                          static_cast<std::int64_t>(state.iterations()));
+}
+BENCHMARK(plain_zstd_1)->Unit(benchmark::kMillisecond);
+
+/// A file that is as long as `bytes` and whole as far as nobody reads its messages: what chunks
+/// hold is a hole, which takes no room on the disk.
+class HollowFile {
+ public:
+  explicit HollowFile(std::uint64_t bytes) {
+    descriptor_ = mkstemp(path_.data());
+    if (descriptor_ < 0) throw std::runtime_error("cannot make " + path_);
+    add(ByteView(kMagic));
+    append_and_add(Header{"ros2", "bench"});
+    append_and_add(Channel{.id = 1, .topic = "/t", .message_encoding = "cdr", .metadata = {}});
+    while (at_ < bytes) add_chunk();
+    append_and_add(DataEnd{});
+    add_summary();
+  }
+  ~HollowFile() {
+    close(descriptor_);
+    unlink(path_.c_str());
+  }
+  HollowFile(const HollowFile&) = delete;
+  HollowFile& operator=(const HollowFile&) = delete;
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+ private:
+  void add(ByteView bytes) {
+    if (pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(at_)) !=
+        static_cast<ssize_t>(bytes.size()))
+      throw std::runtime_error("cannot write " + path_);
+    at_ += bytes.size();
+  }
+  template <class Record>
+  void append_and_add(const Record& record) {
+    Bytes bytes;
+    append(bytes, record);
+    add(bytes);
+  }
+  void add_chunk() {
+    static const Bytes content(kChunkBytes);
+    Bytes bytes;
+    const auto now_ns = 1 + chunks_.size() * 1'000'000'000;
+    append(bytes, Chunk{.start_ns = now_ns,
+                        .end_ns = now_ns,
+                        .uncompressed_size = content.size(),
+                        .compression = "",
+                        .records = content});
+    ChunkIndex index{.start_ns = now_ns,
+                     .end_ns = now_ns,
+                     .offset = at_,
+                     .length = bytes.size(),
+                     .compressed_size = content.size(),
+                     .uncompressed_size = content.size()};
+    const auto head = bytes.size() - content.size();
+    add(ByteView(bytes).first(head));
+    at_ += content.size();
+    MessageIndex messages{.channel_id = 1, .entries = {}};
+    for (std::uint64_t i = 0; i < 100; ++i) messages.entries.push_back({now_ns, i * 1000});
+    index.message_index_offsets[1] = at_;
+    const auto before = at_;
+    append_and_add(messages);
+    index.message_index_length = at_ - before;
+    chunks_.push_back(std::move(index));
+  }
+  void add_summary() {
+    Statistics statistics{.messages = 100 * chunks_.size(),
+                          .channels = 1,
+                          .chunks = static_cast<std::uint32_t>(chunks_.size()),
+                          .start_ns = 1,
+                          .end_ns = chunks_.back().end_ns};
+    statistics.channel_messages[1] = statistics.messages;
+    const auto start = at_;
+    append_and_add(Channel{.id = 1, .topic = "/t", .message_encoding = "cdr", .metadata = {}});
+    append_and_add(statistics);
+    for (const auto& index : chunks_) append_and_add(index);
+    append_and_add(Footer{start, 0, 0});
+    add(ByteView(kMagic));
+  }
+
+  std::string path_ = "/tmp/galilean_hollow_XXXXXX";
+  int descriptor_ = -1;
+  std::uint64_t at_ = 0;
+  std::vector<ChunkIndex> chunks_;
+};
+
+/// What `galilean log info` takes of a file of 4 GB that has a summary.
+void tell_of_4_gigabytes(benchmark::State& state) {
+  const HollowFile file(4'000'000'000);
+  for (auto _ : state) {
+    const auto source = FileSource::open(file.path());
+    const auto summary = summarize(source.value());
+    if (!summary || summary.value().recovered() || summary.value().checked)
+      return state.SkipWithError("not told by its summary");
+  }
+}
+BENCHMARK(tell_of_4_gigabytes)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace galilean::mcap

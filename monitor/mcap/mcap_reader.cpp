@@ -5,6 +5,7 @@
 #include <cstring>
 #include <numeric>
 
+#include "monitor/mcap/index_statistics.h"
 #include "monitor/mcap/losses.h"
 #include "monitor/mcap/message_reader.h"
 #include "monitor/mcap/summary_section.h"
@@ -82,7 +83,12 @@ void count_records(Summary& summary) {
       std::ranges::count_if(summary.blocks, [](const Block& block) { return block.is_chunk; }));
 }
 
+bool has_right_statistics(const Summary& summary, const SummarySection& section) {
+  return section.statistics && agrees(*section.statistics, summary);
+}
+
 bool is_to_be_read(const Summary& summary, const SummarySection& section, Depth depth) {
+  if (depth == Depth::kIndexes) return false;
   const auto bytes = std::accumulate(
       summary.blocks.begin(), summary.blocks.end(), std::uint64_t{0},
       [](std::uint64_t sum, const Block& block) {
@@ -90,16 +96,21 @@ bool is_to_be_read(const Summary& summary, const SummarySection& section, Depth 
                         sum + std::min(block.uncompressed_bytes, kCheckedBytes + 1));
       });
   return depth == Depth::kAll || bytes <= kCheckedBytes || !summary.damages.empty() ||
-         !summary.closed || !section.statistics || !agrees(*section.statistics, summary);
+         !summary.closed || !has_right_statistics(summary, section);
 }
 
 }  // namespace
 
-Result<Summary> summarize(const ByteSource& source, Depth depth) {
+Result<void> check_format(const ByteSource& source) {
   std::uint8_t magic[sizeof kMagic];
   if (source.size() == 0) return Error{"is empty: nothing was recorded"};
   if (!source.read(0, magic) || std::memcmp(magic, kMagic, sizeof kMagic) != 0)
     return Error{"is not an MCAP file"};
+  return {};
+}
+
+Result<Summary> summarize(const ByteSource& source, Depth depth) {
+  if (const auto right = check_format(source); !right) return right.error();
   Summary summary;
   summary.being_written = source.is_being_written();
   SummarySection section = read_summary_section(source);
@@ -110,8 +121,10 @@ Result<Summary> summarize(const ByteSource& source, Depth depth) {
   if (is_to_be_read(summary, section, depth)) {
     count_all(source, summary);
     check_data_section(source, found, summary);
-  } else {
+  } else if (has_right_statistics(summary, section)) {
     summary.statistics = *section.statistics;
+  } else {
+    count_by_indexes(source, summary);
   }
   count_records(summary);
   name_nameless(summary);

@@ -7,7 +7,7 @@
 
 #include "core/termination.h"
 #include "monitor/replay/key_terminal.h"
-#include "monitor/replay/replay_clock.h"
+#include "monitor/playback/replay_clock.h"
 
 namespace galilean::monitor {
 

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "monitor/replay/key_terminal.h"
-#include "monitor/replay/replay_clock.h"
+#include "monitor/playback/replay_clock.h"
 
 namespace galilean::monitor {
 namespace {

@@ -43,10 +43,9 @@ ViewerPlayback::ViewerPlayback(const ViewedRecording& recording, PlaybackLine& l
       plays_at_(real.now() + kLongestHold) {
   player_.pause(true);
   if (at > Duration{}) player_.seek(player_.start_ns() + static_cast<std::uint64_t>(at.count()));
-  add(text_frame(
-      foxglove::server_info({recording.name + ", recorded " + iso_time(player_.start_ns()),
-                             player_.start_ns(), player_.end_ns()},
-                            std::to_string(wire::wall_clock_ns()))));
+  const foxglove::RecordingInfo info{recording.name + ", recorded " + iso_time(player_.start_ns()),
+                                     player_.start_ns(), player_.end_ns()};
+  add(text_frame(foxglove::server_info(info, std::to_string(wire::wall_clock_ns()))));
   for (const auto& sentence : damage_.known()) add_status(false, sentence);
   add(text_frame(advertised(recording.topics)));
   add(playback_state_frame(state()));
@@ -132,9 +131,8 @@ void ViewerPlayback::subscriptions_changed() {
 }
 
 void ViewerPlayback::send_due() {
-  std::size_t bytes = 0;
-  while (bytes < kBatchBytes && (bytes == 0 || line_.has_room())) {
-    if (bytes == 0 && !line_.has_room()) return;
+  if (!line_.has_room()) return;
+  for (std::size_t bytes = 0; bytes < kBatchBytes;) {
     const auto* message = player_.due();
     if (!message) return;
     const auto payload = payload_of(*message);

@@ -14,7 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using Why = NotOpened::Why;
 
 class RecordingFolderTest : public testing::Test {
  protected:
@@ -23,10 +22,10 @@ class RecordingFolderTest : public testing::Test {
     write_file(outside / "secret.mcap", recording_of_states("secret", 1));
     write_file(inside / "run.mcap", recording_of_states("io", 3));
   }
-  [[nodiscard]] Why why(const std::string& name) const {
+  [[nodiscard]] NotOpened::Why why(const std::string& name) const {
     const auto opened = folder.open(name);
     EXPECT_FALSE(opened) << name;
-    return opened ? Why::kUnreadable : opened.error().why;
+    return opened ? NotOpened::Why::kUnreadable : opened.error().why;
   }
 
   TemporaryFolder inside, outside;
@@ -41,17 +40,25 @@ TEST_F(RecordingFolderTest, OpensWhatIsInIt) {
   EXPECT_TRUE(opened.value().source->read(0, magic));
   fs::remove(inside / "run.mcap");
   EXPECT_TRUE(opened.value().source->read(8, magic)) << "who deletes it takes nothing away";
-  EXPECT_EQ(why("run.mcap"), Why::kNotThere);
+  EXPECT_EQ(why("run.mcap"), NotOpened::Why::kNotThere);
 }
 
 TEST_F(RecordingFolderTest, NoNameLeadsOutOfIt) {
   const auto out = outside.path().filename().string();
-  for (const auto& name :
-       {std::string(".."), "../" + out + "/secret.mcap", "/etc/passwd",
-        (outside / "secret.mcap").string(), std::string("./run.mcap"), std::string(""),
-        std::string("run.mcap\0.txt", 13), std::string(".hidden.mcap"), std::string("run.txt"),
-        std::string(".mcap"), std::string(300, 'a') + ".mcap", std::string("a\nb.mcap")}) {
-    EXPECT_EQ(why(name), Why::kNotThere) << name;
+  const std::vector<std::string> names{"..",
+                                       "../" + out + "/secret.mcap",
+                                       "/etc/passwd",
+                                       (outside / "secret.mcap").string(),
+                                       "./run.mcap",
+                                       "",
+                                       std::string("run.mcap\0.mcap", 14),
+                                       ".hidden.mcap",
+                                       "run.txt",
+                                       ".mcap",
+                                       std::string(300, 'a') + ".mcap",
+                                       "a\nb.mcap"};
+  for (const auto& name : names) {
+    EXPECT_EQ(why(name), NotOpened::Why::kNotThere) << name;
     EXPECT_FALSE(check_recording_name(name)) << name;
   }
 }
@@ -63,14 +70,14 @@ TEST_F(RecordingFolderTest, NoLinkLeadsOutOfIt) {
   fs::create_symlink("circle.mcap", inside / "circle.mcap");
   fs::create_symlink("nothing.mcap", inside / "dangling.mcap");
   for (const char* name : {"absolute.mcap", "relative.mcap", "circle.mcap", "dangling.mcap"})
-    EXPECT_EQ(why(name), Why::kNotThere) << name;
+    EXPECT_EQ(why(name), NotOpened::Why::kNotThere) << name;
   EXPECT_THAT(folder.open("relative.mcap").error().message, HasSubstr("leads out"));
 }
 
 TEST_F(RecordingFolderTest, WhatIsNoFileIsSaidAtOnce) {
-  EXPECT_EQ(why("below.mcap"), Why::kNoFile);
+  EXPECT_EQ(why("below.mcap"), NotOpened::Why::kNoFile);
   ASSERT_EQ(mkfifo((inside / "pipe.mcap").c_str(), 0600), 0);
-  EXPECT_EQ(why("pipe.mcap"), Why::kNoFile) << "it is not waited for a writer";
+  EXPECT_EQ(why("pipe.mcap"), NotOpened::Why::kNoFile) << "it is not waited for a writer";
   EXPECT_EQ(folder.open("below.mcap").error().message, "'below.mcap' is a folder, and no file.");
 }
 
@@ -83,7 +90,7 @@ TEST_F(RecordingFolderTest, ListsNamesOfRecordingsAlone) {
 TEST_F(RecordingFolderTest, NeedNotBeThere) {
   const RecordingFolder nowhere(inside / "nowhere");
   EXPECT_TRUE(nowhere.names().value().empty());
-  EXPECT_EQ(nowhere.open("run.mcap").error().why, Why::kNotThere);
+  EXPECT_EQ(nowhere.open("run.mcap").error().why, NotOpened::Why::kNotThere);
   const RecordingFolder file(inside / "run.mcap");
   EXPECT_FALSE(file.names()) << "it is a file";
 }

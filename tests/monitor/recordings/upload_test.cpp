@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -14,7 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-using Why = NotKept::Why;
 
 class UploadTest : public testing::Test {
  protected:
@@ -59,7 +59,7 @@ TEST_F(UploadTest, OneThatBreaksOffLeavesNothing) {
 TEST_F(UploadTest, NeverTakesTheNameOfAnother) {
   fs::create_directories(folder.path());
   write_file(folder.path() / "run.mcap", {1, 2, 3});
-  EXPECT_EQ(Upload::begin(folder, "run.mcap", {}, limits).error().why, Why::kExists);
+  EXPECT_EQ(Upload::begin(folder, "run.mcap", {}, limits).error().why, NotKept::Why::kExists);
   auto first = Upload::begin(folder, "both.mcap", {}, limits);
   auto second = Upload::begin(folder, "both.mcap", {}, limits);
   ASSERT_TRUE(first && second);
@@ -67,7 +67,7 @@ TEST_F(UploadTest, NeverTakesTheNameOfAnother) {
   EXPECT_TRUE(first.value().finish());
   const auto late = second.value().finish();
   ASSERT_FALSE(late);
-  EXPECT_EQ(late.error().why, Why::kExists);
+  EXPECT_EQ(late.error().why, NotKept::Why::kExists);
   EXPECT_EQ(content("run.mcap"), (mcap::Bytes{1, 2, 3}));
   EXPECT_EQ(content("both.mcap"), recording);
 }
@@ -76,21 +76,22 @@ TEST_F(UploadTest, IsRefusedBeyondTheLimits) {
   const auto why = [&](std::optional<std::uint64_t> bytes, const Upload::Limits& within) {
     return Upload::begin(folder, "run.mcap", bytes, within).error().why;
   };
-  EXPECT_EQ(why(1'000'001, limits), Why::kTooLarge);
-  EXPECT_EQ(why({}, {.most_bytes = 1'000'000, .least_free_bytes = UINT64_MAX / 2}), Why::kNoRoom);
+  EXPECT_EQ(why(1'000'001, limits), NotKept::Why::kTooLarge);
+  EXPECT_EQ(why({}, {.most_bytes = 1'000'000, .least_free_bytes = UINT64_MAX / 2}),
+            NotKept::Why::kNoRoom);
   auto liar = Upload::begin(folder, "run.mcap", 10, {.most_bytes = 50, .least_free_bytes = 0});
   ASSERT_TRUE(liar);
   const auto more = liar.value().append(recording);
   ASSERT_FALSE(more);
-  EXPECT_EQ(more.error().why, Why::kTooLarge);
+  EXPECT_EQ(more.error().why, NotKept::Why::kTooLarge);
 }
 
 TEST_F(UploadTest, TakesRecordingsOnly) {
-  EXPECT_EQ(Upload::begin(folder, "../run.mcap", {}, limits).error().why, Why::kNoName);
+  EXPECT_EQ(Upload::begin(folder, "../run.mcap", {}, limits).error().why, NotKept::Why::kNoName);
   auto text = Upload::begin(folder, "text.mcap", {}, limits);
   ASSERT_TRUE(text);
   const mcap::Bytes hello{'h', 'e', 'l', 'l', 'o'};
-  EXPECT_EQ(text.value().append(hello).error().why, Why::kNoRecording);
+  EXPECT_EQ(text.value().append(hello).error().why, NotKept::Why::kNoRecording);
   auto empty = Upload::begin(folder, "empty.mcap", 0, limits);
   ASSERT_TRUE(empty);
   EXPECT_EQ(empty.value().finish().error().message, "'empty.mcap' is not an MCAP file.");

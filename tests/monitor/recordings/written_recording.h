@@ -11,9 +11,11 @@
 
 namespace galilean::monitor {
 
-/// Returns a recording of the states of one robot, one each second from `start_ns` on.
+/// Returns a recording of the states of one robot, one each second from `start_ns` on, of so many
+/// bytes each.
 inline mcap::Bytes recording_of_states(const std::string& robot, int states,
-                                       std::uint64_t start_ns = 1'700'000'000'000'000'000) {
+                                       std::uint64_t start_ns = 1'700'000'000'000'000'000,
+                                       std::size_t bytes = 1) {
   constexpr const char* kType = "galilean_msgs/msg/RobotState";
   mcap::FaultyDisk disk;
   mcap::Writer writer(disk, {.chunk_bytes = 100});
@@ -24,8 +26,8 @@ inline mcap::Bytes recording_of_states(const std::string& robot, int states,
       {.schema_id = schema, .topic = "/" + robot + "/state", .message_encoding = "cdr"});
   for (int i = 0; i < states; ++i) {
     const auto log_ns = start_ns + static_cast<std::uint64_t>(i) * 1'000'000'000;
-    const auto byte = static_cast<std::uint8_t>(i);
-    (void)writer.write(mcap::Message{1, static_cast<std::uint32_t>(i), log_ns, log_ns, {&byte, 1}});
+    const mcap::Bytes data(bytes, static_cast<std::uint8_t>(i));
+    (void)writer.write(mcap::Message{1, static_cast<std::uint32_t>(i), log_ns, log_ns, data});
   }
   (void)writer.end();
   return disk.bytes();

@@ -8,12 +8,12 @@
 namespace galilean::monitor {
 namespace {
 
-constexpr const char* kState = "galilean_msgs/msg/RobotState";
+constexpr const char* kStateType = "galilean_msgs/msg/RobotState";
 
 mcap::Summary recording() {
   mcap::Summary summary;
-  const std::string idl(wire::find_schema_by_ros_type(kState)->idl);
-  summary.schemas[1] = {1, kState, "ros2idl", "// in other words\n" + idl};
+  const std::string idl(wire::find_schema_by_ros_type(kStateType)->idl);
+  summary.schemas[1] = {1, kStateType, "ros2idl", "// in other words\n" + idl};
   summary.schemas[2] = {2, "other_msgs/msg/Thing", "ros2msg", "int32 a"};
   summary.channels[1] = {1, 1, "/io/state", "cdr", {{"writer", "a"}}};
   summary.channels[2] = {2, 1, "/io/state", "cdr", {{"writer", "b"}}};
@@ -42,7 +42,7 @@ TEST(RecordedTopics, KnownTypesAreDefinedAsLiveAndOthersAsInTheFile) {
   const auto topics = recorded_topics(recording());
   const auto& state = named(topics, "/io/state");
   EXPECT_EQ(state.schema_encoding, "ros2idl");
-  EXPECT_EQ(state.schema, wire::find_schema_by_ros_type(kState)->idl);
+  EXPECT_EQ(state.schema, wire::find_schema_by_ros_type(kStateType)->idl);
   const auto& thing = named(topics, "/thing");
   EXPECT_EQ(thing.schema_encoding, "ros2msg");
   EXPECT_EQ(thing.schema, "int32 a");

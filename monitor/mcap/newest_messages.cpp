@@ -9,7 +9,7 @@
 
 namespace galilean::mcap {
 
-/// One search. A channel is open as long as an older block may have messages that are wanted of it.
+/// One search. What is wanted is open as long as an older block may have some of it.
 class NewestMessages::Search {
   /// A message's place in the order of all.
   using Key = std::tuple<std::uint64_t, std::uint32_t, std::uint32_t>;
@@ -24,13 +24,15 @@ class NewestMessages::Search {
   };
 
  public:
-  Search(std::uint64_t before_ns, const std::map<std::uint16_t, Wanted>& wanted)
-      : before_ns_(before_ns) {
-    for (const auto& [channel, what] : wanted)
-      if (what.most > 0) open_[channel].wanted = what;
+  Search(std::uint64_t before_ns, const std::vector<Wanted>& wanted) : before_ns_(before_ns) {
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (wanted[i].most == 0) continue;
+      open_[i].wanted = wanted[i];
+      for (const auto channel : wanted[i].channels) place_of_[channel] = i;
+    }
   }
 
-  /// Closes the channels of which nothing that is wanted can be at or before `end_ns`.
+  /// Closes that of which nothing can be at or before `end_ns`.
   void close_behind(std::uint64_t end_ns) {
     for (auto each = open_.begin(); each != open_.end();) {
       const auto& [what, kept] = each->second;
@@ -46,7 +48,7 @@ class NewestMessages::Search {
   [[nodiscard]] bool is_over() const noexcept { return open_.empty(); }
   [[nodiscard]] bool wants_any(const BlockChannels::Counts& channels) const {
     return std::ranges::any_of(channels,
-                               [&](const auto& each) { return open_.contains(each.channel_id); });
+                               [&](const auto& each) { return find(each.channel_id) != nullptr; });
   }
 
   void take(std::uint32_t block, const LoadedBlock& content) {
@@ -58,7 +60,7 @@ class NewestMessages::Search {
 
   [[nodiscard]] std::vector<OwnedMessage> result() {
     close_behind(0);
-    for (auto& [channel, open] : open_) std::ranges::move(open.kept, std::back_inserter(done_));
+    for (auto& [place, open] : open_) std::ranges::move(open.kept, std::back_inserter(done_));
     open_.clear();
     std::ranges::sort(done_, {}, [](const Kept& kept) { return kept.key(); });
     std::vector<OwnedMessage> messages;
@@ -68,13 +70,20 @@ class NewestMessages::Search {
   }
 
  private:
+  [[nodiscard]] const Open* find(std::uint16_t channel) const {
+    const auto place = place_of_.find(channel);
+    if (place == place_of_.end()) return nullptr;
+    const auto open = open_.find(place->second);
+    return open == open_.end() ? nullptr : &open->second;
+  }
+
   void offer(std::uint32_t block, std::uint32_t entry, const LoadedBlock& content) {
     const auto& offered = content.entries[entry];
-    const auto open = open_.find(offered.channel_id);
-    if (open == open_.end() || offered.log_ns < open->second.wanted.since_ns) return;
-    auto& kept = open->second.kept;
+    const auto* open = find(offered.channel_id);
+    if (!open || offered.log_ns < open->wanted.since_ns) return;
+    auto& kept = open_.at(place_of_.at(offered.channel_id)).kept;
     const Key key(offered.log_ns, block, entry);
-    const bool is_full = kept.size() == open->second.wanted.most;
+    const bool is_full = kept.size() == open->wanted.most;
     if (is_full && key < kept.back().key()) return;
     if (is_full) kept.pop_back();
     const auto place =
@@ -83,7 +92,8 @@ class NewestMessages::Search {
   }
 
   std::uint64_t before_ns_;
-  std::unordered_map<std::uint16_t, Open> open_;
+  std::map<std::size_t, Open> open_;                         ///< by its place in what is wanted
+  std::unordered_map<std::uint16_t, std::size_t> place_of_;  ///< by channel
   std::vector<Kept> done_;
 };
 
@@ -96,7 +106,7 @@ NewestMessages::NewestMessages(const ByteSource& source, const std::vector<Block
 }
 
 NewestMessages::Found NewestMessages::before(std::uint64_t before_ns,
-                                             const std::map<std::uint16_t, Wanted>& wanted) {
+                                             const std::vector<Wanted>& wanted) {
   Search search(before_ns, wanted);
   Found found;
   for (const auto block : order_) {

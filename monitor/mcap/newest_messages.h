@@ -10,9 +10,10 @@ namespace galilean::mcap {
 /// holds at an instant of a long recording is known at once.
 class NewestMessages {
  public:
-  /// What is wanted of a channel: so many messages, and none before `since_ns` [ns since the Unix
-  /// epoch].
+  /// What is wanted of channels together: so many messages, and none before `since_ns` [ns since
+  /// the Unix epoch].
   struct Wanted {
+    std::vector<std::uint16_t> channels;
     std::size_t most = 1;
     std::uint64_t since_ns = 0;
   };
@@ -25,9 +26,9 @@ class NewestMessages {
   NewestMessages(const ByteSource& source, const std::vector<Block>& blocks,
                  BlockChannels& channels);
 
-  /// Returns the newest messages of the channels whose log time is before `before_ns`.
-  [[nodiscard]] Found before(std::uint64_t before_ns,
-                             const std::map<std::uint16_t, Wanted>& wanted);
+  /// Returns the newest messages whose log time is before `before_ns`.
+  /// Requires: no channel is wanted twice.
+  [[nodiscard]] Found before(std::uint64_t before_ns, const std::vector<Wanted>& wanted);
 
  private:
   class Search;

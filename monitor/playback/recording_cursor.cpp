@@ -21,31 +21,36 @@ std::uint64_t before(std::uint64_t at_ns, std::uint64_t span_ns) {
   return at_ns > span_ns ? at_ns - span_ns : 0;
 }
 
-/// What tells of a channel how things stood at an instant.
-mcap::NewestMessages::Wanted wanted_at(wire::Delivery delivery, std::uint64_t at_ns) {
+/// Adds what tells of a topic's channels how things stood at an instant. States and events are the
+/// topic's; other topics, such as /tf, have several writers of which each tells something else.
+void add_wanted(wire::Delivery delivery, std::vector<std::uint16_t> channels, std::uint64_t at_ns,
+                std::vector<mcap::NewestMessages::Wanted>& to) {
   const auto kept = wire::kept_for_late_joiners(delivery);
   switch (delivery) {
     case wire::Delivery::kState:
-      return {kept, 0};
+      to.push_back({std::move(channels), kept, 0});
+      break;
     case wire::Delivery::kEvent:
-      return {kept, before(at_ns, kEventsSince_ns)};
-    case wire::Delivery::kCommand:
-      return {0, at_ns};
+      to.push_back({std::move(channels), kept, before(at_ns, kEventsSince_ns)});
+      break;
     case wire::Delivery::kFlow:
     case wire::Delivery::kStream:
+      for (const auto channel : channels)
+        to.push_back({{channel}, 1, before(at_ns, kOthersSince_ns)});
+      break;
+    case wire::Delivery::kCommand:
       break;
   }
-  return {1, before(at_ns, kOthersSince_ns)};
 }
 
 }  // namespace
 
 RecordingCursor::RecordingCursor(const mcap::ByteSource& source,
                                  const std::vector<mcap::Block>& blocks,
-                                 std::map<std::uint16_t, wire::Delivery> deliveries)
+                                 const std::vector<RecordedTopic>& topics)
     : source_(source),
       blocks_(blocks),
-      deliveries_(std::move(deliveries)),
+      topics_(topics),
       block_channels_(source, blocks),
       newest_(source, blocks, block_channels_) {}
 
@@ -69,10 +74,12 @@ void RecordingCursor::want(Channels channels, std::uint64_t at_ns) {
 }
 
 void RecordingCursor::add_past(const Channels& channels, std::uint64_t at_ns) {
-  std::map<std::uint16_t, mcap::NewestMessages::Wanted> wanted;
-  for (const auto channel : channels) {
-    const auto delivery = deliveries_.find(channel);
-    if (delivery != deliveries_.end()) wanted[channel] = wanted_at(delivery->second, at_ns);
+  std::vector<mcap::NewestMessages::Wanted> wanted;
+  for (const auto& topic : topics_) {
+    std::vector<std::uint16_t> some;
+    std::ranges::copy_if(topic.channels, std::back_inserter(some),
+                         [&](std::uint16_t channel) { return channels.contains(channel); });
+    if (!some.empty()) add_wanted(topic.delivery, std::move(some), at_ns, wanted);
   }
   auto found = newest_.before(at_ns, wanted);
   std::ranges::move(found.messages, std::back_inserter(past_));

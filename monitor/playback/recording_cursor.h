@@ -5,23 +5,23 @@
 #include <memory>
 #include <set>
 
-#include "core/wire/delivery.h"
 #include "monitor/mcap/message_reader.h"
 #include "monitor/mcap/newest_messages.h"
+#include "monitor/playback/recorded_topics.h"
 
 namespace galilean::monitor {
 
 /// Reads the wanted channels of a recording from any instant on. First come the messages that tell
 /// how things stood then: the newest of each state, however old; of each event the last 64 of the
-/// last 30 s; of anything else but commands the newest of the last second. Memory is bounded: 16 MB
-/// of blocks, or one block if that is larger.
+/// last 30 s; of anything else but commands each writer's newest of the last second. Memory is
+/// bounded: 16 MB of blocks, or one block if that is larger.
 class RecordingCursor {
  public:
   using Channels = std::set<std::uint16_t>;
 
-  /// Requires: `source` and `blocks` outlive this.
+  /// Requires: `source`, `blocks` and `topics` outlive this.
   RecordingCursor(const mcap::ByteSource& source, const std::vector<mcap::Block>& blocks,
-                  std::map<std::uint16_t, wire::Delivery> deliveries);
+                  const std::vector<RecordedTopic>& topics);
 
   /// Goes on at an instant [log time, ns since the Unix epoch], forward or back.
   void move_to(std::uint64_t at_ns);
@@ -56,7 +56,7 @@ class RecordingCursor {
 
   const mcap::ByteSource& source_;
   const std::vector<mcap::Block>& blocks_;
-  std::map<std::uint16_t, wire::Delivery> deliveries_;
+  const std::vector<RecordedTopic>& topics_;
   mcap::BlockChannels block_channels_;
   mcap::NewestMessages newest_;
   Channels wanted_;

@@ -17,12 +17,11 @@ constexpr std::uint64_t kLongest_ns = std::uint64_t{100} * 366 * 24 * 3600 * 1'0
 }  // namespace
 
 SeekablePlayer::SeekablePlayer(const mcap::ByteSource& source, const mcap::Summary& summary,
-                               std::map<std::uint16_t, wire::Delivery> deliveries,
-                               const Clock& real)
+                               const std::vector<RecordedTopic>& topics, const Clock& real)
     : start_ns_(summary.statistics.start_ns),
       end_ns_(std::max(summary.statistics.end_ns, summary.statistics.start_ns)),
       silences_(summary.blocks),
-      cursor_(source, summary.blocks, std::move(deliveries)),
+      cursor_(source, summary.blocks, topics),
       clock_(real, 1) {
   cursor_.move_to(start_ns_);
 }

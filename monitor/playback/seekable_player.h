@@ -24,9 +24,10 @@ class SeekablePlayer {
   enum class Status { kPlaying, kPaused, kEnded };
 
   /// Begins to play at the recording's start.
-  /// Requires: `source`, `summary` and `real` outlive this, and the recording has messages.
+  /// Requires: `source`, `summary`, `topics` and `real` outlive this, and the recording has
+  /// messages.
   SeekablePlayer(const mcap::ByteSource& source, const mcap::Summary& summary,
-                 std::map<std::uint16_t, wire::Delivery> deliveries, const Clock& real);
+                 const std::vector<RecordedTopic>& topics, const Clock& real);
 
   void pause(bool paused);
   /// Requires: `speed` is from kLeastSpeed to kMostSpeed.

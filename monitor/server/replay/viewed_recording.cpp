@@ -37,13 +37,6 @@ Result<ViewedRecording> ViewedRecording::open(const RecordingFolder& folder,
   return ViewedRecording{name, file.source, std::move(summary).value(), std::move(topics)};
 }
 
-std::map<std::uint16_t, wire::Delivery> ViewedRecording::deliveries() const {
-  std::map<std::uint16_t, wire::Delivery> by_channel;
-  for (const auto& topic : topics)
-    for (const auto channel : topic.channels) by_channel[channel] = topic.delivery;
-  return by_channel;
-}
-
 std::vector<std::string> DamageTeller::known() {
   const auto& summary = recording_.summary;
   std::vector<std::string> sentences;

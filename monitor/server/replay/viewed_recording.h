@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -23,9 +22,6 @@ struct ViewedRecording {
   /// Errors: it cannot be opened, is no recording or has no message. The error is a sentence.
   [[nodiscard]] static Result<ViewedRecording> open(const RecordingFolder& folder,
                                                     const std::string& name);
-
-  /// Returns how the channels of the file travelled.
-  [[nodiscard]] std::map<std::uint16_t, wire::Delivery> deliveries() const;
 };
 
 /// What is damaged in a recording, in sentences for its viewer. Each damage is told once, and after

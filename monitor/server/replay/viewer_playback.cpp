@@ -38,7 +38,7 @@ ViewerPlayback::ViewerPlayback(const ViewedRecording& recording, PlaybackLine& l
     : recording_(recording),
       line_(line),
       real_(real),
-      player_(*recording.source, recording.summary, recording.deliveries(), real),
+      player_(*recording.source, recording.summary, recording.topics, real),
       damage_(recording),
       plays_at_(real.now() + kLongestHold) {
   player_.pause(true);

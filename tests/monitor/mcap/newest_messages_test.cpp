@@ -15,7 +15,7 @@ namespace {
 /// Where a chunk's checksum is, behind the chunk's times and its size.
 constexpr std::size_t kChecksumAt = kRecordHead + 8 + 8 + 8;
 
-using Wanted = std::map<std::uint16_t, NewestMessages::Wanted>;
+using Wanted = std::vector<NewestMessages::Wanted>;
 
 /// Chunks of random messages whose times overlap; every fourth has no message indexes.
 struct Chunks {
@@ -52,29 +52,32 @@ std::vector<Small> found_in(ByteView file, std::uint64_t before_ns, const Wanted
 
 /// The same, by looking at each message.
 std::vector<Small> expected(const std::vector<Small>& messages, std::uint64_t before_ns,
-                            const Wanted& wanted) {
-  auto left = wanted;
+                            Wanted wanted) {
   std::vector<Small> found;
-  for (auto at = messages.rbegin(); at != messages.rend(); ++at) {
-    auto& channel = left[at->channel_id];
-    const bool is_asked = wanted.contains(at->channel_id) && channel.most > 0;
-    if (!is_asked || at->log_ns >= before_ns || at->log_ns < channel.since_ns) continue;
-    --channel.most;
-    found.push_back(*at);
-  }
+  for (auto at = messages.rbegin(); at != messages.rend(); ++at)
+    for (auto& [channels, most, since_ns] : wanted) {
+      const bool is_one = std::ranges::find(channels, at->channel_id) != channels.end();
+      if (!is_one || most == 0 || at->log_ns >= before_ns || at->log_ns < since_ns) continue;
+      --most;
+      found.push_back(*at);
+    }
   std::ranges::reverse(found);
   return found;
 }
 
 TEST(NewestMessages, AreThoseThatASearchThroughAllMessagesFinds) {
-  const Wanted wanted{{1, {.most = 1}}, {2, {.most = 5, .since_ns = 9000}}, {7, {.most = 1}}};
-  for (unsigned seed = 0; seed < 30; ++seed) {
-    const Chunks recording(seed);
-    for (const std::uint64_t before_ns : {0u, 1u, 4000u, 12'345u, 29'000u, 100'000u})
-      EXPECT_EQ(found_in(recording.file.bytes, before_ns, wanted),
-                expected(recording.messages, before_ns, wanted))
-          << seed << " before " << before_ns;
-  }
+  for (const Wanted& wanted :
+       {Wanted{
+            {.channels = {1}}, {.channels = {2}, .most = 5, .since_ns = 9000}, {.channels = {7}}},
+        Wanted{{.channels = {1, 3}, .most = 4}, {.channels = {2}, .most = 0}}})
+
+    for (unsigned seed = 0; seed < 30; ++seed) {
+      const Chunks recording(seed);
+      for (const std::uint64_t before_ns : {0u, 1u, 4000u, 12'345u, 29'000u, 100'000u})
+        EXPECT_EQ(found_in(recording.file.bytes, before_ns, wanted),
+                  expected(recording.messages, before_ns, wanted))
+            << seed << " before " << before_ns;
+    }
 }
 
 TEST(NewestMessages, DoNotNeedTheBlocksThatTheyDoNotStandIn) {
@@ -89,7 +92,7 @@ TEST(NewestMessages, DoNotNeedTheBlocksThatTheyDoNotStandIn) {
   const auto summary = summary_of(file.bytes);
   BlockChannels channels(source, summary.blocks);
   NewestMessages newest(source, summary.blocks, channels);
-  const auto found = newest.before(2050, {{1, {.most = 1}}});
+  const auto found = newest.before(2050, {{.channels = {1}}});
   ASSERT_EQ(found.messages.size(), 1u);
   EXPECT_EQ(found.messages[0].data, Bytes{1});
   EXPECT_TRUE(found.damages.empty()) << "only the first chunk was read";
@@ -106,7 +109,7 @@ TEST(NewestMessages, TellTheDamageThatTheyMeet) {
   const auto summary = summary_of(file.bytes);
   BlockChannels channels(source, summary.blocks);
   NewestMessages newest(source, summary.blocks, channels);
-  const auto found = newest.before(3000, {{1, {.most = 1}}});
+  const auto found = newest.before(3000, {{.channels = {1}}});
   ASSERT_EQ(found.messages.size(), 1u);
   EXPECT_EQ(found.messages[0].data, Bytes{1}) << "the newest one that can be read";
   ASSERT_EQ(found.damages.size(), 1u);

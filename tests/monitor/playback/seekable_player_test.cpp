@@ -15,12 +15,13 @@ namespace galilean::monitor {
 namespace {
 
 constexpr std::uint64_t kStart_ns = 1'700'000'000'000'000'000;
-constexpr std::uint16_t kState = 1, kTransition = 2, kSightings = 3, kCommand = 4;
+constexpr std::uint16_t kState = 1, kTransition = 2, kSightings = 3, kCommand = 4, kStateAnew = 5;
 
-const std::map<std::uint16_t, wire::Delivery> kDeliveries{{kState, wire::Delivery::kState},
-                                                          {kTransition, wire::Delivery::kEvent},
-                                                          {kSightings, wire::Delivery::kStream},
-                                                          {kCommand, wire::Delivery::kCommand}};
+const std::vector<RecordedTopic> kTopics{
+    {.topic = "/io/state", .delivery = wire::Delivery::kState, .channels = {kState, kStateAnew}},
+    {.topic = "/io/transition", .delivery = wire::Delivery::kEvent, .channels = {kTransition}},
+    {.topic = "/io/sightings", .delivery = wire::Delivery::kStream, .channels = {kSightings}},
+    {.topic = "/team/command", .delivery = wire::Delivery::kCommand, .channels = {kCommand}}};
 
 constexpr std::uint64_t log_ns(double at_s) {
   return kStart_ns + static_cast<std::uint64_t>(at_s * 1e9 + 0.5);
@@ -36,7 +37,8 @@ mcap::Bytes recording_of(const std::vector<Written>& messages, std::size_t chunk
   mcap::FaultyDisk disk;
   mcap::Writer writer(disk, {.chunk_bytes = chunk_bytes});
   EXPECT_TRUE(writer.begin());
-  for (const char* topic : {"/io/state", "/io/transition", "/io/sightings", "/team/command"})
+  for (const char* topic :
+       {"/io/state", "/io/transition", "/io/sightings", "/team/command", "/io/state"})
     (void)writer.add_channel({.topic = topic, .message_encoding = "cdr"});
   std::uint8_t number = 0;
   for (const auto& [channel, at_s] : messages) {
@@ -71,7 +73,7 @@ class SeekablePlayerTest : public testing::Test {
     file = std::move(bytes);
     source.emplace(file);
     summary = mcap::summarize(*source).value();
-    player.emplace(*source, summary, kDeliveries, clock);
+    player.emplace(*source, summary, kTopics, clock);
   }
   /// Takes what is due now.
   std::vector<Got> take() {
@@ -153,6 +155,18 @@ TEST_F(SeekablePlayerTest, SeeksToHowThingsStoodThen) {
   }
   const auto next = play(0.06);
   EXPECT_EQ(next, (std::vector<Got>{{kState, 7.1}, {kSightings, 7.11}}));
+}
+
+TEST_F(SeekablePlayerTest, OfAStateTheNewestCountsOfWhateverWriter) {
+  open(recording_of({{kState, 0}, {kState, 1}, {kStateAnew, 2}, {kStateAnew, 3}, {kState, 4}}));
+  player->pause(true);
+  player->want({kState, kStateAnew});
+  for (const double at_s : {0.5, 1.5, 2.5, 4.0}) {
+    player->seek(log_ns(at_s));
+    const auto got = take();
+    ASSERT_EQ(got.size(), 1u) << at_s;
+    EXPECT_NEAR(got[0].at_s, std::ceil(at_s) - 1, 1e-6);
+  }
 }
 
 TEST_F(SeekablePlayerTest, AMessageOfTheInstantItselfIsPlayedAndNotTold) {

@@ -65,7 +65,7 @@ void RecordingCursor::want(Channels channels, std::uint64_t at_ns) {
   std::ranges::set_difference(channels, wanted_, std::inserter(fresh, fresh.end()));
   wanted_ = std::move(channels);
   std::erase_if(past_, [&](const auto& each) { return !wanted_.contains(each.head.channel_id); });
-  if (!fresh.empty()) {
+  if (!fresh.empty() || wanted_.empty()) {
     add_past(fresh, at_ns);
     open_reader(at_ns);  // because what is new was passed over up to the next message
   } else if (ahead_ && !wanted_.contains(ahead_->channel_id)) {

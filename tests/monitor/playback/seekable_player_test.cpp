@@ -274,6 +274,19 @@ TEST_F(SeekablePlayerTest, RunsToItsEndThoughNobodyWantsAnything) {
   EXPECT_EQ(player->status(), SeekablePlayer::Status::kEnded);
 }
 
+TEST_F(SeekablePlayerTest, RunsOnWhenNobodyWantsAnythingAnyMoreAndBeginsAgain) {
+  open(recording_of(a_run()));
+  player->want({kState, kSightings});
+  (void)play(1.05);
+  player->want({kSightings});
+  for (const auto& each : play(1)) EXPECT_EQ(each.channel, kSightings);
+  player->want({});
+  EXPECT_TRUE(play(1).empty());
+  EXPECT_NEAR(now_s(), 3.05, 1e-3);
+  player->want({kState});
+  EXPECT_EQ(play(0.06), (std::vector<Got>{{kState, 3.0}, {kState, 3.1}}));
+}
+
 TEST_F(SeekablePlayerTest, FindsTheStateOfAnHourAgoWithoutReadingTheHour) {
   std::vector<Written> run{{kTransition, 0}, {kState, 0}};
   for (int i = 1; i < 3600; ++i) run.push_back({kSightings, 1.0 * i});

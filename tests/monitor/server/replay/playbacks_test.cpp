@@ -6,6 +6,8 @@
 #include <future>
 #include <stdexcept>
 
+#include "monitor/server/websocket/outbox.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -63,6 +65,19 @@ TEST(PlaybackLine, HasRoomAgainWhenWhatWaitsHasGone) {
   EXPECT_FALSE(line->has_room());
   line->taken(bytes);
   EXPECT_TRUE(line->has_room());
+}
+
+TEST(Outbox, TellsHowMuchOfItsQueueWasTaken) {
+  Outbox outbox;
+  std::vector<std::size_t> told;
+  outbox.on_taken([&](std::size_t bytes) { told.push_back(bytes); });
+  const auto frame = binary_frame(std::vector<std::uint8_t>(100));
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(outbox.push(frame));
+  outbox.offer(1, frame, 1);
+  (void)outbox.take(2);
+  (void)outbox.take(5);
+  (void)outbox.take(5);
+  EXPECT_EQ(told, (std::vector<std::size_t>{2 * frame.size(), frame.size()}));
 }
 
 }  // namespace

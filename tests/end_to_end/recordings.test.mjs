@@ -42,7 +42,6 @@ describe('a folder of recordings', () => {
 
   async function start() {
     cwd = mkdtempSync(join(tmpdir(), 'galilean-recordings-'));
-    all.after(() => rmSync(cwd, { recursive: true, force: true }));
     folder = join(cwd, 'recordings');
     mkdirSync(folder);
     run = await makeRecording();
@@ -50,6 +49,7 @@ describe('a folder of recordings', () => {
     utimesSync(join(folder, 'run.mcap'), 1.8e9, 1.8e9);
     writeFileSync(join(cwd, 'secret.mcap'), run);
     const monitor = new Running(all, ['monitor', '--listen', '127.0.0.1:0', '--data', cwd, '--recordings', folder], { domain: freshDomain(), cwd });
+    all.after(() => rmSync(cwd, { recursive: true, force: true }));
     [url] = await monitor.line(/http:\/\/127\.0\.0\.1:\d+/);
     token = (name) => readFileSync(join(cwd, `${name}.token`), 'utf8').trim();
   }

@@ -51,7 +51,8 @@ HttpResponse recording_response(const OpenedRecording& recording, const HttpRequ
   }
   // A part of another content than the client has a part of would not fit.
   const bool fits = request.if_range.empty() || request.if_range == etag;
-  auto range = fits ? byte_range(request.range, recording.bytes) : ByteRange{};
+  const bool asks_for_part = request.method == "GET" && fits;
+  auto range = asks_for_part ? byte_range(request.range, recording.bytes) : ByteRange{};
   if (range.kind == ByteRange::Kind::kOutOfBounds) {
     response = out_of_bounds(recording.bytes);
   } else {

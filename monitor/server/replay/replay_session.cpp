@@ -20,7 +20,7 @@ namespace {
 
 using boost::system::error_code;
 
-constexpr std::size_t kMostMessageBytes = 1 << 20;
+constexpr std::size_t kMostOrderBytes = 1 << 20;
 constexpr std::uint32_t kTimeLane = 0;
 /// What a close frame can hold besides its code.
 constexpr std::size_t kLongestReason = 123;
@@ -49,7 +49,7 @@ class ReplaySession final : public std::enable_shared_from_this<ReplaySession> {
  public:
   ReplaySession(boost::asio::ip::tcp::socket socket, SendRounds& rounds, ReplayContext& context)
       : executor_(socket.get_executor()),
-        socket_(std::move(socket), rounds, kMostMessageBytes),
+        socket_(std::move(socket), rounds, kMostOrderBytes),
         context_(context) {}
   ~ReplaySession() {
     if (line_) line_->leave();

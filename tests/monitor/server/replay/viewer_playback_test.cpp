@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 
+#include "monitor/mcap/byte_sink.h"
 #include "tests/monitor/recordings/written_recording.h"
 #include "tests/temporary_folder.h"
 
@@ -229,6 +230,22 @@ TEST_F(ViewerPlaybackTest, TellsDamageWithItsTime) {
   const auto before = heard.texts.size();
   pass(2);
   EXPECT_EQ(heard.texts.size(), before) << "it is told once";
+}
+
+TEST_F(ViewerPlaybackTest, SaysWhetherOneThatHasNoEndIsBeingWritten) {
+  const auto bytes = recording_of_states("io", 60);
+  const auto half = std::span(bytes).first(bytes.size() / 2);
+  const auto said_of = [&](const std::string& name) {
+    const auto opened = ViewedRecording::open(folder, name);
+    return opened ? DamageTeller(opened.value()).known().at(0) : opened.error().message;
+  };
+  {
+    auto sink = mcap::FileSink::create((inside / "now.mcap").string(), false);
+    ASSERT_TRUE(sink && sink.value().write(half));
+    EXPECT_EQ(said_of("now.mcap"), "'now.mcap' is being written; what it has so far is played.");
+  }
+  EXPECT_EQ(said_of("now.mcap"),
+            "'now.mcap' was not closed properly; what can be read of it is played.");
 }
 
 TEST_F(ViewerPlaybackTest, SaysWhatCannotBePlayed) {

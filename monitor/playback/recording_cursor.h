@@ -14,7 +14,7 @@ namespace galilean::monitor {
 /// Reads the wanted channels of a recording from any instant on. First come the messages that tell
 /// how things stood then: the newest of each state, however old; of each event the last 64 of the
 /// last 30 s; of anything else but commands each writer's newest of the last second. Memory is
-/// bounded: 16 MB of blocks, or one block if that is larger.
+/// bounded: 16 MB of blocks, or one block if that is larger, and one more that is looked up.
 class RecordingCursor {
  public:
   using Channels = std::set<std::uint16_t>;

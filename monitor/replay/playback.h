@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/termination.h"
-#include "monitor/replay/key_terminal.h"
 #include "monitor/playback/replay_clock.h"
+#include "monitor/replay/key_terminal.h"
 
 namespace galilean::monitor {
 

@@ -16,6 +16,8 @@ constexpr Duration kLongestHold = std::chrono::seconds(1);
 /// So much is sent before orders are looked at again.
 constexpr std::size_t kBatchBytes = std::size_t{256} << 10;
 
+constexpr std::size_t kMostSubscriptions = 10'000;
+
 using foxglove::StatusLevel;
 
 std::string advertised(const std::vector<RecordedTopic>& topics) {
@@ -108,6 +110,8 @@ void ViewerPlayback::subscribe(const Subscribe& order) {
   const auto topic = std::ranges::find(recording_.topics, order.channel_id, &RecordedTopic::id);
   if (topic == recording_.topics.end())
     return add_status(true, "There is no channel " + std::to_string(order.channel_id) + ".");
+  if (topic_of_.size() >= kMostSubscriptions)
+    return add_status(true, "A replay keeps at most 10000 subscriptions.");
   if (!topic_of_.emplace(order.subscription_id, &*topic).second)
     add_status(true,
                "Subscription id " + std::to_string(order.subscription_id) + " is in use already.");
@@ -136,9 +140,10 @@ void ViewerPlayback::send_due() {
     const auto* message = player_.due();
     if (!message) return;
     const auto payload = payload_of(*message);
-    for (const auto subscription : subscriptions_of_[message->channel_id])
+    const auto& subscriptions = subscriptions_of_[message->channel_id];
+    for (const auto subscription : subscriptions)
       add(message_frame(subscription, message->log_ns, payload));
-    bytes += payload->size() + sizeof(Frame);
+    bytes += payload->size() + (subscriptions.size() + 1) * sizeof(Frame);
     player_.take();
   }
 }

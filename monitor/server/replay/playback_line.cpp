@@ -30,7 +30,8 @@ bool PlaybackLine::wait(Duration most) {
   std::unique_lock lock(mutex_);
   const bool was_full = waiting_bytes_ >= kMostWaitingBytes;
   const auto is_something = [&] {
-    return left_ || !orders_.empty() || (was_full && waiting_bytes_ < kMostWaitingBytes);
+    const bool has_room = waiting_bytes_ < kMostWaitingBytes;
+    return left_ || (has_room && (was_full || !orders_.empty()));
   };
   changed_.wait_for(lock, most, is_something);
   return !left_;

@@ -52,8 +52,8 @@ class PlaybackLine {
   void leave();
 
   // For the playback.
-  /// Waits for orders, for room if there is none, or for `most`. Returns false if the viewer has
-  /// left.
+  /// Waits for orders, or for `most`; where there is no room, for room alone, because orders are
+  /// answered. Returns false if the viewer has left.
   [[nodiscard]] bool wait(Duration most);
   [[nodiscard]] std::vector<PlaybackOrder> take_orders();
   [[nodiscard]] bool has_room();

@@ -55,7 +55,9 @@ ViewerPlayback::ViewerPlayback(const ViewedRecording& recording, PlaybackLine& l
 }
 
 Duration ViewerPlayback::step() {
-  obey(line_.take_orders());
+  // An answer would only wait behind what waits. So a viewer that does not read, but asks, cannot
+  // fill the memory with answers.
+  if (line_.has_room()) obey(line_.take_orders());
   if (plays_at_ && real_.now() >= *plays_at_) begin_to_play();
   send_due();
   tell_damage();

@@ -204,6 +204,9 @@ TEST_F(ViewerPlaybackTest, WaitsForAViewerThatDoesNotRead) {
   pass(60);
   EXPECT_EQ(heard.lines.size(), stuck);
   EXPECT_NEAR(heard.times_s.back(), stuck_s, 1) << "its time stands still";
+  for (int i = 0; i < 1000; ++i) order(Unsubscribe{.subscription_id = 9});
+  pass(1);
+  EXPECT_EQ(heard.lines.size(), stuck) << "nothing is answered that would only wait";
   reads = true;
   line.taken(PlaybackLine::kMostWaitingBytes * 2);
   pass(0.02);

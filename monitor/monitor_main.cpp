@@ -67,6 +67,7 @@ int main(int argc, char** argv) {
   galilean::ignore_broken_pipes();
   monitor::MonitorOptions options;
   options.data_folder = monitor::default_data_folder();
+  options.recordings_folder = options.data_folder / "recordings";
   double silent_after_s = 2;
   CommandLine app("Watches and steers a team of robots, and serves the page that shows it.",
                   "galilean monitor");
@@ -82,6 +83,9 @@ int main(int argc, char** argv) {
       .names_file(".json");
   app.option("--data", options.data_folder,
              "folder that keeps the history of pushes and the tokens")
+      .names_folder();
+  app.option("--recordings", options.recordings_folder,
+             "folder of the recordings that the page plays, and that are put there")
       .names_folder();
   app.option("--simulator", options.simulator,
              "simulator that tries programs, instead of galilean-sim")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace galilean::wire {
@@ -18,5 +19,11 @@ enum class Delivery {
 };
 /// Returns the delivery of a message type. A type that is not in the list is a stream.
 [[nodiscard]] Delivery delivery_of(std::string_view ros_type) noexcept;
+
+/// Returns how many of a writer's newest messages a late joiner gets.
+[[nodiscard]] constexpr std::size_t kept_for_late_joiners(Delivery delivery) noexcept {
+  if (delivery == Delivery::kState) return 1;
+  return delivery == Delivery::kEvent ? 64 : 0;
+}
 
 }  // namespace galilean::wire

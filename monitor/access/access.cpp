@@ -3,6 +3,8 @@
 
 #include <arpa/inet.h>
 
+#include <algorithm>
+
 namespace galilean::monitor {
 namespace {
 
@@ -18,11 +20,15 @@ bool same(std::string_view given, std::string_view secret) noexcept {
 
 }  // namespace
 
-Right Access::right_of(std::string_view token) const noexcept {
+Right Access::right_by_token(std::string_view token) const noexcept {
   const bool operates = same(token, tokens_.operator_);
-  const bool reads = same(token, tokens_.viewer) || reads_freely_;
+  const bool reads = same(token, tokens_.viewer);
   if (operates) return Right::kOperate;
   return reads ? Right::kRead : Right::kNone;
+}
+
+Right Access::right_of(std::string_view token) const noexcept {
+  return std::max(right_by_token(token), reads_freely_ ? Right::kRead : Right::kNone);
 }
 
 bool is_loopback(const std::string& address) {

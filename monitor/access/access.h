@@ -20,6 +20,8 @@ class Access {
   /// Returns the right that a token gives; an empty string stands for no token. The time that this
   /// takes does not tell how much of a wrong token is right.
   [[nodiscard]] Right right_of(std::string_view token) const noexcept;
+  /// Returns the right that a token gives where reading needs one, too.
+  [[nodiscard]] Right right_by_token(std::string_view token) const noexcept;
 
  private:
   Tokens tokens_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "monitor/mcap/message_indexes.h"
 #include "monitor/mcap/unpack.h"
 
 namespace galilean::mcap {
@@ -57,21 +58,11 @@ void widen(std::optional<TimeRange>& range, std::uint64_t log_ns) {
 /// Adds the messages of all message indexes in `bytes` to `damage`. Returns false if an index is
 /// damaged itself.
 bool add_indexed(ByteView bytes, Damage& damage) {
-  MessageIndex index;
-  while (!bytes.empty()) {
-    std::uint64_t length = 0;
-    if (bytes.size() < kRecordHead) return false;
-    std::memcpy(&length, bytes.data() + 1, sizeof length);
-    if (length > bytes.size() - kRecordHead) return false;
-    const auto content = bytes.subspan(kRecordHead, static_cast<std::size_t>(length));
-    if (bytes[0] != static_cast<std::uint8_t>(Opcode::kMessageIndex) || !parse(content, index))
-      return false;
+  return for_each_message_index(bytes, [&](const MessageIndex& index) {
     damage.channel_messages[index.channel_id] += index.entries.size();
     *damage.messages += index.entries.size();
     for (const auto& entry : index.entries) widen(damage.time, entry.log_ns);
-    bytes = bytes.subspan(kRecordHead + content.size());
-  }
-  return true;
+  });
 }
 
 }  // namespace

@@ -28,6 +28,8 @@ class FileSource final : public ByteSource {
  public:
   /// Errors: the file cannot be opened, or is a folder, a device or a pipe.
   [[nodiscard]] static Result<FileSource> open(const std::string& path);
+  /// Takes an open file's descriptor over.
+  [[nodiscard]] static FileSource of(int descriptor) { return FileSource(descriptor); }
   FileSource(FileSource&& other) noexcept;
   FileSource& operator=(FileSource&&) = delete;
   ~FileSource() override;

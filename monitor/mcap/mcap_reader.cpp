@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "monitor/mcap/index_statistics.h"
 #include "monitor/mcap/losses.h"
 #include "monitor/mcap/message_reader.h"
 #include "monitor/mcap/summary_section.h"
@@ -86,7 +87,12 @@ void count_records(Summary& summary) {
       std::ranges::count_if(summary.blocks, [](const Block& block) { return block.is_chunk; }));
 }
 
+bool has_right_statistics(const Summary& summary, const SummarySection& section) {
+  return section.statistics && agrees(*section.statistics, summary);
+}
+
 bool is_to_be_read(const Summary& summary, const SummarySection& section, Depth depth) {
+  if (depth == Depth::kIndexes) return false;
   const auto bytes = std::accumulate(
       summary.blocks.begin(), summary.blocks.end(), std::uint64_t{0},
       [](std::uint64_t sum, const Block& block) {
@@ -94,7 +100,7 @@ bool is_to_be_read(const Summary& summary, const SummarySection& section, Depth 
                         sum + std::min(block.uncompressed_bytes, kCheckedBytes + 1));
       });
   return depth == Depth::kAll || bytes <= kCheckedBytes || !summary.damages.empty() ||
-         !summary.closed || !section.statistics || !agrees(*section.statistics, summary);
+         !summary.closed || !has_right_statistics(summary, section);
 }
 
 /// Returns how many of the first bytes are not those of an MCAP file. Nothing: they are those of
@@ -116,12 +122,17 @@ std::optional<std::size_t> differing_magic(const ByteSource& source) {
 
 }  // namespace
 
-Result<Summary> summarize(const ByteSource& source, Depth depth, const Progress& progress) {
+Result<void> check_format(const ByteSource& source) {
   if (source.size() == 0) return Error{"is empty: nothing was recorded"};
-  const auto differing = differing_magic(source);
-  if (!differing) return Error{"is not an MCAP file"};
+  if (!differing_magic(source)) return Error{"is not an MCAP file"};
+  return {};
+}
+
+Result<Summary> summarize(const ByteSource& source, Depth depth, const Progress& progress) {
+  if (const auto right = check_format(source); !right) return right.error();
+  const std::size_t differing = differing_magic(source).value_or(0);
   Summary summary;
-  if (*differing > 0)
+  if (differing > 0)
     summary.damages.push_back(
         {.what = "the first bytes are not those of an MCAP file", .offset = 0, .messages = 0});
   summary.being_written = source.is_being_written();
@@ -133,8 +144,10 @@ Result<Summary> summarize(const ByteSource& source, Depth depth, const Progress&
   if (is_to_be_read(summary, section, depth)) {
     count_all(source, progress, summary);
     check_data_section(source, found, summary);
-  } else {
+  } else if (has_right_statistics(summary, section)) {
     summary.statistics = *section.statistics;
+  } else {
+    count_by_indexes(source, summary);
   }
   count_records(summary);
   name_nameless(summary);

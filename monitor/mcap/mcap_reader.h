@@ -34,18 +34,23 @@ struct Summary {
 
 /// How much of the messages is read.
 enum class Depth {
+  kIndexes,   ///< none that message indexes spare; damage in blocks is then not found
   kAsNeeded,  ///< all if the recording has at most kCheckedBytes, or its summary does not suffice
   kAll        ///< all, so that every damage is found
 };
 /// A recording of this many uncompressed bytes is read in less than a second.
 inline constexpr std::uint64_t kCheckedBytes = std::uint64_t{256} << 20;
 
+/// Returns whether the file begins as an MCAP file does, or nearly so.
+/// Errors: it is empty or another kind of file. The message is a predicate, so that the caller can
+/// put the file's name before it.
+[[nodiscard]] Result<void> check_format(const ByteSource& source);
+
 /// Gets how much of a task is done, from 0 to 1; may be empty.
 using Progress = std::function<void(double)>;
 
 /// Reads what a file holds.
-/// Errors: the file is empty or no MCAP file. The message is a predicate, so that the caller can
-/// put the file's name before it.
+/// Errors: as check_format().
 [[nodiscard]] Result<Summary> summarize(const ByteSource& source, Depth depth = Depth::kAsNeeded,
                                         const Progress& progress = {});
 

@@ -7,11 +7,20 @@
 #include <utility>
 
 namespace galilean::mcap {
+namespace {
+
+/// A block that contradicts itself about its times may have any.
+bool ends_before(const Block& block, std::uint64_t time_ns) {
+  return block.start_ns <= block.end_ns && block.end_ns < time_ns;
+}
+
+}  // namespace
 
 MessageReader::MessageReader(const ByteSource& source, const std::vector<Block>& blocks,
-                             std::size_t memory_bytes)
-    : blocks_(blocks), memory_bytes_(memory_bytes), loader_(source), order_(blocks.size()) {
-  std::iota(order_.begin(), order_.end(), 0u);
+                             std::size_t memory_bytes, Part part)
+    : blocks_(blocks), memory_bytes_(memory_bytes), part_(std::move(part)), loader_(source) {
+  for (std::uint32_t block = 0; block < blocks.size(); ++block)
+    if (!ends_before(blocks[block], part_.from_ns)) order_.push_back(block);
   std::ranges::stable_sort(order_, {}, [&](std::uint32_t block) { return blocks[block].start_ns; });
 }
 
@@ -34,7 +43,10 @@ const Message* MessageReader::next() {
 }
 
 void MessageReader::open_due() {
-  while (next_block_is_due()) open(order_[opened_++]);
+  while (next_block_is_due()) {
+    const auto block = order_[opened_++];
+    if (!part_.reads || part_.reads(block)) open(block);
+  }
 }
 
 bool MessageReader::next_block_is_due() const {
@@ -51,11 +63,14 @@ void MessageReader::open(std::uint32_t block) {
   if (content->damage) damages_.push_back(*content->damage);
   for (auto& schema : content->schemas) schemas_.insert_or_assign(schema.id, schema);
   for (auto& channel : content->channels) channels_.insert_or_assign(channel.id, channel);
-  if (content->entries.empty()) {
+  const auto first =
+      std::ranges::lower_bound(content->entries, part_.from_ns, {}, &LoadedBlock::Entry::log_ns);
+  if (first == content->entries.end()) {
     spare_ = std::move(content);
     return;
   }
-  const Turn turn{content->entries.front().log_ns, block, 0};
+  const Turn turn{first->log_ns, block,
+                  static_cast<std::uint32_t>(first - content->entries.begin())};
   turns_.push(turn);
   hold(turn, std::move(content));
 }

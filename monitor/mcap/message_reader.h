@@ -16,10 +16,20 @@ namespace galilean::mcap {
 /// and read again when their turn comes. Messages of one log time come in the order of the file.
 class MessageReader {
  public:
+  /// The part of a recording that is read: messages of log times from `from_ns` on, and of the
+  /// blocks for which `reads` returns true, or of all if it is empty.
+  struct Part {
+    std::uint64_t from_ns = 0;
+    std::function<bool(std::uint32_t block)> reads = {};
+  };
+
   /// @param blocks  what survey() found; it and `source` must outlive the reader
   /// @param memory_bytes  the memory for blocks; one block is held in any case
   MessageReader(const ByteSource& source, const std::vector<Block>& blocks,
-                std::size_t memory_bytes = std::size_t{48} << 20);
+                std::size_t memory_bytes = std::size_t{48} << 20)
+      : MessageReader(source, blocks, memory_bytes, Part()) {}
+  MessageReader(const ByteSource& source, const std::vector<Block>& blocks,
+                std::size_t memory_bytes, Part part);
 
   /// Returns the next message; nothing after the last. Its data is valid until the next call.
   [[nodiscard]] const Message* next();
@@ -63,6 +73,7 @@ class MessageReader {
 
   const std::vector<Block>& blocks_;
   std::size_t memory_bytes_;
+  Part part_;
   BlockLoader loader_;
   std::vector<std::uint32_t> order_;  ///< the blocks, in the order in which they begin
   std::size_t opened_ = 0;

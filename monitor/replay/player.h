@@ -6,7 +6,7 @@
 
 #include "core/clock.h"
 #include "monitor/mcap/mcap_reader.h"
-#include "monitor/replay/late_joiner.h"
+#include "monitor/playback/late_joiner.h"
 #include "monitor/replay/tracks.h"
 
 namespace galilean::monitor {

@@ -4,15 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/wire/schemas.h"
 #include "core/wire/topic_names.h"
-#include "core/wire/types/message_definition.h"
-#include "core/wire/types/own_types.h"
+#include "monitor/playback/known_type.h"
 #include "monitor/record/channel_metadata.h"
 #include "monitor/record/losses.h"
 
@@ -24,33 +21,9 @@ constexpr std::array<std::string_view, 4> kMadeByMonitor{
 constexpr std::array<std::string_view, 3> kShared{wire::kTfTopic, wire::kDiagnosticsTopic,
                                                   wire::kLogTopic};
 
-/// Returns the words of an IDL text without its comments, each with one blank behind it.
-std::string words_of(std::string_view idl) {
-  std::string words;
-  while (!idl.empty()) {
-    const auto end = std::min(idl.find('\n'), idl.size());
-    const auto code = idl.substr(0, end);
-    std::istringstream line(std::string(code.substr(0, code.find("//"))));
-    for (std::string word; line >> word;) words += word + ' ';
-    idl.remove_prefix(std::min(end + 1, idl.size()));
-  }
-  return words;
-}
-
-/// Comments and layout are no part of a type: messages of another release may differ in them alone.
-bool defines_alike(const mcap::Schema& schema, const wire::Schema& known) {
-  if (schema.encoding != "ros2msg")
-    return known.idl == schema.data || words_of(known.idl) == words_of(schema.data);
-  const auto* own = wire::find_own_type(known.dds_type);
-  if (!own) return false;
-  const auto definition = wire::message_definition(own->description);
-  return definition && definition.value() == schema.data;
-}
-
 bool is_known(const mcap::Channel& channel, const mcap::Schema& schema) {
-  const auto* known = wire::find_schema_by_ros_type(schema.name);
-  return known && channel.message_encoding == "cdr" && channel.topic.starts_with('/') &&
-         defines_alike(schema, *known);
+  return channel.message_encoding == "cdr" && channel.topic.starts_with('/') &&
+         known_type(schema) != nullptr;
 }
 
 /// What others recorded tells no sender: then a channel is one.

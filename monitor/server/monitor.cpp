@@ -12,6 +12,7 @@
 #include "core/wire/ros_time.h"
 #include "monitor/background/guarded.h"
 #include "monitor/ingest/ingest.h"
+#include "monitor/recordings/upload.h"
 #include "monitor/server/api/api.h"
 #include "monitor/server/api/team_parameters.h"
 #include "monitor/server/foxglove/domain_graph.h"
@@ -35,6 +36,11 @@ std::filesystem::path library_folder(const MonitorOptions& options) {
   return options.library_folder.empty() ? default_library_folder() : options.library_folder;
 }
 
+std::filesystem::path recordings_folder(const MonitorOptions& options) {
+  return options.recordings_folder.empty() ? options.data_folder / "recordings"
+                                           : options.recordings_folder;
+}
+
 template <class M, class Take>
 void decode_for(const Message& message, Take take) {
   if (message.channel.schema->ros_type != M::kRosType) return;
@@ -54,12 +60,18 @@ struct Monitor::Parts {
   ProgramLibrary library;
   PageFiles page;
   foxglove::Hub hub;
+  RecordingFolder recordings;
+  RecordingList recording_list{recordings};
+  Playbacks playbacks;
+  ReplayContext replay{recordings, playbacks};
   asio::io_context io{1};
   asio::signal_set signals{io, SIGINT, SIGTERM};
   asio::steady_timer tell_timer{io};
   SendRounds rounds{io};
   Worker worker{io};
   Worker language_worker{io};
+  Worker recording_worker{io};
+  Worker transfer_worker{io};
   LanguageServerContext language;
   MapService map;
   TrialRoom trials;
@@ -76,6 +88,9 @@ struct Monitor::Parts {
   Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
         std::unique_ptr<History> opened, Tokens tokens);
   ~Parts() {
+    playbacks.finish();
+    recording_worker.finish();
+    transfer_worker.finish();
     worker.finish();
     language_worker.finish();
     hub.forget_demand();
@@ -95,6 +110,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
       page(options.page_folder.empty() ? default_page_folder() : options.page_folder),
       hub("galilean-monitor",
           [this](std::uint32_t channel_id, bool wanted) { ingest.want(channel_id, wanted); }),
+      recordings(recordings_folder(options)),
       language{language_worker, team, library.catalog(), library_folder(options)},
       map(*participant, clock, options.map),
       trials(io, team,
@@ -103,13 +119,23 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
       desk({io, worker, team, library, *history, trials}, clock, *participant),
       simulations(io, worker, clock, *participant),
       operations(worker, team, library, desk, *participant),
-      api({page, team, library, map, hub, operations, desk, simulations, worker, *history}),
+      api({page,
+           team,
+           library,
+           map,
+           hub,
+           operations,
+           desk,
+           simulations,
+           worker,
+           *history,
+           {recordings, recording_list, recording_worker}}),
       server(io, {Guard(options.address, options.allowed_origins),
                   Access(std::move(tokens), is_loopback(options.address)),
                   [this](const HttpRequest& request, const Respond& respond) {
                     api.answer(request, respond);
                   },
-                  hub, rounds, language}),
+                  hub, rounds, language, replay, transfer_worker}),
       ingest(*participant, callbacks(), [this] { asio::post(io, [this] { ingest.poll(); }); }),
       graph(*participant) {
   operations.offer(hub);
@@ -120,6 +146,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
   hub.on_set_parameter([this](const auto& wanted, auto answer) {
     set_team_parameter(operations, wanted, std::move(answer));
   });
+  recording_worker.run([this] { remove_abandoned_uploads(recordings); });
   tell_regularly();
 }
 

@@ -7,6 +7,7 @@ import { test } from 'node:test';
 import { gunzipSync } from 'node:zlib';
 import { description, lint, objections } from './openapi.mjs';
 import { within } from '../tools/patience.mjs';
+import { makeRecording } from './small_recording.mjs';
 import { eventually, getJson, root, startMonitor } from './tools.mjs';
 
 const require = createRequire(`${root}tests/node/`);
@@ -27,7 +28,7 @@ test('the server answers as it is described', async (t) => {
   const ask = async (method, path, { status, body, bearer = token('operator'), headers = {}, ...values }) => {
     const target = path.replace(/\{(\w+)\}/, (_, name) => encodeURIComponent(values[name]));
     const response = await fetch(url + target, {
-      method, body: body === undefined ? undefined : JSON.stringify(body),
+      method, body: body === undefined || body instanceof Uint8Array ? body : JSON.stringify(body),
       headers: { ...(bearer ? { authorization: `Bearer ${bearer}` } : {}), ...headers },
     });
     asked.add(`${method} ${path}`);
@@ -44,6 +45,20 @@ test('the server answers as it is described', async (t) => {
     await ask('GET', '/api/programs/{name}', { status: 404, name: 'nothing.bhdl' });
     await ask('GET', '/api/pushes/{id}', { status: 404, id: 'nothing' });
     await ask('GET', '/api/pushed/{hash}', { status: 404, hash: '0123' });
+    await ask('GET', '/recordings/{name}', { status: 404, name: 'nothing.mcap' });
+  });
+
+  await t.test('recordings', async () => {
+    const [path, body, name] = ['/api/recordings/{name}', await makeRecording(), 'run.mcap'];
+    await ask('PUT', path, { status: 403, name, body, bearer: token('viewer') });
+    await ask('PUT', path, { status: 400, name: 'run.txt', body });
+    await ask('PUT', path, { status: 422, name, body: Buffer.from('no recording') });
+    await ask('PUT', path, { status: 201, name, body });
+    await ask('PUT', path, { status: 409, name, body });
+    assert.equal((await ask('GET', '/api/recordings', { status: 200 })).recordings.length, 1);
+    for (const method of ['GET', 'HEAD']) await ask(method, '/recordings/{name}', { status: 200, name });
+    await ask('GET', '/recordings/{name}', { status: 206, name, headers: { range: 'bytes=0-7' } });
+    await ask('GET', '/recordings/{name}', { status: 416, name, headers: { range: 'bytes=99999999-' } });
   });
 
   await t.test('what can be ordered, and what is refused', async () => {

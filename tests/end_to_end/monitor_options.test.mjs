@@ -11,8 +11,8 @@ import { eventually, getJson, root, startMonitor } from './tools.mjs';
 const { WebSocket } = createRequire(`${root}tests/node/`)('ws');
 
 /** How the monitor answers who would open a WebSocket there: 101 if it does. */
-async function upgraded(url, headers = {}) {
-  const socket = new WebSocket(`${url.replace('http', 'ws')}/ws`, ['foxglove.websocket.v1'], { headers });
+async function upgraded(url, headers = {}, path = '/ws') {
+  const socket = new WebSocket(`${url.replace('http', 'ws')}${path}`, ['foxglove.websocket.v1'], { headers });
   socket.on('error', () => {});
   const refused = once(socket, 'unexpected-response').then(([, { statusCode }]) => statusCode);
   const status = await within(Promise.race([once(socket, 'open').then(() => 101), refused]), () => 'an answer to an upgrade');
@@ -61,7 +61,7 @@ test('options of the map, of silence and of other pages', async (t) => {
 test('on another address than loopback nobody reads without a token', async (t) => {
   const { monitor, url, token } = await startMonitor(t, [], '0.0.0.0:0');
   const ask = (path, bearer) => fetch(url + path, { headers: bearer ? { authorization: `Bearer ${bearer}` } : {} });
-  for (const path of ['/api/status', '/api/programs', '/metrics']) {
+  for (const path of ['/api/status', '/api/programs', '/metrics', '/api/recordings']) {
     const refused = await ask(path);
     assert.equal(refused.status, 401, path);
     assert.equal(refused.headers.get('www-authenticate'), 'Bearer');
@@ -70,6 +70,7 @@ test('on another address than loopback nobody reads without a token', async (t) 
   }
   for (const path of ['/healthz', '/']) assert.equal((await ask(path)).status, 200, path);
   assert.equal(await upgraded(url), 401);
+  assert.equal(await upgraded(url, {}, '/replay?recording=run.mcap'), 401);
   assert.equal(await upgraded(url, { authorization: `Bearer ${token('viewer')}` }), 101);
   const command = (bearer) => fetch(`${url}/api/command`, { method: 'POST', headers: { authorization: `Bearer ${bearer}` }, body: '{"kind": "hold"}' });
   assert.equal((await command(token('viewer'))).status, 403);

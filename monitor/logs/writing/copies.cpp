@@ -9,7 +9,7 @@
 #include "core/command_line/exit_code.h"
 #include "core/plural.h"
 #include "core/visible_text.h"
-#include "monitor/replay/late_joiner.h"
+#include "monitor/playback/late_joiner.h"
 
 namespace galilean::logs {
 namespace {

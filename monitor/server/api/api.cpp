@@ -21,6 +21,18 @@ bool is_reading(const HttpRequest& request) {
   return request.method == "GET" || request.method == "HEAD";
 }
 
+/// A browser asks so before a page of another site may post, or ask for a part of a file.
+HttpResponse what_other_pages_may(const std::string& path) {
+  const bool is_file = path.starts_with(Guard::kSharedPath);
+  return {
+      204,
+      {},
+      nullptr,
+      {{"Access-Control-Allow-Methods", is_file ? "GET, HEAD" : "GET, POST, PUT"},
+       {"Access-Control-Allow-Headers", is_file ? "range, if-range, if-none-match, authorization"
+                                                : "content-type, authorization"}}};
+}
+
 }  // namespace
 
 Api::Api(Parts parts) : parts_(parts) {
@@ -58,6 +70,7 @@ void Api::add_routes() {
   });
   add_map_routes();
   add_simulation_routes();
+  add_recording_routes();
   post("/api/check", Right::kRead, operation(&Operations::check));
   post("/api/push", Right::kOperate, operation(&Operations::push));
   post("/api/pushes/", Right::kOperate,
@@ -71,12 +84,7 @@ void Api::post(std::string path, Right needs, Handler handler) {
 }
 
 void Api::answer(const HttpRequest& request, const Respond& respond) {
-  if (request.method == "OPTIONS")  // a browser asks so before a page of another site may post
-    return respond({204,
-                    {},
-                    nullptr,
-                    {{"Access-Control-Allow-Methods", "GET, POST"},
-                     {"Access-Control-Allow-Headers", "content-type, authorization"}}});
+  if (request.method == "OPTIONS") return respond(what_other_pages_may(request.path));
   const auto here = routes_to(request.path);
   if (here.empty() && is_reading(request)) return respond(parts_.page.get(request));
   const auto route =

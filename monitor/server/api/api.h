@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "monitor/map/map_service.h"
+#include "monitor/recordings/recording_list.h"
 #include "monitor/server/api/operations.h"
 #include "monitor/server/http/http_server.h"
 #include "monitor/server/http/page_files.h"
@@ -12,10 +13,16 @@
 
 namespace galilean::monitor {
 
-/// Answers plain HTTP requests: the page's files, /healthz, /metrics and /api/…, as
-/// docs/openapi.yaml describes them. For use on the io_context's thread.
+/// Answers plain HTTP requests: the page's files, /healthz, /metrics, /recordings/… and
+/// /api/…, as docs/openapi.yaml describes them. For use on the io_context's thread.
 class Api {
  public:
+  /// The folder of recordings. The list is used on the worker only, which may block on the disk.
+  struct Recordings {
+    const RecordingFolder& folder;
+    RecordingList& list;
+    Worker& worker;
+  };
   struct Parts {
     const PageFiles& page;
     const Team& team;
@@ -27,6 +34,7 @@ class Api {
     SimulationDesk& simulations;
     Worker& worker;
     History& history;  ///< used on the worker only
+    Recordings recordings;
   };
 
   explicit Api(Parts blocks);
@@ -49,6 +57,7 @@ class Api {
   void add_routes();
   void add_map_routes();
   void add_simulation_routes();
+  void add_recording_routes();
   void post(std::string path, Right needs, Handler handler);
   [[nodiscard]] static Finish finish_of(const Respond& respond);
   [[nodiscard]] Handler operation(void (Operations::*operate)(const nlohmann::json&, Finish));
@@ -61,6 +70,8 @@ class Api {
   void pushes(const Respond& respond);
   void cancel_push(const HttpRequest& request, const Respond& respond);
   void pushed_program(const std::string& hash, const Respond& respond);
+  void list_recordings(const Respond& respond);
+  void send_recording(const HttpRequest& request, const Respond& respond);
   void status(Right right, const Respond& respond) const;
 
   Parts parts_;

@@ -5,20 +5,11 @@
 #include "monitor/access/access.h"
 #include "monitor/background/guarded.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
+#include "monitor/server/foxglove/ids.h"
 #include "monitor/server/text/request_fields.h"
 
 namespace galilean::monitor::foxglove {
 namespace {
-
-std::optional<std::uint32_t> id_of(const nlohmann::json& json) {
-  if (!json.is_number_unsigned() || json.get<std::uint64_t>() > 0xfffffffe) return std::nullopt;
-  return json.get<std::uint32_t>();
-}
-
-std::optional<std::uint32_t> id_of(const nlohmann::json& object, const char* key) {
-  if (!object.is_object() || !object.contains(key)) return std::nullopt;
-  return id_of(object[key]);
-}
 
 /// Returns how many frames of one subscription may wait for a slow client. 0 means that all frames
 /// must arrive, so they wait in the outbox's queue.

@@ -7,16 +7,6 @@
 #include "core/wire/ros_time.h"
 
 namespace galilean::monitor::foxglove {
-namespace {
-
-/// Returns how many messages a later subscriber gets, as many as DDS gives a late joiner.
-std::size_t kept_for_late_joiners(wire::Delivery delivery) {
-  if (delivery == wire::Delivery::kState) return 1;
-  return delivery == wire::Delivery::kEvent ? 64 : 0;
-}
-
-}  // namespace
-
 Hub::Hub(std::string server_name, Demand demand)
     : server_name_(std::move(server_name)),
       session_id_(std::to_string(wire::wall_clock_ns())),
@@ -38,7 +28,7 @@ void Hub::add_channel(const Channel& channel) {
 void Hub::send(const Message& message) {
   Topic* topic = find(message.channel.id);
   if (!topic) return;
-  if (const auto depth = kept_for_late_joiners(message.channel.delivery); depth > 0) {
+  if (const auto depth = wire::kept_for_late_joiners(message.channel.delivery); depth > 0) {
     if (topic->kept.size() >= depth) topic->kept.pop_front();
     topic->kept.push_back(message);
   }

@@ -16,6 +16,33 @@ nlohmann::json definition(const nlohmann::json& schema, const std::string& name)
           {"schema", json_text(schema)}};
 }
 
+nlohmann::json time_json(std::uint64_t since_epoch_ns) {
+  constexpr std::uint64_t kSecond_ns = 1'000'000'000;
+  return {{"sec", since_epoch_ns / kSecond_ns}, {"nsec", since_epoch_ns % kSecond_ns}};
+}
+
+std::string base64(std::string_view bytes) {
+  static constexpr char kDigits[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    const auto part = bytes.substr(at, 3);
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      bits = bits << 8 | (i < part.size() ? static_cast<std::uint8_t>(part[i]) : 0u);
+    for (std::size_t i = 0; i < 4; ++i)
+      text += i <= part.size() ? kDigits[bits >> (18 - 6 * i) & 63] : '=';
+  }
+  return text;
+}
+
+/// The protocol wants schemas that are no text in base 64.
+std::string schema_text(const AdvertisedChannel& channel) {
+  const bool is_binary =
+      channel.schema_encoding == "protobuf" || channel.schema_encoding == "flatbuffer";
+  return is_binary ? base64(channel.schema) : channel.schema;
+}
+
 using Ends = std::map<std::string, ConnectionGraph::Ids>;
 
 /// Returns the topics or services whose ends changed, each as {name, `ids`: […]}.
@@ -55,16 +82,39 @@ std::string server_info(const std::string& name, const std::string& session_id) 
                     {"sessionId", session_id}});
 }
 
-std::string advertise(const std::vector<const Channel*>& channels) {
+std::string server_info(const RecordingInfo& recording, const std::string& session_id) {
+  return json_text({{"op", "serverInfo"},
+                    {"name", recording.name},
+                    {"capabilities", {"time", "playbackControl"}},
+                    {"supportedEncodings", nlohmann::json::array()},
+                    {"metadata", {{"product", "galilean"}}},
+                    {"sessionId", session_id},
+                    {"dataStartTime", time_json(recording.start_ns)},
+                    {"dataEndTime", time_json(recording.end_ns)}});
+}
+
+std::string advertise(const std::vector<AdvertisedChannel>& channels) {
   auto list = nlohmann::json::array();
-  for (const Channel* channel : channels)
-    list.push_back({{"id", channel->id},
-                    {"topic", channel->ros_name()},
-                    {"encoding", "cdr"},
-                    {"schemaName", channel->schema->ros_type},
-                    {"schema", channel->schema->idl},
-                    {"schemaEncoding", "ros2idl"}});
+  for (const auto& channel : channels)
+    list.push_back({{"id", channel.id},
+                    {"topic", channel.topic},
+                    {"encoding", channel.encoding},
+                    {"schemaName", channel.schema_name},
+                    {"schema", schema_text(channel)},
+                    {"schemaEncoding", channel.schema_encoding}});
   return json_text({{"op", "advertise"}, {"channels", std::move(list)}});
+}
+
+std::string advertise(const std::vector<const Channel*>& channels) {
+  std::vector<AdvertisedChannel> list;
+  for (const Channel* channel : channels)
+    list.push_back({.id = channel->id,
+                    .topic = channel->ros_name(),
+                    .encoding = "cdr",
+                    .schema_name = std::string(channel->schema->ros_type),
+                    .schema_encoding = "ros2idl",
+                    .schema = std::string(channel->schema->idl)});
+  return advertise(list);
 }
 
 std::string advertise_services(const std::vector<Service>& services) {

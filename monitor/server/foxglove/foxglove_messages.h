@@ -39,11 +39,29 @@ struct ConnectionGraph {
   bool operator==(const ConnectionGraph&) const = default;
 };
 
+/// A channel as it is announced.
+struct AdvertisedChannel {
+  std::uint32_t id = 0;
+  std::string topic;
+  std::string encoding;  ///< of the messages
+  std::string schema_name, schema_encoding, schema;
+};
+
+/// A recording as its viewers are told of it. Times are log times [ns since the Unix epoch].
+struct RecordingInfo {
+  std::string name;
+  std::uint64_t start_ns = 0, end_ns = 0;
+};
+
 enum class StatusLevel { kInfo = 0, kWarning = 1, kError = 2 };
 
 /// The server's JSON messages (ws-protocol, "JSON messages"), each as its text.
 [[nodiscard]] std::string server_info(const std::string& name, const std::string& session_id);
+/// Tells of a server whose time its clients control.
+[[nodiscard]] std::string server_info(const RecordingInfo& recording,
+                                      const std::string& session_id);
 [[nodiscard]] std::string advertise(const std::vector<const Channel*>& channels);
+[[nodiscard]] std::string advertise(const std::vector<AdvertisedChannel>& channels);
 /// Gives the services the ids 1, 2, 3 … in their order.
 [[nodiscard]] std::string advertise_services(const std::vector<Service>& services);
 [[nodiscard]] std::string status(StatusLevel level, const std::string& message);

@@ -46,13 +46,17 @@ bool Guard::is_allowed_origin(const std::string& origin) const {
   return std::ranges::find(allowed_origins_, lower(origin), lower) != allowed_origins_.end();
 }
 
+bool Guard::is_of_stranger(const HttpRequest& request) const {
+  if (request.origin.empty() || is_allowed_origin(request.origin)) return false;
+  return lower(request.origin) != kDesktopProgram &&
+         lower(authority(request.origin)) != lower(request.host);
+}
+
 Result<void> Guard::admit(const HttpRequest& request) const {
   if (!is_own_host(request.host))
     return Error{"This monitor does not answer for the host '" + request.host +
                  "'; use localhost or the address that it listens on."};
-  if (request.origin.empty() || is_allowed_origin(request.origin)) return {};
-  if (lower(request.origin) == kDesktopProgram) return {};
-  if (lower(authority(request.origin)) == lower(request.host)) return {};
+  if (!is_of_stranger(request) || request.path.starts_with(kSharedPath)) return {};
   return Error{"Pages from '" + request.origin +
                "' may not use this monitor; start it with --allow-origin " + request.origin +
                " if they should."};

@@ -18,14 +18,21 @@ namespace galilean::monitor {
 /// that the server listens on; it may be any address if the server listens on all. Origin, if it is
 /// sent, must be this host or a site that the operator allowed. The origin "file://" passes, too:
 /// the desktop programs of Foxglove and Lichtblick send it, and no site can send it.
+///
+/// Files below kSharedPath are there for pages of any site, so that viewers in a browser open a
+/// recording by its address. Such a page needs a token, also where reading is free for others.
 class Guard {
  public:
+  static constexpr std::string_view kSharedPath = "/recordings/";
+
   /// `allowed_origins` are written as a browser sends them: "https://studio.example.org".
   Guard(std::string listen_address, std::vector<std::string> allowed_origins)
       : listen_address_(std::move(listen_address)), allowed_origins_(std::move(allowed_origins)) {}
 
   /// Errors: the request is refused; the error is a sentence for its author.
   [[nodiscard]] Result<void> admit(const HttpRequest& request) const;
+  /// Returns whether a page of another site sent the request that was not allowed to.
+  [[nodiscard]] bool is_of_stranger(const HttpRequest& request) const;
   /// Returns whether the operator allowed this origin.
   [[nodiscard]] bool is_allowed_origin(const std::string& origin) const;
 

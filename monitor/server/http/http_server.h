@@ -13,14 +13,15 @@
 #include "monitor/server/http/guard.h"
 #include "monitor/server/http/http_messages.h"
 #include "monitor/server/lsp/language_session.h"
+#include "monitor/server/replay/replay_session.h"
 #include "monitor/server/websocket/send_rounds.h"
 
 namespace galilean::monitor {
 
 /// Serves HTTP/1.1 on one address and port. GET /ws becomes a WebSocket of the hub, GET /lsp one of
-/// the language server. Everything runs on the io_context's one thread. HTTP connections are
-/// limited in number, and requests in size and in the time that they take to arrive; WebSockets do
-/// not count as HTTP connections.
+/// the language server, GET /replay one of a recording. Everything runs on the io_context's one
+/// thread. HTTP connections are limited in number, and requests in size and in the time that they
+/// take to arrive; WebSockets do not count as HTTP connections.
 class HttpServer {
  public:
   static constexpr std::size_t kMostConnections = 1024;
@@ -38,6 +39,8 @@ class HttpServer {
     foxglove::Hub& hub;
     SendRounds& rounds;
     LanguageServerContext& language;
+    ReplayContext& replay;
+    Worker& transfers;  ///< reads files while they are sent
     Counts counts = {};
   };
 

@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/http/websocket_session.h"
 
-#include <boost/beast/http/field.hpp>
-#include <boost/beast/http/rfc7230.hpp>
-
 #include "monitor/background/guarded.h"
+#include "monitor/server/foxglove/subprotocol.h"
 #include "monitor/server/websocket/web_socket.h"
 
 namespace galilean::monitor {
 namespace {
 
-namespace http = boost::beast::http;
 using Upgrade = WebSocket::Upgrade;
 using error_code = boost::system::error_code;
 
 /// Room for a push of the largest program, escaped as JSON.
 constexpr std::size_t kMostMessageBytes = 16 << 20;
-
-/// Returns the first subprotocol that both sides speak, or an empty string.
-std::string_view subprotocol_for(const Upgrade& upgrade) {
-  http::token_list offered(upgrade[http::field::sec_websocket_protocol]);
-  for (const auto ours : foxglove::kSubprotocols)
-    if (offered.exists({ours.data(), ours.size()})) return ours;
-  return {};
-}
 
 class WebSocketSession final : public foxglove::Link,
                                public std::enable_shared_from_this<WebSocketSession> {
@@ -33,7 +22,7 @@ class WebSocketSession final : public foxglove::Link,
       : socket_(std::move(socket), rounds, kMostMessageBytes), hub_(hub), right_(right) {}
 
   void start(const Upgrade& upgrade) {
-    const auto subprotocol = subprotocol_for(upgrade);
+    const auto subprotocol = foxglove::subprotocol_for(upgrade);
     socket_.accept(
         upgrade, subprotocol,
         [self = shared_from_this(), understood = !subprotocol.empty()](error_code error) {
@@ -41,7 +30,7 @@ class WebSocketSession final : public foxglove::Link,
           if (understood)
             self->attempt([&] { self->begin(); });
           else
-            self->close("offer the subprotocol foxglove.sdk.v1 or foxglove.websocket.v1");
+            self->close(foxglove::kNoSubprotocol);
           self->read();
         });
   }

@@ -46,12 +46,23 @@ Frame text_frame(std::string_view text) {
   return frame;
 }
 
+Frame binary_frame(std::vector<std::uint8_t> message) {
+  Frame frame = begin_frame(kBinary, message.size());
+  frame.payload = std::make_shared<const std::vector<std::uint8_t>>(std::move(message));
+  return frame;
+}
+
 Frame message_frame(std::uint32_t subscription_id, const Message& message) {
-  Frame frame = begin_frame(kBinary, 13 + message.cdr->size());
+  return message_frame(subscription_id, static_cast<std::uint64_t>(message.received_ns),
+                       message.cdr);
+}
+
+Frame message_frame(std::uint32_t subscription_id, std::uint64_t log_ns, Payload message) {
+  Frame frame = begin_frame(kBinary, 13 + message->size());
   put_byte(frame, kMessageData);
   put_little_endian(frame, subscription_id);
-  put_little_endian(frame, static_cast<std::uint64_t>(message.received_ns));
-  frame.payload = message.cdr;
+  put_little_endian(frame, log_ns);
+  frame.payload = std::move(message);
   return frame;
 }
 

@@ -27,6 +27,9 @@ struct Frame {
 // (RFC 6455, 5.2).
 [[nodiscard]] Frame text_frame(std::string_view text);
 [[nodiscard]] Frame message_frame(std::uint32_t subscription_id, const Message& message);
+[[nodiscard]] Frame message_frame(std::uint32_t subscription_id, std::uint64_t log_ns,
+                                  Payload message);
+[[nodiscard]] Frame binary_frame(std::vector<std::uint8_t> message);
 [[nodiscard]] Frame time_frame(std::int64_t since_epoch_ns);
 [[nodiscard]] Frame service_response_frame(std::uint32_t service_id, std::uint32_t call_id,
                                            std::string_view encoding, std::string_view answer);

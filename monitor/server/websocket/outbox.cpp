@@ -36,10 +36,12 @@ void Outbox::clear() {
 
 std::vector<Frame> Outbox::take(std::size_t most) {
   std::vector<Frame> taken;
+  const auto queued_before = queued_bytes_;
   for (; taken.size() < most && !queue_.empty(); queue_.pop_front()) {
     queued_bytes_ -= queue_.front().size();
     taken.push_back(std::move(queue_.front()));
   }
+  if (tell_taken_ && queued_bytes_ < queued_before) tell_taken_(queued_before - queued_bytes_);
   while (taken.size() < most && !turns_.empty()) {
     const auto lane = turns_.front();
     turns_.pop_front();

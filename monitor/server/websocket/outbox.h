@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <unordered_map>
 #include <vector>
 
@@ -32,6 +33,8 @@ class Outbox {
   /// Removes and returns at most `most` frames: first those of the queue, then one of each lane in
   /// turn.
   [[nodiscard]] std::vector<Frame> take(std::size_t most);
+  /// Calls `tell` with the size of the frames of the queue [bytes] whenever some of them are taken.
+  void on_taken(std::function<void(std::size_t bytes)> tell) { tell_taken_ = std::move(tell); }
   [[nodiscard]] bool empty() const noexcept { return queue_.empty() && turns_.empty(); }
   /// Returns how many frames a newer one replaced in a lane before they were sent.
   [[nodiscard]] std::uint64_t superseded() const noexcept { return superseded_; }
@@ -42,6 +45,7 @@ class Outbox {
   std::unordered_map<std::uint32_t, std::deque<Frame>> lanes_;
   std::deque<std::uint32_t> turns_;  ///< the lanes that hold frames, each once, in sending order
   std::uint64_t superseded_ = 0;
+  std::function<void(std::size_t)> tell_taken_;
 };
 
 }  // namespace galilean::monitor

@@ -52,6 +52,23 @@ TEST(Guard, DesktopProgramsWhosePagesAreFilesMayAsk) {
   EXPECT_FALSE(passes(guard, "localhost:8080", "file://evil.example"));
 }
 
+TEST(Guard, RecordingsAreForPagesOfAnySiteButTheirHostIsChecked) {
+  const Guard guard("127.0.0.1", {"https://studio.example"});
+  HttpRequest request{.path = "/recordings/run.mcap", .host = "localhost:8080"};
+  request.origin = "https://viewer.example";
+  EXPECT_TRUE(guard.admit(request));
+  EXPECT_TRUE(guard.is_of_stranger(request)) << "it needs a token";
+  request.path = "/api/recordings";
+  EXPECT_FALSE(guard.admit(request));
+  request.path = "/recordings/run.mcap";
+  for (const char* origin : {"https://studio.example", "http://localhost:8080", "file://", ""}) {
+    request.origin = origin;
+    EXPECT_FALSE(guard.is_of_stranger(request)) << origin;
+  }
+  request.host = "evil.example";
+  EXPECT_FALSE(guard.admit(request));
+}
+
 TEST(PageFiles, WithoutAPageItSaysHowToBuildOne) {
   const PageFiles page("/nonexistent");
   HttpRequest request;

@@ -17,9 +17,10 @@ using Refused = boost::beast::system_error;
 class LanguageUpgradeTest : public testing::Test {
  protected:
   void listen(bool reads_freely) {
-    server.emplace(io, HttpServer::ServerContext{
-                           Guard("127.0.0.1", {}), Access({"viewer", "operator"}, reads_freely),
-                           [](const HttpRequest&, const Respond&) {}, hub, rounds, context});
+    server.emplace(io, HttpServer::ServerContext{Guard("127.0.0.1", {}),
+                                                 Access({"viewer", "operator"}, reads_freely),
+                                                 [](const HttpRequest&, const Respond&) {}, hub,
+                                                 rounds, context, replay, worker});
     const auto listening = server->listen("127.0.0.1", 0);
     ASSERT_TRUE(listening) << listening.error().message;
     port = listening.value();
@@ -36,6 +37,9 @@ class LanguageUpgradeTest : public testing::Test {
   Team team{clock};
   const Catalog installed{};
   foxglove::Hub hub{"monitor", [](std::uint32_t, bool) {}};
+  RecordingFolder recordings{folder.path()};
+  Playbacks playbacks;
+  ReplayContext replay{recordings, playbacks};
   boost::asio::io_context io{1};
   SendRounds rounds{io};
   Worker worker{io};

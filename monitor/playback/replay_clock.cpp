@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/replay/replay_clock.h"
+#include "monitor/playback/replay_clock.h"
 
 namespace galilean::monitor {
 
@@ -27,6 +27,11 @@ void ReplayClock::pause(bool paused) noexcept {
 void ReplayClock::move_to(Time time) noexcept {
   begin_anew();
   if (time > base_) base_ = time;
+}
+
+void ReplayClock::jump_to(Time time) noexcept {
+  begin_anew();
+  base_ = time;
 }
 
 std::optional<Duration> ReplayClock::real_until(Time time) const noexcept {

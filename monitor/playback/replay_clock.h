@@ -22,6 +22,8 @@ class ReplayClock final : public Clock {
   void pause(bool paused) noexcept;
   /// Moves it on to that time, if it is not there yet.
   void move_to(Time time) noexcept;
+  /// Moves it to that time, also back.
+  void jump_to(Time time) noexcept;
   /// Returns how long that is by the real clock; nothing if it stands still until then.
   [[nodiscard]] std::optional<Duration> real_until(Time time) const noexcept;
 

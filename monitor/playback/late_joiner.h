@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/wire/delivery.h"
-#include "monitor/mcap/mcap_records.h"
+#include "monitor/mcap/owned_message.h"
 
 namespace galilean::monitor {
 
@@ -23,18 +23,9 @@ class LateJoiner {
   }
 
  private:
-  struct Kept {
-    mcap::Message head;  ///< its data is in `data`
-    mcap::Bytes data;
-    [[nodiscard]] mcap::Message message() const {
-      auto whole = head;
-      whole.data = data;
-      return whole;
-    }
-  };
-  [[nodiscard]] std::vector<Kept> in_order();
+  [[nodiscard]] std::vector<mcap::OwnedMessage> in_order();
 
-  std::map<std::uint16_t, std::vector<Kept>> kept_;  ///< by channel
+  std::map<std::uint16_t, std::vector<mcap::OwnedMessage>> kept_;  ///< by channel
 };
 
 }  // namespace galilean::monitor

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "monitor/recordings/recording_folder.h"
+
+namespace galilean::monitor {
+
+/// What a list says of one recording.
+struct ListedRecording {
+  std::string name;
+  std::uint64_t bytes = 0;
+  std::uint64_t modified_ns = 0;           ///< since the Unix epoch
+  std::uint64_t start_ns = 0, end_ns = 0;  ///< log times; 0 without messages
+  std::uint64_t messages = 0;
+  std::vector<std::string> robots;
+  bool complete = false;  ///< its recorder came to its end, and no damage was met
+  std::string why;        ///< a sentence if it cannot be opened; else empty
+};
+
+/// Lists the recordings of a folder. What a file holds is looked up again only when its size or
+/// its time has changed, and, while it is being written, at most every ten seconds. For use by one
+/// thread; a call may block on the disk.
+class RecordingList {
+ public:
+  /// Requires: `folder` outlives this.
+  explicit RecordingList(const RecordingFolder& folder) : folder_(folder) {}
+
+  /// Returns the recordings, the newest first.
+  /// Errors: the folder cannot be read. The error is a sentence.
+  [[nodiscard]] Result<std::vector<ListedRecording>> list();
+
+ private:
+  struct Looked {
+    ListedRecording recording;
+    std::uint64_t inode = 0;
+    std::uint64_t renew_at_ns = 0;  ///< since the Unix epoch; 0: when the file changes
+  };
+  [[nodiscard]] Looked look(const std::string& name, Looked before) const;
+
+  const RecordingFolder& folder_;
+  std::map<std::string, Looked> looked_;
+};
+
+}  // namespace galilean::monitor

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+
+#include "core/result.h"
+
+namespace galilean::monitor {
+
+/// The end of the names of recordings.
+inline constexpr std::string_view kRecordingExtension = ".mcap";
+
+/// Errors: `name` is no name of a recording, but a path, the name of a hidden file, too long, or
+/// something that does not end with kRecordingExtension. The error is a sentence.
+[[nodiscard]] Result<void> check_recording_name(std::string_view name);
+
+}  // namespace galilean::monitor

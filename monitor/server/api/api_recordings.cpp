@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/record/times.h"
+#include "monitor/server/api/api.h"
+#include "monitor/server/api/recording_file.h"
+#include "monitor/server/api/recording_upload.h"
+
+namespace galilean::monitor {
+namespace {
+
+constexpr std::string_view kList = "/api/recordings";
+constexpr std::string_view kUploads = "/api/recordings/";
+
+nlohmann::json to_json(const ListedRecording& recording) {
+  nlohmann::json json{{"name", recording.name},
+                      {"bytes", recording.bytes},
+                      {"modified", iso_time(recording.modified_ns)},
+                      {"start", recording.start_ns},
+                      {"end", recording.end_ns},
+                      {"messages", recording.messages},
+                      {"robots", recording.robots},
+                      {"complete", recording.complete}};
+  if (!recording.why.empty()) json["why"] = recording.why;
+  return json;
+}
+
+}  // namespace
+
+void Api::add_recording_routes() {
+  routes_.push_back({"GET", std::string(kList), Right::kRead,
+                     [this](auto&, auto& respond) { list_recordings(respond); }});
+  routes_.push_back({"GET", std::string(Guard::kSharedPath), Right::kRead,
+                     [this](auto& request, auto& respond) { send_recording(request, respond); }});
+  routes_.push_back(
+      {"PUT", std::string(kUploads), Right::kOperate, [this](auto& request, auto& respond) {
+         receive_recording(parts_.recordings.folder, parts_.recordings.worker,
+                           request.path.substr(kUploads.size()), request, respond);
+       }});
+}
+
+void Api::list_recordings(const Respond& respond) {
+  parts_.recordings.worker.run(
+      [this] { return parts_.recordings.list.list(); },
+      [this, respond](const Result<std::vector<ListedRecording>>& listed) {
+        if (!listed) return respond(problem(503, listed.error().message));
+        auto list = nlohmann::json::array();
+        for (const auto& recording : listed.value()) list.push_back(to_json(recording));
+        respond(json_response({{"folder", parts_.recordings.folder.path().string()},
+                               {"recordings", std::move(list)}}));
+      },
+      unable(finish_of(respond)));
+}
+
+void Api::send_recording(const HttpRequest& request, const Respond& respond) {
+  parts_.recordings.worker.run(
+      [this, name = request.path.substr(Guard::kSharedPath.size())] {
+        return parts_.recordings.folder.open(name);
+      },
+      [request, respond](const Result<OpenedRecording, NotOpened>& opened) {
+        respond(opened ? recording_response(opened.value(), request)
+                       : recording_problem(opened.error()));
+      },
+      unable(finish_of(respond)));
+}
+
+}  // namespace galilean::monitor

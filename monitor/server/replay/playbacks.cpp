@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/server/replay/playbacks.h"
+
+#include <utility>
+
+#include "monitor/background/guarded.h"
+
+namespace galilean::monitor {
+
+bool Playbacks::begin(std::shared_ptr<PlaybackLine> line, std::function<void(PlaybackLine&)> play) {
+  forget_what_is_over();
+  if (running_.size() >= kMost) return false;
+  auto over = std::make_shared<std::atomic<bool>>(false);
+  std::thread thread([line, over, play = std::move(play)] {
+    const auto done = guarded("a playback", [&] { play(*line); });
+    if (!done)
+      (void)guarded("a playback's end", [&] {
+        line->send(
+            {.frames = {}, .end_reason = "The replay failed: " + done.error().message + "."});
+      });
+    *over = true;
+  });
+  running_.push_back({std::move(thread), std::move(line), std::move(over)});
+  return true;
+}
+
+void Playbacks::forget_what_is_over() {
+  std::erase_if(running_, [](Running& each) {
+    if (!*each.over) return false;
+    each.thread.join();
+    return true;
+  });
+}
+
+void Playbacks::finish() {
+  for (const auto& each : running_) each.line->leave();
+  for (auto& each : running_) each.thread.join();
+  running_.clear();
+}
+
+}  // namespace galilean::monitor

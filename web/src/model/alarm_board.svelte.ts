@@ -13,6 +13,10 @@ class AlarmBoard {
   /** What is wrong, in words, of each robot that has an alarm at the instant that is shown. */
   readonly wordsByRobot: ReadonlyMap<string, readonly string[]> = $derived(wordsByRobot(live.isPast ? alarms(live.team, live.known_ms) : this.#lasting));
 
+  constructor() {
+    live.onRewind(() => (this.posted = []));
+  }
+
   get #lasting(): Alarm[] {
     return this.posted.filter(({ over_ms }) => over_ms === undefined).map(({ alarm }) => alarm);
   }

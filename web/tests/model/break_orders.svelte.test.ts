@@ -26,7 +26,7 @@ beforeEach(() => {
   questions.asked = [];
   live.reset();
   live.robots = [robot("io"), robot("ganymede")];
-  rights.maySteer = true;
+  rights.told(true);
   orders = new BreakOrders();
 });
 
@@ -62,7 +62,7 @@ describe("a break point", () => {
     live.robots = [];
     orders.toggle(ENTERING);
     live.robots = [robot("io")];
-    rights.maySteer = false;
+    rights.told(false);
     orders.toggle(ENTERING);
     orders.step("io");
     expect(asked()).toEqual([]);

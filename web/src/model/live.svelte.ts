@@ -107,6 +107,10 @@ class Live {
   get isBehind(): boolean {
     return this.#clock.isBehind;
   }
+  /** The monitor did not open the recording. */
+  get isUnopened(): boolean {
+    return this.connection === "lost" && this.playback !== undefined && !this.playback.range;
+  }
   /** What time it is, drawn or not: of a recording as far as it was played. */
   get clock_ms(): number {
     return this.playback?.now_ms ?? Date.now();

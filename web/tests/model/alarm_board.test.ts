@@ -9,6 +9,14 @@ vi.mock("../../src/model/live.svelte", () => import("../fixture/shown_live.svelt
 const ofIo = (problems: string[], at_ms: number) => told([["/io/state", state({ at_ms, problems }), at_ms]]);
 const words = () => alarmBoard.wordsByRobot.get("io");
 
+it("forgets them where a recording goes on from another instant", () => {
+  [live.present, live.present_ms] = [ofIo(["no picture"], T0_MS), T0_MS];
+  alarmBoard.refresh();
+  expect(alarmBoard.posted).toHaveLength(1);
+  live.rewind(T0_MS - 1000);
+  expect(alarmBoard.posted).toEqual([]);
+});
+
 it("says of each robot what was wrong at the instant that is shown, while its list stays the present's", () => {
   [live.present, live.present_ms] = [ofIo(["no picture"], T0_MS), T0_MS];
   alarmBoard.refresh();

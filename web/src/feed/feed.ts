@@ -154,12 +154,12 @@ export class Feed {
     }
   }
 
-  #decoder({ topic, schemaName, schema, encoding }: Channel): Decode | undefined {
+  #decoder({ topic, schemaName, schema, schemaEncoding, encoding }: Channel): Decode | undefined {
     const known = this.#decoders.get(schemaName);
     if (known) return known;
     try {
       if (encoding !== "cdr") throw new Error(`its encoding is ${encoding}, not cdr`);
-      const decode = decoderOf(schemaName, schema);
+      const decode = decoderOf(schemaName, schema, schemaEncoding);
       this.#decoders.set(schemaName, decode);
       return decode;
     } catch (error) {

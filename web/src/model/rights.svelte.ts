@@ -2,7 +2,6 @@
 // Whether this viewer may steer, as the monitor says; until it has said so, it may. Nobody steers a recording.
 
 import { RECORDED } from "../feed/recording";
-import { onKey } from "../lib/keys";
 import { live } from "./live.svelte";
 
 const HOW_TO_STEER =
@@ -55,7 +54,7 @@ export function steers(button: HTMLButtonElement): void {
   });
 }
 
-/** Declares a key that steers, as `onKey` does. In a recording it says why it does nothing. */
-export function onSteeringKey(key: string, does: string, act: () => void, anywhere = false): () => void {
-  return onKey(key, live.playback ? "off: a recording cannot be stopped" : does, () => (!live.playback || rights.ask()) && act(), anywhere);
+/** What `onKey` is told of a key that steers. In a recording the key says why it does nothing. */
+export function steering(does: string, act: () => void): [does: string, act: () => void] {
+  return live.playback ? ["off: a recording cannot be stopped", () => void rights.ask()] : [does, act];
 }

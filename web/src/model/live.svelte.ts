@@ -220,8 +220,8 @@ class Live {
     const { team, gaps } = rewound({ team: this.#team, gaps: this.gaps }, this.#history, from_ms, to_ms);
     [this.#team, this.#shown, this.gaps] = [team, team, gaps];
     for (const listener of this.#rewinders) listener(to_ms);
-    this.#glanceTold_ms = -Infinity;
     this.#advance();
+    this.#tellGlance();
     flushSync();
   }
 
@@ -262,26 +262,27 @@ class Live {
     if (this.playback) this.#clock.jump(now_ms);
     else this.#clock.advance(now_ms);
     this.playback?.drawn(now_ms);
-    this.#tellGlance();
+    this.#tellGlanceInTurn();
     const silent = silentIn(this.#shown.robots.values(), this.known_present_ms);
     if (!haveSame(silent, this.#silentNow)) this.#silentNow = silent;
   }
 
   /** A crowd's rows and cells have a frame of their own: in one with the rest it would take too long. */
-  #tellGlance(): void {
-    const tell = () => {
-      this.#glanceTold_ms = this.#frames.now_ms();
-      [this.#glanced, this.#glanced_ms] = [this.#shown, this.clock_ms];
-      this.#clock.step(this.clock_ms);
-    };
-    if (this.#shown.robots.size <= CROWD || this.#glanced.robots.size !== this.#shown.robots.size) return tell();
+  #tellGlanceInTurn(): void {
+    if (this.#shown.robots.size <= CROWD || this.#glanced.robots.size !== this.#shown.robots.size) return this.#tellGlance();
     if (this.#glanceWaits || this.#frames.now_ms() - this.#glanceTold_ms < GLANCE_MS) return;
     this.#glanceWaits = true;
     this.#frames.before(() => {
       this.#glanceWaits = false;
-      tell();
+      this.#tellGlance();
       flushSync();
     });
+  }
+
+  #tellGlance(): void {
+    this.#glanceTold_ms = this.#frames.now_ms();
+    [this.#glanced, this.#glanced_ms] = [this.#shown, this.clock_ms];
+    this.#clock.step(this.clock_ms);
   }
 }
 

@@ -70,6 +70,14 @@ describe("a break point", () => {
   });
 });
 
+it("of a recording nothing is ordered, and the reader is told why", () => {
+  live.playback = {};
+  orders.toggle(ENTERING);
+  orders.step();
+  expect(asked()).toEqual([]);
+  expect(live.trouble).toMatch(/^This is a recording: a recording cannot be stopped or steered\./);
+});
+
 it("one robot is let through or steps, or all step", () => {
   orders.letThrough("io", { from: "grab", to: "move" });
   orders.step("io");

@@ -53,9 +53,9 @@ class Live {
   #redraw = new Redraw((isUrgent) => this.#draw(isUrgent), this.#frames);
 
   /** How the recording is played that the page shows; undefined: it shows the live team. */
-  readonly playback = recording === undefined ? undefined : new Playback(recording, (request) => this.feed.play(request));
+  readonly playback: Playback | undefined = recording === undefined ? undefined : new Playback(recording, (request) => this.feed.play(request));
 
-  feed = new PageFeed(
+  feed: PageFeed = new PageFeed(
     withToken(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}${recording === undefined ? "/ws" : playedAt(recording)}`),
     {
       batch: (batch) => this.#take(batch),

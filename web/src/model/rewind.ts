@@ -36,10 +36,12 @@ function caughtUp({ team, at_ms: kept_ms }: Instant, later: Team, to_ms: number)
     }
   }
   const robots = new Map([...next.robots].map(([name, robot]): [string, Robot] => {
-    const { events = [], programs = [], stops } = later.robots.get(name) ?? {};
+    const known = later.robots.get(name);
     const numbers = new Set(robot.transitions.map(({ number }) => number));
-    const known = new Map([...(stops ?? [])].filter(([number]) => numbers.has(number)));
-    return [name, { ...robot, events: [...robot.events, ...events.filter(isBetween)], programs: [...robot.programs, ...programs.filter(isBetween)], stops: known }];
+    const stops = new Map([...(known?.stops ?? [])].filter(([number]) => numbers.has(number)));
+    const events = [...robot.events, ...(known?.events ?? []).filter(isBetween)];
+    const programs = [...robot.programs, ...(known?.programs ?? []).filter(isBetween)];
+    return [name, { ...robot, events, programs, stops }];
   }));
   const begun = later.pushes.filter(isBetween).map((push) => ({ ...push, replies: new Map(), steps: [], state: "" }));
   return { ...next, robots, pushes: [...team.pushes, ...begun], instructions: later.instructions.filter(({ at_ms }) => at_ms <= to_ms) };

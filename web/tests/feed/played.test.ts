@@ -48,7 +48,7 @@ describe("a recording of three robots", () => {
     const before = news().length;
     play(1, 10);
     await until(() => playbacks().filter(({ isBorder }) => isBorder).length === 2);
-    const border = reports.findLastIndex((report) => report.kind === "playback" && report.isBorder);
+    const border = reports.map((report) => report.kind === "playback" && report.isBorder).lastIndexOf(true);
     await until(() => news().length > before && reports.slice(border).some(({ kind }) => kind === "batch"));
     const after = reports.slice(border).flatMap((report) => (report.kind === "batch" ? report.batch.news : []));
     expect(after.map(({ received_ms }) => at_s(received_ms)).filter((each_s) => each_s > 20)).toEqual([]);

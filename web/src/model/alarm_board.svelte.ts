@@ -3,7 +3,7 @@
 
 import { type AlarmGroup, groupedAlarms, wordsByRobot } from "./alarm_groups";
 import { live } from "./live.svelte";
-import { acknowledged, type Alarm, alarms, type PostedAlarm, withAlarms } from "./alarms";
+import { acknowledged, type Alarm, alarms, boardAt, type PostedAlarm, withAlarms } from "./alarms";
 
 class AlarmBoard {
   posted = $state.raw<readonly PostedAlarm[]>([]);
@@ -14,7 +14,7 @@ class AlarmBoard {
   readonly wordsByRobot: ReadonlyMap<string, readonly string[]> = $derived(wordsByRobot(live.isPast ? alarms(live.team, live.known_ms) : this.#lasting));
 
   constructor() {
-    live.onRewind(() => (this.posted = []));
+    live.onRewind((to_ms) => (this.posted = boardAt(this.posted, to_ms)));
   }
 
   get #lasting(): Alarm[] {

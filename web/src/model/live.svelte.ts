@@ -26,6 +26,9 @@ import { playedAt, recording } from "../feed/recording";
 import { withToken } from "../feed/token";
 import type { SourceFile } from "../feed/messages";
 
+/** So long it takes until it is told how everything stood at the instant that a recording has gone to. */
+const SETTLE_MS = 80;
+
 class Live {
   connection = $state<Connection>("connecting");
   /** Since when nothing is heard from the monitor. */
@@ -49,6 +52,8 @@ class Live {
   #listeners = new Listeners<unknown>();
   #viewers = new Listeners<DecodedPicture>();
   #rewinders = new Set<(to_ms: number) => void>();
+  /** The gaps at the instant that a recording has gone to, until that is drawn. */
+  #gapsThen: readonly Gap[] | undefined;
   #frames = browserFrames();
   #redraw = new Redraw((isUrgent) => this.#draw(isUrgent), this.#frames);
 
@@ -211,17 +216,27 @@ class Live {
     this.#fold(applyAll(this.#team, news), atOnce);
   }
 
-  /** A recording goes on from another instant, as `told` says. What is shown then is of that instant alone. */
+  /**
+   * A recording goes on from another instant, as `told` says. How things stood then comes at once, one message after the
+   * other: until that has been told, the instant before is shown.
+   */
   #rewind(told: (playback: Playback) => void): void {
     if (!this.playback) return;
     const from_ms = this.playback.now_ms;
     told(this.playback);
     const to_ms = this.playback.now_ms;
-    const { team, gaps } = rewound({ team: this.#team, gaps: this.gaps }, this.#history, from_ms, to_ms);
-    [this.#team, this.#shown, this.gaps] = [team, team, gaps];
+    const isSettling = this.#gapsThen !== undefined;
+    const { team, gaps } = rewound({ team: this.#team, gaps: this.#gapsThen ?? this.gaps }, this.#history, from_ms, to_ms);
+    [this.#team, this.#gapsThen] = [team, gaps];
     for (const listener of this.#rewinders) listener(to_ms);
-    this.#advance();
+    if (!isSettling) setTimeout(() => this.#settle(), SETTLE_MS);
+  }
+
+  #settle(): void {
+    [this.gaps, this.#gapsThen] = [this.#gapsThen ?? this.gaps, undefined];
+    this.#draw(false);
     this.#tellGlance();
+    this.playback?.settled();
     flushSync();
   }
 
@@ -241,6 +256,7 @@ class Live {
 
   /** What only ages waits where something has happened: that is to be seen in the very next frame. */
   #draw(isUrgent: boolean): void {
+    if (this.#gapsThen) return;
     if (this.#shown !== this.#team) {
       this.#shown = this.#team;
       this.#history.record(this.#team, this.clock_ms);
@@ -254,6 +270,7 @@ class Live {
 
   /** Whether time must be drawn though nothing else is. */
   get #isDue(): boolean {
+    if (this.#gapsThen) return false;
     return this.playback ? this.playback.now_ms !== this.#clock.now_ms : this.#clock.isDue(Date.now());
   }
 

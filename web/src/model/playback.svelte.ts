@@ -72,17 +72,12 @@ export class Playback {
     this.range = range;
     this.status = this.#plays ? "playing" : "paused";
     this.now_ms = ms(now_ns);
-    this.#seek_s = undefined;
-    this.#goOn();
   }
 
   /** `isBorder`: what was heard before is of another instant. */
   told({ status, now_ns }: PlaybackState, isBorder: boolean): void {
     this.status = status;
-    if (!isBorder) return;
-    this.now_ms = ms(now_ns);
-    this.#seek_s = undefined;
-    this.#goOn();
+    if (isBorder) this.now_ms = ms(now_ns);
   }
 
   /** What is drawn is of that time. */
@@ -90,9 +85,10 @@ export class Playback {
     this.#shown_ms = at_ms;
   }
 
-  #goOn(): void {
+  /** The instant that it went to is drawn: it goes on to the one that was asked for meanwhile. */
+  settled(): void {
     const to_s = this.#next_s;
-    this.#next_s = undefined;
+    this.#seek_s = this.#next_s = undefined;
     if (to_s !== undefined) this.#send(to_s);
   }
 

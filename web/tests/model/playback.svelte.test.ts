@@ -11,12 +11,14 @@ const seeks_s = () => asked.flatMap(({ seek_ns }) => (seek_ns === undefined ? []
 const answer = (after_s: number, status: PlaybackStatus = "playing", isBorder = true) => {
   playback.told({ status, now_ns: ns(after_s), speed: 1, sought: isBorder, id: asked.at(-1)?.id ?? "" }, isBorder);
   playback.drawn(playback.now_ms);
+  if (isBorder) playback.settled();
 };
 beforeEach(() => {
   asked = [];
   playback = new Playback("office.mcap", (request) => asked.push(request));
   playback.begun({ start_ns: START_NS, end_ns: ns(60) }, ns(10));
   playback.drawn(playback.now_ms);
+  playback.settled();
 });
 
 it("is where the monitor began it, and plays", () => {
@@ -26,6 +28,8 @@ it("is where the monitor began it, and plays", () => {
 it("counts a seek at once, and asks for one at a time, at last for the newest", () => {
   for (const to_s of [20, 21, 22, 23]) playback.seek(to_s);
   expect([playback.position_s, seeks_s()]).toEqual([23, [20]]);
+  playback.told({ status: "playing", now_ns: ns(20), speed: 1, sought: true, id: "" }, true);
+  expect(seeks_s()).toEqual([20]); // what it went to is yet to be drawn
   answer(20);
   expect([playback.position_s, seeks_s()]).toEqual([23, [20, 23]]);
   answer(23);
@@ -74,5 +78,6 @@ it("is opened anew where the connection was lost while it sought", () => {
   playback.seek(20);
   playback.seek(30);
   playback.begun({ start_ns: START_NS, end_ns: ns(60) }, ns(20));
+  playback.settled();
   expect(seeks_s()).toEqual([20, 30]);
 });

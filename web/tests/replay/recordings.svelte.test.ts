@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+import { File as NodeFile } from "node:buffer";
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import * as api from "../../src/feed/api";
 import { upload } from "../../src/feed/upload";
@@ -12,7 +13,8 @@ vi.mock("../../src/feed/api", () => ({ listRecordings: vi.fn(), Refusal: Error }
 
 const assign = vi.fn();
 vi.stubGlobal("location", { assign });
-const file = (name: string, content = "what was recorded") => new File([content], name);
+/** Node 18 has it in a module. */
+const file = (name: string, content = "what was recorded") => new NodeFile([content], name) as unknown as File;
 
 beforeEach(() => {
   vi.mocked(upload).mockReset().mockResolvedValue();

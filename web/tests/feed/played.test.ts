@@ -2,7 +2,7 @@
 // A whole recording, as the fixture plays it, up to what the page is handed.
 import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
-import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { afterEach, beforeAll, beforeEach, describe, expect, it, vi } from "vitest";
 import { WebSocket } from "ws";
 import { FeedServer, type Report } from "../../src/feed/feed_server";
 import type { RobotState } from "../../src/feed/messages";
@@ -24,6 +24,8 @@ describe("a recording of three robots", () => {
   const play = (speed: number, seek_s?: number, plays = true) =>
     server.obey({ kind: "play", request: { plays, speed, seek_ns: seek_s === undefined ? undefined : BigInt((START_MS + seek_s * 1000) * 1e6), id: `${speed} ${seek_s}` } });
 
+  // It is made when it is asked for first, which takes a slow machine some seconds.
+  beforeAll(() => void new Recordings({}).list(), 60_000);
   beforeEach(async () => {
     const recordings = new Recordings({});
     http = createServer().on("upgrade", (request, line, head) => recordings.upgrade(request, line, head));

@@ -17,6 +17,7 @@ export default defineConfig({
       "/api": own,
       "/lsp": { ...own, ws: true },
       "/ws": { ...own, ws: true },
+      "/replay": { ...own, ws: true },
     },
   },
 });

@@ -72,6 +72,19 @@ async function instructor(page) {
   await at(page, "instructor-clock").waitFor();
 }
 
+async function replay(page) {
+  await page.locator("[data-testid=replay] time").waitFor();
+  await atWork(page);
+  await page.keyboard.press(" ");
+  await page.locator("[data-testid=playback][data-status=paused]").waitFor();
+}
+
+async function recordings(page) {
+  await atWork(page);
+  await page.keyboard.press("L");
+  await at(page, "recording-office.mcap").waitFor();
+}
+
 async function wall(page) {
   await at(page, "wall-robot-io").waitFor();
   await page.locator("[data-testid^=map-robot-]").first().waitFor();
@@ -127,6 +140,8 @@ export const scenes = [
   { name: "push", play: AT_WORK, show: push, anyTeam: true },
   { name: "instructor", play: { ...AT_WORK, simulated: true }, show: instructor, anyTeam: true },
   { name: "wall", play: AT_WORK, path: "/?wall", show: wall, anyTeam: true },
+  { name: "replay", play: AT_WORK, path: "/?recording=office.mcap&at=20", show: replay },
+  { name: "recordings", play: AT_WORK, show: recordings },
   { name: "help", play: AT_WORK, show: help, anyTeam: true },
   { name: "coverage", play: AT_WORK, show: coverage, anyTeam: true },
   { name: "gains", play: AT_WORK, show: gains, anyTeam: true },

@@ -3,6 +3,7 @@
 
 import type { Command_Constants, Diagnostic, ProgramReply, PushStep, SourceFile } from "./messages";
 import type { BreakKind, Machine, StateChange } from "./parts";
+import { RECORDED, recording } from "./recording";
 import { credentials } from "./token";
 
 /** What a robot answers to a push; `latency_ms` where the monitor measured it. */
@@ -112,6 +113,11 @@ async function call<T>(path: string, body?: unknown): Promise<T> {
   throw new Refusal(sentence, problem.diagnostics);
 }
 
+/** What robots or a simulation are told. A page that shows a recording tells the live team nothing. */
+function order<T>(path: string, body: unknown): Promise<T> {
+  return recording === undefined ? call(path, body) : Promise.reject(new Refusal(RECORDED));
+}
+
 export async function listPrograms(): Promise<ProgramEntry[]> {
   return (await call<{ programs: ProgramEntry[] }>("/api/programs")).programs;
 }
@@ -152,7 +158,7 @@ export function check(files: readonly SourceFile[], robot?: string, against?: re
 export function push(files: readonly SourceFile[], targets: readonly string[], way: PushWay = {}): Promise<PushResult> {
   const { tries, reason, ...rest } = way;
   const author = reason ? `operator (${reason})` : "operator";
-  return call("/api/push", { files, targets, author, try: tries ?? false, ...rest });
+  return order("/api/push", { files, targets, author, try: tries ?? false, ...rest });
 }
 
 export function readPush(id: string): Promise<PushResult> {
@@ -160,18 +166,18 @@ export function readPush(id: string): Promise<PushResult> {
 }
 
 export function cancelPush(id: string): Promise<PushResult> {
-  return call(`/api/pushes/${id}/cancel`, { author: "operator" });
+  return order(`/api/pushes/${id}/cancel`, { author: "operator" });
 }
 
 export function command(kind: CommandKind, targets: readonly string[], argument = 0): Promise<{ id: string }> {
-  return call("/api/command", { kind, targets, argument });
+  return order("/api/command", { kind, targets, argument });
 }
 
 export type BreakOrderKind = "set" | "remove" | "clear" | "let_through";
 
 /** Empty `targets` mean the whole team. Each robot answers with the id in its breaks. */
-export function orderBreaks(order: BreakOrderKind, targets: readonly string[], points: readonly (StateChange & { readonly kind?: BreakKind })[] = []): Promise<{ id: string }> {
-  return call("/api/breaks", { order, targets, author: "operator", ...(points.length > 0 && { points }) });
+export function orderBreaks(kind: BreakOrderKind, targets: readonly string[], points: readonly (StateChange & { readonly kind?: BreakKind })[] = []): Promise<{ id: string }> {
+  return order("/api/breaks", { order: kind, targets, author: "operator", ...(points.length > 0 && { points }) });
 }
 
 /** An instructor's order to a simulation, as docs/openapi.yaml describes it. */
@@ -189,11 +195,33 @@ export interface SimulationOrder {
 }
 
 /** Returns what the simulation did; what it refuses is a Refusal with its reason. */
-export function orderSimulation(simulation: string, order: SimulationOrder): Promise<{ text: string }> {
-  return call("/api/simulation/orders", { ...order, simulation, author: "operator" });
+export function orderSimulation(simulation: string, what: SimulationOrder): Promise<{ text: string }> {
+  return order("/api/simulation/orders", { ...what, simulation, author: "operator" });
 }
 
 /** `may_steer`: whether the token that the page has gives the right to. */
 export function status(): Promise<{ name: string; scenario: string; version: string; may_steer: boolean }> {
   return call("/api/status");
+}
+
+/** A file that can be shown, as docs/openapi.yaml describes it. */
+export interface Recording {
+  readonly name: string;
+  readonly bytes: number;
+  /** When the file was written last. */
+  readonly modified: string;
+  /** Of its first and last message, in ns since the epoch. */
+  readonly start: number;
+  readonly end: number;
+  readonly messages: number;
+  readonly robots: readonly string[];
+  /** It was closed as it should be: nothing of its end is missing. */
+  readonly complete: boolean;
+  /** Why it cannot be opened. */
+  readonly why?: string;
+}
+
+/** The newest first, and the folder of the monitor's machine in which they lie. */
+export function listRecordings(): Promise<{ folder: string; recordings: Recording[] }> {
+  return call("/api/recordings");
 }

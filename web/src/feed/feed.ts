@@ -2,6 +2,7 @@
 import { type Channel, FoxgloveClient, type MessageData, type SubscriptionId } from "@foxglove/ws-protocol";
 import { ClockOffset } from "./clock_offset";
 import { type Decode, decoderOf } from "./decoder";
+import type { PlaybackLink } from "./playback_link";
 import { isAlwaysWanted } from "./topics";
 
 export type Connection = "connecting" | "live" | "lost";
@@ -9,13 +10,13 @@ export type Connection = "connecting" | "live" | "lost";
 export interface Arrival {
   readonly topic: string;
   readonly decode: () => unknown;
-  /** When the monitor received it, on the page's clock. */
+  /** When the monitor received it, on the page's clock; of a recording: when it was received then. */
   readonly received_ms: number;
 }
 
 export interface FeedEvents {
   arrival: (arrival: Arrival) => void;
-  /** The monitor's time, on the page's clock: it tells its time ten times a second. */
+  /** The monitor's time, on the page's clock: it tells its time ten times a second. Of a recording: the time then. */
   time: (monitor_ms: number) => void;
   connection: (connection: Connection, attempt: number) => void;
   /** Something of the feed that the reader should know, in one sentence. */
@@ -51,7 +52,7 @@ function isAnybodyThere(url: string): Promise<boolean> {
  */
 export class Feed {
   #client: FoxgloveClient | undefined;
-  #clock = new ClockOffset();
+  #clock: Pick<ClockOffset, "received_ms">;
   #channels = new Map<number, Channel>();
   #subscriptions = new Map<SubscriptionId, Subscription>();
   #decoders = new Map<string, Decode>();
@@ -61,29 +62,47 @@ export class Feed {
   #watch: ReturnType<typeof setInterval> | undefined;
   /** Whether anything came since the connection was looked at last. */
   #heard = false;
+  #isProbed = false;
   #ended = false;
 
+  /** `playback`: what is heard at `url` is a recording, which has times of its own. */
   constructor(
     private readonly url: string,
     private readonly events: FeedEvents,
-  ) {}
+    private readonly playback?: PlaybackLink,
+  ) {
+    this.#clock = this.#newClock();
+  }
 
   connect(): void {
     this.events.connection("connecting", this.#attempt);
-    const client = new FoxgloveClient({ ws: new WebSocket(this.url, SUBPROTOCOLS) });
+    const socket = new WebSocket(this.playback?.addressOf(this.url) ?? this.url, SUBPROTOCOLS);
+    const client = new FoxgloveClient({ ws: socket });
     this.#client = client;
+    this.playback?.attach(socket);
     /** What is still said on a connection that was abandoned is not heard. */
     const whileCurrent = <A extends unknown[]>(act: (...said: A) => void) => (...said: A) => {
       if (this.#client === client) act(...said);
     };
-    client.on("serverInfo", whileCurrent(() => this.#begun()));
+    client.on("serverInfo", whileCurrent((info) => this.#begun(info)));
     client.on("advertise", whileCurrent((channels) => channels.forEach((channel) => this.#advertised(channel))));
     client.on("unadvertise", whileCurrent((ids) => ids.forEach((id) => this.#withdrawn(id))));
     client.on("message", whileCurrent((data) => this.#received(data)));
     client.on("time", whileCurrent(({ timestamp }) => this.events.time(this.#pageTime_ms(timestamp))));
     client.on("status", whileCurrent((status) => status.level > 0 && this.events.trouble(status.message)));
     client.on("error", () => {}); // a close follows, and tells the reader
-    client.on("close", whileCurrent(() => this.#closed()));
+    client.on("close", whileCurrent(({ reason }) => {
+      if (this.playback && reason) this.events.trouble(reason);
+      this.#closed();
+    }));
+  }
+
+  /** Begins anew, since this connection is of no use. */
+  reconnect(): void {
+    const client = this.#client;
+    if (!client) return;
+    this.#closed();
+    client.close();
   }
 
   /** Ends the connection, for good. */
@@ -135,12 +154,12 @@ export class Feed {
     }
   }
 
-  #decoder({ topic, schemaName, schema, encoding }: Channel): Decode | undefined {
+  #decoder({ topic, schemaName, schema, schemaEncoding, encoding }: Channel): Decode | undefined {
     const known = this.#decoders.get(schemaName);
     if (known) return known;
     try {
       if (encoding !== "cdr") throw new Error(`its encoding is ${encoding}, not cdr`);
-      const decode = decoderOf(schemaName, schema);
+      const decode = decoderOf(schemaName, schema, schemaEncoding);
       this.#decoders.set(schemaName, decode);
       return decode;
     } catch (error) {
@@ -161,29 +180,34 @@ export class Feed {
     return this.#clock.received_ms(Number(timestamp_ns / 1000n) / 1000, Date.now());
   }
 
-  #begun(): void {
+  #newClock(): Pick<ClockOffset, "received_ms"> {
+    return this.playback ? { received_ms: (recorded_ms) => recorded_ms } : new ClockOffset();
+  }
+
+  #begun(info: object): void {
     this.#attempt = 0;
     this.#heard = true;
+    this.playback?.begun(info);
     this.#watch = setInterval(() => this.#lookWhetherHeard(), DEAF_PERIOD_MS);
     this.events.connection("live", 0);
   }
 
-  /** A dead connection may take minutes to close, for which nobody waits. */
+  /** A dead connection may take minutes to close, for which nobody waits. A recording that stands still is asked first. */
   #lookWhetherHeard(): void {
-    const [client, heard] = [this.#client, this.#heard];
-    this.#heard = false;
-    if (heard) return;
-    this.#closed();
-    client?.close();
+    const [heard, isProbed] = [this.#heard || this.playback?.takeHeard() === true, this.#isProbed];
+    [this.#heard, this.#isProbed] = [false, !heard && this.playback !== undefined && !isProbed];
+    if (this.#isProbed) this.playback?.probe();
+    else if (!heard) this.reconnect();
   }
 
   #closed(): void {
     clearInterval(this.#watch);
+    this.playback?.closed();
     this.#client = undefined;
     this.#channels.clear();
     this.#subscriptions.clear();
     this.#decoders.clear();
-    this.#clock = new ClockOffset();
+    this.#clock = this.#newClock();
     if (this.#ended) return;
     this.#attempt += 1;
     this.events.connection("lost", this.#attempt);

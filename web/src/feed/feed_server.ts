@@ -4,14 +4,22 @@
 import { type Arrival, type Connection, Feed } from "./feed";
 import { type Batch, Inbox } from "./inbox";
 import { type DecodedPicture, PictureDecoder } from "./picture_decoder";
+import type { PlaybackRequest, PlaybackState } from "./playback";
+import { PlaybackLink, type Range } from "./playback_link";
 import { isPictureTopic } from "./topics";
 
+/** Where a recording begins to play. */
+export interface Beginning {
+  readonly at_s?: number | undefined;
+}
+
 export type Order =
-  | { readonly kind: "connect"; readonly url: string }
+  | { readonly kind: "connect"; readonly url: string; readonly playback?: Beginning | undefined }
   | { readonly kind: "disconnect" }
   | { readonly kind: "want" | "release"; readonly topic: string }
   /** The robot that the page shows whole. */
   | { readonly kind: "watch"; readonly robot: string | undefined }
+  | { readonly kind: "play"; readonly request: PlaybackRequest }
   /** The page has taken in what it was handed. */
   | { readonly kind: "ready" }
   /** The page has drawn the picture that it was handed. */
@@ -20,11 +28,16 @@ export type Order =
 export type Report =
   | { readonly kind: "batch"; readonly batch: Batch }
   | { readonly kind: "picture"; readonly picture: DecodedPicture }
+  /** What was handed over before it is of another instant. */
+  | { readonly kind: "begun"; readonly range: Range; readonly now_ns: bigint }
+  /** Where `isBorder`, too. */
+  | { readonly kind: "playback"; readonly state: PlaybackState; readonly isBorder: boolean }
   | { readonly kind: "connection"; readonly connection: Connection; readonly attempt: number }
   | { readonly kind: "trouble"; readonly sentence: string };
 
 export class FeedServer {
   #feed: Feed | undefined;
+  #playback: PlaybackLink | undefined;
   #inbox = new Inbox();
   #pictures: PictureDecoder;
   #wanted = new Map<string, () => void>();
@@ -42,7 +55,8 @@ export class FeedServer {
   }
 
   obey(order: Order): void {
-    if (order.kind === "connect") this.#connect(order.url);
+    if (order.kind === "connect") this.#connect(order.url, order.playback);
+    else if (order.kind === "play") this.#playback?.ask(order.request);
     else if (order.kind === "disconnect") this.#feed?.disconnect();
     else if (order.kind === "want") this.#want(order.topic);
     else if (order.kind === "release") this.#release(order.topic);
@@ -51,14 +65,31 @@ export class FeedServer {
     else this.#ready();
   }
 
-  #connect(url: string): void {
+  #connect(url: string, beginning?: Beginning): void {
+    const trouble = (sentence: string) => this.send({ kind: "trouble", sentence });
+    this.#playback = beginning && new PlaybackLink({
+      begun: (range, now_ns) => (this.#beginAnew(now_ns), this.send({ kind: "begun", range, now_ns })),
+      state: (state, isBorder) => {
+        if (isBorder) this.#beginAnew(state.now_ns);
+        this.send({ kind: "playback", state, isBorder });
+      },
+      stuck: () => (trouble("The monitor has not answered where the recording is to go on from; it is asked again."), this.#feed?.reconnect()),
+      trouble,
+    }, beginning.at_s);
     this.#feed = new Feed(url, {
       arrival: (arrival) => this.#arrived(arrival),
       time: (monitor_ms) => (this.#inbox.told(monitor_ms), this.#changed()),
       connection: (connection, attempt) => this.#connected(connection, attempt),
-      trouble: (sentence) => this.send({ kind: "trouble", sentence }),
-    });
+      trouble,
+    }, this.#playback);
     this.#feed.connect();
+  }
+
+  /** Nothing that waits is of the instant that comes now. What stood before it is told with the times that it had. */
+  #beginAnew(now_ns: bigint): void {
+    this.#inbox.clear();
+    this.#inbox.told(Number(now_ns / 1000n) / 1000);
+    this.#pictures.forgetAll();
   }
 
   #arrived(arrival: Arrival): void {

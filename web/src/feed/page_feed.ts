@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { Connection } from "./feed";
-import type { Order, Report } from "./feed_server";
+import type { Beginning, Order, Report } from "./feed_server";
 import type { Batch } from "./inbox";
 import type { DecodedPicture } from "./picture_decoder";
+import type { PlaybackRequest, PlaybackState } from "./playback";
+import type { Range } from "./playback_link";
 
 export interface PageFeedEvents {
   batch: (batch: Batch) => void;
@@ -11,6 +13,10 @@ export interface PageFeedEvents {
   connection: (connection: Connection, attempt: number) => void;
   /** Something of the feed that the reader should know, in one sentence. */
   trouble: (sentence: string) => void;
+  /** A recording begins to play: what was handed over before is of another instant. */
+  begun?: (range: Range, now_ns: bigint) => void;
+  /** Where `isBorder`, what was handed over before is of another instant. */
+  playback?: (state: PlaybackState, isBorder: boolean) => void;
 }
 
 /** The page's end of the feed, which runs in a thread of its own. */
@@ -22,14 +28,26 @@ export class PageFeed {
   constructor(
     private readonly url: string,
     private readonly events: PageFeedEvents,
+    /** What is heard is a recording. */
+    private readonly beginning?: Beginning,
   ) {}
 
   connect(): void {
     this.#worker = new Worker(new URL("./feed_worker.ts", import.meta.url), { type: "module" });
     this.#worker.onmessage = ({ data }: MessageEvent<Report>) => this.#reported(data);
     this.#worker.onerror = ({ message }) => this.events.trouble(`the page's reader failed (${message}): reload the page`);
-    this.#order({ kind: "connect", url: this.url });
+    this.#order({ kind: "connect", url: this.url, playback: this.beginning });
     for (const topic of this.#wanted.keys()) this.#order({ kind: "want", topic });
+  }
+
+  /** For good. */
+  disconnect(): void {
+    this.#order({ kind: "disconnect" });
+  }
+
+  /** How a recording is to be played. */
+  play(request: PlaybackRequest): void {
+    this.#order({ kind: "play", request });
   }
 
   /** Reads `topic` until the returned function is called. */
@@ -61,6 +79,8 @@ export class PageFeed {
     if (report.kind === "connection") this.events.connection(report.connection, report.attempt);
     else if (report.kind === "trouble") this.events.trouble(report.sentence);
     else if (report.kind === "picture") this.#show(report.picture);
+    else if (report.kind === "begun") this.events.begun?.(report.range, report.now_ns);
+    else if (report.kind === "playback") this.events.playback?.(report.state, report.isBorder);
     else this.#take(report.batch);
   }
 

@@ -48,6 +48,11 @@ export class PictureDecoder {
     this.#forgotten.set(topic, this.#timesForgotten(topic) + 1);
   }
 
+  /** What was told is of another instant than what comes now. */
+  forgetAll(): void {
+    for (const topic of new Set([...this.#waiting.keys(), ...this.#underWay])) this.forget(topic);
+  }
+
   #timesForgotten(topic: string): number {
     return this.#forgotten.get(topic) ?? 0;
   }

@@ -55,10 +55,31 @@ export function dayTime(at_ms: number): string {
   return TIME_OF_DAY.format(at_ms);
 }
 
+const dateOf = (at_ms: number) => new Date(at_ms).toLocaleDateString("sv-SE");
+
+/** "2024-11-28 12:03:11" */
+export function dateAndTime(at_ms: number): string {
+  return `${dateOf(at_ms)} ${dayTime(at_ms)}`;
+}
+
 /** The time of day, with the date where it is another day than that of `now_ms`: "2024-11-28 12:03:11". */
 export function dateTime(at_ms: number, now_ms: number): string {
-  const date = (time_ms: number) => new Date(time_ms).toLocaleDateString("sv-SE");
-  return date(at_ms) === date(now_ms) ? dayTime(at_ms) : `${date(at_ms)} ${dayTime(at_ms)}`;
+  return dateOf(at_ms) === dateOf(now_ms) ? dayTime(at_ms) : dateAndTime(at_ms);
+}
+
+/** "00:12.3" */
+export function preciseClock(duration_s: number): string {
+  const tenths = Math.max(Math.floor(duration_s * 10 + 1e-6), 0);
+  return `${clock(Math.floor(tenths / 10))}.${tenths % 10}`;
+}
+
+const UNITS = ["B", "kB", "MB", "GB", "TB"];
+
+/** "12 MB" */
+export function size(bytes: number): string {
+  const power = Math.min(Math.max(Math.floor(Math.log10(Math.max(bytes, 1)) / 3), 0), UNITS.length - 1);
+  const value = bytes / 1000 ** power;
+  return `${value.toFixed(value < 10 && power > 0 ? 1 : 0)} ${UNITS[power]}`;
 }
 
 /** A delay: milliseconds below a second, then seconds and more: "85 ms", "1.4 s", "21 s". */

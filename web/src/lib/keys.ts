@@ -27,11 +27,16 @@ function isTyping(target: EventTarget | null, key: string): boolean {
   return target instanceof HTMLElement && (target.isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName));
 }
 
+/** The space bar presses what has the focus. */
+function isPressing(target: EventTarget | null, key: string): boolean {
+  return key === " " && target instanceof Element && target.closest("button, a[href], summary, [role=button], [role=tab]") !== null;
+}
+
 export function pressed(event: KeyboardEvent): void {
   if (event.altKey) return;
   const chord = event.ctrlKey || event.metaKey ? `Ctrl+${event.key}` : event.key;
   const key = keys.get(chord);
-  if (!key || (!key.anywhere && isTyping(event.target, event.key))) return;
+  if (!key || (!key.anywhere && (isTyping(event.target, event.key) || isPressing(event.target, event.key)))) return;
   event.preventDefault();
   key.act();
 }

@@ -23,6 +23,7 @@ class Ui {
   litForce = $state<string>();
   helpOpen = $state(false);
   editorOpen = $state(false);
+  recordingsOpen = $state(false);
 
   readonly dark: boolean = $derived(this.theme === "system" ? this.#systemDark : this.theme === "dark");
 

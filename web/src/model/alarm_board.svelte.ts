@@ -3,7 +3,7 @@
 
 import { type AlarmGroup, groupedAlarms, wordsByRobot } from "./alarm_groups";
 import { live } from "./live.svelte";
-import { acknowledged, type Alarm, alarms, type PostedAlarm, withAlarms } from "./alarms";
+import { acknowledged, type Alarm, alarms, boardAt, type PostedAlarm, withAlarms } from "./alarms";
 
 class AlarmBoard {
   posted = $state.raw<readonly PostedAlarm[]>([]);
@@ -12,6 +12,10 @@ class AlarmBoard {
   readonly groups: readonly AlarmGroup[] = $derived(groupedAlarms(this.posted));
   /** What is wrong, in words, of each robot that has an alarm at the instant that is shown. */
   readonly wordsByRobot: ReadonlyMap<string, readonly string[]> = $derived(wordsByRobot(live.isPast ? alarms(live.team, live.known_ms) : this.#lasting));
+
+  constructor() {
+    live.onRewind((to_ms) => (this.posted = boardAt(this.posted, to_ms)));
+  }
 
   get #lasting(): Alarm[] {
     return this.posted.filter(({ over_ms }) => over_ms === undefined).map(({ alarm }) => alarm);

@@ -158,3 +158,8 @@ export function withAlarms(board: readonly PostedAlarm[], active: readonly Alarm
 export function acknowledged(board: readonly PostedAlarm[], keys?: readonly string[]): readonly PostedAlarm[] {
   return board.map((posted) => (keys === undefined || keys.includes(posted.alarm.key) ? { ...posted, seen: true } : posted)).filter(({ seen, over_ms }) => !(seen && over_ms !== undefined));
 }
+
+/** The board as it was at an instant: without what was posted later, and with what was over later. */
+export function boardAt(board: readonly PostedAlarm[], at_ms: number): readonly PostedAlarm[] {
+  return board.filter(({ since_ms }) => since_ms <= at_ms).map(({ over_ms, ...posted }) => (over_ms !== undefined && over_ms <= at_ms ? { ...posted, over_ms } : posted));
+}

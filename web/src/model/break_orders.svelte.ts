@@ -6,7 +6,7 @@ import type { BreakKind, StateChange } from "../feed/parts";
 import { Attempts } from "../lib/attempts.svelte";
 import { answerTo, changeWords, kindAt } from "./breaks";
 import { live } from "./live.svelte";
-import { HOW_TO_STEER, rights } from "./rights.svelte";
+import { rights } from "./rights.svelte";
 
 /** A robot answers at once; one that has not for so long is named. */
 const LATE_MS = 2000;
@@ -97,8 +97,7 @@ export class BreakOrders {
   }
 
   #order(told: Told, send: Send): void {
-    if (!rights.maySteer) live.trouble = HOW_TO_STEER;
-    else if (told.names.length > 0) void this.#give(told, send);
+    if (rights.ask() && told.names.length > 0) void this.#give(told, send);
   }
 
   async #give({ targets, names }: Told, send: Send): Promise<void> {

@@ -51,6 +51,16 @@ export class History {
     return instants[Math.max(low - 1, 0)];
   }
 
+  /** What is newer than `at_ms` has not happened yet. */
+  forgetAfter(at_ms: number): void {
+    const isPast = (instant: Instant) => instant.at_ms <= at_ms;
+    [this.#old, this.#fine] = [this.#old.filter(isPast), this.#fine.filter(isPast)];
+  }
+
+  clear(): void {
+    [this.#old, this.#fine] = [[], []];
+  }
+
   #age(instant: Instant): void {
     const before = this.#old.at(-1);
     if (!before || instant.at_ms - before.at_ms >= COARSE_STEP_MS) this.#old.push(instant);

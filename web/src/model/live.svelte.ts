@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the panels see: the team now or at a chosen instant, the robot chosen, and the page's clock.
+// What the panels see: the team now or at a chosen instant, the robot chosen, and the page's clock. Of a recording the
+// present is the instant that is played, and time is the recording's.
 
 import { flushSync } from "svelte";
 import type { Connection } from "../feed/feed";
@@ -14,13 +15,19 @@ import { browserFrames, Redraw } from "../lib/redraw";
 import { type Gap, withGap } from "./gaps";
 import { History, type Instant } from "./history";
 import { emptyTeam, type Robot, type Team } from "./model";
+import { Playback } from "./playback.svelte";
+import { rewound } from "./rewind";
 import { silentIn } from "./silence";
 import { LOOK_MS, PageClock } from "./page_clock.svelte";
 import { withInterrupted, withProgress, withPush, withReply } from "./pushes";
 import { applyAll } from "./reduce";
 import type { PushResult, Reply } from "../feed/api";
+import { playedAt, recording } from "../feed/recording";
 import { withToken } from "../feed/token";
 import type { SourceFile } from "../feed/messages";
+
+/** So long it takes until it is told how everything stood at the instant that a recording has gone to. */
+const SETTLE_MS = 80;
 
 class Live {
   connection = $state<Connection>("connecting");
@@ -37,20 +44,34 @@ class Live {
   #glanced = $state.raw<Team>(emptyTeam);
   #glanced_ms = $state(0);
   #glanceWaits = false;
+  /** When that was, by the browser's clock. */
+  #glanceTold_ms = -Infinity;
   #silentNow = $state.raw<ReadonlySet<string>>(new Set());
   #team: Team = emptyTeam;
   #history = new History();
   #listeners = new Listeners<unknown>();
   #viewers = new Listeners<DecodedPicture>();
+  #rewinders = new Set<(to_ms: number) => void>();
+  /** The gaps at the instant that a recording has gone to, until that is drawn. */
+  #gapsThen: readonly Gap[] | undefined;
   #frames = browserFrames();
   #redraw = new Redraw((isUrgent) => this.#draw(isUrgent), this.#frames);
 
-  feed = new PageFeed(withToken(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`), {
-    batch: (batch) => this.#take(batch),
-    picture: (picture) => this.#viewers.tell(picture.topic, picture),
-    connection: (connection) => this.#connected(connection),
-    trouble: (sentence) => (this.trouble = sentence),
-  });
+  /** How the recording is played that the page shows; undefined: it shows the live team. */
+  readonly playback: Playback | undefined = recording === undefined ? undefined : new Playback(recording, (request) => this.feed.play(request));
+
+  feed: PageFeed = new PageFeed(
+    withToken(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}${recording === undefined ? "/ws" : playedAt(recording)}`),
+    {
+      batch: (batch) => this.#take(batch),
+      picture: (picture) => this.#viewers.tell(picture.topic, picture),
+      connection: (connection) => this.#connected(connection),
+      trouble: (sentence) => (this.trouble = sentence),
+      begun: (range, now_ns) => this.#rewind((playback) => playback.begun(range, now_ns)),
+      playback: (state, isBorder) => (isBorder ? this.#rewind((playback) => playback.told(state, true)) : this.playback?.told(state, false)),
+    },
+    recording === undefined ? undefined : { at_s: secondsIn(location.search) },
+  );
 
   /** What is kept of the instant that is shown; undefined: the present is. */
   readonly #past: Instant | undefined = $derived(this.instant_ms === undefined ? undefined : this.#history.at(this.instant_ms));
@@ -91,6 +112,14 @@ class Live {
   get isBehind(): boolean {
     return this.#clock.isBehind;
   }
+  /** The monitor did not open the recording. */
+  get isUnopened(): boolean {
+    return this.connection === "lost" && this.playback !== undefined && !this.playback.range;
+  }
+  /** What time it is, drawn or not: of a recording as far as it was played. */
+  get clock_ms(): number {
+    return this.playback?.now_ms ?? Date.now();
+  }
   get present(): Team {
     return this.#shown;
   }
@@ -117,7 +146,13 @@ class Live {
 
   start(): void {
     this.feed.connect();
-    setInterval(() => this.#clock.isDue(Date.now()) && this.#redraw.ask(), LOOK_MS);
+    setInterval(() => this.#isDue && this.#redraw.ask(), LOOK_MS);
+  }
+
+  /** The recording cannot be shown, for this reason, and is asked for no more. */
+  giveUp(why: string): void {
+    this.feed.disconnect();
+    this.trouble = why;
   }
 
   /** What the push's own HTTP answer tells, ahead of or instead of the topics. */
@@ -138,13 +173,23 @@ class Live {
     return this.#history.instants;
   }
 
+  /** Of a recording its first: it can go there, heard or not. */
   get earliest_ms(): number {
-    return this.#history.earliest_ms ?? this.#clock.now_ms;
+    return this.playback ? this.playback.start_ms : this.#history.earliest_ms ?? this.#clock.now_ms;
   }
 
   /** Tells `listener` of each message of `topic` as it comes, until the returned function is called. */
   onMessage(topic: string, listener: (message: unknown) => void): () => void {
     return this.#listeners.add(topic, listener);
+  }
+
+  /**
+   * Tells `listener` when a recording goes on from another instant, until the returned function is called: what is newer
+   * has not happened, and what stood before stands no more.
+   */
+  onRewind(listener: (to_ms: number) => void): () => void {
+    this.#rewinders.add(listener);
+    return () => void this.#rewinders.delete(listener);
   }
 
   /** Hands `viewer` each picture of `topic`, which it draws at once, until the returned function is called. */
@@ -154,6 +199,7 @@ class Live {
 
   #connected(connection: Connection): void {
     this.connection = connection;
+    if (this.playback) return;
     if (connection === "lost") this.lost_ms ??= Date.now();
     if (connection !== "live" || this.lost_ms === undefined) return;
     this.gaps = withGap(this.gaps, { from_ms: this.lost_ms, to_ms: Date.now() });
@@ -162,11 +208,36 @@ class Live {
   }
 
   #take({ news, told_ms, dropped }: Batch): void {
+    if (this.playback) this.playback.now_ms = Math.max(this.playback.now_ms, told_ms);
     for (const { topic, message } of news) this.#listeners.tell(topic, message);
     const atOnce = news.some(({ topic }) => tellsWhatHappens(topic) && !this.#isAside(topic));
     if (told_ms > 0) this.#clock.tell(told_ms);
     if (dropped > 0) this.trouble = `The page slept too long: ${plural(dropped, "event")} of the robots were dropped.`;
     this.#fold(applyAll(this.#team, news), atOnce);
+  }
+
+  /**
+   * A recording goes on from another instant, as `told` says. How things stood then comes at once, one message after the
+   * other: until that has been told, the instant before is shown.
+   */
+  #rewind(told: (playback: Playback) => void): void {
+    if (!this.playback) return;
+    const from_ms = this.playback.now_ms;
+    told(this.playback);
+    const to_ms = this.playback.now_ms;
+    const isSettling = this.#gapsThen !== undefined;
+    const { team, gaps } = rewound({ team: this.#team, gaps: this.#gapsThen ?? this.gaps }, this.#history, from_ms, to_ms);
+    [this.#team, this.#gapsThen] = [team, gaps];
+    for (const listener of this.#rewinders) listener(to_ms);
+    if (!isSettling) setTimeout(() => this.#settle(), SETTLE_MS);
+  }
+
+  #settle(): void {
+    [this.gaps, this.#gapsThen] = [this.#gapsThen ?? this.gaps, undefined];
+    this.#draw(false);
+    this.#tellGlance();
+    this.playback?.settled();
+    flushSync();
   }
 
   /** A change of state of a robot that nobody chose comes with what is steady: there may be a hundred such robots. */
@@ -185,43 +256,60 @@ class Live {
 
   /** What only ages waits where something has happened: that is to be seen in the very next frame. */
   #draw(isUrgent: boolean): void {
-    const now_ms = Date.now();
+    if (this.#gapsThen) return;
     if (this.#shown !== this.#team) {
       this.#shown = this.#team;
-      this.#history.record(this.#team, now_ms);
+      this.#history.record(this.#team, this.clock_ms);
       // What is forgotten is not shown under its old time.
       if (this.instant_ms !== undefined && this.instant_ms < this.earliest_ms) this.instant_ms = this.earliest_ms;
     }
-    if (!isUrgent) this.#advance(now_ms);
+    if (!isUrgent) this.#advance();
     this.feed.lookAt(this.robotName);
     flushSync();
   }
 
-  #advance(now_ms: number): void {
-    this.#clock.advance(now_ms);
-    this.#tellGlance(now_ms);
+  /** Whether time must be drawn though nothing else is. */
+  get #isDue(): boolean {
+    if (this.#gapsThen) return false;
+    return this.playback ? this.playback.now_ms !== this.#clock.now_ms : this.#clock.isDue(Date.now());
+  }
+
+  #advance(): void {
+    const now_ms = this.clock_ms;
+    if (this.playback) this.#clock.jump(now_ms);
+    else this.#clock.advance(now_ms);
+    this.playback?.drawn(now_ms);
+    this.#tellGlanceInTurn();
     const silent = silentIn(this.#shown.robots.values(), this.known_present_ms);
     if (!haveSame(silent, this.#silentNow)) this.#silentNow = silent;
   }
 
   /** A crowd's rows and cells have a frame of their own: in one with the rest it would take too long. */
-  #tellGlance(now_ms: number): void {
-    const tell = () => {
-      [this.#glanced, this.#glanced_ms] = [this.#shown, now_ms];
-      this.#clock.step(now_ms);
-    };
-    if (this.#shown.robots.size <= CROWD || this.#glanced.robots.size !== this.#shown.robots.size) return tell();
-    if (this.#glanceWaits || now_ms - this.#glanced_ms < GLANCE_MS) return;
+  #tellGlanceInTurn(): void {
+    if (this.#shown.robots.size <= CROWD || this.#glanced.robots.size !== this.#shown.robots.size) return this.#tellGlance();
+    if (this.#glanceWaits || this.#frames.now_ms() - this.#glanceTold_ms < GLANCE_MS) return;
     this.#glanceWaits = true;
     this.#frames.before(() => {
       this.#glanceWaits = false;
-      tell();
+      this.#tellGlance();
       flushSync();
     });
+  }
+
+  #tellGlance(): void {
+    this.#glanceTold_ms = this.#frames.now_ms();
+    [this.#glanced, this.#glanced_ms] = [this.#shown, this.clock_ms];
+    this.#clock.step(this.clock_ms);
   }
 }
 
 const inTheirOrder = ({ robots }: Team) => [...robots.values()].sort((a, b) => a.identity.index - b.identity.index);
+
+/** Where the address has a recording begin; undefined: at its start. */
+function secondsIn(search: string): number | undefined {
+  const at_s = Number(new URLSearchParams(search).get("at") ?? Number.NaN);
+  return Number.isFinite(at_s) && at_s >= 0 ? at_s : undefined;
+}
 
 function withDefaults(reply: Partial<Reply> & Pick<Reply, "robot" | "status">): Reply {
   return {

@@ -90,6 +90,7 @@ export class Operator {
   }
 
   async #say(kind: CommandKind, targets: readonly string[], failed: string): Promise<void> {
+    if (live.playback && !rights.ask()) return;
     await this.#attempts.make(() => command(kind, targets), ({ message }) => `${failed}: ${message}`);
   }
 }

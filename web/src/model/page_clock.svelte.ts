@@ -45,6 +45,12 @@ export class PageClock {
     this.isBehind = this.behind_ms > BEHIND_MS;
   }
 
+  /** It is `at_ms`, whatever it was before: of a recording all that is shown is known. */
+  jump(at_ms: number): void {
+    [this.now_ms, this.#told_ms, this.#toldNext_ms] = [at_ms, at_ms, at_ms];
+    this.isBehind = false;
+  }
+
   /** The coarse steps go on. */
   step(at_ms: number): void {
     this.step_ms = Math.ceil(at_ms / STEP_MS) * STEP_MS;

@@ -10,6 +10,10 @@ class TimeAxis {
   #end_ms = $state<number>();
   pointed_ms = $state<number>();
 
+  constructor() {
+    live.onRewind(() => this.follow());
+  }
+
   readonly follows: boolean = $derived(this.#end_ms === undefined);
   /** The present, as far as the axis has got. */
   readonly present_ms: number = $derived(live.step_ms);
@@ -42,12 +46,14 @@ class TimeAxis {
 
 export const axis = new TimeAxis();
 
-/** Shows the team as it was at that instant; close to the present: as it is. */
+/** Shows the team as it was at that instant; close to the present: as it is. A recording goes on from there. */
 export function showInstant(at_ms: number): void {
+  if (live.playback) return live.playback.seekTo(at_ms);
   live.instant_ms = at_ms >= live.present_ms - 300 ? undefined : Math.max(at_ms, live.earliest_ms);
   if (live.instant_ms !== undefined) axis.show(live.instant_ms);
 }
 
+/** The axis goes along with the present again, which is shown. */
 export function backToLive(): void {
   live.instant_ms = undefined;
   axis.follow();

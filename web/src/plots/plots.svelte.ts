@@ -20,6 +20,10 @@ class Plots {
   #samples = new Map<string, Samples>();
   #ends = new Map<string, () => void>();
 
+  constructor() {
+    live.onRewind((to_ms) => this.#samples.forEach((samples) => samples.goOnFrom(to_ms)));
+  }
+
   readonly charts: Chart[] = $derived.by(() => {
     const charts = new Map<string, PlotLine[]>();
     for (const line of this.lines) {
@@ -63,7 +67,7 @@ class Plots {
       const told = team.robots.get(line.robot)?.variables;
       if (told) samples.add(told.received_ms, valueOf(line, told.value.items));
     }
-    const end = live.onMessage(`/${line.robot}/variables`, (message) => samples.add(Date.now(), valueOf(line, (message as Variables).items)));
+    const end = live.onMessage(`/${line.robot}/variables`, (message) => samples.add(live.clock_ms, valueOf(line, (message as Variables).items)));
     this.#samples.set(lineKey(line), samples);
     this.#ends.set(lineKey(line), end);
   }

@@ -20,6 +20,13 @@ export class Samples {
     }
   }
 
+  /** It goes on from `at_ms`, and nothing is known of the time since the sample before that. */
+  goOnFrom(at_ms: number): void {
+    const kept = this.times_s.findIndex((each_s) => each_s * 1000 > at_ms);
+    if (kept >= 0) this.times_s.length = this.values.length = kept;
+    this.add(at_ms, null);
+  }
+
   /** The newest value at that instant; undefined before the first. */
   at(at_ms: number): number | null | undefined {
     let [low, high] = [0, this.times_s.length];

@@ -5,6 +5,7 @@ import type { SourceFile } from "../feed/messages";
 import * as api from "../feed/api";
 import { Attempts } from "../lib/attempts.svelte";
 import { live } from "../model/live.svelte";
+import { rights } from "../model/rights.svelte";
 import { Bench, type Place } from "./bench.svelte";
 import { Checks } from "./checks.svelte";
 import { Library } from "./library.svelte";
@@ -85,6 +86,7 @@ export class Workshop {
 
   /** Checks, then asks for the one confirming click. */
   async ask(targets: readonly string[]): Promise<void> {
+    if (live.playback && !rights.ask()) return;
     if (this.canCheck) await this.pushing.ask(targets, this.check());
   }
 

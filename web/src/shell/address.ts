@@ -4,6 +4,12 @@
 
 import { dateTime, dayTime } from "../lib/format";
 
+/** A recording, and how far from its start. */
+export interface Played {
+  readonly name: string;
+  readonly at_s: number;
+}
+
 /** One plotted number: its robot, variable and quantity. */
 export type PlotName = readonly [robot: string, variable: string, quantity: string];
 
@@ -11,11 +17,14 @@ export interface View {
   readonly robot?: string | undefined;
   /** Undefined: the present. */
   readonly at_ms?: number | undefined;
+  /** The recording that is shown, and where it is; undefined: the live team is. */
+  readonly recording?: Played | undefined;
   readonly plots: readonly PlotName[];
   /** The arrangement, as a shared link has it. */
   readonly layout?: string | undefined;
 }
 
+const SECONDS = /^\d+(\.\d+)?$/;
 const INSTANT = /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z$/;
 
 function plotsOf(text: string | null, faults: string[]): PlotName[] {
@@ -28,16 +37,30 @@ function plotsOf(text: string | null, faults: string[]): PlotName[] {
   });
 }
 
+function playedIn(given: URLSearchParams, faults: string[]): Played | undefined {
+  const [name, at] = [given.get("recording"), given.get("at")];
+  if (!name) return undefined;
+  const isRead = at === null || SECONDS.test(at);
+  if (!isRead) faults.push(`The address asks for “${at}” of a recording, which is no number of seconds from its start.`);
+  return { name, at_s: isRead ? Number(at ?? 0) : 0 };
+}
+
+function instantIn(given: URLSearchParams, faults: string[]): number | undefined {
+  const at = given.get("at");
+  const at_ms = at !== null && INSTANT.test(at) ? Date.parse(at) : Number.NaN;
+  if (!Number.isNaN(at_ms)) return at_ms;
+  if (at !== null) faults.push(`The address asks for the instant “${at}”, which is no time such as 2024-01-01T12:00:00Z.`);
+  return undefined;
+}
+
 /** Reads an address's query. What makes no sense in it is left out, with a sentence each. */
 export function viewOf(search: string): { readonly view: View; readonly faults: readonly string[] } {
   const given = new URLSearchParams(search);
   const faults: string[] = [];
-  const at = given.get("at");
-  const at_ms = at !== null && INSTANT.test(at) ? Date.parse(at) : Number.NaN;
-  if (at !== null && Number.isNaN(at_ms)) faults.push(`The address asks for the instant “${at}”, which is no time such as 2024-01-01T12:00:00Z.`);
+  const recording = playedIn(given, faults);
   const view: View = {
     robot: given.get("robot") || undefined,
-    at_ms: Number.isNaN(at_ms) ? undefined : at_ms,
+    ...(recording ? { recording } : { at_ms: instantIn(given, faults) }),
     plots: plotsOf(given.get("plots"), faults),
     layout: given.get("layout") || undefined,
   };
@@ -45,8 +68,11 @@ export function viewOf(search: string): { readonly view: View; readonly faults: 
 }
 
 /** The query that viewOf reads; empty for a page as it opens. */
-export function searchOf({ robot, at_ms, plots, layout }: View): string {
+export function searchOf({ robot, at_ms, recording, plots, layout }: View): string {
   const query = new URLSearchParams();
+  if (recording) query.set("recording", recording.name);
+  const at_s = Number(recording?.at_s.toFixed(3) ?? 0);
+  if (at_s > 0) query.set("at", String(at_s));
   if (robot) query.set("robot", robot);
   if (at_ms !== undefined) query.set("at", new Date(at_ms).toISOString());
   if (plots.length > 0) query.set("plots", plots.map((plot) => plot.join(":")).join(","));

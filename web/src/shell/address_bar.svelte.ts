@@ -10,6 +10,8 @@ import { instantFault, type PlotName, searchOf, type View, viewOf } from "./addr
 
 /** A cursor that is dragged, or keys pressed fast, change the address once. */
 const CALM_MS = 400;
+/** A recording that plays on changes the address so often. */
+const PLAYED_MS = 1000;
 /** So long after the first robot was heard, whoever was not is taken for not there. */
 const PATIENCE_MS = 5000;
 
@@ -52,13 +54,23 @@ class AddressBar {
   /** Called whenever what is looked at changes. */
   refresh(): void {
     const { view } = this;
+    if (live.playback) return this.#refreshPlayed();
     clearTimeout(this.#timer);
     if (!this.#wanted) this.#timer = setTimeout(() => this.#write(view), CALM_MS);
   }
 
+  #refreshPlayed(): void {
+    this.#timer ??= setTimeout(() => {
+      this.#timer = undefined;
+      if (!this.#wanted) this.#write(this.view);
+    }, PLAYED_MS);
+  }
+
   /** What is looked at. */
   get view(): View {
-    return { robot: live.chosen, at_ms: live.instant_ms, plots: plots.lines.map(({ robot, variable, quantity }): PlotName => [robot, variable, quantity]) };
+    const { playback } = live;
+    const when = playback ? { recording: { name: playback.name, at_s: playback.position_s } } : { at_ms: live.instant_ms };
+    return { robot: live.chosen, ...when, plots: plots.lines.map(({ robot, variable, quantity }): PlotName => [robot, variable, quantity]) };
   }
 
   /** A link to what is looked at, in that arrangement: it carries no token. */

@@ -39,7 +39,7 @@ export const panels: readonly PanelKind[] = [
   {
     id: "machine",
     title: "State machine",
-    about: "The chosen robot's states: the current one is filled, blue arrows fired lately, a dashed arrow is near to firing. Point at a state to see its conditions live. ● stops the robot there, ■ waits until somebody lets it through.",
+    about: "The chosen robot's states: the current one is filled, blue arrows fired lately, a dashed arrow is near to firing. Point at a state to see its conditions as they stand. ● stops the robot there, ■ waits until somebody lets it through.",
     component: MachinePanel,
   },
   {
@@ -57,7 +57,7 @@ export const panels: readonly PanelKind[] = [
   {
     id: "vision",
     title: "Vision",
-    about: "What the chosen robot's camera sees, and what it takes for objects. Tune tries other thresholds on the live picture.",
+    about: "What the chosen robot's camera sees, and what it takes for objects. Tune tries other thresholds on the picture.",
     component: VisionPanel,
   },
   {

@@ -24,8 +24,15 @@ export class PictureReader {
   read(feed: PageFeed, robot: string, picture: Picture, canvas: HTMLCanvasElement, drawn?: () => void): () => void {
     const topic = pictureTopic(robot, picture);
     if (topic !== this.#topic) this.#begin(topic);
-    this.asked_ms = Date.now();
-    const release = feed.want(topic);
+    this.asked_ms = live.clock_ms;
+    let release = feed.want(topic);
+    // Asked for anew it is told at once, also where the recording stands still.
+    const stay = live.onRewind(() => {
+      this.#begin(topic);
+      canvas.getContext("2d")?.clearRect(0, 0, canvas.width, canvas.height);
+      release();
+      release = feed.want(topic);
+    });
     const silence = live.onPicture(topic, ({ bitmap, taken }) => {
       this.#show(bitmap, canvas);
       this.taken = taken;
@@ -34,6 +41,7 @@ export class PictureReader {
     });
     return () => {
       release();
+      stay();
       silence();
     };
   }
@@ -54,7 +62,7 @@ export class PictureReader {
 
   #counted(): void {
     this.count += 1;
-    this.shown_ms = Date.now();
+    this.shown_ms = live.clock_ms;
     this.#times = [...this.#times, performance.now()].slice(-RATE_OVER);
     const [first, last] = [this.#times[0]!, this.#times.at(-1)!];
     if (last > first) this.rate_hz = ((this.#times.length - 1) * 1000) / (last - first);

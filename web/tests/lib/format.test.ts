@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
-import { clock, degrees, delay, fitted, inUnit, lasting, metres, shortened, sureness, when } from "../../src/lib/format";
+import { clock, dateAndTime, degrees, delay, fitted, inUnit, lasting, metres, preciseClock, shortened, size, sureness, when } from "../../src/lib/format";
 
 describe("numbers and times", () => {
   it("have units and a true minus", () => {
@@ -11,6 +11,13 @@ describe("numbers and times", () => {
   it("are a clock's where a contest runs out", () => {
     expect(clock(462.9)).toBe("07:42");
     expect(clock(-3)).toBe("00:00");
+  });
+  it("are told to the tenth of a second where one steps through them", () => {
+    expect([preciseClock(12.3), preciseClock(0.0999), preciseClock(3661), preciseClock(-1)]).toEqual(["00:12.3", "00:00.0", "61:01.0", "00:00.0"]);
+    expect(dateAndTime(new Date(2024, 10, 28, 12, 3, 11).getTime())).toBe("2024-11-28 12:03:11");
+  });
+  it("are as many bytes as somebody can imagine", () => {
+    expect([0, 999, 1000, 12_400_000, 4.2e9].map(size)).toEqual(["0 B", "999 B", "1.0 kB", "12 MB", "4.2 GB"]);
   });
   it("are relative when recent, clock when old", () => {
     const now = new Date(2024, 0, 1, 12, 3, 11).getTime();

@@ -26,7 +26,7 @@ beforeEach(() => {
   questions.asked = [];
   live.reset();
   live.robots = [robot("io"), robot("ganymede")];
-  rights.maySteer = true;
+  rights.told(true);
   orders = new BreakOrders();
 });
 
@@ -62,12 +62,20 @@ describe("a break point", () => {
     live.robots = [];
     orders.toggle(ENTERING);
     live.robots = [robot("io")];
-    rights.maySteer = false;
+    rights.told(false);
     orders.toggle(ENTERING);
     orders.step("io");
     expect(asked()).toEqual([]);
     expect(live.trouble).toMatch(/^You may watch only\./);
   });
+});
+
+it("of a recording nothing is ordered, and the reader is told why", () => {
+  live.playback = {};
+  orders.toggle(ENTERING);
+  orders.step();
+  expect(asked()).toEqual([]);
+  expect(live.trouble).toMatch(/^This is a recording: a recording cannot be stopped or steered\./);
 });
 
 it("one robot is let through or steps, or all step", () => {

@@ -35,6 +35,15 @@ it("tells of a failure until the next word", async () => {
   expect(operator.failure).toBeUndefined();
 });
 
+it("tells nobody anything where a recording is shown, and says why", () => {
+  live.playback = {};
+  operator.stopAll();
+  operator.resume([]);
+  expect([questions.asked, operator.stopping]).toEqual([[], undefined]);
+  expect(live.trouble).toMatch(/^This is a recording: a recording cannot be stopped or steered\./);
+  live.reset();
+});
+
 describe("after STOP ALL", () => {
   const robot = (name: string, held: boolean, received_ms: number) => ({ ...runs(name, { name: "a.bhdl", hash: "aaaa", files: [] }), heard_ms: received_ms, state: { received_ms, value: { program_hash: "aaaa", held, out_of_service: false } } });
   let ordered_ms: number;

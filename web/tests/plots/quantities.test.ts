@@ -51,3 +51,17 @@ describe("the filter of the table", () => {
     expect(kindsOf([trash])).toEqual(["all", "valid", "locate"]);
   });
 });
+
+describe("the samples of a line", () => {
+  const samples = new Samples();
+  for (let s = 0; s < 10; s += 1) samples.add(T0_MS + s * 1000, s);
+
+  it("forget what is newer where a recording goes back, and are not joined across what nobody heard", () => {
+    samples.goOnFrom(T0_MS + 4500);
+    expect([samples.at(T0_MS + 4400), samples.at(T0_MS + 4600)]).toEqual([4, null]);
+    samples.add(T0_MS + 5000, 50);
+    expect(samples.values).toEqual([0, 1, 2, 3, 4, null, 50]);
+    samples.goOnFrom(T0_MS + 60_000);
+    expect([samples.at(T0_MS + 50_000), samples.at(T0_MS + 60_000)]).toEqual([50, null]);
+  });
+});

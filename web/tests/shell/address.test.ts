@@ -28,6 +28,20 @@ describe("the page's address", () => {
   });
 });
 
+describe("the address of a recording", () => {
+  it("carries which one, and how many seconds from its start, there and back", () => {
+    const view = { robot: "io", recording: { name: "my run.mcap", at_s: 12.345 }, plots: [], layout: undefined };
+    expect(searchOf(view)).toBe("?recording=my+run.mcap&at=12.345&robot=io");
+    expect(viewOf(searchOf(view))).toEqual({ view, faults: [] });
+  });
+  it("begins at its start where it says no time, or none that makes sense", () => {
+    expect(searchOf({ recording: { name: "run.mcap", at_s: 0 }, plots: [] })).toBe("?recording=run.mcap");
+    const { view, faults } = viewOf("?recording=run.mcap&at=2024-01-01T12:00:00Z");
+    expect(view.recording).toEqual({ name: "run.mcap", at_s: 0 });
+    expect(faults).toEqual(["The address asks for “2024-01-01T12:00:00Z” of a recording, which is no number of seconds from its start."]);
+  });
+});
+
 describe("an instant in the address", () => {
   const heard = { earliest_ms: new Date(2024, 0, 2, 10, 2).getTime(), present_ms: new Date(2024, 0, 2, 10, 5).getTime() };
   const fault = (...time: [number, number, number]) => instantFault(new Date(2024, 0, ...time).getTime(), heard);

@@ -15,7 +15,7 @@ let reader: PictureReader;
 const feed = { want: (topic: string) => (wanted.push(topic), () => (wanted = wanted.filter((each) => each !== topic))) } as unknown as PageFeed;
 beforeEach(() => {
   [wanted, drawn] = [[], []];
-  canvas = { width: 0, height: 0, getContext: () => ({ drawImage: ({ width }: { width: number }) => drawn.push(width) }) } as unknown as HTMLCanvasElement;
+  canvas = { width: 0, height: 0, getContext: () => ({ drawImage: ({ width }: { width: number }) => drawn.push(width), clearRect: () => drawn.push("nothing") }) } as unknown as HTMLCanvasElement;
   reader = new PictureReader();
   live.reset();
 });
@@ -43,4 +43,13 @@ it("says of another robot's picture nothing that it knew of the one before", () 
   expect([reader.count, reader.taken?.sec]).toEqual([1, 1]);
   reader.read(feed, "ganymede", "camera", canvas);
   expect([reader.count, reader.taken, reader.shown_ms, reader.rate_hz]).toEqual([0, undefined, 0, 0]);
+});
+
+it("shows nothing, and asks anew, where a recording goes on from another instant", () => {
+  const end = reader.read(feed, "io", "camera", canvas);
+  live.hear(IO, picture(1));
+  live.rewind(0);
+  expect([drawn, reader.count, reader.taken, wanted]).toEqual([[200, "nothing"], 0, undefined, [IO]]);
+  end();
+  expect(wanted).toEqual([]);
 });

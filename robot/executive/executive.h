@@ -144,6 +144,7 @@ class Executive {
 
  private:
   void begin_tick() noexcept;
+  void take_orders() noexcept;
   void exchange_programs() noexcept;
   void install(const Handover& handover) noexcept;
   void go_on_from(const RunningProgram& replaced) noexcept;
@@ -189,7 +190,9 @@ class Executive {
   bool state_changed_ = false;
   Breaks breaks_;
   Holding holding_;
-  Standstill standstill_;  ///< but for `hold`, which other threads change
+  StandingOrders orders_;    ///< those of this tick
+  Hold hold_ = Hold::kNone;  ///< what holds the robot in this tick
+  Standstill standstill_;    ///< but for `hold`, which other threads change
   std::atomic<bool> in_service_{true};
   std::atomic<Whereabouts> where_{};
   /// Whoever sees that no program waits also sees which one runs: a program that left the intake

@@ -24,6 +24,14 @@ enum class Hold : std::uint8_t {
   return !lets_drive(hold) && hold != Hold::kOperator;
 }
 
+/// What operators and other robots had ordered when a tick began. The whole tick goes by it, so
+/// that the order of what happens in a tick and beside it never matters.
+struct StandingOrders {
+  Hold hold = Hold::kNone;
+  bool hold_changed = false;  ///< by another thread, since the tick before
+  bool in_service = true;
+};
+
 /// What holds a robot now. An operator's hold is stronger than all else: only `resume` ends it.
 /// Any thread may call it, and no call waits.
 class Holding {

@@ -97,6 +97,9 @@ class Executive {
   /// Control: runs one tick.
   void tick();
 
+  /// Any thread. Returns the seed of all random numbers.
+  [[nodiscard]] std::uint64_t seed() const noexcept { return setup_.seed; }
+
   /// Any thread: from the next tick on the schemas run and the motors stand still.
   void hold() noexcept { holding_.hold(); }
   void resume() noexcept { holding_.resume(); }

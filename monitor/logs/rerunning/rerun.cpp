@@ -18,7 +18,7 @@ namespace galilean::logs {
 namespace {
 
 constexpr const char* kRerun = "galilean log rerun";
-constexpr std::size_t kMostRuns = 64;  ///< each has a process of its own
+constexpr std::size_t kMostRobots = 64;  ///< each has a process of its own
 
 int fail_rerun(const std::string& sentence) {
   std::cerr << kRerun << ": " << sentence << '\n';
@@ -83,8 +83,8 @@ class Runs {
                                    : file + " channel " + std::to_string(channel.id);
     auto& run = runs_[channel.topic + ' ' + writer];
     if (run) return run.get();
-    if (runs_.size() > kMostRuns)
-      return Error{"the recording has more than " + std::to_string(kMostRuns) +
+    if (runs_.size() > kMostRobots)
+      return Error{"the recording has more than " + std::to_string(kMostRobots) +
                    " runs of robots: choose some with --robot, or a part with galilean log slice"};
     auto started = RunProcess::start(command(file, channel.topic));
     if (!started) return started.error();

@@ -60,7 +60,8 @@ std::string describe(const RerunReport& report, const RerunResult& result, doubl
   if (result.divergence)
     text += divergence_text(report, *result.divergence);
   else if (!result.cannot_tell.empty())
-    text += "cannot tell from tick " + std::to_string(result.ticks + 1) + ": " +
+    text += "cannot tell" +
+            (result.ticks == 0 ? "" : " from tick " + std::to_string(result.ticks + 1)) + ": " +
             result.cannot_tell + '\n';
   const std::uint64_t same = result.ticks - (result.divergence ? 1 : 0);
   text += (result.divergence || !result.cannot_tell.empty() ? "  " : "") +

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/latest.h"
+#include "core/memory.h"
 #include "core/result.h"
 #include "robot/executive/break_point.h"
 
@@ -54,6 +55,8 @@ class Breaks {
                                           std::string_view to) const noexcept;
   /// Ends what `let_through` permitted so far.
   void end_passes() noexcept;
+  /// Keeps what the control loop remembers of passes. The table is not in it.
+  void keep(Memory& memory) noexcept { memory.keep(ended_passes_); }
 
  private:
   void set_one(BreakPoint point);

@@ -20,6 +20,7 @@ Executive::Executive(const ExecutiveSetup& setup)
       port_(setup_.devices.comm_port),
       drive_(setup_.devices.motor_drive),
       devices_{port_, drive_, setup_.devices.frame_grabber},
+      intake_(setup_.programs_before),
       succession_(intake_) {
   tick_.period = setup_.tick_period;
 }
@@ -123,7 +124,8 @@ void Executive::publish() noexcept {
                       .orders = orders_,
                       .break_table = breaks_.table_number(),
                       .motion = drive_.orders(),
-                      .gripper = port_.gripper_order()};
+                      .gripper = port_.gripper_order(),
+                      .executive = this};
   for (TickObserver* observer : setup_.observers) observer->on_tick(view);
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,8 @@ struct ExecutiveSetup {
   /// Is called by `load` and `roll_back`, in their thread, when a program or an order waits for the
   /// next tick. An early tick would bring it into effect sooner. May be null.
   std::function<void()> on_waiting = nullptr;
+  /// Numbers that are passed over: of programs that ran before, in a run that goes on here.
+  ProgramId programs_before = 0;
 };
 
 /// The running program and its current state, which other threads read at once: aligned, every
@@ -133,6 +136,16 @@ class Executive {
   /// program runs. It allocates, and is for the simulator only.
   void restore(const Situation& situation);
 
+  /// Control, between ticks or from an observer of a tick: writes all that the executive remembers
+  /// at the end of the tick, but for the program's text, the table of break points, and programs to
+  /// go back to. It neither allocates nor waits. Returns the number of words, or 0 if no program
+  /// runs or `room` is too small.
+  [[nodiscard]] std::size_t save(std::span<std::uint64_t> room) const noexcept;
+  /// Control, between ticks: lets the program that waits go on from what another executive saved
+  /// while that program ran. Returns false if it was saved of another program.
+  [[nodiscard]] bool adopt(std::span<const std::uint64_t> saved) noexcept;
+  [[nodiscard]] bool has_predecessor() const noexcept { return succession_.has_predecessor(); }
+
   /// Control, as for all methods below. Returns null before the first tick with a program.
   [[nodiscard]] const RunningProgram* program() const noexcept { return succession_.running(); }
   /// Returns an empty text before the first tick with a program.
@@ -146,6 +159,7 @@ class Executive {
   void hash_into(StateHash& hash) const noexcept;
 
  private:
+  void keep(Memory& memory) noexcept;
   void begin_tick() noexcept;
   void take_orders() noexcept;
   void exchange_programs() noexcept;

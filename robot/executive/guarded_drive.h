@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/device/motor_drive.h"
+#include "core/memory.h"
 
 namespace galilean::robot {
 
@@ -27,6 +28,11 @@ class GuardedDrive final : public MotorDrive {
   void begin(Time now, bool free) noexcept;
   /// Is called after the motor schemas ran.
   void finish(bool state_changed) noexcept;
+  void keep(Memory& memory) noexcept {
+    memory.keep(timeout_);
+    memory.keep(last_command_);
+    memory.keep(driving_);
+  }
   /// Returns what the motors were ordered since `begin`.
   [[nodiscard]] const MotionOrders& orders() const noexcept { return orders_; }
 

@@ -38,6 +38,8 @@ class Holding {
  public:
   [[nodiscard]] Hold now() const noexcept { return hold_.load(std::memory_order_relaxed); }
 
+  /// Puts it in place as it was in another run.
+  void replay(Hold hold) noexcept { hold_.store(hold, std::memory_order_relaxed); }
   void hold() noexcept { hold_.store(Hold::kOperator, std::memory_order_relaxed); }
   void resume() noexcept { hold_.store(Hold::kNone, std::memory_order_relaxed); }
   /// Lets the robot go on until its next change of state. Returns false, and changes nothing, if an

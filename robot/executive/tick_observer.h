@@ -17,6 +17,8 @@ struct Devices;
 
 namespace galilean::robot {
 
+class Executive;
+
 /// What an executive shows of a tick at its end.
 struct TickView {
   const Tick& tick;
@@ -34,6 +36,7 @@ struct TickView {
   std::uint64_t break_table = 0;  ///< the number of the table of break points that it went by
   MotionOrders motion = {};
   std::optional<GripperCommand> gripper = {};  ///< what it was ordered in this tick
+  const Executive* executive = nullptr;        ///< the one that is shown
 };
 
 /// Watches an executive from within its control loop. Requires: neither method allocates, waits or

@@ -99,7 +99,26 @@ bool InputsComposer::take(InputsTap& tap, msg::TickInputs& to) {
   to.board_digest = board_digest(to);
   to.picture_digest = picture_digest(to, pixels_digest_);
   to.outcome = outcome_on_wire(record.outcome, state_name(record.outcome));
+  add_memory(record, tap, to);
   return true;
+}
+
+/// Without the program's text or the table the memory is of no use, and left out.
+void InputsComposer::add_memory(const TickRecord& record, const InputsTap& tap,
+                                msg::TickInputs& to) {
+  if (record.memory_words == 0 || !program_) return;
+  const auto table = record.break_table == 0 ? std::optional<BreakTable>(std::in_place)
+                                             : source_.break_table(record.break_table);
+  if (!table) return;
+  msg::ExecutiveMemory& memory = to.memory.emplace_back();
+  memory.program = given(*program_);
+  memory.break_table = table_on_wire(*table);
+  memory.has_predecessor = record.has_predecessor;
+  memory.words = static_cast<std::uint32_t>(tap.memory().size());
+  const auto bytes = std::as_bytes(tap.memory());
+  packer_.pack_bytes({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
+                     memory.packed);
+  memory.digest = memory_digest(memory, tap.memory());
 }
 
 void InputsComposer::add_breaks(const TickRecord& record, msg::TickInputs& to) {

@@ -41,6 +41,7 @@ class InputsComposer {
  private:
   void add_program(const TickRecord& record, msg::TickInputs& to);
   void add_breaks(const TickRecord& record, msg::TickInputs& to);
+  void add_memory(const TickRecord& record, const InputsTap& tap, msg::TickInputs& to);
   void add_picture(const TickRecord& record, const InputsTap& tap, msg::TickInputs& to);
   [[nodiscard]] std::string state_name(const TickOutcome& outcome);
 

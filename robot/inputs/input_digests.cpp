@@ -65,6 +65,16 @@ std::uint64_t board_digest(const msg::TickInputs& inputs) {
   return digest.value();
 }
 
+std::uint64_t memory_digest(const msg::ExecutiveMemory& memory,
+                            std::span<const std::uint64_t> words) {
+  BitDigest digest;
+  add(digest, memory.program);
+  add(digest, memory.break_table);
+  digest.add(memory.has_predecessor);
+  for (const std::uint64_t word : words) digest.add(word);
+  return digest.value();
+}
+
 std::uint64_t pixels_digest(std::span<const std::uint8_t> rgb) {
   BitDigest digest;
   digest.add(rgb);

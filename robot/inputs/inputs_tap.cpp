@@ -3,6 +3,7 @@
 
 #include "core/device/devices.h"
 #include "core/device/frame_grabber.h"
+#include "robot/executive/executive.h"
 
 namespace galilean::robot {
 
@@ -32,13 +33,27 @@ void InputsTap::on_tick(const TickView& view) noexcept {
     return begin_anew();
   }
   copy(view);
+  copy_memory(view);
   const Frame& frame = view.devices.frame_grabber.frame();
-  next_.has_picture = frame.number != 0 && frame.number != last_frame_;
-  if ((!next_.has_picture || hand_over_picture(frame)) && records_.push(next_))
+  next_.has_picture = frame.number != 0 && (frame.number != last_frame_ || next_.memory_words > 0);
+  if ((!next_.has_picture || hand_over_picture(frame)) && records_.push(next_)) {
     last_frame_ = frame.number;
-  else
+  } else {
     ++lost_;
+    if (next_.memory_words > 0) memory_is_free_.store(true, std::memory_order_relaxed);
+  }
   begin_anew();
+}
+
+/// With its memory a run begins anew for who reads it: the picture comes with it.
+void InputsTap::copy_memory(const TickView& view) noexcept {
+  next_.memory_words = 0;
+  if (!wants_memory_.load(std::memory_order_relaxed) || !view.program) return;
+  if (!memory_is_free_.exchange(false, std::memory_order_acquire)) return;
+  wants_memory_.store(false, std::memory_order_relaxed);
+  next_.memory_words = view.executive->save(memory_);
+  next_.has_predecessor = view.executive->has_predecessor();
+  if (next_.memory_words == 0) memory_is_free_.store(true, std::memory_order_relaxed);
 }
 
 void InputsTap::copy(const TickView& view) noexcept {
@@ -74,9 +89,12 @@ void InputsTap::begin_anew() noexcept {
 bool InputsTap::take(TickRecord& to) {
   if (holds_picture_) pictures_.release();
   holds_picture_ = false;
+  if (taken_words_ > 0) memory_is_free_.store(true, std::memory_order_release);
+  taken_words_ = 0;
   const auto record = records_.pop();
   if (!record) return false;
   to = *record;
+  taken_words_ = to.memory_words;
   if (!to.has_picture) return true;
   while (pictures_.oldest()->number != to.frame) pictures_.release();
   holds_picture_ = true;

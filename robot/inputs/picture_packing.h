@@ -20,6 +20,8 @@ class PicturePacker {
 
   /// Errors: throws std::runtime_error if zstd refuses.
   void pack(std::span<const std::uint8_t> rgb, std::vector<std::uint8_t>& to);
+  /// Packs bytes that are no picture. Errors: as for pack.
+  void pack_bytes(std::span<const std::uint8_t> bytes, std::vector<std::uint8_t>& to);
 
  private:
   ZSTD_CCtx_s* context_;
@@ -28,5 +30,7 @@ class PicturePacker {
 
 /// Returns false if `packed` is damaged or does not hold exactly `rgb.size()` bytes.
 [[nodiscard]] bool unpack(std::span<const std::uint8_t> packed, std::span<std::uint8_t> rgb);
+[[nodiscard]] bool unpack_bytes(std::span<const std::uint8_t> packed,
+                                std::span<std::uint8_t> bytes);
 
 }  // namespace galilean::robot

@@ -43,6 +43,8 @@ struct TickRecord {
   Time captured{};
   bool has_picture = false;  ///< the frame is another than in the tick before
   TickOutcome outcome;
+  std::size_t memory_words = 0;  ///< of the executive's memory; 0: it was not taken in this tick
+  bool has_predecessor = false;  ///< with it: there is a program to go back to
 };
 
 }  // namespace galilean::robot

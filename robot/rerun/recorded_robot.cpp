@@ -47,7 +47,8 @@ void apply(Hold hold, Executive& executive) {
 
 }  // namespace
 
-RecordedRobot::RecordedRobot(const Registry& components, const msg::TickInputs& first)
+RecordedRobot::RecordedRobot(const Registry& components, const msg::TickInputs& first,
+                             ProgramId programs_before)
     : executive_({.components = components,
                   .devices = devices_.devices(),
                   .clock = clock_,
@@ -55,18 +56,26 @@ RecordedRobot::RecordedRobot(const Registry& components, const msg::TickInputs& 
                   .seed = first.seed,
                   .tick_period = Duration(first.tick_period_ns),
                   .tuner = &devices_,
-                  .observers = {&watch_}}) {}
+                  .observers = {&watch_},
+                  .programs_before = programs_before}) {}
+
+Result<void> RecordedRobot::adopt(bhdl::Program program, const msg::TickInputs& inputs,
+                                  std::span<const std::uint8_t> rgb,
+                                  std::span<const std::uint64_t> memory) {
+  if (auto loaded = load(std::move(program), inputs.memory.front().program); !loaded) return loaded;
+  executive_.breaks().replay(table_of(inputs.memory.front().break_table));
+  inputs.in_service ? executive_.commission() : executive_.decommission();
+  give(inputs, rgb);
+  if (executive_.adopt(memory)) return {};
+  return Error{"what the executive remembered does not fit its program"};
+}
 
 Result<void> RecordedRobot::load(bhdl::Program program, const msg::GivenProgram& given) {
   const int most = static_cast<int>(
       std::clamp<std::uint32_t>(given.most_transitions_per_s, 1, ProbationRules::kMostCounted));
   const auto id = executive_.load(
       std::move(program), {.length = Duration(given.probation_ns), .most_transitions_per_s = most});
-  if (!id) return id.error();
-  if (id.value() != given.id)
-    return Error{"it was the robot's program " + std::to_string(given.id) + ", and is number " +
-                 std::to_string(id.value()) + " here: a program before it is missing"};
-  return {};
+  return id ? Result<void>() : Result<void>(id.error());
 }
 
 Result<void> RecordedRobot::tick(const msg::TickInputs& inputs, std::span<const std::uint8_t> rgb) {

@@ -14,11 +14,17 @@ namespace galilean::robot {
 /// period of ticks are those of the first tick.
 class RecordedRobot {
  public:
-  /// Requires: `components` outlives this.
-  RecordedRobot(const Registry& components, const msg::TickInputs& first);
+  /// Its first program will be number `programs_before` + 1. Requires: `components` outlives this.
+  RecordedRobot(const Registry& components, const msg::TickInputs& first,
+                ProgramId programs_before = 0);
   RecordedRobot(const RecordedRobot&) = delete;
   RecordedRobot& operator=(const RecordedRobot&) = delete;
 
+  /// Goes on from what the executive remembered at the end of the tick of `inputs`, while this
+  /// program ran. Errors: the program cannot be built here, or it is another one.
+  [[nodiscard]] Result<void> adopt(bhdl::Program program, const msg::TickInputs& inputs,
+                                   std::span<const std::uint8_t> rgb,
+                                   std::span<const std::uint64_t> memory);
   /// Lets the program take over in the next tick. Errors: it cannot be built here.
   [[nodiscard]] Result<void> load(bhdl::Program program, const msg::GivenProgram& given);
   /// Runs the tick, but for `inputs.program` and the pixels. `rgb` is a picture that is new, or

@@ -21,7 +21,9 @@ std::string rounded(double number, int digits) {
 std::string as_json(const RerunReport& report, const RerunResult& result, double took_s) {
   nlohmann::ordered_json json{{"run", visible(report.title)},
                               {"robot", visible(result.robot)},
+                              {"first_tick", result.first_tick},
                               {"ticks", result.ticks},
+                              {"left_out", result.left_out},
                               {"recorded_s", result.recorded_s},
                               {"took_s", took_s},
                               {"same", exit_code(result) == 0},
@@ -33,7 +35,7 @@ std::string as_json(const RerunReport& report, const RerunResult& result, double
                           {"cause", found->cause},
                           {"details", found->details}};
   if (!result.cannot_tell.empty())
-    json["cannot_tell"] = {{"tick", result.ticks + 1}, {"why", result.cannot_tell}};
+    json["cannot_tell"] = {{"tick", result.untold_tick}, {"why", result.cannot_tell}};
   return ordered_json_text(json) + '\n';
 }
 
@@ -52,22 +54,23 @@ std::string divergence_text(const RerunReport& report, const Divergence& found) 
   return text;
 }
 
+std::string untold_text(const RerunResult& result) {
+  const std::string from =
+      result.untold_tick == 0 ? "" : " from tick " + std::to_string(result.untold_tick);
+  return "cannot tell" + from + ": " + result.cannot_tell + '\n';
+}
+
 }  // namespace
 
 std::string describe(const RerunReport& report, const RerunResult& result, double took_s) {
   if (report.as_json) return as_json(report, result, took_s);
   std::string text = visible(report.title) + ": ";
-  if (result.divergence)
-    text += divergence_text(report, *result.divergence);
-  else if (!result.cannot_tell.empty())
-    text += "cannot tell" +
-            (result.ticks == 0 ? "" : " from tick " + std::to_string(result.ticks + 1)) + ": " +
-            result.cannot_tell + '\n';
-  const std::uint64_t same = result.ticks - (result.divergence ? 1 : 0);
-  text += (result.divergence || !result.cannot_tell.empty() ? "  " : "") +
-          std::string("0 bits differ in ") + plural(same, "tick") + " (" + pace(result, took_s) +
-          ")\n";
-  return text;
+  if (result.divergence) text += divergence_text(report, *result.divergence) + "  ";
+  if (!result.cannot_tell.empty()) text += untold_text(result) + "  ";
+  text += "0 bits differ in " + plural(result.ticks - (result.divergence ? 1 : 0), "tick");
+  if (result.first_tick > 1) text += " from tick " + std::to_string(result.first_tick) + " on";
+  if (result.left_out > 0) text += ", " + std::to_string(result.left_out) + " left out";
+  return text + " (" + pace(result, took_s) + ")\n";
 }
 
 int exit_code(const RerunResult& result) noexcept {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <deque>
+#include <optional>
+#include <string>
 
 #include "core/wire/writer.h"
 #include "core/worker.h"
@@ -25,15 +27,20 @@ class InputsPublisher {
   void collect();
   void send();
   void forget();
+  void ask_for_memory();
 
   InputsTap& tap_;
   const Clock& clock_;
   const Time began_;
   WallTime wall_;
   InputsComposer compose_;
-  wire::Writer<msg::TickInputs> writer_;
+  wire::Participant& participant_;
+  std::string topic_;
+  std::optional<wire::Writer<msg::TickInputs>> writer_;
+  bool wrote_ = false;  ///< something since the writer was made
   std::deque<msg::TickInputs> waiting_;
   std::size_t waiting_bytes_ = 0;
+  Time next_memory_;
   Worker worker_;
 };
 

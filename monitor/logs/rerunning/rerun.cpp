@@ -25,14 +25,17 @@ int fail_rerun(const std::string& sentence) {
   return kFailed;
 }
 
+/// The part of a writer's GUID, in hexadecimal digits, that names its process.
+constexpr std::size_t kParticipantDigits = 24;
+
 /// A wrong result counts more than one that cannot be told.
 int worse(int a, int b) {
   if (a == kFailed || b == kFailed) return kFailed;
   return std::max(a, b);
 }
 
-/// The runs of all robots of a recording, each in a process. A robot that was started anew has
-/// another writer, and so another run.
+/// The runs of all robots of a recording, each in a process. A robot that was started anew is
+/// another run.
 class Runs {
  public:
   explicit Runs(const RerunOptions& options) : options_(options) {}
@@ -75,11 +78,12 @@ class Runs {
            });
   }
 
-  /// The recording of another tool does not name its writers: then a channel is one.
+  /// All writers of a process are one run: a robot makes a new one when it is read again. The
+  /// recording of another tool does not name them: then a channel is one.
   Result<RunProcess*> run_of(const std::string& file, const mcap::Channel& channel) {
     const auto named = channel.metadata.find(monitor::kChannelWriter);
     const std::string writer = named != channel.metadata.end()
-                                   ? named->second
+                                   ? named->second.substr(0, kParticipantDigits)
                                    : file + " channel " + std::to_string(channel.id);
     auto& run = runs_[channel.topic + ' ' + writer];
     if (run) return run.get();
@@ -108,7 +112,7 @@ class Runs {
   }
 
   const RerunOptions& options_;
-  std::map<std::string, std::unique_ptr<RunProcess>> runs_;  ///< by topic and writer
+  std::map<std::string, std::unique_ptr<RunProcess>> runs_;  ///< by topic and process
   int code_ = 0;
 };
 

@@ -5,71 +5,12 @@
 
 #include "robot/inputs/input_digests.h"
 #include "tests/robot/executive/branching_robot.h"
-#include "tests/robot/rerun/recorded_run.h"
+#include "tests/robot/rerun/live_robot.h"
 
 namespace galilean::robot {
 namespace {
 
 using testing::HasSubstr;
-
-/// A robot whose ticks are recorded. Its devices give what the test sets.
-class LiveRobot {
- public:
-  LiveRobot() {
-    board.received = Time{};
-    recorder.record(
-        {.robot = "io",
-         .seed = executive.seed(),
-         .description = [this](ProgramId id) { return executive.description(id); },
-         .break_table = [this](std::uint64_t number) { return executive.breaks().table(number); }});
-  }
-
-  ProgramId load(const std::string& text) { return executive.load(program_of(text)).value(); }
-  void tick(int times = 1) {
-    for (int i = 0; i < times; ++i) {
-      clock.advance(std::chrono::milliseconds(50));
-      board.received = clock.now();
-      devices.port.give(board, answers);
-      devices.drive.give(answers);
-      devices.camera.give(answers);
-      executive.tick();
-    }
-  }
-  void go_by(int bumper) {
-    board.bumpers = static_cast<std::uint8_t>(1 << bumper);
-    tick();
-    board.bumpers = 0;
-    tick();
-  }
-  [[nodiscard]] std::string state() const { return std::string(executive.state_name()); }
-  [[nodiscard]] RerunResult again() const { return run_again(recorder.ticks, test_components()); }
-
-  SteppedClock clock;
-  /// Each tick takes what it advances meanwhile.
-  struct : Clock {
-    mutable Duration read{};
-    Duration each{};
-    [[nodiscard]] Time now() const noexcept override { return Time{read += each}; }
-  } stopwatch;
-  RecordedDevices devices;
-  ControllerStatus board;
-  bool answers = true;
-  InputsRecorder recorder;
-  Executive executive{{.components = test_components(),
-                       .devices = devices.devices(),
-                       .clock = clock,
-                       .stopwatch = stopwatch,
-                       .seed = 7,
-                       .tuner = &devices,
-                       .observers = {&recorder}}};
-};
-
-void expect_same(const LiveRobot& robot) {
-  const auto result = robot.again();
-  EXPECT_FALSE(result.divergence) << result.divergence->tick << ": " << result.divergence->cause;
-  EXPECT_EQ(result.cannot_tell, "");
-  EXPECT_EQ(result.ticks, robot.recorder.ticks.size());
-}
 
 TEST(RerunOfOrders, HoldsStepsAndPushesAreRepeated) {
   LiveRobot robot;
@@ -96,6 +37,7 @@ TEST(RerunOfOrders, HoldsStepsAndPushesAreRepeated) {
   robot.tick(3);
   EXPECT_EQ(robot.state(), "wander");
   expect_same(robot);
+  expect_same_from_memories(robot);
 }
 
 TEST(RerunOfOrders, BreakPointsLocksAndPassesAreRepeated) {
@@ -117,6 +59,7 @@ TEST(RerunOfOrders, BreakPointsLocksAndPassesAreRepeated) {
   robot.executive.resume();
   robot.tick(3);
   expect_same(robot);
+  expect_same_from_memories(robot);
 }
 
 TEST(RerunOfOrders, SwapsAndRollbacksAreRepeated) {
@@ -136,6 +79,7 @@ TEST(RerunOfOrders, SwapsAndRollbacksAreRepeated) {
   robot.tick(5);
   EXPECT_NE(robot.executive.running(), third) << "it failed its probation";
   expect_same(robot);
+  expect_same_from_memories(robot);
 }
 
 TEST(RerunOfOrders, DevicesThatAreLostAndFoundAreRepeated) {
@@ -150,6 +94,7 @@ TEST(RerunOfOrders, DevicesThatAreLostAndFoundAreRepeated) {
   robot.clock.advance(std::chrono::milliseconds(300));  // an overrun
   robot.tick(3);
   expect_same(robot);
+  expect_same_from_memories(robot);
 }
 
 TEST(RerunOfOrders, AnOrderThatIsNotRepeatedIsFound) {

@@ -16,6 +16,7 @@ class InputsRecorder final : public TickObserver {
   void record(InputsComposer::Source source) { compose_.emplace(std::move(source)); }
   void on_event(const Event& event) noexcept override { tap_.on_event(event); }
   void on_tick(const TickView& view) noexcept override {
+    if (memory_each > 0 && view.tick.number % memory_each == 0) tap_.want_memory();
     tap_.on_tick(view);
     while (compose_->take(tap_, ticks.emplace_back())) {
     }
@@ -23,6 +24,7 @@ class InputsRecorder final : public TickObserver {
   }
 
   std::vector<msg::TickInputs> ticks;
+  std::uint64_t memory_each = 0;  ///< ticks; 0: the executive's memory is not recorded
 
  private:
   InputsTap tap_;

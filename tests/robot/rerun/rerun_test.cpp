@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bhdl/check.h"
@@ -47,6 +48,7 @@ bhdl::Program office_with(const std::string& old_text, const std::string& new_te
 
 std::vector<msg::TickInputs> record_office(double duration_s) {
   InputsRecorder recorder;
+  recorder.memory_each = 90;
   sim::HeadlessOptions options{.robots = 1, .seed = 3, .duration_s = duration_s};
   options.observers = {&recorder};
   auto contest = sim::HeadlessContest::make(sim::load_scenario("office").value(), components(),
@@ -82,7 +84,7 @@ std::size_t tick_in_state(const std::string& state) {
 
 TEST(Rerun, NoBitOfTheOfficeCleanupDiffers) {
   const auto result = run_again(recording(), components());
-  EXPECT_FALSE(result.divergence) << result.divergence->cause;
+  EXPECT_FALSE(result.divergence) << (result.divergence ? result.divergence->cause : "");
   EXPECT_EQ(result.cannot_tell, "");
   EXPECT_EQ(result.ticks, recording().size());
   EXPECT_GT(result.ticks, 600U);
@@ -95,7 +97,7 @@ TEST(Rerun, ABitOfTheBoardsStatusThatIsNotAsItWasReadIsFound) {
   auto ticks = recording();
   ticks[300].left_travel_m = std::nextafter(ticks[300].left_travel_m, 1e9);
   const auto result = run_again(ticks, components());
-  EXPECT_EQ(result.ticks, 300U);
+  EXPECT_EQ(result.untold_tick, 301U);
   EXPECT_THAT(result.cannot_tell, HasSubstr("the board's status"));
   EXPECT_EQ(exit_code(result), 3);
   EXPECT_THAT(describe({}, result, 1), HasSubstr("cannot tell from tick 301"));
@@ -138,28 +140,64 @@ TEST(Rerun, ADamagedPictureIsToldAndNotUsed) {
     if (ticks[i].picture.empty()) continue;
     ticks[i].picture[ticks[i].picture.size() / 2] ^= 1;
     const auto result = run_again(ticks, components());
-    EXPECT_EQ(result.ticks, i);
+    EXPECT_EQ(result.untold_tick, ticks[i].tick);
     EXPECT_THAT(result.cannot_tell, HasSubstr("picture"));
     return;
   }
   FAIL() << "no picture";
 }
 
-TEST(Rerun, OfWhatIsBehindAMissingTickNothingIsTold) {
+TEST(Rerun, OfWhatIsBehindAMissingTickNothingIsToldUntilTheNextMemory) {
   auto ticks = recording();
   ticks.erase(ticks.begin() + 50, ticks.begin() + 52);
   const auto result = run_again(ticks, components());
-  EXPECT_EQ(result.ticks, 50U);
   EXPECT_EQ(result.cannot_tell, "the inputs of 2 ticks are missing");
+  EXPECT_EQ(result.untold_tick, 51U);
   EXPECT_EQ(exit_code(result), 3);
+  EXPECT_EQ(result.ticks, 50 + ticks.back().tick - 90) << "it goes on from the next memory";
 }
 
 TEST(Rerun, ARecordingFromTheMiddleOfARunSaysSo) {
   const auto& ticks = recording();
-  const auto result = run_again({ticks.begin() + 20, ticks.end()}, components());
+  const auto result = run_again({ticks.begin() + 20, ticks.begin() + 80}, components());
   EXPECT_EQ(result.ticks, 0U);
   EXPECT_THAT(result.cannot_tell, HasSubstr("begins with tick 21"));
   EXPECT_EQ(exit_code(result), 3);
+}
+
+TEST(Rerun, ARunIsTheSameFromEachMemoryOn) {
+  const auto& ticks = recording();
+  int begun = 0;
+  for (std::size_t i = 1; i < ticks.size(); ++i) {
+    if (ticks[i].memory.empty()) continue;
+    const auto end = ticks.begin() + static_cast<std::ptrdiff_t>(std::min(i + 120, ticks.size()));
+    const auto result =
+        run_again({ticks.begin() + static_cast<std::ptrdiff_t>(i) - 5, end}, components());
+    EXPECT_FALSE(result.divergence) << (result.divergence ? result.divergence->cause : "");
+    EXPECT_EQ(exit_code(result), i + 1 < ticks.size() ? 0 : 3);
+    EXPECT_EQ(result.first_tick, i + 1 < ticks.size() ? ticks[i].tick + 1 : 0);
+    EXPECT_EQ(result.left_out, 6U);
+    ++begun;
+  }
+  EXPECT_GE(begun, 6);
+}
+
+TEST(Rerun, AMemoryThatIsDamagedIsNotUsed) {
+  auto ticks = recording();
+  ticks.erase(ticks.begin(), ticks.begin() + 60);
+  const auto with =
+      std::ranges::find_if(ticks, [](const auto& tick) { return !tick.memory.empty(); });
+  ASSERT_NE(with, ticks.end());
+  with->memory[0].packed[with->memory[0].packed.size() / 2] ^= 1;
+  EXPECT_THAT(run_again(ticks, components()).cannot_tell, HasSubstr("is damaged"));
+}
+
+TEST(Rerun, AnotherProgramTakesOverFromAMemory) {
+  auto ticks = recording();
+  ticks.erase(ticks.begin(), ticks.begin() + 60);
+  const auto other =
+      office_with("name: \"trash_detector\"", "name: \"trash_detector\" max_range: 1");
+  EXPECT_TRUE(run_again(ticks, components(), other).divergence);
 }
 
 TEST(Rerun, ATickThatCameTwiceCountsOnce) {

@@ -15,8 +15,9 @@ namespace {
 /// What one of the two ticks shows in words.
 struct Side {
   std::string state;
-  std::string way;     ///< "wander -> grab", if a condition fired
-  std::string change;  ///< the same with the condition
+  std::string way;                ///< "wander -> grab", if a condition fired
+  std::string change;             ///< the same with the condition
+  std::set<std::string> touched;  ///< variables that the condition updated or reset
   std::string motion;
   std::string gripper;
 };
@@ -43,7 +44,7 @@ const bhdl::Condition* fired_condition(const RunningProgram& program, std::uint3
   return there ? &states[left].conditions[fired] : nullptr;
 }
 
-/// Sets `way` and `change`: "wander -> grab by office.bhdl:12: trash_seen[0] is 1".
+/// Sets `way`, `touched` and `change`: "wander -> grab by office.bhdl:12: trash_seen[0] is 1".
 void describe_change(const RunningProgram* program, std::uint32_t left, std::uint32_t fired,
                      Side& side) {
   side.change = fired == Event::kNone ? "no condition fires"
@@ -55,6 +56,9 @@ void describe_change(const RunningProgram* program, std::uint32_t left, std::uin
                 std::to_string(condition->location.line) + ": " +
                 visible(condition->bits_variable) + '[' + std::to_string(condition->bit_index) +
                 "] is " + (condition->bit_value ? '1' : '0');
+  side.touched = {condition->reset_variables.begin(), condition->reset_variables.end()};
+  if (condition->bit_update != bhdl::BitUpdate::kSame)
+    side.touched.insert(condition->bits_variable);
 }
 
 /// Returns the indices of the variables that a schema writes.
@@ -109,17 +113,31 @@ class Cause {
   const std::set<std::size_t>& different_;
 };
 
+/// Returns those that differed already when the conditions were tried, as far as that is known.
+std::set<std::size_t> before_sequencing(const std::set<std::size_t>& different,
+                                        const RunningProgram& program, const Side& recorded,
+                                        const Side& now) {
+  if (recorded.way == now.way) return different;
+  std::set<std::size_t> before;
+  for (const std::size_t index : different) {
+    const std::string& name = program.description->variables[index].name;
+    if (!recorded.touched.contains(name) && !now.touched.contains(name)) before.insert(index);
+  }
+  return before;
+}
+
 /// Goes through the tick in its order: dead reckoning, perceive, sequence, act.
 std::string cause_of(const RecordedRobot& robot, const std::set<std::size_t>& different,
                      const Side& recorded, const Side& now) {
   const RunningProgram* program = robot.program();
   if (!program) return "the program: none runs";
-  const Cause cause(*program, different);
+  const auto perceived = before_sequencing(different, *program, recorded, now);
+  const Cause earlier(*program, perceived), cause(*program, different);
   const auto& perceived_in = program->states[robot.perceived_in()];
   const auto& text = program->text();
-  if (auto found = cause.dead_reckoning(); !found.empty()) return found;
+  if (auto found = earlier.dead_reckoning(); !found.empty()) return found;
   if (auto found =
-          cause.schema(perceived_in.perceptual_schemas, "perceptual", text.perceptual_schemas);
+          earlier.schema(perceived_in.perceptual_schemas, "perceptual", text.perceptual_schemas);
       !found.empty())
     return found;
   if (recorded.state != now.state || recorded.way != now.way)

@@ -59,6 +59,7 @@ class Allocations : public testing::Test {
     for (int i = 0; i < times; ++i) {
       robot.clock.advance(std::chrono::milliseconds(50));
       if (i % 2) ++robot.camera.picture.number;
+      if (i % 50 == 0) inputs.want_memory();
       robot.port.next.bumpers = i % 40 == 3 ? 1 : 0;
       robot.port.next.beam_broken = i % 60 > 30;
       robot.port.next.gripper_closed = i % 60 > 35;

@@ -20,7 +20,6 @@ Executive::Executive(const ExecutiveSetup& setup)
       port_(setup_.devices.comm_port),
       drive_(setup_.devices.motor_drive),
       devices_{port_, drive_, setup_.devices.frame_grabber},
-      intake_(setup_.programs_before),
       succession_(intake_) {
   tick_.period = setup_.tick_period;
 }

@@ -44,8 +44,6 @@ struct ExecutiveSetup {
   /// Is called by `load` and `roll_back`, in their thread, when a program or an order waits for the
   /// next tick. An early tick would bring it into effect sooner. May be null.
   std::function<void()> on_waiting = nullptr;
-  /// Numbers that are passed over: of programs that ran before, in a run that goes on here.
-  ProgramId programs_before = 0;
 };
 
 /// The running program and its current state, which other threads read at once: aligned, every

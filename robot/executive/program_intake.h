@@ -24,9 +24,6 @@ struct RollbackOrder {
 /// program here. Every method says which side may call it.
 class ProgramIntake {
  public:
-  /// The first program gets the number behind `before`.
-  explicit ProgramIntake(ProgramId before = 0) : last_id_(before) {}
-
   /// Any thread but control. Builds `program` under the next number and lets it wait for a tick.
   /// Errors: another one still waits; the program cannot be built.
   [[nodiscard]] Result<ProgramId> load(bhdl::Program program, const BuildMaterial& material);

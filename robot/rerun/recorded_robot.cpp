@@ -47,8 +47,7 @@ void apply(Hold hold, Executive& executive) {
 
 }  // namespace
 
-RecordedRobot::RecordedRobot(const Registry& components, const msg::TickInputs& first,
-                             ProgramId programs_before)
+RecordedRobot::RecordedRobot(const Registry& components, const msg::TickInputs& first)
     : executive_({.components = components,
                   .devices = devices_.devices(),
                   .clock = clock_,
@@ -56,8 +55,7 @@ RecordedRobot::RecordedRobot(const Registry& components, const msg::TickInputs& 
                   .seed = first.seed,
                   .tick_period = Duration(first.tick_period_ns),
                   .tuner = &devices_,
-                  .observers = {&watch_},
-                  .programs_before = programs_before}) {}
+                  .observers = {&watch_}}) {}
 
 Result<void> RecordedRobot::adopt(bhdl::Program program, const msg::TickInputs& inputs,
                                   std::span<const std::uint8_t> rgb,
@@ -75,16 +73,29 @@ Result<void> RecordedRobot::load(bhdl::Program program, const msg::GivenProgram&
       std::clamp<std::uint32_t>(given.most_transitions_per_s, 1, ProbationRules::kMostCounted));
   const auto id = executive_.load(
       std::move(program), {.length = Duration(given.probation_ns), .most_transitions_per_s = most});
-  return id ? Result<void>() : Result<void>(id.error());
+  if (!id) return id.error();
+  recorded_numbers_[id.value()] = given.id;
+  return {};
+}
+
+/// Returns 0 if it is none of those that were loaded here.
+ProgramId RecordedRobot::own_number(ProgramId recorded) const noexcept {
+  ProgramId newest = 0;
+  for (const auto& [own, number] : recorded_numbers_)
+    if (number == recorded) newest = own;
+  return newest;
 }
 
 Result<void> RecordedRobot::tick(const msg::TickInputs& inputs, std::span<const std::uint8_t> rgb) {
-  if (inputs.rolled_back != 0 && !executive_.roll_back(inputs.rolled_back, inputs.rollback_reason))
+  if (inputs.rolled_back != 0 &&
+      !executive_.roll_back(own_number(inputs.rolled_back), inputs.rollback_reason))
     return Error{"the order to go back to the program before was not taken"};
   obey(inputs);
   give(inputs, rgb);
   executive_.tick();
   executive_.collect();
+  const auto number = recorded_numbers_.find(watch_.outcome.program);
+  if (number != recorded_numbers_.end()) watch_.outcome.program = number->second;
   return {};
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <optional>
+#include <span>
 
 #include "core/wire/messages.h"
 #include "robot/executive/executive.h"
@@ -14,9 +16,8 @@ namespace galilean::robot {
 /// period of ticks are those of the first tick.
 class RecordedRobot {
  public:
-  /// Its first program will be number `programs_before` + 1. Requires: `components` outlives this.
-  RecordedRobot(const Registry& components, const msg::TickInputs& first,
-                ProgramId programs_before = 0);
+  /// Requires: `components` outlives this.
+  RecordedRobot(const Registry& components, const msg::TickInputs& first);
   RecordedRobot(const RecordedRobot&) = delete;
   RecordedRobot& operator=(const RecordedRobot&) = delete;
 
@@ -31,7 +32,7 @@ class RecordedRobot {
   /// empty. Errors: an order to go back is refused.
   [[nodiscard]] Result<void> tick(const msg::TickInputs& inputs, std::span<const std::uint8_t> rgb);
 
-  /// Returns what the newest tick led to.
+  /// Returns what the newest tick led to. Programs have the numbers of the recording.
   [[nodiscard]] const TickOutcome& outcome() const noexcept { return watch_.outcome; }
   /// Returns null while no program runs.
   [[nodiscard]] const RunningProgram* program() const noexcept { return executive_.program(); }
@@ -65,6 +66,7 @@ class RecordedRobot {
     OutcomeDigests digests;
   };
 
+  [[nodiscard]] ProgramId own_number(ProgramId recorded) const noexcept;
   void obey(const msg::TickInputs& inputs);
   void give(const msg::TickInputs& inputs, std::span<const std::uint8_t> rgb);
 
@@ -72,6 +74,9 @@ class RecordedRobot {
   Stopwatch stopwatch_;
   RecordedDevices devices_;
   Watch watch_;
+  /// The recorded numbers of programs by those that they have here: programs that ran before the
+  /// beginning have none.
+  std::map<ProgramId, ProgramId> recorded_numbers_;
   Executive executive_;
 };
 

@@ -134,15 +134,14 @@ Result<void> Rerun::adopt(const msg::TickInputs& inputs) {
   if (!words) return words.error();
   auto program = program_given(memory.program, components_.catalog());
   if (!program) return program.error();
-  const ProgramId before = std::max(memory.program.id, 1U) - 1;
   if (other_program_) {
-    other_ = std::make_unique<RecordedRobot>(components_, inputs, before);
+    other_ = std::make_unique<RecordedRobot>(components_, inputs);
     if (auto done = other_->adopt(program.value(), inputs, rgb_, words.value()); !done) return done;
     if (auto done = other_->load(*other_program_, memory.program); !done) return done;
   }
   lacks_predecessor_ = memory.has_predecessor;
   replaces_.reset();
-  recorded_ = std::make_unique<RecordedRobot>(components_, inputs, before);
+  recorded_ = std::make_unique<RecordedRobot>(components_, inputs);
   return recorded_->adopt(std::move(program).value(), inputs, rgb_, words.value());
 }
 

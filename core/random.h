@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/geometry.h"
+#include "core/memory.h"
 
 namespace galilean {
 
@@ -29,6 +30,11 @@ class Random {
   [[nodiscard]] double normal() noexcept;
   /// Returns a unit vector. Every heading is equally likely.
   [[nodiscard]] Vec2 heading() noexcept;
+
+  void keep(Memory& memory) noexcept {
+    memory.keep(seed_);
+    for (std::uint64_t& word : state_) memory.keep(word);
+  }
 
  private:
   std::uint64_t seed_;

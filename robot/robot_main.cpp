@@ -73,6 +73,7 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
   RobotDevices devices(line, *camera.value(), settings);
   SnapshotTap tap;
   ImageTap images(components.catalog());
+  InputsTap inputs;
   Wake wake;
   Executive executive({.components = components,
                        .devices = devices.devices(),
@@ -83,7 +84,7 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
                        .probation = {.length = from_seconds(options.probation_s),
                                      .most_transitions_per_s = options.most_transitions_per_s},
                        .tuner = &devices,
-                       .observers = {&tap, &images},
+                       .observers = {&tap, &images, &inputs},
                        .on_waiting = [&wake] { wake.ring(); }});
   if (const auto loaded = executive.load(std::move(program)); !loaded)
     return refuse(loaded.error().message);
@@ -102,7 +103,7 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
                        .catalog = components.catalog(),
                        .clock = clock,
                        .accepted_senders = accepted_senders(options)},
-                      images);
+                      images, inputs);
   {
     // The watch is made before the loop: if it cannot be made, nothing has moved yet.
     std::optional<ProgramWatch> watch;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/clock.h"
+#include "core/memory.h"
 
 namespace galilean {
 
@@ -24,6 +25,9 @@ class Schema {
   /// here.
   virtual void activate(const Tick&) {}
   virtual void run(const Tick& tick) = 0;
+  /// Keeps what the schema remembers from one run to the next, but for variables and settings. A
+  /// run that is run again from its middle goes on from there.
+  virtual void keep(Memory&) noexcept {}
 };
 
 /// A schema that reads devices and variables, and writes what it perceived into variables.

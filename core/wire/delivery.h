@@ -15,6 +15,8 @@ enum class Delivery {
   kCommand,  ///< a command: reliable, volatile, keep-last 64
   kFlow,     ///< reliable, volatile, keep-last 10, as ROS 2 tools demand of odometry, tf and
              ///< diagnostics
+  kRecord,   ///< what must not be lost: reliable, transient-local for the newest 64, keep all, so
+             ///< that the writer waits for slow readers
   kStream    ///< best effort, volatile, keep-last 1
 };
 /// Returns the delivery of a message type. A type that is not in the list is a stream.

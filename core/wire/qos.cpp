@@ -24,6 +24,7 @@ constexpr auto kDeliveries = std::to_array<std::pair<std::string_view, Delivery>
     {"galilean_msgs/msg/PushProgress", Delivery::kEvent},
     {"galilean_msgs/msg/SimulationEvent", Delivery::kEvent},
     {"rcl_interfaces/msg/Log", Delivery::kEvent},
+    {"galilean_msgs/msg/TickInputs", Delivery::kRecord},
     {"galilean_msgs/msg/ProgramPush", Delivery::kCommand},
     {"galilean_msgs/msg/ProgramRollback", Delivery::kCommand},
     {"galilean_msgs/msg/Command", Delivery::kCommand},
@@ -75,6 +76,10 @@ Qos make_qos(Delivery delivery) {
       break;
     case Delivery::kFlow:
       set_history(qos.get(), 10, false);
+      break;
+    case Delivery::kRecord:
+      set_history(qos.get(), 64, true);
+      dds_qset_history(qos.get(), DDS_HISTORY_KEEP_ALL, DDS_LENGTH_UNLIMITED);
       break;
     case Delivery::kStream:
       set_history(qos.get(), 1, false);

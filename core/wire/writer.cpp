@@ -55,6 +55,7 @@ template class Writer<msg::Command>;
 template class Writer<msg::BreakOrder>;
 template class Writer<msg::TeamStop>;
 template class Writer<msg::Breaks>;
+template class Writer<msg::TickInputs>;
 template class Writer<msg::ObjectMap>;
 template class Writer<msg::Score>;
 template class Writer<msg::SimulationOrder>;

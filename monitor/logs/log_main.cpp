@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// galilean-log info|cat|csv|stats|plot|verify|diff|coverage|slice|merge|recover|convert reads
+// galilean-log info|cat|csv|stats|plot|verify|diff|coverage|rerun|slice|merge|recover|convert reads
 // recordings.
 #include <iostream>
 
@@ -23,6 +23,7 @@ struct Options {
   VerifyOptions verify;
   DiffOptions diff;
   CoverageOptions coverage;
+  RerunOptions rerun;
   CopyOptions slice, merge, recover, convert;
 };
 
@@ -67,6 +68,7 @@ int main(int argc, char** argv) {
   const auto verify = add_verify(app, options.verify);
   const auto diff = add_diff(app, options.diff);
   const auto coverage = add_coverage(app, options.coverage);
+  const auto rerun = add_rerun(app, options.rerun);
   const auto slice = add_slice(app, options.slice);
   const auto merge = add_merge(app, options.merge);
   const auto recover = add_recover(app, options.recover);
@@ -84,6 +86,7 @@ int main(int argc, char** argv) {
     if (verify.chosen()) return verify_recordings(options.verify);
     if (diff.chosen()) return print_difference(options.diff);
     if (coverage.chosen()) return print_coverage(options.coverage);
+    if (rerun.chosen()) return rerun_recordings(options.rerun);
     if (slice.chosen()) return copy_recordings("slice", options.slice);
     if (merge.chosen()) return copy_recordings("merge", options.merge);
     if (recover.chosen()) return copy_recordings("recover", options.recover);

@@ -167,6 +167,25 @@ CommandLine add_coverage(CommandLine& app, CoverageOptions& options) {
   return command;
 }
 
+CommandLine add_rerun(CommandLine& app, RerunOptions& options) {
+  auto command = app.command(
+      "rerun",
+      "Run robots again from what their ticks read (record --inputs), and compare every tick");
+  command.option("files", options.files, "MCAP files, the parts of one recording in their order")
+      .required()
+      .names_file(".mcap");
+  command.option("--robot", options.robots, "Only these robots, such as io");
+  command
+      .option("--bhdl", options.bhdl_file,
+              "Run this program in place of the one that each robot started with")
+      .names_file(".bhdl");
+  command.flag("--json", options.json, "As JSON, one line for each run of a robot");
+  command.describe_exit(kFailed, "A bit differs, which was told, or a file cannot be read.");
+  command.describe_exit(kIncomplete,
+                        "No bit differs as far as can be told: inputs are missing or damaged.");
+  return command;
+}
+
 CommandLine add_slice(CommandLine& app, CopyOptions& options) {
   auto command = app.command("slice", "Write a part of a recording to another");
   command.option("file", options.files, kFileHelp).required().takes(1, 1).names_file(".mcap");

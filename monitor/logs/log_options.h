@@ -9,6 +9,7 @@
 #include "monitor/logs/figures/stats.h"
 #include "monitor/logs/printing/cat.h"
 #include "monitor/logs/printing/csv.h"
+#include "monitor/logs/rerunning/rerun.h"
 #include "monitor/logs/writing/copies.h"
 
 namespace galilean::logs {
@@ -31,6 +32,7 @@ struct InfoOptions {
 [[nodiscard]] CommandLine add_verify(CommandLine& app, VerifyOptions& options);
 [[nodiscard]] CommandLine add_diff(CommandLine& app, DiffOptions& options);
 [[nodiscard]] CommandLine add_coverage(CommandLine& app, CoverageOptions& options);
+[[nodiscard]] CommandLine add_rerun(CommandLine& app, RerunOptions& options);
 [[nodiscard]] CommandLine add_slice(CommandLine& app, CopyOptions& options);
 [[nodiscard]] CommandLine add_merge(CommandLine& app, CopyOptions& options);
 [[nodiscard]] CommandLine add_recover(CommandLine& app, CopyOptions& options);

@@ -22,6 +22,10 @@ bool is_picture(const wire::EndpointInfo& writer) {
   return shown_type(writer.dds_type) == msg::CompressedImage::kRosType;
 }
 
+bool is_inputs(const wire::EndpointInfo& writer) {
+  return shown_type(writer.dds_type) == msg::TickInputs::kRosType;
+}
+
 bool is_service(std::string_view topic) noexcept {
   return topic.starts_with("rq/") || topic.starts_with("rr/");
 }
@@ -33,6 +37,7 @@ bool is_of_recorders(std::string_view topic) noexcept {
 bool Selection::takes(const wire::EndpointInfo& writer) const {
   if (is_service(writer.topic) || is_of_recorders(writer.topic)) return false;
   if (wants && !wants(writer)) return false;
+  if (is_inputs(writer) && !inputs) return false;
   if (is_picture(writer) && is_left_out(writer, pictures)) return false;
   const std::string name = shown_topic(writer.topic);
   const auto matches = [&](const std::regex& each) { return std::regex_search(name, each); };

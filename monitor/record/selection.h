@@ -20,11 +20,15 @@ enum class Pictures {
 /// Returns whether the writer sends compressed pictures.
 [[nodiscard]] bool is_picture(const wire::EndpointInfo& writer);
 
+/// Returns whether the writer sends what each tick of a robot read.
+[[nodiscard]] bool is_inputs(const wire::EndpointInfo& writer);
+
 /// Which topics are recorded.
 struct Selection {
   std::vector<std::regex> topics;    ///< one must match a part of a topic's name; none: all topics
   std::vector<std::regex> excluded;  ///< none may match a part of it
   Pictures pictures = Pictures::kAll;
+  bool inputs = false;  ///< what each tick read, too, which robots send to readers alone
   std::function<bool(const wire::EndpointInfo&)> wants;  ///< must be true, too; empty: it is
 
   /// Returns whether what this writer sends is recorded. The requests and replies of ROS 2's

@@ -52,7 +52,8 @@ Tracks tracks_of(const mcap::Summary& summary) {
     if (delivery == wire::Delivery::kCommand)
       tracks.commands.push_back(channel.topic);
     else if (schema != summary.schemas.end() && is_known(channel, schema->second))
-      tracks.played[id] = {"rt" + channel.topic, type, delivery, sender_of(channel)};
+      (delivery == wire::Delivery::kRecord ? tracks.inputs : tracks.played)[id] = {
+          "rt" + channel.topic, type, delivery, sender_of(channel)};
     else
       tracks.foreign.push_back(channel.topic);
   }

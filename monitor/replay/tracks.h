@@ -28,9 +28,11 @@ struct Tracks {
   std::vector<std::string> commands;      ///< orders to robots, which are never sent again
   std::vector<std::string> foreign;       ///< topics whose type this release does not know, or
                                           ///< defines otherwise
+  /// What the ticks of robots read, by channel id. It is run again and not sent again.
+  std::map<std::uint16_t, Track> inputs;
 };
 
-/// Sorts a recording's channels into the three kinds. What the recorder tells of itself is in none.
+/// Sorts a recording's channels into the four kinds. What the recorder tells of itself is in none.
 [[nodiscard]] Tracks tracks_of(const mcap::Summary& summary);
 
 /// Returns the number of topics that are sent again. Each writer of a topic has a channel.

@@ -47,10 +47,7 @@ WheelDrive::WheelDrive(MicrocontrollerLink& link, const MotorDriveSettings& sett
 
 void WheelDrive::configure(const MotorDriveSettings& settings) noexcept {
   counts_per_m_ = settings.ticks_per_m * firmware::kCountsPerTick;
-  turn_radius_m_ = settings.turn_radius_m;
-  forward_speed_mps_ = settings.forward_velocity_ticks_s / settings.ticks_per_m;
-  turning_speed_radps_ =
-      settings.turning_velocity_ticks_s / settings.ticks_per_m / settings.turn_radius_m;
+  motion_ = settings.motion();
   link_.configure({settings.parameters(), settings.ticks_per_m});
 }
 
@@ -61,7 +58,7 @@ std::string WheelDrive::problem() const {
 
 void WheelDrive::drive(const DriveCommand& command) noexcept {
   if (!is_finite(command)) return stop();
-  const double turning_mps = command.turn_rate_radps * turn_radius_m_;
+  const double turning_mps = command.turn_rate_radps * motion_.turn_radius_m;
   const double left_counts_s = (command.speed_mps - turning_mps) * counts_per_m_;
   const double right_counts_s = (command.speed_mps + turning_mps) * counts_per_m_;
   const double seconds = seconds_to_limit(command);

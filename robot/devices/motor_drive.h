@@ -26,18 +26,18 @@ class WheelDrive final : public MotorDrive {
   [[nodiscard]] std::string problem() const override;
   void drive(const DriveCommand& command) noexcept override;
   void stop() noexcept override { link_.stop(); }
-  [[nodiscard]] double forward_speed_mps() const noexcept override { return forward_speed_mps_; }
-  [[nodiscard]] double turning_speed_radps() const noexcept override {
-    return turning_speed_radps_;
+  [[nodiscard]] double forward_speed_mps() const noexcept override {
+    return motion_.forward_speed_mps;
   }
-  [[nodiscard]] double turn_radius_m() const noexcept override { return turn_radius_m_; }
+  [[nodiscard]] double turning_speed_radps() const noexcept override {
+    return motion_.turning_speed_radps;
+  }
+  [[nodiscard]] double turn_radius_m() const noexcept override { return motion_.turn_radius_m; }
 
  private:
   MicrocontrollerLink& link_;
   double counts_per_m_ = 0;
-  double forward_speed_mps_ = 0;
-  double turning_speed_radps_ = 0;
-  double turn_radius_m_ = 0;
+  MotorDriveSettings::Motion motion_;
 };
 
 }  // namespace galilean::robot

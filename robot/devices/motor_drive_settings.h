@@ -24,6 +24,16 @@ struct MotorDriveSettings {
   double timeout_s = 0.5;
 
   static void describe(Declaration<MotorDriveSettings>& is);
+  /// What schemas ask the motor_drive for.
+  struct Motion {
+    double forward_speed_mps = 0;
+    double turning_speed_radps = 0;
+    double turn_radius_m = 0;
+  };
+  [[nodiscard]] Motion motion() const noexcept {
+    return {forward_velocity_ticks_s / ticks_per_m,
+            turning_velocity_ticks_s / ticks_per_m / turn_radius_m, turn_radius_m};
+  }
   /// Returns the settings in the form that the board takes.
   [[nodiscard]] firmware::Parameters parameters() const noexcept;
 };

@@ -58,6 +58,7 @@ struct BreakTable {
   static constexpr std::size_t kMostPoints = 32;
   static constexpr std::size_t kMostPasses = 32;
 
+  std::uint64_t number = 0;        ///< 1, 2, 3 … with each change; 0: nothing was set yet
   std::vector<BreakPoint> points;  ///< in the order in which they were set
   std::vector<LockPass> passes;    ///< the newest ones, the oldest first
 };

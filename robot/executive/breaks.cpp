@@ -77,7 +77,7 @@ Result<void> Breaks::remove(const std::vector<StateChange>& changes) {
 void Breaks::clear() {
   const std::lock_guard lock(mutex_);
   std::ranges::move(kept_.points, std::back_inserter(taken_off_));
-  kept_ = {};
+  kept_ = {.number = kept_.number};
   publish();
 }
 
@@ -107,7 +107,22 @@ std::optional<BreakPoint> Breaks::find(std::uint64_t number) const {
   return std::nullopt;
 }
 
+std::optional<BreakTable> Breaks::table(std::uint64_t number) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = std::ranges::find(tables_, number, &BreakTable::number);
+  return found == tables_.end() ? std::nullopt : std::optional(*found);
+}
+
+void Breaks::replay(BreakTable table) {
+  const std::lock_guard lock(mutex_);
+  kept_ = std::move(table);
+  table_.publish(kept_);
+}
+
 void Breaks::publish() {
+  ++kept_.number;
+  tables_.push_back(kept_);
+  if (tables_.size() > kTablesKept) tables_.pop_front();
   while (taken_off_.size() > kTakenOffKept) taken_off_.pop_front();
   table_.publish(kept_);
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 #include "core/clock.h"
+#include "core/memory.h"
 #include "robot/executive/holding.h"
 
 namespace galilean::robot {
@@ -22,6 +24,12 @@ struct DeviceHealth {
   bool comm_port = false;
   bool motor_drive = false;
   bool frame_grabber = false;
+
+  void keep(Memory& memory) noexcept {
+    memory.keep(comm_port);
+    memory.keep(motor_drive);
+    memory.keep(frame_grabber);
+  }
 };
 
 /// A short text that is stored without the heap. A longer text is cut.
@@ -31,6 +39,11 @@ class ShortText {
   explicit ShortText(std::string_view text) noexcept
       : size_(static_cast<std::uint8_t>(text.copy(text_.data(), text_.size()))) {}
   [[nodiscard]] std::string_view view() const noexcept { return {text_.data(), size_}; }
+  void keep(Memory& memory) noexcept {
+    for (char& letter : text_) memory.keep(letter);
+    memory.keep(size_);
+    size_ = std::min<std::uint8_t>(size_, text_.size());
+  }
 
  private:
   std::array<char, 127> text_{};

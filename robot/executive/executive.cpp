@@ -58,6 +58,13 @@ void Executive::begin_tick() noexcept {
   state_changed_ = false;
   exchanged_ = Event{};
   breaks_.refresh();
+  take_orders();
+}
+
+void Executive::take_orders() noexcept {
+  const Hold hold = holding_.now();
+  orders_ = {.hold = hold, .hold_changed = hold != hold_, .in_service = in_service()};
+  hold_ = hold;
 }
 
 void Executive::enter(std::uint32_t state) noexcept {
@@ -91,7 +98,8 @@ void Executive::act() noexcept {
 
 bool Executive::may_drive() const noexcept {
   const bool sees = health_.frame_grabber || !(program() && program()->devices.uses_camera);
-  return program() && sees && health_.comm_port && health_.motor_drive && !held() && in_service();
+  return program() && sees && health_.comm_port && health_.motor_drive && lets_drive(hold_) &&
+         orders_.in_service;
 }
 
 void Executive::publish() noexcept {
@@ -107,11 +115,16 @@ void Executive::publish() noexcept {
                       .health = health_,
                       .pose = pose(),
                       .standstill = standstill(),
-                      .out_of_service = !in_service(),
+                      .out_of_service = !orders_.in_service,
                       .in_probation = succession_.probation().active(),
                       .tick_time = tick_time_,
                       .overruns = overruns_,
-                      .transitions = transitions_};
+                      .transitions = transitions_,
+                      .orders = orders_,
+                      .break_table = breaks_.table_number(),
+                      .motion = drive_.orders(),
+                      .gripper = port_.gripper_order(),
+                      .executive = this};
   for (TickObserver* observer : setup_.observers) observer->on_tick(view);
 }
 

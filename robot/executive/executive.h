@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -97,6 +98,9 @@ class Executive {
   /// Control: runs one tick.
   void tick();
 
+  /// Any thread. Returns the seed of all random numbers.
+  [[nodiscard]] std::uint64_t seed() const noexcept { return setup_.seed; }
+
   /// Any thread: from the next tick on the schemas run and the motors stand still.
   void hold() noexcept { holding_.hold(); }
   void resume() noexcept { holding_.resume(); }
@@ -130,6 +134,16 @@ class Executive {
   /// program runs. It allocates, and is for the simulator only.
   void restore(const Situation& situation);
 
+  /// Control, between ticks or from an observer of a tick: writes all that the executive remembers
+  /// at the end of the tick, but for the program's text, the table of break points, and programs to
+  /// go back to. It neither allocates nor waits. Returns the number of words, or 0 if no program
+  /// runs or `room` is too small.
+  [[nodiscard]] std::size_t save(std::span<std::uint64_t> room) const noexcept;
+  /// Control, between ticks: lets the program that waits go on from what another executive saved
+  /// while that program ran. Returns false if it was saved of another program.
+  [[nodiscard]] bool adopt(std::span<const std::uint64_t> saved) noexcept;
+  [[nodiscard]] bool has_predecessor() const noexcept { return succession_.has_predecessor(); }
+
   /// Control, as for all methods below. Returns null before the first tick with a program.
   [[nodiscard]] const RunningProgram* program() const noexcept { return succession_.running(); }
   /// Returns an empty text before the first tick with a program.
@@ -143,7 +157,9 @@ class Executive {
   void hash_into(StateHash& hash) const noexcept;
 
  private:
+  void keep(Memory& memory) noexcept;
   void begin_tick() noexcept;
+  void take_orders() noexcept;
   void exchange_programs() noexcept;
   void install(const Handover& handover) noexcept;
   void go_on_from(const RunningProgram& replaced) noexcept;
@@ -189,7 +205,9 @@ class Executive {
   bool state_changed_ = false;
   Breaks breaks_;
   Holding holding_;
-  Standstill standstill_;  ///< but for `hold`, which other threads change
+  StandingOrders orders_;    ///< those of this tick
+  Hold hold_ = Hold::kNone;  ///< what holds the robot in this tick
+  Standstill standstill_;    ///< but for `hold`, which other threads change
   std::atomic<bool> in_service_{true};
   std::atomic<Whereabouts> where_{};
   /// Whoever sees that no program waits also sees which one runs: a program that left the intake

@@ -51,13 +51,16 @@ void Executive::note_transition(Event change, std::string_view from_state) noexc
 
 /// Stops the robot if a break point says so, or a step ends here. A robot that stands already stays
 /// as it is, and one that is out of service stops nobody. The motors stand still in this tick,
-/// because schemas act after it.
+/// because schemas act after it. An operator's order that comes in this tick counts from the next
+/// one on, and is stronger.
 void Executive::stop_at(Event& change, std::string_view from_state) noexcept {
   breaks_.end_passes();
-  const BreakPoint* point = in_service() ? breaks_.stop_at(from_state, state_name()) : nullptr;
-  const bool stopped = point ? holding_.stop(Hold::kBreakPoint) : holding_.end_step();
-  if (!stopped) return;
-  change.stopped_by = point ? Hold::kBreakPoint : Hold::kStepEnd;
+  const BreakPoint* point =
+      orders_.in_service ? breaks_.stop_at(from_state, state_name()) : nullptr;
+  if (point ? !lets_drive(hold_) : hold_ != Hold::kStepping) return;
+  static_cast<void>(point ? holding_.stop(Hold::kBreakPoint) : holding_.end_step());
+  hold_ = point ? Hold::kBreakPoint : Hold::kStepEnd;
+  change.stopped_by = hold_;
   change.break_point = point ? point->number : 0;
   standstill_.stopped_at = change.number;
   standstill_.break_point = change.break_point;
@@ -71,7 +74,7 @@ std::string Executive::present_state() const {
 
 Standstill Executive::standstill() const noexcept {
   Standstill now = standstill_;
-  now.hold = holding_.now();
+  now.hold = hold_;
   return now;
 }
 

@@ -7,6 +7,7 @@ void GuardedDrive::begin(Time now, bool free) noexcept {
   now_ = now;
   free_ = free;
   commanded_ = false;
+  orders_ = {};
   // The stop is repeated every tick, because a line that was just restored may have lost the first
   // one.
   if (!free_) stop();
@@ -15,12 +16,14 @@ void GuardedDrive::begin(Time now, bool free) noexcept {
 void GuardedDrive::drive(const DriveCommand& command) noexcept {
   if (!free_) return;
   motors_.drive(command);
+  orders_ = {orders_.count + 1, false, command};
   last_command_ = now_;
   commanded_ = driving_ = true;
 }
 
 void GuardedDrive::stop() noexcept {
   motors_.stop();
+  orders_ = {orders_.count + 1, true, {}};
   commanded_ = true;
   driving_ = false;
 }

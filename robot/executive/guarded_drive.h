@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+
 #include "core/device/motor_drive.h"
+#include "core/memory.h"
 
 namespace galilean::robot {
+
+/// What the motors were ordered in one tick.
+struct MotionOrders {
+  std::uint32_t count = 0;  ///< 0: nothing, and the order before stays in force
+  bool stop = false;        ///< whether the last of them is to stop
+  DriveCommand last;        ///< the last one if it is to drive; else of no meaning
+};
 
 /// Passes the commands of the schemas on to the motors, and stops the motors when no schema may
 /// drive or none does. That is the case while an operator holds the robot or a device is missing,
@@ -18,6 +28,13 @@ class GuardedDrive final : public MotorDrive {
   void begin(Time now, bool free) noexcept;
   /// Is called after the motor schemas ran.
   void finish(bool state_changed) noexcept;
+  void keep(Memory& memory) noexcept {
+    memory.keep(timeout_);
+    memory.keep(last_command_);
+    memory.keep(driving_);
+  }
+  /// Returns what the motors were ordered since `begin`.
+  [[nodiscard]] const MotionOrders& orders() const noexcept { return orders_; }
 
   void sense(Time now) noexcept override { motors_.sense(now); }
   [[nodiscard]] bool healthy() const noexcept override { return motors_.healthy(); }
@@ -40,6 +57,7 @@ class GuardedDrive final : public MotorDrive {
   bool free_ = false;
   bool commanded_ = false;  ///< in this tick
   bool driving_ = false;    ///< a command may still be in force
+  MotionOrders orders_;
 };
 
 }  // namespace galilean::robot

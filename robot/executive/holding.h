@@ -24,12 +24,22 @@ enum class Hold : std::uint8_t {
   return !lets_drive(hold) && hold != Hold::kOperator;
 }
 
+/// What operators and other robots had ordered when a tick began. The whole tick goes by it, so
+/// that the order of what happens in a tick and beside it never matters.
+struct StandingOrders {
+  Hold hold = Hold::kNone;
+  bool hold_changed = false;  ///< by another thread, since the tick before
+  bool in_service = true;
+};
+
 /// What holds a robot now. An operator's hold is stronger than all else: only `resume` ends it.
 /// Any thread may call it, and no call waits.
 class Holding {
  public:
   [[nodiscard]] Hold now() const noexcept { return hold_.load(std::memory_order_relaxed); }
 
+  /// Puts it in place as it was in another run.
+  void replay(Hold hold) noexcept { hold_.store(hold, std::memory_order_relaxed); }
   void hold() noexcept { hold_.store(Hold::kOperator, std::memory_order_relaxed); }
   void resume() noexcept { hold_.store(Hold::kNone, std::memory_order_relaxed); }
   /// Lets the robot go on until its next change of state. Returns false, and changes nothing, if an

@@ -58,6 +58,16 @@ void Odometry::update(const Devices& devices, RunningProgram* program, const Tic
   }
 }
 
+void Odometry::keep(Memory& memory) noexcept {
+  memory.keep(started_);
+  memory.keep(last_.left_m);
+  memory.keep(last_.right_m);
+  memory.keep(last_.epoch);
+  memory.keep(own_.pose);
+  memory.keep(own_.speed_mps);
+  memory.keep(own_.turn_rate_radps);
+}
+
 Pose2 Odometry::pose(const RunningProgram* program) const noexcept {
   const bool has_shaft = program && !program->variables.all<Shaft>().empty();
   return has_shaft ? program->variables.all<Shaft>().front().value.pose : own_.pose;

@@ -27,6 +27,8 @@ class Odometry {
   /// start.
   [[nodiscard]] Pose2 pose(const RunningProgram* program) const noexcept;
 
+  void keep(Memory& memory) noexcept;
+
  private:
   struct Travel {
     double left_m = 0;

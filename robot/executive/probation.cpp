@@ -13,6 +13,19 @@ void Probation::begin(Time now, const ProbationRules& rules, const DeviceHealth&
   healthy_before_ = health;
 }
 
+void Probation::keep(Memory& memory) noexcept {
+  memory.keep(active_);
+  memory.keep(verdict_.fault);
+  memory.keep(verdict_.schema);
+  verdict_.reason.keep(memory);
+  memory.keep(end_);
+  healthy_before_.keep(memory);
+  memory.keep(overruns_in_a_row_);
+  memory.keep(most_transitions_per_s_);
+  for (Time& time : transition_times_) memory.keep(time);
+  memory.keep(transitions_);
+}
+
 void Probation::fail(const Verdict& verdict) noexcept {
   if (verdict_.fault == Fault::kNone) verdict_ = verdict;
 }

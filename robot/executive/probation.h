@@ -38,6 +38,8 @@ class Probation {
   void note_transition(Time now) noexcept;
   void note_tick(const DeviceHealth& health, bool overran) noexcept;
 
+  void keep(Memory& memory) noexcept;
+
   [[nodiscard]] bool active() const noexcept { return active_; }
   /// Returns the first thing that went wrong.
   [[nodiscard]] const Verdict& verdict() const noexcept { return verdict_; }

@@ -10,6 +10,7 @@ void PushablePort::push(int index) noexcept {
 
 void PushablePort::sense(Time now) noexcept {
   port_.sense(now);
+  gripper_.reset();
   if (now >= release_) pushed_ = 0;
   if (const std::uint8_t asked = asked_.exchange(0, std::memory_order_relaxed)) {
     pushed_ |= asked;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 
 #include "core/device/comm_port.h"
 
@@ -23,7 +24,12 @@ class PushablePort final : public CommPort {
   [[nodiscard]] bool healthy() const noexcept override { return port_.healthy(); }
   [[nodiscard]] std::string problem() const override { return port_.problem(); }
   [[nodiscard]] const ControllerStatus& status() const noexcept override { return status_; }
-  void command_gripper(GripperCommand command) noexcept override { port_.command_gripper(command); }
+  void command_gripper(GripperCommand command) noexcept override {
+    port_.command_gripper(command);
+    gripper_ = command;
+  }
+  /// Returns the last order to the gripper since `sense`, if there was one.
+  [[nodiscard]] std::optional<GripperCommand> gripper_order() const noexcept { return gripper_; }
 
  private:
   CommPort& port_;
@@ -31,6 +37,7 @@ class PushablePort final : public CommPort {
   std::atomic<std::uint8_t> asked_{0};
   std::uint8_t pushed_ = 0;
   Time release_{};
+  std::optional<GripperCommand> gripper_;
 };
 
 }  // namespace galilean::robot

@@ -51,4 +51,7 @@ struct RunningProgram {
   Time state_since{};
 };
 
+/// Keeps all that a program remembers from one tick to the next.
+void keep(RunningProgram& program, Memory& memory) noexcept;
+
 }  // namespace galilean::robot

@@ -53,6 +53,13 @@ void SchemaRunner::run_weighted(const Tick& tick) {
       each.force->written_tick = each.written_before;
 }
 
+void SchemaRunner::keep(Memory& memory) noexcept {
+  memory.keep(failed_);
+  if (failed_) failure_.keep(memory);
+  memory.keep(last_run_);
+  schema_->keep(memory);
+}
+
 void SchemaRunner::fail(std::string_view reason, Time now) noexcept {
   failed_ = true;
   failure_ = ShortText(reason);

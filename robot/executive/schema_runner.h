@@ -26,6 +26,10 @@ class SchemaRunner {
   [[nodiscard]] bool failed() const noexcept { return failed_; }
   /// Returns the message of the exception that the schema threw.
   [[nodiscard]] const ShortText& failure() const noexcept { return failure_; }
+  /// Keeps what the schema remembers, and whether it failed.
+  void keep(Memory& memory) noexcept;
+  /// Returns the variables that the schema writes.
+  [[nodiscard]] const std::vector<VariableRef>& outputs() const noexcept { return outputs_; }
   /// Returns the number of the tick in which the schema last ran, or 0 if it never did.
   [[nodiscard]] std::uint64_t last_run() const noexcept { return last_run_; }
 

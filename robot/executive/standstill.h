@@ -27,6 +27,13 @@ struct Standstill {
   std::uint64_t break_point = 0;  ///< of kBreakPoint: its number
   LockWait wait;
 
+  /// But for `hold`.
+  void keep(Memory& memory) noexcept {
+    memory.keep(stopped_at);
+    memory.keep(break_point);
+    memory.keep(wait.condition);
+    memory.keep(wait.since);
+  }
   bool operator==(const Standstill&) const = default;
 };
 

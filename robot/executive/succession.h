@@ -46,6 +46,17 @@ class Succession {
     return running_ ? running_->description->id : 0;
   }
 
+  /// Lets the program that waits run, without a word: it goes on from another run. Returns false if
+  /// none waits.
+  [[nodiscard]] bool adopt() noexcept {
+    auto next = intake_.take();
+    if (!next) return false;
+    retire(std::exchange(running_, std::move(next)));
+    return true;
+  }
+  /// Returns whether there is a program to go back to.
+  [[nodiscard]] bool has_predecessor() const noexcept { return unproven_ || last_good_; }
+
   [[nodiscard]] Probation& probation() noexcept { return probation_; }
   [[nodiscard]] const Probation& probation() const noexcept { return probation_; }
 

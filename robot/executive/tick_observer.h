@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
+#include "core/device/comm_port.h"
 #include "core/schema/schema.h"
 #include "robot/executive/event.h"
+#include "robot/executive/guarded_drive.h"
+#include "robot/executive/holding.h"
 #include "robot/executive/running_program.h"
 #include "robot/executive/standstill.h"
 
@@ -11,6 +16,8 @@ struct Devices;
 }
 
 namespace galilean::robot {
+
+class Executive;
 
 /// What an executive shows of a tick at its end.
 struct TickView {
@@ -25,6 +32,11 @@ struct TickView {
   Duration tick_time{};           ///< time from exchange to act
   std::uint32_t overruns = 0;     ///< ticks that began late by a whole period, since the start
   std::uint64_t transitions = 0;  ///< since the start
+  StandingOrders orders = {};
+  std::uint64_t break_table = 0;  ///< the number of the table of break points that it went by
+  MotionOrders motion = {};
+  std::optional<GripperCommand> gripper = {};  ///< what it was ordered in this tick
+  const Executive* executive = nullptr;        ///< the one that is shown
 };
 
 /// Watches an executive from within its control loop. Requires: neither method allocates, waits or

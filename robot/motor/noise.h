@@ -23,6 +23,11 @@ class Noise final : public MotorSchema {
   static void describe(Declaration<Noise>& is);
   void activate(const Tick& tick) override;
   void run(const Tick& tick) override;
+  void keep(Memory& memory) noexcept override {
+    random_.keep(memory);
+    memory.keep(heading_);
+    memory.keep(drawn_);
+  }
 
  private:
   const Variable<Shaft>* shaft_ = nullptr;

@@ -34,6 +34,7 @@ class BlobDetector final : public PerceptualSchema, private BlobGates, private T
  public:
   static void describe(Declaration<BlobDetector>& is);
   void run(const Tick& tick) override;
+  void keep(Memory& memory) noexcept override { memory.keep(last_frame_); }
 
  private:
   using Number = double BlobDetector::*;

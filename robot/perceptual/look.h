@@ -24,6 +24,7 @@ class Look final : public PerceptualSchema {
  public:
   static void describe(Declaration<Look>& is);
   void run(const Tick& tick) override;
+  void keep(Memory& memory) noexcept override { memory.keep(last_frame_); }
 
  private:
   Variable<Image>* red_ = nullptr;

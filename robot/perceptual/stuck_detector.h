@@ -18,6 +18,10 @@ class StuckDetector final : public PerceptualSchema {
  public:
   static void describe(Declaration<StuckDetector>& is);
   void run(const Tick& tick) override;
+  void keep(Memory& memory) noexcept override {
+    memory.keep(free_);
+    memory.keep(last_tick_);
+  }
 
  private:
   const Variable<Bits>* contact_ = nullptr;

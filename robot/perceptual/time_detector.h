@@ -17,6 +17,7 @@ class TimeDetector final : public PerceptualSchema {
   static void describe(Declaration<TimeDetector>& is);
   void activate(const Tick& tick) override;
   void run(const Tick& tick) override;
+  void keep(Memory& memory) noexcept override { memory.keep(activated_); }
 
  private:
   Variable<Bits>* bits_ = nullptr;

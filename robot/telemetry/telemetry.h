@@ -7,6 +7,7 @@
 #include "robot/telemetry/break_publisher.h"
 #include "robot/telemetry/command_receiver.h"
 #include "robot/telemetry/image_publisher.h"
+#include "robot/telemetry/inputs_publisher.h"
 #include "robot/telemetry/order_reader.h"
 #include "robot/telemetry/program_receiver.h"
 #include "robot/telemetry/publisher.h"
@@ -19,7 +20,7 @@ namespace galilean::robot {
 class Telemetry {
  public:
   /// Errors: throws std::runtime_error if DDS refuses a topic.
-  Telemetry(const TelemetrySource& source, ImageTap& images)
+  Telemetry(const TelemetrySource& source, ImageTap& images, InputsTap& inputs)
       : log_forwarding_(log_),
         break_desk_(source.robot, source.executive),
         breaks_(source, break_desk_),
@@ -28,6 +29,7 @@ class Telemetry {
                    {.event = [this](const Event& event) { listen(event); },
                     .round = [this](const Snapshot& newest) { breaks_.on_round(newest); }}),
         images_(source, images, problems_.reporter("image_publisher")),
+        inputs_(source, inputs, problems_.reporter("inputs_publisher")),
         commands_(source, break_desk_, problems_.reporter("command_receiver")),
         break_orders_(
             source.participant, wire::kBreakOrderTopic, source.robot,
@@ -55,6 +57,7 @@ class Telemetry {
   ProgramReceiver programs_;
   Publisher publisher_;
   ImagePublisher images_;
+  InputsPublisher inputs_;
   CommandReceiver commands_;
   OrderReader<msg::BreakOrder> break_orders_;
   OrderReader<msg::TeamStop> team_stops_;

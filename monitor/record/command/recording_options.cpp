@@ -88,6 +88,9 @@ void add_what(CommandLine& app, RecordingOptions& options, Words& words) {
   app.option("--picture-rate", size_into(options.picture_bytes_per_s),
              "Leave pictures out beyond this many bytes a second, such as 2MB; 0: leave out none")
       .describe_default("200kB");
+  app.flag("--inputs", options.selection.inputs,
+           "Record what each tick of the robots read, too, so that 'galilean log rerun' can run "
+           "them again; about 1 MB a second for a robot with a camera");
   app.option("--schema", words.schema,
              "How the recording defines its messages: as .msg files do, which PlotJuggler and ROS "
              "2 read, or in IDL")

@@ -17,6 +17,7 @@ std::size_t lane_depth(wire::Delivery delivery) {
   switch (delivery) {
     case wire::Delivery::kEvent:
     case wire::Delivery::kCommand:
+    case wire::Delivery::kRecord:
       return 0;
     case wire::Delivery::kFlow:  // several robots write to the same topic
       return 10;

@@ -56,10 +56,10 @@ std::map<std::string, Echo> echoes() {
 const auto kEchoes =
     echoes<msg::RobotState, msg::Transition, msg::Variables, msg::Forces, msg::Sightings,
            msg::Program, msg::ProgramPush, msg::ProgramReply, msg::PushProgress, msg::Catalog,
-           msg::Command, msg::BreakOrder, msg::TeamStop, msg::Breaks, msg::ObjectMap, msg::Score,
-           msg::SimulationOrder, msg::SimulationEvent, msg::SimulationState, msg::CompressedImage,
-           msg::Odometry, msg::OccupancyGrid, msg::TFMessage, msg::MarkerArray,
-           msg::DiagnosticArray, msg::Log>();
+           msg::Command, msg::BreakOrder, msg::TeamStop, msg::Breaks, msg::TickInputs,
+           msg::ObjectMap, msg::Score, msg::SimulationOrder, msg::SimulationEvent,
+           msg::SimulationState, msg::CompressedImage, msg::Odometry, msg::OccupancyGrid,
+           msg::TFMessage, msg::MarkerArray, msg::DiagnosticArray, msg::Log>();
 
 Bytes from_hex(const std::string& hex) {
   Bytes bytes;

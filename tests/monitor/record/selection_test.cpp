@@ -29,6 +29,17 @@ TEST(Selection, TakesEveryTopicUnlessToldOtherwise) {
   EXPECT_TRUE(all.takes(picture_of("rt/io/superred/compressed")));
 }
 
+TEST(Selection, TakesTheInputsOfRobotsOnlyIfTheyAreAskedFor) {
+  auto inputs = writer_of("rt/io/inputs");
+  inputs.dds_type = "galilean_msgs::msg::dds_::TickInputs_";
+  Selection some;
+  EXPECT_FALSE(some.takes(inputs));
+  some.topics.emplace_back("inputs");
+  EXPECT_FALSE(some.takes(inputs)) << "robots would begin to send them";
+  some.inputs = true;
+  EXPECT_TRUE(some.takes(inputs));
+}
+
 TEST(Selection, LeavesServicesOut) {
   EXPECT_FALSE(Selection().takes(writer_of("rq/talker/set_parametersRequest")));
   EXPECT_FALSE(Selection().takes(writer_of("rr/talker/set_parametersReply")));

@@ -37,6 +37,14 @@ TEST(Tracks, RobotsAreNeverToldASecondTimeWhatToDo) {
                                                        "/team/program_rollback"}));
 }
 
+TEST(Tracks, WhatTicksReadIsRunAgainAndNotSentAgain) {
+  const auto tracks = tracks_of(recording_with({{"/io/inputs", "galilean_msgs/msg/TickInputs"}}));
+  EXPECT_TRUE(tracks.played.empty());
+  EXPECT_TRUE(tracks.foreign.empty());
+  ASSERT_TRUE(tracks.inputs.contains(1));
+  EXPECT_EQ(tracks.inputs.at(1).topic, "rt/io/inputs");
+}
+
 TEST(Tracks, TypesOfOthersAndOfOtherReleasesAreLeftOut) {
   auto recording = recording_with({{"/scan", "sensor_msgs/msg/LaserScan"},
                                    {"/io/state", "galilean_msgs/msg/RobotState"},

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "robot/executive/snapshot.h"
+#include "robot/inputs/inputs_tap.h"
 #include "robot/robot_devices.h"
 #include "robot/telemetry/image_tap.h"
 #include "tests/robot/count_allocations.h"
@@ -48,7 +49,7 @@ TEST(AllocationCount, CountsWhateverTakesMemory) {
 
 class Allocations : public testing::Test {
  protected:
-  Allocations() : robot(1, {&snapshots, &images}) {
+  Allocations() : robot(1, {&snapshots, &images, &inputs}) {
     for (ImageChannel channel = 0; channel < images.channels().size(); ++channel)
       images.want(channel, true);
   }
@@ -58,6 +59,7 @@ class Allocations : public testing::Test {
     for (int i = 0; i < times; ++i) {
       robot.clock.advance(std::chrono::milliseconds(50));
       if (i % 2) ++robot.camera.picture.number;
+      if (i % 50 == 0) inputs.want_memory();
       robot.port.next.bumpers = i % 40 == 3 ? 1 : 0;
       robot.port.next.beam_broken = i % 60 > 30;
       robot.port.next.gripper_closed = i % 60 > 35;
@@ -69,12 +71,15 @@ class Allocations : public testing::Test {
       }
       while (snapshots.next_event()) {
       }
+      for (TickRecord record; inputs.take(record);) {
+      }
     }
     return allocations;
   }
 
   SnapshotTap snapshots;
   ImageTap images{test_components().catalog()};
+  InputsTap inputs;
   TestRobot robot;
 };
 

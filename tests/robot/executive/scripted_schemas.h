@@ -84,6 +84,7 @@ class Thrower final : public PerceptualSchema {
     if (runs_left_-- <= 0) throw std::runtime_error("the lens broke");
     if (output_) output_->write({1}, 1, tick.now, tick.number);
   }
+  void keep(Memory& memory) noexcept override { memory.keep(runs_left_); }
 
  private:
   int runs_left_ = 0;

@@ -22,7 +22,7 @@ class TelemetryRobot {
         participant(join(name)),
         other(join(wire::kMonitorName)),
         images(components.catalog()),
-        robot(1, {&tap, &images}, {}, components),
+        robot(1, {&tap, &images, &inputs}, {}, components),
         telemetry(std::in_place,
                   TelemetrySource{.robot = name,
                                   .participant = *participant,
@@ -31,7 +31,7 @@ class TelemetryRobot {
                                   .devices = {robot.port, robot.drive, robot.camera},
                                   .catalog = components.catalog(),
                                   .clock = robot.clock},
-                  images) {
+                  images, inputs) {
     ++living_;
   }
   ~TelemetryRobot() { --living_; }
@@ -80,6 +80,7 @@ class TelemetryRobot {
   std::unique_ptr<wire::Participant> other;
   SnapshotTap tap;
   ImageTap images;
+  InputsTap inputs;
   TestRobot robot;
   std::optional<Telemetry> telemetry;
 

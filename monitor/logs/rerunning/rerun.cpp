@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/logs/rerunning/rerun.h"
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+
+#include "core/broken_pipe.h"
+#include "core/command_line/exit_code.h"
+#include "core/installation.h"
+#include "core/visible_text.h"
+#include "monitor/logs/reading/selection.h"
+#include "monitor/logs/rerunning/run_process.h"
+#include "monitor/record/channel_metadata.h"
+#include "monitor/replay/tracks.h"
+
+namespace galilean::logs {
+namespace {
+
+constexpr const char* kRerun = "galilean log rerun";
+constexpr std::size_t kMostRobots = 64;  ///< each has a process of its own
+
+int fail_rerun(const std::string& sentence) {
+  std::cerr << kRerun << ": " << sentence << '\n';
+  return kFailed;
+}
+
+/// The part of a writer's GUID, in hexadecimal digits, that names its process.
+constexpr std::size_t kParticipantDigits = 24;
+
+/// A wrong result counts more than one that cannot be told.
+int worse(int a, int b) {
+  if (a == kFailed || b == kFailed) return kFailed;
+  return std::max(a, b);
+}
+
+/// The runs of all robots of a recording, each in a process. A robot that was started anew is
+/// another run.
+class Runs {
+ public:
+  explicit Runs(const RerunOptions& options) : options_(options) {}
+
+  /// Errors: the file cannot be read, or no process can be started.
+  Result<void> read(const std::string& file) {
+    const auto recording = Recording::open(file);
+    if (!recording) return recording.error();
+    const auto& summary = recording.value().summary();
+    const auto tracks = monitor::tracks_of(summary);
+    auto messages = SelectedMessages::of(recording.value(), {});
+    if (!messages) return messages.error();
+    while (const mcap::Message* message = messages.value().next()) {
+      const auto track = tracks.inputs.find(message->channel_id);
+      if (track == tracks.inputs.end() || !is_wanted(track->second.topic)) continue;
+      const auto run = run_of(file, summary.channels.at(track->first));
+      if (!run) return run.error();
+      run.value()->send(message->data);
+    }
+    code_ = worse(code_, tell_damage(kRerun, messages.value()));
+    for (const auto& topic : tracks.foreign)
+      if (topic.ends_with("/inputs")) tell_foreign(topic);
+    return {};
+  }
+
+  /// Ends all runs. Returns the exit code.
+  int finish() {
+    for (auto& [writer, run] : runs_) {
+      const auto code = run->finish();
+      code_ = worse(code_, code ? code.value() : fail_rerun(code.error().message));
+    }
+    return code_;
+  }
+  [[nodiscard]] bool any() const noexcept { return !runs_.empty() || code_ == kIncomplete; }
+
+ private:
+  [[nodiscard]] bool is_wanted(const std::string& topic) const {
+    return options_.robots.empty() || std::ranges::any_of(options_.robots, [&](const auto& robot) {
+             return topic == "rt/" + robot + "/inputs";
+           });
+  }
+
+  /// All writers of a process are one run: a robot makes a new one when it is read again. The
+  /// recording of another tool does not name them: then a channel is one.
+  Result<RunProcess*> run_of(const std::string& file, const mcap::Channel& channel) {
+    const auto named = channel.metadata.find(monitor::kChannelWriter);
+    const std::string writer = named != channel.metadata.end()
+                                   ? named->second.substr(0, kParticipantDigits)
+                                   : file + " channel " + std::to_string(channel.id);
+    auto& run = runs_[channel.topic + ' ' + writer];
+    if (run) return run.get();
+    if (runs_.size() > kMostRobots)
+      return Error{"the recording has more than " + std::to_string(kMostRobots) +
+                   " runs of robots: choose some with --robot, or a part with galilean log slice"};
+    auto started = RunProcess::start(command(file, channel.topic));
+    if (!started) return started.error();
+    run = std::move(started).value();
+    return run.get();
+  }
+
+  [[nodiscard]] std::vector<std::string> command(const std::string& file,
+                                                 const std::string& topic) const {
+    std::vector<std::string> words{(program_folder() / "galilean-rerun").string(), "--title",
+                                   file + ' ' + topic};
+    if (!options_.bhdl_file.empty()) words.insert(words.end(), {"--bhdl", options_.bhdl_file});
+    if (options_.json) words.emplace_back("--json");
+    return words;
+  }
+
+  void tell_foreign(const std::string& topic) {
+    std::cerr << kRerun << ": " << visible(topic)
+              << " is of another release, whose robots cannot be run again here\n";
+    code_ = worse(code_, kIncomplete);
+  }
+
+  const RerunOptions& options_;
+  std::map<std::string, std::unique_ptr<RunProcess>> runs_;  ///< by topic and process
+  int code_ = 0;
+};
+
+}  // namespace
+
+int rerun_recordings(const RerunOptions& options) {
+  ignore_broken_pipes();
+  Runs runs(options);
+  for (const auto& file : options.files)
+    if (const auto done = runs.read(file); !done) return fail_rerun(done.error().message);
+  if (!runs.any())
+    return fail_rerun(
+        "there is nothing to run again: no robot's inputs are recorded; galilean record --inputs "
+        "records them");
+  return runs.finish();
+}
+
+}  // namespace galilean::logs

@@ -7,8 +7,8 @@
 
 #include "core/key_terminal.h"
 #include "core/termination.h"
-#include "monitor/replay/replay_keys.h"
 #include "monitor/replay/replay_clock.h"
+#include "monitor/replay/replay_keys.h"
 
 namespace galilean::monitor {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
-#include "monitor/replay/replay_keys.h"
 #include "monitor/replay/replay_clock.h"
+#include "monitor/replay/replay_keys.h"
 
 namespace galilean::monitor {
 namespace {

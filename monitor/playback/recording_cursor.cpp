@@ -39,6 +39,7 @@ void add_wanted(wire::Delivery delivery, std::vector<std::uint16_t> channels, st
         to.push_back({{channel}, 1, before(at_ns, kOthersSince_ns)});
       break;
     case wire::Delivery::kCommand:
+    case wire::Delivery::kRecord:  // it tells what happened, and not how things stand
       break;
   }
 }

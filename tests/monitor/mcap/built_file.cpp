@@ -28,7 +28,7 @@ Bytes lz4(ByteView bytes) {
 Bytes compressed(const std::string& compression, const Bytes& records) {
   if (compression == "lz4") return lz4(records);
   if (compression.empty()) return records;
-  Compressor compressor;
+  Compressor compressor(Compression::kFast);
   const auto frame = compressor.compress(records);
   return {frame.begin(), frame.end()};
 }

@@ -118,11 +118,14 @@ class FailingHttpHandler : public testing::Test {
   SendRounds rounds{io};
   Worker worker{io};
   LanguageServerContext language{worker, team, catalog, {}};
+  RecordingFolder recordings{testing::TempDir()};
+  Playbacks playbacks;
+  ReplayContext replay{recordings, playbacks};
   HttpServer server{
       io,
       {Guard("127.0.0.1", {}), Access({"viewer", "operator"}, true),
        [this](const HttpRequest& request, const Respond& respond) { handler(request, respond); },
-       hub, rounds, language}};
+       hub, rounds, language, replay, worker}};
   std::thread thread;
   asio::io_context mine;
   tcp::socket socket{mine};

@@ -22,14 +22,15 @@ std::string range_in_words(Number least, Number most) {
 }
 
 /// Returns the check that a text is a finite number for which `holds`, which is `range` in words.
-std::function<std::string(const std::string&)> number_check(const std::string& range,
-                                                            std::function<bool(double)> holds) {
-  return [range, holds = std::move(holds)](const std::string& text) -> std::string {
+/// Help shows those behind the option's type.
+CLI::Validator number_check(const std::string& range, std::function<bool(double)> holds) {
+  const auto check = [range, holds = std::move(holds)](const std::string& text) -> std::string {
     char* end = nullptr;
     const double number = std::strtod(text.c_str(), &end);
     if (end != text.c_str() && *end == 0 && std::isfinite(number) && holds(number)) return "";
     return "the value must be " + range + ", and not '" + visible(text) + "'";
   };
+  return {check, range};
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ void append_chunk(Bytes& file, const Bytes& payload, std::uint64_t& now_ns, bool
   Bytes records;
   while (records.size() < kChunkBytes)
     append(records, Message{.channel_id = 1, .log_ns = now_ns += 1000, .data = payload});
-  Compressor compressor;
+  Compressor compressor(Compression::kFast);
   chunk.end_ns = now_ns;
   chunk.uncompressed_size = records.size();
   chunk.uncompressed_crc = crc32(records);

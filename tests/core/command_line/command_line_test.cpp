@@ -63,7 +63,7 @@ TEST(CommandLine, HelpIsPrintedAndEndsWell) {
   EXPECT_EQ(reading.code, 0);
   EXPECT_THAT(reading.out, HasSubstr("Runs robots."));
   EXPECT_THAT(reading.out, HasSubstr("Usage: runner"));
-  EXPECT_THAT(reading.out, HasSubstr("INT:INT in [1 - 16]=3"));
+  EXPECT_THAT(reading.out, HasSubstr("INT:from 1 to 16=3"));
 }
 
 /// What is wrong with each of these arguments is said on stderr, and ends the program with a

@@ -72,11 +72,14 @@ TEST(UntypedTopic, NumbersMessagesAsTheirWriterDoes) {
   ForeignTalk large(foreign.participant(), Foreign::kLarge, "rt/large", Cdr::kFirst);
   Reader reader(*own, {"rt/numbered", foreign_type(Foreign::kCells), false}, kKeepsNewest, 10);
   Reader large_reader(*own, {"rt/large", foreign_type(Foreign::kLarge), false}, kKeepsNewest, 10);
+  ASSERT_TRUE(wait_until([&] { return reader.writers() == 1 && large_reader.writers() == 1; }));
   ASSERT_TRUE(wait_until([&] { return small.readers() == 1 && large.readers() == 1; }));
   std::vector<std::uint64_t> numbers;
   const auto note = [&](const Received& received) { numbers.push_back(received.sequence); };
-  for (int i = 0; i < 3; ++i) ASSERT_TRUE(small.write());
-  EXPECT_TRUE(wait_until([&] { return reader.take(note), numbers.size() >= 3; }));
+  for (std::size_t i = 1; i <= 3; ++i) {  // one by one, because the writer keeps only the newest
+    ASSERT_TRUE(small.write());
+    ASSERT_TRUE(wait_until([&] { return reader.take(note), numbers.size() == i; }));
+  }
   ASSERT_TRUE(large.write());
   EXPECT_TRUE(wait_until([&] { return large_reader.take(note), numbers.size() >= 4; }));
   EXPECT_EQ(numbers, (std::vector<std::uint64_t>{1, 2, 3, 1}));
@@ -91,6 +94,15 @@ TEST(UntypedTopic, MatchesByTheNameOfTheTypeWhateverItsDefinition) {
   ASSERT_TRUE(talk.write());
   EXPECT_EQ(await_bytes(reader).size(), 1U);
   EXPECT_EQ(other.writers(), 0);
+}
+
+TEST(UntypedTopic, HearsAWriterThatIsInNoHurry) {
+  const auto own = join_as_reader();
+  const ForeignProcess foreign("talker", kUntypedDomain);
+  ForeignTalk talk(foreign.participant(), Foreign::kPlain, "rt/calm", Cdr::kFirst, "",
+                   Delivery::kState, std::chrono::seconds(1));
+  Reader reader(*own, {"rt/calm", foreign_type(Foreign::kPlain), false}, kKeepsNewest, 10);
+  EXPECT_TRUE(wait_until([&] { return reader.writers() == 1 && talk.readers() == 1; }));
 }
 
 TEST(UntypedTopic, ReadsEveryPartition) {

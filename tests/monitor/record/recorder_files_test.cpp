@@ -56,7 +56,7 @@ TEST_F(RecorderFilesTest, WhatAWriterKeptThatHasLeftIsNotTakenOver) {
   wire::Endpoints endpoints(*own);
   ASSERT_TRUE(wire::wait_until([&] {
     return std::ranges::none_of(endpoints.known(),
-                                [](const auto& end) { return end.topic == "rt/state"; });
+                                [](const auto& end) { return end.writes && end.topic == "rt/state"; });
   }));
   look();
   EXPECT_EQ(files->totals().files, 2U);

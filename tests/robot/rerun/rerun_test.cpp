@@ -116,7 +116,7 @@ TEST(Rerun, AnotherBitOfTheBoardsStatusLeadsToAnotherShaft) {
 
 TEST(Rerun, AnotherBumperIsTracedToTheSchemaThatReadsIt) {
   auto ticks = recording();
-  const std::size_t at = tick_in_state("wander_for_trash");
+  const std::size_t at = tick_in_state("move_to_trash");
   ticks[at].bumpers ^= 4;
   sign(ticks[at]);
   const auto result = run_again(ticks, components());

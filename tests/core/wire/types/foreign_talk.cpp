@@ -35,11 +35,12 @@ const void* foreign_sample(Foreign message) {
   return nullptr;
 }
 
-Qos writer_qos(Cdr version, const std::string& partition, Delivery delivery) {
+Qos writer_qos(Cdr version, const std::string& partition, Delivery delivery,
+               std::chrono::nanoseconds latency_budget) {
   Qos qos = make_qos(delivery);
   const char* name = partition.c_str();
   if (!partition.empty()) dds_qset_partition(qos.get(), 1, &name);
-  dds_qset_latency_budget(qos.get(), DDS_SECS(1));
+  dds_qset_latency_budget(qos.get(), latency_budget.count());
   const dds_data_representation_id_t representation =
       version == Cdr::kFirst ? DDS_DATA_REPRESENTATION_XCDR1 : DDS_DATA_REPRESENTATION_XCDR2;
   dds_qset_data_representation(qos.get(), 1, &representation);
@@ -87,9 +88,10 @@ std::string foreign_type(Foreign message) {
 }
 
 ForeignTalk::ForeignTalk(std::int32_t participant, Foreign message, const std::string& topic,
-                         Cdr version, const std::string& partition, Delivery delivery)
+                         Cdr version, const std::string& partition, Delivery delivery,
+                         std::chrono::nanoseconds latency_budget)
     : message_(message) {
-  const auto qos = writer_qos(version, partition, delivery);
+  const auto qos = writer_qos(version, partition, delivery, latency_budget);
   const std::string type = foreign_type(message);
   dds_topic_descriptor_t descriptor = foreign_descriptor(message);
   descriptor.m_typename = type.c_str();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -32,13 +33,15 @@ enum class Foreign {
 /// How a writer encodes its messages.
 enum class Cdr { kFirst = 1, kSecond = 2 };
 
-/// Writes the sample of a foreign message to a topic, in a partition unless that is empty. It wants
-/// to be in no hurry. Without a delivery it is reliable and keeps the newest for late joiners.
+/// Writes the sample of a foreign message to a topic, in a partition unless that is empty.
+/// Without a delivery it is reliable and keeps the newest for late joiners. Cyclone 0.10 may hold
+/// back the newest message of a writer with a latency budget until the next one.
 class ForeignTalk {
  public:
   /// Errors: throws std::runtime_error if Cyclone refuses it.
   ForeignTalk(std::int32_t participant, Foreign message, const std::string& topic, Cdr version,
-              const std::string& partition = {}, Delivery delivery = Delivery::kState);
+              const std::string& partition = {}, Delivery delivery = Delivery::kState,
+              std::chrono::nanoseconds latency_budget = {});
   /// Returns whether Cyclone took the sample.
   [[nodiscard]] bool write();
   /// Says that the key of the sample is no more.

@@ -101,9 +101,8 @@ TEST_F(VerifyTest, NoByteOfAChunkMayChangeUnseen) {
 
 TEST_F(VerifyTest, TellsOfMessagesThatAreNotWholeAndOfFilesThatAreNone) {
   expect::RecordedTeam team;
-  team.send(0, "/io/state", msg::Variables{});
-  msg::RobotState state;
-  team.send(1, "/io/state", state);
+  team.send(0, "/io/state", msg::RobotState{});
+  team.send(1, "/io/state", msg::Variables{});  // which is too short for a state
   write("a.mcap", team.end());
   write("b.mcap", six_seconds());
   EXPECT_EQ(verify({"a.mcap", "b.mcap"}).code, 3);

@@ -55,8 +55,8 @@ TEST_F(RecorderFilesTest, WhatAWriterKeptThatHasLeftIsNotTakenOver) {
   state.reset();
   wire::Endpoints endpoints(*own);
   ASSERT_TRUE(wire::wait_until([&] {
-    return std::ranges::none_of(endpoints.known(),
-                                [](const auto& end) { return end.writes && end.topic == "rt/state"; });
+    return std::ranges::none_of(
+        endpoints.known(), [](const auto& end) { return end.writes && end.topic == "rt/state"; });
   }));
   look();
   EXPECT_EQ(files->totals().files, 2U);

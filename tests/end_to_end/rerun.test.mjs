@@ -8,6 +8,8 @@ import { eventually, freePort, freshDomain, galilean, getJson, programs, Running
 
 // Longer than it takes until robots tell again what they remember.
 const RECORDED_S = 15;
+// Longer than what writers of inputs keep for who comes late.
+const UNHEARD_S = 4;
 
 describe('a team that is recorded with --inputs from its start', () => {
   const leaving = [];
@@ -29,6 +31,7 @@ describe('a team that is recorded with --inputs from its start', () => {
     const team = new Running(all, ['demo', '--port', String(port), '--seed', '1'], { domain, cwd });
     await team.line(/http:\/\/127\.0\.0\.1:\d+\S*\n/);
     await eventually(async () => (await getJson(`http://127.0.0.1:${port}/api/status`)).robots.length === 3);
+    await sleep(UNHEARD_S * 1000);
     const late = record('late.mcap', '--inputs');
     const without = record('without.mcap');
     for (const command of [['start'], ['hold', '--team'], ['resume', '--team'], ['step', 'io']]) {

@@ -15,7 +15,8 @@ interface Upload {
 }
 
 class Recordings {
-  readonly attempts = new Attempts();
+  readonly listing = new Attempts();
+  readonly sending = new Attempts();
   /** Undefined until the monitor has told. */
   all = $state.raw<readonly Recording[]>();
   folder = $state("");
@@ -32,13 +33,13 @@ class Recordings {
 
   async list(): Promise<void> {
     const sentence = ({ message }: Error) => `The recordings cannot be listed: ${message.replace(/\.$/, "")}; start the monitor, or update it, then list them again.`;
-    await this.attempts.make(() => this.#lists.take(listRecordings(), ({ folder, recordings }) => ([this.all, this.folder] = [recordings, folder])), sentence);
+    await this.listing.make(() => this.#lists.take(listRecordings(), ({ folder, recordings }) => ([this.all, this.folder] = [recordings, folder])), sentence);
   }
 
   /** Sends a file to the monitor, and opens it there. */
   async take(files: readonly File[]): Promise<void> {
     this.news = undefined;
-    await this.attempts.make(async () => {
+    await this.sending.make(async () => {
       const file = this.#only(files);
       await this.#send(file);
       if (!this.opensTab) return location.assign(shownAt(file.name));

@@ -45,7 +45,7 @@ describe("a file that is dropped", () => {
     const refusals: (string | undefined)[] = [];
     for (const files of [[], [file("a.mcap"), file("b.mcap")], [file("notes.txt")], [file("empty.mcap", "")]]) {
       await recordings.take(files);
-      refusals.push(recordings.attempts.failure);
+      refusals.push(recordings.sending.failure);
     }
     expect(refusals).toEqual([
       "What was dropped is no file: drop an .mcap file.",
@@ -55,12 +55,19 @@ describe("a file that is dropped", () => {
     ]);
     expect(upload).not.toHaveBeenCalled();
   });
+  it("that was refused is told of while the list comes, too", async () => {
+    const listed = recordings.list();
+    await recordings.take([file("notes.txt")]);
+    await listed;
+    await recordings.list();
+    expect(recordings.sending.failure).toMatch(/^notes\.txt is no \.mcap file/);
+  });
   it("waits for the one before", async () => {
     let end = () => {};
     vi.mocked(upload).mockImplementation(() => new Promise((resolve) => (end = resolve)));
     const first = recordings.take([file("first.mcap")]);
     await recordings.take([file("second.mcap")]);
-    expect(recordings.attempts.failure).toBe("first.mcap is still on its way: wait for it, or cancel it.");
+    expect(recordings.sending.failure).toBe("first.mcap is still on its way: wait for it, or cancel it.");
     end();
     await first;
     expect(assign.mock.calls).toEqual([["/?recording=first.mcap"]]);
@@ -68,7 +75,7 @@ describe("a file that is dropped", () => {
   it("that the monitor refuses is told of in its words, and nothing is opened", async () => {
     vi.mocked(upload).mockRejectedValue(new Error("There is no room: make some."));
     await recordings.take([file("run.mcap")]);
-    expect(recordings.attempts.failure).toBe("There is no room: make some.");
+    expect(recordings.sending.failure).toBe("There is no room: make some.");
     expect([recordings.upload, assign.mock.calls]).toEqual([undefined, []]);
   });
 });
@@ -76,5 +83,5 @@ describe("a file that is dropped", () => {
 it("a list that does not come says what to do", async () => {
   vi.mocked(api.listRecordings).mockRejectedValue(new Error("The monitor does not answer."));
   await recordings.list();
-  expect(recordings.attempts.failure).toBe("The recordings cannot be listed: The monitor does not answer; start the monitor, or update it, then list them again.");
+  expect(recordings.listing.failure).toBe("The recordings cannot be listed: The monitor does not answer; start the monitor, or update it, then list them again.");
 });

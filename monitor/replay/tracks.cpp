@@ -36,7 +36,7 @@ std::string sender_of(const mcap::Channel& channel) {
 /// A topic has a channel for each of its writers.
 void name_once(std::vector<std::string>& topics) {
   std::ranges::sort(topics);
-  const auto [rest, end] = std::ranges::unique(topics);
+  const auto rest = std::unique(topics.begin(), topics.end());
   topics.erase(rest, end);
 }
 

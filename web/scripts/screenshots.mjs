@@ -2,7 +2,6 @@
 // Pictures of every scene of the page, on each screen, light and dark, into a folder. It says which it took, and which not.
 //   node scripts/screenshots.mjs FOLDER [--url LIVE] [--scenes team,push] [--screens laptop,phone] [--themes light] [--chromium PATH]
 // Without --url the team is the one that tests/fixture plays, which needs dist/. All 114 pictures take some minutes.
-// A replay is a live team: `galilean monitor` and `galilean replay RECORDING --loop`, with the monitor's link for --url.
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { parseArgs } from "node:util";

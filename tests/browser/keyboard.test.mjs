@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The keyboard alone reaches everything that can be clicked: by Tab, or from there by the keys of its group.
 import assert from "node:assert/strict";
-import { test } from "node:test";
+import { after, before, test } from "node:test";
 import { scenes, SCREENS } from "../../web/scripts/scenes.mjs";
-import { startFixture, Tab } from "./tab.mjs";
+import { keysOf } from "./keys.mjs";
+import { launch, startFixture, Tab } from "./tab.mjs";
 
 /** What a click does there, keys do elsewhere. */
 const OTHERWISE = [
@@ -14,9 +15,11 @@ const OTHERWISE = [
 ];
 const KEYS = ["ArrowRight", "ArrowDown", "ArrowLeft", "ArrowUp", "PageDown", "PageUp", "Tab", "Shift+Tab"];
 const ROUNDS = 5;
+/** So many places of groups are tried, and so often is Tab pressed, before the test looks at the page again. */
+const PLACES_AT_ONCE = 4, TABS_AT_ONCE = 20;
 
-/** In the page: notes what hears clicks, and what the keyboard has been at. */
-function watchKeyboard(otherwise) {
+/** In the page: notes what hears clicks, and what the keyboard has been at. `keys`: that are tried at a place. */
+function watchKeyboard({ otherwise, keys }) {
   const ACTS = "button, a[href], input, select, textarea, summary, [contenteditable=true], [role=button], [role=tab], [role=link], [role=menuitem]";
   const GROUPS = "[role=tablist], [role=group], [role=radiogroup], fieldset, svg";
   const [hearing, been, names, tried] = [new WeakSet(), new WeakSet(), new Set(), new Set()];
@@ -48,49 +51,60 @@ function watchKeyboard(otherwise) {
   const all = () => [...document.body.querySelectorAll("*")].filter((element) => (element.matches(ACTS) || isHeard(element)) && isThere(element) && !otherwise.some((each) => element.matches(each)));
   const left = () => all().filter((element) => !isReached(element));
 
+  let [places, pressed] = [[], 0];
+  const back = () => places[Math.floor(pressed / keys)]?.focus();
+  document.addEventListener("keyup", () => ((pressed += 1), back()), true);
+
   window.keyboard = {
     count: () => all().length,
     left: () => left().map((element) => `${nameOf(element)}: ${element.outerHTML.slice(0, 160)}`),
-    /** Puts the keyboard where it has been, in a group of which something is left; false where nothing is untried. */
-    tryNext() {
+    /**
+     * Puts the keyboard where it has been, in groups of which something is left: at one place before each key, and at
+     * the next after all `keys`. Returns how many untried places there are, up to `most`.
+     */
+    tryNext(most) {
       const groups = new Set(left().map((element) => element.parentElement.closest(GROUPS)).filter(Boolean));
-      const next = [...groups].flatMap((group) => [...group.querySelectorAll("[tabindex], button, input")]).find((element) => isReached(element) && isThere(element) && !tried.has(nameOf(element)));
-      if (!next) return false;
-      tried.add(nameOf(next));
-      window.keyboard.last = next;
-      return true;
+      const reached = [...groups].flatMap((group) => [...group.querySelectorAll("[tabindex], button, input")]).filter((element) => isReached(element) && isThere(element));
+      [places, pressed] = [[], 0];
+      for (const element of reached) {
+        if (places.length === most) break;
+        if (!tried.has(nameOf(element))) places.push(element);
+        tried.add(nameOf(element));
+      }
+      back();
+      return places.length;
     },
-    back: () => window.keyboard.last.focus(),
-    begin: () => (tried.clear(), document.activeElement?.blur()),
+    begin: () => (tried.clear(), (places = []), document.activeElement?.blur()),
   };
 }
 
-/** Once round the page. In a text Tab indents until it is told to leave. */
-async function goRound(page) {
+/** Once round the page. In a text Tab indents until it is told to leave, so that each Tab there is looked at. */
+async function goRound(page, press) {
   await page.evaluate(() => window.keyboard.begin());
   const presses = (await page.evaluate(() => window.keyboard.count())) + 40;
-  for (let i = 0; i < presses; i += 1) {
-    await page.keyboard.press("Tab");
+  const atOnce = (await page.locator(".cm-content").count()) > 0 ? 1 : TABS_AT_ONCE;
+  for (let i = 0; i < presses; i += atOnce) {
+    await press(Array(atOnce).fill("Tab"));
     if (await page.evaluate(() => document.activeElement?.matches(".cm-content"))) await page.keyboard.press("Control+m");
   }
 }
 
 /** From each place of a group by the keys of the group. */
-async function goWithin(page, isPast) {
-  while (await page.evaluate(() => window.keyboard.tryNext())) {
-    for (const key of KEYS) {
-      await page.evaluate(() => window.keyboard.back());
-      await page.keyboard.press(key);
-    }
+async function goWithin(page, press, isPast) {
+  for (;;) {
+    const places = await page.evaluate((most) => window.keyboard.tryNext(most), PLACES_AT_ONCE);
+    if (places === 0) return;
+    await press(Array(places).fill(KEYS).flat());
     if (!isPast && (await page.getByTestId("past-notice").count()) > 0) await page.keyboard.press("l");
   }
 }
 
 async function unreached(page, isPast) {
+  const press = await keysOf(page);
   const left = () => page.evaluate(() => window.keyboard.left());
   for (let round = 0; round < ROUNDS; round += 1) {
-    await goRound(page);
-    await goWithin(page, isPast);
+    await goRound(page, press);
+    await goWithin(page, press, isPast);
     if ((await left()).length === 0) break;
   }
   return left();
@@ -101,12 +115,16 @@ async function standStill(tab) {
   if ((await tab.api("/watched")).topics.includes("/simulation/state")) await tab.api("/api/simulation/orders", { order: "pause" });
 }
 
+let browser;
+before(async () => (browser = await launch()));
+after(() => browser?.close());
+
 async function assertReached(scene, viewport) {
   const tab = new Tab();
   tab.fixture = await startFixture({ ...scene.play, simulated: true });
   try {
-    await tab.open("about:blank", { viewport });
-    await tab.page.addInitScript(watchKeyboard, OTHERWISE);
+    await tab.open("about:blank", { viewport, browser });
+    await tab.page.addInitScript(watchKeyboard, { otherwise: OTHERWISE, keys: KEYS.length });
     tab.url = new URL(scene.path ?? "/", tab.fixture.url).href;
     await tab.page.goto(tab.url);
     await scene.show(tab.page);

@@ -14,14 +14,18 @@ export const LAPTOP = { width: 1366, height: 768 };
 export const PHONE = { width: 390, height: 844 };
 export { PATIENCE_MS };
 
+export const launch = () => chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu"] });
+
 export class Tab {
   complaints = [];
 
-  async open(url, { viewport = LAPTOP, ...context } = {}) {
+  /** With `browser` in a context of its own there: that browser goes on when the tab is closed. */
+  async open(url, { viewport = LAPTOP, browser, ...context } = {}) {
     this.url = url;
     /** What lets the link's reader steer. */
     this.token = new URLSearchParams(new URL(url).hash.slice(1)).get("token");
-    this.browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu"] });
+    this.browser = browser ?? (await launch());
+    this.end = () => (browser ? this.page?.close() : this.browser.close());
     this.page = await this.browser.newPage({ viewport, ...context });
     this.page.setDefaultTimeout(PATIENCE_MS);
     this.page.on("console", (message) => message.type() === "error" && this.complaints.push(message.text()));
@@ -29,7 +33,7 @@ export class Tab {
     await this.page.goto(url);
   }
 
-  close = () => within(Promise.resolve(this.browser?.close()), () => "the browser's end");
+  close = () => within(Promise.resolve(this.end?.()), () => "the browser's end");
 
   at = (testid) => this.page.getByTestId(testid);
   row = (robot) => this.at(`team-row-${robot}`);

@@ -72,6 +72,8 @@ struct Monitor::Parts {
   Worker language_worker{io};
   Worker recording_worker{io};
   Worker transfer_worker{io};
+  Worker coverage_worker{io};
+  CoverageDesk coverage{recordings, coverage_worker};
   LanguageServerContext language;
   MapService map;
   TrialRoom trials;
@@ -89,6 +91,8 @@ struct Monitor::Parts {
         std::unique_ptr<History> opened, Tokens tokens);
   ~Parts() {
     playbacks.finish();
+    coverage.stop();
+    coverage_worker.finish();
     recording_worker.finish();
     transfer_worker.finish();
     worker.finish();
@@ -129,7 +133,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
            simulations,
            worker,
            *history,
-           {recordings, recording_list, recording_worker}}),
+           {recordings, recording_list, recording_worker, coverage}}),
       server(io, {Guard(options.address, options.allowed_origins),
                   Access(std::move(tokens), is_loopback(options.address)),
                   [this](const HttpRequest& request, const Respond& respond) {

@@ -57,6 +57,9 @@ test('the server answers as it is described', async (t) => {
     await ask('PUT', path, { status: 409, name, body });
     assert.equal((await ask('GET', '/api/recordings', { status: 200 })).recordings.length, 1);
     for (const method of ['GET', 'HEAD']) await ask(method, '/recordings/{name}', { status: 200, name });
+    const { programs, uncounted } = await ask('GET', '/api/recordings/{name}/coverage', { status: 200, name });
+    assert.deepEqual([programs, uncounted.length], [[], 2], 'its types are of another release');
+    await ask('GET', '/api/recordings/{name}/coverage', { status: 404, name: 'nothing.mcap' });
     await ask('GET', '/recordings/{name}', { status: 206, name, headers: { range: 'bytes=0-7' } });
     await ask('GET', '/recordings/{name}', { status: 416, name, headers: { range: 'bytes=99999999-' } });
   });

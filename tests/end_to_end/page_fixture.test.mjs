@@ -36,6 +36,15 @@ describe("the page's stand-in for the monitor", () => {
     await ask('GET /api/programs/{name}', 404, undefined, 'none.bhdl');
   });
 
+  test('tells what a recording exercised', async () => {
+    const { programs: [program] } = await ask('GET /api/recordings/{name}/coverage', 200, undefined, 'office.mcap');
+    const { visited, entered } = program.states.find(({ name }) => name === 'wander_for_trash');
+    assert.ok(visited && entered > 0);
+    assert.ok(program.conditions.some(({ taken }) => taken > 0) && program.conditions.some(({ taken }) => taken === 0));
+    await ask('GET /api/recordings/{name}/coverage', 404, undefined, 'gone.mcap');
+    await ask('GET /api/recordings/{name}/coverage', 422, undefined, 'broken.mcap');
+  });
+
   test('checks a program', async () => {
     const right = await ask('POST /api/check', 200, { files, against: files });
     assert.equal(right.ok, true);

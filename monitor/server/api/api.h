@@ -6,6 +6,7 @@
 
 #include "monitor/map/map_service.h"
 #include "monitor/recordings/recording_list.h"
+#include "monitor/server/api/coverage_desk.h"
 #include "monitor/server/api/operations.h"
 #include "monitor/server/http/http_server.h"
 #include "monitor/server/http/page_files.h"
@@ -22,6 +23,7 @@ class Api {
     const RecordingFolder& folder;
     RecordingList& list;
     Worker& worker;
+    CoverageDesk& coverage;
   };
   struct Parts {
     const PageFiles& page;
@@ -72,6 +74,7 @@ class Api {
   void pushed_program(const std::string& hash, const Respond& respond);
   void list_recordings(const Respond& respond);
   void send_recording(const HttpRequest& request, const Respond& respond);
+  void send_coverage(const HttpRequest& request, const Respond& respond);
   void status(Right right, const Respond& respond) const;
 
   Parts parts_;

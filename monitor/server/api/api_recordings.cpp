@@ -8,7 +8,8 @@ namespace galilean::monitor {
 namespace {
 
 constexpr std::string_view kList = "/api/recordings";
-constexpr std::string_view kUploads = "/api/recordings/";
+constexpr std::string_view kEach = "/api/recordings/";
+constexpr std::string_view kCoverage = "/coverage";
 
 nlohmann::json to_json(const ListedRecording& recording) {
   nlohmann::json json{{"name", recording.name},
@@ -30,10 +31,12 @@ void Api::add_recording_routes() {
                      [this](auto&, auto& respond) { list_recordings(respond); }});
   routes_.push_back({"GET", std::string(Guard::kSharedPath), Right::kRead,
                      [this](auto& request, auto& respond) { send_recording(request, respond); }});
+  routes_.push_back({"GET", std::string(kEach), Right::kRead,
+                     [this](auto& request, auto& respond) { send_coverage(request, respond); }});
   routes_.push_back(
-      {"PUT", std::string(kUploads), Right::kOperate, [this](auto& request, auto& respond) {
+      {"PUT", std::string(kEach), Right::kOperate, [this](auto& request, auto& respond) {
          receive_recording(parts_.recordings.folder, parts_.recordings.worker,
-                           request.path.substr(kUploads.size()), request, respond);
+                           request.path.substr(kEach.size()), request, respond);
        }});
 }
 
@@ -60,6 +63,14 @@ void Api::send_recording(const HttpRequest& request, const Respond& respond) {
                        : recording_problem(opened.error()));
       },
       unable(finish_of(respond)));
+}
+
+// The request is GET /api/recordings/NAME/coverage.
+void Api::send_coverage(const HttpRequest& request, const Respond& respond) {
+  auto name = request.path.substr(kEach.size());
+  if (!name.ends_with(kCoverage)) return respond(problem(404, "There is no " + request.path + "."));
+  name.resize(name.size() - kCoverage.size());
+  parts_.recordings.coverage.ask(name, respond);
 }
 
 }  // namespace galilean::monitor

@@ -225,3 +225,36 @@ export interface Recording {
 export function listRecordings(): Promise<{ folder: string; recordings: Recording[] }> {
   return call("/api/recordings");
 }
+
+/** What all robots that ran one program did of it in a recording. */
+export interface RecordedProgram {
+  readonly hash: string;
+  readonly name: string;
+  /** The recording tells what the program has. */
+  readonly described: boolean;
+  /** Visited and entered 0 times: a robot was in it, and was not seen to enter it. */
+  readonly states: readonly { readonly name: string; readonly visited: boolean; readonly entered: number }[];
+  readonly conditions: readonly {
+    readonly from: string;
+    readonly to: string;
+    readonly file: string;
+    readonly line: number;
+    readonly bits_variable: string;
+    readonly bit_index: number;
+    readonly bit_value: boolean;
+    readonly taken: number;
+    /** How often it held while one before it was taken. */
+    readonly held_behind_another: number;
+  }[];
+}
+
+export interface RecordedCoverage {
+  readonly programs: readonly RecordedProgram[];
+  /** What could not be counted, in clauses. */
+  readonly uncounted: readonly string[];
+}
+
+/** The monitor reads the whole recording for it, which may take some seconds. */
+export function readCoverage(name: string): Promise<RecordedCoverage> {
+  return call(`/api/recordings/${encodeURIComponent(name)}/coverage`);
+}

@@ -10,7 +10,7 @@
 #include "core/wire/messages.h"
 #include "monitor/wire/message_decoder.h"
 
-namespace galilean::logs {
+namespace galilean::monitor {
 
 /// What robots that ran one program did of it: which of its states they were in, and which of its
 /// conditions led them from one state to another.
@@ -30,7 +30,12 @@ class ProgramCoverage {
   [[nodiscard]] double share_of_states() const;
   [[nodiscard]] double share_of_conditions() const;
 
-  [[nodiscard]] monitor::MessageTree figures() const;
+  /// Returns about how much memory its states and conditions take.
+  [[nodiscard]] std::size_t kept_bytes() const noexcept { return kept_bytes_; }
+
+  /// Returns the states in the program's order, with how often each was entered, and the conditions
+  /// with how often each was taken.
+  [[nodiscard]] MessageTree figures() const;
   /// Returns lines for people: shares, and what was never done.
   [[nodiscard]] std::string text() const;
   /// Returns the state machine for Graphviz, with how often each was done. What never was is
@@ -47,12 +52,16 @@ class ProgramCoverage {
     bool value = false;
     auto operator<=>(const Condition&) const = default;
     [[nodiscard]] std::string text() const;
+    [[nodiscard]] std::size_t bytes() const noexcept;
   };
   struct Counts {
     std::uint64_t taken = 0;
     std::uint64_t held = 0;  ///< while one before it was taken
   };
 
+  /// Returns the count of this state or condition, which begins with 0.
+  std::uint64_t& visits_of(const std::string& state);
+  Counts& counts_of(const Condition& condition);
   [[nodiscard]] std::size_t visited() const;
   [[nodiscard]] std::size_t taken() const;
 
@@ -61,6 +70,7 @@ class ProgramCoverage {
   std::vector<Condition> conditions_in_order_;
   std::map<std::string, std::uint64_t> visits_;  ///< by state; 0: was in it, and no way in was seen
   std::map<Condition, Counts> counts_;
+  std::size_t kept_bytes_ = 0;
 };
 
-}  // namespace galilean::logs
+}  // namespace galilean::monitor

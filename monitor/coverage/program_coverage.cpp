@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/logs/coverage/program_coverage.h"
+#include "monitor/coverage/program_coverage.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -8,12 +8,13 @@
 #include "core/state_change.h"
 #include "core/visible_text.h"
 
-namespace galilean::logs {
+namespace galilean::monitor {
 namespace {
 
-using Json = monitor::MessageTree;
+using Json = MessageTree;
 
 constexpr std::size_t kMostDescribed = 100'000;  ///< more states or conditions has no real program
+constexpr std::size_t kEntryBytes = 100;         ///< of a state or a condition, beside its texts
 
 std::string dot_text(const std::string& text) {
   std::string quoted = "\"";
@@ -41,35 +42,56 @@ std::string ProgramCoverage::Condition::text() const {
          " when " + visible(variable) + '[' + std::to_string(bit) + "] is " + (value ? '1' : '0');
 }
 
+std::size_t ProgramCoverage::Condition::bytes() const noexcept {
+  return kEntryBytes + from.size() + to.size() + file.size() + variable.size();
+}
+
 void ProgramCoverage::describe(const msg::Program& program) {
   name_ = program.name;
   if (described() || program.states.size() + program.transitions.size() > kMostDescribed) return;
-  for (const auto& state : program.states) states_in_order_.push_back(state.name);
+  for (const auto& state : program.states) {
+    states_in_order_.push_back(state.name);
+    kept_bytes_ += kEntryBytes + state.name.size();
+  }
   for (const auto& each : program.transitions)
-    conditions_in_order_.push_back({each.from_state, each.to_state, each.file, each.line,
-                                    each.bits_variable, each.bit_index, each.bit_value});
+    kept_bytes_ += conditions_in_order_
+                       .emplace_back(Condition{each.from_state, each.to_state, each.file, each.line,
+                                               each.bits_variable, each.bit_index, each.bit_value})
+                       .bytes();
+}
+
+std::uint64_t& ProgramCoverage::visits_of(const std::string& state) {
+  const auto [at, is_new] = visits_.try_emplace(state, 0);
+  if (is_new) kept_bytes_ += kEntryBytes + state.size();
+  return at->second;
+}
+
+ProgramCoverage::Counts& ProgramCoverage::counts_of(const Condition& condition) {
+  const auto [at, is_new] = counts_.try_emplace(condition);
+  if (is_new) kept_bytes_ += condition.bytes();
+  return at->second;
 }
 
 void ProgramCoverage::note(const msg::RobotState& state) {
   if (name_.empty()) name_ = state.program_hash;
-  if (visits_.size() < kMostDescribed) visits_.try_emplace(state.state, 0);
+  if (visits_.size() < kMostDescribed) (void)visits_of(state.state);
 }
 
 /// A change without a condition is a swap of programs.
 void ProgramCoverage::note(const msg::Transition& transition) {
   if (name_.empty()) name_ = transition.program_hash;
   if (visits_.size() >= kMostDescribed || counts_.size() >= kMostDescribed) return;
-  ++visits_[transition.to_state];
+  ++visits_of(transition.to_state);
   if (transition.file.empty()) return;
-  visits_.try_emplace(transition.from_state, 0);
+  (void)visits_of(transition.from_state);
   const Condition taken{transition.from_state, transition.to_state,      transition.file,
                         transition.line,       transition.bits_variable, transition.bit_index,
                         transition.bit_value};
-  ++counts_[taken].taken;
+  ++counts_of(taken).taken;
   for (const auto& tested : transition.tested) {
     const Condition other{transition.from_state, tested.to_state,  tested.file,     tested.line,
                           tested.bits_variable,  tested.bit_index, tested.bit_value};
-    if (tested.holds && other != taken) ++counts_[other].held;
+    if (tested.holds && other != taken) ++counts_of(other).held;
   }
 }
 
@@ -168,4 +190,4 @@ std::string ProgramCoverage::dot() const {
   return text + "}\n";
 }
 
-}  // namespace galilean::logs
+}  // namespace galilean::monitor

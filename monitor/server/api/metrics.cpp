@@ -87,6 +87,7 @@ std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocke
          "Frames that a newer one replaced before a slow client took them.", websocket.superseded);
   metric(out, "galilean_websocket_dismissed_total", "counter", "Clients closed for being too slow.",
          websocket.dismissed);
+  metric(out, "galilean_replays", "gauge", "Recordings that are played to a viewer.", http.replays);
   metric(out, "galilean_http_connections", "gauge", "Connections open.", http.connections);
   metric(out, "galilean_http_requests_total", "counter", "Requests.", http.requests);
   metric(out, "galilean_http_refused_total", "counter", "Requests with a wrong Host or Origin.",

@@ -30,6 +30,7 @@ std::string before_playing(const std::string& path, const mcap::Summary& summary
       << " s, from " << iso_time(summary.statistics.start_ns) << '\n';
   if (!tracks.commands.empty())
     out << "not played: " << listed(tracks.commands) << "; a replay gives robots no commands\n";
+  if (tracks.has_other_clock) out << "not played: /clock; --clock tells the time instead\n";
   if (!tracks.foreign.empty())
     out << "not played: " << listed(tracks.foreign)
         << "; this release does not know their types, or defines them otherwise\n";

@@ -62,6 +62,12 @@ Tracks tracks_of(const mcap::Summary& summary) {
   return tracks;
 }
 
+void leave_out_clock(Tracks& tracks) {
+  tracks.has_other_clock = std::erase_if(tracks.played, [](const auto& each) {
+                             return each.second.topic == wire::kClockTopic;
+                           }) > 0;
+}
+
 std::size_t topics_played(const Tracks& tracks) {
   std::set<std::string_view> topics;
   for (const auto& [id, track] : tracks.played) topics.insert(track.topic);

@@ -26,6 +26,7 @@ struct Track {
 struct Tracks {
   std::map<std::uint16_t, Track> played;  ///< by channel id
   std::vector<std::string> commands;      ///< orders to robots, which are never sent again
+  bool has_other_clock = false;           ///< a recorded /clock, which is left out
   std::vector<std::string> foreign;       ///< topics whose type this release does not know, or
                                           ///< defines otherwise
   /// What the ticks of robots read, by channel id. It is run again and not sent again.
@@ -35,6 +36,8 @@ struct Tracks {
 /// Sorts a recording's channels into the four kinds. What the recorder tells of itself is in none.
 [[nodiscard]] Tracks tracks_of(const mcap::Summary& summary);
 
+/// Takes a recorded /clock out of what is sent again, because the replay tells the time itself.
+void leave_out_clock(Tracks& tracks);
 /// Returns the number of topics that are sent again. Each writer of a topic has a channel.
 [[nodiscard]] std::size_t topics_played(const Tracks& tracks);
 /// Returns whether a monitor makes the topic from the robots' messages.

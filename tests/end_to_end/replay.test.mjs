@@ -92,6 +92,28 @@ describe('a recorded team', () => {
     assert.ok(maps.length <= 12, `${maps.length} maps in 2 s: two draw them`);
   });
 
+  test('tells its time on /clock, as fast as it is played, and only where nobody else does', async (t) => {
+    const domain = freshDomain();
+    const told = (...args) => {
+      const { status, stdout, stderr } = galilean(['echo', '/clock', '--json', ...args], { domain });
+      assert.equal(status, 0, stderr);
+      return stdout.trim().split('\n').map((line) => JSON.parse(line)).map(({ clock: { sec, nanosec } }) => sec + nanosec * 1e-9);
+    };
+    const replay = new Running(t, ['replay', `${cwd}/run.mcap`, '--clock', '20', '--rate', '0.5', '--loop'], { domain, cwd });
+    await replay.line(/keys|topics/);
+    const { start_ns, end_ns } = JSON.parse(galilean(['log', 'info', `${cwd}/run.mcap`, '--json'], { cwd }).stdout);
+    const times = told('--count', '20');
+    assert.ok(times.every((at) => at >= Number(start_ns) * 1e-9 - 0.001 && at <= Number(end_ns) * 1e-9 + 0.001), `${times} of ${start_ns} to ${end_ns}`);
+    const steps = times.slice(1).map((at, i) => at - times[i]).sort((a, b) => a - b);
+    assert.ok(Math.abs(steps[9] - 0.025) < 0.01, `half a 20th of a second is a step of it: ${steps}`);
+
+    const second = said(['run.mcap', '--clock', '20'], { domain });
+    assert.equal(second.status, 1);
+    assert.match(second.stderr, /another process tells the time on \/clock in this DDS domain already/);
+    const wrong = said(['run.mcap', '--clock', '0'], { domain });
+    assert.equal(wrong.status, 2);
+  });
+
   test('is played as far as it is whole, and says so', () => {
     const bytes = readFileSync(`${cwd}/run.mcap`);
     writeFileSync(`${cwd}/cut.mcap`, bytes.subarray(0, bytes.length / 2));

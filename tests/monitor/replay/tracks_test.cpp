@@ -112,6 +112,18 @@ TEST(Tracks, WhatTheRecorderTellsOfItselfIsNoTopicOfTheTeam) {
   EXPECT_TRUE(tracks_of(recording).played.empty());
 }
 
+TEST(Tracks, ARecordedClockIsLeftOutWhereTheReplayTellsTheTime) {
+  const auto recording = recording_with(
+      {{"/clock", "rosgraph_msgs/msg/Clock"}, {"/io/state", "galilean_msgs/msg/RobotState"}});
+  auto tracks = tracks_of(recording);
+  EXPECT_EQ(tracks.played.size(), 2u);
+  leave_out_clock(tracks);
+  ASSERT_EQ(tracks.played.size(), 1u);
+  EXPECT_EQ(tracks.played.at(2).topic, "rt/io/state");
+  EXPECT_NE(before_playing("run.mcap", recording, tracks).find("not played: /clock; "),
+            std::string::npos);
+}
+
 TEST(Tracks, LiveNamesakesAreThoseThatWriteTheSameTopics) {
   const auto tracks = tracks_of(recording_with({{"/io/state", "galilean_msgs/msg/RobotState"},
                                                 {"/io/program", "galilean_msgs/msg/Program"},

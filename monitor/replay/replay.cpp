@@ -10,11 +10,12 @@
 
 #include "core/command_line/exit_code.h"
 #include "core/plural.h"
-#include "core/wire/discovery.h"
+#include "core/visible_text.h"
 #include "core/wire/ros_time.h"
 #include "core/wire/topic_names.h"
 #include "monitor/record/damage_text.h"
 #include "monitor/record/log_info.h"
+#include "monitor/replay/neighbours.h"
 #include "monitor/replay/report.h"
 
 namespace galilean::monitor {
@@ -48,11 +49,10 @@ Replay::Replay(const ReplayOptions& options, const mcap::ByteSource& recording,
       playback_(clock_, termination, options.rate) {}
 
 int Replay::run() {
-  auto joined = wire::Participant::join("replay", options_.domain);
+  auto joined = wire::Participant::join(wire::kReplayName, options_.domain);
   if (!joined) return fail_replay(joined.error().message);
   participant_ = std::move(joined).value();
-  if (!options_.anyway && !is_free()) return 1;
-  std::cout << before_playing(options_.file, summary_, tracks_) << std::flush;
+  if (!may_begin()) return 1;
   if (playback_.has_keys())
     std::cout << "keys: space pauses, . steps, + and - change the rate, arrows go 10 s on and "
                  "back, Home to the start, q ends\n"
@@ -63,34 +63,56 @@ int Replay::run() {
   return damaged_ || summary_.recovered() ? kIncomplete : 0;
 }
 
-bool Replay::is_free() {
-  const wire::Discovery others(*participant_);
+/// Looks who is in the domain, and says it. Returns false if the replay must not begin.
+bool Replay::may_begin() {
+  others_ = std::make_unique<wire::Endpoints>(*participant_);
   if (!playback_.rest(clock_.now() + kAcquaintance)) return false;
-  const auto there = others.publications();
-  if (options_.clock_hz &&
-      std::ranges::find(there, wire::kClockTopic, &wire::Publication::topic) != there.end()) {
-    (void)fail_replay(
-        "another process tells the time on /clock in this DDS domain already; end it, leave out "
-        "--clock, or play all the same with --anyway");
-    return false;
+  const auto there = others_->known();
+  const auto same = namesakes(there, tracks_.played);
+  if (!options_.anyway) {
+    if (!clock_is_free(there)) return false;
+    if (!same.empty()) return (void)fail_replay(why_not_beside(same)), false;
   }
-  const auto names = live_namesakes(there, tracks_.played);
-  if (names.empty()) return true;
-  (void)fail_replay(listed(names) + (names.size() == 1 ? " is" : " are") +
-                    " live in this DDS domain, and a live robot and the recording would send under "
-                    "one name; end the live "
-                    "ones, use another domain (--domain), or play all the same with --anyway");
+  known_namesakes_.insert(same.live.begin(), same.live.end());
+  say_what_comes(there);
+  return true;
+}
+
+bool Replay::clock_is_free(const std::vector<wire::EndpointInfo>& there) const {
+  const bool is_told = std::ranges::any_of(there, [](const auto& endpoint) {
+    return endpoint.writes && endpoint.topic == wire::kClockTopic;
+  });
+  if (!options_.clock_hz || !is_told) return true;
+  (void)fail_replay(
+      "another process tells the time on /clock in this DDS domain already; end it, leave out "
+      "--clock, or play all the same with --anyway");
   return false;
 }
 
-/// Looks for monitors and tells the time, as long as the replay runs.
+void Replay::say_what_comes(const std::vector<wire::EndpointInfo>& there) const {
+  std::cout << before_playing(options_.file, summary_, tracks_)
+            << who_is_where(robots_of(tracks_of(summary_)), robots_of(tracks_), robots_in(there))
+            << std::flush;
+}
+
+/// Looks for monitors and for live robots, and tells the time, as long as the replay runs.
 void Replay::begin() {
   playback_.every(kLookEach, [this] {
     if (stage_) stage_->look();
+    warn_of_newcomers();
   });
   if (!options_.clock_hz) return;
   recorded_clock_ = std::make_unique<ClockWriter>(*participant_, wire::kClockTopic);
   playback_.every(from_seconds(1 / *options_.clock_hz), [this] { tell_clock(); });
+}
+
+/// A robot that comes to life later is nothing that the replay was asked about.
+void Replay::warn_of_newcomers() {
+  for (const auto& name : namesakes(others_->known(), tracks_.played).live)
+    if (known_namesakes_.insert(name).second)
+      std::cerr << "galilean-replay: " << visible(name)
+                << " has come to life in this DDS domain, and sends under one name with the "
+                   "recording now; end one of them\n";
 }
 
 /// Between two passes the time stands still.

@@ -3,10 +3,13 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "core/clock.h"
 #include "core/termination.h"
+#include "core/wire/endpoints.h"
 #include "core/wire/messages.h"
 #include "core/wire/participant.h"
 #include "core/wire/writer.h"
@@ -52,8 +55,11 @@ class Replay {
   };
   using ClockWriter = wire::Writer<msg::Clock>;
 
-  bool is_free();
+  bool may_begin();
+  bool clock_is_free(const std::vector<wire::EndpointInfo>& there) const;
+  void say_what_comes(const std::vector<wire::EndpointInfo>& there) const;
   void begin();
+  void warn_of_newcomers();
   bool pass();
   void play(Played& played);
   void tell_clock();
@@ -68,6 +74,8 @@ class Replay {
   SteadyClock clock_;
   Playback playback_;
   std::unique_ptr<wire::Participant> participant_;
+  std::unique_ptr<wire::Endpoints> others_;
+  std::set<std::string> known_namesakes_;        ///< live ones that were told of
   std::unique_ptr<Stage> stage_;                 ///< of this pass; nothing between two
   std::unique_ptr<ClockWriter> recorded_clock_;  ///< nothing: nobody asked for it
   const Player* player_ = nullptr;               ///< nothing: nothing is played now

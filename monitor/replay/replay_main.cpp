@@ -52,6 +52,10 @@ int main(int argc, char** argv) {
       .not_negative();
   app.option("--until", options.until_s, "Where to end, in seconds from the start of the recording")
       .positive();
+  app.option("--robots", options.choice.robots,
+             "Play only these robots, such as io,ganymede, beside others that are live; the score, "
+             "the map and simulations of the recording are left out")
+      .divided_by(',');
   app.option("--topic", options.choice.topics, "Play only these topics, such as io/state");
   app.options(
       "--remap",

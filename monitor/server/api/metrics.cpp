@@ -64,6 +64,8 @@ std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocke
   using R = RobotStatus;
   robot_metric(out, robots, "silent", "gauge", "1 while nothing is heard of it.",
                [](const R& robot) { return robot.health == Health::kSilent ? 1 : 0; });
+  robot_metric(out, robots, "replayed", "gauge", "1 while a recording plays it.",
+               [](const R& robot) { return robot.replayed ? 1 : 0; });
   robot_metric(out, robots, "age_seconds", "gauge", "Time since it was last heard.",
                [](const R& robot) { return robot.age_s; });
   robot_metric(out, robots, "tick_seconds", "gauge", "Duration of the last tick.",

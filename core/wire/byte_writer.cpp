@@ -39,7 +39,7 @@ constexpr auto kMakers =
              msg::PushProgress, msg::Catalog, msg::Command, msg::BreakOrder, msg::TeamStop,
              msg::Breaks, msg::ObjectMap, msg::Score, msg::SimulationOrder, msg::SimulationEvent,
              msg::SimulationState, msg::CompressedImage, msg::Odometry, msg::OccupancyGrid,
-             msg::TFMessage, msg::MarkerArray, msg::DiagnosticArray, msg::Log>();
+             msg::TFMessage, msg::MarkerArray, msg::DiagnosticArray, msg::Log, msg::Clock>();
 
 }  // namespace
 

@@ -11,6 +11,8 @@ namespace galilean::wire {
 
 /// The name with which the monitor joins the domain. Robots recognise the monitor by it.
 inline constexpr const char* kMonitorName = "monitor";
+/// The name with which a replay joins. Whatever it writes comes from a recording.
+inline constexpr const char* kReplayName = "replay";
 
 /// A process's membership in a DDS domain. It must be destroyed before `main` returns, because
 /// Cyclone's threads outlive exit handlers otherwise. Processes on one machine find one another

@@ -37,6 +37,7 @@ constexpr auto kDeliveries = std::to_array<std::pair<std::string_view, Delivery>
     {"galilean_msgs/msg/Forces", Delivery::kStream},
     {"galilean_msgs/msg/Sightings", Delivery::kStream},
     {"sensor_msgs/msg/CompressedImage", Delivery::kStream},
+    {"rosgraph_msgs/msg/Clock", Delivery::kStream},
 });
 
 constexpr dds_duration_t kMaxBlocking = DDS_MSECS(20);

@@ -25,5 +25,6 @@ inline constexpr const char* kSimulationStateTopic = "rt/simulation/state";
 inline constexpr const char* kTfTopic = "rt/tf";
 inline constexpr const char* kDiagnosticsTopic = "rt/diagnostics";
 inline constexpr const char* kLogTopic = "rt/rosout";
+inline constexpr const char* kClockTopic = "rt/clock";
 
 }  // namespace galilean::wire

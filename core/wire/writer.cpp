@@ -68,5 +68,6 @@ template class Writer<msg::TFMessage>;
 template class Writer<msg::MarkerArray>;
 template class Writer<msg::DiagnosticArray>;
 template class Writer<msg::Log>;
+template class Writer<msg::Clock>;
 
 }  // namespace galilean::wire

@@ -31,6 +31,7 @@ struct Message {
   std::int64_t received_ns;  ///< time since the Unix epoch, of this machine's clock
   std::int64_t sent_ns;      ///< time since the Unix epoch, of the writer's clock
   Payload cdr;               ///< the message in CDR, with the four-byte header
+  bool replayed = false;     ///< a replay sent it: it comes from a recording, and nobody is there
 };
 
 }  // namespace galilean::monitor

@@ -25,7 +25,22 @@ struct Ingest::Source {
   Channel channel;
   std::atomic<bool> has_data{false};
   std::unique_ptr<wire::Reader> reader;
+  std::map<std::uint64_t, bool> replays = {};  ///< by writer: whether a replay has it
+
+  [[nodiscard]] bool is_replayed(const wire::Received& received);
 };
+
+/// Asks discovery once for each writer, because that takes longer than all else here. A writer that
+/// has left already is asked for again.
+bool Ingest::Source::is_replayed(const wire::Received& received) {
+  constexpr std::size_t kMostWriters = 64;
+  if (const auto known = replays.find(received.writer); known != replays.end())
+    return known->second;
+  const auto sender = reader->sender(received);
+  if (!sender) return false;
+  if (replays.size() >= kMostWriters) replays.clear();
+  return replays[received.writer] = *sender == wire::kReplayName;
+}
 
 Ingest::Ingest(wire::Participant& participant, Callbacks callbacks, Wake wake,
                ReadAtOnce read_at_once)
@@ -61,7 +76,8 @@ void Ingest::poll() {
     source.reader->take([&](const wire::Received& received) {
       callbacks_.message({source.channel, wire::wall_clock_ns(), received.sent_ns,
                           std::make_shared<const std::vector<std::uint8_t>>(received.cdr.begin(),
-                                                                            received.cdr.end())});
+                                                                            received.cdr.end()),
+                          source.is_replayed(received)});
     });
   }
 }

@@ -20,6 +20,7 @@ class RecordingTime {
   /// Moves on to a message. One that is older than the newest before it changes nothing.
   void move_to(std::uint64_t log_ns) {
     const std::uint64_t before_ns = newest_ns_.value_or(log_ns);
+    if (!newest_ns_) first_ns_ = log_ns;
     newest_ns_ = std::max(before_ns, log_ns);
     if (log_ns <= before_ns) return;
     if (log_ns - before_ns > kLongestSilence_ns)
@@ -29,10 +30,22 @@ class RecordingTime {
   }
   /// Returns the time since the first message, without the silences.
   [[nodiscard]] std::uint64_t position_ns() const noexcept { return position_ns_; }
+  /// Returns the log time of a position [both ns]. The position of a silence is the silence's end.
+  /// Requires: it was moved to a message, and `position_ns` is at most position_ns().
+  [[nodiscard]] std::uint64_t log_ns_at(std::uint64_t position_ns) const noexcept {
+    std::uint64_t log_ns = first_ns_ + position_ns;
+    for (const auto& silence : silences_) {
+      if (log_ns < silence.start_ns) break;
+      log_ns += silence.end_ns - silence.start_ns;
+    }
+    return log_ns;
+  }
+  [[nodiscard]] bool has_begun() const noexcept { return newest_ns_.has_value(); }
   [[nodiscard]] const std::vector<TimeRange>& silences() const noexcept { return silences_; }
 
  private:
   std::optional<std::uint64_t> newest_ns_;
+  std::uint64_t first_ns_ = 0;
   std::uint64_t position_ns_ = 0;
   std::vector<TimeRange> silences_;
 };

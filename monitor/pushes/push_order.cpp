@@ -24,9 +24,10 @@ void add(const Robot& robot, bool is_named, const Team& team, OrderTargets& targ
     targets.silent.push_back(robot.name);
 }
 
-/// Returns whether a robot is out of service. Such a robot takes no program that is pushed to all.
-bool out_of_service(const Robot& robot) {
-  return robot.state && robot.state->out_of_service;
+/// Returns whether a robot takes a program that is pushed to all. One that is out of service does
+/// not, and where a recording plays a robot, nobody is there.
+bool takes_what_all_take(const Robot& robot, const Team& team) {
+  return !(robot.state && robot.state->out_of_service) && !team.replayed(robot);
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ std::vector<std::string> OrderTargets::names() const {
 OrderTargets targets_of(const std::vector<std::string>& named, const Team& team) {
   OrderTargets targets;
   for (const auto& [name, robot] : team.robots())
-    if (named.empty() ? !out_of_service(robot) : contains(named, name))
+    if (named.empty() ? takes_what_all_take(robot, team) : contains(named, name))
       add(robot, !named.empty(), team, targets);
   return targets;
 }
@@ -51,6 +52,10 @@ Result<void, Refusal> require_targets(const PushOrder& order, const OrderTargets
                                     [&](const auto& name) { return !team.find(name); });
   if (unknown != order.targets.rend())
     return not_found("There is no robot '" + *unknown + "'; " + known_robots(team) + ".");
+  for (const auto& name : order.targets)
+    if (team.replayed(*team.find(name)))
+      return conflict("A recording plays '" + name +
+                      "': the robot is not there, and takes no program.");
   if (!order.canary.empty() && !contains(targets.names(), order.canary))
     return conflict("The canary '" + order.canary +
                     "' is none of the robots that are to run the program, or it is silent; " +

@@ -52,10 +52,12 @@ struct OrderTargets {
 
   [[nodiscard]] std::vector<std::string> names() const;  ///< the names of `awaited`
 };
-/// Returns the robots with the names `named`; if it is empty, all that are not out of service.
+/// Returns the robots with the names `named`; if it is empty, all that are in service and that no
+/// recording plays.
 [[nodiscard]] OrderTargets targets_of(const std::vector<std::string>& named, const Team& team);
-/// Checks that the order has robots to go to. Errors: it names an unknown robot (kNotFound); no
-/// robot is awaited, or the canary is not one of the awaited robots (kConflict).
+/// Checks that the order has robots to go to. Errors: it names an unknown robot (kNotFound), or
+/// one that a recording plays (kConflict); no robot is awaited, or the canary is not one of the
+/// awaited robots (kConflict).
 [[nodiscard]] Result<void, Refusal> require_targets(const PushOrder& order,
                                                     const OrderTargets& targets, const Team& team);
 

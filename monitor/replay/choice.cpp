@@ -8,6 +8,7 @@
 
 #include "core/spelling.h"
 #include "core/visible_text.h"
+#include "monitor/replay/report.h"
 
 namespace galilean::monitor {
 namespace {
@@ -46,6 +47,45 @@ Result<std::string> find_played(const std::string& topic, const std::set<std::st
                (meant.empty() ? "" : "; did you mean '" + visible(meant) + "'?")};
 }
 
+Error unknown_robot(const std::string& robot, const std::set<std::string>& known) {
+  const std::vector<std::string_view> names(known.begin(), known.end());
+  const auto meant = meant_name(robot, names);
+  return {"no robot '" + visible(robot) + "' is in it" +
+          (!meant.empty()  ? "; did you mean '" + visible(meant) + "'?"
+           : known.empty() ? ""
+                           : "; there is " + listed({known.begin(), known.end()}))};
+}
+
+/// Leaves the topics that are named; all if none is.
+Result<void> leave_topics(const std::vector<std::string>& topics,
+                          const std::set<std::string>& known, Tracks& tracks) {
+  std::set<std::string> wanted;
+  for (const auto& topic : topics) {
+    const auto found = find_played(topic, known);
+    if (!found) return found.error();
+    wanted.insert(std::string(kDdsPrefix) + found.value());
+  }
+  if (!wanted.empty())
+    std::erase_if(tracks.played,
+                  [&](const auto& each) { return !wanted.contains(each.second.topic); });
+  return {};
+}
+
+/// Leaves what the robots sent that are named; what all sent if none is.
+Result<void> leave_robots(const std::vector<std::string>& robots,
+                          const std::set<std::string>& known, Tracks& tracks) {
+  if (robots.empty()) return {};
+  for (const auto& robot : robots)
+    if (!known.contains(robot)) return unknown_robot(robot, known);
+  std::erase_if(tracks.played, [&](const auto& each) {
+    return std::ranges::none_of(robots,
+                                [&](const auto& robot) { return is_of(each.second, robot); });
+  });
+  if (tracks.played.empty())
+    return Error{"no topic of " + listed(robots) + " is left to be played"};
+  return {};
+}
+
 }  // namespace
 
 Result<Choice::Renamed> read_renamed(const std::string& text) {
@@ -61,21 +101,15 @@ Result<Choice::Renamed> read_renamed(const std::string& text) {
 
 Result<void> choose(const Choice& choice, Tracks& tracks) {
   const auto known = names_of(tracks);
-  std::set<std::string> wanted;
-  for (const auto& topic : choice.topics) {
-    const auto found = find_played(topic, known);
-    if (!found) return found.error();
-    wanted.insert(std::string(kDdsPrefix) + found.value());
-  }
-  if (!wanted.empty())
-    std::erase_if(tracks.played,
-                  [&](const auto& each) { return !wanted.contains(each.second.topic); });
+  const auto robots = robots_of(tracks);
+  if (auto left = leave_topics(choice.topics, known, tracks); !left) return left;
   std::map<std::string, std::string> names;
   for (const auto& [topic, name] : choice.renamed) {
     const auto found = find_played(topic, known);
     if (!found) return found.error();
     names[std::string(kDdsPrefix) + found.value()] = std::string(kDdsPrefix) + name;
   }
+  if (auto left = leave_robots(choice.robots, robots, tracks); !left) return left;
   for (auto& [id, track] : tracks.played)
     if (const auto renamed = names.find(track.topic); renamed != names.end())
       track.topic = renamed->second;

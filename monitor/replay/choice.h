@@ -9,13 +9,17 @@
 
 namespace galilean::monitor {
 
-/// Which topics are played, and under which names.
+/// Which robots and topics are played, and under which names.
 struct Choice {
   /// A topic and the name under which it is played: "/io/state" and "/europa/state".
   struct Renamed {
     std::string topic, name;
   };
-  std::vector<std::string> topics;  ///< with or without the leading slash; none: all
+  /// Only what these sent; none: everybody. What several make together, such as the score, is left
+  /// out.
+  std::vector<std::string> robots;
+  std::vector<std::string>
+      topics;  ///< of these robots; with or without the leading slash; none: all
   std::vector<Renamed> renamed;
 };
 
@@ -24,8 +28,8 @@ struct Choice {
 [[nodiscard]] Result<Choice::Renamed> read_renamed(const std::string& text);
 
 /// Leaves of the tracks what was chosen, under the names that were chosen.
-/// Errors: a topic is not among those that can be played; the message says what may have been
-/// meant.
+/// Errors: a robot or a topic is not among those that can be played; the message says what may have
+/// been meant. Or nothing is left.
 [[nodiscard]] Result<void> choose(const Choice& choice, Tracks& tracks);
 
 }  // namespace galilean::monitor

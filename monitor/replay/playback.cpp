@@ -9,14 +9,18 @@
 namespace galilean::monitor {
 namespace {
 
-constexpr Duration kLookEach = std::chrono::milliseconds(500);
+constexpr Duration kLongestSleep = std::chrono::milliseconds(500);
 constexpr Duration kJump = std::chrono::seconds(10);
 
 }  // namespace
 
-bool Playback::rest(Time due, const Look& look) {
+void Playback::every(Duration period, std::function<void()> call) {
+  regular_.push_back({period, std::move(call), real_.now()});
+}
+
+bool Playback::rest(Time due) {
   while (!termination_.asked()) {
-    look_now_and_then(look);
+    call_what_is_due();
     const Time now = real_.now();
     if (now >= due) return true;
     sleep(due - now);
@@ -24,14 +28,14 @@ bool Playback::rest(Time due, const Look& look) {
   return false;
 }
 
-bool Playback::until(Time due, Duration position, const Look& look) {
+bool Playback::until(Time due, Duration position) {
   while (!termination_.asked()) {
-    look_now_and_then(look);
+    call_what_is_due();
     for (const auto key : keys_in(keys_.read())) obey(key, due, position);
     if (ended_ || target_) return false;
     const auto left = clock_.real_until(due);
     if (left && *left <= Duration{}) return true;
-    sleep(left.value_or(kLookEach));
+    sleep(left.value_or(kLongestSleep));
   }
   return false;
 }
@@ -72,14 +76,20 @@ void Playback::tell(Duration position) const {
                clock_.paused() ? ", paused" : "");
 }
 
-void Playback::look_now_and_then(const Look& look) {
-  if (!look || real_.now() < next_look_) return;
-  look();
-  next_look_ = real_.now() + kLookEach;
+void Playback::call_what_is_due() {
+  for (auto& regular : regular_) {
+    const Time now = real_.now();
+    if (now < regular.next) continue;
+    regular.call();
+    // A call that was missed is not made up for.
+    regular.next = std::max(regular.next + regular.period, now);
+  }
 }
 
 void Playback::sleep(Duration most) const {
-  const auto wait = std::min(most, kLookEach);
+  auto wait = std::min(most, kLongestSleep);
+  for (const auto& regular : regular_) wait = std::min(wait, regular.next - real_.now());
+  wait = std::max(wait, Duration{});
   const timespec time{wait.count() / 1'000'000'000, wait.count() % 1'000'000'000};
   pollfd events[] = {{termination_.descriptor(), POLLIN, 0}, {keys_.descriptor(), POLLIN, 0}};
   ppoll(events, 2, &time, nullptr);

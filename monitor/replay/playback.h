@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/key_terminal.h"
 #include "core/termination.h"
@@ -16,9 +17,6 @@ namespace galilean::monitor {
 /// another place by keys. For use by one thread.
 class Playback {
  public:
-  /// What is called about every half second while it waits; may be empty.
-  using Look = std::function<void()>;
-
   static constexpr double kLeastRate = 0.01, kMostRate = 100;
 
   /// Requires: `real` and `termination` outlive this.
@@ -29,20 +27,30 @@ class Playback {
   [[nodiscard]] const Clock& clock() const noexcept { return clock_; }
   [[nodiscard]] bool has_keys() const noexcept { return keys_.is_there(); }
 
+  /// Calls `call` each `period` of real time while it waits, also while the replay is paused.
+  /// Requires: `period` is above 0.
+  void every(Duration period, std::function<void()> call);
+
   /// Waits until `due` by the real clock. Returns false if the replay has to end.
-  [[nodiscard]] bool rest(Time due, const Look& look = {});
+  [[nodiscard]] bool rest(Time due);
   /// Waits until `due` by the replay's clock. `position` is where it is in the recording. Returns
   /// false if the replay has to end, or to go on at another place: see `take_target`.
-  [[nodiscard]] bool until(Time due, Duration position, const Look& look);
+  [[nodiscard]] bool until(Time due, Duration position);
   /// Returns where in the recording the replay has to go on; nothing if it has to end.
   [[nodiscard]] std::optional<Duration> take_target() noexcept {
     return std::exchange(target_, std::nullopt);
   }
 
  private:
+  struct Regular {
+    Duration period;
+    std::function<void()> call;
+    Time next;
+  };
+
   void obey(ReplayKey key, Time due, Duration position);
   void tell(Duration position) const;
-  void look_now_and_then(const Look& look);
+  void call_what_is_due();
   void sleep(Duration most) const;
 
   const Clock& real_;
@@ -51,7 +59,7 @@ class Playback {
   KeyTerminal keys_;
   std::optional<Duration> target_;
   bool ended_ = false;
-  Time next_look_{};
+  std::vector<Regular> regular_;
 };
 
 }  // namespace galilean::monitor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/replay/player.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "monitor/mcap/message_reader.h"
@@ -43,6 +44,14 @@ void Player::tell_kept() {
 void Player::send(std::uint16_t channel, mcap::ByteView cdr) {
   send_(channel, cdr);
   ++sent_;
+}
+
+std::optional<std::uint64_t> Player::log_now_ns() const {
+  if (!time_.has_begun()) return std::nullopt;
+  const auto played_ns = static_cast<double>((clock_.now() - began_).count()) * pace_.rate;
+  const auto position_ns = static_cast<std::uint64_t>(
+      std::max(0.0, static_cast<double>(pace_.from.count()) + played_ns));
+  return time_.log_ns_at(std::min(position_ns, time_.position_ns()));
 }
 
 Time Player::due() const {

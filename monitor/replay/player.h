@@ -43,6 +43,9 @@ class Player {
   [[nodiscard]] Duration position() const noexcept {
     return Duration(static_cast<Duration::rep>(time_.position_ns()));
   }
+  /// Returns which time of the recording it is now [log time, ns since the Unix epoch], which goes
+  /// on between messages but not beyond the next one. Returns nothing before the first message.
+  [[nodiscard]] std::optional<std::uint64_t> log_now_ns() const;
   /// Returns the silences that were passed over.
   [[nodiscard]] const std::vector<mcap::TimeRange>& silences() const noexcept {
     return time_.silences();

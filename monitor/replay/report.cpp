@@ -30,10 +30,39 @@ std::string before_playing(const std::string& path, const mcap::Summary& summary
       << " s, from " << iso_time(summary.statistics.start_ns) << '\n';
   if (!tracks.commands.empty())
     out << "not played: " << listed(tracks.commands) << "; a replay gives robots no commands\n";
+  if (tracks.has_other_clock) out << "not played: /clock; --clock tells the time instead\n";
   if (!tracks.foreign.empty())
     out << "not played: " << listed(tracks.foreign)
         << "; this release does not know their types, or defines them otherwise\n";
   return out.str();
+}
+
+std::string who_is_where(const std::set<std::string>& recorded, const std::set<std::string>& played,
+                         const Neighbours& there) {
+  std::vector<std::string> left_out;
+  std::ranges::set_difference(recorded, played, std::back_inserter(left_out));
+  const auto line = [](const char* what, const std::vector<std::string>& names) {
+    return what + (names.empty() ? "none" : listed(names)) + '\n';
+  };
+  return line("robots from the recording: ", {played.begin(), played.end()}) +
+         (left_out.empty() ? "" : line("robots left out of it: ", left_out)) +
+         line("live robots in this domain: ", there.live) +
+         (there.played.empty() ? "" : line("robots of another replay: ", there.played));
+}
+
+std::string why_not_beside(const Neighbours& namesakes) {
+  const auto are = [](const std::vector<std::string>& names) {
+    return listed(names) + (names.size() == 1 ? " is" : " are");
+  };
+  if (!namesakes.live.empty())
+    return are(namesakes.live) +
+           " live in this DDS domain, and a live robot and the recording would send under one "
+           "name; end the live ones, play other robots (--robots), use another domain (--domain), "
+           "or play all the same with --anyway";
+  return are(namesakes.played) +
+         " played by another replay in this DDS domain, and both would send under one name; end "
+         "the other one, play other robots (--robots), use another domain (--domain), or play all "
+         "the same with --anyway";
 }
 
 std::vector<mcap::Damage> newly_met(const std::vector<mcap::Damage>& met,

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
+#include <cstdint>
+#include <map>
+#include <span>
 #include <string>
 #include <tuple>
-#include <vector>
 
 #include "core/wire/byte_writer.h"
-#include "core/wire/discovery.h"
 #include "core/wire/graph.h"
 #include "monitor/replay/tracks.h"
 
@@ -42,12 +42,5 @@ class Stage {
   std::map<WriterKey, wire::ByteWriter> writers_;
   std::uint64_t lost_ = 0;
 };
-
-/// Returns the names of robots, and of the referee, that write the recording's topics live in the
-/// domain, sorted. A replay would mix its messages with theirs.
-/// Requires: there is no Stage in this process, because its writers would count as live.
-[[nodiscard]] std::vector<std::string> live_namesakes(
-    const std::vector<wire::Publication>& publications,
-    const std::map<std::uint16_t, Track>& tracks);
 
 }  // namespace galilean::monitor

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/wire/messages.h"
 #include "core/wire/topic_names.h"
 #include "monitor/playback/known_type.h"
 #include "monitor/record/channel_metadata.h"
@@ -60,6 +61,28 @@ Tracks tracks_of(const mcap::Summary& summary) {
   name_once(tracks.commands);
   name_once(tracks.foreign);
   return tracks;
+}
+
+std::string owner_of(const std::string& topic) {
+  const auto name = topic.substr(topic.find('/') + 1);
+  return name.substr(0, name.find('/'));
+}
+
+std::set<std::string> robots_of(const Tracks& tracks) {
+  std::set<std::string> robots;
+  for (const auto& [id, track] : tracks.played)
+    if (track.ros_type == msg::RobotState::kRosType) robots.insert(owner_of(track.topic));
+  return robots;
+}
+
+bool is_of(const Track& track, const std::string& robot) {
+  return is_shared(track) ? track.sender == robot : owner_of(track.topic) == robot;
+}
+
+void leave_out_clock(Tracks& tracks) {
+  tracks.has_other_clock = std::erase_if(tracks.played, [](const auto& each) {
+                             return each.second.topic == wire::kClockTopic;
+                           }) > 0;
 }
 
 std::size_t topics_played(const Tracks& tracks) {

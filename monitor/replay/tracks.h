@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct Track {
 struct Tracks {
   std::map<std::uint16_t, Track> played;  ///< by channel id
   std::vector<std::string> commands;      ///< orders to robots, which are never sent again
+  bool has_other_clock = false;           ///< a recorded /clock, which is left out
   std::vector<std::string> foreign;       ///< topics whose type this release does not know, or
                                           ///< defines otherwise
   /// What the ticks of robots read, by channel id. It is run again and not sent again.
@@ -35,6 +37,14 @@ struct Tracks {
 /// Sorts a recording's channels into the four kinds. What the recorder tells of itself is in none.
 [[nodiscard]] Tracks tracks_of(const mcap::Summary& summary);
 
+/// Takes a recorded /clock out of what is sent again, because the replay tells the time itself.
+void leave_out_clock(Tracks& tracks);
+/// Returns the name before a topic's second slash: "io" for "rt/io/state".
+[[nodiscard]] std::string owner_of(const std::string& topic);
+/// Returns the names of the robots among what is sent again: those that tell their state.
+[[nodiscard]] std::set<std::string> robots_of(const Tracks& tracks);
+/// Returns whether the message is one of this robot: on a topic of its own, or on a shared one.
+[[nodiscard]] bool is_of(const Track& track, const std::string& robot);
 /// Returns the number of topics that are sent again. Each writer of a topic has a channel.
 [[nodiscard]] std::size_t topics_played(const Tracks& tracks);
 /// Returns whether a monitor makes the topic from the robots' messages.

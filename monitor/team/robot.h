@@ -21,7 +21,8 @@ struct Robot {
   static constexpr std::size_t kTransitionsKept = 64;
 
   std::string name;
-  Time heard{};  ///< when its last message came
+  Time heard{};                      ///< when its last message came
+  std::optional<Time> replay_heard;  ///< when the last one that a replay sent came
   std::optional<msg::RobotState> state;
   Time state_received{};
   std::optional<msg::Program> program;
@@ -43,6 +44,7 @@ enum class Health {
 /// One robot at one instant, ready for display.
 struct RobotStatus {
   std::string name;
+  bool replayed = false;  ///< a recording plays it, as far as is known: it is not there
   Health health = Health::kWell;
   double age_s = 0;        ///< time since its last message
   bool has_state = false;  ///< it has sent its state; without, nothing is known up to `overruns`

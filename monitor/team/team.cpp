@@ -13,6 +13,8 @@ bool note_as(Team& team, const Message& message) {
   M decoded;
   if (!msg::decode_cdr(*message.cdr, decoded)) return false;
   team.note(decoded);
+  if constexpr (requires { decoded.robot; })
+    if (message.replayed) team.note_replay(decoded.robot);
   return true;
 }
 
@@ -115,10 +117,30 @@ bool Team::silent(const Robot& robot) const noexcept {
   return clock_.now() - robot.heard > silent_after_;
 }
 
-std::string Team::program_hash() const {
+// When a replay has ended nothing is heard any more, so that the robot stays a recorded one until
+// it comes to life.
+bool Team::replayed(const Robot& robot) const noexcept {
+  return robot.replay_heard && robot.heard - *robot.replay_heard <= silent_after_;
+}
+
+std::vector<std::string> Team::replayed() const {
+  std::vector<std::string> names;
+  for (const auto& [name, robot] : robots_)
+    if (replayed(robot)) names.push_back(name);
+  return names;
+}
+
+std::map<std::string, int> Team::votes(bool of_recordings) const {
   std::map<std::string, int> votes;
   for (const auto& [name, robot] : robots_)
-    if (robot.state && !robot.state->program_hash.empty()) ++votes[robot.state->program_hash];
+    if (robot.state && !robot.state->program_hash.empty() && replayed(robot) == of_recordings)
+      ++votes[robot.state->program_hash];
+  return votes;
+}
+
+std::string Team::program_hash() const {
+  auto votes = this->votes(false);
+  if (votes.empty()) votes = this->votes(true);
   if (votes.contains(pushed_hash_)) return pushed_hash_;
   const auto most = std::max_element(
       votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });

@@ -40,6 +40,8 @@ class Team {
   /// Adds the robots that a monitor knows and that have sent nothing here. They are as old as it
   /// tells, and have no state.
   void note(const msg::ObjectMap& map);
+  /// Notes that a replay sent a message of the robot, which was noted.
+  void note_replay(const std::string& robot) { robots_[robot].replay_heard = clock_.now(); }
   /// Notes the hash of a program that was pushed to the whole team.
   void note_push(const std::string& hash) { pushed_hash_ = hash; }
 
@@ -59,10 +61,14 @@ class Team {
   [[nodiscard]] RobotStatus status(const Robot& robot) const;
   [[nodiscard]] std::vector<RobotStatus> statuses() const;
   [[nodiscard]] bool silent(const Robot& robot) const noexcept;
+  /// Returns whether what was heard of the robot lately came from a recording, all of it or a part.
+  [[nodiscard]] bool replayed(const Robot& robot) const noexcept;
+  /// Returns the names of the robots that are replayed, in their order.
+  [[nodiscard]] std::vector<std::string> replayed() const;
   [[nodiscard]] double age_s(const Robot& robot) const noexcept;
   /// Returns the hash of the program that the team should run: the last one that was pushed to all,
-  /// if any robot runs it, else the one that most robots run. Returns an empty string while no
-  /// robot's program is known.
+  /// if any robot runs it, else the one that most robots run. Robots that a recording plays count
+  /// where there are no others. Returns an empty string while no robot's program is known.
   [[nodiscard]] std::string program_hash() const;
   /// Returns the present certainty of one of the robot's variables, from 0 to 1.
   [[nodiscard]] double certainty_now(const Robot& robot, const msg::Variable& variable) const {
@@ -75,6 +81,9 @@ class Team {
 
  private:
   Robot& hear(const std::string& robot);
+  /// Returns how many robots run each program, by its hash: those that a recording plays, or the
+  /// others.
+  [[nodiscard]] std::map<std::string, int> votes(bool of_recordings) const;
 
   const Clock& clock_;
   Duration silent_after_;

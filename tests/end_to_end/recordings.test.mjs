@@ -251,7 +251,9 @@ describe('a folder of recordings', () => {
     assert.match((await refusedReplay('gone.mcap')).status, /There is no recording 'gone\.mcap' here/);
   });
 
-  test('plays to eight viewers at once, and refuses a ninth', async (t) => {
+  const replays = async () => Number(/^galilean_replays (\d+)$/m.exec(await (await fetch(`${url}/metrics`)).text())[1]);
+
+  test('plays to eight viewers at once, counts them, and refuses a ninth', async (t) => {
     const eight = [];
     await eventually(async () => {  // those of the tests before may still be leaving
       for (const viewer of eight.splice(0)) viewer.leave();
@@ -261,7 +263,9 @@ describe('a folder of recordings', () => {
     });
     const ninth = await refusedReplay('run.mcap');
     assert.match(ninth.status, /^8 replays run already/);
+    assert.equal(await replays(), 8);
     eight[0].leave();
+    await eventually(async () => (await replays()) === 7);
     await eventually(async () => {
       const again = await replay(t, url, 'run.mcap');
       return (await again.first).op === 'serverInfo';

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';
 import { McapIndexedReader, unzstd } from '../logs/tools.mjs';
-import { eventually, freshDomain, galilean, getJson, Running, scratchFolder, startTeam } from './tools.mjs';
+import { eventually, freshDomain, galilean, getJson, programs, Running, scratchFolder, startTeam } from './tools.mjs';
 
 const decompressHandlers = { zstd: (bytes, size) => unzstd(bytes, new Uint8Array(Number(size))) };
 
@@ -90,6 +90,79 @@ describe('a recorded team', () => {
     assert.equal(listener.status, / lost \d+ of /.test(listener.stderr) ? 3 : 0, listener.stderr);
     const { '/team/objects': maps } = await messagesOf(`${cwd}/monitored.mcap`);
     assert.ok(maps.length <= 12, `${maps.length} maps in 2 s: two draw them`);
+  });
+
+  test('plays two of its robots beside one that is live, and nobody takes them for live', async (t) => {
+    const { domain, url, link } = await startTeam(t, ['--robots', '1']);
+    const robots = async () => (await getJson(`${url}/api/status`)).robots;
+    const [{ name: live }] = await eventually(async () => { const all = await robots(); return all.length === 1 && all[0].state && all; });
+    const names = ['callisto', 'ganymede', 'io'];
+    const played = names.filter((name) => name !== live);
+    assert.equal(played.length, 2, live);
+
+    const refused = said(['run.mcap', '--robots', live], { domain });
+    assert.equal(refused.status, 1);
+    assert.ok(refused.stderr.startsWith(`galilean-replay: ${live} is live in this DDS domain`), refused.stderr);
+    const unknown = said(['run.mcap', '--robots', 'ganimede'], { domain });
+    assert.match(unknown.stderr, /no robot 'ganimede' is in it; did you mean 'ganymede'\?/);
+
+    const replay = new Running(t, ['replay', `${cwd}/run.mcap`, '--robots', played.join(','), '--loop'], { domain, cwd });
+    await replay.line(/live robots in this domain: .*\n/);
+    assert.ok(replay.output.includes(`robots from the recording: ${played.join(' and ')}\nrobots left out of it: ${live}\nlive robots in this domain: ${live}\n`), replay.output);
+
+    const together = await eventually(async () => {
+      const all = await robots();
+      return all.length === 3 && all.every(({ state, silent }) => state && !silent) && all;
+    });
+    assert.deepEqual(together.map(({ name, replayed }) => [name, replayed]), names.map((name) => [name, played.includes(name)]));
+    const metrics = await (await fetch(`${url}/metrics`)).text();
+    for (const name of names) assert.match(metrics, new RegExp(`^galilean_robot_replayed\\{robot="${name}"\\} ${Number(played.includes(name))}$`, 'm'));
+
+    const json = (...args) => JSON.parse(galilean([...args, '--json'], { domain }).stdout);
+    const topics = Object.fromEntries(json('list').map((each) => [each.topic, each]));
+    for (const topic of [...names.map((name) => `/${name}/state`), '/referee/score', '/simulation/state']) assert.equal(topics[topic]?.writers, 1, topic);
+    const writes = json('graph').find(({ participant }) => participant === 'replay').writes;
+    assert.ok(played.every((name) => writes.includes(`/${name}/state`)), writes.join(' '));
+    assert.ok(!writes.some((topic) => topic.startsWith(`/${live}/`) || /^\/(team|referee|simulation)\//.test(topic)), writes.join(' '));
+
+    const picture = galilean(['top', '--once'], { domain }).stdout;
+    for (const name of names)
+      assert.equal(new RegExp(`${name} +replay: `).test(picture), played.includes(name), picture);
+
+    const [, token] = link.split('token=');
+    const push = (targets) => fetch(`${url}/api/push`, {
+      method: 'POST', headers: { authorization: `Bearer ${token}` },
+      body: JSON.stringify({ files: [{ path: 'office_cleanup.bhdl', text: readFileSync(`${programs}/office_cleanup.bhdl`, 'utf8') }], targets }),
+    });
+    const toPlayed = await push([played[0]]);
+    assert.equal(toPlayed.status, 409);
+    assert.match((await toPlayed.json()).detail, new RegExp(`^A recording plays '${played[0]}': the robot is not there`));
+
+    await replay.stop();
+    const after = await eventually(async () => { const all = await robots(); return all.filter(({ silent }) => silent).length === 2 && all; });
+    assert.deepEqual(after.map(({ name, replayed }) => [name, replayed]), names.map((name) => [name, played.includes(name)]), 'who was played is no live robot that has fallen silent');
+  });
+
+  test('tells its time on /clock, as fast as it is played, and only where nobody else does', async (t) => {
+    const domain = freshDomain();
+    const told = (...args) => {
+      const { status, stdout, stderr } = galilean(['echo', '/clock', '--json', ...args], { domain });
+      assert.equal(status, 0, stderr);
+      return stdout.trim().split('\n').map((line) => JSON.parse(line)).map(({ clock: { sec, nanosec } }) => sec + nanosec * 1e-9);
+    };
+    const replay = new Running(t, ['replay', `${cwd}/run.mcap`, '--clock', '20', '--rate', '0.5', '--loop'], { domain, cwd });
+    await replay.line(/keys|topics/);
+    const { start_ns, end_ns } = JSON.parse(galilean(['log', 'info', `${cwd}/run.mcap`, '--json'], { cwd }).stdout);
+    const times = told('--count', '20');
+    assert.ok(times.every((at) => at >= Number(start_ns) * 1e-9 - 0.001 && at <= Number(end_ns) * 1e-9 + 0.001), `${times} of ${start_ns} to ${end_ns}`);
+    const steps = times.slice(1).map((at, i) => at - times[i]).sort((a, b) => a - b);
+    assert.ok(Math.abs(steps[9] - 0.025) < 0.01, `half a 20th of a second is a step of it: ${steps}`);
+
+    const second = said(['run.mcap', '--clock', '20'], { domain });
+    assert.equal(second.status, 1);
+    assert.match(second.stderr, /another process tells the time on \/clock in this DDS domain already/);
+    const wrong = said(['run.mcap', '--clock', '0'], { domain });
+    assert.equal(wrong.status, 2);
   });
 
   test('is played as far as it is whole, and says so', () => {

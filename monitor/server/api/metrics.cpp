@@ -64,6 +64,8 @@ std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocke
   using R = RobotStatus;
   robot_metric(out, robots, "silent", "gauge", "1 while nothing is heard of it.",
                [](const R& robot) { return robot.health == Health::kSilent ? 1 : 0; });
+  robot_metric(out, robots, "replayed", "gauge", "1 while a recording plays it.",
+               [](const R& robot) { return robot.replayed ? 1 : 0; });
   robot_metric(out, robots, "age_seconds", "gauge", "Time since it was last heard.",
                [](const R& robot) { return robot.age_s; });
   robot_metric(out, robots, "tick_seconds", "gauge", "Duration of the last tick.",
@@ -87,6 +89,7 @@ std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocke
          "Frames that a newer one replaced before a slow client took them.", websocket.superseded);
   metric(out, "galilean_websocket_dismissed_total", "counter", "Clients closed for being too slow.",
          websocket.dismissed);
+  metric(out, "galilean_replays", "gauge", "Recordings that are played to a viewer.", http.replays);
   metric(out, "galilean_http_connections", "gauge", "Connections open.", http.connections);
   metric(out, "galilean_http_requests_total", "counter", "Requests.", http.requests);
   metric(out, "galilean_http_refused_total", "counter", "Requests with a wrong Host or Origin.",

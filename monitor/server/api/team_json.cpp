@@ -69,6 +69,7 @@ nlohmann::json breaks_json(const Team& team, const Robot& robot) {
 
 nlohmann::json to_json(const RobotStatus& status) {
   return {{"name", status.name},
+          {"replayed", status.replayed},
           {"health", to_string(status.health)},
           {"silent", status.health == Health::kSilent},
           {"age_s", status.age_s},

@@ -7,7 +7,8 @@ constexpr std::string_view kHeld = ".held";
 }
 
 foxglove::ParameterValues team_parameters(const Team& team) {
-  foxglove::ParameterValues values{{"/team.program_hash", team.program_hash()}};
+  foxglove::ParameterValues values{{"/team.program_hash", team.program_hash()},
+                                   {"/team.replayed", team.replayed()}};
   for (const auto& robot : team.statuses()) {
     const auto prefix = "/" + robot.name + ".";
     values[prefix + "held"] = robot.held;

@@ -7,7 +7,8 @@
 namespace galilean::monitor {
 
 /// Returns the team as Foxglove's parameters: each robot's /NAME.held, which clients can set, the
-/// name and hash of each robot's program, and the hash of the team's program.
+/// name and hash of each robot's program, the hash of the team's program, and the names of the
+/// robots that a recording plays.
 [[nodiscard]] foxglove::ParameterValues team_parameters(const Team& team);
 
 /// Holds or resumes a robot whose /NAME.held is set.

@@ -42,6 +42,12 @@ void HttpServer::close() {
   acceptor_.close(ignored);
 }
 
+HttpServer::Counts HttpServer::counts() const {
+  Counts counts = context_->counts;
+  counts.replays = context_->replay.playbacks.running();
+  return counts;
+}
+
 void HttpServer::accept() {
   acceptor_.async_accept([this](error_code error, tcp::socket socket) {
     if (error == boost::asio::error::operation_aborted) return;

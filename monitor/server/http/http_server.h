@@ -30,6 +30,7 @@ class HttpServer {
     std::size_t connections = 0;  ///< open HTTP connections
     std::uint64_t requests = 0;
     std::uint64_t refused = 0;  ///< requests that the guard refused
+    std::size_t replays = 0;    ///< recordings that are played to a viewer now
   };
   /// The objects that all sessions share. They live as long as the server or one of the sessions.
   struct ServerContext {
@@ -52,7 +53,7 @@ class HttpServer {
   [[nodiscard]] Result<std::uint16_t> listen(const std::string& address, std::uint16_t port);
   /// Accepts no more connections. Those that are open stay.
   void close();
-  [[nodiscard]] const Counts& counts() const noexcept { return context_->counts; }
+  [[nodiscard]] Counts counts() const;
 
  private:
   void accept();

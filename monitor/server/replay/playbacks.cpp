@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/replay/playbacks.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "monitor/background/guarded.h"
@@ -22,6 +23,11 @@ bool Playbacks::begin(std::shared_ptr<PlaybackLine> line, std::function<void(Pla
   });
   running_.push_back({std::move(thread), std::move(line), std::move(over)});
   return true;
+}
+
+std::size_t Playbacks::running() const noexcept {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(running_, [](const Running& each) { return !*each.over; }));
 }
 
 void Playbacks::forget_what_is_over() {

@@ -26,6 +26,8 @@ class Playbacks {
   /// told.
   [[nodiscard]] bool begin(std::shared_ptr<PlaybackLine> line,
                            std::function<void(PlaybackLine&)> play);
+  /// Returns how many run now.
+  [[nodiscard]] std::size_t running() const noexcept;
   /// Ends all, and waits for it. Call it before the objects that they use are destroyed.
   void finish();
 

@@ -9,7 +9,8 @@ namespace {
 std::vector<const Robot*> reached(const Team& team, const std::string& name) {
   std::vector<const Robot*> robots;
   for (const auto& [each, robot] : team.robots()) {
-    const bool serves = robot.state && !robot.state->out_of_service && !team.silent(robot);
+    const bool serves =
+        robot.state && !robot.state->out_of_service && !team.silent(robot) && !team.replayed(robot);
     if (name.empty() ? serves : each == name) robots.push_back(&robot);
   }
   return robots;

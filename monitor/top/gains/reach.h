@@ -17,7 +17,8 @@ struct Reach {
 };
 
 /// Returns the reach of one robot, or of the team if `robot` is empty: of the team those that are
-/// in service and heard, because nobody knows what a silent robot runs.
+/// in service and heard, and not played by a recording, because nobody knows what a silent robot
+/// runs.
 [[nodiscard]] Reach reach_of(const Team& team, const std::string& robot);
 
 }  // namespace galilean::monitor::top

@@ -27,7 +27,7 @@ void History::note(const Message& message) {
   auto& samples = at->second.samples;
   const Time now = clock_.now();
   if (!samples.empty() && now - samples.back().received < least_distance(message.channel)) return;
-  samples.push_back({now, message.received_ns, message.sent_ns, message.cdr});
+  samples.push_back({now, message.received_ns, message.sent_ns, message.cdr, message.replayed});
   if (is_event(message.channel)) {
     if (samples.size() > kEventsKept) samples.pop_front();
     return;

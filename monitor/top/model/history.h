@@ -23,6 +23,7 @@ class History {
     Time received;
     std::int64_t received_ns, sent_ns;
     Payload cdr;
+    bool replayed = false;
   };
   struct Track {
     Channel channel;

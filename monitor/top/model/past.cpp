@@ -17,7 +17,7 @@ Past::Past(const History& history, Time instant) {
   std::ranges::stable_sort(samples, {}, [](const auto& each) { return each.second.received; });
   for (const auto& [channel, sample] : samples) {
     clock_.advance(sample.received - clock_.now());
-    model_.receive({*channel, sample.received_ns, sample.sent_ns, sample.cdr});
+    model_.receive({*channel, sample.received_ns, sample.sent_ns, sample.cdr, sample.replayed});
   }
   clock_.advance(instant - clock_.now());
 }

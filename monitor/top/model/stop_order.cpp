@@ -27,7 +27,7 @@ StopProgress StopOrder::progress(const Team& team, Time now) const {
   StopProgress progress;
   const double since_order_s = to_seconds(now - ordered_);
   for (const auto& [name, robot] : team.robots()) {
-    if (released_.contains(name)) continue;
+    if (released_.contains(name) || team.replayed(robot)) continue;  // nobody could stop
     const bool answers = is_answered_by(robot);
     if (confirmed_.contains(name) || is_confirmed_by(robot))
       progress.stopped.push_back(name);

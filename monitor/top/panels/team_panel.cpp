@@ -78,7 +78,7 @@ void draw_robot(const ShownRobot& robot, bool chosen, int row, int width, Canvas
   const bool silent = status.health == Health::kSilent;
   canvas.put(row, 2, robot.letter, silent ? Style::kDim : robot_style(robot.number), kLetters);
   canvas.put(row, at.name, status.name, chosen ? Style::kBold : style, at.state - at.name - 1);
-  canvas.put(row, at.state, status.state + flags(robot),
+  canvas.put(row, at.state, (status.replayed ? "replay: " : "") + status.state + flags(robot),
              status.held || robot.waits ? Style::kWarning : style, at.for_s - at.state - 1);
   canvas.put_right(row, at.program - 1,
                    status.has_state ? one_decimal(status.in_state_s, "s") : kNotKnown, style);

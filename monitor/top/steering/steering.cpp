@@ -78,7 +78,7 @@ void Steering::order_breaks(const std::string& robot, const std::string& order,
 std::vector<std::string> Steering::heard() const {
   std::vector<std::string> names;
   for (const auto& [name, robot] : model_.team().robots())
-    if (!model_.team().silent(robot)) names.push_back(name);
+    if (!model_.team().silent(robot) && !model_.team().replayed(robot)) names.push_back(name);
   return names;
 }
 

@@ -44,7 +44,7 @@ class Steering {
 
  private:
   void tell_stop_again();
-  /// Returns the robots that are heard.
+  /// Returns the robots that are heard and that no recording plays.
   [[nodiscard]] std::vector<std::string> heard() const;
   /// Takes those that are resumed out of the order to stop.
   void end_stop_of(const std::string& robot, bool of_all);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "monitor/mcap/mcap_writer.h"
+#include "monitor/playback/replay_clock.h"
 #include "tests/monitor/record/faulty_disk.h"
 
 namespace galilean::monitor {
@@ -163,6 +164,77 @@ TEST(Player, LeavesOutWhatIsNotAskedFor) {
 TEST(Player, EndsWhereItIsTold) {
   const auto file = recording_of(5);
   EXPECT_EQ(played(file.bytes(), {}, kAll, 0.95).size(), 30u);
+}
+
+/// Plays with a step of the clock of a quarter of a second. Returns what time of the recording it
+/// was at each, in seconds since its start.
+std::vector<double> times_told(mcap::ByteView file, Pace pace) {
+  constexpr auto kStep = std::chrono::milliseconds(250);
+  SteppedClock clock;
+  std::vector<double> told;
+  Player player(
+      kAll, pace, clock, [](std::uint16_t, mcap::ByteView) {},
+      [&](Time due) {
+        while (clock.now() < due) {
+          told.push_back(static_cast<double>(*player.log_now_ns() - kStart_ns) / 1e9);
+          clock.advance(kStep);
+        }
+        return true;
+      });
+  EXPECT_FALSE(player.log_now_ns());
+  const mcap::MemorySource source(file);
+  (void)player.play(source, mcap::summarize(source).value().blocks);
+  return told;
+}
+
+using Told = std::vector<double>;
+
+TEST(Player, TellsTheTimeOfTheRecordingBetweenMessages) {
+  const auto file = recording_at({0, 1000});
+  EXPECT_EQ(times_told(file.bytes(), {}), (Told{0, 0.25, 0.5, 0.75}));
+  EXPECT_EQ(times_told(file.bytes(), {.rate = 2}), (Told{0, 0.5}));
+  EXPECT_EQ(times_told(file.bytes(), {.from = from_seconds(0.5)}), (Told{0.5, 0.75}));
+}
+
+TEST(Player, TellsTheTimeBehindASilence) {
+  const auto file = recording_at({0, 500, 1'000'500, 1'001'000});
+  EXPECT_EQ(times_told(file.bytes(), {}), (Told{0, 0.25, 1000.5, 1000.75}));
+}
+
+TEST(Player, TellsNoTimeThatItHasNotReached) {
+  const auto file = recording_at({0, 1000});
+  SteppedClock clock;
+  Player player(
+      kAll, {}, clock, [](std::uint16_t, mcap::ByteView) {},
+      [&](Time) {
+        clock.advance(std::chrono::seconds(5));  // somebody kept the process from running
+        return true;
+      });
+  const mcap::MemorySource source(file.bytes());
+  (void)player.play(source, mcap::summarize(source).value().blocks);
+  EXPECT_EQ(player.log_now_ns(), kStart_ns + 1'000'000'000);
+}
+
+TEST(Player, TellsTheSameTimeWhileItsClockStandsStill) {
+  const auto file = recording_at({0, 1000});
+  SteppedClock real;
+  ReplayClock clock(real, 1);
+  Told told;
+  Player player(
+      kAll, {}, clock, [](std::uint16_t, mcap::ByteView) {},
+      [&](Time due) {
+        clock.pause(true);
+        for (int i = 0; i < 2; ++i) {
+          real.advance(std::chrono::seconds(60));
+          told.push_back(static_cast<double>(*player.log_now_ns() - kStart_ns) / 1e9);
+        }
+        clock.move_to(due);  // as a step does
+        return true;
+      });
+  const mcap::MemorySource source(file.bytes());
+  (void)player.play(source, mcap::summarize(source).value().blocks);
+  EXPECT_EQ(told, (Told{0, 0, 0, 0}));
+  EXPECT_EQ(player.log_now_ns(), kStart_ns + 1'000'000'000);
 }
 
 }  // namespace

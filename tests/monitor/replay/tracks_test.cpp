@@ -7,7 +7,6 @@
 #include "core/wire/types/message_definition.h"
 #include "core/wire/types/own_types.h"
 #include "monitor/replay/report.h"
-#include "monitor/replay/stage.h"
 
 namespace galilean::monitor {
 namespace {
@@ -112,20 +111,16 @@ TEST(Tracks, WhatTheRecorderTellsOfItselfIsNoTopicOfTheTeam) {
   EXPECT_TRUE(tracks_of(recording).played.empty());
 }
 
-TEST(Tracks, LiveNamesakesAreThoseThatWriteTheSameTopics) {
-  const auto tracks = tracks_of(recording_with({{"/io/state", "galilean_msgs/msg/RobotState"},
-                                                {"/io/program", "galilean_msgs/msg/Program"},
-                                                {"/referee/score", "galilean_msgs/msg/Score"},
-                                                {"/team/objects", "galilean_msgs/msg/ObjectMap"},
-                                                {"/tf", "tf2_msgs/msg/TFMessage"}}));
-  const auto names = [&](std::initializer_list<const char*> topics) {
-    std::vector<wire::Publication> there;
-    for (const char* topic : topics) there.push_back({topic, "", "", ""});
-    return live_namesakes(there, tracks.played);
-  };
-  EXPECT_EQ(names({"rt/io/state", "rt/io/program", "rt/referee/score"}),
-            (std::vector<std::string>{"io", "referee"}));
-  EXPECT_EQ(names({"rt/europa/state", "rt/team/objects", "rt/tf"}), std::vector<std::string>{});
+TEST(Tracks, ARecordedClockIsLeftOutWhereTheReplayTellsTheTime) {
+  const auto recording = recording_with(
+      {{"/clock", "rosgraph_msgs/msg/Clock"}, {"/io/state", "galilean_msgs/msg/RobotState"}});
+  auto tracks = tracks_of(recording);
+  EXPECT_EQ(tracks.played.size(), 2u);
+  leave_out_clock(tracks);
+  ASSERT_EQ(tracks.played.size(), 1u);
+  EXPECT_EQ(tracks.played.at(2).topic, "rt/io/state");
+  EXPECT_NE(before_playing("run.mcap", recording, tracks).find("not played: /clock; "),
+            std::string::npos);
 }
 
 TEST(Report, SaysWhatIsPlayedAndWhatIsNot) {
@@ -138,6 +133,22 @@ TEST(Report, SaysWhatIsPlayedAndWhatIsNot) {
             std::string::npos);
   EXPECT_NE(text.find("not played: /team/command; "), std::string::npos);
   EXPECT_EQ(listed({"io", "ganymede", "callisto"}), "io, ganymede and callisto");
+}
+
+TEST(Report, SaysWhoIsPlayedAndWhoIsLive) {
+  EXPECT_EQ(who_is_where({"callisto", "ganymede", "io"}, {"ganymede", "io"},
+                         {.live = {"callisto"}, .played = {"europa"}}),
+            "robots from the recording: ganymede and io\n"
+            "robots left out of it: callisto\n"
+            "live robots in this domain: callisto\n"
+            "robots of another replay: europa\n");
+  EXPECT_EQ(who_is_where({"io"}, {"io"}, {}),
+            "robots from the recording: io\nlive robots in this domain: none\n");
+}
+
+TEST(Report, NeverCallsARobotOfAnotherReplayLive) {
+  EXPECT_EQ(why_not_beside({.played = {"io"}}).find("io is played by another replay"), 0u);
+  EXPECT_EQ(why_not_beside({.live = {"ganymede", "io"}}).find("ganymede and io are live"), 0u);
 }
 
 }  // namespace

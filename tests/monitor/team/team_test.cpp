@@ -131,5 +131,63 @@ TEST_F(TeamTest, DamagedBytesAreTold) {
   EXPECT_TRUE(team.robots().empty());
 }
 
+/// Receives a state of io, as the wire brings it.
+class ReplayedTeamTest : public TeamTest {
+ protected:
+  void receive_state(bool replayed) {
+    const Payload cdr = std::make_shared<const std::vector<std::uint8_t>>(state_bytes());
+    ASSERT_TRUE(team.receive({channel, 0, 0, cdr, replayed}));
+  }
+  [[nodiscard]] bool replayed() const { return status("io").replayed; }
+
+ private:
+  /// The CDR of a RobotState of io: its stamp and name, and zeros for all that follows.
+  static std::vector<std::uint8_t> state_bytes() {
+    std::vector<std::uint8_t> bytes{0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 'i', 'o', 0};
+    bytes.resize(400);
+    return bytes;
+  }
+
+  Channel channel{1, "rt/io/state", wire::find_schema_by_ros_type(msg::RobotState::kRosType),
+                  wire::Delivery::kState};
+};
+
+TEST_F(ReplayedTeamTest, ARobotThatAReplaySendsIsReplayedUntilItComesToLife) {
+  receive_state(true);
+  EXPECT_TRUE(replayed());
+  EXPECT_EQ(team.replayed(), std::vector<std::string>{"io"});
+  clock.advance(10min);
+  EXPECT_TRUE(replayed()) << "the replay has ended, and nobody was heard since";
+  receive_state(false);
+  EXPECT_FALSE(replayed());
+  EXPECT_EQ(team.replayed(), std::vector<std::string>{});
+}
+
+TEST_F(ReplayedTeamTest, ARobotThatIsPlayedHasNoSayInWhatTheTeamRuns) {
+  receive_state(true);
+  auto recorded = state_of("io", "a");
+  team.note(recorded);
+  recorded.robot = "ganymede";
+  team.note(recorded);
+  team.note_replay("ganymede");
+  EXPECT_EQ(team.program_hash(), "a") << "there is nobody else";
+  team.note(state_of("callisto", "b"));
+  EXPECT_EQ(team.program_hash(), "b");
+  EXPECT_FALSE(status("callisto").drifting);
+  EXPECT_FALSE(status("io").drifting);
+}
+
+TEST_F(ReplayedTeamTest, ARobotThatIsLiveAndPlayedAtOnceIsReplayed) {
+  for (int i = 0; i < 5; ++i) {
+    receive_state(true);
+    clock.advance(500ms);
+    receive_state(false);
+    EXPECT_TRUE(replayed());
+  }
+  clock.advance(2s);
+  receive_state(false);
+  EXPECT_FALSE(replayed());
+}
+
 }  // namespace
 }  // namespace galilean::monitor

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import { type Channel, FoxgloveClient, type MessageData, type SubscriptionId } from "@foxglove/ws-protocol";
+import { type Channel, FoxgloveClient, type MessageData, type Parameter, type ServerInfo, type SubscriptionId } from "@foxglove/ws-protocol";
 import { ClockOffset } from "./clock_offset";
 import { type Decode, decoderOf } from "./decoder";
 import type { PlaybackLink } from "./playback_link";
-import { isAlwaysWanted } from "./topics";
+import { isAlwaysWanted, REPLAYED } from "./topics";
 
 export type Connection = "connecting" | "live" | "lost";
 /** A message as it came, which is decoded only where somebody looks at it. */
@@ -89,6 +89,7 @@ export class Feed {
     client.on("unadvertise", whileCurrent((ids) => ids.forEach((id) => this.#withdrawn(id))));
     client.on("message", whileCurrent((data) => this.#received(data)));
     client.on("time", whileCurrent(({ timestamp }) => this.events.time(this.#pageTime_ms(timestamp))));
+    client.on("parameterValues", whileCurrent(({ parameters }) => parameters.forEach((each) => this.#set(each))));
     client.on("status", whileCurrent((status) => status.level > 0 && this.events.trouble(status.message)));
     client.on("error", () => {}); // a close follows, and tells the reader
     client.on("close", whileCurrent(({ reason }) => {
@@ -184,10 +185,21 @@ export class Feed {
     return this.playback ? { received_ms: (recorded_ms) => recorded_ms } : new ClockOffset();
   }
 
-  #begun(info: object): void {
+  /** A parameter has no time of its own, and tells nothing of what else is known. */
+  #set({ name, value }: Parameter): void {
+    if (name === REPLAYED) this.events.arrival({ topic: REPLAYED, decode: () => value, received_ms: 0 });
+  }
+
+  #askWhoIsReplayed(): void {
+    this.#client?.subscribeParameterUpdates([REPLAYED]);
+    this.#client?.getParameters([REPLAYED]);
+  }
+
+  #begun(info: ServerInfo): void {
     this.#attempt = 0;
     this.#heard = true;
-    this.playback?.begun(info);
+    this.playback?.begun(info as object);
+    if (info.capabilities.includes("parametersSubscribe")) this.#askWhoIsReplayed();
     this.#watch = setInterval(() => this.#lookWhetherHeard(), DEAF_PERIOD_MS);
     this.events.connection("live", 0);
   }

@@ -14,6 +14,9 @@ export const teamTopics = [
   "/simulation/event",
 ] as const;
 
+/** No topic but a parameter of the monitor: the names of the robots that a recording plays in the domain. */
+export const REPLAYED = "/team.replayed";
+
 export type RobotTopic = (typeof robotTopics | typeof watchedTopics)[number];
 export type TeamTopic = (typeof teamTopics)[number];
 /** A robot's picture: its camera's own, or a channel that its catalog names. */

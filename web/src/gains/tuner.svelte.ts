@@ -57,11 +57,11 @@ export class Tuner {
   #probation: ProbationWatch | undefined;
   #rest: ReturnType<typeof setTimeout> | undefined;
 
-  /** Of the team those that are in service and heard: nobody knows what a silent robot runs, and it would not answer. */
+  /** Of the team those that are in service and heard: nobody knows what a silent robot runs, and it would not answer; nor would one of a recording. */
   readonly reached: readonly string[] = $derived.by(() => {
     if (this.target) return [this.target];
     const robots = [...live.present.robots.values()];
-    return robots.filter((robot) => !robot.state?.value.out_of_service && !isSilent(robot, live.known_present_ms)).map(({ name }) => name);
+    return robots.filter((robot) => !robot.state?.value.out_of_service && !live.present.replayed.has(robot.name) && !isSilent(robot, live.known_present_ms)).map(({ name }) => name);
   });
   /** Whom a push names: nobody where it reaches the whole team. */
   readonly targets: readonly string[] = $derived.by(() => (!this.target && this.reached.length === live.present.robots.size ? [] : this.reached));

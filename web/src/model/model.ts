@@ -133,6 +133,8 @@ export interface Instruction extends Pick<SimulationEvent, "author" | "order" | 
 
 export interface Team {
   readonly robots: ReadonlyMap<string, Robot>;
+  /** The names of those that a recording plays among the live ones: they are not there, and take no orders. */
+  readonly replayed: ReadonlySet<string>;
   /** With the map's own time, which its objects' `last_seen` keeps. */
   readonly objects?: Stamped<readonly MapObject[]> & { readonly stamp: Time };
   readonly grid?: OccupancyGrid;
@@ -144,4 +146,4 @@ export interface Team {
   readonly instructions: readonly Instruction[];
 }
 
-export const emptyTeam: Team = { robots: new Map(), pushes: [], instructions: [] };
+export const emptyTeam: Team = { robots: new Map(), replayed: new Set(), pushes: [], instructions: [] };

@@ -2,7 +2,7 @@
 import { catalogOf } from "../bhdl/catalog";
 import type { News } from "../feed/inbox";
 import type * as wire from "../feed/messages";
-import { type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
+import { REPLAYED, type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
 import { withSeenState, withTransitionCounted } from "./coverage";
 import { contestBegan_ms, withEvents } from "./events";
 import { identityOf } from "./identity";
@@ -102,7 +102,8 @@ function withObjects(team: Team, message: wire.ObjectMap, received_ms: number): 
   return { ...team, robots, objects: { value: message.objects, received_ms, stamp: message.stamp } };
 }
 
-const ofTeam: { [K in TeamTopic]: Reduce<Team, never> } = {
+const ofTeam: { [K in TeamTopic | typeof REPLAYED]: Reduce<Team, never> } = {
+  [REPLAYED]: (team, names: readonly string[]) => ({ ...team, replayed: new Set(names) }),
   "/team/objects": withObjects,
   "/team/map": (team, grid: wire.OccupancyGrid) => ({ ...team, grid }),
   "/team/program_push": (team, push: wire.ProgramPush, received_ms) => ({

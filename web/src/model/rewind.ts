@@ -22,7 +22,7 @@ function past({ name, identity, heard_ms, clock_offset_ms, catalog, stops, trans
   };
 }
 
-const pastOf = ({ robots, pushes, instructions }: Team): Team => ({ robots: new Map([...robots].map(([name, robot]) => [name, past(robot)])), pushes, instructions });
+const pastOf = ({ robots, replayed, pushes, instructions }: Team): Team => ({ replayed, robots: new Map([...robots].map(([name, robot]) => [name, past(robot)])), pushes, instructions });
 
 /** The team that was kept of some instant, with what happened from then until `to_ms`, of which a later team knows. */
 function caughtUp({ team, at_ms: kept_ms }: Instant, later: Team, to_ms: number): Team {

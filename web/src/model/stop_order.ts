@@ -20,13 +20,15 @@ export interface StopProgress {
 
 /**
  * A robot confirms by a state of its own that was received after the order; `known_ms` is what the page knows of. One
- * that stands at a break point has not confirmed yet, because a step would let it go on.
+ * that stands at a break point has not confirmed yet, because a step would let it go on. One that a recording plays has
+ * nothing to stop.
  */
 export function stopProgress(team: Team, ordered_ms: number, known_ms: number): StopProgress {
   const stopped: string[] = [];
   const unconfirmed: Unconfirmed[] = [];
   for (const robot of team.robots.values()) {
     const { name, state, breaks } = robot;
+    if (team.replayed.has(name)) continue;
     const isHeard = state !== undefined && state.received_ms >= ordered_ms;
     const isHeld = state?.value.held && !breaks?.value.stopped;
     const drivesOn = isHeard && !state?.value.held;

@@ -41,6 +41,24 @@ describe("the feed", () => {
     await until(() => heard.length > 0);
     expect(heard[0]).toMatchObject(["/io/state", { robot: "io", state: "grab_trash" }]);
   });
+  it("learns from the monitor which robots a recording plays, now and whenever that changes", async () => {
+    const played = new FakeMonitor({ capabilities: ["parametersSubscribe"] });
+    const names: unknown[] = [];
+    const quiet = { time: () => {}, connection: () => {}, trouble: () => {} };
+    const listener = new Feed(played.url, { ...quiet, arrival: ({ topic, decode, received_ms }) => names.push([topic, decode(), received_ms]) });
+    listener.connect();
+    await until(() => played.asked.some(({ op }) => op === "getParameters"));
+    expect(played.asked.filter(({ op }) => op.includes("arameter"))).toEqual([
+      { op: "subscribeParameterUpdates", parameterNames: ["/team.replayed"] },
+      { op: "getParameters", parameterNames: ["/team.replayed"] },
+    ]);
+    for (const value of [["io"], []]) played.tell({ op: "parameterValues", parameters: [{ name: "/team.replayed", value }, { name: "/io.held", value: true }] });
+    await until(() => names.length === 2);
+    expect(names).toEqual([["/team.replayed", ["io"], 0], ["/team.replayed", [], 0]]);
+    listener.disconnect();
+    played.close();
+    expect(monitor.asked.some(({ op }) => op.includes("arameter"))).toBe(false);
+  });
   it("reads pictures only while somebody wants them", async () => {
     await until(() => monitor.subscription(1) !== undefined);
     expect(monitor.subscription(2)).toBeUndefined();

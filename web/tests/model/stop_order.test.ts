@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { Breaks_Constants } from "../../src/feed/messages";
+import { REPLAYED } from "../../src/feed/topics";
 import { emptyTeam } from "../../src/model/model";
 import { stopProgress, stopSentence } from "../../src/model/stop_order";
 import { breaks, state, T0_MS, told } from "./told";
@@ -25,6 +26,10 @@ describe("STOP ALL", () => {
   });
   it("names who answers and drives on", () => {
     expect(sentence([at("io", false, ORDERED_MS + 2900)], ORDERED_MS + 3000)).toBe("0 of 1 stopped; io answers but has not stopped for 3.0 s.");
+  });
+  it("waits for no robot that a recording plays", () => {
+    const messages = [at("io", true, ORDERED_MS + 50), at("ganymede", false, ORDERED_MS + 50), [REPLAYED, ["ganymede"], 0]];
+    expect(sentence(messages as [string, unknown, number][], ORDERED_MS + 100)).toBe("io has stopped.");
   });
   it("counts a robot out of service as one that stands still", () => {
     expect(sentence([at("io", false, ORDERED_MS + 50, { out_of_service: true })], ORDERED_MS + 100)).toBe("io has stopped.");

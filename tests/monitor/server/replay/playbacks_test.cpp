@@ -37,6 +37,21 @@ TEST(Playbacks, AreLimitedInNumberAndALeavingViewerMakesRoom) {
   EXPECT_TRUE(begun);
 }
 
+TEST(Playbacks, CountThoseThatRun) {
+  Playbacks playbacks;
+  EXPECT_EQ(playbacks.running(), 0U);
+  const auto first = silent_line(), second = silent_line();
+  ASSERT_TRUE(playbacks.begin(first, play_until_left));
+  ASSERT_TRUE(playbacks.begin(second, play_until_left));
+  EXPECT_EQ(playbacks.running(), 2U);
+  first->leave();
+  for (int tries = 0; tries < 100'000 && playbacks.running() > 1; ++tries)
+    std::this_thread::yield();
+  EXPECT_EQ(playbacks.running(), 1U);
+  playbacks.finish();
+  EXPECT_EQ(playbacks.running(), 0U);
+}
+
 TEST(Playbacks, OneThatFailsTellsItsViewer) {
   std::promise<std::string> told;
   auto line = std::make_shared<PlaybackLine>(

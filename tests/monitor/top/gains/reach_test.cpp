@@ -40,6 +40,13 @@ TEST_F(ReachTest, TheWholeTeamIsNamedByNobodysName) {
   EXPECT_NE(reach.catalog, nullptr);
 }
 
+TEST_F(ReachTest, WhoIsPlayedFromARecordingIsLeftOut) {
+  hear("callisto", "2222");
+  team.note_replay("callisto");
+  hear("io", "1111");
+  EXPECT_EQ(reach_of(team, "").robots, Names{"io"});
+}
+
 TEST_F(ReachTest, WhoIsSilentOrOutOfServiceIsLeftOut) {
   hear("callisto", "2222");
   clock.advance(std::chrono::seconds(3));

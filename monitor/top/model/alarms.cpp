@@ -72,6 +72,8 @@ void AlarmFinder::find_of(const Robot& robot, const DashboardModel& model, Time 
   const auto add = [&](AlarmKind kind, const char* word, std::string words) {
     alarms.push_back({word + (" " + name), kind, name, std::move(words)});
   };
+  const bool replayed = model.team().replayed(robot);
+  if (replayed && model.team().silent(robot)) return;  // the recording has ended
   if (model.team().silent(robot))
     return alarms.push_back({"silent " + name, AlarmKind::kSilent, name, name + " is silent",
                              name + " was silent", robot.heard});
@@ -85,7 +87,7 @@ void AlarmFinder::find_of(const Robot& robot, const DashboardModel& model, Time 
                      (robot.breaks && waits_at_lock(*robot.breaks));
   if (!state.held && !waits && now - memory.stands_since >= kStuckAfter)
     add(AlarmKind::kStuck, "stuck", name + " does not move in " + state.state);
-  if (state.program_hash != team_hash_)
+  if (!replayed && state.program_hash != team_hash_)
     add(AlarmKind::kDrift, "drift",
         name + " runs " + state.program_name + ", another program than the team");
   for (const auto& problem : state.problems)

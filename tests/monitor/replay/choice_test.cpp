@@ -57,12 +57,12 @@ TEST(ReplayChoice, RefusesWhatIsNoNameOfATopic) {
 }
 
 Tracks of_a_team() {
-  constexpr const char* kState = "galilean_msgs/msg/RobotState";
+  constexpr const char* kStateType = "galilean_msgs/msg/RobotState";
   Tracks tracks;
-  tracks.played[1] = {.topic = "rt/io/state", .ros_type = kState, .sender = "io"};
+  tracks.played[1] = {.topic = "rt/io/state", .ros_type = kStateType, .sender = "io"};
   tracks.played[2] = {.topic = "rt/io/program", .sender = "io"};
   tracks.played[3] = {.topic = "rt/tf", .sender = "io"};
-  tracks.played[4] = {.topic = "rt/callisto/state", .ros_type = kState, .sender = "callisto"};
+  tracks.played[4] = {.topic = "rt/callisto/state", .ros_type = kStateType, .sender = "callisto"};
   tracks.played[5] = {.topic = "rt/tf", .sender = "callisto"};
   tracks.played[6] = {.topic = "rt/tf", .sender = "monitor"};
   tracks.played[7] = {.topic = "rt/referee/score", .sender = "sim"};

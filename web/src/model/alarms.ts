@@ -82,21 +82,24 @@ interface Programs {
 
 function ofRobot(robot: Robot, team: Team, { shares, underWay }: Programs, now_ms: number): Alarm[] {
   const of = (kind: AlarmKind, words: string, advice: string, more = ""): Alarm => ({ key: `${kind} ${robot.name} ${more}`, kind, robot: robot.name, words, advice });
+  /** A recording that has ended is no trouble, and nobody brings another program to it. */
+  const isPlayed = team.replayed.has(robot.name);
   if (isSilent(robot, now_ms)) {
+    if (isPlayed) return [];
     const silent = of("silent", `${robot.name} is silent.`, "Check its power and its network; it is shown where it was last heard.");
     return [{ ...silent, past: `${robot.name} was silent`, began_ms: now_ms - age_s(robot, now_ms) * 1000 }];
   }
   const state = robot.state?.value;
   if (state?.out_of_service) return [];
   const found = Object.values(finders).flatMap((find) => find(robot, now_ms, team) ?? []);
-  const drift = drifts(robot, shares, underWay)
+  const drift = !isPlayed && drifts(robot, shares, underWay)
     ? [of("drift", `${robot.name} runs ${state?.program_name}, another program than the team.`, "Push the team's program to it, or leave it as a trial.", state?.program_hash)]
     : [];
   const problems = (state?.problems ?? []).map((problem) => of("problem", `${robot.name}: ${problem}`, "", problem));
   return [...found.map((alarm) => ({ ...alarm, robot: robot.name, key: `${alarm.kind} ${robot.name}` })), ...drift, ...problems];
 }
 
-const inService = (team: Team): Robot[] => [...team.robots.values()].filter(({ state }) => !state?.value.out_of_service);
+const inService = (team: Team): Robot[] => [...team.robots.values()].filter(({ name, state }) => !state?.value.out_of_service && !team.replayed.has(name));
 
 export function alarms(team: Team, now_ms: number): Alarm[] {
   const programs = { shares: programShares(inService(team)), underWay: hashesUnderWay(team.pushes, now_ms) };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { ProgramReply_Constants } from "../../src/feed/messages";
+import { REPLAYED } from "../../src/feed/topics";
 import { acknowledged, type Alarm, alarms, sentenceOf, withAlarms } from "../../src/model/alarms";
 import { breaks, mapRobot, state, T0_MS, time, told, transition } from "./told";
 
@@ -45,6 +46,11 @@ describe("alarms", () => {
   it("measure a robot's program by those that are in service", () => {
     const one = (robot: string, program_hash: string, out_of_service = false): Told => [`/${robot}/state`, state({ robot, program_hash, out_of_service }), T0_MS];
     expect(kinds([one("io", "a"), one("ganymede", "b", true), one("callisto", "b", true)], T0_MS)).toEqual([]);
+  });
+  it("do not tell of the silence and the program of a robot that a recording plays", () => {
+    const one = (robot: string, program_hash: string, at_ms = T0_MS): Told => [`/${robot}/state`, state({ robot, program_hash }), at_ms];
+    const played: Told = [REPLAYED, ["ganymede", "callisto", "europa"], 0];
+    expect(kinds([one("io", "a"), one("ganymede", "b"), one("callisto", "b"), one("europa", "b", T0_MS - 9000), played], T0_MS)).toEqual([]);
   });
   it("tell of a robot that does not move though nobody holds it", () => {
     const standing = (changes: object): Told[] => [0, 10, 21].map((s) => ["/io/state", state({ ...moving, ...changes }), T0_MS + s * 1000]);

@@ -111,6 +111,16 @@ TEST_F(Finder, ASilentRobotIsAnAlarm) {
   EXPECT_THAT(found(), ElementsAre("io is silent"));
 }
 
+TEST_F(Finder, ARecordingThatHasEndedIsNoAlarm) {
+  replayed = true;
+  tell_of({.x_m = 0, .program_hash = "another"});
+  replayed = false;
+  tell_of({.robot = "ganymede"});
+  EXPECT_TRUE(found().empty());
+  clock.advance(seconds(3));
+  EXPECT_THAT(found(), ElementsAre("ganymede is silent"));
+}
+
 TEST_F(Finder, OneThatDoesNotMoveIsStuckUnlessItIsHeld) {
   for (int i = 0; i < 20; ++i, clock.advance(seconds(1))) {
     tell_of({.x_m = 0.001 * i});

@@ -37,6 +37,13 @@ TEST_F(Told, ARobotConfirmsByAStateThatCameAfterTheOrder) {
   EXPECT_EQ(progress().stopped, std::vector<std::string>{"io"});
 }
 
+TEST_F(Told, NobodyWaitsForARobotThatARecordingPlays) {
+  replayed = true;
+  tell_of({});
+  const StopOrder order(clock.now());
+  EXPECT_TRUE(order.progress(model.team(), clock.now()).unconfirmed.empty());
+}
+
 TEST_F(Told, AStopAtABreakPointIsNoneOfTheOrder) {
   const StopOrder order(clock.now());
   const auto progress = [&] { return order.progress(model.team(), clock.now()); };

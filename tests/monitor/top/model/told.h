@@ -41,10 +41,12 @@ class Bytes {
 /// A model that is told messages.
 class Told : public testing::Test {
  protected:
+  bool replayed = false;  ///< a replay sends what is told
+
   virtual void receive(const Message& message) { model.receive(message); }
   void tell(const std::string& topic, std::string_view type, const Bytes& bytes) {
     const Channel channel{1, topic, wire::find_schema_by_ros_type(type), wire::Delivery::kState};
-    receive({channel, 0, 0, bytes.payload()});
+    receive({channel, 0, 0, bytes.payload(), replayed});
   }
   /// Tells of io's variable "trash", which is bits with this value.
   void tell_of_io(double bits = 1) {

@@ -30,7 +30,6 @@ class CoverageDeskTest : public testing::Test {
   }
   /// Waits until so many answers have come in all.
   void wait_for(std::size_t answers) {
-    const auto work = boost::asio::make_work_guard(io_);
     while (answers_.size() < answers) io_.run_one();
   }
   HttpResponse answer_about(const std::string& name) {
@@ -45,6 +44,8 @@ class CoverageDeskTest : public testing::Test {
   TemporaryFolder folder_;
   RecordingFolder recordings_{folder_.path()};
   boost::asio::io_context io_;
+  const boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_ =
+      boost::asio::make_work_guard(io_);  ///< without which it would stop at the first wait's end
   Worker worker_{io_};
   CoverageDesk desk_{recordings_, worker_};
   std::vector<HttpResponse> answers_;

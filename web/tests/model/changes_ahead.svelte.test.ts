@@ -15,7 +15,7 @@ class FakeWorker {
   postMessage() {}
 }
 
-let waiting: (() => void)[] = [];
+const waiting: (() => void)[] = [];
 const frame = () => waiting.splice(0).forEach((draw) => draw());
 const page = new URL("http://monitor/");
 vi.stubGlobal("location", page);

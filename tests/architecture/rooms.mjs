@@ -130,7 +130,7 @@ export const rooms = {
   web: {
     '.': ANY,
     lib: [],
-    feed: [],
+    feed: ['lib'],
     bhdl: ['feed'],
     model: ['lib', 'feed', 'bhdl'],
     parts: ['lib', 'model'],

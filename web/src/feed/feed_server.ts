@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The feed in a thread of its own. However busy the page's thread is, what comes is read at once, and the
-// page is handed what is newest when it has time: one batch at a time, the next when it asks.
+// page is handed what is newest when it has time: one batch at a time, the next when it asks. What happens goes at once:
+// behind a page that draws it would wait for two of its turns.
 import { type Arrival, type Connection, Feed } from "./feed";
 import { type Batch, Inbox } from "./inbox";
 import { type DecodedPicture, PictureDecoder } from "./picture_decoder";
@@ -20,7 +21,7 @@ export type Order =
   /** The robot that the page shows whole. */
   | { readonly kind: "watch"; readonly robot: string | undefined }
   | { readonly kind: "play"; readonly request: PlaybackRequest }
-  /** The page has taken in what it was handed. */
+  /** The page has taken in a batch. */
   | { readonly kind: "ready" }
   /** The page has drawn the picture that it was handed. */
   | { readonly kind: "shown"; readonly topic: string };
@@ -35,19 +36,28 @@ export type Report =
   | { readonly kind: "connection"; readonly connection: Connection; readonly attempt: number }
   | { readonly kind: "trouble"; readonly sentence: string };
 
+/** So many batches are on their way to a page at once: one, and one more where something has happened since. */
+const ON_THEIR_WAY = { otherwise: 1, happened: 2 };
+
 export class FeedServer {
   #feed: Feed | undefined;
   #playback: PlaybackLink | undefined;
   #inbox = new Inbox();
   #pictures: PictureDecoder;
   #wanted = new Map<string, () => void>();
-  #pageIsReady = true;
+  /** How many batches the page has not taken in yet. */
+  #onTheirWay = 0;
+  #isGathering = false;
   /** Until what waits is due. */
   #wait: ReturnType<typeof setTimeout> | undefined;
 
-  /** `send` hands over what stands in `transfer` rather than copies it. `bitmapOf` decodes a picture. */
+  /**
+   * `send` hands over what stands in `transfer` rather than copies it. `bitmapOf` decodes a picture. `soon` calls back when
+   * what has come already has been read.
+   */
   constructor(
     private readonly send: (report: Report, transfer?: Transferable[]) => void,
+    private readonly soon: (act: () => void) => void,
     bitmapOf?: (picture: Blob) => Promise<ImageBitmap>,
   ) {
     const trouble = (sentence: string) => send({ kind: "trouble", sentence });
@@ -78,7 +88,7 @@ export class FeedServer {
     }, beginning.at_s);
     this.#feed = new Feed(url, {
       arrival: (arrival) => this.#arrived(arrival),
-      time: (monitor_ms) => (this.#inbox.told(monitor_ms), this.#changed()),
+      time: (monitor_ms) => (this.#inbox.told(monitor_ms), this.#gather()),
       connection: (connection, attempt) => this.#connected(connection, attempt),
       trouble,
     }, this.#playback);
@@ -95,12 +105,12 @@ export class FeedServer {
   #arrived(arrival: Arrival): void {
     if (isPictureTopic(arrival.topic)) return this.#pictures.put(arrival);
     this.#inbox.put(arrival);
-    this.#changed();
+    this.#gather();
   }
 
   #connected(connection: Connection, attempt: number): void {
     // What waits is told before the connection that brought it is over.
-    if (connection === "lost") this.#handOver(Infinity);
+    if (connection === "lost") this.#handOverAll();
     if (connection === "connecting") this.#inbox.clear();
     this.send({ kind: "connection", connection, attempt });
   }
@@ -116,14 +126,24 @@ export class FeedServer {
   }
 
   #ready(): void {
-    this.#pageIsReady = true;
+    this.#onTheirWay -= 1;
     this.#changed();
   }
 
+  /** The monitor sends many messages at once: the first of them does not go alone, with the others behind it. */
+  #gather(): void {
+    if (this.#isGathering) return;
+    this.#isGathering = true;
+    this.soon(() => {
+      this.#isGathering = false;
+      this.#changed();
+    });
+  }
+
   #changed(): void {
-    if (!this.#pageIsReady) return;
+    if (this.#onTheirWay >= (this.#inbox.hasHappened ? ON_THEIR_WAY.happened : ON_THEIR_WAY.otherwise)) return;
     const due_ms = this.#inbox.due_ms(performance.now());
-    if (due_ms <= 0) this.#handOver();
+    if (due_ms <= 0) this.#handOver(performance.now());
     else if (due_ms < Infinity)
       this.#wait ??= setTimeout(() => {
         this.#wait = undefined;
@@ -131,10 +151,15 @@ export class FeedServer {
       }, due_ms);
   }
 
-  #handOver(now_ms = performance.now()): void {
+  #handOverAll(): void {
+    do this.#handOver(Infinity);
+    while (this.#inbox.due_ms(Infinity) <= 0);
+  }
+
+  #handOver(now_ms: number): void {
     const damaged = (topic: string, reason: string) => this.send({ kind: "trouble", sentence: `a message on ${topic} was damaged: ${reason}` });
     const batch = this.#inbox.take(damaged, now_ms);
-    this.#pageIsReady = false;
+    this.#onTheirWay += 1;
     this.send({ kind: "batch", batch });
   }
 }

@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { Arrival } from "./feed";
+import { type Portion, Portions, type Waiting } from "./portions";
 import { robotTopicOf, tellsWhatHappens } from "./topics";
 
-/** A message that the page has not seen yet. */
-export interface News {
-  readonly topic: string;
-  readonly message: unknown;
-  readonly received_ms: number;
-  /** How many messages came on the topic since the last one that the page saw; this is the newest. */
-  readonly count: number;
-}
-
-export interface Batch {
-  /** What the page knows then is what the monitor knew at this time, on the page's clock. */
-  readonly told_ms: number;
-  /** In the order in which they came. */
-  readonly news: readonly News[];
+export interface Batch extends Portion {
   /** Events that were dropped, because the page had looked at none for too long. */
   readonly dropped: number;
 }
@@ -26,10 +14,6 @@ const MOST_EVENTS = 20_000;
 /** Of more robots than these, those that nobody looks at are told of in turns, so many at a time, each four times a second. */
 export const CROWD = 12;
 export const GLANCE_MS = 250;
-
-interface Waiting extends Arrival {
-  readonly count: number;
-}
 
 /**
  * What came since the page looked last. Of what tells how things stand only the newest is kept, so that a
@@ -44,6 +28,7 @@ export class Inbox {
    * hundred at once is more than a page draws between two keys of its reader.
    */
   #aside = new Map<string, Map<string, Waiting>>();
+  #portions = new Portions();
   #events: string[] = [];
   #eventsEver = 0;
   #dropped = 0;
@@ -75,23 +60,29 @@ export class Inbox {
 
   /** In how many milliseconds there is something to be handed over: 0: now; Infinity: nothing waits. */
   due_ms(now_ms: number): number {
-    if (this.#waiting.size > 0 || !this.#isTold || this.#dropped > 0) return 0;
+    if (!this.#portions.isOver || this.#waiting.size > 0 || !this.#isTold || this.#dropped > 0) return 0;
     return this.#aside.size > 0 ? Math.max(this.#turn_ms + this.#betweenTurns_ms() - now_ms, 0) : Infinity;
   }
 
-  /** What waits, decoded; `damaged` is called for what cannot be. At the time Infinity it is all, whoever's turn it is. */
+  /** Whether something that has happened waits, which is worth more to the page than how things stand. */
+  get hasHappened(): boolean {
+    return this.#events.length > 0;
+  }
+
+  /**
+   * The next portion of what waits, decoded; `damaged` is called for what cannot be. At the time Infinity all is due, whoever's
+   * turn it is.
+   */
   take(damaged: (topic: string, reason: string) => void, now_ms: number): Batch {
-    const news = this.#takeDue(now_ms).flatMap(({ topic, decode, received_ms, count }): News[] => {
-      try {
-        return [{ topic, message: decode(), received_ms, count }];
-      } catch (error) {
-        damaged(topic, (error as Error).message);
-        return [];
-      }
-    });
-    const batch = { told_ms: this.#told_ms, news, dropped: this.#dropped };
-    [this.#events, this.#dropped, this.#isTold] = [[], 0, true];
+    if (this.#portions.isOver) this.#cut(now_ms);
+    const batch = { ...this.#portions.take(damaged), dropped: this.#dropped };
+    this.#dropped = 0;
     return batch;
+  }
+
+  #cut(now_ms: number): void {
+    this.#portions.begin(this.#takeDue(now_ms), this.#told_ms);
+    [this.#events, this.#isTold] = [[], true];
   }
 
   #takeDue(now_ms: number): Waiting[] {
@@ -116,6 +107,7 @@ export class Inbox {
   clear(): void {
     this.#waiting.clear();
     this.#aside.clear();
+    this.#portions.clear();
     [this.#events, this.#dropped, this.#told_ms] = [[], 0, 0];
   }
 

@@ -2,6 +2,8 @@
 // When the page is drawn anew: only where something asks for it, and so that drawing leaves the machine time for
 // what comes in meanwhile.
 
+import { ownTasks } from "./tasks";
+
 /** Of the time, drawing takes at most one part in so many: what changes all the time waits rather than queues. */
 const SHARE = 4;
 /** At most so long: a crowd of robots is handed over as often. */
@@ -18,19 +20,24 @@ export interface Frames {
 
 /** Those of the browser. */
 export function browserFrames(): Frames {
-  const { port1, port2 } = new MessageChannel();
-  const callbacks: (() => void)[] = [];
-  port1.onmessage = () => callbacks.shift()?.();
   return {
     now_ms: () => performance.now(),
     before: (callback) => void requestAnimationFrame(callback),
-    behind: (callback) => (callbacks.push(callback), port2.postMessage(0)),
+    behind: ownTasks(),
     after: (callback, wait_ms) => void setTimeout(callback, wait_ms),
   };
 }
 
+/**
+ * Draws in tasks of their own, and not within frames: between what a script draws and what the browser makes of it, a key of
+ * the reader has its turn.
+ */
 export class Redraw {
   #waits = false;
+  /** A task is arranged in which what waits is to be drawn. */
+  #isArranged = false;
+  /** What waits has let one frame pass by that shows something else; it lets no other. */
+  #hasYielded = false;
   /** Until the frame that shows what was drawn last has been handed over. */
   #shows = false;
   /** Something has happened since: it is drawn as soon as that frame is over. */
@@ -43,43 +50,54 @@ export class Redraw {
     private readonly frames: Frames,
   ) {}
 
-  /** Draws as soon as there is room for it. */
+  /** Draws as soon as there is room for it, and not in a frame that shows what has just happened. */
   ask(): void {
     if (this.#waits) return;
     this.#waits = true;
-    const wait_ms = this.#next_ms - this.frames.now_ms();
-    if (wait_ms > 0) this.frames.after(() => this.frames.before(() => this.#drawWaiting()), wait_ms);
-    else this.frames.before(() => this.#drawWaiting());
+    if (!this.#shows) this.#arrange(this.#next_ms - this.frames.now_ms());
   }
 
   /** Draws at once, so that the very next frame has it; no more than once a frame, and then as soon as that is over. */
   askNow(): void {
-    if (this.#shows) {
-      this.#isUrgent = true;
-      return;
-    }
-    this.#isUrgent = false;
-    const began_ms = this.frames.now_ms();
-    this.draw(true);
-    const drawing_ms = this.frames.now_ms() - began_ms;
-    this.#shows = true;
-    this.frames.before(() => this.#measure(drawing_ms));
+    this.#isUrgent = this.#shows;
+    if (!this.#shows) this.#begin(true);
+  }
+
+  #arrange(wait_ms: number): void {
+    if (this.#isArranged) return;
+    this.#isArranged = true;
+    const draw = () => this.frames.before(() => this.frames.behind(() => this.#drawWaiting()));
+    if (wait_ms > 0) this.frames.after(draw, wait_ms);
+    else draw();
   }
 
   #drawWaiting(): void {
-    this.#waits = false;
-    this.#shows = true;
-    this.#measure(0, () => this.draw(false));
+    this.#isArranged = false;
+    if (this.#shows && !this.#hasYielded) {
+      this.#hasYielded = true;
+      return;
+    }
+    this.#waits = this.#hasYielded = false;
+    this.#begin(false);
   }
 
-  #measure(spent_ms: number, draw?: () => void): void {
+  #begin(isUrgent: boolean): void {
     const began_ms = this.frames.now_ms();
-    draw?.();
+    this.draw(isUrgent);
+    const drawn_ms = this.frames.now_ms();
+    this.#shows = true;
+    this.frames.before(() => this.#measure(began_ms, drawn_ms - began_ms));
+  }
+
+  /** What the frame costs that is under way, beside the drawing for it that began at `drew_ms`. */
+  #measure(drew_ms: number, drawing_ms: number): void {
+    const began_ms = this.frames.now_ms();
     this.frames.behind(() => {
-      const cost_ms = spent_ms + this.frames.now_ms() - began_ms;
-      this.#next_ms = began_ms + Math.min(cost_ms * SHARE, LONGEST_WAIT_MS);
+      const cost_ms = drawing_ms + this.frames.now_ms() - began_ms;
+      this.#next_ms = drew_ms + Math.min(cost_ms * SHARE, LONGEST_WAIT_MS);
       this.#shows = false;
       if (this.#isUrgent) this.askNow();
+      if (this.#waits) this.#arrange(this.#hasYielded ? 0 : this.#next_ms - this.frames.now_ms());
     });
   }
 }

@@ -24,10 +24,11 @@ import { applyAll } from "./reduce";
 import type { PushResult, Reply } from "../feed/api";
 import { playedAt, recording } from "../feed/recording";
 import { withToken } from "../feed/token";
-import type { SourceFile } from "../feed/messages";
+import type { SourceFile, Transition } from "../feed/messages";
 
 /** So long it takes until it is told how everything stood at the instant that a recording has gone to. */
 const SETTLE_MS = 80;
+const NO_CHANGES: readonly Transition[] = [];
 
 class Live {
   connection = $state<Connection>("connecting");
@@ -48,6 +49,10 @@ class Live {
   #glanceTold_ms = -Infinity;
   #silentNow = $state.raw<ReadonlySet<string>>(new Set());
   #team: Team = emptyTeam;
+  /** Changes of state that are drawn ahead of all else that is known of their robot. */
+  #ahead = $state.raw<Pick<Robot, "name" | "transitions">>();
+  /** Something has happened that is no change of state, and is not drawn yet. */
+  #hasOtherNews = false;
   #history = new History();
   #listeners = new Listeners<unknown>();
   #viewers = new Listeners<DecodedPicture>();
@@ -141,6 +146,10 @@ class Live {
     this.robots.find((robot) => robot.name === this.chosen) ?? this.robots[0],
   );
   readonly robotName: string | undefined = $derived(this.robot?.name);
+  /** The changes of state of that robot. A new one is seen here before anything else shows it. */
+  readonly changes: readonly Transition[] = $derived(
+    (!this.#past && this.#ahead?.name === this.robotName ? this.#ahead : this.robot)?.transitions ?? NO_CHANGES,
+  );
   /** The chosen robot as it is, whatever instant is shown: what acts on it must not go by the past. */
   readonly presentRobot: Robot | undefined = $derived(this.#shown.robots.get(this.robot?.name ?? ""));
 
@@ -161,10 +170,12 @@ class Live {
     let pushes = withPush(this.#team.pushes, begun, Date.now());
     pushes = withProgress(pushes, id, { state, steps });
     for (const reply of replies) pushes = withReply(pushes, id, withDefaults(reply), Date.now());
+    this.#hasOtherNews = true;
     this.#fold({ ...this.#team, pushes }, true);
   }
 
   dismiss(pushId: string): void {
+    this.#hasOtherNews = true;
     this.#fold({ ...this.#team, pushes: this.#team.pushes.filter((push) => push.id !== pushId) }, true);
   }
 
@@ -210,10 +221,11 @@ class Live {
   #take({ news, told_ms, dropped }: Batch): void {
     if (this.playback) this.playback.now_ms = Math.max(this.playback.now_ms, told_ms);
     for (const { topic, message } of news) this.#listeners.tell(topic, message);
-    const atOnce = news.some(({ topic }) => tellsWhatHappens(topic) && !this.#isAside(topic));
+    const happened = news.filter(({ topic }) => tellsWhatHappens(topic) && !this.#isAside(topic));
+    this.#hasOtherNews ||= happened.some(({ topic }) => !isChange(topic));
     if (told_ms > 0) this.#clock.tell(told_ms);
     if (dropped > 0) this.trouble = `The page slept too long: ${plural(dropped, "event")} of the robots were dropped.`;
-    this.#fold(applyAll(this.#team, news), atOnce);
+    this.#fold(applyAll(this.#team, news), happened.length > 0);
   }
 
   /**
@@ -242,8 +254,7 @@ class Live {
 
   /** A change of state of a robot that nobody chose comes with what is steady: there may be a hundred such robots. */
   #isAside(topic: string): boolean {
-    const named = robotTopicOf(topic);
-    return named?.kind === "transition" && named.robot !== this.robot?.name;
+    return isChange(topic) && robotTopicOf(topic)?.robot !== this.robotName;
   }
 
   // Messages are folded as they come and drawn at most once a frame, however many there are.
@@ -254,9 +265,14 @@ class Live {
     this.#redraw.ask();
   }
 
-  /** What only ages waits where something has happened: that is to be seen in the very next frame. */
+  /**
+   * What has happened is to be seen in the very next frame. What only ages waits for the one after it; where only states have
+   * changed, so does all else that is known.
+   */
   #draw(isUrgent: boolean): void {
     if (this.#gapsThen) return;
+    if (isUrgent && !this.#hasOtherNews) return this.#drawAhead();
+    [this.#hasOtherNews, this.#ahead] = [false, undefined];
     if (this.#shown !== this.#team) {
       this.#shown = this.#team;
       this.#history.record(this.#team, this.clock_ms);
@@ -265,6 +281,11 @@ class Live {
     }
     if (!isUrgent) this.#advance();
     this.feed.lookAt(this.robotName);
+    flushSync();
+  }
+
+  #drawAhead(): void {
+    this.#ahead = this.#team.robots.get(this.robotName ?? "");
     flushSync();
   }
 
@@ -289,11 +310,12 @@ class Live {
     if (this.#shown.robots.size <= CROWD || this.#glanced.robots.size !== this.#shown.robots.size) return this.#tellGlance();
     if (this.#glanceWaits || this.#frames.now_ms() - this.#glanceTold_ms < GLANCE_MS) return;
     this.#glanceWaits = true;
-    this.#frames.before(() => {
+    const tell = () => {
       this.#glanceWaits = false;
       this.#tellGlance();
       flushSync();
-    });
+    };
+    this.#frames.before(() => this.#frames.behind(tell));
   }
 
   #tellGlance(): void {
@@ -302,6 +324,8 @@ class Live {
     this.#clock.step(this.clock_ms);
   }
 }
+
+const isChange = (topic: string) => robotTopicOf(topic)?.kind === "transition";
 
 const inTheirOrder = ({ robots }: Team) => [...robots.values()].sort((a, b) => a.identity.index - b.identity.index);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { catalogOf } from "../bhdl/catalog";
-import type { News } from "../feed/inbox";
 import type * as wire from "../feed/messages";
+import type { News } from "../feed/portions";
 import { REPLAYED, type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
 import { withSeenState, withTransitionCounted } from "./coverage";
 import { contestBegan_ms, withEvents } from "./events";

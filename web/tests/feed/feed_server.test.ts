@@ -4,23 +4,26 @@ import { WebSocket } from "ws";
 import { FeedServer, type Report } from "../../src/feed/feed_server";
 import type { RobotState } from "../../src/feed/messages";
 import { writerOf } from "../fixture/idl.mjs";
-import { state } from "../model/told";
-import { FakeMonitor, STATE } from "./fake_monitor";
+import { state, transition } from "../model/told";
+import { channel, FakeMonitor, STATE } from "./fake_monitor";
 
 vi.stubGlobal("WebSocket", WebSocket);
 
+const TRANSITION = "galilean_msgs/msg/Transition";
 const until = (holds: () => boolean): Promise<boolean> => vi.waitUntil(holds, { timeout: 20_000 });
 
 describe("the feed in a thread of its own", () => {
   let monitor: FakeMonitor;
   let reports: Report[];
   let server: FeedServer;
+  /** What is to be done soon, where a test holds it back. */
+  let held: (() => void)[] | undefined;
   const batches = () => reports.flatMap((report) => (report.kind === "batch" ? report.batch : []));
   const states = () => batches().flatMap(({ news }) => news.map(({ message, count }) => [(message as RobotState).state, count]));
   const sendState = (name: string) => monitor.send(monitor.subscription(1)!, writerOf(STATE)(state({ state: name })));
   beforeEach(async () => {
-    [monitor, reports] = [new FakeMonitor(), []];
-    server = new FeedServer((report) => reports.push(report));
+    [monitor, reports, held] = [new FakeMonitor(), [], undefined];
+    server = new FeedServer((report) => reports.push(report), (act) => void (held ? held.push(act) : setImmediate(act)));
     server.obey({ kind: "connect", url: monitor.url });
     await until(() => monitor.subscription(1) !== undefined);
   });
@@ -43,6 +46,32 @@ describe("the feed in a thread of its own", () => {
     expect(batches()).toHaveLength(1);
     server.obey({ kind: "ready" });
     expect(states()).toEqual([["wander", 1], ["remember", 3]]);
+  });
+  it("hands over together what came together", async () => {
+    held = [];
+    for (const name of ["wander", "grab"]) sendState(name);
+    monitor.tell({ op: "status", level: 1, message: "all is sent" });
+    await until(() => reports.some(({ kind }) => kind === "trouble"));
+    expect([held.length, states()]).toEqual([1, []]);
+    for (const act of held) act();
+    expect(states()).toEqual([["grab", 2]]);
+  });
+  it("hands over what happens while the page is busy with one batch, and no third one", async () => {
+    monitor.tell({ op: "advertise", channels: [channel(3, "/io/transition", TRANSITION)] });
+    await until(() => monitor.subscription(3) !== undefined);
+    const happen = (number: number) => monitor.send(monitor.subscription(3)!, writerOf(TRANSITION)(transition(number, "grab")));
+    sendState("wander");
+    await until(() => batches().length === 1);
+    sendState("backup");
+    happen(1);
+    await until(() => batches().length === 2);
+    expect(batches()[1]!.news.map(({ topic }) => topic)).toEqual(["/io/state", "/io/transition"]);
+    happen(2);
+    monitor.tell({ op: "status", level: 1, message: "all is sent" });
+    await until(() => reports.some(({ kind }) => kind === "trouble"));
+    expect(batches()).toHaveLength(2);
+    server.obey({ kind: "ready" });
+    expect(batches()).toHaveLength(3);
   });
   it("reads a picture until it is released", async () => {
     server.obey({ kind: "want", topic: "/io/camera/compressed" });

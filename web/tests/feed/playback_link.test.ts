@@ -30,7 +30,7 @@ describe("a recording that is played", () => {
     server = new FeedServer((report) => {
       reports.push(report);
       if (report.kind === "batch") server.obey({ kind: "ready" });
-    });
+    }, setImmediate);
     server.obey({ kind: "connect", url: `${monitor.url}/replay?recording=office.mcap`, playback: { at_s: 12.5 } });
     await until(() => monitor.subscription(1) !== undefined);
   });

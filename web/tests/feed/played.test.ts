@@ -34,7 +34,7 @@ describe("a recording of three robots", () => {
     server = new FeedServer((report) => {
       reports.push(report);
       if (report.kind === "batch") server.obey({ kind: "ready" });
-    });
+    }, setImmediate);
     server.obey({ kind: "connect", url: `ws://127.0.0.1:${(http.address() as AddressInfo).port}/replay?recording=office.mcap`, playback: {} });
     await until(() => news().some(({ topic }) => topic === "/io/state"));
   });

@@ -26,6 +26,11 @@ it("tells that STOP did not reach the robots, though another word fails after it
   expect(operator.failure).toBe("STOP did not reach the robots: The monitor does not answer. io was not told to hold: It is busy.");
 });
 
+it("sends STOP in the very task of the key, before anything is drawn", () => {
+  operator.stopAll();
+  expect(questions.asked.map(({ told }) => told)).toEqual([["hold", []]]);
+});
+
 it("tells of a failure until the next word", async () => {
   operator.stopAll();
   await questions.of("command").refuse(new Error("The monitor does not answer."));

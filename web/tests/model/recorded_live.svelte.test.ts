@@ -2,7 +2,7 @@
 // What the panels see of a recording, from what the feed's thread reports.
 import { beforeAll, expect, it, vi } from "vitest";
 import type { Order, Report } from "../../src/feed/feed_server";
-import type { News } from "../../src/feed/inbox";
+import type { News } from "../../src/feed/portions";
 import { state, transition } from "./told";
 
 const START_MS = Date.UTC(2024, 10, 28, 12);

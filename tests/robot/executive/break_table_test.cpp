@@ -2,9 +2,6 @@
 // The table of break points: what is accepted, and how it reaches the control loop.
 #include <gmock/gmock.h>
 
-#include <thread>
-
-#include "robot/executive/snapshot.h"
 #include "tests/robot/executive/branching_robot.h"
 
 namespace galilean::robot {
@@ -78,31 +75,6 @@ TEST(BreakTable, SaysWhereAPointIs) {
   EXPECT_EQ(in_words(StateChange{"a", "b"}), "a -> b");
   EXPECT_EQ(in_words(StateChange{"", "b"}), "on entering b");
   EXPECT_EQ(in_words(StateChange{"a", ""}), "on leaving a");
-}
-
-/// Other threads set, let through and step while the loop ticks. ThreadSanitizer runs it as well.
-TEST(Threads, BreakPointsChangeBesideTheControlLoop) {
-  SnapshotTap tap;
-  BranchingRobot robot({&tap});
-  robot.events.events.reserve(1'000'000);
-  std::atomic<bool> done{false};
-  std::jthread control([&] {
-    while (!done && robot.events.events.size() < 900'000)
-      robot.go_to(robot.state() == "wander" ? "grab" : "wander");
-  });
-  Executive& executive = *robot.executive;
-  int stops = 0;
-  for (int i = 0; i < 2000 || (stops == 0 && i < 1'000'000); ++i) {
-    robot.set("", i % 2 ? "grab" : "wander", i % 3 ? BreakKind::kStop : BreakKind::kLock);
-    static_cast<void>(executive.breaks().let_through({{"", "grab"}}, executive.present_state()));
-    static_cast<void>(executive.step());
-    if (i % 5 == 0) executive.breaks().clear();
-    while (const auto event = tap.next_event()) stops += event->stopped_by != Hold::kNone;
-    std::this_thread::yield();
-  }
-  done = true;
-  control.join();
-  EXPECT_GT(stops, 0);
 }
 
 }  // namespace

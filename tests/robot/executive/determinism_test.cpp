@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <thread>
-
-#include "robot/executive/snapshot.h"
+#include "robot/executive/state_hash.h"
 #include "tests/robot/executive/office.h"
 
 namespace galilean::robot {
@@ -39,39 +37,6 @@ TEST(Determinism, BreakPointsThatAreNotReachedChangeNothing) {
   const std::vector<BreakPoint> points{{{"wander_for_trash", "nowhere"}, BreakKind::kStop},
                                        {{"nowhere", ""}, BreakKind::kLock}};
   EXPECT_EQ(hash_after_a_minute(3, points), hash_after_a_minute(3));
-}
-
-TEST(Threads, ProgramsAreBuiltReadAndDestroyedBesideTheControlLoop) {
-  SnapshotTap tap;
-  TestRobot robot(1, {&tap});
-  robot.events.events.reserve(100000);
-  const auto wander = shipped_program("office_cleanup.bhdl");
-  const auto spin = shipped_program("sit_and_spin.bhdl");
-  ASSERT_TRUE(robot.executive->load(wander));
-  std::atomic<bool> done{false};
-  std::jthread control([&] {
-    while (!done) robot.tick();
-  });
-  std::uint64_t last_tick = 0;
-  int swaps = 0;
-  for (int i = 0; i < 40; ++i) {
-    while (robot.executive->waiting()) std::this_thread::yield();
-    ASSERT_TRUE(robot.executive->load(i % 2 ? wander : spin));
-    while (const auto event = tap.next_event()) {
-      swaps += event->kind == Event::Kind::kSwapped;
-      EXPECT_NE(robot.executive->description(event->program), nullptr);
-    }
-    if (!tap.take()) continue;
-    const Snapshot& snapshot = tap.newest();
-    EXPECT_GT(snapshot.tick, last_tick);
-    last_tick = snapshot.tick;
-    const auto description = robot.executive->description(snapshot.program);
-    ASSERT_NE(description, nullptr);
-    EXPECT_EQ(snapshot.variables.size(), description->variables.size());
-    EXPECT_LT(snapshot.state, description->program.states.size());
-  }
-  done = true;
-  EXPECT_GT(swaps, 20);
 }
 
 }  // namespace

@@ -84,7 +84,8 @@ endfunction()
 
 # galilean_test(NAME [THREADS] [DDS] [LONG] SOURCES a_test.cpp … LINK lib …): a GoogleTest program,
 # run by ctest.
-# One program a folder keeps linking cheap; ctest still lists every test by its own name.
+# One program a folder keeps linking cheap. ctest runs whole programs, because to start one for each test
+# takes longer than the tests; with GALILEAN_TESTS_BY_NAME it lists every test by its own name.
 # THREADS marks tests that run under ThreadSanitizer as well; DDS those that must not run beside one
 # another, since they would hear one another; LONG those that would take minutes under sanitizers.
 function(galilean_test name)
@@ -108,13 +109,10 @@ function(galilean_test name)
   if(arg_DDS)
     list(APPEND properties RESOURCE_LOCK dds)
   endif()
-  if(GALILEAN_SANITIZE)
-    # Whole programs: to start one a test takes longer than the test.
-    if(NOT arg_LONG)
-      add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
-      set_tests_properties(${name} PROPERTIES ${properties})
-    endif()
-  else()
+  if(GALILEAN_TESTS_BY_NAME)
     gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
+  elseif(NOT (arg_LONG AND GALILEAN_SANITIZE))
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES ${properties})
   endif()
 endfunction()

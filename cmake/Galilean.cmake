@@ -88,13 +88,19 @@ endfunction()
 # takes longer than the tests; with GALILEAN_TESTS_BY_NAME it lists every test by its own name.
 # THREADS marks tests that run under ThreadSanitizer as well; DDS those that must not run beside one
 # another, since they would hear one another; LONG those that would take minutes under sanitizers.
+# In its sources GALILEAN_SANITIZED is 1 where it is built with sanitizers, otherwise 0.
 function(galilean_test name)
   cmake_parse_arguments(arg "THREADS;DDS;LONG" "" "SOURCES;LINK" ${ARGN})
+  set(sanitized 0)
+  if(GALILEAN_SANITIZE)
+    set(sanitized 1)
+  endif()
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gmock GTest::gtest_main
                                         galilean_runs_once galilean_warnings)
   target_compile_definitions(${name} PRIVATE GALILEAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-                                             GALILEAN_BINARY_DIR="${PROJECT_BINARY_DIR}")
+                                             GALILEAN_BINARY_DIR="${PROJECT_BINARY_DIR}"
+                                             GALILEAN_SANITIZED=${sanitized})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   if(NOT arg_LONG)
     add_dependencies(unit_tests ${name})

@@ -31,7 +31,7 @@ run() {
 }
 
 rm -f build/test-logs/*.count
-run unit ctest ctest --test-dir build -j2 --output-on-failure --no-tests=error
+run unit gtest scripts/unit_tests.sh
 run page vitest scripts/page.sh test
 run page-types status scripts/page.sh check
 run node tap scripts/node_tests.sh tests/{logs,architecture,scripts,tools}/*.test.mjs

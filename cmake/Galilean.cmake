@@ -84,16 +84,23 @@ endfunction()
 
 # galilean_test(NAME [THREADS] [DDS] [LONG] SOURCES a_test.cpp … LINK lib …): a GoogleTest program,
 # run by ctest.
-# One program a folder keeps linking cheap; ctest still lists every test by its own name.
+# One program a folder keeps linking cheap. ctest runs whole programs, because to start one for each test
+# takes longer than the tests; with GALILEAN_TESTS_BY_NAME it lists every test by its own name.
 # THREADS marks tests that run under ThreadSanitizer as well; DDS those that must not run beside one
 # another, since they would hear one another; LONG those that would take minutes under sanitizers.
+# In its sources GALILEAN_SANITIZED is 1 where it is built with sanitizers, otherwise 0.
 function(galilean_test name)
   cmake_parse_arguments(arg "THREADS;DDS;LONG" "" "SOURCES;LINK" ${ARGN})
+  set(sanitized 0)
+  if(GALILEAN_SANITIZE)
+    set(sanitized 1)
+  endif()
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gmock GTest::gtest_main
                                         galilean_runs_once galilean_warnings)
   target_compile_definitions(${name} PRIVATE GALILEAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-                                             GALILEAN_BINARY_DIR="${PROJECT_BINARY_DIR}")
+                                             GALILEAN_BINARY_DIR="${PROJECT_BINARY_DIR}"
+                                             GALILEAN_SANITIZED=${sanitized})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   if(NOT arg_LONG)
     add_dependencies(unit_tests ${name})
@@ -108,13 +115,10 @@ function(galilean_test name)
   if(arg_DDS)
     list(APPEND properties RESOURCE_LOCK dds)
   endif()
-  if(GALILEAN_SANITIZE)
-    # Whole programs: to start one a test takes longer than the test.
-    if(NOT arg_LONG)
-      add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
-      set_tests_properties(${name} PROPERTIES ${properties})
-    endif()
-  else()
+  if(GALILEAN_TESTS_BY_NAME)
     gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
+  elseif(NOT (arg_LONG AND GALILEAN_SANITIZE))
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES ${properties})
   endif()
 endfunction()

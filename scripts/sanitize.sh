@@ -18,7 +18,6 @@ target=unit_tests
 ninja -C "$dir" $target >"$dir/build.log" 2>&1 || { grep -A20 -E 'FAILED|error' "$dir/build.log" | head -100; exit 1; }
 
 export UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS="halt_on_error=1 suppressions=$PWD/tests/sanitizers/thread.supp"
-# ctest's own count would be one of programs: GoogleTest's lines stay, without the number in front.
 label=unit
 [ "$kind" = thread ] && label=threads
-ctest --test-dir "$dir" -L "$label" -j2 -V --no-tests=error | sed -E 's/^[0-9]+: //; /tests? (passed|failed).* out of/d'
+scripts/unit_tests.sh "$dir" "$label"

@@ -20,7 +20,7 @@ cmake --preset tidy >"$dir/cmake.log" 2>&1 || { cat "$dir/cmake.log"; exit 1; }
 ninja -C "$dir" galilean_wire >"$dir/build.log" 2>&1 || { tail -40 "$dir/build.log"; exit 1; }
 
 node -p 'JSON.parse(fs.readFileSync(process.argv[1])).map((entry) => entry.file).join("\n")' "$dir/compile_commands.json" |
-  grep -E '\.(cpp|cxx)$' | grep -vE '/generate/|/wire/generated|idl_compiler' |
+  grep -E '\.(cpp|cxx)$' | grep -vE '/generate/|/generated/|idl_compiler' |
   xargs -P2 -n1 clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option \
     --extra-arg=-Wno-unused-command-line-argument -p "$dir" 2>/dev/null || exit 1
 echo "$stamp" >"$dir/clean"

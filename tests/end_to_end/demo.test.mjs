@@ -52,17 +52,21 @@ test('sixteen robots start, and a hundred and one are refused', limit, async (t)
   assert.match(refused.stderr, /from 1 to 100 robots, not 101/);
 });
 
-test('it needs no program but those that demo.sh waits for', limit, async (t) => {
+test('with no program but those that demo.sh waits for and without a browser the team works, and nothing is left behind', limit, async (t) => {
   const build = process.env.GALILEAN_BUILD ?? `${root}build`;
   const waitedFor = execFileSync('ninja', ['-C', build, '-t', 'query', 'demo_programs'], { encoding: 'utf8' }).match(/bin\/\S+/g);
   assert.ok(!waitedFor.includes('bin/galilean-top'), waitedFor.join());
   const tree = mkdtempSync(join(build, 'demo-only-'));
   t.after(() => rmSync(tree, { recursive: true }));
   for (const part of [...waitedFor, 'share']) cpSync(join(build, part), join(tree, part), { recursive: true });
-  const ran = spawnSync(join(tree, 'bin/galilean'), ['demo', '--headless-for', '20', '--port', String(await freePort())],
-    { cwd: tree, encoding: 'utf8', env: { ...process.env, ROS_DOMAIN_ID: freshDomain() } });
-  assert.equal(ran.status, 0, ran.stderr);
+  const domain = freshDomain();
+  const ran = spawnSync(join(tree, 'bin/galilean'), ['demo', '--headless-for', '20', '--port', String(await freePort()), '--seed', '1'],
+    { cwd: tree, encoding: 'utf8', env: { ...process.env, ROS_DOMAIN_ID: domain } });
+  assert.equal(ran.status, 0, ran.stdout + ran.stderr);
   assert.match(ran.stdout, /callisto +office_cleanup.*drove/);
+  assert.deepEqual(processesIn(domain), []);
+  const [, pid] = /logs in \.galilean\/run-(\d+);/.exec(ran.stdout);
+  assert.deepEqual(ringsOf(`demo-${pid}`), []);
   const early = spawnSync(join(tree, 'bin/galilean'), ['top'], { encoding: 'utf8' });
   assert.equal(early.status, 1);
   assert.match(early.stderr, /galilean-top cannot be started: .*has not been built: demo\.sh builds it while the demo runs/);

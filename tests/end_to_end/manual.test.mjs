@@ -89,9 +89,11 @@ test('groff takes every page without a warning, where there is one', () => {
   }
 });
 
-test('pages do not depend on who makes them', () => {
+test('pages do not depend on who makes them', (t) => {
+  const folder = scratchFolder(t);
   const env = { USER: 'xyzzy', HOME: '/home/xyzzy', XDG_STATE_HOME: '/xyzzy', LC_ALL: 'de_DE.UTF-8' };
-  for (const verb of verbs()) assert.equal(galilean(['manual', ...verb], { env }).stdout, pages[pageOf(verb)]);
+  assert.equal(galilean(['manual', '--into', folder], { env }).status, 0);
+  for (const [name, page] of Object.entries(pages)) assert.equal(readFileSync(join(folder, name), 'utf8'), page, name);
 });
 
 test('galilean(1) names every variable of the environment that the programs read, and no other', () => {

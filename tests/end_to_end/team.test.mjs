@@ -4,7 +4,7 @@ import { createServer } from 'node:net';
 import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import {
-  childrenOf, eventually, freePort, freshDomain, galilean, getJson, processesIn, programs, Running, scratchFolder, sharedMemory, startTeam,
+  childrenOf, eventually, freshDomain, galilean, getJson, processesIn, programs, Running, scratchFolder, startTeam,
 } from './tools.mjs';
 
 const status = (url) => getJson(`${url}/api/status`);
@@ -16,15 +16,6 @@ async function wholeTeam(url) {
     return wellOf(answer).length === 3 && answer.robots.every((robot) => robot.state !== 'start') && answer;
   });
 }
-
-test('the demo without a browser: the team works, and nothing is left behind', async (t) => {
-  const domain = freshDomain();
-  const run = galilean(['demo', '--port', String(await freePort()), '--seed', '1', '--headless-for', '20'], { domain, cwd: scratchFolder(t) });
-  assert.equal(run.status, 0, run.stdout + run.stderr);
-  assert.deepEqual(processesIn(domain), []);
-  const [, pid] = /logs in \.galilean\/run-(\d+);/.exec(run.stdout);
-  assert.deepEqual(sharedMemory().filter((name) => name.includes(`demo-${pid}`)), []);
-});
 
 test('another strategy while the team runs', async (t) => {
   const { team, domain, url, link } = await startTeam(t);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What other threads do to an executive while the control loop ticks. ThreadSanitizer runs it as well.
+// What other threads do to an executive while the control loop ticks. ThreadSanitizer runs it as
+// well.
 #include <atomic>
 #include <thread>
 

@@ -24,6 +24,7 @@ struct Ingest::Signals {
 struct Ingest::Source {
   Channel channel;
   std::atomic<bool> has_data{false};
+  bool rests = false;
   std::unique_ptr<wire::Reader> reader;
   std::map<std::uint64_t, bool> replays = {};  ///< by writer: whether a replay has it
 
@@ -72,7 +73,7 @@ void Ingest::poll() {
   if (signals_->topics_changed.exchange(false)) discover();
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     Source& source = *sources_[i];
-    if (!source.reader || !source.has_data.exchange(false)) continue;
+    if (!source.reader || source.rests || !source.has_data.exchange(false)) continue;
     source.reader->take([&](const wire::Received& received) {
       callbacks_.message({source.channel, wire::wall_clock_ns(), received.sent_ns,
                           std::make_shared<const std::vector<std::uint8_t>>(received.cdr.begin(),
@@ -119,6 +120,11 @@ void Ingest::want(std::uint32_t channel_id, bool wanted) {
     open(source);
   else
     source.reader.reset();
+}
+
+void Ingest::rest(std::uint32_t channel_id, bool rests) {
+  if (channel_id == 0 || channel_id > sources_.size()) return;
+  sources_[channel_id - 1]->rests = rests;
 }
 
 }  // namespace galilean::monitor

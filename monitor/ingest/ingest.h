@@ -44,6 +44,9 @@ class Ingest {
   /// Begins or ends the reading of a topic that is not always read. Calls need not be paired, and
   /// an unknown id is ignored.
   void want(std::uint32_t channel_id, bool wanted);
+  /// Leaves a topic's messages with its reader, or takes them again. Of a state the reader keeps
+  /// the newest, which the first `poll` after that takes. An unknown id is ignored.
+  void rest(std::uint32_t channel_id, bool rests);
 
   /// Returns false for pictures and markers.
   [[nodiscard]] static bool all_but_costly(const Channel& channel);

@@ -54,13 +54,17 @@ std::string_view to_string(Health health) noexcept {
 }
 
 RobotStatus Team::status(const Robot& robot) const {
+  return status(robot, program_hash());
+}
+
+RobotStatus Team::status(const Robot& robot, const std::string& team_hash) const {
   RobotStatus status{.name = robot.name, .replayed = replayed(robot), .age_s = age_s(robot)};
   if (robot.state) {
     tell_state(*robot.state, status);
     status.in_state_s = seconds_between(robot.state->state_since, robot.state->stamp) +
                         to_seconds(clock_.now() - robot.state_received);
     status.drifting =
-        !status.out_of_service && !status.replayed && status.program_hash != program_hash();
+        !status.out_of_service && !status.replayed && status.program_hash != team_hash;
   }
   if (!silent(robot)) status.break_reason = break_reason(robot, since_breaks(robot));
   for (const auto& variable : robot.variables.items) {

@@ -12,9 +12,11 @@ template <class M>
 bool note_as(Team& team, const Message& message) {
   M decoded;
   if (!msg::decode_cdr(*message.cdr, decoded)) return false;
-  team.note(decoded);
+  std::string replayed;
   if constexpr (requires { decoded.robot; })
-    if (message.replayed) team.note_replay(decoded.robot);
+    if (message.replayed) replayed = decoded.robot;
+  team.note(std::move(decoded));
+  if (!replayed.empty()) team.note_replay(replayed);
   return true;
 }
 
@@ -51,12 +53,12 @@ Robot& Team::hear(const std::string& robot) {
   return heard;
 }
 
-void Team::note(const msg::RobotState& state) {
+void Team::note(msg::RobotState state) {
   Robot& robot = hear(state.robot);
   // A lower tick means that the robot was restarted, so its transitions' numbers begin again.
   if (robot.state && state.tick < robot.state->tick) robot.transitions.clear();
-  robot.state = state;
   tally_.note(state);
+  robot.state = std::move(state);
   robot.state_received = robot.heard;
 }
 
@@ -70,9 +72,9 @@ void Team::note(const msg::Transition& transition) {
   if (known.size() > Robot::kTransitionsKept) known.pop_front();
 }
 
-void Team::note(const msg::Variables& variables) {
+void Team::note(msg::Variables variables) {
   Robot& robot = hear(variables.robot);
-  robot.variables = variables;
+  robot.variables = std::move(variables);
   robot.variables_received = robot.heard;
 }
 
@@ -148,8 +150,9 @@ std::string Team::program_hash() const {
 }
 
 std::vector<RobotStatus> Team::statuses() const {
+  const std::string team_hash = program_hash();
   std::vector<RobotStatus> result;
-  for (const auto& [name, robot] : robots_) result.push_back(status(robot));
+  for (const auto& [name, robot] : robots_) result.push_back(status(robot, team_hash));
   return result;
 }
 

@@ -30,9 +30,9 @@ class Team {
   /// Returns false if the bytes cannot be decoded as the message's type.
   bool receive(const Message& message);
 
-  void note(const msg::RobotState& state);
+  void note(msg::RobotState state);
   void note(const msg::Transition& transition);
-  void note(const msg::Variables& variables);
+  void note(msg::Variables variables);
   void note(const msg::Program& program);
   void note(const msg::Catalog& catalog);
   void note(const msg::Breaks& breaks);
@@ -80,6 +80,7 @@ class Team {
   }
 
  private:
+  [[nodiscard]] RobotStatus status(const Robot& robot, const std::string& team_hash) const;
   Robot& hear(const std::string& robot);
   /// Returns how many robots run each program, by its hash: those that a recording plays, or the
   /// others.

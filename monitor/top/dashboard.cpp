@@ -17,7 +17,8 @@ Dashboard::Dashboard(const Parts& parts, std::string chosen)
       clock_(parts.clock),
       pusher_(parts.pusher),
       notices_(parts.clock),
-      steering_(parts.model, parts.clock, parts.voice, notices_) {
+      steering_(parts.model, parts.clock, parts.voice, notices_),
+      curves_(parts.history) {
   choice_.robot = std::move(chosen);
   is_settled_ = !choice_.robot.empty();
 }

@@ -69,7 +69,7 @@ class Dashboard {
 
   // dashboard_orders.cpp: what is ordered.
   /// Returns the name of the robot that is shown, or an empty text where none is heard.
-  [[nodiscard]] std::string shown_robot() const;
+  [[nodiscard]] std::string shown_robot();
   void ask(std::string question, std::function<void()> yes);
   void ask_to_resume(bool all);
   /// Asks whether to take the shown robot out of service, or to put it into service again.
@@ -81,7 +81,7 @@ class Dashboard {
   /// Tells why nothing can be pushed. Returns false if something can.
   bool tells_hindrance();
   /// Returns a wish to push to the shown robot, or to all. Requires: a robot is shown.
-  [[nodiscard]] PushWish wish_for(bool to_all) const;
+  [[nodiscard]] PushWish wish_for(bool to_all);
   void open(std::unique_ptr<OpenSheet> sheet);
 
   // dashboard_breaks.cpp: where the shown robot stops.
@@ -91,7 +91,7 @@ class Dashboard {
   void open_breaks();
 
   // dashboard_screen.cpp: how it looks.
-  [[nodiscard]] View view() const;
+  [[nodiscard]] View view();
   [[nodiscard]] Surroundings surroundings() const;
   [[nodiscard]] std::string footer() const;
   /// Returns what stands before the present's sentences while the past is shown.
@@ -105,6 +105,7 @@ class Dashboard {
   Steering steering_;
   AlarmFinder finder_;
   AlarmBoard board_;
+  Curves curves_;
   Choice choice_;
   bool is_settled_ = false;  ///< the choice stays, whoever is heard
   std::optional<Time> first_heard_;

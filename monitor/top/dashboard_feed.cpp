@@ -7,8 +7,9 @@
 namespace galilean::monitor::top {
 namespace {
 
-bool is_sightings(const Channel& channel) {
-  return channel.schema->ros_type == msg::Sightings::kRosType;
+template <class M>
+bool is(const Channel& channel) {
+  return channel.schema->ros_type == M::kRosType;
 }
 
 }  // namespace
@@ -16,11 +17,13 @@ bool is_sightings(const Channel& channel) {
 DashboardFeed::DashboardFeed(wire::Participant& participant, const Clock& clock)
     : model_(clock),
       history_(clock),
+      clock_(clock),
       ingest_(
           participant,
           {.channel =
                [this](const Channel& channel) {
-                 if (is_sightings(channel)) sightings_[channel.topic] = channel.id;
+                 if (is<msg::Sightings>(channel)) sightings_[channel.topic] = channel.id;
+                 if (is<msg::Variables>(channel)) variables_[channel.topic] = channel.id;
                },
            .message =
                [this](const Message& message) {
@@ -29,15 +32,25 @@ DashboardFeed::DashboardFeed(wire::Participant& participant, const Clock& clock)
                }},
           [this] { wake_.ring(); },
           [](const Channel& channel) {
-            return DashboardModel::shows(channel.schema->ros_type) && !is_sightings(channel);
+            return DashboardModel::shows(channel.schema->ros_type) && !is<msg::Sightings>(channel);
           }) {}
 
 void DashboardFeed::poll() {
   wake_.clear();
+  let_variables_rest();
   ingest_.poll();
 }
 
+void DashboardFeed::let_variables_rest() {
+  const Time now = clock_.now();
+  const bool all = now >= all_due_;
+  if (all) all_due_ = now + History::kEach;
+  for (const auto& [topic, channel] : variables_)
+    ingest_.rest(channel, !all && topic != shown_variables_);
+}
+
 void DashboardFeed::look_through(const std::string& robot) {
+  shown_variables_ = wire::robot_topic(robot, "variables");
   const auto found = sightings_.find(wire::robot_topic(robot, "sightings"));
   const bool is_wanted = !model_.objects() && found != sightings_.end();
   const std::uint32_t channel = is_wanted ? found->second : 0;

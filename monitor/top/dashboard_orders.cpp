@@ -8,7 +8,7 @@
 
 namespace galilean::monitor::top {
 
-std::string Dashboard::shown_robot() const {
+std::string Dashboard::shown_robot() {
   const View shown = view();
   return shown.robots.empty() ? std::string() : shown.robots[shown.chosen].status.name;
 }
@@ -55,7 +55,7 @@ bool Dashboard::tells_hindrance() {
   return !why.empty();
 }
 
-PushWish Dashboard::wish_for(bool to_all) const {
+PushWish Dashboard::wish_for(bool to_all) {
   const Robot& robot = *model_.team().find(shown_robot());
   PushWish wish;
   if (!to_all) wish.robots = {robot.name};

@@ -3,11 +3,11 @@
 
 namespace galilean::monitor::top {
 
-View Dashboard::view() const {
+View Dashboard::view() {
   const DashboardModel& model = past_ ? past_->model() : model_;
   const Clock& clock = past_ ? past_->clock() : clock_;
   return make_view(
-      {model, clock, model_.identities(), &history_, &board_, past_ ? &clock_ : nullptr}, choice_);
+      {model, clock, model_.identities(), &curves_, &board_, past_ ? &clock_ : nullptr}, choice_);
 }
 
 Surroundings Dashboard::surroundings() const {

@@ -61,8 +61,9 @@ int print_once(DashboardFeed& feed, Termination& termination, const Clock& clock
   AlarmFinder finder;
   AlarmBoard board;
   board.update(finder.find(feed.model(), clock.now()), clock.now());
-  const auto view = make_view(
-      {feed.model(), clock, feed.model().identities(), &feed.history(), &board}, {.robot = robot});
+  Curves curves(feed.history());
+  const auto view = make_view({feed.model(), clock, feed.model().identities(), &curves, &board},
+                              {.robot = robot});
   std::cout << picture_of(view).text();
   return view.robots.empty() ? 1 : 0;
 }

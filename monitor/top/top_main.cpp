@@ -30,7 +30,7 @@ struct Options {
   PushOptions push;
 };
 
-constexpr int kRedrawEach_ms = 200;
+constexpr int kRedrawEach_ms = 100;
 constexpr int kUnusable = 2;  ///< the exit code where there is no terminal to use
 
 /// What ends the dashboard or changes its screen, besides keys.

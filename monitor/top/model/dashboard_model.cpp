@@ -35,7 +35,7 @@ void DashboardModel::receive(const Message& message) {
   if (type == msg::ObjectMap::kRosType)
     note_objects(message);
   else if (type == msg::OccupancyGrid::kRosType)
-    note(message, floor_);
+    note_floor(message);
   else if (type == msg::Sightings::kRosType)
     note(message, sightings_[message.channel.topic]);
   else if (type == msg::ProgramReply::kRosType)
@@ -54,6 +54,11 @@ bool DashboardModel::shows(std::string_view ros_type) noexcept {
 
 void DashboardModel::note_objects(const Message& message) {
   if (note(message, objects_)) team_.note(objects_->message);
+}
+
+void DashboardModel::note_floor(const Message& message) {
+  msg::OccupancyGrid grid;
+  if (msg::decode_cdr(*message.cdr, grid)) floor_ = std::make_shared<const Floor>(grid);
 }
 
 void DashboardModel::note_reply(const Message& message) {
@@ -77,10 +82,6 @@ std::string DashboardModel::pushed_name(const std::string& push_id) const {
 const msg::ObjectMap* DashboardModel::objects() const noexcept {
   const bool current = objects_ && clock_.now() - objects_->received < kStaleAfter;
   return current ? &objects_->message : nullptr;
-}
-
-const msg::OccupancyGrid* DashboardModel::floor() const noexcept {
-  return floor_ ? &floor_->message : nullptr;
 }
 
 const msg::Sightings* DashboardModel::sightings(const std::string& robot) const noexcept {

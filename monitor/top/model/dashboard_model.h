@@ -3,12 +3,14 @@
 
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/wire/messages.h"
 #include "monitor/team/team.h"
+#include "monitor/top/model/floor.h"
 #include "monitor/top/model/identity.h"
 
 namespace galilean::monitor::top {
@@ -38,7 +40,7 @@ class DashboardModel {
     return objects_ ? objects_->received : Time{};
   }
   /// Returns the newest occupancy grid; nullptr if none has come yet.
-  [[nodiscard]] const msg::OccupancyGrid* floor() const noexcept;
+  [[nodiscard]] const std::shared_ptr<const Floor>& floor() const noexcept { return floor_; }
   /// Returns a robot's newest sightings; nullptr if it sent none in the last 5 s.
   [[nodiscard]] const msg::Sightings* sightings(const std::string& robot) const noexcept;
 
@@ -52,6 +54,7 @@ class DashboardModel {
   bool note(const Message& message, std::optional<Heard<M>>& to);
 
   void note_objects(const Message& message);
+  void note_floor(const Message& message);
   void note_reply(const Message& message);
   void note_push(const Message& message);
 
@@ -61,7 +64,7 @@ class DashboardModel {
   std::deque<msg::ProgramReply> replies_;
   std::map<std::string, std::string> pushed_names_;  ///< by the push's id
   std::optional<Heard<msg::ObjectMap>> objects_;
-  std::optional<Heard<msg::OccupancyGrid>> floor_;
+  std::shared_ptr<const Floor> floor_;
   std::map<std::string, std::optional<Heard<msg::Sightings>>> sightings_;  ///< by topic
 };
 

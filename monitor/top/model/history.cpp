@@ -23,7 +23,9 @@ Duration least_distance(const Channel& channel) {
 }  // namespace
 
 void History::note(const Message& message) {
-  auto [at, is_new] = tracks_.try_emplace(message.channel.topic, Track{message.channel, {}});
+  auto at = tracks_.find(message.channel.topic);
+  if (at == tracks_.end())
+    at = tracks_.emplace(message.channel.topic, Track{message.channel, {}}).first;
   auto& samples = at->second.samples;
   const Time now = clock_.now();
   if (!samples.empty() && now - samples.back().received < least_distance(message.channel)) return;

@@ -84,7 +84,7 @@ bool contains(std::string_view text, std::string_view part) {
 
 View make_view(const Sources& sources, const Choice& choice) {
   View view;
-  const auto& [model, clock, identities, history, board, present] = sources;
+  const auto& [model, clock, identities, curves, board, present] = sources;
   view.now = present ? present->now() : clock.now();
   view.is_past = present != nullptr;
   show_robots(sources, choice, view);
@@ -97,7 +97,7 @@ View make_view(const Sources& sources, const Choice& choice) {
   show_variables(sources, robot, choice.variable_filter, view);
   if (const auto* map = model.objects()) {
     show_team_map(*map, to_seconds(clock.now() - model.objects_received()), view);
-    if (const auto* floor = model.floor()) view.floor = *floor;
+    view.floor = model.floor();
   } else {
     show_own_map(model, view);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,8 +9,9 @@
 #include "core/geometry.h"
 #include "monitor/team/robot.h"
 #include "monitor/top/model/alarms.h"
+#include "monitor/top/model/curves.h"
 #include "monitor/top/model/dashboard_model.h"
-#include "monitor/top/model/history.h"
+#include "monitor/top/model/floor.h"
 
 namespace galilean::monitor::top {
 
@@ -86,7 +88,7 @@ struct View {
   std::string map_title;
   std::vector<ShownObject> objects;
   std::vector<ShownPose> poses;
-  std::optional<msg::OccupancyGrid> floor;  ///< the occupancy grid, in the frame of the objects
+  std::shared_ptr<const Floor> floor;  ///< in the frame of the objects; nullptr: not known
 };
 
 /// What a snapshot is made of. `model` and `clock` are the present or the past.
@@ -94,7 +96,7 @@ struct Sources {
   const DashboardModel& model;
   const Clock& clock;
   const Identities& identities;
-  const History* history = nullptr;   ///< none: variables have no curves
+  Curves* curves = nullptr;           ///< none: variables have no curves
   const AlarmBoard* board = nullptr;  ///< none: there are no alarms
   const Clock* present = nullptr;     ///< where `clock` is of the past: that of the alarms
 };

@@ -2,21 +2,14 @@
 #include "monitor/top/model/view_parts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <limits>
-#include <map>
 
 #include "core/wire/ros_time.h"
-#include "core/wire/topic_names.h"
 #include "monitor/top/model/break_marks.h"
 #include "monitor/top/model/variable_text.h"
 
 namespace galilean::monitor::top {
 namespace {
-
-constexpr double kInvalid = std::numeric_limits<double>::quiet_NaN();
 
 const msg::Variable* variable_named(const msg::Variables& variables, const std::string& name) {
   const auto found = std::ranges::find(variables.items, name, &msg::Variable::name);
@@ -49,33 +42,6 @@ std::vector<std::string> states_held_too(const msg::Transition& transition) {
     fired = true;
   }
   return states;
-}
-
-/// Returns the number that a variable's curve shows: a shaft's speed, a position's certainty, the
-/// bits, or the length of a force.
-double curve_value(const msg::Variable& variable) {
-  namespace types = msg::Variable_Constants;
-  const auto& v = variable.values;
-  if (!variable.valid || v.empty()) return kInvalid;
-  if (variable.type == types::SHAFT) return v.size() >= 4 ? v[3] : kInvalid;
-  if (variable.type == types::LOCATE) return variable.certainty;
-  if (variable.type == types::FORCE) return v.size() >= 2 ? std::hypot(v[0], v[1]) : kInvalid;
-  return variable.type == types::BITS ? v[0] : kInvalid;
-}
-
-/// Returns each variable's curve, by its name.
-std::map<std::string, std::vector<double>> curves_of(const Sources& sources, const Robot& robot) {
-  constexpr std::size_t kMost = 48;
-  std::map<std::string, std::vector<double>> curves;
-  if (!sources.history) return curves;
-  const auto topic = wire::robot_topic(robot.name, "variables");
-  for (const auto& sample : sources.history->until(topic, sources.clock.now(), kMost)) {
-    msg::Variables variables;
-    if (!msg::decode_cdr(*sample.cdr, variables)) continue;
-    for (const auto& variable : variables.items)
-      curves[variable.name].push_back(curve_value(variable));
-  }
-  return curves;
 }
 
 }  // namespace
@@ -116,24 +82,28 @@ void show_changes(const Robot& robot, double state_age_s, View& view) {
     change.cause = transition.cause;
     // Its folders would leave no room for the line.
     if (!transition.file.empty())
-      change.place = std::filesystem::path(transition.file).filename().string() + ":" +
+      change.place = transition.file.substr(transition.file.rfind('/') + 1) + ":" +
                      std::to_string(transition.line);
     change.held_too = states_held_too(transition);
     if (earlier) change.missed = transition.number - earlier->number - 1;
     earlier = &transition;
-    view.changes.insert(view.changes.begin(), std::move(change));
+    view.changes.push_back(std::move(change));
   }
+  std::ranges::reverse(view.changes);
 }
 
 void show_variables(const Sources& sources, const Robot& robot, std::string_view filter,
                     View& view) {
   view.known_variables = robot.variables.items.size();
-  auto curves = curves_of(sources, robot);
-  for (const auto& variable : robot.variables.items)
+  std::vector<std::vector<double>> curves(robot.variables.items.size());
+  if (sources.curves) curves = sources.curves->of(robot, sources.clock.now());
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const auto& variable = robot.variables.items[i];
     if (contains(variable.name, filter))
       view.variables.push_back({variable.name, variable_text(variable),
                                 sources.model.team().certainty_now(robot, variable),
-                                std::move(curves[variable.name])});
+                                std::move(curves[i])});
+  }
 }
 
 }  // namespace galilean::monitor::top

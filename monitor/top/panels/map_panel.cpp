@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 #include "monitor/top/panels/panels.h"
 #include "monitor/top/panels/whole_number.h"
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double kCellAspect = 2;  // height by width of a terminal's cell
 constexpr double kMargin_m = 0.5, kLeastWidth_m = 4;
-constexpr int kOccupiedPercent = 65, kFreePercent = 35;
 constexpr double kUnsure = 0.33;
 
 /// An axis-parallel box around the shown objects, robots and known cells, in metres.
@@ -28,28 +28,14 @@ struct Bounds {
   }
 };
 
-/// Calls `visit` for each cell that is known to be free or occupied, with its middle [m].
-template <class Visit>
-void for_each_known(const msg::OccupancyGrid& floor, Visit visit) {
-  const auto& info = floor.info;
-  const std::size_t cells =
-      std::min<std::size_t>(floor.data.size(), std::size_t{info.width} * std::size_t{info.height});
-  for (std::size_t i = 0; i < cells; ++i) {
-    const std::int8_t percent = floor.data[i];
-    if (percent < 0 || (percent > kFreePercent && percent < kOccupiedPercent)) continue;
-    const std::size_t column = i % info.width, row = i / info.width;
-    const Vec2 cell(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
-    const Vec2 origin(info.origin.position.x, info.origin.position.y);
-    visit(Vec2(origin + cell * double{info.resolution}), percent >= kOccupiedPercent);
-  }
-}
-
 Bounds bounds_of(const View& view) {
   Bounds bounds;
   for (const auto& object : view.objects) bounds.include(object.position_m);
   for (const auto& robot : view.poses) bounds.include(robot.pose.position_m);
   if (view.floor)
-    for_each_known(*view.floor, [&](const Vec2& middle, bool) { bounds.include(middle); });
+    for (const auto& run : view.floor->runs())
+      for (const auto column : {run.first, run.end - 1})
+        bounds.include({view.floor->x_m(column), view.floor->y_m(run.row)});
   if (bounds.low.x() > bounds.high.x()) bounds = {{0, 0}, {0, 0}};
   const Vec2 center = (bounds.low + bounds.high) / 2;
   const Vec2 half = ((bounds.high - bounds.low) / 2 + Vec2(kMargin_m, kMargin_m))
@@ -109,19 +95,27 @@ char32_t dot(int row, int column) {
 }
 
 /// Draws what is occupied as Braille dots, eight to a cell of the screen, and what is free as "·".
-void draw_floor(const msg::OccupancyGrid& floor, const Projection& projection, Canvas& canvas) {
+void draw_floor(const Floor& floor, const Projection& projection, Canvas& canvas) {
   constexpr char32_t kNoDots = 0x2800;
-  for_each_known(floor, [&](const Vec2& middle, bool occupied) {
-    const auto [row, dot_row] = projection.row_and_part(middle.y(), 4);
-    const auto [column, dot_column] = projection.column_and_part(middle.x(), 2);
-    if (!projection.within(row, column)) return;
-    const char32_t before = canvas.at(row, column).glyph;
-    const char32_t dots = before >= kNoDots && before <= kNoDots + 0xff ? before : kNoDots;
-    if (occupied)
-      canvas.set(row, column, dots | dot(dot_row, dot_column), Style::kPlain);
-    else if (before == U' ')
-      canvas.set(row, column, U'·', Style::kDim);
-  });
+  std::vector<std::pair<int, int>> columns;  // of the screen, and dots in them, of each of the grid
+  for (std::uint32_t i = 0; i < floor.columns(); ++i)
+    columns.push_back(projection.column_and_part(floor.x_m(i), 2));
+  for (const auto& run : floor.runs()) {
+    const auto [row, dot_row] = projection.row_and_part(floor.y_m(run.row), 4);
+    std::pair<int, int> drawn{-1, -1};
+    for (auto i = run.first; i < run.end; ++i) {
+      if (columns[i] == drawn) continue;
+      drawn = columns[i];
+      const auto [column, dot_column] = drawn;
+      if (!projection.within(row, column)) continue;
+      const char32_t before = canvas.at(row, column).glyph;
+      const char32_t dots = before >= kNoDots && before <= kNoDots + 0xff ? before : kNoDots;
+      if (run.occupied)
+        canvas.set(row, column, dots | dot(dot_row, dot_column), Style::kPlain);
+      else if (before == U' ')
+        canvas.set(row, column, U'·', Style::kDim);
+    }
+  }
 }
 
 struct Symbol {

@@ -20,6 +20,7 @@ class Remembered : public Told {
   }
 
   History history{clock};
+  Curves curves{history};
 };
 
 TEST_F(Remembered, ThePastShowsWhatWasKnownThen) {
@@ -52,13 +53,13 @@ TEST_F(Remembered, ThePastSaysThatNobodyReadWhatARobotSaw) {
   tell_of_io();
   const Past then(history, clock.now());
   const View view =
-      make_view({then.model(), then.clock(), model.identities(), &history, nullptr, &clock}, {});
+      make_view({then.model(), then.clock(), model.identities(), &curves, nullptr, &clock}, {});
   EXPECT_EQ(view.map_title, "io's own frame (no monitor; what it saw then was not read)");
 }
 
 TEST_F(Remembered, AVariablesCurveIsMadeOfItsPast) {
   for (int i = 0; i < 6; ++i, clock.advance(History::kEach)) tell_of_io(i);
-  const View view = make_view({model, clock, model.identities(), &history}, {.robot = "io"});
+  const View view = make_view({model, clock, model.identities(), &curves}, {.robot = "io"});
   ASSERT_EQ(view.variables.size(), 1u);
   EXPECT_EQ(view.variables[0].recent, (std::vector<double>{0, 1, 2, 3, 4, 5}));
 }

@@ -267,12 +267,13 @@ TEST(TopLayout, TheMapIsAsLargeAsWhatIsKnownOfTheFloor) {
   floor.data.assign(200 * 200, -1);
   floor.data[100 * 200 + 100] = 0;
   floor.data[100 * 200 + 102] = 100;
-  view.floor = floor;
+  view.floor = std::make_shared<Floor>(floor);
   const std::string screen = text_of(view, 120, 40);
   const auto has_dots = ContainsRegex("\xe2[\xa0-\xa3][\x80-\xbf]");
   EXPECT_THAT(screen, has_dots);
   EXPECT_THAT(screen, HasSubstr("0.11 m a column"));
-  view.floor->data.resize(7);  // fewer cells than it says
+  floor.data.resize(7);  // fewer cells than it says
+  view.floor = std::make_shared<Floor>(floor);
   EXPECT_THAT(text_of(view, 120, 40), Not(has_dots));
 }
 

@@ -13,7 +13,8 @@ using Numbers = std::array<std::uint32_t, 4>;
 
 std::vector<Numbers> runs_of(const msg::OccupancyGrid& grid) {
   std::vector<Numbers> runs;
-  for (const auto& run : Floor(grid).runs())
+  const Floor floor(grid);
+  for (const auto& run : floor.runs())
     runs.push_back({run.row, run.first, run.end, run.occupied ? 1U : 0U});
   return runs;
 }

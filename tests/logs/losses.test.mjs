@@ -109,7 +109,8 @@ test("of a fifth of packets dropped by DDS, all that was published is recorded o
 async function lossy_network(t) {
   const rules = "nft add table ip t && nft add chain ip t c '{ type filter hook input priority 0; }' && nft add rule ip t c ip protocol udp numgen random mod 100 '<' 20 drop";
   const netem = "tc qdisc add dev lo root netem loss 20%";
-  const holder = spawn("unshare", ["--net", "bash", "-c", `ip link set lo up multicast on && { { ${netem}; } || { ${rules}; }; } 2>/dev/null && echo ready; exec cat`]);
+  const unprivileged = process.getuid() === 0 ? [] : ["--user", "--map-root-user"];
+  const holder = spawn("unshare", [...unprivileged, "--net", "bash", "-c", `ip link set lo up multicast on && { { ${netem}; } || { ${rules}; }; } 2>/dev/null && echo ready; exec cat`]);
   let text = "";
   holder.stdout.on("data", (data) => (text += data));
   const closed = new Promise((resolve) => holder.on("close", resolve));
@@ -120,12 +121,14 @@ async function lossy_network(t) {
   });
   holder.stdin.write("made\n"); // which cat says once the rules stand, or could not be made
   await Promise.race([eventually(() => text.includes("made")), closed]);
-  return text.includes("ready") ? ["nsenter", `--net=/proc/${holder.pid}/ns/net`, "--"] : undefined;
+  if (!text.includes("ready")) return undefined;
+  const users = unprivileged.length > 0 ? [`--user=/proc/${holder.pid}/ns/user`, "--preserve-credentials"] : [];
+  return ["nsenter", ...users, `--net=/proc/${holder.pid}/ns/net`, "--"];
 }
 
 test("of a fifth of packets dropped by the network, all that was published is recorded or counted", async (t) => {
   const within_network = await lossy_network(t);
-  if (!within_network) return t.skip("needs root, unshare, ip, and tc with netem or nft: no network can be made that drops packets");
+  if (!within_network) return t.skip("needs unshare, ip, and tc with netem or nft: no network can be made that drops packets");
   await survives_dropped_packets("network.mcap", freshDomain(), { within_network });
 });
 

@@ -90,13 +90,12 @@ std::optional<double> parse_time(TokenReader& tokens) {
 }
 
 std::optional<Operator> parse_operator(TokenReader& tokens) {
-  using Spelling = std::pair<std::string_view, Operator>;
-  constexpr std::array kOperators{
-      Spelling{"=", Operator::kEqual},    Spelling{"==", Operator::kEqual},
-      Spelling{"!=", Operator::kUnequal}, Spelling{"<", Operator::kLess},
-      Spelling{"<=", Operator::kAtMost},  Spelling{">", Operator::kGreater},
-      Spelling{">=", Operator::kAtLeast}};
-  const auto found = std::ranges::find(kOperators, tokens.peek().text, &Spelling::first);
+  using Sign = std::pair<std::string_view, Operator>;
+  constexpr std::array kOperators{Sign{"=", Operator::kEqual},    Sign{"==", Operator::kEqual},
+                                  Sign{"!=", Operator::kUnequal}, Sign{"<", Operator::kLess},
+                                  Sign{"<=", Operator::kAtMost},  Sign{">", Operator::kGreater},
+                                  Sign{">=", Operator::kAtLeast}};
+  const auto found = std::ranges::find(kOperators, tokens.peek().text, &Sign::first);
   if (tokens.at(TokenKind::kOperator) && found != kOperators.end())
     return tokens.next(), found->second;
   tokens.expected("one of = != < <= > >=");

@@ -80,7 +80,7 @@ TEST_F(CopiesTest, SchemasAreChangedIntoTheOtherLanguageAndBack) {
   for (const auto& [id, schema] : back.value().summary().schemas) {
     EXPECT_EQ(schema.encoding, "ros2idl");
     EXPECT_TRUE(std::ranges::any_of(
-        schemas, [&](const auto& each) { return each.second.data == schema.data; }));
+        schemas, [&text = schema.data](const auto& each) { return each.second.data == text; }));
   }
 }
 

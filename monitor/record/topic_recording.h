@@ -29,8 +29,8 @@ class TopicRecording {
     std::string topic;     ///< as on DDS: "rt/io/state"
     std::string dds_type;  ///< "galilean_msgs::msg::dds_::RobotState_"
     bool keyed = false;
-    bool exclusive = false;  ///< the ownership
-    auto operator<=>(const Kind&) const = default;
+    bool exclusive = false;                         ///< the ownership
+    auto operator<=>(const Kind&) const = default;  // NOLINT(modernize-use-nullptr): none here
   };
   struct Writer {
     wire::EndpointInfo info;
@@ -74,8 +74,8 @@ class TopicRecording {
 
  private:
   struct Offer {
-    bool reliable = false, kept = false;  ///< kept for late joiners
-    auto operator<=>(const Offer&) const = default;
+    bool reliable = false, kept = false;             ///< kept for late joiners
+    auto operator<=>(const Offer&) const = default;  // NOLINT(modernize-use-nullptr): none here
   };
 
   [[nodiscard]] static Offer offer_of(const wire::EndpointInfo& writer) noexcept;

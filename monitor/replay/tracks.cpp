@@ -37,7 +37,7 @@ std::string sender_of(const mcap::Channel& channel) {
 void name_once(std::vector<std::string>& topics) {
   std::ranges::sort(topics);
   const auto rest = std::unique(topics.begin(), topics.end());
-  topics.erase(rest, end);
+  topics.erase(rest, topics.end());
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace galilean::wire {
 namespace {
 
 /// In the order of TypeKind. What is unsigned and of 8 bits is "uint8" and "byte" alike.
-constexpr std::array kPrimitives{"bool",  "uint8",  "int8",  "char",   "int16",   "uint16",
-                                 "int32", "uint32", "int64", "uint64", "float32", "float64"};
+constexpr std::array kPrimitiveNames{"bool",  "uint8",  "int8",  "char",   "int16",   "uint16",
+                                     "int32", "uint32", "int64", "uint64", "float32", "float64"};
 constexpr std::string_view kRosRoom = "::msg::dds_::", kIdlRoom = "::msg::";
 const std::string kSeparator = std::string(80, '=') + "\nMSG: ";
 
@@ -79,7 +79,7 @@ class DefinitionWriter {
 
   Result<std::string> single(const TypeDescription& type) {
     if (is_primitive(type.kind))
-      return std::string(kPrimitives.at(static_cast<std::size_t>(type.kind)));
+      return std::string(kPrimitiveNames.at(static_cast<std::size_t>(type.kind)));
     if (type.kind == TypeKind::kString)
       return type.bounds.empty() ? "string" : "string<=" + bound_of(type);
     const std::string name = message_name(type.name);

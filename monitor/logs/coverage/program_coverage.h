@@ -45,7 +45,7 @@ class ProgramCoverage {
     std::string variable;
     std::uint32_t bit = 0;
     bool value = false;
-    auto operator<=>(const Condition&) const = default;
+    auto operator<=>(const Condition&) const = default;  // NOLINT(modernize-use-nullptr): none here
     [[nodiscard]] std::string text() const;
   };
   struct Counts {

@@ -2,6 +2,7 @@
 #include "monitor/logs/figures/chart.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/visible_text.h"
 #include "monitor/logs/figures/chart_frame.h"
@@ -18,7 +19,7 @@ std::string right(const std::string& text) {
 
 std::size_t row_of(double value, const ChartFrame& frame, std::size_t height) {
   const double from_top = (1 - frame.height_of(value)) * static_cast<double>(height - 1);
-  return std::min(static_cast<std::size_t>(from_top + 0.5), height - 1);
+  return std::min(static_cast<std::size_t>(std::lround(from_top)), height - 1);
 }
 
 void draw(const NamedSeries& each, char letter, const ChartFrame& frame,

@@ -42,10 +42,9 @@ struct MapExtent {
   void include(const MapFloor& floor) noexcept {
     for (std::size_t i = 0; i < floor.cells.size(); ++i) {
       if (floor.cells[i] < 0) continue;
-      const double x_m =
-          floor.origin_m.x + static_cast<double>(i % floor.width) * floor.resolution_m;
-      const double y_m =
-          floor.origin_m.y + static_cast<double>(i / floor.width) * floor.resolution_m;
+      const std::size_t column = i % floor.width, row = i / floor.width;
+      const double x_m = floor.origin_m.x + static_cast<double>(column) * floor.resolution_m;
+      const double y_m = floor.origin_m.y + static_cast<double>(row) * floor.resolution_m;
       include(DrawnPoint{x_m, y_m});
       include(DrawnPoint{x_m + floor.resolution_m, y_m + floor.resolution_m});
     }

@@ -72,11 +72,13 @@ void put_floor(const MapFloor& floor, LetterMap& to) {
     const auto c = static_cast<std::size_t>(column), r = static_cast<std::size_t>(row);
     return c < floor.width && r < floor.height ? floor_letter(floor.cells[r * floor.width + c]) : 0;
   });
-  for (std::size_t i = 0; i < floor.cells.size(); ++i)
-    if (floor_letter(floor.cells[i]) == '#')
-      to.put({floor.origin_m.x + (static_cast<double>(i % floor.width) + 0.5) * floor.resolution_m,
-              floor.origin_m.y + (static_cast<double>(i / floor.width) + 0.5) * floor.resolution_m},
-             '#');
+  for (std::size_t i = 0; i < floor.cells.size(); ++i) {
+    if (floor_letter(floor.cells[i]) != '#') continue;
+    const std::size_t column = i % floor.width, row = i / floor.width;
+    to.put({floor.origin_m.x + (static_cast<double>(column) + 0.5) * floor.resolution_m,
+            floor.origin_m.y + (static_cast<double>(row) + 0.5) * floor.resolution_m},
+           '#');
+  }
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ test('bash completes values: choices, what ships, and what an argument may be', 
   assert.deepEqual(complete(t, 'sim ctl drop can -1 c'), []);
   assert.deepEqual(complete(t, 'completion f'), ['fish']);
   assert.deepEqual(complete(t, 'manual pro'), ['programs']);
-  assert.deepEqual(complete(t, 'manual sim ct'), ['ctl']);
+  assert.deepEqual(complete(t, 'manual sim c'), ['check', 'ctl']);
 });
 
 test('bash completes files of the kind that is wanted, and folders', (t) => {

@@ -76,10 +76,10 @@ Drawing chart_drawing(const std::vector<NamedSeries>& all, const std::vector<Nam
   draw_axes(frame, !all.empty(), drawing);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const char* colour = kColours[i % kColours.size()];
-    const std::size_t line = i / 4;
+    const std::size_t row = i / 4;
     drawing.shapes.push_back(curve_of(all[i], colour, frame));
     drawing.shapes.push_back(Label{.x = kMargin + kLegendWidth * static_cast<double>(i % 4),
-                                   .y = 20 + 16 * static_cast<double>(line),
+                                   .y = 20 + 16 * static_cast<double>(row),
                                    .text = all[i].name,
                                    .colour = colour});
   }

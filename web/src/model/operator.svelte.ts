@@ -21,7 +21,7 @@ export class Operator {
   #confirmed_ms: number | undefined;
 
   readonly held: string[] = $derived(
-    [...live.present.robots.values()].filter(({ state }) => state?.value.held && !state.value.out_of_service).map((robot) => robot.name),
+    [...live.present.robots.values()].filter(({ name, state }) => state?.value.held && !state.value.out_of_service && !live.present.replayed.has(name)).map(({ name }) => name),
   );
 
   /** How far the last STOP ALL is; undefined where none is under way. */

@@ -42,7 +42,7 @@ describe("what a whole recording exercised", () => {
 });
 
 describe("the monitor", () => {
-  beforeEach(() => vi.mocked(api.readCoverage).mockReset());
+  beforeEach(() => void vi.mocked(api.readCoverage).mockReset());
 
   it("is asked for the recording, and until it answers that is said", async () => {
     let answer = (_: api.RecordedCoverage) => {};

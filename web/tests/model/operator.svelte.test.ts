@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { beforeEach, describe, expect, it, vi } from "vitest";
+import type { Program } from "../../src/feed/messages";
 import { Operator } from "../../src/model/operator.svelte";
 import type { Questions } from "../fixture/answers";
 import { live, runs } from "../fixture/fake_live.svelte";
@@ -29,6 +30,14 @@ it("tells that STOP did not reach the robots, though another word fails after it
 it("sends STOP in the very task of the key, before anything is drawn", () => {
   operator.stopAll();
   expect(questions.asked.map(({ told }) => told)).toEqual([["hold", []]]);
+});
+
+it("counts a robot of a recording among the held ones as little as one out of service", () => {
+  const held = (name: string, out_of_service = false) => ({ name, program: { value: {} as Program }, state: { value: { program_hash: "aaaa", held: true, out_of_service } } });
+  live.robots = [held("io"), held("ganymede", true), held("callisto")];
+  live.replayed = new Set(["callisto"]);
+  expect(operator.held).toEqual(["io"]);
+  live.reset();
 });
 
 it("tells of a failure until the next word", async () => {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Records teams of separate processes under load, loss and jitter, and runs each recording again:
-//   node scripts/rerun_many.mjs [--recordings 200] [--seconds 8] [--robots 2] [--loss 50] [--builds build,build/clang]
+//   node scripts/rerun_many.mjs [--recordings 200] [--seconds 8] [--robots 2] [--loss 50] [--builds build,build/clang] [--at-once 1]
 // `loss` is how many of a thousand packets DDS drops. Robots are stopped now and then for some milliseconds. A process
-// that computes takes what time there is. Teams are of the first build; all builds run the recordings again. Ends with
-// 1 if a bit differs or a recording cannot be told of. What differs is kept, and its name is printed.
-import { spawn, spawnSync } from 'node:child_process';
+// that computes takes what time there is. Teams are of the first build; all builds run the recordings again. So many
+// teams drive at a time as --at-once says. Ends with 1 if a bit differs or a recording cannot be told of. What differs
+// is kept, and its name is printed.
+import { spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync, statSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -19,7 +20,7 @@ const { values: asked } = parseArgs({
   options: {
     recordings: { type: 'string', default: '200' }, seconds: { type: 'string', default: '8' },
     robots: { type: 'string', default: '2' }, loss: { type: 'string', default: '50' },
-    builds: { type: 'string', default: 'build' },
+    builds: { type: 'string', default: 'build' }, 'at-once': { type: 'string', default: '1' },
   },
 });
 const builds = asked.builds.split(',');
@@ -67,27 +68,43 @@ async function record(number) {
 const load = spawn('nice', ['sh', '-c', 'while :; do :; done'], { stdio: 'ignore' });
 process.on('exit', () => load.kill());
 const sums = Object.fromEntries(builds.map((build) => [build, { runs: 0, ticks: 0, differ: 0, untold: 0, fewest_x: Infinity }]));
-let bytes = 0;
-for (let number = 1; number <= Number(asked.recordings); ++number) {
+let bytes = 0, begun = 0, done = 0;
+
+/** What `galilean log rerun --json` says of the file, and how it ended. */
+async function rerun(build, file) {
+  const child = spawn(binary(build), ['log', 'rerun', file, '--json'], { stdio: ['ignore', 'pipe', 'pipe'] });
+  const said = { stdout: '', stderr: '' };
+  for (const stream of ['stdout', 'stderr']) child[stream].setEncoding('utf8').on('data', (text) => (said[stream] += text));
+  const status = await new Promise((resolve) => child.on('close', resolve));
+  return { status, ...said };
+}
+
+function add(sum, run) {
+  sum.runs += 1;
+  sum.ticks += run.ticks;
+  sum.differ += run.divergence ? 1 : 0;
+  sum.untold += run.cannot_tell ? 1 : 0;
+  sum.fewest_x = Math.min(sum.fewest_x, run.recorded_s / run.took_s);
+}
+
+async function recordAndRerun(number) {
   const file = await record(number);
   bytes += statSync(file).size;
   let good = true;
   for (const build of builds) {
-    const { stdout, stderr, status } = spawnSync(binary(build), ['log', 'rerun', file, '--json'], { encoding: 'utf8', maxBuffer: 1 << 28 });
-    const sum = sums[build];
-    for (const run of stdout.trim().split('\n').filter(Boolean).map((line) => JSON.parse(line))) {
-      sum.runs += 1;
-      sum.ticks += run.ticks;
-      sum.differ += run.divergence ? 1 : 0;
-      sum.untold += run.cannot_tell ? 1 : 0;
-      sum.fewest_x = Math.min(sum.fewest_x, run.recorded_s / run.took_s);
-    }
+    const { status, stdout, stderr } = await rerun(build, file);
+    for (const line of stdout.trim().split('\n').filter(Boolean)) add(sums[build], JSON.parse(line));
     good &&= status === 0;
     if (status !== 0) console.log(`${file} with ${build}: exit code ${status}\n${stdout}${stderr}`);
   }
   if (good) rmSync(file);
-  if (number % 10 === 0) console.log(`${number} recordings: ${JSON.stringify(sums)}`);
+  if (++done % 10 === 0) console.log(`${done} recordings: ${JSON.stringify(sums)}`);
 }
+
+async function work() {
+  while (begun < Number(asked.recordings)) await recordAndRerun(++begun);
+}
+await Promise.all(Array.from({ length: Number(asked['at-once']) }, work));
 console.log(`${asked.recordings} recordings, ${(bytes / 1e6).toFixed(0)} MB: ${JSON.stringify(sums)}`);
 const bad = Object.values(sums).some(({ differ, untold }) => differ + untold > 0);
 if (!bad) rmSync(folder, { recursive: true });

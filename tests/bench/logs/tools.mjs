@@ -51,7 +51,7 @@ export async function galilean(args, options = {}) {
   };
   const looking = setInterval(look, LOOK_EACH_MS);
   const began = performance.now();
-  const status = await new Promise((resolve) => child.on('close', (code, signal) => resolve(code ?? signal)));
+  const status = await new Promise((resolve, reject) => child.on('error', reject).on('close', (code, signal) => resolve(code ?? signal)));
   clearInterval(looking);
   const took_s = (performance.now() - began) / 1000;
   if (![0, 1, 3].includes(status) || (status === 1 && !options.mayFail)) throw new Error(`galilean ${args.join(' ')} ended with ${status}:\n${complaints}`);

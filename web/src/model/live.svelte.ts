@@ -239,6 +239,8 @@ class Live {
     const from_ms = this.playback.now_ms;
     told(this.playback);
     const to_ms = this.playback.now_ms;
+    // While nothing is shown yet, there is no instant before to be shown: least of all today.
+    if (this.#shown === emptyTeam) this.#clock.jump(to_ms);
     const isSettling = this.#gapsThen !== undefined;
     const { team, gaps } = rewound({ team: this.#team, gaps: this.#gapsThen ?? this.gaps }, this.#history, from_ms, to_ms);
     [this.#team, this.#gapsThen] = [team, gaps];

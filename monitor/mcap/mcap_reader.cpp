@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "monitor/mcap/index_statistics.h"
 #include "monitor/mcap/losses.h"
@@ -138,8 +139,9 @@ Result<Summary> summarize(const ByteSource& source, Depth depth, const Progress&
   summary.being_written = source.is_being_written();
   SummarySection section = read_summary_section(source);
   summary.bytes = source.size();
-  const auto known = section.checked ? section.chunks : std::vector<ChunkIndex>{};
-  const Survey found = take_over(survey(source, known, section.data_end), section, summary);
+  auto known = section.checked ? std::move(section.chunks) : std::vector<ChunkIndex>{};
+  const Survey found =
+      take_over(survey(source, std::move(known), section.data_end), section, summary);
   if (!summary.closed && summary.being_written) forgive_unfinished(found, summary);
   if (is_to_be_read(summary, section, depth)) {
     count_all(source, progress, summary);

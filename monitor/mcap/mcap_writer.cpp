@@ -19,7 +19,7 @@ const char* compression_name(Compression compression) {
   return compression == Compression::kLz4 ? "lz4" : "zstd";
 }
 
-constexpr std::size_t kAttachedAtOnce = std::size_t{1} << 20;
+constexpr std::size_t kAtOnce = std::size_t{1} << 20;
 }  // namespace
 
 Writer::Writer(ByteSink& sink, WriterOptions options)
@@ -30,7 +30,7 @@ Result<void> Writer::emit(ByteView bytes) {
   outcome_ = sink_.write(bytes);
   if (!outcome_) return outcome_;
   position_ += bytes.size();
-  data_crc_ = crc32(bytes, data_crc_);
+  crc_ = crc32(bytes, crc_);
   return {};
 }
 
@@ -100,8 +100,8 @@ Result<void> Writer::write(const Attachment& attachment, const ByteSource& sourc
 Result<void> Writer::emit_attached(const Attachment& attachment, const ByteSource& source,
                                    std::uint32_t& crc) {
   for (std::uint64_t done = 0; done < attachment.data_bytes; done += scratch_.size()) {
-    scratch_.resize(static_cast<std::size_t>(
-        std::min<std::uint64_t>(kAttachedAtOnce, attachment.data_bytes - done)));
+    scratch_.resize(
+        static_cast<std::size_t>(std::min<std::uint64_t>(kAtOnce, attachment.data_bytes - done)));
     if (!source.read(attachment.data_offset + done, scratch_))
       return outcome_ = Error{"the attachment '" + visible(attachment.name) + "' cannot be read"};
     crc = crc32(scratch_, crc);
@@ -142,7 +142,7 @@ Result<void> Writer::close_chunk() {
   if (auto done = emit_record(chunk); !done) return done;
   index.length = position_ - index.offset;
   if (auto done = write_message_indexes(index); !done) return done;
-  chunk_indexes_.push_back(std::move(index));
+  chunk_indexes_.add(index);
   ++statistics_.chunks;
   chunk_.clear();
   return {};
@@ -161,37 +161,63 @@ Result<void> Writer::write_message_indexes(ChunkIndex& index) {
 
 Result<void> Writer::end() {
   if (auto done = close_chunk(); !done) return done;
-  if (auto done = emit_record(DataEnd{data_crc_}); !done) return done;
+  if (auto done = emit_record(DataEnd{crc_}); !done) return done;
   return write_summary();
 }
 
+/// Emits the records that `next` returns until it returns nullptr, in pieces: of a long recording
+/// they are many megabytes.
+template <class Next>
+Result<void> Writer::emit_group(Opcode opcode, Next next, Bytes& offsets) {
+  const std::uint64_t start = position_;
+  scratch_.clear();
+  while (const auto* record = next()) {
+    append(scratch_, *record);
+    if (scratch_.size() < kAtOnce) continue;
+    if (auto done = emit(scratch_); !done) return done;
+    scratch_.clear();
+  }
+  if (auto done = emit(scratch_); !done) return done;
+  if (position_ > start) append(offsets, SummaryOffset{opcode, start, position_ - start});
+  return {};
+}
+
 template <class Records>
-void Writer::append_group(Opcode opcode, const Records& records, Bytes& summary,
-                          Bytes& offsets) const {
-  const std::uint64_t start = position_ + summary.size();
-  for (const auto& record : records) append(summary, record);
-  const std::uint64_t length = position_ + summary.size() - start;
-  if (length > 0) append(offsets, SummaryOffset{opcode, start, length});
+Result<void> Writer::emit_all(Opcode opcode, const Records& records, Bytes& offsets) {
+  auto at = std::begin(records);
+  return emit_group(
+      opcode, [&] { return at == std::end(records) ? nullptr : &*at++; }, offsets);
 }
 
 Result<void> Writer::write_summary() {
-  Bytes summary, offsets;
-  append_group(Opcode::kSchema, schemas_, summary, offsets);
-  append_group(Opcode::kChannel, channels_, summary, offsets);
-  append_group(Opcode::kStatistics, std::array{statistics_}, summary, offsets);
-  append_group(Opcode::kChunkIndex, chunk_indexes_, summary, offsets);
-  append_group(Opcode::kAttachmentIndex, attachment_indexes_, summary, offsets);
-  append_group(Opcode::kMetadataIndex, metadata_indexes_, summary, offsets);
+  const std::uint64_t start = position_;
+  crc_ = 0;
+  Bytes offsets;
+  ChunkIndexLog::Reader chunks(chunk_indexes_, compression_name(options_.compression));
+  const std::array statistics{statistics_};
+  if (auto done = emit_all(Opcode::kSchema, schemas_, offsets); !done) return done;
+  if (auto done = emit_all(Opcode::kChannel, channels_, offsets); !done) return done;
+  if (auto done = emit_all(Opcode::kStatistics, statistics, offsets); !done) return done;
+  if (auto done = emit_group(
+          Opcode::kChunkIndex, [&] { return chunks.next(); }, offsets);
+      !done)
+    return done;
+  if (auto done = emit_all(Opcode::kAttachmentIndex, attachment_indexes_, offsets); !done)
+    return done;
+  if (auto done = emit_all(Opcode::kMetadataIndex, metadata_indexes_, offsets); !done) return done;
+  return write_footer(start, offsets);
+}
 
-  Footer footer{position_, position_ + summary.size(), 0};
-  summary.insert(summary.end(), offsets.begin(), offsets.end());
-  const auto footer_at = summary.size();
-  append(summary, footer);
-  footer.summary_crc = crc32(ByteView(summary).first(footer_at + kFooterFieldsBeforeCrc));
-  summary.resize(footer_at);
-  append(summary, footer);
-  summary.insert(summary.end(), std::begin(kMagic), std::end(kMagic));
-  return emit(summary);
+/// Writes the rest of a file whose summary begins at `start`.
+Result<void> Writer::write_footer(std::uint64_t start, ByteView offsets) {
+  Footer footer{start, position_, 0};
+  Bytes end(offsets.begin(), offsets.end());
+  append(end, footer);
+  footer.summary_crc = crc32(ByteView(end).first(offsets.size() + kFooterFieldsBeforeCrc), crc_);
+  end.resize(offsets.size());
+  append(end, footer);
+  end.insert(end.end(), std::begin(kMagic), std::end(kMagic));
+  return emit(end);
 }
 
 }  // namespace galilean::mcap

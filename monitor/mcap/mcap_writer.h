@@ -5,6 +5,7 @@
 #include "monitor/mcap/byte_sink.h"
 #include "monitor/mcap/byte_source.h"
 #include "monitor/mcap/chunk_builder.h"
+#include "monitor/mcap/chunk_index_log.h"
 #include "monitor/mcap/mcap_records.h"
 #include "monitor/mcap/zstd.h"
 
@@ -55,14 +56,17 @@ class Writer {
   Result<void> close_chunk();
   Result<void> write_message_indexes(ChunkIndex& index);
   Result<void> write_summary();
+  Result<void> write_footer(std::uint64_t start, ByteView offsets);
   [[nodiscard]] ByteView compress(ByteView records);
   Result<void> emit(ByteView bytes);
   Result<void> emit_attached(const Attachment& attachment, const ByteSource& source,
                              std::uint32_t& crc);
   template <class Record>
   Result<void> emit_record(const Record& record);
+  template <class Next>
+  Result<void> emit_group(Opcode opcode, Next next, Bytes& offsets);
   template <class Records>
-  void append_group(Opcode opcode, const Records& records, Bytes& summary, Bytes& offsets) const;
+  Result<void> emit_all(Opcode opcode, const Records& records, Bytes& offsets);
 
   ByteSink& sink_;
   WriterOptions options_;
@@ -70,11 +74,11 @@ class Writer {
   ChunkBuilder chunk_;
   Bytes scratch_, frame_;
   std::uint64_t position_ = 0;
-  std::uint32_t data_crc_ = 0;
+  std::uint32_t crc_ = 0;  ///< of the data section, and then of the summary
   Result<void> outcome_;
   std::vector<Schema> schemas_;
   std::vector<Channel> channels_;
-  std::vector<ChunkIndex> chunk_indexes_;
+  ChunkIndexLog chunk_indexes_;
   std::vector<MetadataIndex> metadata_indexes_;
   std::vector<AttachmentIndex> attachment_indexes_;
   Statistics statistics_;

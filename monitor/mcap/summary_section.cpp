@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/mcap/summary_section.h"
 
+#include <algorithm>
 #include <cstring>
 
+#include "monitor/mcap/byte_window.h"
 #include "monitor/mcap/crc32.h"
 #include "monitor/mcap/unpack.h"
 
 namespace galilean::mcap {
 namespace {
 
-/// The largest summary that is read [bytes]; it is a thousandth of its file.
-constexpr std::uint64_t kMaxSummaryBytes = kMaxBlockBytes;
+constexpr std::size_t kSummedAtOnce = std::size_t{1} << 20;
 
 template <class Record>
 bool keep_numbered(ByteView content, std::map<std::uint16_t, Record>& to) {
@@ -18,6 +19,14 @@ bool keep_numbered(ByteView content, std::map<std::uint16_t, Record>& to) {
   if (!parse(content, record)) return false;
   to[record.id] = std::move(record);
   return true;
+}
+
+/// Leaves out where each channel's messages are indexed: of a recording of hours that is all that
+/// its summary holds, and nobody asks for it.
+bool keep_chunk_index(ByteView content, ChunkIndex& to) {
+  const bool whole = parse(content, to);
+  to.message_index_offsets.clear();
+  return whole;
 }
 
 bool keep_summary_record(Opcode opcode, ByteView content, SummarySection& to) {
@@ -29,23 +38,42 @@ bool keep_summary_record(Opcode opcode, ByteView content, SummarySection& to) {
     case Opcode::kStatistics:
       return parse(content, to.statistics.emplace());
     case Opcode::kChunkIndex:
-      return parse(content, to.chunks.emplace_back());
+      return keep_chunk_index(content, to.chunks.emplace_back());
     default:
       return opcode != Opcode{0};
   }
 }
 
-bool keep_summary_records(ByteView bytes, SummarySection& to) {
-  while (!bytes.empty()) {
+/// Takes the records from `at` to `end`, one after the other. Returns false if one contradicts
+/// itself.
+bool keep_summary_records(const ByteSource& source, std::uint64_t at, std::uint64_t end,
+                          SummarySection& to) {
+  ByteWindow window(source);
+  while (at < end) {
+    const auto head = window.at(at, kRecordHead);
+    if (head.size() < kRecordHead || end - at < kRecordHead) return false;
+    const auto opcode = static_cast<Opcode>(head[0]);
     std::uint64_t length = 0;
-    if (bytes.size() < kRecordHead) return false;
-    std::memcpy(&length, bytes.data() + 1, sizeof length);
-    if (length > bytes.size() - kRecordHead) return false;
-    const auto content = bytes.subspan(kRecordHead, static_cast<std::size_t>(length));
-    if (!keep_summary_record(static_cast<Opcode>(bytes[0]), content, to)) return false;
-    bytes = bytes.subspan(kRecordHead + content.size());
+    std::memcpy(&length, head.data() + 1, sizeof length);
+    at += kRecordHead;
+    if (length > end - at || length > kMaxBlockBytes) return false;
+    const auto content = window.at(at, static_cast<std::size_t>(length));
+    if (content.size() < length || !keep_summary_record(opcode, content, to)) return false;
+    at += length;
   }
   return true;
+}
+
+/// Returns the checksum of the bytes from `at` to `end`; nothing if they cannot be read.
+std::optional<std::uint32_t> checksum_of(const ByteSource& source, std::uint64_t at,
+                                         std::uint64_t end) {
+  std::uint32_t crc = 0;
+  for (Bytes bytes; at < end; at += bytes.size()) {
+    bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kSummedAtOnce, end - at)));
+    if (!source.read(at, bytes)) return std::nullopt;
+    crc = crc32(bytes, crc);
+  }
+  return crc;
 }
 
 /// Returns the footer; nothing if the file does not end with one.
@@ -80,14 +108,15 @@ SummarySection read_summary_section(const ByteSource& source) {
   const std::uint64_t start = footer->summary_start == 0 ? footer_at : footer->summary_start;
   if (start < sizeof kMagic || start > footer_at)
     return damaged_summary(footer_at, "is said to begin outside the file");
-  if (footer_at - start > kMaxSummaryBytes) return damaged_summary(start, "is larger than 256 MiB");
-  Bytes bytes(static_cast<std::size_t>(footer_at + kFooterBytes - start));
-  if (!source.read(start, bytes)) return damaged_summary(start, "cannot be read");
-  const auto summed = ByteView(bytes).first(bytes.size() - sizeof footer->summary_crc);
-  if (footer->summary_crc != 0 && crc32(summed) != footer->summary_crc)
+  // Behind the data that it is about: a larger one would take longer to read than the data.
+  if (footer_at - start > kMaxBlockBytes && footer_at - start > start)
+    return damaged_summary(start, "is said to be larger than the data before it");
+  const auto crc =
+      checksum_of(source, start, footer_at + kFooterBytes - sizeof footer->summary_crc);
+  if (!crc) return damaged_summary(start, "cannot be read");
+  if (footer->summary_crc != 0 && crc != footer->summary_crc)
     return damaged_summary(start, "does not match its checksum");
-  if (!keep_summary_records(ByteView(bytes).first(static_cast<std::size_t>(footer_at - start)),
-                            section))
+  if (!keep_summary_records(source, start, footer_at, section))
     return damaged_summary(start, "has a record that contradicts itself");
   section.closed = true;
   section.data_end = start;

@@ -17,11 +17,12 @@ struct SummarySection {
   std::map<std::uint16_t, Schema> schemas;
   std::map<std::uint16_t, Channel> channels;
   std::optional<Statistics> statistics;
-  std::vector<ChunkIndex> chunks;
-  std::optional<Damage> damage;  ///< if set, all the rest but `closed` is empty
+  std::vector<ChunkIndex> chunks;  ///< without the offsets of their message indexes
+  std::optional<Damage> damage;    ///< if set, all the rest but `closed` is empty
 };
 
-/// Reads the summary section. Never throws because of the file's content.
+/// Reads the summary section, record by record: that of a recording of a day may have hundreds of
+/// megabytes. Never throws because of the file's content.
 [[nodiscard]] SummarySection read_summary_section(const ByteSource& source);
 
 }  // namespace galilean::mcap

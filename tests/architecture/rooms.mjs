@@ -150,7 +150,7 @@ export const rooms = {
     timeline: ['lib', 'model', 'parts', 'layout', 'replay'],
     referee: ['lib', 'feed', 'model', 'parts', 'layout'],
     team: ['lib', 'feed', 'model', 'parts', 'layout'],
-    wall: ['lib', 'model', 'parts', 'graph', 'map', 'referee'],
+    wall: ['lib', 'model', 'parts', 'graph', 'map', 'referee', 'replay'],
     shell: ANY,
   },
 };

@@ -55,7 +55,7 @@ test("it has the colours that the reader chose", async () => {
 });
 
 test("a page that stands otherwise shows no panels where they will not be", async () => {
-  for (const path of ["/?wall", "/?layout=map"]) {
+  for (const path of ["/?wall", "/?wall&recording=office.mcap", "/?layout=map"]) {
     const page = await opened({ path });
     assert.ok(await wordShown(page), path);
     const hidden = await page.locator("#starting-places div").first().evaluate((box) => getComputedStyle(box, "::before").visibility);

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The page for a beamer: legible at ten metres, without anything to press, with what is wrong in large letters.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { after, before, describe, test } from "node:test";
+import { loadAxe, violations } from "./axe.mjs";
 import { startFixture, Tab } from "./tab.mjs";
 
-const axe = readFileSync(createRequire(new URL("../../web/package.json", import.meta.url)).resolve("axe-core/axe.min.js"), "utf8");
-const RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
 const BEAMERS = [{ width: 1920, height: 1080 }, { width: 1280, height: 720 }];
 /** Of the height: what a text must have to be read at ten metres. */
 const LEGIBLE = 1 / 30;
 
-/** The wall of a played team, for the tests of a `describe`. */
-function wallOf(play, options = { viewport: BEAMERS[0] }) {
+/** The wall of a played team, or of a recording that `path` names, for the tests of a `describe`. */
+function wallOf(play, options = { viewport: BEAMERS[0] }, path = "/?wall") {
   const tab = new Tab();
   before(async () => {
     tab.fixture = await startFixture(play);
-    await tab.open(`${tab.fixture.url}/?wall`, options);
+    await tab.open(tab.fixture.url + path, options);
     await tab.at("wall").waitFor();
   });
   after(async () => {
@@ -59,6 +56,11 @@ function cutOff() {
   }).map(({ outerHTML }) => outerHTML.slice(0, 160));
 }
 
+/** How many things can be pressed or reached by a key. */
+function pressable() {
+  return [...document.querySelectorAll("button, input, select, textarea, a[href], [tabindex], [role=button], [role=slider]")].filter((each) => !each.closest("[inert]")).length;
+}
+
 for (const robots of [3, 30]) {
   describe(`with ${robots} robots`, () => {
     const tab = wallOf({ robots, ahead: 60, silent: "callisto" });
@@ -91,15 +93,13 @@ for (const robots of [3, 30]) {
     for (const colorScheme of ["light", "dark"]) {
       test(`axe finds no violation, ${colorScheme}`, async () => {
         await tab.page.emulateMedia({ colorScheme });
-        await tab.page.evaluate(axe);
-        const { violations } = await tab.page.evaluate((rules) => window.axe.run({ runOnly: { type: "tag", values: rules } }), RULES);
-        assert.deepEqual(violations.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html.slice(0, 120)}`)), []);
+        await loadAxe(tab.page);
+        assert.deepEqual(await violations(tab.page), []);
       });
     }
 
     test("nothing can be pressed, and no key says anything to the robots", async () => {
-      const pressable = await tab.page.evaluate(() => [...document.querySelectorAll("button, input, select, textarea, a[href], [tabindex], [role=button]")].filter((each) => !each.closest("[inert]")).length);
-      assert.equal(pressable, 0);
+      assert.equal(await tab.page.evaluate(pressable), 0);
       for (const key of [".", "Control+.", "h", "r", "t", "?"]) await tab.page.keyboard.press(key);
       await tab.page.keyboard.press("Tab");
       assert.equal(await tab.page.evaluate(() => document.activeElement.tagName), "BODY");
@@ -155,5 +155,79 @@ describe("without a monitor", () => {
     tab.fixture = await startFixture({}, new URL(tab.url).port);
     await tab.until(() => !document.querySelector("[data-testid=wall-notices]"));
     await tab.untilIs("wall-robot-io", "data-condition", "well");
+  });
+});
+
+/** Of the fixture's recording: 40 s of three robots, of which callisto falls silent at 8 s. */
+describe("of a recording", () => {
+  const tab = wallOf({}, { viewport: BEAMERS[1], timezoneId: "UTC" }, "/?wall&recording=office.mcap&at=20");
+  const show = (query) => tab.page.goto(new URL(`/?wall&${query}`, tab.fixture.url).href);
+  const notice = (kind, words) => tab.page.locator(`[data-kind=${kind}]`).filter({ hasText: words }).waitFor();
+  const instant_ms = () => tab.at("replay").getAttribute("data-at-ms").then(Number);
+
+  test("the header says REPLAY, the file and the instant in the replay's colour, and nothing of the present", async () => {
+    await tab.untilText("replay", /REPLAY\s+office\.mcap\s+2024-11-28 12:00:\d\d/);
+    const colours = await tab.at("replay").evaluate((replay) => {
+      const sample = document.body.appendChild(document.createElement("span"));
+      sample.style.color = "var(--replay)";
+      const wanted = getComputedStyle(sample).color;
+      sample.remove();
+      return { wanted, shown: [replay, replay.querySelector("time")].map((each) => getComputedStyle(each).color) };
+    });
+    assert.deepEqual(colours.shown, [colours.wanted, colours.wanted]);
+    assert.doesNotMatch(await tab.page.locator("body").innerText(), /\blive\b|behind|Connecting/i);
+  });
+
+  test("map, states and score are as they were, and ages go by the recording's time", async () => {
+    await tab.at("wall-robot-ganymede").filter({ hasText: "_" }).waitFor();
+    await tab.until(() => ["wall", "map"].every((what) => document.querySelectorAll(`[data-testid^=${what}-robot-]`).length === 3));
+    await tab.untilText("wall-clock", /^\d\d:\d\d\s+left$/);
+    await tab.untilText("wall-score", /^\d+\s+of 24 deposited$/);
+    await tab.untilIs("wall-robot-callisto", "data-condition", "silent");
+    await tab.untilText("wall-robot-callisto", /silent [1-3]\d s/);
+    await notice("alarm", "callisto is silent, for");
+  });
+
+  test("all of it is legible, nothing is cut off, and axe finds no violation", async () => {
+    await tab.untilDrawn();
+    const texts = await assertLegible(tab.page);
+    assert.ok(texts.includes("REPLAY") && texts.includes("office.mcap"), JSON.stringify(texts));
+    assert.deepEqual(await tab.page.evaluate(cutOff), []);
+    await loadAxe(tab.page);
+    assert.deepEqual(await violations(tab.page), []);
+  });
+
+  test("nothing can be pressed, and no key stops it", async () => {
+    await show("recording=office.mcap&at=5");
+    await tab.until(() => document.querySelector("[data-testid=replay] time"));
+    assert.equal(await tab.page.evaluate(pressable), 0);
+    for (const key of [" ", ",", ".", "Home", "L", "?"]) await tab.page.keyboard.press(key);
+    const before_ms = await instant_ms();
+    await tab.until((least_ms) => Number(document.querySelector("[data-testid=replay]").dataset.atMs) > least_ms, before_ms + 1000);
+    assert.equal(await tab.page.getByRole("dialog").count(), 0);
+  });
+
+  test("it stands at its end, and says so", async () => {
+    await show("recording=office.mcap&at=38");
+    await tab.at("wall-replay-end").waitFor();
+    await tab.untilText("replay", /2024-11-28 12:00:40/);
+    assert.deepEqual(await tab.page.evaluate(cutOff), []);
+  });
+
+  test("of one that is damaged is told what is lost", async () => {
+    await show("recording=cut.mcap");
+    await notice("recording", "cut.mcap is damaged: nothing is left of 12:00:20 to 12:00:22.");
+    await tab.untilText("replay", /cut\.mcap/);
+  });
+
+  test("one that is not there is told of, with what to do, and asked for no more", async () => {
+    await show("recording=gone.mcap");
+    await notice("connection", "There is no recording gone.mcap at this monitor: name another one in the address, or put it into /var/lib/galilean/recordings.");
+    await tab.untilText("replay-link", /^not opened$/);
+    assert.deepEqual(await tab.page.evaluate(cutOff), []);
+  });
+
+  test("the browser has nothing to complain of but what was refused", () => {
+    assert.deepEqual(tab.complaints.filter((words) => !/404|gone\.mcap/.test(words)), []);
   });
 });

@@ -7,6 +7,6 @@
   const theme = localStorage.getItem("galilean.theme");
   if (theme === "light" || theme === "dark") page.style.colorScheme = theme;
   const query = new URLSearchParams(location.search);
-  if (query.has("wall") && !query.get("recording")) page.dataset.starts = "wall";
+  if (query.has("wall")) page.dataset.starts = "wall";
   else if (query.has("layout") || localStorage.getItem("galilean.layout")) page.dataset.starts = "arranged";
 }

@@ -37,6 +37,8 @@ class Live {
   /** When nothing was heard from it: what happened then is not known. */
   gaps = $state.raw<readonly Gap[]>([]);
   trouble = $state<string>();
+  /** The recording cannot be shown, and is asked for no more. */
+  hasGivenUp = $state(false);
   chosen = $state<string>();
   /** The instant that the panels show; undefined: now. */
   instant_ms = $state<number>();
@@ -161,7 +163,7 @@ class Live {
   /** The recording cannot be shown, for this reason, and is asked for no more. */
   giveUp(why: string): void {
     this.feed.disconnect();
-    this.trouble = why;
+    [this.hasGivenUp, this.trouble] = [true, why];
   }
 
   /** What the push's own HTTP answer tells, ahead of or instead of the topics. */
@@ -237,6 +239,8 @@ class Live {
     const from_ms = this.playback.now_ms;
     told(this.playback);
     const to_ms = this.playback.now_ms;
+    // While nothing is shown yet, there is no instant before to be shown: least of all today.
+    if (this.#shown === emptyTeam) this.#clock.jump(to_ms);
     const isSettling = this.#gapsThen !== undefined;
     const { team, gaps } = rewound({ team: this.#team, gaps: this.#gapsThen ?? this.gaps }, this.#history, from_ms, to_ms);
     [this.#team, this.#gapsThen] = [team, gaps];

@@ -8,7 +8,7 @@ import type { Robot } from "../model/model";
 import { isSilent } from "../model/silence";
 
 export interface Notice {
-  readonly kind: "connection" | "alarm" | "held";
+  readonly kind: "connection" | "recording" | "alarm" | "held";
   readonly words: string;
 }
 
@@ -31,6 +31,11 @@ export function linkNotice({ wasLive, lostFor_ms, behind_ms, isBehind }: Link): 
   if (!wasLive) return of(lostFor_ms === undefined ? "Connecting to the monitor…" : `The monitor does not answer, for ${lasting(lostFor_ms / 1000)}.`);
   if (lostFor_ms !== undefined) return of(`Nothing heard for ${lasting(lostFor_ms / 1000)}: this page is ${lasting(behind_ms / 1000)} behind.`);
   return isBehind ? of(`This page is ${lasting(behind_ms / 1000)} behind.`) : undefined;
+}
+
+/** What the page tells of the recording that it plays: why it is not shown, or what is wrong with it. */
+export function replayNotice(trouble: string | undefined, isOpened: boolean): Notice | undefined {
+  return trouble === undefined ? undefined : { kind: isOpened ? "recording" : "connection", words: trouble };
 }
 
 /** Those that last, grouped as in the team's panel; nobody is there to say that one was seen. */

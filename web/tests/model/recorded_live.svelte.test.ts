@@ -40,13 +40,19 @@ const answer = (after_s: number) => FakeWorker.report({ kind: "playback", isBord
 const shown = () => ({ at_s: (live.present_ms - START_MS) / 1000, states: live.robots.map(({ name, state: told }) => [name, told?.value.state]), silent: [...live.silent] });
 const until = (wanted: object) => vi.waitFor(() => expect(shown()).toEqual(wanted), { timeout: 20_000 });
 
+let openedAt_s = 0;
 beforeAll(() => {
   live.start();
   FakeWorker.report({ kind: "begun", range: { start_ns: ns(0), end_ns: ns(60) }, now_ns: ns(20) });
+  openedAt_s = shown().at_s;
 });
 
 it("is asked for where it is played, from where the address says", () => {
   expect(FakeWorker.orders[0]).toEqual({ kind: "connect", url: "ws://monitor/replay?recording=my%20run.mcap", playback: { at_s: 20 } });
+});
+
+it("never shows the time of today", () => {
+  expect(openedAt_s).toBe(20);
 });
 
 it("has the recording's time, by which a robot is silent", async () => {

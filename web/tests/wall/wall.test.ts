@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 import type { Alarm, PostedAlarm } from "../../src/model/alarms";
 import { identityOf } from "../../src/model/identity";
 import type { Robot } from "../../src/model/model";
-import { alarmNotices, heldNotice, linkNotice } from "../../src/wall/notices";
+import { alarmNotices, heldNotice, linkNotice, replayNotice } from "../../src/wall/notices";
 import { CELLS, conditionOf, shownRobots } from "../../src/wall/wall_robots";
 
 const NOW_MS = 100_000;
@@ -37,6 +37,12 @@ test("the connection is told of as it is", () => {
   expect(linkNotice({ ...link, lostFor_ms: 11_000, behind_ms: 12_000, isBehind: true })?.words).toBe("Nothing heard for 11 s: this page is 12 s behind.");
   expect(linkNotice({ ...link, wasLive: false })?.words).toBe("Connecting to the monitor…");
   expect(linkNotice({ ...link, wasLive: false, lostFor_ms: 30_000 })?.words).toBe("The monitor does not answer, for 30 s.");
+});
+
+test("of a recording is told why it is not shown, or what is wrong with it", () => {
+  expect(replayNotice(undefined, true)).toBeUndefined();
+  expect(replayNotice("There is no recording gone.mcap.", false)).toEqual({ kind: "connection", words: "There is no recording gone.mcap." });
+  expect(replayNotice("cut.mcap is damaged.", true)).toEqual({ kind: "recording", words: "cut.mcap is damaged." });
 });
 
 test("of many alarms one is told whole and the others are counted; what is over is not told", () => {

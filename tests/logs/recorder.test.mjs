@@ -73,6 +73,15 @@ describe("beside a robot that talks", () => {
     assert.match(text, new RegExp(`/io/camera/compressed of io: ${pictures.not_received} lost, \\d+ of them because the recorder was too slow, \\d+ sent before`));
   });
 
+  test("the file tells the number of the domain, whether an option or the environment chose it", () => {
+    const chosen = { "option.mcap": [["--domain", domain], {}], "environment.mcap": [[], { ROS_DOMAIN_ID: domain }] };
+    for (const [name, [options, environment]] of Object.entries(chosen)) {
+      const done = spawnSync(program("galilean-record"), ["--out", file(name), "--duration", "0.5", ...options], { ...limit, env: { ...process.env, ...environment } });
+      assert.equal(done.error, undefined);
+      assert.equal(info(file(name)).metadata.galilean.domain, domain, name);
+    }
+  });
+
   test("what was sent before it listened is told, and is no loss", async () => {
     const recorder = record("late.mcap", "--domain", domain, "--duration", "1", "--topics", "state$");
     await endsWell(recorder);

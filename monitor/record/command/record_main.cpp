@@ -117,7 +117,7 @@ int run(RecordingOptions& options) try {
                      .clock = clock,
                      .files = files,
                      .room = {options.min_free_bytes, [&] { return free_bytes(options.plan.out); }},
-                     .about = about(options),
+                     .about = about(options, participant.value()->domain()),
                      .selection = std::move(options.selection),
                      .language = options.language,
                      .picture_bytes_per_s = options.picture_bytes_per_s,

@@ -16,7 +16,7 @@ struct NotOpened {
   enum class Why {
     kNotThere,    ///< there is no such name, or what has it leads out of the folder
     kForbidden,   ///< the monitor may not read it
-    kNoFile,      ///< it is a folder, a pipe or a device
+    kNoFile,      ///< it is a folder, a pipe, a socket or a device
     kUnreadable,  ///< the system says another reason
   };
   Why why = Why::kNotThere;

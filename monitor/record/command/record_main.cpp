@@ -3,7 +3,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -97,7 +96,7 @@ int report(const RecordingFiles& files, const TopicRecordings& recordings, const
 
 int run(RecordingOptions& options) try {
   ignore_broken_pipes();
-  std::signal(SIGXFSZ, SIG_IGN);  // beyond the limit of `ulimit -f` a write fails, and that is told
+  ignore_file_size_limit();
   Termination termination;
   const SteadyClock clock;
   const auto participant = wire::Participant::join("record", options.domain);

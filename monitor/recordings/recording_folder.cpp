@@ -102,7 +102,7 @@ Result<std::vector<std::string>> RecordingFolder::names() const {
   std::error_code failed;
   std::vector<std::string> names;
   for (fs::directory_iterator at(folder_, failed), end; !failed && at != end; at.increment(failed))
-    if (auto name = at->path().filename().string(); check_recording_name(name))
+    if (auto name = at->path().filename().string(); is_listed_name(name))
       names.push_back(std::move(name));
   if (failed && failed != std::errc::no_such_file_or_directory)
     return Error{"The folder of recordings, " + folder_.string() +

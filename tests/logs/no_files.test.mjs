@@ -61,7 +61,7 @@ describe("what is no file", () => {
     for (const [kind, it] of Object.entries(KINDS)) {
       const [name, ...words] = verb(it);
       test(`${name} ${words[0]}: a ${kind} is refused`, () => {
-        const { status, signal, error, stdout, stderr } = spawnSync(program(name), words, { encoding: "utf8", timeout: REFUSES_WITHIN_MS });
+        const { status, signal, error, stdout, stderr } = spawnSync(program(name), words, { encoding: "utf8", timeout: REFUSES_WITHIN_MS, killSignal: "SIGKILL" });
         const said = stdout + stderr;
         assert.equal(error, undefined, `${words.join(" ")}: ${said}`);
         assert.equal(signal, null, said);

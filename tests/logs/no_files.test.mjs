@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, describe, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { program } from "./tools.mjs";
+import { domain, program } from "./tools.mjs";
 
 const folder = mkdtempSync(path.join(tmpdir(), "galilean-no-files-"));
 const file = (name) => path.join(folder, name);
@@ -55,6 +55,12 @@ describe("what is no file", () => {
   after(() => {
     server.close();
     rmSync(folder, { recursive: true });
+  });
+
+  test("a pipe that nobody reads is not recorded to, and nothing waits for its reader for ever", () => {
+    const { status, stderr } = spawnSync(program("galilean-record"), ["--out", KINDS.pipe, "--domain", domain], { encoding: "utf8", timeout: REFUSES_WITHIN_MS, killSignal: "SIGKILL" });
+    assert.equal(status, 1, stderr);
+    assert.match(stderr, /pipe is a pipe that nobody reads; start its reader first/);
   });
 
   for (const verb of VERBS)

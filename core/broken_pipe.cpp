@@ -5,10 +5,22 @@
 
 namespace galilean {
 
+namespace {
+
+void ignore(int signal) noexcept {
+  struct sigaction action {};
+  action.sa_handler = SIG_IGN;
+  sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
 void ignore_broken_pipes() noexcept {
-  struct sigaction ignore {};
-  ignore.sa_handler = SIG_IGN;
-  sigaction(SIGPIPE, &ignore, nullptr);
+  ignore(SIGPIPE);
+}
+
+void ignore_file_size_limit() noexcept {
+  ignore(SIGXFSZ);
 }
 
 }  // namespace galilean

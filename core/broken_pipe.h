@@ -9,4 +9,8 @@ namespace galilean {
 /// ends it quietly.
 void ignore_broken_pipes() noexcept;
 
+/// Makes writes beyond the limit of `ulimit -f` fail with EFBIG, which can be told. Otherwise
+/// SIGXFSZ would end the process.
+void ignore_file_size_limit() noexcept;
+
 }  // namespace galilean

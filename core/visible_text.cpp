@@ -20,17 +20,22 @@ constexpr std::array kInvisible{
     CodeRange{0x34F, 0x34F},      // combining grapheme joiner
     CodeRange{0x61C, 0x61C},      // Arabic letter mark
     CodeRange{0x115F, 0x1160},    // Hangul fillers
+    CodeRange{0x1680, 0x1680},    // Ogham space mark
     CodeRange{0x17B4, 0x17B5},    // Khmer inherent vowels
     CodeRange{0x180B, 0x180F},    // Mongolian separators
     CodeRange{0x2000, 0x200F},    // blanks of other widths, zero width, marks of direction
     CodeRange{0x2028, 0x202F},    // separators, embeddings, narrow no-break space
     CodeRange{0x205F, 0x206F},    // blank, word joiner, isolates
+    CodeRange{0x2800, 0x2800},    // Braille blank
     CodeRange{0x3000, 0x3000},    // ideographic space
     CodeRange{0x3164, 0x3164},    // Hangul filler
     CodeRange{0xFE00, 0xFE0F},    // variation selectors
     CodeRange{0xFEFF, 0xFEFF},    // byte order mark
     CodeRange{0xFFA0, 0xFFA0},    // half-width Hangul filler
-    CodeRange{0xFFF9, 0xFFFB},    // annotations
+    CodeRange{0xFFF0, 0xFFFB},    // not assigned, annotations
+    CodeRange{0xFFFE, 0xFFFF},    // no characters
+    CodeRange{0x1BCA0, 0x1BCA3},  // shorthand controls
+    CodeRange{0x1D173, 0x1D17A},  // musical controls
     CodeRange{0xE0000, 0xE0FFF},  // tags, variation selectors
 };
 

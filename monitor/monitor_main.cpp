@@ -65,6 +65,7 @@ int run(const monitor::MonitorOptions& options) {
 
 int main(int argc, char** argv) {
   galilean::ignore_broken_pipes();
+  galilean::ignore_file_size_limit();
   monitor::MonitorOptions options;
   options.data_folder = monitor::default_data_folder();
   options.recordings_folder = options.data_folder / "recordings";

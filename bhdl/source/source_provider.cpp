@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bhdl/source/source_provider.h"
 
-#include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
+#include <utility>
 
 #include "bhdl/source/text.h"
+#include "core/regular_file.h"
 
 namespace galilean::bhdl {
 namespace {
@@ -32,25 +30,15 @@ std::string DiskSources::shown(const std::string& path) const {
   return (folder_ / path).generic_string();
 }
 
-// Only regular files are read, because a pipe or a terminal would keep the reader waiting.
 Result<std::string, ReadFailure> DiskSources::read(const std::string& path,
                                                    std::size_t most_bytes) const {
   const fs::path place = folder_ / path;
-  std::error_code failed;
-  const auto status = fs::status(place, failed);
-  if (!fs::exists(status))
-    return not_found(shown(path), failed ? failed.message() : "no such file");
-  if (!fs::is_regular_file(status)) return not_found(shown(path), "it is not a regular file");
-  const auto size = fs::file_size(place, failed);
-  if (failed) return not_found(shown(path), failed.message());
-  if (size > most_bytes) return too_large(shown(path), size, most_bytes);
-  std::ifstream file(place, std::ios::binary);
-  // If the file grows meanwhile, only its first `size` bytes are read.
-  std::string text(static_cast<std::size_t>(size), '\0');
-  if (!file || !(file.read(text.data(), static_cast<std::streamsize>(text.size())) || file.eof()))
-    return not_found(shown(path), std::strerror(errno));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return text;
+  std::error_code unknown;
+  const auto size = fs::file_size(place, unknown);
+  if (!unknown && size > most_bytes) return too_large(shown(path), size, most_bytes);
+  auto text = read_regular_file(place.string(), most_bytes);
+  if (!text) return not_found(shown(path), text.error().message);
+  return std::move(text).value();
 }
 
 MemorySources::MemorySources(const std::vector<SourceFile>& files) {

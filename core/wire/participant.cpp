@@ -64,6 +64,7 @@ Entity::~Entity() {
 }
 
 struct Participant::State {
+  dds_domainid_t number = 0;
   Entity domain;
   Entity participant;
   std::mutex mutex;
@@ -82,6 +83,7 @@ Result<std::unique_ptr<Participant>> Participant::join(const std::string& name, 
   const auto id = domain_id(domain);
   if (!id) return id.error();
   auto state = std::make_unique<State>();
+  state->number = id.value();
   // Cyclone refuses this if the process made the domain before. That domain then serves.
   const dds_entity_t made = dds_create_domain(id.value(), configuration().c_str());
   if (made > 0)
@@ -104,6 +106,10 @@ Result<std::unique_ptr<Participant>> Participant::join(const std::string& name, 
 
 std::int32_t Participant::handle() const noexcept {
   return state_->participant.handle();
+}
+
+std::uint32_t Participant::domain() const noexcept {
+  return state_->number;
 }
 
 std::int32_t Participant::topic(const std::string& name, const std::string& ros_type) {

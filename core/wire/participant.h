@@ -29,6 +29,8 @@ class Participant {
   Participant& operator=(const Participant&) = delete;
 
   [[nodiscard]] std::int32_t handle() const noexcept;
+  /// Returns the number of the domain that was joined, however it was chosen.
+  [[nodiscard]] std::uint32_t domain() const noexcept;
   /// Returns the entity of one topic, which is made at first use. Any thread may call it. Errors:
   /// throws std::runtime_error if Cyclone refuses the topic, or if `ros_type` is not one of the
   /// messages.

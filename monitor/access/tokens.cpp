@@ -9,7 +9,9 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
+#include <sstream>
+
+#include "core/regular_file.h"
 
 namespace galilean::monitor {
 namespace {
@@ -86,11 +88,11 @@ Result<Tokens> open_tokens(const fs::path& data_folder) {
 }
 
 Result<std::string> read_token(const fs::path& file) {
-  std::ifstream in(file);
+  constexpr std::size_t kShortest = 16, kMostBytes = 4096;
+  const auto text = read_regular_file(file.string(), kMostBytes);
+  if (!text) return Error{file.string() + " cannot be read: " + text.error().message};
   std::string token;
-  if (!in) return Error{file.string() + " cannot be read: " + std::strerror(errno)};
-  in >> token;
-  constexpr std::size_t kShortest = 16;
+  std::istringstream(text.value()) >> token;
   if (token.size() < kShortest)
     return Error{file.string() + " has no token; remove it, and the monitor makes a new one"};
   return token;

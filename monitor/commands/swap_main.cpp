@@ -13,9 +13,9 @@ namespace bhdl = galilean::bhdl;
 
 int swap_through_monitor(const DirectSwapOptions& options) {
   // This only collects the includes. The monitor checks the program against the robots' catalogs.
-  const auto files = bhdl::check_file(options.file, {}).files;
-  if (files.empty()) {
-    std::cerr << "galilean swap: " << options.file << " cannot be read" << std::endl;
+  const auto checked = bhdl::check_file(options.file, {});
+  if (checked.files.empty()) {
+    std::cerr << "galilean swap: " << checked.diagnostics.front().message << std::endl;
     return galilean::kFailed;
   }
   const auto monitor = MonitorClient::at(options.push.monitor, options.push.token_file);
@@ -23,7 +23,7 @@ int swap_through_monitor(const DirectSwapOptions& options) {
     std::cerr << "galilean swap: " << monitor.error().message << std::endl;
     return galilean::kFailed;
   }
-  return push_through(monitor.value(), "galilean swap", files, options.push);
+  return push_through(monitor.value(), "galilean swap", checked.files, options.push);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 // recordings.
 #include <iostream>
 
+#include "core/broken_pipe.h"
 #include "monitor/logs/log_options.h"
 #include "monitor/logs/reading/recording.h"
 #include "monitor/record/log_info.h"
@@ -56,6 +57,7 @@ int guarded(Run run) try {
 }  // namespace
 
 int main(int argc, char** argv) {
+  ignore_file_size_limit();
   Options options;
   CommandLine app("Reads, compares and cuts recordings of the team.", "galilean log");
   app.require_command();

@@ -21,8 +21,10 @@ class ByteSink {
 /// even if this process is killed.
 class FileSink final : public ByteSink {
  public:
-  /// Makes the file. With `replace`, empties a file that exists.
-  /// Errors: the file exists and `replace` is false, or it cannot be written.
+  /// Makes the file. With `replace`, empties a file that exists. Waits up to five seconds for who
+  /// reads a pipe.
+  /// Errors: the file exists and `replace` is false, it cannot be written, or nobody reads the
+  /// pipe.
   [[nodiscard]] static Result<FileSink> create(const std::string& path, bool replace);
   /// Appends to this process's standard output, be it a file, a pipe or a socket.
   /// Errors: it is closed.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/mcap/byte_source.h"
 
-#include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,16 +9,14 @@
 #include <cstring>
 #include <utility>
 
+#include "core/regular_file.h"
+
 namespace galilean::mcap {
 
 Result<FileSource> FileSource::open(const std::string& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return Error{path + " cannot be read: " + std::strerror(errno)};
-  FileSource source(descriptor);
-  struct stat status {};
-  if (fstat(descriptor, &status) == 0 && !S_ISREG(status.st_mode))
-    return Error{path + " is not a file"};
-  return source;
+  const auto opened = open_regular_file(path);
+  if (!opened) return Error{path + " cannot be read: " + opened.error().message};
+  return FileSource(opened.value());
 }
 
 FileSource::FileSource(FileSource&& other) noexcept

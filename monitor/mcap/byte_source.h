@@ -26,7 +26,7 @@ class ByteSource {
 /// A file on disk. It may shrink or grow while it is read.
 class FileSource final : public ByteSource {
  public:
-  /// Errors: the file cannot be opened, or is a folder, a device or a pipe.
+  /// Errors: the file cannot be opened, or is no regular file, but a pipe or a device.
   [[nodiscard]] static Result<FileSource> open(const std::string& path);
   /// Takes an open file's descriptor over.
   [[nodiscard]] static FileSource of(int descriptor) { return FileSource(descriptor); }

@@ -5,9 +5,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "monitor/mcap/byte_sink.h"
@@ -27,6 +29,21 @@ void wait_for_room(int descriptor) {
   poll(&event, 1, -1);
 }
 
+/// Opens a pipe for writing, as soon as somebody reads it. To wait for that in open() would take no
+/// signal where the program has blocked those that end it. Returns -1, with the reason in errno.
+int open_pipe(const std::string& path) {
+  constexpr auto kLongest = std::chrono::seconds(5);
+  constexpr auto kLookEach = std::chrono::milliseconds(10);
+  const auto end = std::chrono::steady_clock::now() + kLongest;
+  for (;;) {
+    const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor >= 0) fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+    if (descriptor >= 0 || errno != ENXIO || std::chrono::steady_clock::now() >= end)
+      return descriptor;
+    std::this_thread::sleep_for(kLookEach);
+  }
+}
+
 }  // namespace
 
 Result<FileSink> FileSink::create(const std::string& path, bool replace) {
@@ -34,7 +51,8 @@ Result<FileSink> FileSink::create(const std::string& path, bool replace) {
   // A pipe or a device is there before, and nothing in it is lost.
   const bool may_be_there = replace || std::filesystem::is_other(path, unknown);
   const int how = O_WRONLY | O_CREAT | O_CLOEXEC | (may_be_there ? O_TRUNC : O_EXCL);
-  const int descriptor = open(path.c_str(), how, 0644);
+  const bool is_pipe = std::filesystem::is_fifo(path, unknown);
+  const int descriptor = is_pipe ? open_pipe(path) : open(path.c_str(), how, 0644);
   if (descriptor >= 0) {
     // Tells readers that the file is being written. Where the disk knows no locks they are not
     // told.
@@ -43,6 +61,8 @@ Result<FileSink> FileSink::create(const std::string& path, bool replace) {
   }
   if (errno == EEXIST)
     return Error{path + " exists already; choose another name, or give --replace"};
+  if (is_pipe && errno == ENXIO)
+    return Error{path + " is a pipe that nobody reads; start its reader first"};
   return not_written(path, errno);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -121,11 +122,36 @@ std::optional<std::size_t> differing_magic(const ByteSource& source) {
                                                                     : std::optional(differing);
 }
 
+/// Returns the header; nothing if the first record is none.
+std::optional<Header> read_header(const ByteSource& source) {
+  constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 20;
+  std::uint8_t head[kRecordHead];
+  if (!source.read(sizeof kMagic, head) || head[0] != static_cast<std::uint8_t>(Opcode::kHeader))
+    return std::nullopt;
+  std::uint64_t length = 0;
+  std::memcpy(&length, head + 1, sizeof length);
+  if (length > kMostBytes) return std::nullopt;
+  Bytes content(static_cast<std::size_t>(length));
+  Header header;
+  if (!source.read(sizeof kMagic + kRecordHead, content) || !parse(content, header))
+    return std::nullopt;
+  return header;
+}
+
 }  // namespace
 
 Result<void> check_format(const ByteSource& source) {
   if (source.size() == 0) return Error{"is empty: nothing was recorded"};
   if (!differing_magic(source)) return Error{"is not an MCAP file"};
+  return {};
+}
+
+Result<void> check_header(const ByteSource& source) {
+  if (const auto right = check_format(source); !right) return right.error();
+  if (source.size() == sizeof kMagic)
+    return Error{"ends behind the first bytes of an MCAP file: nothing was recorded"};
+  if (!read_header(source))
+    return Error{"has no header that can be read behind the first bytes, and is no recording"};
   return {};
 }
 

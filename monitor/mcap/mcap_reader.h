@@ -46,6 +46,10 @@ inline constexpr std::uint64_t kCheckedBytes = std::uint64_t{256} << 20;
 /// put the file's name before it.
 [[nodiscard]] Result<void> check_format(const ByteSource& source);
 
+/// Returns whether the header can be read that a recording begins with.
+/// Errors: as check_format(), or there is no such header. The message is a predicate, too.
+[[nodiscard]] Result<void> check_header(const ByteSource& source);
+
 /// Gets how much of a task is done, from 0 to 1; may be empty.
 using Progress = std::function<void(double)>;
 

@@ -38,4 +38,10 @@ Result<Outline> outline(const ByteSource& source) {
                  .damaged = !found.damages.empty()};
 }
 
+Result<void> check_content(const ByteSource& source, const Outline& outline) {
+  if (outline.closed || outline.messages > 0 || !outline.channels.empty()) return {};
+  if (const auto right = check_header(source); !right) return right.error();
+  return Error{"has nothing that can be read behind its header"};
+}
+
 }  // namespace galilean::mcap

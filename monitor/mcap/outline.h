@@ -21,4 +21,8 @@ struct Outline {
 /// Errors: as summarize().
 [[nodiscard]] Result<Outline> outline(const ByteSource& source);
 
+/// Errors: nothing of a file that was not closed can be read but its header, or not even that. The
+/// message is a predicate.
+[[nodiscard]] Result<void> check_content(const ByteSource& source, const Outline& outline);
+
 }  // namespace galilean::mcap

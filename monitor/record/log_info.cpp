@@ -12,6 +12,7 @@
 #include "monitor/record/channel_metadata.h"
 #include "monitor/record/damage_text.h"
 #include "monitor/record/program_changes.h"
+#include "monitor/record/recording_report.h"
 #include "monitor/record/times.h"
 
 namespace galilean::monitor {
@@ -55,15 +56,9 @@ void describe_losses(std::ostream& out, const std::optional<ToldLosses>& losses)
   out << "missing:   " << (losses ? missing_line(*losses) : "unknown; nothing in the file tells it")
       << '\n';
   if (!losses) return;
-  for (const auto& each : losses->writers) {
+  for (const auto& each : losses->writers)
     out << "  " << visible(each.topic) << " of " << visible(each.process) << ": "
-        << (each.lost ? std::to_string(*each.lost) : "unknown") << " lost, " << each.overrun
-        << " of them because the recorder was too slow, " << each.sent_before << " sent before";
-    if (each.unwritten > 0) out << ", " << each.unwritten << " not written for want of room";
-    if (each.paused > 0) out << ", " << each.paused << " sent while it was paused";
-    if (each.left_out > 0) out << ", " << each.left_out << " left out as was asked";
-    out << '\n';
-  }
+        << losses_text(each) << '\n';
 }
 
 void describe_channels(std::ostream& out, const mcap::Summary& summary) {

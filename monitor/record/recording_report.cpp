@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/record/recording_report.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <utility>
 
 #include "core/plural.h"
 
@@ -32,6 +34,23 @@ std::string emptiness_text(Emptiness why) {
   }
   return "nothing was recorded, because none of those who write topics sent anything; 'galilean "
          "rate TOPIC' shows whether a topic is silent";
+}
+
+std::string losses_text(const WriterLosses& losses) {
+  const auto lost = losses.lost.value_or(losses.overrun);
+  const auto overrun = std::min(losses.overrun, lost);
+  const std::array<std::pair<std::uint64_t, const char*>, 6> reasons{{
+      {overrun, "lost because the recorder was too slow"},
+      {lost - overrun, "lost before they reached the recorder"},
+      {losses.unwritten, "not written for want of room"},
+      {losses.paused, "sent while it was paused"},
+      {losses.left_out, "left out as was asked"},
+      {losses.sent_before, "sent before it listened"},
+  }};
+  std::string text = losses.lost ? "" : "an unknown number lost";
+  for (const auto& [count, reason] : reasons)
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + reason;
+  return text;
 }
 
 std::vector<std::string> missing_text(const std::vector<WriterLosses>& losses) {

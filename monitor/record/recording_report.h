@@ -22,6 +22,11 @@ enum class Emptiness {
 /// Returns the sentence for it, with what to do.
 [[nodiscard]] std::string emptiness_text(Emptiness why);
 
+/// Returns what did not come of one writer, each under the reason for which it was counted, as
+/// "5 lost because the recorder was too slow, 3 sent before it listened". Says nothing of a reason
+/// for which nothing was counted.
+[[nodiscard]] std::string losses_text(const WriterLosses& losses);
+
 /// Returns a sentence for each writer of which messages are missing.
 [[nodiscard]] std::vector<std::string> missing_text(const std::vector<WriterLosses>& losses);
 

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/regular_file.h"
 #include "core/visible_text.h"
 #include "monitor/recordings/recording_name.h"
 
@@ -62,6 +63,8 @@ NotOpened not_opened(const std::string& name, int reason) {
     case EXDEV:
     case ELOOP:
       return {Why::kNotThere, shown + " is a link that leads out of the folder of recordings."};
+    case ENXIO:
+      return {Why::kNoFile, shown + " is a socket, and no file."};
     case EACCES:
     case EPERM:
       return {Why::kForbidden, shown + " cannot be read: the monitor has no permission to."};
@@ -82,10 +85,9 @@ Result<OpenedRecording, NotOpened> RecordingFolder::open(const std::string& name
   struct stat status {};
   if (fstat(file.get(), &status) != 0) return not_opened(name, errno);
   if (!S_ISREG(status.st_mode))
-    return NotOpened{NotOpened::Why::kNoFile,
-                     "'" + visible(name) + "' is a " +
-                         (S_ISDIR(status.st_mode) ? "folder" : "pipe or a device") +
-                         ", and no file."};
+    return NotOpened{
+        NotOpened::Why::kNoFile,
+        "'" + visible(name) + "' is " + what_is_no_file(status.st_mode) + ", and no file."};
   constexpr std::uint64_t kSecond_ns = 1'000'000'000;
   return OpenedRecording{
       std::make_shared<const mcap::FileSource>(mcap::FileSource::of(file.release())),
@@ -100,7 +102,7 @@ Result<std::vector<std::string>> RecordingFolder::names() const {
   std::error_code failed;
   std::vector<std::string> names;
   for (fs::directory_iterator at(folder_, failed), end; !failed && at != end; at.increment(failed))
-    if (auto name = at->path().filename().string(); check_recording_name(name))
+    if (auto name = at->path().filename().string(); is_listed_name(name))
       names.push_back(std::move(name));
   if (failed && failed != std::errc::no_such_file_or_directory)
     return Error{"The folder of recordings, " + folder_.string() +

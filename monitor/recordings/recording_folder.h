@@ -16,7 +16,7 @@ struct NotOpened {
   enum class Why {
     kNotThere,    ///< there is no such name, or what has it leads out of the folder
     kForbidden,   ///< the monitor may not read it
-    kNoFile,      ///< it is a folder, a pipe or a device
+    kNoFile,      ///< it is a folder, a pipe, a socket or a device
     kUnreadable,  ///< the system says another reason
   };
   Why why = Why::kNotThere;
@@ -41,7 +41,8 @@ class RecordingFolder {
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return folder_; }
   /// Errors: the recording cannot be opened. A file of another kind can.
   [[nodiscard]] Result<OpenedRecording, NotOpened> open(const std::string& name) const;
-  /// Returns the names of what could be recordings, sorted; none if the folder does not exist.
+  /// Returns the names of what could be recordings, sorted; none if the folder does not exist. Some
+  /// may be names that cannot be opened; see check_recording_name().
   /// Errors: the folder cannot be read. The error is a sentence.
   [[nodiscard]] Result<std::vector<std::string>> names() const;
 

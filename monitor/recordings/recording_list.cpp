@@ -2,6 +2,7 @@
 #include "monitor/recordings/recording_list.h"
 
 #include <algorithm>
+#include <exception>
 #include <functional>
 #include <utility>
 
@@ -17,6 +18,10 @@ constexpr std::uint64_t kRenewEach_ns = 10'000'000'000;
 
 std::uint64_t wall_clock_now_ns() {
   return static_cast<std::uint64_t>(wire::wall_clock_ns());
+}
+
+std::string why_unreadable(const std::string& name, const Error& predicate) {
+  return "'" + visible(name) + "' " + predicate.message + ".";
 }
 
 void fill(const mcap::Outline& outline, ListedRecording& to) {
@@ -43,9 +48,9 @@ Result<std::vector<ListedRecording>> RecordingList::list() {
   return listed;
 }
 
-RecordingList::Looked RecordingList::look(const std::string& name, Looked before) const {
+RecordingList::Looked RecordingList::look(const std::string& name, Looked before) const try {
   const auto opened = folder_.open(name);
-  if (!opened) return {.recording = {.name = name, .why = opened.error().message}};
+  if (!opened) return {.recording = {.name = visible(name), .why = opened.error().message}};
   const auto& file = opened.value();
   Looked looked{.recording = {.name = name, .bytes = file.bytes, .modified_ns = file.modified_ns},
                 .inode = file.inode};
@@ -60,12 +65,19 @@ RecordingList::Looked RecordingList::look(const std::string& name, Looked before
   }
   const auto outline = mcap::outline(*file.source);
   if (!outline)
-    looked.recording.why = "'" + visible(name) + "' " + outline.error().message + ".";
+    looked.recording.why = why_unreadable(name, outline.error());
   else
     fill(outline.value(), looked.recording);
   if (outline && outline.value().being_written)
     looked.renew_at_ns = wall_clock_now_ns() + kRenewEach_ns;
+  else if (outline)
+    if (const auto right = mcap::check_content(*file.source, outline.value()); !right)
+      looked.recording.why = why_unreadable(name, right.error());
   return looked;
+} catch (const std::exception& problem) {
+  // One file must not take the list of all others away.
+  return {.recording = {.name = visible(name),
+                        .why = "'" + visible(name) + "' cannot be read: " + problem.what() + "."}};
 }
 
 }  // namespace galilean::monitor

@@ -11,7 +11,7 @@ namespace galilean::monitor {
 
 /// What a list says of one recording.
 struct ListedRecording {
-  std::string name;
+  std::string name;  ///< as it can be shown
   std::uint64_t bytes = 0;
   std::uint64_t modified_ns = 0;           ///< since the Unix epoch
   std::uint64_t start_ns = 0, end_ns = 0;  ///< log times; 0 without messages

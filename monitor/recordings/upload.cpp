@@ -13,8 +13,10 @@
 #include <system_error>
 #include <utility>
 
+#include "core/plural.h"
 #include "core/visible_text.h"
 #include "monitor/mcap/mcap_records.h"
+#include "monitor/mcap/outline.h"
 #include "monitor/record/disk_room.h"
 #include "monitor/recordings/recording_name.h"
 
@@ -45,8 +47,24 @@ NotKept unwritable(const std::string& name, const std::string& reason) {
   return {Why::kUnwritable, shown(name) + " cannot be kept: " + reason + "."};
 }
 
-NotKept no_recording(const std::string& name) {
-  return {Why::kNoRecording, shown(name) + " is not an MCAP file."};
+NotKept unwritten(const std::string& name, int reason, const Error& error) {
+  if (reason == ENOSPC || reason == EDQUOT)
+    return {Why::kNoRoom, "The disk is full: nothing of " + shown(name) +
+                              " was kept; make room, then send it again."};
+  return unwritable(name, error.message);
+}
+
+NotKept no_recording(const std::string& name,
+                     const std::string& predicate = "is not an MCAP file") {
+  return {Why::kNoRecording, shown(name) + " " + predicate + "."};
+}
+
+KeptRecording kept(const std::string& name, const mcap::Outline& outline) {
+  if (outline.closed && !outline.damaged) return {.complete = true, .note = {}};
+  return {.complete = false,
+          .note = shown(name) +
+                  " was kept, but is not whole: " + plural(outline.messages, "message") +
+                  " of it can be read, and 'galilean log recover' writes them to a whole file."};
 }
 
 NotKept too_large(std::uint64_t most_bytes) {
@@ -84,8 +102,9 @@ Result<Upload, NotKept> Upload::begin(const RecordingFolder& folder, const std::
   if (free && *free < limits.least_free_bytes + bytes.value_or(0))
     return no_room(limits.least_free_bytes);
   auto draft = draft_of(folder, name);
+  errno = 0;
   auto sink = mcap::FileSink::create(draft.string(), false);
-  if (!sink) return unwritable(name, sink.error().message);
+  if (!sink) return unwritten(name, errno, sink.error());
   return Upload(std::move(draft), target, name, std::move(sink).value(), limits);
 }
 
@@ -109,7 +128,8 @@ Upload::Kept Upload::append(std::span<const std::uint8_t> piece) {
   written_ += piece.size();
   if (written_ > limits_.most_bytes) return too_large(limits_.most_bytes);
   if (const auto room = look_for_room(); !room) return room;
-  if (const auto done = sink_->write(piece); !done) return unwritable(name_, done.error().message);
+  errno = 0;
+  if (const auto done = sink_->write(piece); !done) return unwritten(name_, errno, done.error());
   return {};
 }
 
@@ -121,14 +141,29 @@ Upload::Kept Upload::look_for_room() {
   return {};
 }
 
-Upload::Kept Upload::finish() {
+Result<KeptRecording, NotKept> Upload::look_into() const {
+  const auto draft = mcap::FileSource::open(draft_.string());
+  if (!draft) return unwritable(name_, draft.error().message);
+  if (const auto right = mcap::check_header(draft.value()); !right)
+    return no_recording(name_, right.error().message);
+  const auto outline = mcap::outline(draft.value());
+  if (!outline) return no_recording(name_, outline.error().message);
+  if (const auto right = mcap::check_content(draft.value(), outline.value()); !right)
+    return no_recording(name_, right.error().message);
+  return kept(name_, outline.value());
+}
+
+Result<KeptRecording, NotKept> Upload::finish() {
   if (begin_.size() < sizeof mcap::kMagic) return no_recording(name_);
-  if (const auto done = sink_->sync(); !done) return unwritable(name_, done.error().message);
+  auto looked = look_into();
+  if (!looked) return looked;
+  errno = 0;
+  if (const auto done = sink_->sync(); !done) return unwritten(name_, errno, done.error());
   const int reason = rename_new(draft_, target_);
   if (reason == EEXIST) return exists(name_);
   if (reason != 0) return unwritable(name_, std::strerror(reason));
   sink_.reset();
-  return {};
+  return looked;
 }
 
 void remove_abandoned_uploads(const RecordingFolder& folder) {

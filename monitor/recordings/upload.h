@@ -18,6 +18,12 @@ struct NotKept {
   std::string message;  ///< a sentence
 };
 
+/// What is told of a recording that was kept.
+struct KeptRecording {
+  bool complete = false;  ///< its recorder came to its end, and no damage was met
+  std::string note;       ///< a sentence on what it lacks; empty if it is complete
+};
+
 /// A recording that is being put into the folder. It is a hidden draft there until it is whole, and
 /// never takes the place of another one. A draft that is not finished is removed. All calls may
 /// block on the disk.
@@ -43,14 +49,17 @@ class Upload {
   /// Errors: it is no MCAP file, is beyond the limits, or cannot be written. Nothing more may be
   /// appended then.
   [[nodiscard]] Kept append(std::span<const std::uint8_t> piece);
-  /// Waits until all is on the disk, and gives the draft its name.
-  /// Errors: the name was taken meanwhile, it is no MCAP file, or the disk fails.
-  [[nodiscard]] Kept finish();
+  /// Looks at what came, waits until all is on the disk, and gives the draft its name. A recording
+  /// that is cut or damaged is kept as far as it can be read.
+  /// Errors: the name was taken meanwhile, nothing of it can be read as a recording, or the disk
+  /// fails.
+  [[nodiscard]] Result<KeptRecording, NotKept> finish();
 
  private:
   Upload(std::filesystem::path draft, std::filesystem::path target, std::string name,
          mcap::FileSink sink, const Limits& limits);
   [[nodiscard]] Kept look_for_room();
+  [[nodiscard]] Result<KeptRecording, NotKept> look_into() const;
 
   std::filesystem::path draft_, target_;
   std::string name_;

@@ -2,10 +2,9 @@
 #include "sim/headless/situation.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "core/json_text.h"
+#include "core/regular_file.h"
 #include "sim/scenario/json_reader.h"
 #include "sim/world/gripper.h"
 
@@ -14,6 +13,7 @@ namespace {
 
 constexpr double kFarthest_m = 1000;
 constexpr int kMostPieces = 500;
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 20;
 
 Vec2 read_place(JsonReader& item) {
   return {item.number("x_m", -kFarthest_m, kFarthest_m),
@@ -87,9 +87,9 @@ Result<TeamSituation> situation_from_json(const std::string& text, const std::st
 }
 
 Result<TeamSituation> load_situation(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) return Error{path + ": cannot be read"};
-  return situation_from_json({std::istreambuf_iterator<char>(file), {}}, path);
+  const auto text = read_regular_file(path, kMostBytes);
+  if (!text) return Error{path + ": cannot be read: " + text.error().message};
+  return situation_from_json(text.value(), path);
 }
 
 Scenario scenario_of(const Scenario& arena, const TeamSituation& situation) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "core/installation.h"
+#include "core/regular_file.h"
 #include "sim/scenario/scenario.h"
 
 namespace galilean::sim {
@@ -38,9 +37,9 @@ Result<Scenario> load_scenario(const std::string& name_or_path) {
                  known_names()};
   if (fs::file_size(path, error) > kLargestFile_bytes)
     return Error{path.string() + ": larger than 1 MiB; no scenario is"};
-  std::ifstream file(path);
-  if (!file) return Error{path.string() + ": cannot be read; check its permissions"};
-  return scenario_from_json({std::istreambuf_iterator<char>(file), {}}, path.string());
+  const auto text = read_regular_file(path.string(), kLargestFile_bytes);
+  if (!text) return Error{path.string() + ": cannot be read: " + text.error().message};
+  return scenario_from_json(text.value(), path.string());
 }
 
 }  // namespace galilean::sim

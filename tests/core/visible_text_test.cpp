@@ -19,6 +19,7 @@ TEST(VisibleText, ShowsTheCodesOfWhatCannotBeSeen) {
   EXPECT_EQ(visible("\x1B[31mred\a\r\n\t\x7F"), "U+001B[31mredU+0007U+000DU+000AU+0009U+007F");
   EXPECT_EQ(visible(std::string("a\0b", 3)), "aU+0000b");
   EXPECT_EQ(visible("\U000E0041\u009B"), "U+E0041U+009B");
+  EXPECT_EQ(visible("\u1680\u2800\U0001D173"), "U+1680U+2800U+1D173");
 }
 
 TEST(VisibleText, ShowsTheBytesThatBreakUtf8) {

@@ -156,7 +156,18 @@ describe('a folder of recordings', () => {
     assert.deepEqual(readFileSync(join(folder, 'new.mcap')), run);
     assert.equal((await listed())['new.mcap'].messages, 220);
     assert.equal((await put('new.mcap', run)).status, 409);
-    assert.equal((await put('text.mcap', Buffer.from('no recording'))).status, 422);
+    const MAGIC_BYTES = 8;
+    for (const [name, body] of [['text.mcap', Buffer.from('no recording')], ['eight.mcap', run.subarray(0, MAGIC_BYTES)], ['junk.mcap', Buffer.concat([run.subarray(0, MAGIC_BYTES), Buffer.alloc(5000, 0x5a)])]]) {
+      const refused = await put(name, body);
+      assert.equal(refused.status, 422, name);
+      assert.match(JSON.parse(refused.body).detail, new RegExp(`^'${name}' .*\\.$`));
+    }
+    const cut = await put('cut.mcap', run.subarray(0, run.length / 2));
+    assert.equal(cut.status, 201, `${cut.body}`);
+    const { complete, note } = JSON.parse(cut.body);
+    assert.equal(complete, false);
+    assert.match(note, /^'cut\.mcap' was kept, but is not whole: \d+ messages of it can be read/);
+    for (const name of ['a%E2%80%AEb.mcap', 'a%E2%80%8B.mcap', '%20a.mcap', '.a.mcap', 'a%5Cb.mcap']) assert.equal((await put(name, run)).status, 400, name);
     assert.equal((await put('..%2Fnew.mcap', run)).status, 400);
     assert.equal((await put('new.txt', run)).status, 400);
     const huge = await raw(url, '/api/recordings/huge.mcap', { method: 'PUT', headers: { authorization: `Bearer ${token('operator')}`, 'content-length': 1e12, expect: '100-continue' } }).catch(() => undefined);

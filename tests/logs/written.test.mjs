@@ -96,6 +96,12 @@ describe("a written recording", () => {
     assert.ok((await contentsOf("early.mcap")).messages.length < whole.messages.length);
   });
 
+  test("that reaches the limit of a file's size says so", () => {
+    const { status, stderr } = spawnSync("bash", ["-c", 'ulimit -f 1; exec "$@"', "bash", program("galilean-log"), "convert", file("run.mcap"), "--compression", "none", "--out", file("limited.mcap")], { ...limit, encoding: "utf8" });
+    assert.equal(status, 1, stderr);
+    assert.match(stderr, /limited\.mcap cannot be written: File too large, by the limit that 'ulimit -f' shows; [^\n]*\n$/);
+  });
+
   test("is printed in the order of log times, with the fields of its own schema", () => {
     const lines = log("cat", file("run.mcap"), "--json").trimEnd().split("\n").map((line) => JSON.parse(line));
     assert.equal(lines.length, 100);

@@ -16,7 +16,7 @@ std::string duration_text(std::int64_t duration_ns) {
 
 std::string short_number(double number) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", number);
+  std::snprintf(text, sizeof text, "%.6g", number == 0 ? 0 : number);  // -0 is 0 to people
   return text;
 }
 

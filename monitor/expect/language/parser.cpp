@@ -105,8 +105,9 @@ Parsed parse(const std::string& file, std::string_view text) {
         parsed.expectations.push_back(std::move(*expectation));
     }
     if (parsed.expectations.empty() && diagnostics.count() == 0)
-      diagnostics.error({file, 1, 1}, "expect/nothing", "the file expects nothing",
-                        "write a line such as: every robot: never state is \"stuck\" for 10 s");
+      diagnostics.error(
+          {file, 1, 1}, "expect/nothing", "the file expects nothing",
+          "write a line such as: every robot: never state is \"break_free\" for 20 s");
   }
   parsed.diagnostics = std::move(diagnostics).take({file});
   return parsed;

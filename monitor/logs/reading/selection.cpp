@@ -56,7 +56,7 @@ const mcap::Message* SelectedMessages::next() {
 }
 
 bool SelectedMessages::is_wanted(const mcap::Message& message) const {
-  return at_s() >= from_s_ && (all_topics_ || channels_.contains(message.channel_id));
+  return at_s() >= from_s_ && takes_channel(message.channel_id);
 }
 
 std::vector<mcap::Damage> SelectedMessages::damages() const {

@@ -47,6 +47,12 @@ class SelectedMessages {
     return static_cast<double>(time_.position_ns()) * 1e-9;
   }
   [[nodiscard]] const Recording& recording() const noexcept { return *recording_; }
+  /// Returns whether the topic of a channel is wanted.
+  [[nodiscard]] bool takes_channel(std::uint16_t id) const {
+    return all_topics_ || channels_.contains(id);
+  }
+  /// Returns whether all topics are wanted.
+  [[nodiscard]] bool takes_all_topics() const noexcept { return all_topics_; }
   /// Returns what was damaged of all that was read so far, and of the file as a whole.
   [[nodiscard]] std::vector<mcap::Damage> damages() const;
 

@@ -111,6 +111,15 @@ Result<std::uint16_t> Copier::channel_for(const Recording& from, std::uint16_t i
   return known = made;
 }
 
+void Copier::copy_schemas(const Recording& from) {
+  for (const auto& [id, schema] : from.summary().schemas) (void)schema_for(from, id);
+}
+
+Result<void> Copier::copy_channel(const Recording& from, std::uint16_t id) {
+  if (const auto made = channel_for(from, id); !made) return made.error();
+  return {};
+}
+
 Result<void> Copier::copy(const Recording& from, const mcap::Message& message) {
   const auto channel = channel_for(from, message.channel_id);
   if (!channel) return channel.error();

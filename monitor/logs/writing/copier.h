@@ -35,6 +35,10 @@ class Copier {
   /// part of the recording's time, it leaves out what was counted as missing of all of it. It
   /// leaves out attachments that are not whole, too.
   Result<void> copy_extras(const Recording& from, bool part);
+  /// Copies all schemas, also those that no channel has.
+  void copy_schemas(const Recording& from);
+  /// Copies a channel and its schema, though it may have no message.
+  Result<void> copy_channel(const Recording& from, std::uint16_t id);
   /// Copies a message of a recording.
   Result<void> copy(const Recording& from, const mcap::Message& message);
   /// Closes the file, and waits until it is on the disk.

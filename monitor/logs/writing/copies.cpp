@@ -25,6 +25,13 @@ wire::Delivery delivery_in(const mcap::Summary& summary, std::uint16_t channel) 
                                          : wire::delivery_of(schema->second.name);
 }
 
+/// Returns what is said of so many channels that have no message.
+std::string silent_text(std::size_t channels) {
+  if (channels == 0) return {};
+  return ", of which " + std::to_string(channels) + (channels == 1 ? " has" : " have") +
+         " no message";
+}
+
 /// One of the recordings that are copied from, and its next message.
 struct CopySource {
   const Recording* recording;
@@ -86,6 +93,8 @@ class Copying {
     const bool part = options_.selection.from_s > 0 || options_.selection.to_s;
     for (const auto& source : sources_)
       if (auto done = copier_->copy_extras(*source.recording, part); !done) return done;
+    for (const auto& source : sources_)
+      if (auto done = copy_channels(source); !done) return done;
     for (auto& source : sources_) source.next = source.messages.next();
     while (CopySource* source = earliest()) {
       if (auto done = take(*source); !done) return done;
@@ -93,6 +102,16 @@ class Copying {
     }
     if (auto done = copy_kept(); !done) return done;
     return copier_->finish();
+  }
+
+  /// Copies what a recording lists, with messages or without: that nothing came is a fact, too.
+  Result<void> copy_channels(const CopySource& source) {
+    if (source.messages.takes_all_topics()) copier_->copy_schemas(*source.recording);
+    for (const auto& [id, channel] : source.recording->summary().channels) {
+      if (!source.messages.takes_channel(id)) continue;
+      if (auto done = copier_->copy_channel(*source.recording, id); !done) return done;
+    }
+    return {};
   }
 
   /// Returns the source of the earliest message; of one time, the first that was named.
@@ -144,9 +163,10 @@ class Copying {
 
   void tell() const {
     const auto& statistics = copier_->statistics();
-    std::printf("%s: %s of %s, %.1f MB\n", options_.output.path.c_str(),
+    std::printf("%s: %s of %s%s, %.1f MB\n", options_.output.path.c_str(),
                 plural(statistics.messages, "message").c_str(),
                 plural(statistics.channels, "channel").c_str(),
+                silent_text(statistics.channels - statistics.channel_messages.size()).c_str(),
                 static_cast<double>(copier_->bytes()) * 1e-6);
     std::fflush(stdout);
     if (statistics.messages == 0)

@@ -12,7 +12,7 @@ std::string host_name() {
   return uname(&system) == 0 ? system.nodename : "";
 }
 
-mcap::Text about(const RecordingOptions& options) {
+mcap::Text about(const RecordingOptions& options, std::uint32_t domain) {
   mcap::Text text = options.about;
   utsname system{};
   if (uname(&system) == 0)
@@ -22,7 +22,7 @@ mcap::Text about(const RecordingOptions& options) {
   text["host"] = host_name();
   text["user"] = user_name();
   text["name"] = options.name;
-  text["domain"] = options.domain < 0 ? "as ROS_DOMAIN_ID says" : std::to_string(options.domain);
+  text["domain"] = std::to_string(domain);
   return text;
 }
 

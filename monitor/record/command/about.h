@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "monitor/mcap/mcap_records.h"
@@ -12,8 +13,8 @@ namespace galilean::monitor {
 [[nodiscard]] std::string host_name();
 
 /// Returns what each file of a recording tells of who recorded it, where and with what: the
-/// versions of Galilean, Cyclone DDS and the system, the host, the user, the DDS domain, and what
-/// --about adds. The recording's name is that by which commands call the recorder.
-[[nodiscard]] mcap::Text about(const RecordingOptions& options);
+/// versions of Galilean, the compiler and the system, the host, the user, the DDS `domain` that was
+/// joined, and what --about adds. The recording's name is that by which commands call the recorder.
+[[nodiscard]] mcap::Text about(const RecordingOptions& options, std::uint32_t domain);
 
 }  // namespace galilean::monitor

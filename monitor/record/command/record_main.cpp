@@ -3,7 +3,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -97,7 +96,7 @@ int report(const RecordingFiles& files, const TopicRecordings& recordings, const
 
 int run(RecordingOptions& options) try {
   ignore_broken_pipes();
-  std::signal(SIGXFSZ, SIG_IGN);  // beyond the limit of `ulimit -f` a write fails, and that is told
+  ignore_file_size_limit();
   Termination termination;
   const SteadyClock clock;
   const auto participant = wire::Participant::join("record", options.domain);
@@ -117,7 +116,7 @@ int run(RecordingOptions& options) try {
                      .clock = clock,
                      .files = files,
                      .room = {options.min_free_bytes, [&] { return free_bytes(options.plan.out); }},
-                     .about = about(options),
+                     .about = about(options, participant.value()->domain()),
                      .selection = std::move(options.selection),
                      .language = options.language,
                      .picture_bytes_per_s = options.picture_bytes_per_s,

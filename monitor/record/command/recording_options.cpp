@@ -142,7 +142,7 @@ void add_about(CommandLine& app, RecordingOptions& options) {
 void add_snapshots(CommandLine& app, RecordingOptions& options) {
   app.option("--on", options.on,
              "Record only what is around an event: when this comes true for a robot, such as "
-             "'state is \"stuck\" for 3 s', in the words of docs/EXPECT.md");
+             "'state is \"break_free\" for 3 s', in the words of docs/EXPECT.md");
   app.option("--keep-last", time_into(options.snapshots.before),
              "How long before an event a file begins, such as 30s")
       .describe_default("30s");

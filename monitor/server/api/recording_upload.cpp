@@ -67,11 +67,17 @@ class ReceivedRecording : public std::enable_shared_from_this<ReceivedRecording>
 
   void finish() {
     worker_.run([upload = upload_] { return upload->finish(); },
-                [self = shared_from_this()](const Upload::Kept& done) {
+                [self = shared_from_this()](const Result<KeptRecording, NotKept>& done) {
                   if (!done) return self->refuse(done.error());
-                  self->respond_(json_response({{"name", self->name_}}, 201));
+                  self->answer(done.value());
                 },
                 on_failure());
+  }
+
+  void answer(const KeptRecording& kept) {
+    nlohmann::json json{{"name", name_}, {"complete", kept.complete}};
+    if (!kept.note.empty()) json["note"] = kept.note;
+    respond_(json_response(json, 201));
   }
 
   void refuse(const NotKept& why) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the push worker does, one job after another.
 #include <cstdlib>
-#include <filesystem>
 
 #include "bhdl/check.h"
 #include "core/failure.h"
@@ -35,22 +34,15 @@ std::string last_good_hash(const json& pushes, const std::string& runs_hash) {
   return {};
 }
 
-/// Returns whether reading the file could wait for ever, as a FIFO does that nobody writes to.
-bool may_block(const std::string& path) {
-  std::error_code none;
-  return std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none);
-}
-
 }  // namespace
 
 Result<Files> PushWorker::files_of(const PushWish& wish) const {
   if (!wish.file.empty()) {
     const auto path = with_home(wish.file);
-    if (may_block(path)) return Error{wish.file + " is no regular file"};
     // This only collects the includes. The monitor checks against the robots' catalogs.
-    auto files = bhdl::check_file(path, Catalog{}).files;
-    if (files.empty()) return Error{wish.file + " cannot be read"};
-    return files;
+    auto checked = bhdl::check_file(path, Catalog{});
+    if (checked.files.empty()) return Error{checked.diagnostics.front().message};
+    return std::move(checked.files);
   }
   if (!wish.hash.empty()) return pushed_files(wish.hash);
   const auto pushes = get("/api/pushes");

@@ -149,7 +149,7 @@ TEST_F(OnDisk, DiagnosticsBeginAsTheGivenPathDoes) {
 
 TEST_F(OnDisk, AFolderOrNothingIsNoProgram) {
   const auto folder = check_file(folder_ / "parts", small_catalog());
-  EXPECT_THAT(printed(folder), HasSubstr("it is not a regular file"));
+  EXPECT_THAT(printed(folder), HasSubstr("it is a folder, and no file"));
   const auto nothing = check_file(folder_ / "nothing.bhdl", small_catalog());
   EXPECT_THAT(printed(nothing), HasSubstr("nothing.bhdl:1:1: error: cannot read"));
   EXPECT_EQ(nothing.diagnostics.at(0).code, "file/not-found");

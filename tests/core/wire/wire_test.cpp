@@ -202,6 +202,15 @@ TEST(Wire, DomainsThatAreNoneAreRefusedInASentence) {
   }
 }
 
+TEST(Wire, TellsTheDomainThatWasJoinedHoweverItWasChosen) {
+  EXPECT_EQ(join()->domain(), static_cast<std::uint32_t>(kDomain));
+  setenv("ROS_DOMAIN_ID", std::to_string(kDomain).c_str(), 1);
+  const auto joined = Participant::join("test");
+  unsetenv("ROS_DOMAIN_ID");
+  ASSERT_TRUE(joined.ok());
+  EXPECT_EQ(joined.value()->domain(), static_cast<std::uint32_t>(kDomain));
+}
+
 TEST(Schemas, AreFoundByBothNames) {
   for (const auto& schema : schemas()) {
     EXPECT_EQ(find_schema_by_ros_type(schema.ros_type), &schema);

@@ -2,7 +2,12 @@
 #include "monitor/recordings/recording_folder.h"
 
 #include <gmock/gmock.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <cstring>
 
 #include "monitor/recordings/recording_name.h"
 #include "tests/monitor/recordings/written_recording.h"
@@ -56,7 +61,13 @@ TEST_F(RecordingFolderTest, NoNameLeadsOutOfIt) {
                                        "run.txt",
                                        ".mcap",
                                        std::string(300, 'a') + ".mcap",
-                                       "a\nb.mcap"};
+                                       "a\nb.mcap",
+                                       "a\u202Eb.mcap",
+                                       "a\u00A0b.mcap",
+                                       "a\u200B.mcap",
+                                       "a\xFF.mcap",
+                                       "a\\b.mcap",
+                                       " run.mcap"};
   for (const auto& name : names) {
     EXPECT_EQ(why(name), NotOpened::Why::kNotThere) << name;
     EXPECT_FALSE(check_recording_name(name)) << name;
@@ -85,6 +96,25 @@ TEST_F(RecordingFolderTest, ListsNamesOfRecordingsAlone) {
   write_file(inside / "notes.txt", {1});
   write_file(inside / ".draft.mcap.1-1.part", {1});
   EXPECT_THAT(folder.names().value(), ElementsAre("below.mcap", "run.mcap"));
+}
+
+TEST_F(RecordingFolderTest, NamesThatCannotBeSeenWholeAreListedAndSaidToBeWrong) {
+  write_file(inside / "gpj.\u202Epacm.mcap", recording_of_states("io", 1));
+  EXPECT_EQ(folder.names().value().size(), 3U);
+  EXPECT_EQ(folder.open("gpj.\u202Epacm.mcap").error().message,
+            "A recording's name has only characters that can be seen, and "
+            "'gpj.U+202Epacm.mcap' has others; rename the file.");
+  EXPECT_TRUE(check_recording_name("Überall 木 (2).mcap"));
+}
+
+TEST_F(RecordingFolderTest, ASocketIsNoFile) {
+  const int descriptor = socket(AF_UNIX, SOCK_STREAM, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::strncpy(address.sun_path, (inside / "socket.mcap").c_str(), sizeof address.sun_path - 1);
+  ASSERT_EQ(bind(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  EXPECT_EQ(folder.open("socket.mcap").error().message, "'socket.mcap' is a socket, and no file.");
+  close(descriptor);
 }
 
 TEST_F(RecordingFolderTest, NeedNotBeThere) {

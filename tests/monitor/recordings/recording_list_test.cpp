@@ -72,6 +72,29 @@ TEST_F(RecordingListTest, SaysWhyOneCannotBeOpened) {
   for (const auto& each : all()) EXPECT_FALSE(each.complete) << each.name;
 }
 
+TEST_F(RecordingListTest, SaysOfWhatIsNoRecordingWhatIsWrongWithIt) {
+  const mcap::Bytes magic(std::begin(mcap::kMagic), std::end(mcap::kMagic));
+  write_file(inside / "eight.mcap", magic);
+  auto junk = magic;
+  junk.resize(5000, 0x5A);
+  write_file(inside / "junk.mcap", junk);
+  auto header = recording_of_states("io", 1);
+  header.resize(sizeof mcap::kMagic + mcap::kRecordHead + header[sizeof mcap::kMagic + 1]);
+  write_file(inside / "header.mcap", header);
+  write_file(inside / "a\u202Eb.mcap", recording_of_states("io", 1));
+  write_file(inside / "good.mcap", recording_of_states("io", 1));
+  EXPECT_EQ(all().size(), 5U);
+  EXPECT_EQ(listed("eight.mcap").why,
+            "'eight.mcap' ends behind the first bytes of an MCAP file: nothing was recorded.");
+  EXPECT_EQ(listed("junk.mcap").why,
+            "'junk.mcap' has no header that can be read behind the first bytes, and is no "
+            "recording.");
+  EXPECT_EQ(listed("header.mcap").why,
+            "'header.mcap' has nothing that can be read behind its header.");
+  EXPECT_THAT(listed("aU+202Eb.mcap").why, HasSubstr("characters that can be seen"));
+  EXPECT_EQ(listed("good.mcap").why, "");
+}
+
 TEST_F(RecordingListTest, ACutOneIsListedAsFarAsItGoes) {
   auto bytes = recording_of_states("io", 20);
   bytes.resize(bytes.size() / 3);  // the index is longer than the messages

@@ -97,6 +97,49 @@ TEST_F(UploadTest, TakesRecordingsOnly) {
   EXPECT_EQ(empty.value().finish().error().message, "'empty.mcap' is not an MCAP file.");
 }
 
+TEST_F(UploadTest, LooksAtWhatCameBeforeItHasItsName) {
+  const mcap::Bytes magic(std::begin(mcap::kMagic), std::end(mcap::kMagic));
+  auto junk = magic;
+  junk.resize(5000, 0x5A);
+  auto header = recording;
+  header.resize(sizeof mcap::kMagic + mcap::kRecordHead + header[sizeof mcap::kMagic + 1]);
+  auto junk_behind_header = header;
+  junk_behind_header.resize(5000, 0x5A);
+  for (const auto& bytes : {magic, junk, header, junk_behind_header}) {
+    auto upload = Upload::begin(folder, "bad.mcap", bytes.size(), limits);
+    ASSERT_TRUE(upload && upload.value().append(bytes));
+    const auto done = upload.value().finish();
+    ASSERT_FALSE(done) << bytes.size() << " bytes";
+    EXPECT_EQ(done.error().why, NotKept::Why::kNoRecording);
+    EXPECT_THAT(done.error().message, testing::StartsWith("'bad.mcap' "));
+  }
+  EXPECT_EQ(files(), 0U) << "the drafts are removed";
+}
+
+TEST_F(UploadTest, ACutRecordingIsKeptAndSaidToBeCut) {
+  auto bytes = recording_of_states("io", 20);
+  auto whole = Upload::begin(folder, "whole.mcap", {}, limits);
+  ASSERT_TRUE(whole && whole.value().append(bytes));
+  EXPECT_EQ(whole.value().finish().value().note, "");
+  bytes.resize(bytes.size() / 3);
+  auto cut = Upload::begin(folder, "cut.mcap", {}, limits);
+  ASSERT_TRUE(cut && cut.value().append(bytes));
+  const auto kept = cut.value().finish();
+  ASSERT_TRUE(kept) << kept.error().message;
+  EXPECT_FALSE(kept.value().complete);
+  EXPECT_THAT(kept.value().note, HasSubstr("'cut.mcap' was kept, but is not whole: "));
+  EXPECT_EQ(content("cut.mcap"), bytes);
+}
+
+TEST_F(UploadTest, TakesOnlyNamesThatCanBeSeen) {
+  for (const char* name : {"a\u202Eb.mcap", "a\u200B.mcap", "a\tb.mcap", "a\xFF.mcap", " a.mcap",
+                           ".a.mcap", "a/b.mcap", "a\\b.mcap"}) {
+    const auto upload = Upload::begin(folder, name, {}, limits);
+    ASSERT_FALSE(upload) << name;
+    EXPECT_EQ(upload.error().why, NotKept::Why::kNoName) << name;
+  }
+}
+
 TEST_F(UploadTest, DraftsOfAKilledMonitorAreRemovedAndOthersAreNot) {
   auto upload = Upload::begin(folder, "run.mcap", {}, limits);
   ASSERT_TRUE(upload && upload.value().append(recording));

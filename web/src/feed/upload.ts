@@ -12,6 +12,15 @@ function detailIn(text: string): string | undefined {
   }
 }
 
+/** What the monitor says of a recording that it has kept. */
+function noteIn(text: string): string | undefined {
+  try {
+    return (JSON.parse(text) as { note?: string }).note || undefined;
+  } catch {
+    return undefined;
+  }
+}
+
 function sentenceOf(name: string, { status, responseText }: XMLHttpRequest): string {
   const known: Record<number, string> = {
     404: "This monitor takes no recordings: update it, or copy the file into its folder.",
@@ -26,9 +35,10 @@ function sentenceOf(name: string, { status, responseText }: XMLHttpRequest): str
 /**
  * Sends a file to the monitor to be kept as a recording. `told` is told which share of it, 0 to 1, has gone.
  * `fetch` would not say that.
+ * Returns a sentence of the monitor on what the recording lacks, if it is kept and not whole.
  * Errors: a Refusal with one sentence that says what to do, also where `signal` ended it.
  */
-export function upload(file: Blob, name: string, told: (share: number) => void, signal: AbortSignal): Promise<void> {
+export function upload(file: Blob, name: string, told: (share: number) => void, signal: AbortSignal): Promise<string | undefined> {
   return new Promise((resolve, reject) => {
     const request = new XMLHttpRequest();
     const refuse = (sentence: string) => reject(new Refusal(sentence));
@@ -36,7 +46,7 @@ export function upload(file: Blob, name: string, told: (share: number) => void, 
     for (const [header, value] of Object.entries(credentials())) request.setRequestHeader(header, value);
     request.setRequestHeader("content-type", "application/octet-stream");
     request.upload.onprogress = ({ loaded, total }) => told(total > 0 ? loaded / total : 0);
-    request.onload = () => (request.status >= 200 && request.status < 300 ? resolve() : refuse(sentenceOf(name, request)));
+    request.onload = () => (request.status >= 200 && request.status < 300 ? resolve(noteIn(request.responseText)) : refuse(sentenceOf(name, request)));
     request.onerror = () => refuse(`Sending ${name} broke off: see whether the monitor still runs and has room on its disk, then drop the file again.`);
     request.onabort = () => refuse(`Sending ${name} was cancelled: nothing of it was kept.`);
     signal.addEventListener("abort", () => request.abort());

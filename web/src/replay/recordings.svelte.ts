@@ -36,14 +36,14 @@ class Recordings {
     await this.listing.make(() => this.#lists.take(listRecordings(), ({ folder, recordings }) => ([this.all, this.folder] = [recordings, folder])), sentence);
   }
 
-  /** Sends a file to the monitor, and opens it there. */
+  /** Sends a file to the monitor, and opens it there, unless the monitor has something to say of it. */
   async take(files: readonly File[]): Promise<void> {
     this.news = undefined;
     await this.sending.make(async () => {
       const file = this.#only(files);
-      await this.#send(file);
-      if (!this.opensTab) return location.assign(shownAt(file.name));
-      this.news = `${file.name} is at the monitor: open it here.`;
+      const note = await this.#send(file);
+      if (!note && !this.opensTab) return location.assign(shownAt(file.name));
+      this.news = note ?? `${file.name} is at the monitor: open it here.`;
       await this.list();
     });
   }
@@ -62,12 +62,12 @@ class Recordings {
     return file;
   }
 
-  async #send(file: File): Promise<void> {
+  async #send(file: File): Promise<string | undefined> {
     const { name } = file;
     this.#cancel = new AbortController();
     this.upload = { name, share: 0 };
     try {
-      await upload(file, name, (share) => (this.upload = { name, share }), this.#cancel.signal);
+      return await upload(file, name, (share) => (this.upload = { name, share }), this.#cancel.signal);
     } finally {
       this.upload = undefined;
     }

@@ -17,7 +17,7 @@ vi.stubGlobal("location", { assign });
 const file = (name: string, content = "what was recorded") => new NodeFile([content], name) as unknown as File;
 
 beforeEach(() => {
-  vi.mocked(upload).mockReset().mockResolvedValue();
+  vi.mocked(upload).mockReset().mockResolvedValue(undefined);
   vi.mocked(api.listRecordings).mockReset().mockResolvedValue({ folder: "/recordings", recordings: [] });
   assign.mockReset();
   workshop.bench.put({ chosen: "", files: [{ path: "a.bhdl", text: "a" }], edited: false });
@@ -29,6 +29,7 @@ describe("a file that is dropped", () => {
       told(0.5);
       expect(recordings.upload).toEqual({ name: "my run.mcap", share: 0.5 });
       expect(assign).not.toHaveBeenCalled();
+      return undefined;
     });
     await recordings.take([file("my run.mcap")]);
     expect(assign).toHaveBeenCalledWith("/?recording=my%20run.mcap");
@@ -40,6 +41,12 @@ describe("a file that is dropped", () => {
     expect(assign).not.toHaveBeenCalled();
     expect(recordings.news).toBe("run.mcap is at the monitor: open it here.");
     expect(recordings.all).toEqual([]);
+  });
+  it("that is not whole is said to be so before it is opened", async () => {
+    vi.mocked(upload).mockResolvedValue("'cut.mcap' was kept, but is not whole.");
+    await recordings.take([file("cut.mcap")]);
+    expect(assign).not.toHaveBeenCalled();
+    expect(recordings.news).toBe("'cut.mcap' was kept, but is not whole.");
   });
   it("that is none, or another, is refused in a sentence that says what to do", async () => {
     const refusals: (string | undefined)[] = [];
@@ -64,7 +71,7 @@ describe("a file that is dropped", () => {
   });
   it("waits for the one before", async () => {
     let end = () => {};
-    vi.mocked(upload).mockImplementation(() => new Promise((resolve) => (end = resolve)));
+    vi.mocked(upload).mockImplementation(() => new Promise((resolve) => (end = () => resolve(undefined))));
     const first = recordings.take([file("first.mcap")]);
     await recordings.take([file("second.mcap")]);
     expect(recordings.sending.failure).toBe("first.mcap is still on its way: wait for it, or cancel it.");

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <map>
 #include <span>
 
 #include "monitor/logs/reading/attachments.h"
@@ -99,6 +100,74 @@ TEST_F(CopiesTest, ASchemaThatCannotBeReadStaysAsItIs) {
   EXPECT_EQ(answer.code, 3);
   EXPECT_THAT(answer.errors, HasSubstr("the type a/msg/B, has a schema that is in the encoding"));
   EXPECT_EQ(contents_of(path("out.mcap")).size(), 1U);
+}
+
+/// Topics by name, with the name of their type and how many messages they have.
+std::map<std::string, std::pair<std::string, std::uint64_t>> topics_in(const std::string& path) {
+  const auto recording = Recording::open(path);
+  const auto& summary = recording.value().summary();
+  std::map<std::string, std::pair<std::string, std::uint64_t>> topics;
+  for (const auto& [id, channel] : summary.channels) {
+    const auto counted = summary.statistics.channel_messages.find(id);
+    const bool is_silent = counted == summary.statistics.channel_messages.end();
+    topics[channel.topic] = {summary.schemas.at(channel.schema_id).name,
+                             is_silent ? 0 : counted->second};
+  }
+  return topics;
+}
+
+/// A recording with messages on /a, none on /b and /c, and a type that no topic has.
+mcap::Bytes with_silent_channels() {
+  mcap::FaultyDisk disk;
+  mcap::Writer writer(disk);
+  EXPECT_TRUE(writer.begin());
+  std::uint16_t first = 0;
+  for (const std::string topic : {"/a", "/b", "/c"}) {
+    const auto schema = writer.add_schema("x/msg/Of" + topic.substr(1), "ros2msg", "bool x\n");
+    const auto id = writer.add_channel(
+        {.schema_id = schema, .topic = topic, .message_encoding = "cdr", .metadata = {}});
+    if (first == 0) first = id;
+  }
+  (void)writer.add_schema("x/msg/OfNothing", "ros2msg", "bool x\n");
+  for (std::uint64_t s = 1; s <= 3; ++s)
+    EXPECT_TRUE(writer.write(mcap::Message{first, 1, s * 1'000'000'000, s * 1'000'000'000, {}}));
+  EXPECT_TRUE(writer.end());
+  return disk.bytes();
+}
+
+TEST_F(CopiesTest, ChannelsWithoutMessagesAndTheirTypesStay) {
+  write("silent.mcap", with_silent_channels());
+  const auto all = topics_in(path("silent.mcap"));
+  ASSERT_EQ(all.size(), 3U);
+  for (const bool read_again : {false, true}) {
+    const auto answer =
+        copy(read_again ? "recover" : "convert", {.files = {"silent.mcap"},
+                                                  .output = {.path = "copy.mcap", .replace = true},
+                                                  .read_again = read_again});
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_THAT(answer.out, HasSubstr("3 messages of 3 channels, of which 2 have no message, "));
+    EXPECT_EQ(topics_in(path("copy.mcap")), all);
+    EXPECT_EQ(Recording::open(path("copy.mcap")).value().summary().schemas.size(), 4U);
+  }
+  const auto merged =
+      copy("merge", {.files = {"run.mcap", "silent.mcap"}, .output = {.path = "merged.mcap"}});
+  EXPECT_THAT(merged.out, HasSubstr("123 messages of 5 channels, of which 2 have no message, "));
+}
+
+TEST_F(CopiesTest, ASliceKeepsTheChannelsOfTheChosenTopics) {
+  write("silent.mcap", with_silent_channels());
+  const auto slice_of = [&](Selection selection) {
+    const auto answer = copy("slice", {.files = {"silent.mcap"},
+                                       .selection = std::move(selection),
+                                       .output = {.path = "slice.mcap", .replace = true}});
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    return topics_in(path("slice.mcap"));
+  };
+  EXPECT_EQ(slice_of({.from_s = 1.5}).size(), 3U);
+  EXPECT_EQ(slice_of({.from_s = 1.5}).at("/a").second, 1U);
+  const auto chosen = slice_of({.topics = {"a", "b"}, .from_s = 100});
+  EXPECT_EQ(chosen.size(), 2U) << "/c was not chosen";
+  EXPECT_EQ(chosen.at("/b"), std::pair(std::string("x/msg/Ofb"), std::uint64_t{0}));
 }
 
 TEST_F(CopiesTest, ASliceIsAPartOfTheMessages) {

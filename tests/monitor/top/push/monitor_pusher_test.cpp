@@ -196,7 +196,7 @@ TEST_F(MonitorPusherTest, AFifoIsNoProgram) {
   pusher->check({.file = path});
   const auto report = wait_for(Stage::kRefused);
   ASSERT_FALSE(report.lines.empty());
-  EXPECT_THAT(report.lines[0].text, HasSubstr("fifo.bhdl is no regular file"));
+  EXPECT_THAT(report.lines[0].text, HasSubstr("fifo.bhdl': it is a pipe, and no file"));
 }
 
 }  // namespace

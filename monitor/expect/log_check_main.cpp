@@ -9,6 +9,7 @@
 #include "core/command_line/seconds_of.h"
 #include "core/json_text.h"
 #include "core/progress_bar.h"
+#include "core/written_files.h"
 #include "monitor/expect/judge/judge.h"
 #include "monitor/expect/language/expectation_files.h"
 #include "monitor/expect/live/live_samples.h"
@@ -91,7 +92,15 @@ int tell(const Options& options, const Judgement& judgement) {
   return std::cout.flush() ? exit_code(judgement) : kFailed;
 }
 
+/// Errors: the report is to be written over what is read.
+Result<void> check_files(const Options& options) {
+  auto read = options.expectations;
+  read.push_back(options.recording);
+  return check_written_files({options.junit}, read);
+}
+
 int run(const Options& options) try {
+  if (const auto right = check_files(options); !right) return fail(right.error().message);
   const auto parsed = parse_files(options.expectations);
   if (!parsed.ok()) return print(parsed.diagnostics, options), kFailed;
   if (options.syntax) return 0;

@@ -7,6 +7,7 @@
 
 #include "core/command_line/exit_code.h"
 #include "core/visible_text.h"
+#include "core/written_files.h"
 #include "monitor/logs/figures/chart.h"
 #include "monitor/logs/figures/map_drawing.h"
 #include "monitor/logs/reading/undecoded.h"
@@ -135,6 +136,9 @@ int plot_map(const Recording& recording, const PlotOptions& options) {
 }  // namespace
 
 int plot(const PlotOptions& options) {
+  const auto right =
+      check_written_files({options.pictures.svg, options.pictures.png}, {options.file});
+  if (!right) return fail_plot(right.error().message);
   const auto recording = Recording::open(options.file);
   if (!recording) return fail_plot(recording.error().message);
   if (options.map) return plot_map(recording.value(), options);

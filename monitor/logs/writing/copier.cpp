@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/logs/writing/copier.h"
 
-#include <filesystem>
 #include <limits>
 #include <utility>
 
 #include "core/visible_text.h"
+#include "core/written_files.h"
 #include "monitor/logs/reading/attachments.h"
 #include "monitor/logs/writing/schema_language.h"
 #include "monitor/record/damage_text.h"
@@ -26,12 +26,6 @@ mcap::WriterOptions writer_options(const OutputOptions& options, const mcap::Hea
           .compression = compression_of(options.compression)};
 }
 
-/// To write where a recording is read from would destroy it.
-bool is_same_file(const std::string& a, const std::string& b) {
-  std::error_code unknown;
-  return std::filesystem::equivalent(a, b, unknown);
-}
-
 bool is_of_the_whole(const mcap::Metadata& metadata) {
   return metadata.name == monitor::kLossesMetadata ||
          metadata.name == monitor::kLossesBeforeMetadata;
@@ -41,9 +35,9 @@ bool is_of_the_whole(const mcap::Metadata& metadata) {
 
 Result<std::unique_ptr<Copier>> Copier::create(const OutputOptions& options,
                                                const std::vector<const Recording*>& from) {
-  for (const auto* each : from)
-    if (is_same_file(options.path, each->path()))
-      return Error{options.path + " is read here and cannot be written; choose another name"};
+  std::vector<std::string> read;
+  for (const auto* each : from) read.push_back(each->path());
+  if (auto right = check_written_files({options.path}, read); !right) return right.error();
   auto file = mcap::FileSink::create(options.path, options.replace);
   if (!file) return file.error();
   const auto header = from.empty() ? mcap::Header{} : from.front()->summary().header;

@@ -81,6 +81,20 @@ TEST_F(LogCheckTest, EndsWithThreeIfTheRecordingCannotTell) {
   EXPECT_THAT(answer.text, HasSubstr("\"reason\": \"europa was never heard\""));
 }
 
+TEST_F(LogCheckTest, AReportNeverGoesOverWhatIsRead) {
+  const std::string text = "io: always it is healthy\n";
+  const auto recording = read("run.mcap");
+  std::filesystem::create_symlink("run.mcap", folder_.path() / "link.xml");
+  std::filesystem::create_hard_link(folder_.path() / "run.mcap", folder_.path() / "twin.xml");
+  for (const char* junit : {"run.mcap", "./run.mcap", "link.xml", "twin.xml", "a.expect"}) {
+    const auto answer = check(text, "--junit " + std::string(junit));
+    EXPECT_EQ(answer.code, 1) << junit;
+    EXPECT_THAT(answer.text, HasSubstr(std::string(junit) + " is read here and cannot be written"));
+  }
+  EXPECT_EQ(read("run.mcap"), recording);
+  EXPECT_EQ(read("a.expect"), text);
+}
+
 TEST_F(LogCheckTest, EveryFormatIsPrinted) {
   const std::string text = "io: never state is \"stuck\" for 2 s\n";
   EXPECT_THAT(check(text, "--format tap").text,

@@ -111,6 +111,27 @@ TEST_F(PlotTest, WritesAPictureOnce) {
   EXPECT_THAT(plotted(options).errors, HasSubstr("exists already"));
 }
 
+TEST_F(PlotTest, NeverWritesOverTheRecordingNorOnePictureOverTheOther) {
+  const auto before = read("run.mcap");
+  std::filesystem::create_hard_link(path("run.mcap"), path("twin.mcap"));
+  for (const auto& pictures : {PictureFiles{.svg = path("run.mcap"), .png = {}, .replace = true},
+                               PictureFiles{.svg = {}, .png = path("run.mcap"), .replace = true},
+                               PictureFiles{.svg = path("twin.mcap"), .png = {}, .replace = true}})
+    for (const bool map : {false, true}) {
+      PlotOptions options{.pictures = pictures};
+      if (!map) options.values = {"io/state.x_m"};
+      options.map = map;
+      const auto answer = plotted(options);
+      EXPECT_EQ(answer.code, 1);
+      EXPECT_THAT(answer.errors, HasSubstr("is read here and cannot be written"));
+    }
+  EXPECT_EQ(read("run.mcap"), before);
+  EXPECT_THAT(plotted({.values = {"io/state.x_m"},
+                       .pictures = {.svg = path("x"), .png = path("./x"), .replace = true}})
+                  .errors,
+              HasSubstr("would be written twice"));
+}
+
 TEST_F(PlotTest, WritesAPngOfTheSamePicture) {
   const PlotOptions options{.values = {"io/state.x_m", "io/state.state"},
                             .pictures = {.png = path("x.png")}};

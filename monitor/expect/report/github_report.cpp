@@ -1,29 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/visible_text.h"
+#include "monitor/expect/report/escapes.h"
 #include "monitor/expect/report/words.h"
 
 namespace galilean::expect {
 namespace {
-
-/// Returns a message of a workflow command; in a property, : and , have a meaning, too.
-std::string command_text(const std::string& text, bool property) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '%')
-      safe += "%25";
-    else if (c == '\r')
-      safe += "%0D";
-    else if (c == '\n')
-      safe += "%0A";
-    else if (c == ':' && property)
-      safe += "%3A";
-    else if (c == ',' && property)
-      safe += "%2C";
-    else
-      safe += c;
-  }
-  return safe;
-}
 
 std::string annotation(const Verdict& verdict, const Report& report) {
   const bool fails = verdict.finding.outcome == Outcome::kFails;

@@ -48,7 +48,7 @@ class LogCheckTest : public testing::Test {
   }
   Answer run(const std::string& arguments) {
     const std::string command =
-        "cd '" + folder_.path().string() + "' && '" GALILEAN_LOG_CHECK "' " + arguments + " 2>&1";
+        "cd '" + folder_.path().string() + "' && '" GALILEAN_LOG_CHECK "' 2>&1 " + arguments;
     Answer answer;
     FILE* output = popen(command.c_str(), "r");
     for (int letter; (letter = std::fgetc(output)) != EOF;)
@@ -108,6 +108,45 @@ TEST_F(LogCheckTest, MistakesAreToldWithTheirPlaces) {
   EXPECT_EQ(answer.code, 1);
   EXPECT_THAT(answer.text, HasSubstr("a.expect:1:5: error: expected a claim, not 'nevr'"));
   EXPECT_THAT(answer.text, HasSubstr("a.expect:2:18: error: 's' is a unit of time"));
+}
+
+TEST_F(LogCheckTest, EveryFormatTellsMistakesWithTheirPlaces) {
+  const std::string text = "io: always it is healthy\nio: nevr it is held\n";
+  const auto said = [&](const std::string& format) {
+    const auto answer = check(text, "--junit o.xml --format " + format + " 2>errors");
+    EXPECT_EQ(answer.code, 1) << format;
+    EXPECT_THAT(read("errors"), HasSubstr("a.expect:2:5: error: expected a claim, not 'nevr'"));
+    const auto xml = read("o.xml");
+    EXPECT_THAT(xml, HasSubstr("tests=\"1\" failures=\"0\" errors=\"1\""));
+    EXPECT_THAT(xml, HasSubstr("file=\"a.expect\" line=\"2\""));
+    EXPECT_THAT(xml, HasSubstr(">a.expect:2:5: expected a claim, not 'nevr'; did you mean"));
+    std::filesystem::remove(folder_.path() / "o.xml");
+    return answer.text;
+  };
+  EXPECT_THAT(said("github"),
+              testing::StartsWith("::error file=a.expect,line=2,col=5::expected a claim, not"));
+  EXPECT_THAT(said("tap"),
+              testing::StartsWith("TAP version 13\n1..1\nnot ok 1 - a.expect:2:5: expected"));
+  EXPECT_THAT(said("junit"), HasSubstr("<error message=\"expected a claim, not 'nevr'"));
+  EXPECT_THAT(said("json"), testing::AllOf(HasSubstr("\"line\": 2"), HasSubstr("\"column\": 5"),
+                                           HasSubstr("\"file\": \"a.expect\"")));
+  EXPECT_EQ(said("text"), "");
+}
+
+TEST_F(LogCheckTest, EveryFormatTellsThatNothingCouldBeJudged) {
+  write("a.expect", "io: always it is healthy\n");
+  const auto said = [&](const std::string& format) {
+    const auto answer =
+        run("none.mcap --expect a.expect --junit o.xml --format " + format + " 2>/dev/null");
+    EXPECT_EQ(answer.code, 1) << format;
+    EXPECT_THAT(read("o.xml"), HasSubstr("<error message=\"none.mcap"));
+    std::filesystem::remove(folder_.path() / "o.xml");
+    return answer.text;
+  };
+  EXPECT_THAT(said("github"), testing::StartsWith("::error::none.mcap"));
+  EXPECT_THAT(said("tap"), HasSubstr("not ok 1 - nothing was judged: none.mcap"));
+  EXPECT_THAT(said("junit"), HasSubstr("errors=\"1\""));
+  EXPECT_THAT(said("json"), HasSubstr("\"error\": \"none.mcap"));
 }
 
 TEST_F(LogCheckTest, FilesThatAreNoneGetASentence) {

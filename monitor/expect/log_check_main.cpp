@@ -10,8 +10,8 @@
 #include "monitor/expect/judge/judge.h"
 #include "monitor/expect/language/expectation_files.h"
 #include "monitor/expect/live/live_samples.h"
+#include "monitor/expect/problems/problems.h"
 #include "monitor/expect/recording/play_samples.h"
-#include "monitor/expect/report/problems.h"
 #include "monitor/expect/report/report.h"
 
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/visible_text.h"
-#include "monitor/expect/report/escapes.h"
+#include "monitor/expect/problems/escapes.h"
 #include "monitor/expect/report/words.h"
 
 namespace galilean::expect {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/json_text.h"
 #include "core/visible_text.h"
-#include "monitor/expect/report/escapes.h"
+#include "monitor/expect/problems/escapes.h"
 #include "monitor/expect/report/words.h"
 
 namespace galilean::expect {

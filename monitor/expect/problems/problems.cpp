@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/expect/report/problems.h"
+#include "monitor/expect/problems/problems.h"
 
 #include <fstream>
 #include <sstream>
 
 #include "core/json_text.h"
 #include "core/visible_text.h"
-#include "monitor/expect/report/escapes.h"
+#include "monitor/expect/problems/escapes.h"
 
 namespace galilean::expect {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/expect/report/escapes.h"
+#include "monitor/expect/problems/escapes.h"
 
 #include "core/visible_text.h"
 

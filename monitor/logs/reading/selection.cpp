@@ -2,6 +2,7 @@
 #include "monitor/logs/reading/selection.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <iostream>
 #include <iterator>
 #include <limits>
@@ -18,6 +19,22 @@ namespace {
 constexpr std::size_t kMostTold = 20;
 
 }  // namespace
+
+std::string short_seconds(double time_s) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.6g s", time_s);
+  return text;
+}
+
+std::string part_text(const Selection& selection) {
+  const auto& topics = selection.topics;
+  std::string text;
+  for (std::size_t i = 0; i < topics.size(); ++i)
+    text += (i == 0 ? " of " : i + 1 == topics.size() ? " and " : ", ") + visible(topics[i]);
+  if (selection.from_s > 0) text += " from " + short_seconds(selection.from_s) + " on";
+  if (selection.to_s) text += " up to " + short_seconds(*selection.to_s);
+  return text;
+}
 
 Result<SelectedMessages> SelectedMessages::of(const Recording& recording,
                                               const Selection& selection, std::size_t memory_bytes,

@@ -22,6 +22,12 @@ struct Selection {
   std::optional<double> to_s;  ///< nothing: up to the end
 };
 
+/// Returns what is wanted as words behind "no message": " of io/state from 90 s on up to 95 s".
+/// Returns an empty text if all is wanted.
+[[nodiscard]] std::string part_text(const Selection& selection);
+/// Returns "5.9 s".
+[[nodiscard]] std::string short_seconds(double time_s);
+
 /// Whether a terminal shows how far a command has read.
 enum class ShowsProgress {
   kYes,

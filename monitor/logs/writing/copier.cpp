@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/visible_text.h"
-#include "core/written_files.h"
 #include "monitor/logs/reading/attachments.h"
 #include "monitor/logs/writing/schema_language.h"
 #include "monitor/record/damage_text.h"
@@ -34,15 +33,11 @@ bool is_of_the_whole(const mcap::Metadata& metadata) {
 }  // namespace
 
 Result<std::unique_ptr<Copier>> Copier::create(const OutputOptions& options,
-                                               const std::vector<const Recording*>& from) {
-  std::vector<std::string> read;
-  for (const auto* each : from) read.push_back(each->path());
-  if (auto right = check_written_files({options.path}, read); !right) return right.error();
+                                               const mcap::Header& first) {
   auto file = mcap::FileSink::create(options.path, options.replace);
   if (!file) return file.error();
-  const auto header = from.empty() ? mcap::Header{} : from.front()->summary().header;
   std::unique_ptr<Copier> copier(
-      new Copier(std::move(file).value(), writer_options(options, header), options.schema));
+      new Copier(std::move(file).value(), writer_options(options, first), options.schema));
   if (auto done = copier->writer_.begin(); !done) return done.error();
   return Result<std::unique_ptr<Copier>>(std::move(copier));
 }

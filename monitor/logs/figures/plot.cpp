@@ -10,6 +10,7 @@
 #include "core/written_files.h"
 #include "monitor/logs/figures/chart.h"
 #include "monitor/logs/figures/map_drawing.h"
+#include "monitor/logs/figures/map_extent.h"
 #include "monitor/logs/reading/undecoded.h"
 #include "monitor/wire/message_text.h"
 
@@ -124,6 +125,11 @@ int plot_map(const Recording& recording, const PlotOptions& options) {
   const auto read = read_tracks(recording, options.from_s, options.to_s);
   if (!read) return fail_plot(read.error().message);
   const auto& tracks = read.value().tracks;
+  if (const MapExtent extent(tracks); !extent.is_drawable())
+    return fail_plot("a map cannot show places from x = " + short_text(extent.left_m) + " m to " +
+                     short_text(extent.right_m) + " m and y = " + short_text(extent.bottom_m) +
+                     " m to " + short_text(extent.top_m) +
+                     " m; choose a part with --from and --to");
   std::cerr << kPlot << ": " << source_text(tracks.source) << '\n';
   if (!options.pictures.any())
     std::cout << map_text(tracks, static_cast<std::size_t>(options.width),

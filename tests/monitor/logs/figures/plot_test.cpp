@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 #include "monitor/logs/figures/chart.h"
 #include "tests/monitor/logs/logged_team.h"
 
@@ -42,6 +44,32 @@ TEST(Chart, DrawsAConstantInTheMiddle) {
   one.series.add(0, 1);
   two.series.add(0, 1);
   EXPECT_THAT(chart_text({one, two}, 10, 3), HasSubstr("           |b\n"));
+}
+
+TEST(Chart, DrawsTheLargestNumbers) {
+  NamedSeries one{"a", {}};
+  for (int i = 0; i < 10; ++i) one.series.add(i, i < 5 ? -1e308 : i < 9 ? 0 : 1e308);
+  EXPECT_EQ(chart_text({one}, 10, 3),
+            "* a: -1e+308 to 1e+308\n"
+            "    1e+308 |         *\n"
+            "           |     ****\n"
+            "   -1e+308 |*****\n"
+            "           +----------\n"
+            "            0 s    9 s\n");
+  const auto svg = svg_of(chart_drawing({one}));
+  EXPECT_THAT(svg, testing::Not(testing::AnyOf(HasSubstr("nan"), HasSubstr("inf"))));
+  EXPECT_THAT(svg, testing::AllOf(HasSubstr(",60 "), HasSubstr(",180 "), HasSubstr(",300")));
+}
+
+TEST(Chart, LabelsStayWithinTheirColumn) {
+  NamedSeries one{"a", {}};
+  one.series.add(0, -1.2345678e-300);
+  one.series.add(1, std::numeric_limits<double>::max());
+  const auto text = chart_text({one}, 10, 3);
+  EXPECT_THAT(text, HasSubstr("\n1.798e+308 |         *\n"));
+  EXPECT_THAT(text, HasSubstr("\n-1.23e-300 |*\n"));
+  EXPECT_THAT(svg_of(chart_drawing({one})),
+              testing::AllOf(HasSubstr(">1.8e+308</text>"), HasSubstr(">-1.2e-300</text>")));
 }
 
 TEST(StateBars, TellWhichTextWasSo) {

@@ -59,6 +59,7 @@ class Plotting {
     while (const mcap::Message* message = messages.value().next())
       if (auto done = take(*message, messages.value().at_s()); !done) return done;
     damaged_ = tell_damage(kPlot, messages.value());
+    if (!messages.value().any()) return Error{nothing_text(selection, messages.value())};
     return check_numbers();
   }
 

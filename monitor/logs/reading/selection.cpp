@@ -18,13 +18,13 @@ namespace {
 /// Of more damages than so many, the rest is counted.
 constexpr std::size_t kMostTold = 20;
 
-}  // namespace
-
 std::string short_seconds(double time_s) {
   char text[48];
   std::snprintf(text, sizeof text, "%.6g s", time_s);
   return text;
 }
+
+}  // namespace
 
 std::string part_text(const Selection& selection) {
   const auto& topics = selection.topics;
@@ -66,7 +66,9 @@ const mcap::Message* SelectedMessages::next() {
     if (bar_ && read_++ % kTellEach == 0) bar_->show(reader_->progress());
     time_.move_to(message->log_ns);
     if (at_s() > to_s_) break;
-    if (is_wanted(*message)) return message;
+    if (!is_wanted(*message)) continue;
+    any_ = true;
+    return message;
   }
   bar_.reset();
   return nullptr;
@@ -81,6 +83,18 @@ std::vector<mcap::Damage> SelectedMessages::damages() const {
   std::ranges::move(monitor::newly_met(reader_->damages(), recording_->summary()),
                     std::back_inserter(all));
   return all;
+}
+
+std::string nothing_text(const Selection& selection, const SelectedMessages& read) {
+  const std::string text = "there is no message" + part_text(selection);
+  if (selection.from_s <= read.at_s()) return text;
+  return text + "; " + read.recording().path() + " ends at " + short_seconds(read.at_s());
+}
+
+void tell_nothing(const std::string& program, const Selection& selection,
+                  const SelectedMessages& read) {
+  if (!read.any() && !part_text(selection).empty())
+    std::cerr << program << ": " << nothing_text(selection, read) << '\n';
 }
 
 int tell_damage(const std::string& program, const SelectedMessages& read) {

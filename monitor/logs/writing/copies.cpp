@@ -91,10 +91,10 @@ class Copying {
 
   /// Says what was asked for, of which no recording has a message.
   [[nodiscard]] std::string nothing_is_there() const {
-    std::string text = "there is no message" + part_text(options_.selection);
-    const double end_s = sources_.front().messages.at_s();  // of what was read
-    if (sources_.size() == 1 && options_.selection.from_s > end_s)
-      text += "; " + sources_.front().recording->path() + " ends at " + short_seconds(end_s);
+    const auto& selection = options_.selection;
+    const std::string text = sources_.size() == 1
+                                 ? nothing_text(selection, sources_.front().messages)
+                                 : "there is no message" + part_text(selection);
     return text + "; nothing was written";
   }
 

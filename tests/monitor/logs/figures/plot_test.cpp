@@ -186,6 +186,8 @@ TEST_F(PlotTest, SaysWhatCannotBeDrawn) {
   EXPECT_THAT(plotted({.values = {"io/state"}}).errors, HasSubstr("is no TOPIC.FIELD"));
   EXPECT_THAT(plotted({.values = {"io/stat.x_m"}}).errors, HasSubstr("did you mean '/io/state'?"));
   EXPECT_THAT(plotted({.values = {"io/state.y"}}).errors, HasSubstr("has no field 'y'"));
+  EXPECT_THAT(plotted({.values = {"io/state.x_m"}, .from_s = 60}).errors,
+              HasSubstr("there is no message of io/state from 60 s on; "));
 }
 
 }  // namespace

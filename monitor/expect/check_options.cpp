@@ -58,6 +58,9 @@ std::optional<int> read_check_options(int count, const char* const* arguments,
       .show_default();
   app.option("--junit", options.junit, "Also write the report as JUnit's XML to this file")
       .names_file(".xml");
+  app.option("--problem", options.problems,
+             "Report this as an error, too, such as what went wrong in the run")
+      .not_empty();
   app.flag("--syntax", options.syntax, "Only read the expectations, and tell their mistakes");
   app.option("--silence", options.silence_s,
              "After how many seconds without a message a robot's state and variables are unknown")
@@ -65,7 +68,8 @@ std::optional<int> read_check_options(int count, const char* const* arguments,
       .show_default();
   add_live_options(app, options);
   app.describe_exit(kFailed,
-                    "An expectation does not hold, or a file could not be read or written.");
+                    "An expectation does not hold, there is a --problem, or a file could not be "
+                    "read or written.");
   app.describe_exit(kIncomplete,
                     "None fails, but for some it cannot be told: messages are missing, or a robot "
                     "was never heard.");

@@ -13,6 +13,7 @@ struct CheckOptions {
   std::vector<std::string> expectations;
   std::string format = "text";
   std::string junit;
+  std::vector<std::string> problems;  ///< what is reported beside the expectations
   double silence_s = 2;
   bool syntax = false;  ///< only read the expectations
   bool live = false;

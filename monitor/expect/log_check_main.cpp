@@ -55,10 +55,19 @@ int tell_programs(const CheckOptions& options, const std::vector<Problem>& probl
   return std::cout.flush() && problems.empty() ? 0 : kFailed;
 }
 
+std::vector<Problem> problems_of_run(const CheckOptions& options) {
+  std::vector<Problem> problems;
+  for (const auto& each : options.problems)
+    problems.push_back({.message = each, .file = {}, .name = "the run"});
+  return problems;
+}
+
 /// Says why nothing could be judged, to people and to programs. Returns the exit code.
 int give_up(const CheckOptions& options, const std::string& sentence) {
   (void)fail(sentence);
-  return tell_programs(options, {{.message = sentence, .file = {}}}, {});
+  auto problems = problems_of_run(options);
+  problems.insert(problems.begin(), Problem{.message = sentence, .file = {}});
+  return tell_programs(options, problems, {});
 }
 
 /// Tells the mistakes in the expectations, if there are any. Returns the exit code.
@@ -72,8 +81,8 @@ int tell_mistakes(const CheckOptions& options, const std::vector<bhdl::Diagnosti
   return tell_programs(options, problems, mistakes);
 }
 
-int exit_code(const Judgement& judgement) {
-  if (judgement.count(Outcome::kFails) > 0) return kFailed;
+int exit_code(const Judgement& judgement, bool any_problem) {
+  if (judgement.count(Outcome::kFails) > 0 || any_problem) return kFailed;
   return judgement.count(Outcome::kCannotTell) > 0 ? kIncomplete : 0;
 }
 
@@ -96,12 +105,13 @@ Result<Played> hear_team(const CheckOptions& options, Judge& judge) {
 }
 
 int tell(const CheckOptions& options, const Judgement& judgement) {
-  const Report report{options.live ? "the live team" : options.recording, judgement, options.live};
+  const Report report{options.live ? "the live team" : options.recording, judgement, options.live,
+                      problems_of_run(options)};
   std::cout << in_format(options.format, report);
   if (!options.junit.empty())
     if (auto done = write_report(options.junit, junit_report(report)); !done)
       return fail(done.error().message);
-  return std::cout.flush() ? exit_code(judgement) : kFailed;
+  return std::cout.flush() ? exit_code(judgement, !options.problems.empty()) : kFailed;
 }
 
 /// Errors: the report is to be written over what is read.

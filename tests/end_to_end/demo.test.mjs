@@ -184,6 +184,13 @@ test('the XML tells of a run that came to nothing', limit, async (t) => {
   assert.equal((await cutShort.stop('SIGTERM')).code, 1);
   assert.match(xml(), /<error message="interrupted before its time was over"/);
 
+  writeFileSync(`${cwd}/little.expect`, 'io: never state is "moon"\n');
+  const bereft = new Running(t, ['demo', '--headless-for', '6', '--expect', 'little.expect', '--junit', 'out.xml', '--port', String(await freePort())], { domain, cwd });
+  await bereft.line(/http:\/\/127/);
+  process.kill(pidOf(domain, '--name ganymede'), 'SIGKILL');
+  assert.equal((await bereft.exited).code, 1);
+  assert.match(xml(), /<testcase classname="[^"]*" name="the run">\s*<error message="ganymede ended"/);
+
   const stuck = new Running(t, options('--port', String(await freePort())), { domain, cwd });
   await stuck.line(/http:\/\/127/);
   process.kill(pidOf(domain, '--name io'), 'SIGSTOP');

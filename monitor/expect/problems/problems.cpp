@@ -27,10 +27,12 @@ std::string on_one_line(const std::string& text) {
 }
 
 std::string name_of(const Problem& problem) {
-  return problem.file.empty() ? "nothing was judged" : place_of(problem);
+  return problem.file.empty() ? problem.name : place_of(problem);
 }
 
-std::string problem_case(const std::string& about, const Problem& problem) {
+}  // namespace
+
+std::string junit_case(const std::string& about, const Problem& problem) {
   std::string text =
       "    <testcase" + xml_attribute("classname", about) + xml_attribute("name", name_of(problem));
   if (!problem.file.empty())
@@ -42,7 +44,14 @@ std::string problem_case(const std::string& about, const Problem& problem) {
          "</error>\n    </testcase>\n";
 }
 
-}  // namespace
+std::string tap_test(std::size_t number, const Problem& problem) {
+  const auto message = visible(on_one_line(problem.message));
+  std::string text = "not ok " + std::to_string(number) + " - " +
+                     tap_description(visible(name_of(problem)) + ": " + message) +
+                     "\n  ---\n  outcome: \"error\"\n  message: " + json_text(message) + "\n";
+  if (!problem.file.empty()) text += "  at: " + json_text(place_of(problem)) + "\n";
+  return text + "  ...\n";
+}
 
 std::string junit_problems(const std::string& about, const std::vector<Problem>& problems) {
   const std::string number = std::to_string(problems.size());
@@ -50,21 +59,14 @@ std::string junit_problems(const std::string& about, const std::vector<Problem>&
                              xml_attribute("errors", number);
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + counts +
                      ">\n  <testsuite" + xml_attribute("name", about) + counts + ">\n";
-  for (const auto& problem : problems) text += problem_case(about, problem);
+  for (const auto& problem : problems) text += junit_case(about, problem);
   return text + "  </testsuite>\n</testsuites>\n";
 }
 
 std::string tap_problems(const std::vector<Problem>& problems) {
   std::string text = "TAP version 13\n1.." + std::to_string(problems.size()) + "\n";
   std::size_t number = 0;
-  for (const auto& problem : problems) {
-    const auto message = visible(on_one_line(problem.message));
-    text += "not ok " + std::to_string(++number) + " - " +
-            tap_description(name_of(problem) + ": " + message) + "\n  ---\n  outcome: \"error\"\n" +
-            "  message: " + json_text(message) + "\n";
-    if (!problem.file.empty()) text += "  at: " + json_text(place_of(problem)) + "\n";
-    text += "  ...\n";
-  }
+  for (const auto& problem : problems) text += tap_test(++number, problem);
   return text;
 }
 

@@ -24,6 +24,7 @@ std::string github_report(const Report& report) {
   std::string text;
   for (const auto& verdict : report.judgement.verdicts)
     if (verdict.finding.outcome != Outcome::kHolds) text += annotation(verdict, report);
+  text += github_problems(report.problems);
   for (const auto& note : report.judgement.notes)
     if (!note.empty()) text += "::warning::" + command_text(visible(note), false) + "\n";
   return text + "::notice::" + command_text(totals(report.judgement), false) + "\n";

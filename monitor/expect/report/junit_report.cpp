@@ -29,12 +29,14 @@ std::string test_case(const Verdict& verdict, const Report& report) {
 std::string junit_report(const Report& report) {
   const auto& judgement = report.judgement;
   const std::string counts =
-      xml_attribute("tests", std::to_string(judgement.verdicts.size())) +
+      xml_attribute("tests", std::to_string(judgement.verdicts.size() + report.problems.size())) +
       xml_attribute("failures", std::to_string(judgement.count(Outcome::kFails))) +
-      xml_attribute("errors", std::to_string(judgement.count(Outcome::kCannotTell)));
+      xml_attribute("errors",
+                    std::to_string(judgement.count(Outcome::kCannotTell) + report.problems.size()));
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + counts +
                      ">\n  <testsuite" + xml_attribute("name", report.recording) + counts + ">\n";
   for (const auto& verdict : judgement.verdicts) text += test_case(verdict, report);
+  for (const auto& problem : report.problems) text += junit_case(report.recording, problem);
   std::string notes;
   for (const auto& note : judgement.notes)
     if (!note.empty()) notes += xml_text(note) + "\n";

@@ -16,7 +16,8 @@ std::string line(const char* key, const std::string& text) {
 
 std::string tap_report(const Report& report) {
   const auto& verdicts = report.judgement.verdicts;
-  std::string text = "TAP version 13\n1.." + std::to_string(verdicts.size()) + "\n";
+  std::string text =
+      "TAP version 13\n1.." + std::to_string(verdicts.size() + report.problems.size()) + "\n";
   std::size_t number = 0;
   for (const auto& verdict : verdicts) {
     const bool holds = verdict.finding.outcome == Outcome::kHolds;
@@ -27,6 +28,7 @@ std::string tap_report(const Report& report) {
             line(holds ? "note" : "message", explanation(verdict, report.judgement)) +
             line("at", place(verdict)) + line("see", how_to_see(verdict, report)) + "  ...\n";
   }
+  for (const auto& problem : report.problems) text += tap_test(++number, problem);
   for (const auto& note : report.judgement.notes)
     if (!note.empty()) text += "# " + visible(note) + "\n";
   return text + "# " + totals(report.judgement) + "\n";

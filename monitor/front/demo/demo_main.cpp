@@ -94,15 +94,15 @@ Outcome run_on(Ensemble& ensemble, Witness& witness, Termination& termination,
   return outcome;
 }
 
-/// Prints the judgement of a headless run and returns its exit code.
-int judge(const Evidence& evidence, const Outcome& outcome, bool interrupted) {
+/// Prints the judgement of a headless run. Returns why the team did not work; nothing if it did.
+std::vector<std::string> judge(const Evidence& evidence, const Outcome& outcome, bool interrupted) {
   std::cout << evidence.summary();
   auto reasons = evidence.shortcomings();
   for (const auto& name : outcome.lost) reasons.push_back(name + " ended");
   if (interrupted) reasons.push_back(kInterrupted);
   for (const auto& reason : reasons) complain(reason);
   std::cout << (reasons.empty() ? "The team worked.\n" : "The team did not work.\n");
-  return reasons.empty() ? 0 : 1;
+  return reasons;
 }
 
 /// Writes to JUnit's XML, where it is asked for, why nothing was judged. Returns the exit code.
@@ -115,15 +115,15 @@ int give_up(Ensemble& ensemble, const std::string& why) {
 /// Returns the exit code of a headless run: that of the team's work and that of its expectations.
 int judge_all(Ensemble& ensemble, const Evidence& evidence, const Outcome& outcome,
               const DemoOptions& options, bool interrupted) {
-  const int work = judge(evidence, outcome, interrupted);
-  if (options.expectations.empty()) return work;
+  const auto problems = judge(evidence, outcome, interrupted);
+  if (options.expectations.empty()) return problems.empty() ? 0 : kFailed;
   if (interrupted) return give_up(ensemble, kInterrupted);
-  const auto expectations = ensemble.judge_recording();
+  const auto expectations = ensemble.judge_recording(problems);
   if (!expectations) {
     complain(expectations.error().message);
     return give_up(ensemble, expectations.error().message);
   }
-  return work == kFailed ? kFailed : expectations.value();
+  return problems.empty() ? expectations.value() : kFailed;
 }
 
 std::string list(const std::vector<std::string>& names) {

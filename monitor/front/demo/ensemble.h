@@ -45,7 +45,10 @@ class Ensemble {
   [[nodiscard]] const std::filesystem::path& logs() const noexcept { return logs_; }
   /// Prints what came of the expectations. Returns the exit code of `galilean log check`.
   /// Requires: there are expectations, and all processes have ended. Errors: they cannot be judged.
-  [[nodiscard]] Result<int> judge_recording() { return check_.judge(options_.record); }
+  /// @param problems  what went wrong in the run, which the reports tell, too
+  [[nodiscard]] Result<int> judge_recording(const std::vector<std::string>& problems) {
+    return check_.judge(options_.record, problems);
+  }
   /// Writes to JUnit's XML, if it is asked for, why nothing was judged. Errors: that cannot be
   /// done.
   [[nodiscard]] Result<void> give_up(const std::string& why) { return check_.give_up(why); }

@@ -55,9 +55,11 @@ Result<void> RecordingCheck::read_expectations() {
   return Error{"the expectations cannot be used:\n" + said.value().text};
 }
 
-Result<int> RecordingCheck::judge(const std::string& recording) {
+Result<int> RecordingCheck::judge(const std::string& recording,
+                                  const std::vector<std::string>& problems) {
   std::vector<std::string> arguments{recording};
   if (!junit_.empty()) arguments.insert(arguments.end(), {"--junit", junit_});
+  for (const auto& each : problems) arguments.insert(arguments.end(), {"--problem", each});
   const auto said = run("check", std::move(arguments));
   if (!said) return said.error();
   has_told_ = true;

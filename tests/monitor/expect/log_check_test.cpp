@@ -149,6 +149,22 @@ TEST_F(LogCheckTest, EveryFormatTellsThatNothingCouldBeJudged) {
   EXPECT_THAT(said("json"), HasSubstr("\"error\": \"none.mcap"));
 }
 
+TEST_F(LogCheckTest, WhatWentWrongInTheRunIsReportedBesideTheExpectations) {
+  const std::string text = "io: never state is \"stuck\" for 10 s\n";
+  const auto said = [&](const std::string& format) {
+    const auto answer = check(text, "--problem 'europa ended' --junit o.xml --format " + format);
+    EXPECT_EQ(answer.code, 1) << format;
+    return answer.text;
+  };
+  EXPECT_THAT(said("text"), HasSubstr("ERROR  the run: europa ended\n"));
+  EXPECT_THAT(said("tap"), testing::AllOf(HasSubstr("1..2\nok 1 - io: never"),
+                                          HasSubstr("\nnot ok 2 - the run: europa ended\n")));
+  EXPECT_THAT(said("github"), HasSubstr("::error::europa ended\n"));
+  EXPECT_THAT(said("json"), HasSubstr("\"europa ended\""));
+  EXPECT_THAT(said("junit"), HasSubstr("tests=\"2\" failures=\"0\" errors=\"1\""));
+  EXPECT_THAT(read("o.xml"), HasSubstr("name=\"the run\">\n      <error message=\"europa ended\""));
+}
+
 TEST_F(LogCheckTest, FilesThatAreNoneGetASentence) {
   write("a.expect", "io: always it is healthy\n");
   write("empty.mcap", "");

@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/broken_pipe.h"
+#include "core/installation.h"
 #include "core/json_text.h"
+#include "core/written_files.h"
 #include "robot/components.h"
 #include "sim/headless/headless.h"
 #include "sim/headless/programs.h"
@@ -107,11 +109,20 @@ int run_live(const Options& options, const Scenario& scenario) {
   return 0;
 }
 
+/// Errors: a file is to be written that is read, too.
+Result<void> check_files(const Options& options) {
+  return check_written_files(
+      {options.trace, options.snapshot},
+      {find_file(options.scenario, "scenarios", ".json").string(),
+       find_file(options.bhdl, "programs", ".bhdl").string(), options.start});
+}
+
 }  // namespace
 
 int run(const Options& options) {
   if (options.live && options.headless)
     return complain({"--live and --headless exclude one another"}, kBadInput);
+  if (const auto right = check_files(options); !right) return complain(right.error(), kBadInput);
   const auto scenario = load_scenario(options.scenario);
   if (!scenario) return complain(scenario.error(), kBadInput);
   if (!options.snapshot.empty()) return take_snapshot(options, scenario.value());

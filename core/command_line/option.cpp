@@ -78,6 +78,13 @@ CommandLineOption CommandLineOption::check(std::function<Result<void>(const std:
   return *this;
 }
 
+CommandLineOption CommandLineOption::not_empty() {
+  return check([](const std::string& text) -> Result<void> {
+    if (!text.empty()) return {};
+    return Error{"the value is empty; give one, or leave the option out"};
+  });
+}
+
 CommandLineOption CommandLineOption::excludes(CommandLineOption other) {
   return option_->excludes(other.option_), *this;
 }
@@ -96,18 +103,18 @@ CommandLineOption CommandLineOption::show_default() {
 
 CommandLineOption CommandLineOption::names_file(const std::string& extension) {
   notes_->files = {.kind = ValueFiles::Kind::kFile, .extension = extension, .shipped = {}};
-  return *this;
+  return not_empty();
 }
 
 CommandLineOption CommandLineOption::names_shipped_file(const std::string& room,
                                                         const std::string& extension) {
   notes_->files = {.kind = ValueFiles::Kind::kFile, .extension = extension, .shipped = room};
-  return *this;
+  return not_empty();
 }
 
 CommandLineOption CommandLineOption::names_folder() {
   notes_->files = {.kind = ValueFiles::Kind::kFolder, .extension = {}, .shipped = {}};
-  return *this;
+  return not_empty();
 }
 
 CommandLineOption CommandLineOption::for_example(std::vector<std::string> words) {

@@ -34,6 +34,8 @@ class CommandLineOption {
   CommandLineOption one_of(std::vector<std::string> words);
   /// Demands that `check` accepts the text.
   CommandLineOption check(std::function<Result<void>(const std::string&)> check);
+  /// Refuses an empty text, which programs take for an option that was not given.
+  CommandLineOption not_empty();
   /// Refuses a command line that gives both options.
   CommandLineOption excludes(CommandLineOption other);
   /// Makes the option take from `least` to `most` texts.
@@ -43,7 +45,8 @@ class CommandLineOption {
   /// Shows what the target holds now as the default.
   CommandLineOption show_default();
 
-  // These change what completion offers and manual pages say, and not what is accepted.
+  // These change what completion offers and manual pages say. What names a file or a folder is
+  // not empty; nothing else is refused.
 
   /// Says that the text names a file, with this extension if there is one, such as ".bhdl".
   CommandLineOption names_file(const std::string& extension = {});

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cmath>
-#include <fstream>
 #include <iostream>
 
-#include "core/command_line/command_line.h"
-#include "core/command_line/domain_option.h"
-#include "core/command_line/seconds_of.h"
+#include "core/command_line/exit_code.h"
 #include "core/json_text.h"
 #include "core/progress_bar.h"
+#include "core/written_files.h"
+#include "monitor/expect/check_options.h"
 #include "monitor/expect/judge/judge.h"
 #include "monitor/expect/language/expectation_files.h"
 #include "monitor/expect/live/live_samples.h"
+#include "monitor/expect/problems/problems.h"
 #include "monitor/expect/recording/play_samples.h"
 #include "monitor/expect/report/report.h"
 
@@ -19,18 +18,6 @@ namespace {
 
 using namespace galilean;
 using namespace galilean::expect;
-
-struct Options {
-  std::string recording;
-  std::vector<std::string> expectations;
-  std::string format = "text";
-  std::string junit;
-  double silence_s = 2;
-  bool syntax = false;  ///< only read the expectations
-  bool live = false;
-  std::optional<double> for_s;  ///< live: nothing for "until termination is asked for"
-  int domain = -1;
-};
 
 constexpr double kLongest_s = 1e6;
 
@@ -47,24 +34,59 @@ std::string in_format(const std::string& format, const Report& report) {
   return text_report(report);
 }
 
-/// Prints mistakes in the expectations, for programs where programs read.
-void print(const std::vector<bhdl::Diagnostic>& diagnostics, const Options& options) {
-  for (const auto& each : diagnostics) std::cerr << bhdl::format(each) << '\n';
-  if (options.format == "json") std::cout << json_text({{"diagnostics", diagnostics}}, 2) << '\n';
+/// Prints why nothing was judged for programs, where they read, and writes it to the file of
+/// --junit. Returns the exit code.
+int tell_programs(const CheckOptions& options, const std::vector<Problem>& problems,
+                  const std::vector<bhdl::Diagnostic>& mistakes) {
+  const std::string about = options.live                ? "the live team"
+                            : options.recording.empty() ? "expectations"
+                                                        : options.recording;
+  if (options.format == "junit") std::cout << junit_problems(about, problems);
+  if (options.format == "tap") std::cout << tap_problems(problems);
+  if (options.format == "github") std::cout << github_problems(problems);
+  if (options.format == "json") {
+    nlohmann::json json{{"diagnostics", mistakes}};
+    if (mistakes.empty() && !problems.empty()) json["error"] = problems.front().message;
+    std::cout << json_text(json, 2) << '\n';
+  }
+  if (!options.junit.empty())
+    if (auto done = write_report(options.junit, junit_problems(about, problems)); !done)
+      return fail(done.error().message);
+  return std::cout.flush() && problems.empty() ? 0 : kFailed;
 }
 
-Result<void> write_file(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  if (file << text && file.flush()) return {};
-  return Error{"cannot write " + path};
+std::vector<Problem> problems_of_run(const CheckOptions& options) {
+  std::vector<Problem> problems;
+  for (const auto& each : options.problems)
+    problems.push_back({.message = each, .file = {}, .name = "the run"});
+  return problems;
 }
 
-int exit_code(const Judgement& judgement) {
-  if (judgement.count(Outcome::kFails) > 0) return kFailed;
+/// Says why nothing could be judged, to people and to programs. Returns the exit code.
+int give_up(const CheckOptions& options, const std::string& sentence) {
+  (void)fail(sentence);
+  auto problems = problems_of_run(options);
+  problems.insert(problems.begin(), Problem{.message = sentence, .file = {}});
+  return tell_programs(options, problems, {});
+}
+
+/// Tells the mistakes in the expectations, if there are any. Returns the exit code.
+int tell_mistakes(const CheckOptions& options, const std::vector<bhdl::Diagnostic>& mistakes) {
+  std::vector<Problem> problems;
+  for (const auto& each : mistakes) {
+    std::cerr << bhdl::format(each) << '\n';
+    problems.push_back({each.message + (each.hint.empty() ? "" : "; " + each.hint), each.file,
+                        each.line, each.column});
+  }
+  return tell_programs(options, problems, mistakes);
+}
+
+int exit_code(const Judgement& judgement, bool any_problem) {
+  if (judgement.count(Outcome::kFails) > 0 || any_problem) return kFailed;
   return judgement.count(Outcome::kCannotTell) > 0 ? kIncomplete : 0;
 }
 
-Result<Played> read_recording(const Options& options, Judge& judge) {
+Result<Played> read_recording(const CheckOptions& options, Judge& judge) {
   const auto file = mcap::FileSource::open(options.recording);
   if (!file) return file.error();
   const auto bar = progress_on_terminal("judging " + options.recording);
@@ -76,94 +98,48 @@ Result<Played> read_recording(const Options& options, Judge& judge) {
   return play_samples(file.value(), summary.value(), judge, show);
 }
 
-Result<Played> hear_team(const Options& options, Judge& judge) {
+Result<Played> hear_team(const CheckOptions& options, Judge& judge) {
   const auto session = monitor::WireSession::join(options.domain, "check");
   if (!session) return session.error();
   return listen(*session.value(), judge, from_seconds(options.for_s.value_or(kLongest_s)));
 }
 
-int tell(const Options& options, const Judgement& judgement) {
-  const Report report{options.live ? "the live team" : options.recording, judgement, options.live};
+int tell(const CheckOptions& options, const Judgement& judgement) {
+  const Report report{options.live ? "the live team" : options.recording, judgement, options.live,
+                      problems_of_run(options)};
   std::cout << in_format(options.format, report);
   if (!options.junit.empty())
-    if (auto done = write_file(options.junit, junit_report(report)); !done)
+    if (auto done = write_report(options.junit, junit_report(report)); !done)
       return fail(done.error().message);
-  return std::cout.flush() ? exit_code(judgement) : kFailed;
+  return std::cout.flush() ? exit_code(judgement, !options.problems.empty()) : kFailed;
 }
 
-int run(const Options& options) try {
+/// Errors: the report is to be written over what is read.
+Result<void> check_files(const CheckOptions& options) {
+  auto read = options.expectations;
+  read.push_back(options.recording);
+  return check_written_files({options.junit}, read);
+}
+
+int run(const CheckOptions& options) try {
+  if (const auto right = check_files(options); !right) return fail(right.error().message);
   const auto parsed = parse_files(options.expectations);
-  if (!parsed.ok()) return print(parsed.diagnostics, options), kFailed;
-  if (options.syntax) return 0;
+  if (!parsed.ok() || options.syntax) return tell_mistakes(options, parsed.diagnostics);
   Judge judge(parsed.expectations, {.silence = from_seconds(options.silence_s)});
   auto played = options.live ? hear_team(options, judge) : read_recording(options, judge);
-  if (!played) return fail(played.error().message);
+  if (!played) return give_up(options, played.error().message);
   auto judgement = judge.finish(played.value().begin_ns, played.value().end_ns);
   judgement.silences = played.value().silences;
   std::ranges::copy(played.value().notes, std::back_inserter(judgement.notes));
   return tell(options, judgement);
 } catch (const std::exception& error) {
-  return fail(error.what());
-}
-
-void add_live_options(CommandLine& app, Options& options) {
-  app.flag("--live", options.live, "Judge the team that is running now instead of a recording");
-  app.option(
-      "--for",
-      [&options](const std::string& text) -> Result<void> {
-        const auto seconds = seconds_of(text);
-        if (!seconds) return seconds.error();
-        if (seconds.value() <= 0 || seconds.value() > kLongest_s)
-          return Error{"'" + text + "' is not a time from 1ms to 1000000s"};
-        options.for_s = seconds.value();
-        return {};
-      },
-      "How long to listen with --live, such as 60s, from the first message on; without it until "
-      "Ctrl-C");
-  add_domain_option(app, options.domain, "with --live");
-}
-
-/// Returns what is wrong with the options together; empty if nothing is.
-std::string contradiction(const Options& options) {
-  if (std::isnan(options.silence_s)) return "--silence nan is no number of seconds";
-  if (options.syntax && (options.live || !options.recording.empty()))
-    return "--syntax judges nothing: give neither a recording nor --live.";
-  if (options.syntax) return {};
-  if (options.live && !options.recording.empty())
-    return "Give a recording or --live, and not both.";
-  if (!options.live && options.recording.empty())
-    return "Name a recording, or judge the running team with --live.";
-  if (!options.live && options.for_s) return "--for is for --live; a recording is read whole.";
-  return {};
+  return give_up(options, error.what());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  CommandLine app("Judges a recording of the team by expectations, for people and for CI.",
-                  "galilean log check");
-  app.option("file", options.recording, "An MCAP file").names_file(".mcap");
-  app.option("--expect", options.expectations, "Files of expectations, as docs/EXPECT.md says")
-      .required()
-      .names_file(".expect");
-  app.option("--format", options.format, "What to print")
-      .one_of({"text", "junit", "tap", "json", "github"})
-      .show_default();
-  app.option("--junit", options.junit, "Also write the report as JUnit's XML to this file")
-      .names_file(".xml");
-  app.flag("--syntax", options.syntax, "Only read the expectations, and tell their mistakes");
-  app.option("--silence", options.silence_s,
-             "After how many seconds without a message a robot's state and variables are unknown")
-      .between(0.001, 1e6)
-      .show_default();
-  add_live_options(app, options);
-  app.describe_exit(kFailed,
-                    "An expectation does not hold, or a file could not be read or written.");
-  app.describe_exit(kIncomplete,
-                    "None fails, but for some it cannot be told: messages are missing, or a robot "
-                    "was never heard.");
-  if (const auto code = app.parse(argc, argv)) return *code;
-  if (const auto sentence = contradiction(options); !sentence.empty()) return app.refuse(sentence);
+  CheckOptions options;
+  if (const auto code = read_check_options(argc, argv, options)) return *code;
   return run(options);
 }

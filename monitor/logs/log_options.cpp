@@ -35,7 +35,7 @@ void add_times(CommandLine& command, Holder& times) {
 }
 
 void add_topics(CommandLine& command, std::vector<std::string>& topics) {
-  command.option("--topic", topics, "Only these topics, such as io/state");
+  command.option("--topic", topics, "Only these topics, such as io/state").not_empty();
 }
 
 void describe_damage(CommandLine& command, const std::string& what) {
@@ -70,7 +70,8 @@ CommandLine add_cat(CommandLine& app, CatOptions& options) {
   auto command = app.command("cat", "Print messages, in the order of their log times");
   add_file(command, options.file);
   add_topics(command, options.selection.topics);
-  command.option("--field", options.field, "Print this field alone, such as stamp.sec or a[0].b");
+  command.option("--field", options.field, "Print this field alone, such as stamp.sec or a[0].b")
+      .not_empty();
   add_times(command, options.selection);
   command.option("--count", options.count, "End after so many messages").between(1, 1'000'000'000);
   command.flag("--json", options.json, "As JSON, one message a line");
@@ -81,8 +82,10 @@ CommandLine add_cat(CommandLine& app, CatOptions& options) {
 CommandLine add_csv(CommandLine& app, CsvOptions& options) {
   auto command = app.command("csv", "Print a topic's messages as comma-separated values");
   add_file(command, options.file);
-  command.option("topic", options.topic, "The topic; it may be left out if there is one only");
-  command.option("--field", options.fields, "Only these fields, such as x_m or items[0].certainty");
+  command.option("topic", options.topic, "The topic; it may be left out if there is one only")
+      .not_empty();
+  command.option("--field", options.fields, "Only these fields, such as x_m or items[0].certainty")
+      .not_empty();
   add_times(command, options);
   describe_damage(command, "the rest was printed.");
   return command;
@@ -93,7 +96,8 @@ CommandLine add_stats(CommandLine& app, StatsOptions& options) {
       "stats", "Tell how often, evenly, large and late messages came, and what fields were");
   add_file(command, options.file);
   add_topics(command, options.selection.topics);
-  command.option("--field", options.fields, "Also tell what these fields of the topic were");
+  command.option("--field", options.fields, "Also tell what these fields of the topic were")
+      .not_empty();
   add_times(command, options.selection);
   command.flag("--json", options.json, "As JSON, for programs");
   describe_damage(command, "the rest was measured.");
@@ -174,7 +178,7 @@ CommandLine add_rerun(CommandLine& app, RerunOptions& options) {
   command.option("files", options.files, "MCAP files, the parts of one recording in their order")
       .required()
       .names_file(".mcap");
-  command.option("--robot", options.robots, "Only these robots, such as io");
+  command.option("--robot", options.robots, "Only these robots, such as io").not_empty();
   command
       .option("--bhdl", options.bhdl_file,
               "Run this program in place of the one that each robot started with")

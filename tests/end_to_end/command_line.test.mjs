@@ -57,10 +57,12 @@ const endings = [
   ['replay /none.mcap', 1], ['bhdl check /none.bhdl', 1], ['robot --bhdl /none.bhdl', 1],
   ['programs list --monitor http://127.0.0.1:1', 1], ['programs diff a b --monitor http://127.0.0.1:1', 2],
   ['monitor --listen 127.0.0.1:0 --data /dev/null/none', 1],
+  ["record --out /none/run.mcap --on ''", 2], ["record --out ''", 2], ["demo --record ''", 2], ["log check /none.mcap --expect ''", 2],
+  ["log plot /none.mcap a.b --svg ''", 2], ["log rerun /none.mcap --bhdl ''", 2], ["sim --trace ''", 2],
 ];
 for (const [words, code] of endings)
   test(`galilean ${words} ends with ${code} and says why`, () => {
-    const { status, stdout, stderr } = galilean(words.split(' ').filter(Boolean));
+    const { status, stdout, stderr } = galilean(words.split(' ').filter(Boolean).map((word) => word === "''" ? '' : word));
     assert.equal(status, code, stdout + stderr);
     assert.notEqual(stderr, '');
   });

@@ -138,6 +138,67 @@ test('mistakes in expectations are told before anything starts', limit, async (t
   assert.equal(galilean(['demo', '--headless-for', '1', '--junit', 'out.xml'], { domain, cwd }).status, 2);
 });
 
+test('no file that is there is taken for the recording or the report', limit, async (t) => {
+  const cwd = scratchFolder(t), domain = freshDomain();
+  const files = { 'run.mcap': 'a recording', 'my.expect': 'every robot: always it is healthy\n', 'my.bhdl': 'state: name: "first" end\n' };
+  for (const [name, text] of Object.entries(files)) writeFileSync(`${cwd}/${name}`, text);
+  const judged = ['--headless-for', '60', '--bhdl', 'my.bhdl', '--expect', 'my.expect'];
+  const cases = [
+    [['--record', 'run.mcap'], /^galilean demo: run\.mcap exists already; choose another name for --record\n/],
+    [[...judged, '--junit', './my.expect'], /^galilean demo: \.\/my\.expect is read here and cannot be written/],
+    [[...judged, '--junit', 'my.bhdl'], /my\.bhdl is read here and cannot be written/],
+    [[...judged, '--record', 'new', '--junit', './new'], /\.\/new would be written twice/],
+  ];
+  for (const [options, reason] of cases) {
+    const run = galilean(['demo', ...options], { domain, cwd });
+    assert.equal(run.status, 2, run.stderr);
+    assert.match(run.stderr, reason);
+  }
+  for (const [name, text] of Object.entries(files)) assert.equal(readFileSync(`${cwd}/${name}`, 'utf8'), text);
+  assert.deepEqual(processesIn(domain), []);
+});
+
+test('a demo whose recording cannot be made does not run unrecorded', limit, async (t) => {
+  const cwd = scratchFolder(t), domain = freshDomain();
+  const run = galilean(['demo', '--port', String(await freePort()), '--record', 'none/run.mcap'], { domain, cwd, timeout: 60_000 });
+  assert.equal(run.status, 1);
+  assert.match(run.stderr, /record did not start \(exit code 1\):\n.*none\/run\.mcap cannot be written/);
+  await nothingIsLeft(domain, 'none');
+});
+
+test('the XML tells of a run that came to nothing', limit, async (t) => {
+  const cwd = scratchFolder(t), domain = freshDomain();
+  const xml = () => readFileSync(`${cwd}/out.xml`, 'utf8');
+  const options = (...more) => ['demo', '--headless-for', '6', '--expect', 'office', '--junit', 'out.xml', ...more];
+
+  assert.equal(galilean(options('--scenario', 'moon'), { domain, cwd }).status, 1);
+  assert.match(xml(), /<testsuites tests="1" failures="0" errors="1">[^]*<error message="sim did not start [^"]*moon/);
+
+  writeFileSync(`${cwd}/bad.expect`, 'io: nevr it is healthy\n');
+  assert.equal(galilean(options('--expect', 'bad.expect'), { domain, cwd }).status, 1);
+  assert.match(xml(), /file="bad\.expect" line="1"[^]*<error message="expected a claim, not/);
+
+  const cutShort = new Running(t, options('--port', String(await freePort())), { domain, cwd });
+  await cutShort.line(/http:\/\/127/);
+  assert.match(xml(), /<error message="the run has not come to its end"/);
+  assert.equal((await cutShort.stop('SIGTERM')).code, 1);
+  assert.match(xml(), /<error message="interrupted before its time was over"/);
+
+  writeFileSync(`${cwd}/little.expect`, 'io: never state is "moon"\n');
+  const bereft = new Running(t, ['demo', '--headless-for', '6', '--expect', 'little.expect', '--junit', 'out.xml', '--port', String(await freePort())], { domain, cwd });
+  await bereft.line(/http:\/\/127/);
+  process.kill(pidOf(domain, '--name ganymede'), 'SIGKILL');
+  assert.equal((await bereft.exited).code, 1);
+  assert.match(xml(), /<testcase classname="[^"]*" name="the run">\s*<error message="ganymede ended"/);
+
+  const stuck = new Running(t, options('--port', String(await freePort())), { domain, cwd });
+  await stuck.line(/http:\/\/127/);
+  process.kill(pidOf(domain, '--name io'), 'SIGSTOP');
+  assert.equal((await stuck.exited).code, 1);
+  assert.match(xml(), /<testsuites tests="1" failures="0" errors="1">[^]*<error message="io would not end and was killed/);
+  await nothingIsLeft(domain, runOf(stuck));
+});
+
 test('a run that does not do what is expected of it fails', limit, async (t) => {
   const cwd = scratchFolder(t), domain = freshDomain();
   writeFileSync(`${cwd}/moon.expect`, 'every robot: never state is "start"\n');

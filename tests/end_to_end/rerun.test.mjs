@@ -73,6 +73,13 @@ describe('a team that is recorded with --inputs from its start', () => {
     assert.match(stdout, /^late\.mcap \/io\/inputs: 0 bits differ in \d+ ticks from tick \d+ on, \d+ left out/m);
   });
 
+  test('names the robots whose inputs there are, where another is asked for', () => {
+    const nobody = rerun('run.mcap', '--robot', 'io', 'nobody');
+    assert.deepEqual([nobody.status, nobody.stdout], [1, '']);
+    assert.equal(nobody.stderr, "galilean log rerun: no inputs of a robot 'nobody' are recorded; there are those of callisto, ganymede and io\n");
+    assert.match(rerun('run.mcap', '--robot', 'ganymed').stderr, /did you mean 'ganymede'\?/);
+  });
+
   test('needs --inputs: nobody else makes robots send them', () => {
     const { status, stderr } = rerun('without.mcap');
     assert.equal(status, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from 'node:assert/strict';
-import { writeFileSync } from 'node:fs';
+import { readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { connect, readerOf } from './foxglove_client.mjs';
 import { objections } from './openapi.mjs';
@@ -30,6 +30,19 @@ for (const program of ['office_cleanup', 'sit_and_spin']) {
     assert.ok(result.longest_stuck_s <= 6, `stuck for ${result.longest_stuck_s} s`);
   });
 }
+
+test('what a simulation reads it does not write over', (t) => {
+  const cwd = scratchFolder(t);
+  const program = 'state: name: "alone" end\n';
+  writeFileSync(`${cwd}/my.bhdl`, program);
+  symlinkSync('my.bhdl', `${cwd}/link`);
+  for (const option of ['--trace', '--snapshot']) {
+    const { status, stderr } = galilean(['sim', '--bhdl', 'my.bhdl', '--duration', '1', option, './link'], { cwd });
+    assert.equal(status, 2);
+    assert.equal(stderr, 'galilean-sim: ./link is read here and cannot be written; choose another name\n');
+    assert.equal(readFileSync(`${cwd}/my.bhdl`, 'utf8'), program);
+  }
+});
 
 test('a hundred robots have places in an office that grows, and one more is refused', () => {
   const result = contest('--robots', '100', '--duration', '0.5');

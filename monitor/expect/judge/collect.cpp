@@ -15,6 +15,7 @@ Verdict verdict_on(const Claim& claim, const std::string& about, const std::stri
                    Finding finding) {
   const auto unit = margin_unit(claim);
   if (!unit) finding.margin.reset();
+  if (finding.margin) *finding.margin += 0.0;  // people do not know -0
   return {about, robot, claim.text, claim.at, std::move(finding), unit.value_or(unit::kNone)};
 }
 
@@ -89,11 +90,12 @@ class Collecting {
       if (!best || is_better(verdict, *best)) best = std::move(verdict);
     }
     if (!best) return verdicts_.push_back(nobody("some robot", expectation.text, expectation.at));
-    if (best->finding.outcome == Outcome::kHolds)
-      best->finding.note = "it holds for " + best->robot;
+    auto& note = best->finding.note;
+    const std::string of_it = note.empty() ? "" : ": " + note;
+    if (best->finding.outcome == Outcome::kHolds) note = "it holds for " + best->robot + of_it;
     if (best->finding.outcome == Outcome::kFails)
-      best->finding.note =
-          "it holds for none of " + plural(robots, "robot") + "; the nearest is " + best->robot;
+      note = "it holds for none of " + plural(robots, "robot") + "; the nearest is " + best->robot +
+             of_it;
     verdicts_.push_back(std::move(*best));
   }
 

@@ -122,7 +122,8 @@ class CountMonitor final : public Monitor {
   bool was_true_ = false;
   std::uint64_t count_ = 0;
   std::int64_t newest_ns_ = 0;
-  std::deque<std::int64_t> times_ns_;  ///< those in the window, at most one more than the limit
+  std::deque<std::int64_t> times_ns_;  ///< those in the window, at most kMostInWindow + 1
+  std::size_t most_ = 0;               ///< in any window
 };
 
 }  // namespace galilean::expect

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "core/plural.h"
 #include "monitor/expect/judge/condition_monitors.h"
+#include "monitor/expect/judge/duration_text.h"
 
 namespace galilean::expect {
 
@@ -20,10 +23,11 @@ void CountMonitor::step(std::int64_t at_ns, const Value& first, const Value&) {
 void CountMonitor::slide(std::int64_t at_ns) {
   while (!times_ns_.empty() && times_ns_.front() < at_ns - window_ns_) times_ns_.pop_front();
   times_ns_.push_back(at_ns);
+  most_ = std::max(most_, times_ns_.size());
   const double count = static_cast<double>(times_ns_.size());
   keep_least(limit_ - count);
   if (!holds(count, op_, limit_)) fail(at_ns);
-  if (count > limit_) times_ns_.pop_front();
+  if (times_ns_.size() > kMostInWindow) times_ns_.pop_front();
 }
 
 void CountMonitor::conclude(std::int64_t end_ns, Finding& finding) {
@@ -31,6 +35,8 @@ void CountMonitor::conclude(std::int64_t end_ns, Finding& finding) {
   const double count = static_cast<double>(count_);
   if (window_ns_ > 0) {
     finding.needs = all;
+    finding.note =
+        "it was so at most " + plural(most_, "time") + " in " + duration_text(window_ns_);
     if (!finding.margin) finding.margin = limit_;
     return;
   }

@@ -2,6 +2,7 @@
 #include "monitor/expect/judge/judge.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "core/plural.h"
@@ -132,8 +133,11 @@ Judgement Judge::finish(std::int64_t begin_ns, std::int64_t end_ns) {
   judgement.begin_ns = begin_ns;
   judgement.end_ns = std::max(end_ns, now_ns_);
   Collected collected;
+  std::set<std::string> heard;
+  for (const auto& [name, robot] : robots_)
+    if (robot->heard()) heard.insert(name);
   const auto take = [&](const std::string& name, RobotWatch& robot) {
-    auto findings = robot.finish(judgement.end_ns);
+    auto findings = robot.finish(judgement.end_ns, heard);
     for (auto& finding : findings)
       doubt_where(damage_, "messages of that time are missing", finding);
     collected[name] = {robot.heard(), std::move(findings)};

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "bhdl/source/names.h"
-#include "bhdl/source/text.h"
 #include "core/plural.h"
 #include "core/wire/ros_time.h"
 #include "monitor/expect/judge/needs.h"
+#include "monitor/expect/judge/unknown_names.h"
 
 namespace galilean::expect {
 namespace {
@@ -18,14 +17,6 @@ namespace {
 constexpr std::int64_t kSameMoment_ns = 250'000'000;
 constexpr std::size_t kMostWaiting = 64;  ///< what a writer keeps for late joiners
 constexpr std::size_t kMostNames = 10'000;
-
-std::string unknown_name(const std::string& robot, std::string_view kind, const std::string& name,
-                         const std::set<std::string>& known) {
-  const std::vector<std::string_view> names(known.begin(), known.end());
-  const auto hint = bhdl::did_you_mean(meant_name(name, names));
-  return robot + " has no " + std::string(kind) + " " + bhdl::in_quotes(name) +
-         (hint.text.empty() ? "" : "; " + hint.text);
-}
 
 bool asks_for_states(const Claim& claim) {
   bool asks = false;
@@ -193,13 +184,14 @@ std::string RobotWatch::complaint_on_names(const Claim& claim) const {
 }
 
 /// Turns an outcome that rests on what is not known into "cannot tell".
-void RobotWatch::settle(const Claim& claim, Finding& finding) const {
+void RobotWatch::settle(const Claim& claim, const std::set<std::string>& heard_robots,
+                        Finding& finding) const {
   const auto doubt = [&](std::string reason) {
     finding.outcome = Outcome::kCannotTell;
     finding.reason = std::move(reason);
   };
   if (!belief_.robot.empty() && !heard() && topic_of(claim) == nullptr)
-    return doubt(belief_.robot + " was never heard");
+    return doubt(belief_.robot + " was never heard" + meant_robot(belief_.robot, heard_robots));
   if (auto complaint = complaint_on_names(claim); !complaint.empty())
     return doubt(std::move(complaint));
   if (asks_for_states(claim))
@@ -220,12 +212,15 @@ void RobotWatch::settle(const Claim& claim, Finding& finding) const {
   if (rests) doubt("the recording lacks " + plural(lost, "transition") + " of " + belief_.robot);
 }
 
-std::vector<Finding> RobotWatch::finish(std::int64_t end_ns) {
+std::vector<Finding> RobotWatch::finish(std::int64_t end_ns,
+                                        const std::set<std::string>& heard_robots) {
   std::vector<Finding> findings;
   for (const auto& entry : entries_) {
     findings.push_back(entry.conditions ? entry.conditions->finish(end_ns)
                                         : entry.topic->finish(end_ns));
-    settle(*entry.claim, findings.back());
+    settle(*entry.claim, heard_robots, findings.back());
+    if (entry.topic && !entry.topic->any())
+      findings.back().reason += meant_topic(*topic_of(*entry.claim), belief_.robot, heard_robots);
   }
   return findings;
 }

@@ -47,7 +47,9 @@ class RobotWatch {
 
   [[nodiscard]] bool heard() const noexcept { return belief_.state.message.has_value(); }
   /// Returns what came of each claim, in the order in which they were added. Call it once.
-  [[nodiscard]] std::vector<Finding> finish(std::int64_t end_ns);
+  /// `heard_robots` are those of the team, of which one may have been meant.
+  [[nodiscard]] std::vector<Finding> finish(std::int64_t end_ns,
+                                            const std::set<std::string>& heard_robots);
 
  private:
   struct Entry {
@@ -65,7 +67,8 @@ class RobotWatch {
   [[nodiscard]] bool happened_before(const msg::Transition& transition) const;
   [[nodiscard]] std::uint64_t lost_transitions() const noexcept;
   [[nodiscard]] std::string complaint_on_names(const Claim& claim) const;
-  void settle(const Claim& claim, Finding& finding) const;
+  void settle(const Claim& claim, const std::set<std::string>& heard_robots,
+              Finding& finding) const;
 
   const OnFailure& on_failure_;
   Belief belief_;

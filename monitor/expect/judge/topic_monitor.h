@@ -17,6 +17,8 @@ class TopicMonitor {
   void message(std::int64_t at_ns, const Numbered& number);
   /// Takes how many messages the recorder counted as missing; nothing: it could not count them.
   void missed(std::optional<std::uint64_t> messages);
+  /// Returns whether anything came.
+  [[nodiscard]] bool any() const noexcept { return count_ > 0; }
   /// Returns what it found until `end_ns`. Call it once, after the last message.
   [[nodiscard]] Finding finish(std::int64_t end_ns);
 

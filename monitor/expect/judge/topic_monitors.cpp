@@ -49,15 +49,17 @@ class MessageCount final : public TopicMonitor {
     if (window_ns_ == 0) return;
     while (!times_ns_.empty() && times_ns_.front() < at_ns - window_ns_) times_ns_.pop_front();
     times_ns_.push_back(at_ns);
+    most_ = std::max(most_, times_ns_.size());
     const auto count = static_cast<double>(times_ns_.size());
     finding_.margin = std::min(finding_.margin.value_or(limit_), limit_ - count);
     if (!holds(count, op_, limit_)) fail(at_ns, plural(times_ns_.size(), "message"));
-    if (count > limit_) times_ns_.pop_front();
+    if (times_ns_.size() > kMostInWindow) times_ns_.pop_front();
   }
   void conclude(std::int64_t end_ns, Finding& finding) override {
     const Span all{first_ns_, end_ns};
     if (window_ns_ > 0) {
       finding.needs = all;
+      finding.note = "at most " + plural(most_, "message") + " in " + duration_text(window_ns_);
       return doubt_times();
     }
     const auto number = static_cast<double>(count_);
@@ -71,7 +73,8 @@ class MessageCount final : public TopicMonitor {
   Operator op_;
   double limit_;
   std::int64_t window_ns_;
-  std::deque<std::int64_t> times_ns_;
+  std::deque<std::int64_t> times_ns_;  ///< those in the window, at most kMostInWindow + 1
+  std::size_t most_ = 0;               ///< in any window
 };
 
 /// The messages after the first, a second of the time from the first to the end.

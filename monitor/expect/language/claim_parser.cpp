@@ -13,7 +13,6 @@ namespace {
 constexpr std::array<std::string_view, 8> kWords{"always", "never", "eventually", "after",
                                                  "count",  "rate",  "no",         "losses"};
 /// The judge keeps so many times of a count in a sliding window.
-constexpr double kMostInWindow = 100'000;
 
 }  // namespace
 
@@ -165,7 +164,7 @@ std::optional<ClaimParser::Kind> ClaimParser::parse_count() {
                   "a count in any so much time is compared with < or <= only");
     return std::nullopt;
   }
-  if (count.window_s && *limit > kMostInWindow) {
+  if (count.window_s && *limit > static_cast<double>(kMostInWindow)) {
     tokens_.error(number, "type/wrong-value", "a count in any so much time is at most 100000");
     return std::nullopt;
   }

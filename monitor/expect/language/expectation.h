@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -127,6 +128,8 @@ struct Until {
 struct AtEnd {
   Condition condition;
 };
+/// The largest limit of a count in a window of time.
+inline constexpr std::size_t kMostInWindow = 100'000;
 struct Count {
   /// What is counted: how often a condition comes true, or messages.
   std::variant<Condition, TopicName> what;

@@ -1,29 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/visible_text.h"
+#include "monitor/expect/problems/escapes.h"
 #include "monitor/expect/report/words.h"
 
 namespace galilean::expect {
 namespace {
-
-/// Returns a message of a workflow command; in a property, : and , have a meaning, too.
-std::string command_text(const std::string& text, bool property) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '%')
-      safe += "%25";
-    else if (c == '\r')
-      safe += "%0D";
-    else if (c == '\n')
-      safe += "%0A";
-    else if (c == ':' && property)
-      safe += "%3A";
-    else if (c == ',' && property)
-      safe += "%2C";
-    else
-      safe += c;
-  }
-  return safe;
-}
 
 std::string annotation(const Verdict& verdict, const Report& report) {
   const bool fails = verdict.finding.outcome == Outcome::kFails;
@@ -43,6 +24,7 @@ std::string github_report(const Report& report) {
   std::string text;
   for (const auto& verdict : report.judgement.verdicts)
     if (verdict.finding.outcome != Outcome::kHolds) text += annotation(verdict, report);
+  text += github_problems(report.problems);
   for (const auto& note : report.judgement.notes)
     if (!note.empty()) text += "::warning::" + command_text(visible(note), false) + "\n";
   return text + "::notice::" + command_text(totals(report.judgement), false) + "\n";

@@ -47,9 +47,11 @@ std::string json_report(const Report& report) {
             {"fails", judgement.count(Outcome::kFails)},
             {"cannot_tell", judgement.count(Outcome::kCannotTell)},
             {"verdicts", Json::array()},
+            {"problems", Json::array()},
             {"notes", Json::array()}};
   for (const auto& verdict : judgement.verdicts)
     json["verdicts"].push_back(json_of(verdict, report));
+  for (const auto& problem : report.problems) json["problems"].push_back(problem.message);
   for (const auto& note : judgement.notes)
     if (!note.empty()) json["notes"].push_back(note);
   return ordered_json_text(json, 2) + "\n";

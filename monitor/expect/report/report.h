@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "monitor/expect/judge/verdict.h"
+#include "monitor/expect/problems/problems.h"
 
 namespace galilean::expect {
 
@@ -12,6 +14,7 @@ struct Report {
   std::string recording;  ///< its path, as it was given; what was heard, if it was live
   const Judgement& judgement;
   bool live = false;  ///< it is about a team that was heard, and which no recording shows again
+  std::vector<Problem> problems = {};  ///< what went wrong in the run, beside the expectations
 };
 
 // Each returns the whole report in one form, with a line end.

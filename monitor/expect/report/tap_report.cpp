@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/json_text.h"
 #include "core/visible_text.h"
+#include "monitor/expect/problems/escapes.h"
 #include "monitor/expect/report/words.h"
 
 namespace galilean::expect {
 namespace {
-
-/// A # would begin a directive, such as one that skips the test.
-std::string description(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '#' || c == '\\') safe += '\\';
-    safe += c;
-  }
-  return safe;
-}
 
 /// A text in JSON is one in YAML, too.
 std::string line(const char* key, const std::string& text) {
@@ -25,17 +16,19 @@ std::string line(const char* key, const std::string& text) {
 
 std::string tap_report(const Report& report) {
   const auto& verdicts = report.judgement.verdicts;
-  std::string text = "TAP version 13\n1.." + std::to_string(verdicts.size()) + "\n";
+  std::string text =
+      "TAP version 13\n1.." + std::to_string(verdicts.size() + report.problems.size()) + "\n";
   std::size_t number = 0;
   for (const auto& verdict : verdicts) {
     const bool holds = verdict.finding.outcome == Outcome::kHolds;
     text += (holds ? "ok " : "not ok ") + std::to_string(++number) + " - " +
-            description(title(verdict)) + "\n";
+            tap_description(title(verdict)) + "\n";
     text += "  ---\n" + line("outcome", word(verdict.finding.outcome)) +
             line("margin", margin_text(verdict)) +
             line(holds ? "note" : "message", explanation(verdict, report.judgement)) +
             line("at", place(verdict)) + line("see", how_to_see(verdict, report)) + "  ...\n";
   }
+  for (const auto& problem : report.problems) text += tap_test(++number, problem);
   for (const auto& note : report.judgement.notes)
     if (!note.empty()) text += "# " + visible(note) + "\n";
   return text + "# " + totals(report.judgement) + "\n";

@@ -33,6 +33,8 @@ std::string text_report(const Report& report) {
     text += kIndent + ("expected at " + place(verdict)) + '\n';
     if (!see.empty()) text += kIndent + ("to see it: " + see) + '\n';
   }
+  for (const auto& problem : report.problems)
+    text += "ERROR  " + problem.name + ": " + visible(problem.message) + '\n';
   for (const auto& note : report.judgement.notes)
     if (!note.empty()) text += "note:  " + visible(note) + '\n';
   return text + totals(report.judgement) + '\n';

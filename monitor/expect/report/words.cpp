@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 
 #include "core/visible_text.h"
@@ -79,7 +80,7 @@ std::string margin_text(const Verdict& verdict) {
   if (finding.outcome == Outcome::kHolds && margin >= 0)
     return short_number(margin) + unit + " to spare";
   if (finding.outcome == Outcome::kFails && margin <= 0)
-    return "missed by " + short_number(-margin) + unit;
+    return "missed by " + short_number(std::abs(margin)) + unit;
   return {};
 }
 
@@ -99,7 +100,8 @@ std::string explanation(const Verdict& verdict, const Judgement& judgement) {
                      monitor::iso_time(first->at_ns) + ")";
   if (!first->values.empty()) text += ": " + visible(first->values);
   if (finding.failures > 1) text += "; " + std::to_string(finding.failures) + " times in all";
-  if (!finding.note.empty()) text += "; " + visible(finding.note);
+  const bool is_new = finding.note != first->values;  // a rate is both
+  if (!finding.note.empty() && is_new) text += "; " + visible(finding.note);
   return text;
 }
 

@@ -6,10 +6,7 @@
 
 #include "core/broken_pipe.h"
 #include "core/clock.h"
-#include "core/command_line/command_line.h"
-#include "core/command_line/domain_option.h"
 #include "core/command_line/exit_code.h"
-#include "core/command_line/robots_option.h"
 #include "core/termination.h"
 #include "core/wake.h"
 #include "monitor/front/demo/ensemble.h"
@@ -20,6 +17,8 @@ namespace {
 
 using namespace galilean;
 using namespace galilean::front;
+
+constexpr const char* kInterrupted = "interrupted before its time was over";
 
 /// Writes a sentence to stderr with one line feed. A sentence that quotes a log may end in several.
 void complain(std::string_view sentence) {
@@ -95,33 +94,36 @@ Outcome run_on(Ensemble& ensemble, Witness& witness, Termination& termination,
   return outcome;
 }
 
-/// Prints the judgement of a headless run and returns its exit code.
-int judge(const Evidence& evidence, const Outcome& outcome, bool interrupted) {
+/// Prints the judgement of a headless run. Returns why the team did not work; nothing if it did.
+std::vector<std::string> judge(const Evidence& evidence, const Outcome& outcome, bool interrupted) {
   std::cout << evidence.summary();
   auto reasons = evidence.shortcomings();
   for (const auto& name : outcome.lost) reasons.push_back(name + " ended");
-  if (interrupted) reasons.push_back("interrupted before its time was over");
+  if (interrupted) reasons.push_back(kInterrupted);
   for (const auto& reason : reasons) complain(reason);
   std::cout << (reasons.empty() ? "The team worked.\n" : "The team did not work.\n");
-  return reasons.empty() ? 0 : 1;
+  return reasons;
+}
+
+/// Writes to JUnit's XML, where it is asked for, why nothing was judged. Returns the exit code.
+int give_up(Ensemble& ensemble, const std::string& why) {
+  if (const auto done = ensemble.give_up(why); !done && done.error().message != why)
+    complain(done.error().message);
+  return kFailed;
 }
 
 /// Returns the exit code of a headless run: that of the team's work and that of its expectations.
 int judge_all(Ensemble& ensemble, const Evidence& evidence, const Outcome& outcome,
               const DemoOptions& options, bool interrupted) {
-  const int work = judge(evidence, outcome, interrupted);
-  if (options.expectations.empty() || interrupted) return work;
-  const auto expectations = ensemble.judge_recording();
-  if (!expectations) return complain(expectations.error().message), kFailed;
-  return work == kFailed ? kFailed : expectations.value();
-}
-
-/// Returns what is wrong with the options together; an empty text if nothing is.
-std::string contradiction(const DemoOptions& options) {
-  if (!options.expectations.empty() && !options.headless_for_s)
-    return "--expect judges a run that ends: give --headless-for, too";
-  if (!options.junit.empty() && options.expectations.empty()) return "--junit needs --expect";
-  return {};
+  const auto problems = judge(evidence, outcome, interrupted);
+  if (options.expectations.empty()) return problems.empty() ? 0 : kFailed;
+  if (interrupted) return give_up(ensemble, kInterrupted);
+  const auto expectations = ensemble.judge_recording(problems);
+  if (!expectations) {
+    complain(expectations.error().message);
+    return give_up(ensemble, expectations.error().message);
+  }
+  return problems.empty() ? expectations.value() : kFailed;
 }
 
 std::string list(const std::vector<std::string>& names) {
@@ -136,12 +138,12 @@ int run(const DemoOptions& options) try {
   Ensemble ensemble(options, termination);
   if (const auto started = ensemble.start(); !started) {
     complain(started.error().message);
-    return 1;
+    return give_up(ensemble, started.error().message);
   }
   const auto participant = wire::Participant::join("demo", options.domain);
   if (!participant) {
     complain(participant.error().message);
-    return 1;
+    return give_up(ensemble, participant.error().message);
   }
   std::cout << ensemble.operator_link() << "\n  " << list(ensemble.robots()) << " run "
             << options.bhdl << " in scenario " << options.scenario << "; logs in "
@@ -157,9 +159,13 @@ int run(const DemoOptions& options) try {
     outcome = run_on(ensemble, witness, termination, options.headless_for_s);
   }
   const bool interrupted = termination.asked();
-  const auto problems = ensemble.end();
+  auto problems = ensemble.end();
   for (const auto& problem : problems) complain(problem);
-  if (outcome.fatal_loss || !problems.empty()) return std::cout << evidence.summary(), kFailed;
+  if (outcome.fatal_loss || !problems.empty()) {
+    std::cout << evidence.summary();
+    for (const auto& name : outcome.lost) problems.push_back(name + " ended");
+    return give_up(ensemble, list(problems));
+  }
   if (options.headless_for_s) return judge_all(ensemble, evidence, outcome, options, interrupted);
   std::cout << '\n' << evidence.summary();  // behind the terminal's ^C
   return 0;
@@ -172,37 +178,6 @@ int run(const DemoOptions& options) try {
 
 int main(int argc, char** argv) {
   DemoOptions options;
-  CommandLine app("Starts the simulator, robots and the monitor on this machine; Ctrl-C ends all.",
-                  "galilean demo");
-  add_robots_option(app, options.robots);
-  app.option("--port", options.port, "Port of the page on 127.0.0.1")
-      .between(1, 65535)
-      .show_default();
-  app.option("--scenario", options.scenario, "A scenario that ships, or a JSON file")
-      .names_shipped_file("scenarios", ".json")
-      .show_default();
-  app.option("--bhdl", options.bhdl, "A program that ships, or a BHDL file")
-      .names_shipped_file("programs", ".bhdl")
-      .show_default();
-  app.flag("--watch", options.watch, "Swap the robots' program whenever it is saved");
-  app.option("--seed", options.seed, "Seed of the random number generators").show_default();
-  app.option("--headless-for", options.headless_for_s,
-             "End after this many seconds, with exit code 0 if the team worked")
-      .positive();
-  app.option("--record", options.record, "Record all topics to this file, as MCAP")
-      .names_file(".mcap");
-  app.option("--expect", options.expectations,
-             "Judge the recording of a headless run by these expectations: files, or those that "
-             "ship")
-      .names_shipped_file("expectations", ".expect");
-  app.option("--junit", options.junit, "Write what came of them as JUnit's XML to this file, too")
-      .names_file(".xml");
-  app.option("--allow-origin", options.allowed_origins,
-             "Another page that may use the monitor, as https://host[:port]");
-  add_domain_option(app, options.domain);
-  app.describe_exit(kFailed, "The team did not work, or an expectation does not hold.");
-  app.describe_exit(kIncomplete, "The team worked, and for some expectations it cannot be told.");
-  if (const auto code = app.parse(argc, argv)) return *code;
-  if (const auto sentence = contradiction(options); !sentence.empty()) return app.refuse(sentence);
+  if (const auto code = read_options(argc, argv, options)) return *code;
   return run(options);
 }

@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kStartsWithin_s = 30;  // and one more for each robot
 constexpr auto kLookEach = std::chrono::milliseconds(10);
 constexpr std::size_t kLogLines = 5;
+constexpr const char* kRecorder = "record";
 constexpr const char* kAutostart_s = "1";  // counted from the connection of the last robot
 
 }  // namespace
@@ -29,7 +30,7 @@ constexpr const char* kAutostart_s = "1";  // counted from the connection of the
 Ensemble::Ensemble(const DemoOptions& options, Termination& termination)
     : options_(options),
       termination_(termination),
-      logs_(fs::path(".galilean") / ("run-" + std::to_string(getpid()))),
+      logs_(new_run(".galilean", "run-" + std::to_string(getpid()))),
       check_(options.expectations, options.junit, logs_, termination),
       run_("demo-" + std::to_string(getpid())) {
   if (!options_.expectations.empty() && options_.record.empty())
@@ -52,14 +53,17 @@ Result<void> Ensemble::start() {
   std::error_code error;
   fs::create_directories(logs_, error);
   if (error) return Error{logs_.string() + " cannot be made: " + error.message()};
-  if (!options_.expectations.empty())
+  if (!options_.expectations.empty()) {
+    if (auto begun = check_.begin(); !begun) return begun;
     if (auto read = check_.read_expectations(); !read) return read;
+  }
   if (auto started = start_simulator(); !started) return started;
   auto ready = await_line("\"ready\"");
   if (!ready) return ready.error();
   if (auto started = start_recorder(); !started) return started;
   if (auto started = start_robots(ready.value()); !started) return started;
-  return start_monitor();
+  if (auto started = start_monitor(); !started) return started;
+  return await_recording();  // last, since the others need longer
 }
 
 Result<void> Ensemble::add(std::string name, std::vector<std::string> command, bool fatal) {
@@ -129,20 +133,41 @@ Result<void> Ensemble::start_monitor() {
 
 Result<void> Ensemble::start_recorder() {
   if (options_.record.empty()) return {};
-  return add("record",
+  return add(kRecorder,
              {"galilean-record", "--out", options_.record, "--about",
               "seed=" + std::to_string(options_.seed), "scenario=" + options_.scenario,
               "bhdl=" + options_.bhdl, "robots=" + std::to_string(options_.robots)},
              false);
 }
 
+Result<void> Ensemble::await_recording() {
+  for (auto& member : members_)
+    if (member.process.name() == kRecorder)
+      return await(member.process, [&] {
+        std::error_code not_yet;
+        return fs::exists(options_.record, not_yet);
+      });
+  return {};
+}
+
 Result<std::string> Ensemble::await_line(std::string_view mark) {
   Process& process = members_.back().process;
+  std::string line;
+  const auto ready = await(process, [&] {
+    auto found = line_with(process.log(), mark);
+    if (found) line = std::move(*found);
+    return found.has_value();
+  });
+  if (!ready) return ready.error();
+  return line;
+}
+
+Result<void> Ensemble::await(Process& process, const std::function<bool()>& is_ready) {
   const std::chrono::seconds most(kStartsWithin_s + options_.robots);
   const auto deadline = std::chrono::steady_clock::now() + most;
   while (std::chrono::steady_clock::now() < deadline) {
     const bool running = process.running();
-    if (auto line = line_with(process.log(), mark)) return *line;
+    if (is_ready()) return {};
     if (termination_.asked()) return Error{"ended while starting"};
     if (!running)
       return Error{process.name() + " did not start (" + process.ending() + "):\n" +
@@ -177,7 +202,7 @@ std::vector<std::string> Ensemble::end() {
         problems.push_back(member.process.name() + " would not end and was killed; see " +
                            member.process.log().string());
   };
-  end_those([](const std::string& name) { return name == "record"; });
+  end_those([](const std::string& name) { return name == kRecorder; });
   end_those([](const std::string& name) { return name != "sim"; });
   end_those([](const std::string&) { return true; });
   sweep();

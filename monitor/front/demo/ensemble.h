@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,13 @@ class Ensemble {
   [[nodiscard]] const std::filesystem::path& logs() const noexcept { return logs_; }
   /// Prints what came of the expectations. Returns the exit code of `galilean log check`.
   /// Requires: there are expectations, and all processes have ended. Errors: they cannot be judged.
-  [[nodiscard]] Result<int> judge_recording() { return check_.judge(options_.record); }
+  /// @param problems  what went wrong in the run, which the reports tell, too
+  [[nodiscard]] Result<int> judge_recording(const std::vector<std::string>& problems) {
+    return check_.judge(options_.record, problems);
+  }
+  /// Writes to JUnit's XML, if it is asked for, why nothing was judged. Errors: that cannot be
+  /// done.
+  [[nodiscard]] Result<void> give_up(const std::string& why) { return check_.give_up(why); }
   /// Returns the page's address, with the operator's token if that can be read.
   [[nodiscard]] std::string operator_link() const;
 
@@ -58,10 +65,14 @@ class Ensemble {
   Result<void> start_robots(const std::string& ready_line);
   Result<void> start_monitor();
   Result<void> start_recorder();
+  /// Waits until the recording is there. Errors: as await_line.
+  [[nodiscard]] Result<void> await_recording();
   Result<void> add(std::string name, std::vector<std::string> command, bool fatal);
   /// Waits for the first line with `mark` in the log of the process that was started last.
   /// Errors: the process ends, no such line comes in time, or termination is asked for.
   [[nodiscard]] Result<std::string> await_line(std::string_view mark);
+  /// Waits until `is_ready()` returns true. Errors: as await_line.
+  [[nodiscard]] Result<void> await(Process& process, const std::function<bool()>& is_ready);
   void sweep() const;
 
   DemoOptions options_;

@@ -24,4 +24,8 @@ struct DemoOptions {
   int domain = -1;  ///< the DDS domain; negative: that of ROS_DOMAIN_ID, else 0
 };
 
+/// Reads the options. Returns nothing if the demo is to run, and the exit code otherwise.
+[[nodiscard]] std::optional<int> read_options(int count, const char* const* arguments,
+                                              DemoOptions& options);
+
 }  // namespace galilean::front

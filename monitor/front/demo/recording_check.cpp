@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/installation.h"
+#include "monitor/expect/problems/problems.h"
 #include "monitor/front/process.h"
 #include "monitor/front/siblings.h"
 
@@ -31,18 +32,37 @@ RecordingCheck::RecordingCheck(const std::vector<std::string>& expectations, std
     expectations_.push_back(find_file(each, "expectations", ".expect").string());
 }
 
+Result<void> RecordingCheck::begin() {
+  return write_junit("the run has not come to its end");
+}
+
+Result<void> RecordingCheck::give_up(const std::string& why) {
+  return has_told_ ? Result<void>() : write_junit(why);
+}
+
+Result<void> RecordingCheck::write_junit(const std::string& why) const {
+  if (junit_.empty()) return {};
+  return expect::write_report(
+      junit_, expect::junit_problems("galilean demo", {{.message = why, .file = {}}}));
+}
+
+/// Expectations without mistakes leave the XML as it is: `log check` would write that all is well.
 Result<void> RecordingCheck::read_expectations() {
   const auto said = run("expectations", {"--syntax"});
   if (!said) return said.error();
   if (said.value().code == 0) return {};
+  if (!junit_.empty()) has_told_ = run("mistakes", {"--syntax", "--junit", junit_}).ok();
   return Error{"the expectations cannot be used:\n" + said.value().text};
 }
 
-Result<int> RecordingCheck::judge(const std::string& recording) {
+Result<int> RecordingCheck::judge(const std::string& recording,
+                                  const std::vector<std::string>& problems) {
   std::vector<std::string> arguments{recording};
   if (!junit_.empty()) arguments.insert(arguments.end(), {"--junit", junit_});
+  for (const auto& each : problems) arguments.insert(arguments.end(), {"--problem", each});
   const auto said = run("check", std::move(arguments));
   if (!said) return said.error();
+  has_told_ = true;
   std::cout << said.value().text << std::flush;
   return said.value().code;
 }

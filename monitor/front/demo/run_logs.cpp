@@ -8,6 +8,14 @@ namespace galilean::front {
 
 namespace fs = std::filesystem;
 
+fs::path new_run(const fs::path& logs, const std::string& name) {
+  std::error_code unknown;
+  fs::path run = logs / name;
+  for (int number = 2; fs::exists(run, unknown); ++number)
+    run = logs / (name + "-" + std::to_string(number));
+  return run;
+}
+
 void forget_old_runs(const fs::path& logs, std::size_t kept) {
   std::error_code ignored;
   std::vector<fs::directory_entry> runs;

@@ -17,6 +17,10 @@ std::string right(const std::string& text) {
   return std::string(text.size() < kLabelWidth ? kLabelWidth - text.size() : 0, ' ') + text;
 }
 
+std::string value_label(double value) {
+  return right(fitting_text(value, kLabelWidth));
+}
+
 std::size_t row_of(double value, const ChartFrame& frame, std::size_t height) {
   const double from_top = (1 - frame.height_of(value)) * static_cast<double>(height - 1);
   return std::min(static_cast<std::size_t>(std::lround(from_top)), height - 1);
@@ -74,10 +78,10 @@ std::string chart_text(const std::vector<NamedSeries>& all, std::size_t width, s
   }
   for (const auto& each : bars) text += legend_of(each);
   for (std::size_t row = 0; row < height; ++row) {
-    const std::string label = row == 0            ? short_text(frame.values.most)
-                              : row + 1 == height ? short_text(frame.values.least)
-                                                  : "";
-    text += right(label) + " |" + rows[row].substr(0, rows[row].find_last_not_of(' ') + 1) + '\n';
+    const std::string label = row == 0            ? value_label(frame.values.most)
+                              : row + 1 == height ? value_label(frame.values.least)
+                                                  : right("");
+    text += label + " |" + rows[row].substr(0, rows[row].find_last_not_of(' ') + 1) + '\n';
   }
   for (const auto& each : bars) text += bar_row(each, frame, width);
   const std::string from = short_text(frame.from_s) + " s", to = short_text(frame.to_s) + " s";

@@ -10,7 +10,9 @@ namespace {
 constexpr double kPictureWidth = 960, kPictureHeight = 360, kMargin = 60;
 constexpr double kBarHeight = 16, kBarDistance = 44;  // a bar and its legend
 constexpr std::size_t kBarLabelLetters = 10;
-constexpr double kLegendWidth = 200, kSmallLetters = 10, kSmallLetterWidth = 6;
+constexpr double kLegendWidth = 200, kLetters = 12, kSmallLetters = 10, kSmallLetterWidth = 6;
+/// What stands left of the axis, in kLetters.
+constexpr std::size_t kValueLetters = 8;
 
 Stroke curve_of(const NamedSeries& each, const char* colour, const ChartFrame& frame) {
   const double width = kPictureWidth - 2 * kMargin, height = kPictureHeight - 2 * kMargin;
@@ -59,9 +61,17 @@ void draw_axes(const ChartFrame& frame, bool has_values, Drawing& to) {
   const auto add = [&](double x, double y, const std::string& text, bool ends_there) {
     to.shapes.push_back(Label{.x = x, .y = y, .text = text, .ends_there = ends_there});
   };
+  const auto add_value = [&](double y, double value) {
+    const auto text = fitting_text(value, kValueLetters);
+    to.shapes.push_back(Label{.x = kMargin - 6,
+                              .y = y,
+                              .text = text,
+                              .size = text.size() > kValueLetters ? kSmallLetters : kLetters,
+                              .ends_there = true});
+  };
   if (has_values) {
-    add(kMargin - 6, kMargin + 4, short_text(frame.values.most), true);
-    add(kMargin - 6, bottom_y, short_text(frame.values.least), true);
+    add_value(kMargin + 4, frame.values.most);
+    add_value(bottom_y, frame.values.least);
   }
   add(kMargin, bottom_y + 20, short_text(frame.from_s) + " s", false);
   add(right_x, bottom_y + 20, short_text(frame.to_s) + " s", true);

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 #include <vector>
@@ -29,10 +32,23 @@ struct ChartFrame {
   }
   /// Returns where a value is: 0 at the bottom, 1 on top; in the middle if all are one.
   [[nodiscard]] double height_of(double value) const {
-    const double range = values.most - values.least;
-    return range > 0 ? (value - values.least) / range : 0.5;
+    // The range of numbers near the largest is infinite; that of their halves is not.
+    const double part = std::isfinite(values.most - values.least) ? 1 : 0.5;
+    const double range = part * values.most - part * values.least;
+    return range > 0 ? (part * value - part * values.least) / range : 0.5;
   }
 };
+
+/// Returns a number with five digits, or with as many as so many letters have room for, but two.
+[[nodiscard]] inline std::string fitting_text(double number, std::size_t letters) {
+  std::string text = short_text(number);
+  for (int digits = 4; digits >= 2 && text.size() > letters; --digits) {
+    std::array<char, 32> shorter{};
+    std::snprintf(shorter.data(), shorter.size(), "%.*g", digits, number);
+    text = shorter.data();
+  }
+  return text;
+}
 
 /// Returns the last part of a name, as much of it as `width` letters have room for.
 [[nodiscard]] inline std::string label_of(const std::string& name, std::size_t width) {

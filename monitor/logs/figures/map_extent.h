@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "monitor/logs/figures/map_tracks.h"
@@ -27,6 +28,11 @@ struct MapExtent {
     bottom_m -= kMargin_m;
     right_m += kMargin_m;
     top_m += kMargin_m;
+  }
+  /// Returns whether the extent has a size: places may be further apart than a number can say, or
+  /// so far away that a margin is nothing.
+  [[nodiscard]] bool is_drawable() const noexcept {
+    return std::isfinite(width_m()) && std::isfinite(height_m()) && width_m() > 0 && height_m() > 0;
   }
   [[nodiscard]] double width_m() const noexcept { return right_m - left_m; }
   [[nodiscard]] double height_m() const noexcept { return top_m - bottom_m; }

@@ -208,7 +208,8 @@ Result<ReadTracks> read_tracks(const Recording& recording, double from_s,
     auto read = TrackReader(recording, source).read(std::move(selection));
     if (!read || !read.value().tracks.tracks.empty()) return read;
   }
-  return Error{recording.path() +
+  const auto part = part_text({.topics = {}, .from_s = from_s, .to_s = to_s});
+  return Error{recording.path() + part +
                " tells of no robot where it was: neither /team/objects nor /simulation/state nor a "
                "robot's state is in it"};
 }

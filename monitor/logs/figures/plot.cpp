@@ -7,8 +7,10 @@
 
 #include "core/command_line/exit_code.h"
 #include "core/visible_text.h"
+#include "core/written_files.h"
 #include "monitor/logs/figures/chart.h"
 #include "monitor/logs/figures/map_drawing.h"
+#include "monitor/logs/figures/map_extent.h"
 #include "monitor/logs/reading/undecoded.h"
 #include "monitor/wire/message_text.h"
 
@@ -57,6 +59,7 @@ class Plotting {
     while (const mcap::Message* message = messages.value().next())
       if (auto done = take(*message, messages.value().at_s()); !done) return done;
     damaged_ = tell_damage(kPlot, messages.value());
+    if (!messages.value().any()) return Error{nothing_text(selection, messages.value())};
     return check_numbers();
   }
 
@@ -123,6 +126,11 @@ int plot_map(const Recording& recording, const PlotOptions& options) {
   const auto read = read_tracks(recording, options.from_s, options.to_s);
   if (!read) return fail_plot(read.error().message);
   const auto& tracks = read.value().tracks;
+  if (const MapExtent extent(tracks); !extent.is_drawable())
+    return fail_plot("a map cannot show places from x = " + short_text(extent.left_m) + " m to " +
+                     short_text(extent.right_m) + " m and y = " + short_text(extent.bottom_m) +
+                     " m to " + short_text(extent.top_m) +
+                     " m; choose a part with --from and --to");
   std::cerr << kPlot << ": " << source_text(tracks.source) << '\n';
   if (!options.pictures.any())
     std::cout << map_text(tracks, static_cast<std::size_t>(options.width),
@@ -135,6 +143,9 @@ int plot_map(const Recording& recording, const PlotOptions& options) {
 }  // namespace
 
 int plot(const PlotOptions& options) {
+  const auto right =
+      check_written_files({options.pictures.svg, options.pictures.png}, {options.file});
+  if (!right) return fail_plot(right.error().message);
   const auto recording = Recording::open(options.file);
   if (!recording) return fail_plot(recording.error().message);
   if (options.map) return plot_map(recording.value(), options);

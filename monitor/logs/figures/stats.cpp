@@ -155,6 +155,7 @@ int print_statistics(const StatsOptions& options) {
     if (const auto losses =
             monitor::told_losses(recording.value().source(), recording.value().summary()))
       statistics.take(*losses);
+  tell_nothing(kStats, selection, messages.value());
   const int undecoded = statistics.print();
   const int damaged = tell_damage(kStats, messages.value());
   if (!std::cout.flush()) return kFailed;

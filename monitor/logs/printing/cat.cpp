@@ -98,6 +98,7 @@ int print_messages(const CatOptions& options) {
     if (!std::cout || (options.count > 0 && --left == 0)) break;
   }
   if (!std::cout.flush()) return kFailed;
+  tell_nothing(kCat, options.selection, messages.value());
   const int undecoded = printer.finish();
   const int damaged = tell_damage(kCat, messages.value());
   return undecoded != 0 ? undecoded : damaged;

@@ -56,9 +56,9 @@ class Table {
  private:
   template <class Take>
   Result<void> for_each_message(Take take) {
-    auto messages = SelectedMessages::of(
-        recording_, {.topics = {topic_}, .from_s = options_.from_s, .to_s = options_.to_s},
-        SelectedMessages::kMemoryBytes, ShowsProgress::kUnlessPrinting);
+    const Selection selection{.topics = {topic_}, .from_s = options_.from_s, .to_s = options_.to_s};
+    auto messages = SelectedMessages::of(recording_, selection, SelectedMessages::kMemoryBytes,
+                                         ShowsProgress::kUnlessPrinting);
     if (!messages) return messages.error();
     undecoded_ = Undecoded(kCsv);
     while (const mcap::Message* message = messages.value().next()) {
@@ -69,7 +69,10 @@ class Table {
         return done;
       if (!std::cout) break;
     }
-    if (second_) damaged_ = tell_damage(kCsv, messages.value());
+    if (second_) {
+      tell_nothing(kCsv, selection, messages.value());
+      damaged_ = tell_damage(kCsv, messages.value());
+    }
     second_ = true;
     return {};
   }

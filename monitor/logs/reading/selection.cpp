@@ -2,6 +2,7 @@
 #include "monitor/logs/reading/selection.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <iostream>
 #include <iterator>
 #include <limits>
@@ -17,7 +18,23 @@ namespace {
 /// Of more damages than so many, the rest is counted.
 constexpr std::size_t kMostTold = 20;
 
+std::string short_seconds(double time_s) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.6g s", time_s);
+  return text;
+}
+
 }  // namespace
+
+std::string part_text(const Selection& selection) {
+  const auto& topics = selection.topics;
+  std::string text;
+  for (std::size_t i = 0; i < topics.size(); ++i)
+    text += (i == 0 ? " of " : i + 1 == topics.size() ? " and " : ", ") + visible(topics[i]);
+  if (selection.from_s > 0) text += " from " + short_seconds(selection.from_s) + " on";
+  if (selection.to_s) text += " up to " + short_seconds(*selection.to_s);
+  return text;
+}
 
 Result<SelectedMessages> SelectedMessages::of(const Recording& recording,
                                               const Selection& selection, std::size_t memory_bytes,
@@ -49,7 +66,9 @@ const mcap::Message* SelectedMessages::next() {
     if (bar_ && read_++ % kTellEach == 0) bar_->show(reader_->progress());
     time_.move_to(message->log_ns);
     if (at_s() > to_s_) break;
-    if (is_wanted(*message)) return message;
+    if (!is_wanted(*message)) continue;
+    any_ = true;
+    return message;
   }
   bar_.reset();
   return nullptr;
@@ -64,6 +83,18 @@ std::vector<mcap::Damage> SelectedMessages::damages() const {
   std::ranges::move(monitor::newly_met(reader_->damages(), recording_->summary()),
                     std::back_inserter(all));
   return all;
+}
+
+std::string nothing_text(const Selection& selection, const SelectedMessages& read) {
+  const std::string text = "there is no message" + part_text(selection);
+  if (selection.from_s <= read.at_s()) return text;
+  return text + "; " + read.recording().path() + " ends at " + short_seconds(read.at_s());
+}
+
+void tell_nothing(const std::string& program, const Selection& selection,
+                  const SelectedMessages& read) {
+  if (!read.any() && !part_text(selection).empty())
+    std::cerr << program << ": " << nothing_text(selection, read) << '\n';
 }
 
 int tell_damage(const std::string& program, const SelectedMessages& read) {

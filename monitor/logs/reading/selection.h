@@ -22,6 +22,9 @@ struct Selection {
   std::optional<double> to_s;  ///< nothing: up to the end
 };
 
+/// Returns what is wanted as words behind "no message": " of io/state from 90 s on up to 95 s".
+/// Returns an empty text if all is wanted.
+[[nodiscard]] std::string part_text(const Selection& selection);
 /// Whether a terminal shows how far a command has read.
 enum class ShowsProgress {
   kYes,
@@ -53,6 +56,8 @@ class SelectedMessages {
   }
   /// Returns whether all topics are wanted.
   [[nodiscard]] bool takes_all_topics() const noexcept { return all_topics_; }
+  /// Returns whether there was a message yet.
+  [[nodiscard]] bool any() const noexcept { return any_; }
   /// Returns what was damaged of all that was read so far, and of the file as a whole.
   [[nodiscard]] std::vector<mcap::Damage> damages() const;
 
@@ -68,9 +73,15 @@ class SelectedMessages {
   std::unique_ptr<mcap::MessageReader> reader_;
   std::unique_ptr<ProgressBar> bar_;  ///< nothing: none is shown
   std::uint64_t read_ = 0;            ///< messages
+  bool any_ = false;                  ///< of those that are wanted
   mcap::RecordingTime time_;
 };
 
+/// Returns "there is no message from 90 s on; run.mcap ends at 60 s". Requires: all was read.
+[[nodiscard]] std::string nothing_text(const Selection& selection, const SelectedMessages& read);
+/// Says on standard error, as `program`, that there is nothing of what was chosen, if that is so.
+void tell_nothing(const std::string& program, const Selection& selection,
+                  const SelectedMessages& read);
 /// Says on standard error, as `program`, what of a recording was left out because it is damaged.
 /// Returns the exit code: kIncomplete if anything was, else 0.
 [[nodiscard]] int tell_damage(const std::string& program, const SelectedMessages& read);

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "core/broken_pipe.h"
 #include "core/command_line/exit_code.h"
 #include "core/installation.h"
 #include "core/visible_text.h"
 #include "monitor/logs/reading/selection.h"
+#include "monitor/logs/rerunning/recorded_inputs.h"
 #include "monitor/logs/rerunning/run_process.h"
 #include "monitor/record/channel_metadata.h"
 #include "monitor/replay/tracks.h"
@@ -40,13 +43,12 @@ class Runs {
  public:
   explicit Runs(const RerunOptions& options) : options_(options) {}
 
-  /// Errors: the file cannot be read, or no process can be started.
-  Result<void> read(const std::string& file) {
-    const auto recording = Recording::open(file);
-    if (!recording) return recording.error();
-    const auto& summary = recording.value().summary();
+  /// Errors: no process can be started.
+  Result<void> read(const Recording& recording) {
+    const auto& file = recording.path();
+    const auto& summary = recording.summary();
     const auto tracks = monitor::tracks_of(summary);
-    auto messages = SelectedMessages::of(recording.value(), {});
+    auto messages = SelectedMessages::of(recording, {});
     if (!messages) return messages.error();
     while (const mcap::Message* message = messages.value().next()) {
       const auto track = tracks.inputs.find(message->channel_id);
@@ -57,7 +59,7 @@ class Runs {
     }
     code_ = worse(code_, tell_damage(kRerun, messages.value()));
     for (const auto& topic : tracks.foreign)
-      if (topic.ends_with("/inputs")) tell_foreign(topic);
+      if (topic.ends_with(kInputs) && is_wanted("rt" + topic)) tell_foreign(topic);
     return {};
   }
 
@@ -74,7 +76,7 @@ class Runs {
  private:
   [[nodiscard]] bool is_wanted(const std::string& topic) const {
     return options_.robots.empty() || std::ranges::any_of(options_.robots, [&](const auto& robot) {
-             return topic == "rt/" + robot + "/inputs";
+             return topic == "rt/" + robot + kInputs;
            });
   }
 
@@ -116,17 +118,32 @@ class Runs {
   int code_ = 0;
 };
 
+/// Errors: one cannot be read.
+Result<Recordings> open_all(const std::vector<std::string>& files) {
+  Recordings recordings;
+  for (const auto& file : files) {
+    auto recording = Recording::open(file);
+    if (!recording) return recording.error();
+    recordings.push_back(std::make_unique<Recording>(std::move(recording).value()));
+  }
+  return Result<Recordings>(std::move(recordings));
+}
+
 }  // namespace
 
 int rerun_recordings(const RerunOptions& options) {
   ignore_broken_pipes();
+  const auto recordings = open_all(options.files);
+  if (!recordings) return fail_rerun(recordings.error().message);
+  if (auto right = check_robots(options.robots, recordings.value()); !right)
+    return fail_rerun(right.error().message);
   Runs runs(options);
-  for (const auto& file : options.files)
-    if (const auto done = runs.read(file); !done) return fail_rerun(done.error().message);
+  for (const auto& recording : recordings.value())
+    if (const auto done = runs.read(*recording); !done) return fail_rerun(done.error().message);
   if (!runs.any())
     return fail_rerun(
-        "there is nothing to run again: no robot's inputs are recorded; galilean record --inputs "
-        "records them");
+        "there is nothing to run again: no robot's inputs are recorded; 'galilean record --inputs "
+        "--out FILE' records them, best from before the robots start");
   return runs.finish();
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/logs/writing/copier.h"
 
-#include <filesystem>
 #include <limits>
 #include <utility>
 
@@ -26,12 +25,6 @@ mcap::WriterOptions writer_options(const OutputOptions& options, const mcap::Hea
           .compression = compression_of(options.compression)};
 }
 
-/// To write where a recording is read from would destroy it.
-bool is_same_file(const std::string& a, const std::string& b) {
-  std::error_code unknown;
-  return std::filesystem::equivalent(a, b, unknown);
-}
-
 bool is_of_the_whole(const mcap::Metadata& metadata) {
   return metadata.name == monitor::kLossesMetadata ||
          metadata.name == monitor::kLossesBeforeMetadata;
@@ -40,15 +33,11 @@ bool is_of_the_whole(const mcap::Metadata& metadata) {
 }  // namespace
 
 Result<std::unique_ptr<Copier>> Copier::create(const OutputOptions& options,
-                                               const std::vector<const Recording*>& from) {
-  for (const auto* each : from)
-    if (is_same_file(options.path, each->path()))
-      return Error{options.path + " is read here and cannot be written; choose another name"};
+                                               const mcap::Header& first) {
   auto file = mcap::FileSink::create(options.path, options.replace);
   if (!file) return file.error();
-  const auto header = from.empty() ? mcap::Header{} : from.front()->summary().header;
   std::unique_ptr<Copier> copier(
-      new Copier(std::move(file).value(), writer_options(options, header), options.schema));
+      new Copier(std::move(file).value(), writer_options(options, first), options.schema));
   if (auto done = copier->writer_.begin(); !done) return done.error();
   return Result<std::unique_ptr<Copier>>(std::move(copier));
 }

@@ -26,10 +26,10 @@ struct OutputOptions {
 /// one, and so do schemas. Nothing of a message is changed but the id of its channel.
 class Copier {
  public:
-  /// Makes the file and begins it, with the profile of the first recording.
-  /// Errors: the file is one of the recordings, or it exists, or it cannot be written.
-  [[nodiscard]] static Result<std::unique_ptr<Copier>> create(
-      const OutputOptions& options, const std::vector<const Recording*>& from);
+  /// Makes the file and begins it, with the profile of `first`. Requires: no recording that is
+  /// copied from is the file. Errors: it exists, or it cannot be written.
+  [[nodiscard]] static Result<std::unique_ptr<Copier>> create(const OutputOptions& options,
+                                                              const mcap::Header& first);
 
   /// Copies the metadata and the attachments of a recording, each once if several have it. Of a
   /// part of the recording's time, it leaves out what was counted as missing of all of it. It

@@ -9,6 +9,7 @@
 #include "core/command_line/exit_code.h"
 #include "core/plural.h"
 #include "core/visible_text.h"
+#include "core/written_files.h"
 #include "monitor/playback/late_joiner.h"
 
 namespace galilean::logs {
@@ -47,6 +48,11 @@ class Copying {
   int run() {
     auto done = open();
     if (!done) return fail(done.error().message);
+    if (is_part() && !earliest()) {
+      for (const auto& source : sources_) (void)tell_damage(program_, source.messages);
+      return fail(nothing_is_there());
+    }
+    if (done = create(); !done) return fail(done.error().message);
     done = copy();
     if (!done) return fail(done.error().message + "; what was written until then can be read");
     tell();
@@ -66,7 +72,10 @@ class Copying {
     return kFailed;
   }
 
+  /// Errors: the file to write is one of the recordings, or one of these cannot be read.
   Result<void> open() {
+    if (auto right = check_written_files({options_.output.path}, options_.files); !right)
+      return right;
     for (const auto& file : options_.files) {
       auto recording = Recording::open(file);
       if (!recording) return recording.error();
@@ -74,16 +83,30 @@ class Copying {
     }
     Selection selection = options_.selection;
     if (options_.with_states) selection.from_s = 0;  // because the states before are kept
-    std::vector<const Recording*> from;
     for (const auto& recording : recordings_) {
       auto messages = SelectedMessages::of(
           *recording, selection, std::max(kLeastBytes, kReadingBytes / recordings_.size()),
           sources_.empty() ? ShowsProgress::kYes : ShowsProgress::kNo);
       if (!messages) return messages.error();
       sources_.push_back({recording.get(), std::move(messages).value()});
-      from.push_back(recording.get());
     }
-    auto copier = Copier::create(options_.output, from);
+    for (auto& source : sources_) source.next = source.messages.next();
+    return {};
+  }
+
+  [[nodiscard]] bool is_part() const { return !part_text(options_.selection).empty(); }
+
+  /// Says what was asked for, of which no recording has a message.
+  [[nodiscard]] std::string nothing_is_there() const {
+    const auto& selection = options_.selection;
+    const std::string text = sources_.size() == 1
+                                 ? nothing_text(selection, sources_.front().messages)
+                                 : "there is no message" + part_text(selection);
+    return text + "; nothing was written";
+  }
+
+  Result<void> create() {
+    auto copier = Copier::create(options_.output, recordings_.front()->summary().header);
     if (!copier) return copier.error();
     copier_ = std::move(copier).value();
     return {};
@@ -95,7 +118,6 @@ class Copying {
       if (auto done = copier_->copy_extras(*source.recording, part); !done) return done;
     for (const auto& source : sources_)
       if (auto done = copy_channels(source); !done) return done;
-    for (auto& source : sources_) source.next = source.messages.next();
     while (CopySource* source = earliest()) {
       if (auto done = take(*source); !done) return done;
       source->next = source->messages.next();
@@ -170,7 +192,7 @@ class Copying {
                 static_cast<double>(copier_->bytes()) * 1e-6);
     std::fflush(stdout);
     if (statistics.messages == 0)
-      std::cerr << program_ << ": no message was wanted, so that there is none in it\n";
+      std::cerr << program_ << ": no message can be read, so that there is none in it\n";
   }
 
   std::string program_;

@@ -126,7 +126,8 @@ void add_where(CommandLine& app, RecordingOptions& options, Words& words) {
 void add_about(CommandLine& app, RecordingOptions& options) {
   app.option("--name", options.name,
              "How 'galilean record pause' and 'resume' call this recorder; without it, by the name "
-             "of its file without .mcap");
+             "of its file without .mcap")
+      .not_empty();
   app.options(
       "--about",
       [&options](const std::string& text) -> Result<void> {
@@ -142,7 +143,8 @@ void add_about(CommandLine& app, RecordingOptions& options) {
 void add_snapshots(CommandLine& app, RecordingOptions& options) {
   app.option("--on", options.on,
              "Record only what is around an event: when this comes true for a robot, such as "
-             "'state is \"break_free\" for 3 s', in the words of docs/EXPECT.md");
+             "'state is \"break_free\" for 3 s', in the words of docs/EXPECT.md")
+      .not_empty();
   app.option("--keep-last", time_into(options.snapshots.before),
              "How long before an event a file begins, such as 30s")
       .describe_default("30s");

@@ -55,6 +55,25 @@ TEST(CommandLine, WritesWhatIsGivenAndLeavesTheRest) {
   EXPECT_FALSE(quiet);
 }
 
+TEST(CommandLine, AnEmptyTextIsNotTakenForAnOptionThatIsNotGiven) {
+  for (const char* option : {"--on", "--out", "--bhdl", "--folder", "--path", "--files"}) {
+    CommandLine line("A program.", "program");
+    std::string on, out, bhdl, folder;
+    std::filesystem::path path;
+    std::vector<std::string> files;
+    line.option("--on", on, "a condition").not_empty();
+    line.option("--out", out, "a file").names_file(".mcap");
+    line.option("--bhdl", bhdl, "a program").names_shipped_file("programs", ".bhdl");
+    line.option("--folder", folder, "a folder").names_folder();
+    line.option("--path", path, "a file");
+    line.option("--files", files, "files").names_file();
+    const auto reading = read(line, {option, ""});
+    EXPECT_EQ(reading.code, kWrongUsage) << option;
+    EXPECT_THAT(reading.errors, HasSubstr(std::string(option) + ": the value is empty"));
+    EXPECT_EQ(read(line, {"--on", "x", "--files", "a", "b"}).code, std::nullopt);
+  }
+}
+
 TEST(CommandLine, HelpIsPrintedAndEndsWell) {
   CommandLine line("Runs robots.", "runner");
   int robots = 3;

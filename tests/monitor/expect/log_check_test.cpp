@@ -48,7 +48,7 @@ class LogCheckTest : public testing::Test {
   }
   Answer run(const std::string& arguments) {
     const std::string command =
-        "cd '" + folder_.path().string() + "' && '" GALILEAN_LOG_CHECK "' " + arguments + " 2>&1";
+        "cd '" + folder_.path().string() + "' && '" GALILEAN_LOG_CHECK "' 2>&1 " + arguments;
     Answer answer;
     FILE* output = popen(command.c_str(), "r");
     for (int letter; (letter = std::fgetc(output)) != EOF;)
@@ -81,6 +81,20 @@ TEST_F(LogCheckTest, EndsWithThreeIfTheRecordingCannotTell) {
   EXPECT_THAT(answer.text, HasSubstr("\"reason\": \"europa was never heard\""));
 }
 
+TEST_F(LogCheckTest, AReportNeverGoesOverWhatIsRead) {
+  const std::string text = "io: always it is healthy\n";
+  const auto recording = read("run.mcap");
+  std::filesystem::create_symlink("run.mcap", folder_.path() / "link.xml");
+  std::filesystem::create_hard_link(folder_.path() / "run.mcap", folder_.path() / "twin.xml");
+  for (const char* junit : {"run.mcap", "./run.mcap", "link.xml", "twin.xml", "a.expect"}) {
+    const auto answer = check(text, "--junit " + std::string(junit));
+    EXPECT_EQ(answer.code, 1) << junit;
+    EXPECT_THAT(answer.text, HasSubstr(std::string(junit) + " is read here and cannot be written"));
+  }
+  EXPECT_EQ(read("run.mcap"), recording);
+  EXPECT_EQ(read("a.expect"), text);
+}
+
 TEST_F(LogCheckTest, EveryFormatIsPrinted) {
   const std::string text = "io: never state is \"stuck\" for 2 s\n";
   EXPECT_THAT(check(text, "--format tap").text,
@@ -94,6 +108,61 @@ TEST_F(LogCheckTest, MistakesAreToldWithTheirPlaces) {
   EXPECT_EQ(answer.code, 1);
   EXPECT_THAT(answer.text, HasSubstr("a.expect:1:5: error: expected a claim, not 'nevr'"));
   EXPECT_THAT(answer.text, HasSubstr("a.expect:2:18: error: 's' is a unit of time"));
+}
+
+TEST_F(LogCheckTest, EveryFormatTellsMistakesWithTheirPlaces) {
+  const std::string text = "io: always it is healthy\nio: nevr it is held\n";
+  const auto said = [&](const std::string& format) {
+    const auto answer = check(text, "--junit o.xml --format " + format + " 2>errors");
+    EXPECT_EQ(answer.code, 1) << format;
+    EXPECT_THAT(read("errors"), HasSubstr("a.expect:2:5: error: expected a claim, not 'nevr'"));
+    const auto xml = read("o.xml");
+    EXPECT_THAT(xml, HasSubstr("tests=\"1\" failures=\"0\" errors=\"1\""));
+    EXPECT_THAT(xml, HasSubstr("file=\"a.expect\" line=\"2\""));
+    EXPECT_THAT(xml, HasSubstr(">a.expect:2:5: expected a claim, not 'nevr'; did you mean"));
+    std::filesystem::remove(folder_.path() / "o.xml");
+    return answer.text;
+  };
+  EXPECT_THAT(said("github"),
+              testing::StartsWith("::error file=a.expect,line=2,col=5::expected a claim, not"));
+  EXPECT_THAT(said("tap"),
+              testing::StartsWith("TAP version 13\n1..1\nnot ok 1 - a.expect:2:5: expected"));
+  EXPECT_THAT(said("junit"), HasSubstr("<error message=\"expected a claim, not 'nevr'"));
+  EXPECT_THAT(said("json"), testing::AllOf(HasSubstr("\"line\": 2"), HasSubstr("\"column\": 5"),
+                                           HasSubstr("\"file\": \"a.expect\"")));
+  EXPECT_EQ(said("text"), "");
+}
+
+TEST_F(LogCheckTest, EveryFormatTellsThatNothingCouldBeJudged) {
+  write("a.expect", "io: always it is healthy\n");
+  const auto said = [&](const std::string& format) {
+    const auto answer =
+        run("none.mcap --expect a.expect --junit o.xml --format " + format + " 2>/dev/null");
+    EXPECT_EQ(answer.code, 1) << format;
+    EXPECT_THAT(read("o.xml"), HasSubstr("<error message=\"none.mcap"));
+    std::filesystem::remove(folder_.path() / "o.xml");
+    return answer.text;
+  };
+  EXPECT_THAT(said("github"), testing::StartsWith("::error::none.mcap"));
+  EXPECT_THAT(said("tap"), HasSubstr("not ok 1 - nothing was judged: none.mcap"));
+  EXPECT_THAT(said("junit"), HasSubstr("errors=\"1\""));
+  EXPECT_THAT(said("json"), HasSubstr("\"error\": \"none.mcap"));
+}
+
+TEST_F(LogCheckTest, WhatWentWrongInTheRunIsReportedBesideTheExpectations) {
+  const std::string text = "io: never state is \"stuck\" for 10 s\n";
+  const auto said = [&](const std::string& format) {
+    const auto answer = check(text, "--problem 'europa ended' --junit o.xml --format " + format);
+    EXPECT_EQ(answer.code, 1) << format;
+    return answer.text;
+  };
+  EXPECT_THAT(said("text"), HasSubstr("ERROR  the run: europa ended\n"));
+  EXPECT_THAT(said("tap"), testing::AllOf(HasSubstr("1..2\nok 1 - io: never"),
+                                          HasSubstr("\nnot ok 2 - the run: europa ended\n")));
+  EXPECT_THAT(said("github"), HasSubstr("::error::europa ended\n"));
+  EXPECT_THAT(said("json"), HasSubstr("\"europa ended\""));
+  EXPECT_THAT(said("junit"), HasSubstr("tests=\"2\" failures=\"0\" errors=\"1\""));
+  EXPECT_THAT(read("o.xml"), HasSubstr("name=\"the run\">\n      <error message=\"europa ended\""));
 }
 
 TEST_F(LogCheckTest, FilesThatAreNoneGetASentence) {

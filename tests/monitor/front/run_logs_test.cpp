@@ -32,5 +32,13 @@ TEST(RunLogs, TheNewestStayAndNothingElseIsTouched) {
   forget_old_runs(logs, 2);
 }
 
+TEST(RunLogs, ARunNeverGoesIntoTheFolderOfAnother) {
+  const TemporaryFolder folder;
+  const fs::path logs = folder / "logs";
+  EXPECT_EQ(new_run(logs, "run-7"), logs / "run-7");
+  for (const char* name : {"run-7", "run-7-2"}) fs::create_directories(logs / name);
+  EXPECT_EQ(new_run(logs, "run-7"), logs / "run-7-3");
+}
+
 }  // namespace
 }  // namespace galilean::front

@@ -137,7 +137,63 @@ TEST(Judge, CountsTransitionsOfSomeRobot) {
   const auto verdicts = scene.end(2);
   ASSERT_EQ(verdicts.size(), 1U);
   EXPECT_EQ(verdicts[0].finding.outcome, kHolds);
-  EXPECT_EQ(verdicts[0].finding.note, "it holds for europa");
+  EXPECT_EQ(verdicts[0].finding.note, "it holds for europa: it was so 2 times");
+}
+
+TEST(Judge, CountsAreToldWhoeverTheyAreAbout) {
+  const auto note = [](const std::string& scope, const std::string& comparison) {
+    Scene scene(scope + ": count of transitions" + comparison);
+    scene.state(0, "a");
+    for (int i = 1; i <= 5; ++i) scene.transition(0.1 * i, i % 2 == 0 ? "a" : "b");
+    return scene.finding(2).note;
+  };
+  EXPECT_EQ(note("io", " >= 7"), "it was so 5 times");
+  EXPECT_EQ(note("io", " <= 2"), "it was so 5 times");
+  EXPECT_EQ(note("io", " = 5"), "it was so 5 times");
+  EXPECT_EQ(note("io", " in any 1 s <= 2"), "it was so at most 5 times in 1 s");
+  EXPECT_EQ(note("some robot", " >= 7"),
+            "it holds for none of 1 robot; the nearest is io: it was so 5 times");
+}
+
+TEST(Judge, MessagesInAWindowAreToldAsTheyWereCounted) {
+  Scene scene("io: count of messages of ~/state in any 1 s <= 2");
+  scene.state(0, "a");
+  for (const double s : {0.1, 0.2, 0.3, 0.4})
+    scene.judge().message(Scene::at(s), "/io/state", {1, static_cast<std::uint64_t>(s * 10)});
+  const auto finding = scene.finding(2);
+  EXPECT_EQ(finding.outcome, kFails);
+  EXPECT_EQ(finding.note, "at most 4 messages in 1 s");
+  EXPECT_EQ(*finding.margin, -2);
+}
+
+TEST(Judge, NoMarginIsMinusZero) {
+  for (const char* claim : {"count of transitions = 1", "count of transitions <= 1",
+                            "always not tick overruns > 0", "always problems = 0"}) {
+    Scene scene("io: " + std::string(claim));
+    scene.state(0, "a");
+    scene.transition(0.5, "b");
+    const auto finding = scene.finding(1);
+    EXPECT_EQ(finding.outcome, kHolds) << claim;
+    ASSERT_TRUE(finding.margin) << claim;
+    EXPECT_EQ(*finding.margin, 0) << claim;
+    EXPECT_FALSE(std::signbit(*finding.margin)) << claim;
+  }
+}
+
+TEST(Judge, ARobotThatIsMistypedIsGuessed) {
+  Scene scene(
+      "ganymed: always it is healthy, rate of ~/state >= 1 Hz\n"
+      "team: no losses of /ganymed/state\n"
+      "pluto: always it is healthy");
+  scene.states(0, 1, "a", "ganymede");
+  scene.states(1, 2, "a", "io");
+  const auto verdicts = scene.end(2);
+  ASSERT_EQ(verdicts.size(), 4U);
+  EXPECT_EQ(verdicts[0].finding.reason, "ganymed was never heard; did you mean 'ganymede'?");
+  EXPECT_EQ(verdicts[1].finding.reason, "nothing came on the topic; did you mean 'ganymede'?");
+  EXPECT_EQ(verdicts[2].finding.reason,
+            "nothing came on the topic; did you mean '/ganymede/state'?");
+  EXPECT_EQ(verdicts[3].finding.reason, "pluto was never heard");
 }
 
 TEST(Judge, LostTransitionsMakeACountUncertain) {

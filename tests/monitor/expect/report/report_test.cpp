@@ -50,6 +50,16 @@ TEST(Report, TellsPeopleWhereWhatAndHowToSeeIt) {
   EXPECT_THAT(text, Not(HasSubstr("\x1b")));
 }
 
+TEST(Report, AMarginOfNothingHasNoSignAndAValueIsToldOnce) {
+  auto all = judgement();
+  all.verdicts[1].finding.margin = 0;
+  auto& finding = all.verdicts[1].finding;
+  finding.counterexamples[0].values = finding.note = "rate is 3 Hz";
+  const auto text = text_report({"run.mcap", all});
+  EXPECT_THAT(text, HasSubstr("(missed by 0 s)"));
+  EXPECT_THAT(text, HasSubstr("rate is 3 Hz; 2 times in all\n"));
+}
+
 TEST(Report, JUnitCountsWhatCannotBeToldAsAnError) {
   const auto all = judgement();
   const auto text = junit_report({"run.mcap", all});

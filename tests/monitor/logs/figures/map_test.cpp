@@ -82,6 +82,22 @@ TEST_F(MapTest, WithoutAMapRobotsReckonOrTheSimulatorTells) {
   EXPECT_EQ(tracks_of(simulated).value().tracks.source, Source::kTruth);
 }
 
+TEST_F(MapTest, PlacesBeyondAllMeasureAreToldAndNotDrawn) {
+  for (const double far_m : {1.7e308, 1e17}) {
+    expect::RecordedTeam lost;
+    lost.send(0, "/io/state", state_at(far_m));
+    if (far_m > 1e300) lost.send(1, "/io/state", state_at(-far_m));
+    write("run.mcap", lost.end());
+    for (const bool as_picture : {false, true}) {
+      PlotOptions options{.file = path("run.mcap"), .map = true};
+      if (as_picture) options.pictures.svg = path("x.svg");
+      const auto answer = answer_of([&] { return plot(options); });
+      EXPECT_EQ(answer.code, 1) << far_m;
+      EXPECT_THAT(answer.errors, HasSubstr("a map cannot show places from x = "));
+    }
+  }
+}
+
 TEST_F(MapTest, ARecordingWithoutRobotsHasNoTracks) {
   team.send(0, "/io/variables", msg::Variables{});
   const auto read = tracks_of(team);

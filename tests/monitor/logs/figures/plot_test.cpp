@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 #include "monitor/logs/figures/chart.h"
 #include "tests/monitor/logs/logged_team.h"
 
@@ -42,6 +44,32 @@ TEST(Chart, DrawsAConstantInTheMiddle) {
   one.series.add(0, 1);
   two.series.add(0, 1);
   EXPECT_THAT(chart_text({one, two}, 10, 3), HasSubstr("           |b\n"));
+}
+
+TEST(Chart, DrawsTheLargestNumbers) {
+  NamedSeries one{"a", {}};
+  for (int i = 0; i < 10; ++i) one.series.add(i, i < 5 ? -1e308 : i < 9 ? 0 : 1e308);
+  EXPECT_EQ(chart_text({one}, 10, 3),
+            "* a: -1e+308 to 1e+308\n"
+            "    1e+308 |         *\n"
+            "           |     ****\n"
+            "   -1e+308 |*****\n"
+            "           +----------\n"
+            "            0 s    9 s\n");
+  const auto svg = svg_of(chart_drawing({one}));
+  EXPECT_THAT(svg, testing::Not(testing::AnyOf(HasSubstr("nan"), HasSubstr("inf"))));
+  EXPECT_THAT(svg, testing::AllOf(HasSubstr(",60 "), HasSubstr(",180 "), HasSubstr(",300")));
+}
+
+TEST(Chart, LabelsStayWithinTheirColumn) {
+  NamedSeries one{"a", {}};
+  one.series.add(0, -1.2345678e-300);
+  one.series.add(1, std::numeric_limits<double>::max());
+  const auto text = chart_text({one}, 10, 3);
+  EXPECT_THAT(text, HasSubstr("\n1.798e+308 |         *\n"));
+  EXPECT_THAT(text, HasSubstr("\n-1.23e-300 |*\n"));
+  EXPECT_THAT(svg_of(chart_drawing({one})),
+              testing::AllOf(HasSubstr(">1.8e+308</text>"), HasSubstr(">-1.2e-300</text>")));
 }
 
 TEST(StateBars, TellWhichTextWasSo) {
@@ -111,6 +139,27 @@ TEST_F(PlotTest, WritesAPictureOnce) {
   EXPECT_THAT(plotted(options).errors, HasSubstr("exists already"));
 }
 
+TEST_F(PlotTest, NeverWritesOverTheRecordingNorOnePictureOverTheOther) {
+  const auto before = read("run.mcap");
+  std::filesystem::create_hard_link(path("run.mcap"), path("twin.mcap"));
+  for (const auto& pictures : {PictureFiles{.svg = path("run.mcap"), .png = {}, .replace = true},
+                               PictureFiles{.svg = {}, .png = path("run.mcap"), .replace = true},
+                               PictureFiles{.svg = path("twin.mcap"), .png = {}, .replace = true}})
+    for (const bool map : {false, true}) {
+      PlotOptions options{.pictures = pictures};
+      if (!map) options.values = {"io/state.x_m"};
+      options.map = map;
+      const auto answer = plotted(options);
+      EXPECT_EQ(answer.code, 1);
+      EXPECT_THAT(answer.errors, HasSubstr("is read here and cannot be written"));
+    }
+  EXPECT_EQ(read("run.mcap"), before);
+  EXPECT_THAT(plotted({.values = {"io/state.x_m"},
+                       .pictures = {.svg = path("x"), .png = path("./x"), .replace = true}})
+                  .errors,
+              HasSubstr("would be written twice"));
+}
+
 TEST_F(PlotTest, WritesAPngOfTheSamePicture) {
   const PlotOptions options{.values = {"io/state.x_m", "io/state.state"},
                             .pictures = {.png = path("x.png")}};
@@ -137,6 +186,8 @@ TEST_F(PlotTest, SaysWhatCannotBeDrawn) {
   EXPECT_THAT(plotted({.values = {"io/state"}}).errors, HasSubstr("is no TOPIC.FIELD"));
   EXPECT_THAT(plotted({.values = {"io/stat.x_m"}}).errors, HasSubstr("did you mean '/io/state'?"));
   EXPECT_THAT(plotted({.values = {"io/state.y"}}).errors, HasSubstr("has no field 'y'"));
+  EXPECT_THAT(plotted({.values = {"io/state.x_m"}, .from_s = 60}).errors,
+              HasSubstr("there is no message of io/state from 60 s on; "));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "core/json_text.h"
+#include "monitor/logs/figures/number_statistics.h"
 #include "monitor/logs/figures/topic_statistics.h"
 #include "tests/monitor/logs/logged_team.h"
 
@@ -43,6 +44,13 @@ TEST_F(StatsTest, TellsWhatFieldsWere) {
   EXPECT_NEAR(x["most"].get<double>(), 5.9, 1e-9);
   EXPECT_NEAR(x["most_at_s"].get<double>(), 5.9, 1e-9);
   EXPECT_EQ(json["fields"]["state"]["texts"]["wander"], 30);
+}
+
+TEST(NumberStatistics, TakeTheLargestNumbers) {
+  NumberStatistics statistics;
+  for (const double number : {-1e308, 1e308}) statistics.add(number);
+  EXPECT_EQ(statistics.mean(), 0);
+  EXPECT_NEAR(statistics.deviation() / 1e308, 1, 1e-9);
 }
 
 TEST_F(StatsTest, PrintsATable) {

@@ -65,5 +65,22 @@ TEST_F(SelectionTest, FilesThatAreNoneAreNamed) {
   EXPECT_THAT(Recording::open(path("none.mcap")).error().message, HasSubstr("none.mcap"));
 }
 
+TEST_F(SelectionTest, WhatHoldsNothingIsSaid) {
+  write("run.mcap", six_seconds());
+  const auto said = [&](const Selection& selection) {
+    const auto recording = Recording::open(path("run.mcap"));
+    auto messages = SelectedMessages::of(recording.value(), selection);
+    while (messages.value().next()) {
+    }
+    return answer_of([&] { return tell_nothing("cat", selection, messages.value()), 0; }).errors;
+  };
+  EXPECT_EQ(said({.from_s = 60}),
+            "cat: there is no message from 60 s on; " + path("run.mcap") + " ends at 5.9 s\n");
+  EXPECT_EQ(said({.topics = {"io/state"}, .from_s = 1.01, .to_s = 1.02}),
+            "cat: there is no message of io/state from 1.01 s on up to 1.02 s\n");
+  EXPECT_EQ(said({.from_s = 5}), "");
+  EXPECT_EQ(said({}), "");
+}
+
 }  // namespace
 }  // namespace galilean::logs

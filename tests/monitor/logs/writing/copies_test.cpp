@@ -247,6 +247,34 @@ TEST_F(CopiesTest, NothingThatIsThereIsOverwrittenUnasked) {
   EXPECT_EQ(read("there.mcap"), (mcap::Bytes{1, 2, 3}));
 }
 
+TEST_F(CopiesTest, APartThatHoldsNothingIsAFailureAndIsNotWritten) {
+  write("there.mcap", {1, 2, 3});
+  const OutputOptions there{.path = "there.mcap", .replace = true};
+  const auto late =
+      copy("slice", {.files = {"run.mcap"}, .selection = {.from_s = 60}, .output = there});
+  EXPECT_EQ(late.code, 1);
+  EXPECT_EQ(late.out, "");
+  EXPECT_EQ(late.errors, "galilean log slice: there is no message from 60 s on; " +
+                             path("run.mcap") + " ends at 5.9 s; nothing was written\n");
+  const auto between =
+      copy("slice",
+           {.files = {"run.mcap"},
+            .selection = {.topics = {"io/state", "/io/variables"}, .from_s = 2.01, .to_s = 2.05},
+            .output = {.path = "new.mcap"}});
+  EXPECT_EQ(between.code, 1);
+  EXPECT_EQ(between.errors,
+            "galilean log slice: there is no message of io/state and /io/variables from 2.01 s on "
+            "up to 2.05 s; nothing was written\n");
+  EXPECT_FALSE(std::filesystem::exists(path("new.mcap")));
+  EXPECT_EQ(read("there.mcap"), (mcap::Bytes{1, 2, 3}));
+}
+
+TEST_F(CopiesTest, AnEmptyRecordingIsCopiedWhole) {
+  write("empty.mcap", expect::RecordedTeam().end());
+  EXPECT_EQ(copy("slice", {.files = {"empty.mcap"}, .output = {.path = "copy.mcap"}}).code, 0);
+  EXPECT_TRUE(contents_of(path("copy.mcap")).empty());
+}
+
 TEST_F(CopiesTest, ADamagedRecordingIsCopiedAsFarAsItCanBeRead) {
   auto bytes = six_seconds();
   expect::damage_chunk_at(2.5, bytes);

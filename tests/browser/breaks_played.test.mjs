@@ -13,6 +13,7 @@ const untilArrow = (name, kind) => until(([of, wanted]) => (document.querySelect
 const untilState = (name, kind) => until(([of, wanted]) => (document.querySelector(`[data-testid=state-${of}]`)?.dataset.break ?? "") === wanted, [name, kind]);
 const choose = (name) => at("break-choice").getByRole("button", { name, exact: true }).click();
 const untilSaid = (testid, words) => at(testid).filter({ hasText: words }).waitFor();
+const setAt = (name, point) => tab.api("/api/breaks", { order: "set", targets: [name], points: [point], author: "Anna" });
 const focused = () => tab.page.evaluate(() => document.activeElement.dataset.arrow ?? document.activeElement.dataset.state);
 
 test("a click on a state shows what may be set there, and a press of that sets it, changes it and takes it off", async () => {
@@ -103,11 +104,12 @@ test("for the team they are set at every robot", async () => {
 test("a robot stops there, and its row, Why and Timeline say why", async () => {
   // One that entered a state while it had a break point above still stands there.
   await tab.api("/api/command", { kind: "resume" });
-  const points = [{ to: "move_to_trash" }, { from: "grab_trash", to: "backup1", kind: "lock" }];
-  await tab.api("/api/breaks", { order: "set", targets: ["io"], points, author: "Anna" });
+  await setAt("io", { to: "move_to_trash" });
   await untilRow("io", "data-stopped", "true");
   // "at" with both states where the page has heard the change of state already.
   await untilSaid("break-io", /^stopped (at \w+ →|on entering) move_to_trash \(Anna's break point\)$/);
+  // Not before: a robot that had stopped further on would wait there.
+  await setAt("io", { from: "grab_trash", to: "backup1", kind: "lock" });
   await untilSaid("machine-break", "stopped");
   await at("why").locator("li.newest [data-stopped-by]").filter({ hasText: "stopped io here: break point on entering move_to_trash, set by Anna" }).waitFor();
   await at("timeline").locator("[data-event=stopped] title").filter({ hasText: /^io stopped (at \w+ →|on entering) move_to_trash/ }).first().waitFor({ state: "attached" });

@@ -165,7 +165,7 @@ TEST_F(CopiesTest, ASliceKeepsTheChannelsOfTheChosenTopics) {
   };
   EXPECT_EQ(slice_of({.from_s = 1.5}).size(), 3U);
   EXPECT_EQ(slice_of({.from_s = 1.5}).at("/a").second, 1U);
-  const auto chosen = slice_of({.topics = {"a", "b"}, .from_s = 100});
+  const auto chosen = slice_of({.topics = {"a", "b"}, .from_s = 1.5});
   EXPECT_EQ(chosen.size(), 2U) << "/c was not chosen";
   EXPECT_EQ(chosen.at("/b"), std::pair(std::string("x/msg/Ofb"), std::uint64_t{0}));
 }

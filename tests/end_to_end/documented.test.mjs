@@ -2,13 +2,11 @@
 // What README and docs tell people to type is accepted: verbs, commands, options, and sentences of expectations, whose
 // states are those of programs that ship.
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { describe, test } from 'node:test';
 import { ownWords, places } from './help.mjs';
-import { PATIENCE_MS } from '../tools/patience.mjs';
-import { galilean, galileanBinary, root, scratchFolder } from './tools.mjs';
+import { galilean, root, scratchFolder } from './tools.mjs';
 
 const PAGES = ['README.md', 'CONTRIBUTING.md', 'sim/README.md', 'bhdl/GRAMMAR.md', 'CHANGELOG.md', ...readdirSync(join(root, 'docs')).filter((name) => name.endsWith('.md')).map((name) => `docs/${name}`)];
 const textOf = Object.fromEntries(PAGES.map((page) => [page, readFileSync(join(root, page), 'utf8')]));
@@ -64,26 +62,6 @@ describe('what is documented', () => {
     for (const page of PAGES.filter((each) => !['CONTRIBUTING.md', 'docs/ARCHITECTURE.md', 'docs/BENCHMARKS.md', 'docs/MAP.md'].includes(each)))
       for (const { code } of codeIn(textOf[page]))
         if (/^--[a-z]/.test(code)) assert.ok(all.has(optionOf(code.split(' ')[0])), `${page}: ${code}`);
-  });
-
-  test('the commands of docs/CI.md do what it says in an empty repository, and so does its workflow', (t) => {
-    const cwd = scratchFolder(t);
-    symlinkSync(root, join(cwd, 'galilean'));
-    mkdirSync(join(cwd, 'programs'));
-    const [, chapter] = textOf['docs/CI.md'].split('## From an empty repository\n');
-    const [, sentences] = /^```text\n(.*?)^```$/ms.exec(chapter);
-    writeFileSync(join(cwd, 'clean.expect'), sentences);
-    const commands = chapter.split(/^## /m)[0].match(/^ {4}\S.*$/gm).map((line) => line.trim());
-    assert.ok(commands.length >= 3, commands.join('\n'));
-    const env = { ...process.env, PATH: `${dirname(galileanBinary)}:${process.env.PATH}` };
-    for (const command of commands) {
-      const { status, stdout, stderr } = spawnSync('bash', ['-c', command], { cwd, env, encoding: 'utf8', timeout: PATIENCE_MS });
-      assert.equal(status, 0, `${command}: ${stdout}${stderr}`);
-    }
-    const [, ...steps] = readFileSync(join(root, 'docs/ci/galilean.yml'), 'utf8').replace(/\n\s+/g, ' ').split('galilean/build/bin/galilean ');
-    for (const step of steps) assert.equal(wrongAbout(wordsOf(step)), '', step);
-    const checks = steps.map((step) => wordsOf(step).slice(0, 3).join(' ')).find((step) => step.startsWith('bhdl check'));
-    assert.ok(commands.includes(`galilean ${checks}`), `${checks} is what ${commands} check`);
   });
 
   const shipped = readdirSync(join(root, 'bhdl/programs')).map((name) => join(root, 'bhdl/programs', name));

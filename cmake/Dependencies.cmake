@@ -17,7 +17,7 @@ find_package(mrpt-tfest REQUIRED)
 find_package(mrpt-poses REQUIRED)
 
 # Without a config file of their own.
-foreach(library zstd lz4)
+foreach(library zstd lz4 deflate)
   find_library(${library}_LIBRARY ${library} REQUIRED)
   add_library(system::${library} INTERFACE IMPORTED)
   target_link_libraries(system::${library} INTERFACE ${${library}_LIBRARY})

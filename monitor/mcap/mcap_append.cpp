@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <array>
 #include <bit>
 #include <cstring>
 
@@ -23,9 +24,20 @@ void put(Bytes& to, const std::string& text) {
   put(to, static_cast<std::uint32_t>(text.size()));
   to.insert(to.end(), text.begin(), text.end());
 }
-void put(Bytes& to, const MessageIndex::Entry& entry) {
-  put(to, entry.log_ns);
-  put(to, entry.offset);
+void put(Bytes& to, const std::vector<MessageIndex::Entry>& entries) {
+  static_assert(sizeof(MessageIndex::Entry) == 2 * sizeof(std::uint64_t),
+                "they are copied as they lie");
+  put(to, ByteView(reinterpret_cast<const std::uint8_t*>(entries.data()),
+                   entries.size() * sizeof(MessageIndex::Entry)));
+}
+
+/// Returns numbers as they stand one behind the other in a record.
+template <class... Numbers>
+auto packed(Numbers... numbers) {
+  std::array<std::uint8_t, (sizeof numbers + ...)> bytes{};
+  auto* at = bytes.data();
+  ((std::memcpy(at, &numbers, sizeof numbers), at += sizeof numbers), ...);
+  return bytes;
 }
 
 /// Appends the bytes that `fill` appends, with their count before them as a number of type Size.
@@ -69,7 +81,11 @@ void append(Bytes& to, const Channel& r) {
   put_record(to, Opcode::kChannel, r.id, r.schema_id, r.topic, r.message_encoding, r.metadata);
 }
 void append(Bytes& to, const Message& r) {
-  put_record(to, Opcode::kMessage, r.channel_id, r.sequence, r.log_ns, r.publish_ns, r.data);
+  // The commonest record by far: room is made for its numbers once, not for each.
+  constexpr std::uint64_t kNumberBytes = 2 + 4 + 8 + 8;
+  put(to, packed(static_cast<std::uint8_t>(Opcode::kMessage), kNumberBytes + r.data.size(),
+                 r.channel_id, r.sequence, r.log_ns, r.publish_ns));
+  put(to, r.data);
 }
 void append(Bytes& to, const Chunk& r) {
   put_record(to, Opcode::kChunk, r.start_ns, r.end_ns, r.uncompressed_size, r.uncompressed_crc,
@@ -79,9 +95,7 @@ void append(Bytes& to, const MessageIndex& r) {
   to.push_back(static_cast<std::uint8_t>(Opcode::kMessageIndex));
   put_sized<std::uint64_t>(to, [&] {
     put(to, r.channel_id);
-    put_sized<std::uint32_t>(to, [&] {
-      for (const auto& entry : r.entries) put(to, entry);
-    });
+    put_sized<std::uint32_t>(to, [&] { put(to, r.entries); });
   });
 }
 void append(Bytes& to, const ChunkIndex& r) {

@@ -12,7 +12,7 @@ import { galilean, infoOf, MOST_MiB, share, sleep, startRecorder, startTeam } fr
 const [seconds = 20, copies = 60] = process.argv.slice(2).map(Number);
 const TIMES_AS_LONG = 6;
 const CHECKED_A_S = 200_000;
-const EXPECTATIONS = `every robot: never state is "stuck" for 10 s
+const EXPECTATIONS = `every robot: never state is "break_free" for 10 s
 every robot: after state becomes "grab_trash", within 5 s state is "backup1"
 every robot: always tick overruns = 0, count of transitions >= 1
 every robot: rate of ~/state >= 1 Hz

@@ -3,7 +3,9 @@
 
 #include "bhdl/check/checker.h"
 #include "bhdl/lint/program_check.h"
+#include "bhdl/source/readable.h"
 #include "bhdl/source/sha256.h"
+#include "bhdl/syntax/parser.h"
 
 namespace galilean::bhdl {
 namespace {
@@ -12,6 +14,19 @@ std::vector<std::string> shown_names(const std::deque<LoadedFile>& files) {
   std::vector<std::string> names;
   for (const auto& file : files) names.push_back(file.shown);
   return names;
+}
+
+/// Reports what cannot be read, and leaves mistakes in the text to a later check.
+SyntaxTree read_tree_alone(const LoadedFile& file, Diagnostics& diagnostics) {
+  if (!is_readable(file.shown, file.text, diagnostics)) return {};
+  Diagnostics for_the_check;
+  return parse(file.shown, file.text, for_the_check);
+}
+
+std::vector<SourceFile> source_files(std::deque<LoadedFile>& loaded) {
+  std::vector<SourceFile> files;
+  for (auto& file : loaded) files.push_back({std::move(file.path), std::move(file.text)});
+  return files;
 }
 
 CheckedTree check_loaded(SyntaxTree tree, const std::string& main_file,
@@ -35,8 +50,7 @@ CheckResult check(const std::string& main_path, const SourceProvider& sources,
                                      depth, diagnostics);
   const bool usable = !diagnostics.has_errors();
   result.diagnostics = std::move(diagnostics).take(shown_names(loaded.files));
-  for (auto& file : loaded.files)
-    result.files.push_back({std::move(file.path), std::move(file.text)});
+  result.files = source_files(loaded.files);
   if (!usable) return result;
   Program& program = checked.program;
   program.name = std::filesystem::path(main_path).filename().string();
@@ -72,6 +86,15 @@ CheckResult check(std::vector<SourceFile> files, const Vocabulary& vocabulary) {
 
 CheckResult check(std::vector<SourceFile> files, const Catalog& catalog) {
   return check(std::move(files), Vocabulary(catalog));
+}
+
+Result<std::vector<SourceFile>, std::vector<Diagnostic>> read_program(
+    const std::filesystem::path& path) {
+  Diagnostics diagnostics;
+  LoadedProgram loaded =
+      load(path.filename().string(), DiskSources(path.parent_path()), diagnostics, read_tree_alone);
+  if (diagnostics.has_errors()) return std::move(diagnostics).take(shown_names(loaded.files));
+  return source_files(loaded.files);
 }
 
 CheckResult check_file(const std::filesystem::path& path, const Vocabulary& vocabulary,

@@ -11,6 +11,7 @@
 #include "bhdl/source/source_file.h"
 #include "bhdl/source/source_provider.h"
 #include "bhdl/syntax/loader.h"
+#include "core/result.h"
 
 namespace galilean::bhdl {
 
@@ -44,6 +45,12 @@ struct CheckResult {
                                                const SourceProvider& sources,
                                                const TreeReader& read,
                                                const Vocabulary& vocabulary);
+
+/// Reads a file on disk and all that it includes, for somebody else who checks it. The paths are
+/// relative to the main file's folder. Errors: a file cannot be read, is no text, or there are too
+/// many; each with its place.
+[[nodiscard]] Result<std::vector<SourceFile>, std::vector<Diagnostic>> read_program(
+    const std::filesystem::path& path);
 
 /// Checks a file on disk and what it includes. The paths in `files` are relative to the main file's
 /// folder, so that a program has the same hash in every folder. The paths in the diagnostics begin

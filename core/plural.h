@@ -17,4 +17,12 @@ template <std::integral Number>
   return text;
 }
 
+/// Returns the form of a verb, or of another word, that goes with so many: `one` with 1, else
+/// `many`.
+template <std::integral Number>
+[[nodiscard]] constexpr const char* agreeing(Number count, const char* one,
+                                             const char* many) noexcept {
+  return count == 1 ? one : many;
+}
+
 }  // namespace galilean

@@ -9,6 +9,7 @@
 #include "bhdl/check/vocabulary.h"
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
+#include "core/plural.h"
 
 namespace galilean::bhdl {
 namespace {
@@ -110,7 +111,7 @@ class ValueReader {
     if ((any && expected == 0) || given == expected) return true;
     diagnostics_.error(attribute_.name.at, "value/count",
                        subject() + " takes " + expectation(spec_) + "; " + std::to_string(given) +
-                           (given == 1 ? " value is given" : " values are given"));
+                           agreeing(given, " value is given", " values are given"));
     return false;
   }
 

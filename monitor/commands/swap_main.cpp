@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "bhdl/check.h"
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "core/json_text.h"
 #include "monitor/commands/direct_swap.h"
 #include "monitor/commands/push_session.h"
 
@@ -11,19 +13,28 @@ namespace {
 using namespace galilean::monitor;
 namespace bhdl = galilean::bhdl;
 
-int swap_through_monitor(const DirectSwapOptions& options) {
-  // This only collects the includes. The monitor checks the program against the robots' catalogs.
-  const auto checked = bhdl::check_file(options.file, {});
-  if (checked.files.empty()) {
-    std::cerr << "galilean swap: " << checked.diagnostics.front().message << std::endl;
+int refuse(const std::vector<bhdl::Diagnostic>& problems, bool as_json) {
+  if (as_json) {
+    std::cout << galilean::json_text(nlohmann::json{{"ok", false}, {"diagnostics", problems}})
+              << std::endl;
     return galilean::kFailed;
   }
+  for (const auto& problem : problems) std::cerr << bhdl::format(problem) << '\n';
+  std::cerr << "galilean swap: nothing was pushed" << std::endl;
+  return galilean::kFailed;
+}
+
+int swap_through_monitor(const DirectSwapOptions& options) {
+  // The monitor checks the program against the robots' catalogs. It has none of this machine's
+  // files, and would take an include that is missing here from the programs that ship.
+  const auto files = bhdl::read_program(options.file);
+  if (!files) return refuse(files.error(), options.push.json);
   const auto monitor = MonitorClient::at(options.push.monitor, options.push.token_file);
   if (!monitor) {
     std::cerr << "galilean swap: " << monitor.error().message << std::endl;
     return galilean::kFailed;
   }
-  return push_through(monitor.value(), "galilean swap", checked.files, options.push);
+  return push_through(monitor.value(), "galilean swap", files.value(), options.push);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/plural.h"
 #include "core/visible_text.h"
 
 namespace galilean::monitor {
@@ -96,8 +97,9 @@ Result<std::vector<const Robot*>> TeamListener::find(const std::vector<std::stri
         "(--domain or ROS_DOMAIN_ID)"};
   for (const auto& name : names)
     if (!team_.find(name))
-      return Error{"robot '" + visible(name) +
-                   "' sends no state; these do: " + list_of(team_.robots())};
+      return Error{"robot '" + visible(name) + "' sends no state; " +
+                   agreeing(team_.robots().size(), "this one does: ", "these do: ") +
+                   list_of(team_.robots())};
   return found;
 }
 

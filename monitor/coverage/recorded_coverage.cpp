@@ -89,7 +89,7 @@ std::vector<std::string> RecordedCoverage::uncounted() const {
   std::vector<std::string> sentences(uncounted_.begin(), uncounted_.end());
   if (undecoded_ > 0)
     sentences.push_back(plural(undecoded_, "message") +
-                        (undecoded_ == 1 ? " is not whole" : " are not whole"));
+                        agreeing(undecoded_, " is not whole", " are not whole"));
   return sentences;
 }
 

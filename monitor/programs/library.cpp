@@ -2,6 +2,7 @@
 #include "monitor/programs/library.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
 
@@ -60,6 +61,28 @@ bhdl::CheckResult ProgramLibrary::check(std::vector<bhdl::SourceFile> files,
       files.push_back({name, std::move(text).value()});
   }
   return bhdl::check(std::move(files), catalog);
+}
+
+std::vector<TakenFile> ProgramLibrary::taken(const std::vector<bhdl::SourceFile>& sent,
+                                             const bhdl::CheckResult& checked) const {
+  std::set<std::string> known;
+  for (const auto& file : sent) known.insert(bhdl::normal_path(file.path));
+  std::vector<TakenFile> result;
+  for (const auto& file : checked.files)
+    if (!known.contains(file.path))
+      result.push_back({file.path, (folder_ / file.path).generic_string()});
+  return result;
+}
+
+void to_json(nlohmann::json& json, const TakenFile& file) {
+  json = {{"path", file.path}, {"from", file.from}};
+}
+
+std::string in_words(const std::vector<TakenFile>& taken) {
+  std::string files;
+  for (const auto& file : taken) files += (files.empty() ? "" : ", ") + file.from;
+  return files.empty() ? files
+                       : "not sent with it, and taken from the monitor's programs: " + files;
 }
 
 fs::path default_library_folder() {

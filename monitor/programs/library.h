@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,15 @@ struct LibraryEntry {
   std::string name;  ///< path below the library's folder
   std::string hash;  ///< the program's hash; empty if the program has errors
 };
+
+/// A file of the library that takes the place of an include that was not sent.
+struct TakenFile {
+  std::string path;  ///< as the program names it
+  std::string from;  ///< the file on this machine
+};
+void to_json(nlohmann::json& json, const TakenFile& file);
+/// Returns one sentence without its stop; an empty text if nothing was taken.
+[[nodiscard]] std::string in_words(const std::vector<TakenFile>& taken);
 
 /// The installed programs: a folder of BHDL files, which is read anew at every call. Any thread may
 /// use it.
@@ -34,6 +44,9 @@ class ProgramLibrary {
   /// are read from the library.
   [[nodiscard]] bhdl::CheckResult check(std::vector<bhdl::SourceFile> files,
                                         const Catalog& catalog) const;
+  /// Returns what such a check has read from the library, beside `sent`.
+  [[nodiscard]] std::vector<TakenFile> taken(const std::vector<bhdl::SourceFile>& sent,
+                                             const bhdl::CheckResult& checked) const;
   [[nodiscard]] const Catalog& catalog() const noexcept { return catalog_; }
 
  private:

@@ -92,7 +92,7 @@ void Push::handle(const PushRecorded& recorded, Time now) {
     answer(unavailable(why + "; nothing was pushed."));
     return fail(why);
   }
-  finish_step({}, now);
+  finish_step(in_words(content_.taken()), now);
   const bool takes_long = order().trial.wanted || !order().canary.empty();
   if (takes_long) answer(record());
 }

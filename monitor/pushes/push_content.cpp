@@ -25,6 +25,7 @@ void PushContent::set_program(const CheckedProgram& program) {
   message_.targets = order_.targets;
   message_.replaces_hash = program.replaces_hash;
   message_.hash = program.hash;
+  taken_ = program.taken;
   for (const auto& file : program.files) message_.files.push_back({file.path, file.text});
   if (!order_.probation) return;
   // The robot's probation must last until the monitor has decided whether the canary rolls back.

@@ -51,6 +51,8 @@ class PushContent {
 
   [[nodiscard]] const PushOrder& order() const noexcept { return order_; }
   [[nodiscard]] const PushIdentity& identity() const noexcept { return identity_; }
+  /// Returns the program's files that the order did not bring. Requires: set_program().
+  [[nodiscard]] const std::vector<TakenFile>& taken() const noexcept { return taken_; }
   /// Returns whether the reply is to this push. The canary's reply that it has rolled the program
   /// back as ordered counts as one.
   [[nodiscard]] bool is_meant_by(const msg::ProgramReply& reply) const;
@@ -63,6 +65,7 @@ class PushContent {
   PushIdentity identity_;
   bool is_ours_;
   msg::ProgramPush message_;  ///< complete only after set_program()
+  std::vector<TakenFile> taken_;
 };
 
 }  // namespace galilean::monitor

@@ -40,7 +40,8 @@ Result<void> PushExecutor::carry_out(const std::string& push_id, CheckProgram re
         auto& program = *check.result.program;
         report_(push_id, ProgramChecked{CheckedProgram{
                              std::move(program.hash), std::move(program.files),
-                             replaced_by_each(asked->replaces, asked->robots, parts_.team)}});
+                             replaced_by_each(asked->replaces, asked->robots, parts_.team),
+                             std::move(check.taken)}});
       },
       [this, push_id](const std::string& why) {
         report_(push_id, RequestFailed{why + "; nothing was pushed"});

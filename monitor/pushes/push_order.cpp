@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/plural.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -13,7 +15,8 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 std::string known_robots(const Team& team) {
   std::string names;
   for (const auto& [name, robot] : team.robots()) names += (names.empty() ? "" : ", ") + name;
-  return names.empty() ? "no robot was heard yet" : "known are " + names;
+  return names.empty() ? "no robot was heard yet"
+                       : agreeing(team.robots().size(), "known is ", "known are ") + names;
 }
 
 /// Adds a robot to the targets. A robot that the order names is awaited even while it is silent.

@@ -66,6 +66,7 @@ struct CheckedProgram {
   std::string hash;
   std::vector<bhdl::SourceFile> files;  ///< the main file first, then the files that it includes
   std::string replaces_hash;            ///< for ProgramPush::replaces_hash; may be empty
+  std::vector<TakenFile> taken = {};    ///< files that were not sent, and came from the library
 };
 struct ProgramChecked {
   Result<CheckedProgram, TargetCheck> program;  ///< or the check with the program's errors

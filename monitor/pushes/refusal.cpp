@@ -95,6 +95,7 @@ nlohmann::json to_json(const Refusal& refusal) {
   if (refusal.check) {
     json["robot"] = refusal.check->refused_by;
     json["diagnostics"] = refusal.check->result.diagnostics;
+    json["taken"] = refusal.check->taken;
   }
   return json;
 }

@@ -25,8 +25,10 @@ TargetCheck check_for(const std::vector<Target>& targets, const Catalog& install
 
 TargetCheck check_for(const std::vector<bhdl::SourceFile>& files,
                       const std::vector<Target>& targets, const ProgramLibrary& library) {
-  return check_for(targets, library.catalog(),
-                   [&](const Catalog& catalog) { return library.check(files, catalog); });
+  auto found = check_for(targets, library.catalog(),
+                         [&](const Catalog& catalog) { return library.check(files, catalog); });
+  found.taken = library.taken(files, found.result);
+  return found;
 }
 
 }  // namespace galilean::monitor

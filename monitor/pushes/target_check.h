@@ -24,6 +24,7 @@ struct Target {
 struct TargetCheck {
   bhdl::CheckResult result;  ///< for the first robot that would refuse it, else for the first
   std::string refused_by;    ///< the robot that would refuse it; empty: none
+  std::vector<TakenFile> taken = {};  ///< what was not sent, and came from the library
 };
 
 /// Checks a program against the catalogs of `targets`, each different catalog once. `installed`

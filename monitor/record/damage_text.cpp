@@ -50,7 +50,7 @@ std::string damage_text(const mcap::Damage& damage, const mcap::Summary& summary
   text += ": ";
   text += damage.messages ? plural(*damage.messages, "message") : "an unknown number of messages";
   if (damage.time) text += from_to(*damage.time);
-  text += damage.messages == 1 || !damage.messages ? " is lost" : " are lost";
+  text += agreeing(damage.messages.value_or(1), " is lost", " are lost");
   return text + by_topic(damage.channel_messages, summary);
 }
 
@@ -59,7 +59,7 @@ std::string loss_text(const mcap::Summary& summary) {
   for (const auto& [channel, messages] : summary.lost) lost += messages;
   if (lost == 0) return summary.lost_is_exact ? "" : "it is not known how many messages are lost";
   return (summary.lost_is_exact ? "" : "at least ") + plural(lost, "message") +
-         (lost == 1 ? " is" : " are") + " lost in all" + by_topic(summary.lost, summary);
+         agreeing(lost, " is", " are") + " lost in all" + by_topic(summary.lost, summary);
 }
 
 std::string silence_text(const mcap::TimeRange& silence) {

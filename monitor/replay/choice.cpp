@@ -6,6 +6,7 @@
 #include <set>
 #include <string_view>
 
+#include "core/plural.h"
 #include "core/spelling.h"
 #include "core/visible_text.h"
 #include "monitor/replay/report.h"
@@ -53,7 +54,8 @@ Error unknown_robot(const std::string& robot, const std::set<std::string>& known
   return {"no robot '" + visible(robot) + "' is in it" +
           (!meant.empty()  ? "; did you mean '" + visible(meant) + "'?"
            : known.empty() ? ""
-                           : "; there is " + listed({known.begin(), known.end()}))};
+                           : agreeing(known.size(), "; there is ", "; there are ") +
+                                 listed({known.begin(), known.end()}))};
 }
 
 /// Leaves the topics that are named; all if none is.

@@ -52,7 +52,7 @@ std::string who_is_where(const std::set<std::string>& recorded, const std::set<s
 
 std::string why_not_beside(const Neighbours& namesakes) {
   const auto are = [](const std::vector<std::string>& names) {
-    return listed(names) + (names.size() == 1 ? " is" : " are");
+    return listed(names) + agreeing(names.size(), " is", " are");
   };
   if (!namesakes.live.empty())
     return are(namesakes.live) +

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "core/plural.h"
+
 namespace galilean::monitor {
 
 void Simulations::note(msg::SimulationState state, Time now) {
@@ -25,7 +27,9 @@ Result<const msg::SimulationState*> Simulations::find(const std::string& name, T
     return Error{
         "no simulation is heard; check that galilean demo or galilean sim --live runs in the same "
         "DDS domain (--domain, ROS_DOMAIN_ID)"};
-  if (!name.empty()) return Error{"simulation '" + name + "' is not heard; heard are " + names};
+  if (!name.empty())
+    return Error{"simulation '" + name + "' is not heard; heard " + agreeing(live, "is ", "are ") +
+                 names};
   if (live > 1) return Error{"several simulations are heard; name one of them: " + names};
   return found;
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/plural.h"
 #include "sim/control/parts.h"
 #include "sim/world/free_place.h"
 
@@ -218,7 +219,8 @@ Result<RobotBody*> Instructor::robot(const Order& order) const {
     if (robot_name(i) == order.subject) return &world_.robot(i);
     names += (names.empty() ? "" : ", ") + robot_name(i);
   }
-  return Error{"there is no robot '" + order.subject + "': the robots are " + names};
+  return Error{"there is no robot '" + order.subject + "': " +
+               agreeing(world_.robot_count(), "the only robot is ", "the robots are ") + names};
 }
 
 Result<void> Instructor::inside(const Order& order) const {

@@ -15,5 +15,11 @@ TEST(Plural, OneAloneIsSingular) {
   EXPECT_EQ(plural(-1, "point"), "-1 points");
 }
 
+TEST(Plural, AVerbAgreesWithItsCount) {
+  EXPECT_STREQ(agreeing(std::size_t{0}, " runs", " run"), " run");
+  EXPECT_STREQ(agreeing(1, " runs", " run"), " runs");
+  EXPECT_STREQ(agreeing(2U, " runs", " run"), " run");
+}
+
 }  // namespace
 }  // namespace galilean

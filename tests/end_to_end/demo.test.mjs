@@ -208,8 +208,23 @@ test('a run that does not do what is expected of it fails', limit, async (t) => 
   await nothingIsLeft(domain, 'none');
 });
 
-test('a robot that refuses its program is named with its reason', limit, async (t) => {
-  const { team } = await startTeam(t, ['--bhdl', '/nonexistent.bhdl']);
-  await team.line(/io ended \(exit code 1\)[^]*nonexistent/);
-  assert.equal((await team.stop()).code, 0);
+test('a program that no robot can run is told of before anything starts', limit, async (t) => {
+  const cwd = scratchFolder(t), domain = freshDomain();
+  writeFileSync(`${cwd}/copy.bhdl`, 'include "lacking.bhdl"\n');
+  for (const [program, sentence] of [['nosuch', /no robot can run nosuch:\nnosuch:1:1: error: cannot read 'nosuch'/], ['copy.bhdl', /\ncopy\.bhdl:1:9: error: cannot read 'lacking\.bhdl'/]]) {
+    const run = galilean(['demo', '--robots', '1', '--bhdl', program], { domain, cwd });
+    assert.equal(run.status, 1);
+    assert.match(run.stderr, sentence);
+    assert.equal(run.stdout, '');
+    assert.deepEqual(processesIn(domain), []);
+  }
+});
+
+test('when the last robot has ended the demo ends', limit, async (t) => {
+  const { team, domain } = await startTeam(t, ['--robots', '1']);
+  await team.line(/^ {2}io runs office_cleanup in scenario office/m);
+  process.kill(pidOf(domain, '--name io'), 'SIGKILL');
+  assert.equal((await team.exited).code, 1);
+  assert.match(team.output, /io ended \(killed by signal 9 \(Killed\)\); no robot is left, so that the demo ends/);
+  await nothingIsLeft(domain, runOf(team));
 });

@@ -147,8 +147,10 @@ Judgement Judge::finish(std::int64_t begin_ns, std::int64_t end_ns) {
   judgement.verdicts = collect(expectations_, collected);
   judgement.notes = std::move(notes_);
   if (late_ > 0)
-    judgement.notes.push_back(plural(late_, "message") +
-                              " were older than those before, and are judged as if they came then");
+    judgement.notes.push_back(
+        plural(late_, "message") +
+        agreeing(late_, " was older than that before it, and is judged as if it came then",
+                 " were older than those before, and are judged as if they came then"));
   if (refused_ > 0)
     judgement.notes.push_back("more than " + std::to_string(kMostRobots) +
                               " robots were heard, or some without a name; those are not judged");

@@ -26,7 +26,7 @@ std::uint64_t TopicMonitor::missing() const noexcept {
 }
 
 std::string TopicMonitor::missing_text() const {
-  return plural(missing(), "message") + (missing() == 1 ? " is" : " are") + " missing";
+  return plural(missing(), "message") + agreeing(missing(), " is", " are") + " missing";
 }
 
 void TopicMonitor::doubt_times() {

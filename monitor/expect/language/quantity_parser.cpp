@@ -7,6 +7,7 @@
 
 #include "bhdl/source/names.h"
 #include "bhdl/source/text.h"
+#include "core/plural.h"
 #include "monitor/expect/language/measures.h"
 
 namespace galilean::expect {
@@ -33,6 +34,12 @@ std::string examples_of(const Unit& wanted) {
     if (unit.dimension == wanted.dimension && !unit.symbol.empty())
       text += (text.empty() ? "" : ", ") + std::string(unit.symbol);
   return text;
+}
+
+std::string unit_words(const Unit& wanted) {
+  const auto examples = examples_of(wanted);
+  return agreeing(1 + std::ranges::count(examples, ','), "its unit is ", "its units are ") +
+         examples;
 }
 
 std::string dimension_of(const Unit& unit) {
@@ -73,7 +80,7 @@ std::optional<Quantity> parse_quantity(TokenReader& tokens, const Unit& wanted,
     tokens.error(word, "type/wrong-unit",
                  bhdl::in_quotes(word.text) + " is a unit of " + dimension_of(*unit) + "; " +
                      std::string(of) + " is " + dimension_of(wanted),
-                 wanted.symbol.empty() ? "" : "its units are " + examples_of(wanted));
+                 wanted.symbol.empty() ? "" : unit_words(wanted));
     return std::nullopt;
   }
   tokens.next();

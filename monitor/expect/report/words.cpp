@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/plural.h"
 #include "core/visible_text.h"
 #include "monitor/expect/judge/duration_text.h"
 #include "monitor/record/times.h"
@@ -129,9 +130,9 @@ std::string how_to_see(const Verdict& verdict, const Report& report) {
 std::string totals(const Judgement& judgement) {
   const auto holds = judgement.count(Outcome::kHolds), fails = judgement.count(Outcome::kFails);
   const auto unknown = judgement.count(Outcome::kCannotTell);
-  std::string text = std::to_string(holds) + (holds == 1 ? " holds" : " hold");
+  std::string text = std::to_string(holds) + agreeing(holds, " holds", " hold");
   if (fails > 0)
-    text += ", " + std::to_string(fails) + (fails == 1 ? " does" : " do") + " not hold";
+    text += ", " + std::to_string(fails) + agreeing(fails, " does", " do") + " not hold";
   if (unknown > 0) text += ", " + std::to_string(unknown) + " cannot be told";
   return text;
 }

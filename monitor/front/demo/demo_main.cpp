@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <poll.h>
 
+#include <algorithm>
 #include <iostream>
 #include <sstream>
 
 #include "core/broken_pipe.h"
 #include "core/clock.h"
 #include "core/command_line/exit_code.h"
+#include "core/plural.h"
 #include "core/termination.h"
 #include "core/wake.h"
 #include "monitor/front/demo/ensemble.h"
@@ -64,17 +66,27 @@ class Witness {
 /// The result of a run.
 struct Outcome {
   bool fatal_loss = false;
+  bool no_robots = false;  ///< all of them have ended
   std::vector<std::string> lost;
 };
 
-void report(const Ensemble::Loss& loss) {
-  complain(loss.name + " ended (" + loss.ending + "); " +
-           (loss.fatal ? "without it nothing works" : "the others go on") + ". See " +
-           loss.log.string() + (loss.log_end.empty() ? "" : ":\n" + loss.log_end));
+/// Returns whether every robot has ended.
+bool are_all_lost(const std::vector<std::string>& robots, const Outcome& outcome) {
+  return std::ranges::all_of(robots, [&](const auto& robot) {
+    return std::ranges::find(outcome.lost, robot) != outcome.lost.end();
+  });
 }
 
-/// Runs until termination is asked for, `for_s` seconds are over, or a process ends without which
-/// nothing works.
+void report(const Ensemble::Loss& loss, const Outcome& outcome) {
+  const char* so = loss.fatal          ? "without it nothing works"
+                   : outcome.no_robots ? "no robot is left, so that the demo ends"
+                                       : "the others go on";
+  complain(loss.name + " ended (" + loss.ending + "); " + so + ". See " + loss.log.string() +
+           (loss.log_end.empty() ? "" : ":\n" + loss.log_end));
+}
+
+/// Runs until termination is asked for, `for_s` seconds are over, a process ends without which
+/// nothing works, or all robots have ended.
 Outcome run_on(Ensemble& ensemble, Witness& witness, Termination& termination,
                std::optional<double> for_s) {
   constexpr int kLookEach_ms = 100;
@@ -85,11 +97,12 @@ Outcome run_on(Ensemble& ensemble, Witness& witness, Termination& termination,
     poll(events, 2, kLookEach_ms);
     witness.poll();
     for (const auto& loss : ensemble.losses()) {
-      report(loss);
       outcome.lost.push_back(loss.name);
       outcome.fatal_loss |= loss.fatal;
+      outcome.no_robots = are_all_lost(ensemble.robots(), outcome);
+      report(loss, outcome);
     }
-    if (outcome.fatal_loss) break;
+    if (outcome.fatal_loss || outcome.no_robots) break;
   }
   return outcome;
 }
@@ -145,12 +158,14 @@ int run(const DemoOptions& options) try {
     complain(participant.error().message);
     return give_up(ensemble, participant.error().message);
   }
-  std::cout << ensemble.operator_link() << "\n  " << list(ensemble.robots()) << " run "
-            << options.bhdl << " in scenario " << options.scenario << "; logs in "
-            << ensemble.logs().string() << "; Ctrl-C ends all" << std::endl;
+  std::cout << ensemble.operator_link() << "\n  " << list(ensemble.robots())
+            << agreeing(ensemble.robots().size(), " runs ", " run ") << options.bhdl
+            << " in scenario " << options.scenario << "; logs in " << ensemble.logs().string()
+            << "; Ctrl-C ends all" << std::endl;
   if (options.watch)
-    std::cout << "  Save " << options.bhdl
-              << " and the robots swap to it. Its errors are written to "
+    std::cout << "  Save " << options.bhdl << " and "
+              << agreeing(ensemble.robots().size(), "the robot swaps", "the robots swap")
+              << " to it. Its errors are written to "
               << (ensemble.logs() / (ensemble.robots().front() + ".log")).string() << std::endl;
   Evidence evidence(ensemble.robots());
   Outcome outcome;
@@ -167,8 +182,9 @@ int run(const DemoOptions& options) try {
     return give_up(ensemble, list(problems));
   }
   if (options.headless_for_s) return judge_all(ensemble, evidence, outcome, options, interrupted);
-  std::cout << '\n' << evidence.summary();  // behind the terminal's ^C
-  return 0;
+  if (interrupted) std::cout << '\n';  // behind the terminal's ^C
+  std::cout << evidence.summary();
+  return outcome.no_robots && !interrupted ? kFailed : 0;
 } catch (const std::exception& error) {
   complain(error.what());
   return 1;

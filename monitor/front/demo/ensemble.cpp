@@ -11,6 +11,7 @@
 #include "core/installation.h"
 #include "core/json_text.h"
 #include "monitor/access/tokens.h"
+#include "monitor/front/demo/program_check.h"
 #include "monitor/front/demo/run_logs.h"
 #include "monitor/front/siblings.h"
 
@@ -57,6 +58,7 @@ Result<void> Ensemble::start() {
     if (auto begun = check_.begin(); !begun) return begun;
     if (auto read = check_.read_expectations(); !read) return read;
   }
+  if (auto checked = check_program(options_.bhdl); !checked) return checked;
   if (auto started = start_simulator(); !started) return started;
   auto ready = await_line("\"ready\"");
   if (!ready) return ready.error();

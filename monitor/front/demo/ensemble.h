@@ -26,8 +26,8 @@ class Ensemble {
   Ensemble& operator=(const Ensemble&) = delete;
 
   /// Starts all, and returns when the monitor serves. Waits at most 30 s, and one more for each
-  /// robot, for the simulator and as long for the monitor. Errors: one of the processes did not
-  /// start, or termination was asked for.
+  /// robot, for the simulator and as long for the monitor. Errors: no robot can run the program,
+  /// one of the processes did not start, or termination was asked for.
   Result<void> start();
 
   struct Loss {

@@ -51,7 +51,7 @@ void decode_all(const Recording& recording, Findings& to) {
   for (const auto& [channel, messages] : broken)
     to.problems.push_back(plural(messages, "message") + " of " +
                           visible(monitor::topic_of(channel, summary)) +
-                          (messages == 1 ? " is" : " are") + " not whole");
+                          agreeing(messages, " is", " are") + " not whole");
   for (const auto& [id, channel] : summary.channels)
     if (auto problem = trees.problem_of(id); !problem.empty())
       to.notes.push_back("not looked into: " + problem);

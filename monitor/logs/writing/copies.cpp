@@ -29,7 +29,7 @@ wire::Delivery delivery_in(const mcap::Summary& summary, std::uint16_t channel) 
 /// Returns what is said of so many channels that have no message.
 std::string silent_text(std::size_t channels) {
   if (channels == 0) return {};
-  return ", of which " + std::to_string(channels) + (channels == 1 ? " has" : " have") +
+  return ", of which " + std::to_string(channels) + agreeing(channels, " has", " have") +
          " no message";
 }
 

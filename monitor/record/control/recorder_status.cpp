@@ -16,7 +16,9 @@ constexpr std::uint8_t kGood = 0, kWarning = 1;
 std::string state_text(const RecorderStatus& status) {
   if (status.paused_since_ns)
     return "paused since " + iso_time(static_cast<std::uint64_t>(*status.paused_since_ns));
-  if (status.missing > 0) return "records; " + plural(status.missing, "message") + " are missing";
+  if (status.missing > 0)
+    return "records; " + plural(status.missing, "message") +
+           agreeing(status.missing, " is missing", " are missing");
   return "records";
 }
 

@@ -30,8 +30,10 @@ nlohmann::json checked(const std::vector<bhdl::SourceFile>& files,
                        const std::vector<Target>& targets,
                        const std::vector<bhdl::SourceFile>& against,
                        const ProgramLibrary& library) {
-  const auto found = check_for(files, targets, library).result;
+  const auto check = check_for(files, targets, library);
+  const auto& found = check.result;
   auto answer = to_json(found);
+  answer["taken"] = check.taken;
   if (against.empty() || !found.program) return answer;
   const auto runs = check_for(against, targets, library).result;
   if (!runs.program) return answer;

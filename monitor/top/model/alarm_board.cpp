@@ -24,15 +24,15 @@ std::string words_of(AlarmKind kind, std::size_t count) {
   const std::string robots = plural(count, "robot");
   switch (kind) {
     case AlarmKind::kSilent:
-      return robots + (count == 1 ? " is silent" : " are silent");
+      return robots + agreeing(count, " is silent", " are silent");
     case AlarmKind::kLate:
-      return robots + (count == 1 ? " begins its ticks late" : " begin their ticks late");
+      return robots + agreeing(count, " begins its ticks late", " begin their ticks late");
     case AlarmKind::kDrift:
-      return robots + (count == 1 ? " runs" : " run") + " another program than the team";
+      return robots + agreeing(count, " runs", " run") + " another program than the team";
     case AlarmKind::kStuck:
-      return robots + (count == 1 ? " does not move" : " do not move");
+      return robots + agreeing(count, " does not move", " do not move");
     case AlarmKind::kUncertain:
-      return robots + " may not be where the map shows " + (count == 1 ? "it" : "them");
+      return robots + " may not be where the map shows " + agreeing(count, "it", "them");
     case AlarmKind::kPush:
       return robots + " refused or went back from a push";
     case AlarmKind::kProblem:

@@ -36,23 +36,25 @@ std::string last_good_hash(const json& pushes, const std::string& runs_hash) {
 
 }  // namespace
 
-Result<Files> PushWorker::files_of(const PushWish& wish) const {
+Result<Files, PushWorker::NoFiles> PushWorker::files_of(const PushWish& wish) const {
   if (!wish.file.empty()) {
-    const auto path = with_home(wish.file);
-    // This only collects the includes. The monitor checks against the robots' catalogs.
-    auto checked = bhdl::check_file(path, Catalog{});
-    if (checked.files.empty()) return Error{checked.diagnostics.front().message};
-    return std::move(checked.files);
+    auto files = bhdl::read_program(with_home(wish.file));
+    if (!files) return NoFiles{"the program cannot be read", files.error()};
+    return std::move(files).value();
   }
-  if (!wish.hash.empty()) return pushed_files(wish.hash);
-  const auto pushes = get("/api/pushes");
-  if (!pushes) return pushes.error();
-  const auto hash = last_good_hash(pushes.value(), wish.runs_hash);
-  if (hash.empty()) return Error{"the monitor knows no other program that was pushed"};
-  return pushed_files(hash);
+  auto files = pushed_files(wish);
+  if (!files) return NoFiles{files.error().message, {}};
+  return std::move(files).value();
 }
 
-Result<Files> PushWorker::pushed_files(const std::string& hash) const {
+Result<Files> PushWorker::pushed_files(const PushWish& wish) const {
+  auto hash = wish.hash;
+  if (hash.empty()) {
+    const auto pushes = get("/api/pushes");
+    if (!pushes) return pushes.error();
+    hash = last_good_hash(pushes.value(), wish.runs_hash);
+  }
+  if (hash.empty()) return Error{"the monitor knows no other program that was pushed"};
   const auto pushed = get("/api/pushed/" + hash);
   if (!pushed) return pushed.error();
   return files_from_json(pushed.value().value("files", json::array()));
@@ -85,7 +87,10 @@ void PushWorker::check_now(const PushWish& wish, std::uint64_t number) {
   };
   const auto done = attempt([&] {
     auto files = files_of(wish);
-    if (!files) return refuse(files.error().message);
+    if (!files)
+      return finish_check(
+          number,
+          report_of_refusal({{"diagnostics", files.error().diagnostics}}, files.error().why), {});
     json request{{"files", to_json(files.value())}};
     if (wish.robots.size() == 1) request["robot"] = wish.robots[0];
     if (!wish.runs.empty()) request["against"] = to_json(wish.runs);

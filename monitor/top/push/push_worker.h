@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bhdl/source/diagnostic.h"
 #include "monitor/commands/monitor_client.h"
 #include "monitor/commands/push_options.h"
 #include "monitor/top/push/pusher.h"
@@ -51,6 +52,11 @@ class PushWorker {
     PushWish wish;
     std::vector<bhdl::SourceFile> files;
   };
+  /// Why there is no program to push.
+  struct NoFiles {
+    std::string why;
+    std::vector<bhdl::Diagnostic> diagnostics;  ///< of files that cannot be read
+  };
 
   void add(Job job);
   void ask_for_rights();
@@ -66,8 +72,9 @@ class PushWorker {
   [[nodiscard]] bool pause();
   /// Returns true once after the push was cancelled.
   [[nodiscard]] bool take_cancel();
-  [[nodiscard]] Result<std::vector<bhdl::SourceFile>> files_of(const PushWish& wish) const;
-  [[nodiscard]] Result<std::vector<bhdl::SourceFile>> pushed_files(const std::string& hash) const;
+  /// Returns the program with all that it includes.
+  [[nodiscard]] Result<std::vector<bhdl::SourceFile>, NoFiles> files_of(const PushWish& wish) const;
+  [[nodiscard]] Result<std::vector<bhdl::SourceFile>> pushed_files(const PushWish& wish) const;
   [[nodiscard]] Result<nlohmann::json> get(const std::string& path) const;
   void tell(PushReport report);
 

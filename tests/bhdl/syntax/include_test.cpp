@@ -155,6 +155,20 @@ TEST_F(OnDisk, AFolderOrNothingIsNoProgram) {
   EXPECT_EQ(nothing.diagnostics.at(0).code, "file/not-found");
 }
 
+TEST_F(OnDisk, WhatIsReadForAnotherIsCompleteAndLeavesMistakesInTheTextToIt) {
+  write("parts/shared.bhdl", kShared + "nonsense");
+  const auto whole = read_program(write("whole.bhdl", "include \"parts/shared.bhdl\"\n"));
+  ASSERT_TRUE(whole);
+  ASSERT_EQ(whole.value().size(), 2U);
+  EXPECT_EQ(whole.value()[1].path, "parts/shared.bhdl");
+  const auto copy = write("copy.bhdl", "nonsense\ninclude \"shared.bhdl\"\n");
+  const auto lacking = read_program(copy);
+  ASSERT_FALSE(lacking);
+  ASSERT_EQ(lacking.error().size(), 1U);
+  EXPECT_EQ(lacking.error()[0].code, "include/not-found");
+  EXPECT_THAT(format(lacking.error()[0]), HasSubstr(copy + ":2:9: error: cannot read"));
+}
+
 TEST_F(OnDisk, ATooLargeFileIsNotRead) {
   const auto path = write("large.bhdl", "");
   std::filesystem::resize_file(path, 100'000'000);

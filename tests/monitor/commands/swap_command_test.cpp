@@ -58,6 +58,28 @@ TEST_F(SwapCommandTest, SwapPrintsEachStepAndProgramsRemembersThem) {
   EXPECT_EQ(run_command(programs + "show 0123").exit_code, 1);
 }
 
+TEST_F(SwapCommandTest, AnIncludeThatIsMissingHereIsNotTakenFromTheMonitorsPrograms) {
+  ScriptedRobot io("io", test_domain(), catalog);
+  wait_for_robots(1);
+  ASSERT_TRUE(std::filesystem::exists(folder / "programs" / "parts.bhdl"));
+  write("copy.bhdl", "include \"parts.bhdl\"\n");
+  const auto path = (folder / "copy.bhdl").string();
+  const std::string swap = std::string(GALILEAN_SWAP) + " --team " + path;
+  const std::string through = swap + " --monitor http://" + host() + " --token-file " +
+                              (folder / "operator.token").string();
+  const std::string direct = swap + " --direct --domain " + std::to_string(test_domain());
+  for (const auto& command : {through, direct}) {
+    const auto refused = run_command(command);
+    EXPECT_EQ(refused.exit_code, 1) << refused.output;
+    EXPECT_THAT(refused.output, HasSubstr(path + ":1:9: error: cannot read"));
+    EXPECT_THAT(refused.output, HasSubstr("galilean swap: nothing was pushed\n"));
+    const auto as_json = run_command(command + " --json");
+    EXPECT_EQ(as_json.exit_code, 1);
+    EXPECT_EQ(json::parse(as_json.output)["diagnostics"][0]["code"], "include/not-found");
+  }
+  EXPECT_EQ(io.running_hash(), "first");
+}
+
 TEST_F(SwapCommandTest, CtrlCCancelsWhatHasNotBegunAndTakesTheCanaryBack) {
   ScriptedRobot io("io", test_domain(), catalog), ganymede("ganymede", test_domain(), catalog);
   wait_for_robots(2);

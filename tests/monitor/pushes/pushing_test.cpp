@@ -40,6 +40,26 @@ TEST_F(PushingTest, APushReachesEachRobotAndIsRemembered) {
   }));
 }
 
+TEST_F(PushingTest, WhatWasNotSentAndIsTakenFromTheMonitorsProgramsIsToldAndRemembered) {
+  ScriptedRobot io("io", test_domain(), catalog);
+  wait_for_robots(1);
+  const json sent{{"files", files("include \"parts.bhdl\"\n")}};
+  const auto from = (folder / "programs" / "parts.bhdl").string();
+  const json taken = json::array({{{"path", "parts.bhdl"}, {"from", from}}});
+  EXPECT_EQ(post("/api/check", sent).as_json()["taken"], taken);
+  EXPECT_EQ(post("/api/check", {{"files", files(kProgram)}}).as_json()["taken"], json::array());
+  const auto answer = post("/api/push", sent);
+  ASSERT_EQ(answer.status, 200U) << answer.body;
+  const auto detail = answer.as_json()["steps"][0]["detail"].get<std::string>();
+  EXPECT_EQ(detail, "not sent with it, and taken from the monitor's programs: " + from);
+  EXPECT_TRUE(becomes_true([&] {
+    const auto pushes = get("/api/pushes").as_json()["pushes"];
+    return pushes.size() == 1 && pushes[0]["steps"][0]["detail"] == detail;
+  }));
+  const auto broken = post("/api/push", {{"files", files("include \"parts.bhdl\"\nnonsense")}});
+  EXPECT_EQ(broken.as_json()["taken"], taken);
+}
+
 TEST_F(PushingTest, ABrokenProgramIsPushedToNobody) {
   ScriptedRobot io("io", test_domain(), catalog);
   wait_for_robots(1);

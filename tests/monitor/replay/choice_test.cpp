@@ -90,7 +90,7 @@ TEST(ReplayChoice, RefusesRobotsThatAreNotThereAndWhatLeavesNothing) {
   EXPECT_THAT(unknown.error().message, HasSubstr("did you mean 'callisto'?"));
   const auto other = choose({.robots = {"europa"}}, tracks);
   ASSERT_FALSE(other);
-  EXPECT_THAT(other.error().message, HasSubstr("there is callisto and io"));
+  EXPECT_THAT(other.error().message, HasSubstr("there are callisto and io"));
   EXPECT_FALSE(choose({.robots = {"referee"}}, tracks));
   const auto nothing = choose({.robots = {"io"}, .topics = {"/callisto/state"}}, tracks);
   ASSERT_FALSE(nothing);

@@ -22,6 +22,8 @@ export interface CheckResult {
   ok: boolean;
   hash: string;
   diagnostics: Diagnostic[];
+  /** Files that were not sent, and that the monitor took from its programs. */
+  taken?: { path: string; from: string }[];
   machine?: Machine;
   /** What it tells robots otherwise than what it was checked against, in words. */
   changes?: string[];

@@ -106,6 +106,16 @@ TEST_F(MonitorPusherTest, AMonitorThatStopsAnsweringLeavesThePushUnknown) {
   EXPECT_EQ(report.lines[1].text, "timed out");
 }
 
+TEST_F(MonitorPusherTest, AProgramThatLacksAnIncludeIsNotSentToTheMonitor) {
+  std::ofstream(folder.path() / "copy.bhdl") << "include \"office_states.bhdl\"\n";
+  pusher->check({.file = folder.path() / "copy.bhdl"});
+  const auto report = wait_for(Stage::kRefused);
+  EXPECT_EQ(report.title, "Nothing was pushed");
+  ASSERT_EQ(report.lines.size(), 3U);
+  EXPECT_THAT(report.lines[1].text, HasSubstr("copy.bhdl:1:9: error: cannot read"));
+  EXPECT_EQ(monitor->asked("/api/check"), 0);
+}
+
 TEST_F(MonitorPusherTest, AnOrderThatNobodyConfirmedMayHaveArrived) {
   check("office.bhdl");
   pusher->push(false);

@@ -23,6 +23,7 @@ namespace {
 /// index, which counts from 0 to MaxAutoParticipantIndex. The default of 9 is too low. 119 is the
 /// highest that leaves the ports of the next domain alone (DDSI-RTPS 2.2, 9.6.1). The peer on
 /// loopback finds the processes where there is no multicast. Cyclone's shared-memory mode is off.
+/// Writers do not linger, because LingeringEntity has waited before.
 std::string configuration() {
   std::ostringstream peers;
   peers << "<Peer address=\"127.0.0.1\"/>";
@@ -36,7 +37,7 @@ std::string configuration() {
       "<MaxAutoParticipantIndex>119</MaxAutoParticipantIndex><Peers>" +
       peers.str() +
       "</Peers></Discovery><SharedMemory><Enable>false</Enable></SharedMemory>"
-      "</Domain>";
+      "<Internal><WriterLingerDuration>0 s</WriterLingerDuration></Internal></Domain>";
   if (const char* own = std::getenv("CYCLONEDDS_URI"); own && *own) xml += std::string(",") + own;
   return xml;
 }

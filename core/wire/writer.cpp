@@ -6,7 +6,6 @@
 #include <memory_resource>
 
 #include "core/wire/delivery.h"
-#include "core/wire/entity.h"
 #include "core/wire/lending.h"
 #include "core/wire/messages.h"
 #include "core/wire/participant.h"
@@ -16,13 +15,11 @@
 namespace galilean::wire {
 
 template <class M>
-Writer<M>::Writer(Participant& participant, const std::string& topic) {
-  const auto qos = make_qos(delivery_of(M::kRosType));
-  entity_ =
-      Entity(checked(dds_create_writer(participant.handle(), participant.topic(topic, M::kRosType),
-                                       qos.get(), nullptr),
-                     "writer of " + topic));
-}
+Writer<M>::Writer(Participant& participant, const std::string& topic)
+    : entity_(Entity(
+          checked(dds_create_writer(participant.handle(), participant.topic(topic, M::kRosType),
+                                    make_qos(delivery_of(M::kRosType)).get(), nullptr),
+                  "writer of " + topic))) {}
 
 template <class M>
 bool Writer<M>::write(const M& message) {
@@ -30,7 +27,9 @@ bool Writer<M>::write(const M& message) {
   std::pmr::monotonic_buffer_resource arena(first_room.data(), first_room.size());
   typename msg::Lent<M>::type sample;
   msg::lend(message, sample, arena);
-  return dds_write(entity_.handle(), &sample) == DDS_RETCODE_OK;
+  const bool is_taken = dds_write(entity_.handle(), &sample) == DDS_RETCODE_OK;
+  if (is_taken) entity_.note_written();
+  return is_taken;
 }
 
 template <class M>

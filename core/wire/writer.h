@@ -3,14 +3,15 @@
 
 #include <string>
 
-#include "core/wire/entity.h"
+#include "core/wire/lingering_entity.h"
 
 namespace galilean::wire {
 
 class Participant;
 
 /// Writes messages of one type to one topic. `write` may block for some milliseconds (more after a
-/// partition): never call it from the control loop.
+/// partition): never call it from the control loop. The destructor may wait for readers, as
+/// LingeringEntity tells.
 template <class M>
 class Writer {
  public:
@@ -22,7 +23,7 @@ class Writer {
   [[nodiscard]] int readers() const;
 
  private:
-  Entity entity_;
+  LingeringEntity entity_;
 };
 
 }  // namespace galilean::wire

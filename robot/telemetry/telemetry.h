@@ -25,11 +25,11 @@ class Telemetry {
         break_desk_(source.robot, source.executive),
         breaks_(source, break_desk_),
         programs_(source, problems_.reporter("program_receiver")),
+        images_(source, images, problems_.reporter("image_publisher")),
+        inputs_(source, inputs, problems_.reporter("inputs_publisher")),
         publisher_(source, log_, problems_,
                    {.event = [this](const Event& event) { listen(event); },
                     .round = [this](const Snapshot& newest) { breaks_.on_round(newest); }}),
-        images_(source, images, problems_.reporter("image_publisher")),
-        inputs_(source, inputs, problems_.reporter("inputs_publisher")),
         commands_(source, break_desk_, problems_.reporter("command_receiver")),
         break_orders_(
             source.participant, wire::kBreakOrderTopic, source.robot,
@@ -55,9 +55,10 @@ class Telemetry {
   BreakDesk break_desk_;
   BreakPublisher breaks_;
   ProgramReceiver programs_;
-  Publisher publisher_;
   ImagePublisher images_;
+  // Ends after the publisher: while that one's writers linger, its own messages are confirmed too.
   InputsPublisher inputs_;
+  Publisher publisher_;
   CommandReceiver commands_;
   OrderReader<msg::BreakOrder> break_orders_;
   OrderReader<msg::TeamStop> team_stops_;

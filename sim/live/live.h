@@ -66,8 +66,10 @@ class LiveContest {
   std::unique_ptr<World> world_;
   RunFolder folder_;
   std::unique_ptr<wire::Participant> participant_;
-  ScorePublisher score_;
+  // Ends after the score's publisher: while that one's writer lingers, its own messages are
+  // confirmed too.
   OrderDesk desk_;
+  ScorePublisher score_;
   Pace pace_;
   ContestStart start_;
   Instructor instructor_;

@@ -96,6 +96,16 @@ test('when the simulator dies all ends, and what it left is swept up', limit, as
   await nothingIsLeft(domain, runOf(team));
 });
 
+test('when the monitor is killed the others end by themselves', limit, async (t) => {
+  const { team, domain, url } = await startTeam(t);
+  await eventually(async () => (await getJson(`${url}/api/status`)).robots.filter((robot) => robot.program_hash).length === 3);
+  process.kill(pidOf(domain, 'galilean-monitor'), 'SIGKILL');
+  assert.equal((await team.exited).code, 1);
+  assert.match(team.output, /monitor ended \(killed by signal 9 \(Killed\)\); without it nothing works/);
+  assert.doesNotMatch(team.output, /would not end/);
+  await nothingIsLeft(domain, runOf(team));
+});
+
 test('a program that is saved while it is watched is taken by every robot', limit, async (t) => {
   const file = `${scratchFolder(t)}/my.bhdl`;
   writeFileSync(file, 'state: name: "first" end\n');

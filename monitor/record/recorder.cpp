@@ -148,6 +148,7 @@ Result<void> Recorder::attach_programs(const wire::EndpointInfo& writer,
 
 /// Tells what was lost, goes on in another file, and looks whether there is room.
 Result<void> Recorder::look_after_files(Time now) {
+  if (auto done = watch_file(); !done) return done;
   const bool has_room = setup_.room.look();
   if (!setup_.files.is_open() && ring_) return remember_losses(now), Result<void>();
   if (!setup_.files.is_open()) {
@@ -163,11 +164,29 @@ Result<void> Recorder::look_after_files(Time now) {
   return begin_file(wire::wall_clock_ns());
 }
 
+/// Errors: the file was deleted or spoilt. Where it is only called otherwise, it is written on.
+Result<void> Recorder::watch_file() {
+  if (auto done = setup_.files.check(); !done) return done;
+  if (setup_.files.has_moved())
+    warn_once(setup_.files.newest() +
+              " is no longer there: the recording goes on in the file that had this name");
+  return {};
+}
+
 Result<void> Recorder::stand_still() {
   setup_.warn("only " + megabytes(setup_.room.free()) + " are free for '" +
               setup_.files.plan().out + "', less than " + megabytes(setup_.room.least()) +
               " (--min-free): nothing is recorded until there is room again; delete something");
-  return conclude();
+  if (auto done = write_end(); !done) return done;
+  return ring_ ? setup_.files.end() : setup_.files.set_aside();
+}
+
+/// Nobody could tell from the last file what came after it, if there is no other.
+void Recorder::tell_what_came_since() {
+  const auto losses = recordings_.losses();
+  if (!setup_.files.can_amend() || total_missing(losses) == total_missing(concluded_)) return;
+  if (auto done = setup_.files.amend(losses_metadata(kLossesMetadata, losses)); !done)
+    setup_.warn("what is missing is not told in the file: " + done.error().message);
 }
 
 Result<void> Recorder::begin_file(std::int64_t log_ns) {
@@ -204,7 +223,17 @@ Result<void> Recorder::write_kept(std::int64_t log_ns, const std::set<std::strin
 }
 
 Result<void> Recorder::conclude() {
-  if (!setup_.files.is_open()) return {};
+  if (!setup_.files.is_open()) {
+    if (auto done = setup_.files.check(); !done) return done;
+    tell_what_came_since();
+    return {};
+  }
+  if (auto done = watch_file(); !done) return done;
+  if (auto done = write_end(); !done) return done;
+  return setup_.files.end();
+}
+
+Result<void> Recorder::write_end() {
   concluded_ = recordings_.losses();
   if (pause_) {
     auto until_now = *pause_;
@@ -215,7 +244,7 @@ Result<void> Recorder::conclude() {
   if (auto done = contents_->losses.conclude(concluded_); !done) return done;
   contents_.reset();
   losses_then_.clear();
-  return setup_.files.end();
+  return {};
 }
 
 void Recorder::warn_once(const std::string& sentence) {

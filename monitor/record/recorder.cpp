@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/wire/ros_time.h"
+#include "monitor/record/size_text.h"
 #include "monitor/record/times.h"
 
 namespace galilean::monitor {
@@ -12,16 +13,16 @@ namespace {
 
 constexpr Duration kLookEach = std::chrono::seconds(1);
 
-std::string megabytes(std::uint64_t bytes) {
-  return std::to_string(bytes / 1'000'000) + " MB";
-}
-
 }  // namespace
 
 Recorder::Recorder(Setup setup)
     : setup_(std::move(setup)),
       recordings_({.participant = setup_.participant,
                    .selection = setup_.selection,
+                   .overhears =
+                       [trigger = setup_.snapshots.trigger](const wire::EndpointInfo& writer) {
+                         return trigger && trigger->wants(writer);
+                       },
                    .warn = setup_.warn,
                    .on_data = [this] { wake_.ring(); }}),
       definitions_(setup_.participant, setup_.ended),
@@ -49,6 +50,7 @@ Result<void> Recorder::pump() {
   if (!looked_ || now - *looked_ >= kLookEach) {
     looked_ = now;
     recordings_.watch_matches();
+    say_doubts();
     if (auto done = look_after_files(now); !done) return done;
   }
   if (!setup_.files.is_open()) return {};
@@ -65,8 +67,12 @@ Result<void> Recorder::record() {
 }
 
 Result<void> Recorder::take_in(const wire::Received& received, TopicRecording::Writer& writer) {
-  if (pause_) return pass_over(received, writer), Result<void>();
   const Time now = setup_.clock.now();
+  if (!writer.recorded) {
+    if (!pause_) setup_.snapshots.trigger->take(writer.info, received, now);
+    return {};
+  }
+  if (pause_) return pass_over(received, writer), Result<void>();
   const bool waits = ring_ && !setup_.files.is_open();
   if (ring_) setup_.snapshots.trigger->take(writer.info, received, now);
   if (!waits) kept_.note(writer.info, received);
@@ -86,7 +92,7 @@ Result<void> Recorder::follow_events(Time now) {
   const bool too_much = ring_->forget(
       now, [&](const MessageRing::Held& held) { kept_.note(*held.writer, held.received()); });
   if (too_much)
-    warn_once("more came than " + megabytes(setup_.snapshots.most_bytes) +
+    warn_once("more came than " + size_text(setup_.snapshots.most_bytes) +
               " in the time that is kept before an event (--keep-memory): less of it is kept");
   const auto event = setup_.snapshots.trigger->happened();
   if (event) {
@@ -174,8 +180,8 @@ Result<void> Recorder::watch_file() {
 }
 
 Result<void> Recorder::stand_still() {
-  setup_.warn("only " + megabytes(setup_.room.free()) + " are free for '" +
-              setup_.files.plan().out + "', less than " + megabytes(setup_.room.least()) +
+  setup_.warn("only " + size_text(setup_.room.free()) + " are free for '" +
+              setup_.files.plan().out + "', less than " + size_text(setup_.room.least()) +
               " (--min-free): nothing is recorded until there is room again; delete something");
   if (auto done = write_end(); !done) return done;
   return ring_ ? setup_.files.end() : setup_.files.set_aside();
@@ -223,6 +229,7 @@ Result<void> Recorder::write_kept(std::int64_t log_ns, const std::set<std::strin
 }
 
 Result<void> Recorder::conclude() {
+  say_doubts();
   if (!setup_.files.is_open()) {
     if (auto done = setup_.files.check(); !done) return done;
     tell_what_came_since();
@@ -245,6 +252,11 @@ Result<void> Recorder::write_end() {
   contents_.reset();
   losses_then_.clear();
   return {};
+}
+
+void Recorder::say_doubts() {
+  if (!setup_.snapshots.trigger) return;
+  for (const auto& sentence : setup_.snapshots.trigger->doubts()) warn_once(sentence);
 }
 
 void Recorder::warn_once(const std::string& sentence) {

@@ -125,6 +125,8 @@ class Recorder {
   /// Writes the states that writers keep, or only those of `writers`.
   [[nodiscard]] Result<void> write_kept(std::int64_t log_ns,
                                         const std::set<std::string>* writers = nullptr);
+  /// Says why a trigger cannot come true, as far as is known.
+  void say_doubts();
   void warn_once(const std::string& sentence);
 
   Setup setup_;

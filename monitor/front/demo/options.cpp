@@ -74,7 +74,9 @@ std::optional<int> read_options(int count, const char* const* arguments, DemoOpt
              "Another page that may use the monitor, as https://host[:port]");
   add_domain_option(app, options.domain);
   app.describe_exit(kFailed, "The team did not work, or an expectation does not hold.");
-  app.describe_exit(kIncomplete, "The team worked, and for some expectations it cannot be told.");
+  app.describe_exit(kIncomplete,
+                    "The team worked, and for some expectations it cannot be told, or messages are "
+                    "missing in the recording.");
   if (const auto code = app.parse(count, arguments)) return code;
   if (const auto sentence = contradiction(options); !sentence.empty()) return app.refuse(sentence);
   return std::nullopt;

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "monitor/mcap/byte_sink.h"
+#include "monitor/mcap/output_file.h"
 
 namespace galilean::mcap {
 namespace {
@@ -29,42 +27,6 @@ Error not_written(const std::string& path, int reason) {
 void wait_for_room(int descriptor) {
   pollfd event{descriptor, POLLOUT, 0};
   poll(&event, 1, -1);
-}
-
-/// Opens a pipe for writing, as soon as somebody reads it. To wait for that in open() would take no
-/// signal where the program has blocked those that end it. Returns -1, with the reason in errno.
-int open_pipe(const std::string& path) {
-  constexpr auto kLongest = std::chrono::seconds(5);
-  constexpr auto kLookEach = std::chrono::milliseconds(10);
-  const auto end = std::chrono::steady_clock::now() + kLongest;
-  for (;;) {
-    const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor >= 0) fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
-    if (descriptor >= 0 || errno != ENXIO || std::chrono::steady_clock::now() >= end)
-      return descriptor;
-    std::this_thread::sleep_for(kLookEach);
-  }
-}
-
-/// Opens a file that may be there, and leaves what it holds. `made` tells whether it was not.
-int open_file(const std::string& path, bool may_be_there, bool& made) {
-  constexpr int kHow = O_WRONLY | O_CREAT | O_CLOEXEC;
-  const int descriptor = open(path.c_str(), kHow | O_EXCL, 0644);
-  made = descriptor >= 0;
-  return !made && errno == EEXIST && may_be_there ? open(path.c_str(), kHow, 0644) : descriptor;
-}
-
-/// Locks a file, which tells readers that it is being written, too. Those look at the lock for a
-/// moment, which is waited for. Returns false if another program writes the file. Where the disk
-/// knows no locks, nobody is told.
-bool lock_file(int descriptor) {
-  constexpr int kTries = 20;
-  constexpr auto kLookEach = std::chrono::milliseconds(10);
-  for (int i = 0; i < kTries; ++i) {
-    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;
-    std::this_thread::sleep_for(kLookEach);
-  }
-  return false;
 }
 
 using Status = struct stat;
@@ -93,7 +55,8 @@ Result<FileSink> FileSink::create(const std::string& path, bool replace) {
   const bool may_be_there = replace || std::filesystem::is_other(path, unknown);
   const bool is_pipe = std::filesystem::is_fifo(path, unknown);
   bool made = false;
-  const int descriptor = is_pipe ? open_pipe(path) : open_file(path, may_be_there, made);
+  const int descriptor =
+      is_pipe ? open_output_pipe(path) : open_output_file(path, may_be_there, made);
   if (descriptor < 0 && errno == EEXIST)
     return Error{path + " exists already; choose another name, or give --replace"};
   if (descriptor < 0 && is_pipe && errno == ENXIO)
@@ -102,7 +65,7 @@ Result<FileSink> FileSink::create(const std::string& path, bool replace) {
   FileSink sink(path, descriptor);
   sink.is_file_ = is_regular(descriptor);
   if (!sink.is_file_) return sink;
-  if (!lock_file(descriptor))
+  if (!lock_output(descriptor))
     return Error{path + " is being written by another program; choose another name"};
   // Only now, because what another program writes is not to be emptied.
   if (!made && ftruncate(descriptor, 0) != 0) return not_written(path, errno);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
 #include <fstream>
-#include <optional>
 
+#include "core/broken_pipe.h"
 #include "monitor/mcap/byte_sink.h"
 #include "monitor/mcap/mcap_records.h"
 #include "tests/temporary_folder.h"
@@ -76,6 +77,24 @@ TEST_F(FileSinkTest, GoesBackAndWritesOverWhatIsThere) {
   ASSERT_TRUE(sink.write(bytes));
   EXPECT_EQ(fs::file_size(path), 150U);
   EXPECT_TRUE(sink.check_whole());
+}
+
+TEST_F(FileSinkTest, AFileToWhichNothingCouldBeWrittenDoesNotStay) {
+  ignore_file_size_limit();
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit nothing{0, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &nothing), 0);
+  const bool written = made().write(bytes).ok();
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  EXPECT_FALSE(written);
+  EXPECT_FALSE(fs::exists(path));
+}
+
+TEST_F(FileSinkTest, AFileThatWasThereStaysThoughNothingCouldBeWritten) {
+  std::ofstream(path) << "mine";
+  EXPECT_FALSE(FileSink::create(path, false).ok());
+  EXPECT_EQ(fs::file_size(path), 4U);
 }
 
 TEST_F(FileSinkTest, ADeviceIsNeitherLockedNorWatchedNorGoneBackIn) {

@@ -98,7 +98,8 @@ int main(int argc, char** argv) {
       "--start", [&](const std::string& text) { return read_start(text, options); },
       "where a robot's odometry begins in the map, ROBOT:X,Y,HEADING in m and degrees");
   app.option("--allow-origin", options.allowed_origins,
-             "another page that may use this monitor, as https://host[:port]");
+             "another page that may use this monitor, as https://host[:port]")
+      .not_empty();
   if (const auto code = app.parse(argc, argv)) return *code;
   options.map.silent_after = galilean::from_seconds(silent_after_s);
   return run(options);

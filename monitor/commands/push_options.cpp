@@ -15,7 +15,7 @@ void add_monitor_option(CommandLine& app, PushOptions& options) {
 
 void add_push_options(CommandLine& app, PushOptions& options) {
   const auto team = app.flag("--team", options.team, "to every robot that sends its state");
-  app.option("--robot", options.robots, "to these robots").excludes(team);
+  app.option("--robot", options.robots, "to these robots").not_empty().excludes(team);
   app.option("--author", options.author, "who pushes, as the history shows it")
       .show_default()
       .describe_default("your account's name");

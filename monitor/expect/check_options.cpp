@@ -61,6 +61,9 @@ std::optional<int> read_check_options(int count, const char* const* arguments,
   app.option("--problem", options.problems,
              "Report this as an error, too, such as what went wrong in the run")
       .not_empty();
+  app.option("--shortage", options.shortages,
+             "Report this as an error, too: why the recording is not whole")
+      .not_empty();
   app.flag("--syntax", options.syntax, "Only read the expectations, and tell their mistakes");
   app.option("--silence", options.silence_s,
              "After how many seconds without a message a robot's state and variables are unknown")
@@ -71,8 +74,8 @@ std::optional<int> read_check_options(int count, const char* const* arguments,
                     "An expectation does not hold, there is a --problem, or a file could not be "
                     "read or written.");
   app.describe_exit(kIncomplete,
-                    "None fails, but for some it cannot be told: messages are missing, or a robot "
-                    "was never heard.");
+                    "None fails, but for some it cannot be told: messages are missing, a robot was "
+                    "never heard, or there is a --shortage.");
   if (const auto code = app.parse(count, arguments)) return code;
   if (const auto sentence = contradiction(options); !sentence.empty()) return app.refuse(sentence);
   return std::nullopt;

@@ -13,7 +13,8 @@ struct CheckOptions {
   std::vector<std::string> expectations;
   std::string format = "text";
   std::string junit;
-  std::vector<std::string> problems;  ///< what is reported beside the expectations
+  std::vector<std::string> problems;   ///< what is reported beside the expectations
+  std::vector<std::string> shortages;  ///< why the recording is not whole, which is reported, too
   double silence_s = 2;
   bool syntax = false;  ///< only read the expectations
   bool live = false;

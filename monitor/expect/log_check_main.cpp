@@ -59,6 +59,8 @@ std::vector<Problem> problems_of_run(const CheckOptions& options) {
   std::vector<Problem> problems;
   for (const auto& each : options.problems)
     problems.push_back({.message = each, .file = {}, .name = "the run"});
+  for (const auto& each : options.shortages)
+    problems.push_back({.message = each, .file = {}, .name = "the recording"});
   return problems;
 }
 
@@ -81,9 +83,10 @@ int tell_mistakes(const CheckOptions& options, const std::vector<bhdl::Diagnosti
   return tell_programs(options, problems, mistakes);
 }
 
-int exit_code(const Judgement& judgement, bool any_problem) {
-  if (judgement.count(Outcome::kFails) > 0 || any_problem) return kFailed;
-  return judgement.count(Outcome::kCannotTell) > 0 ? kIncomplete : 0;
+int exit_code(const Judgement& judgement, const CheckOptions& options) {
+  if (judgement.count(Outcome::kFails) > 0 || !options.problems.empty()) return kFailed;
+  const bool is_doubtful = judgement.count(Outcome::kCannotTell) > 0 || !options.shortages.empty();
+  return is_doubtful ? kIncomplete : 0;
 }
 
 Result<Played> read_recording(const CheckOptions& options, Judge& judge) {
@@ -111,7 +114,7 @@ int tell(const CheckOptions& options, const Judgement& judgement) {
   if (!options.junit.empty())
     if (auto done = write_report(options.junit, junit_report(report)); !done)
       return fail(done.error().message);
-  return std::cout.flush() ? exit_code(judgement, !options.problems.empty()) : kFailed;
+  return std::cout.flush() ? exit_code(judgement, options) : kFailed;
 }
 
 /// Errors: the report is to be written over what is read.

@@ -161,8 +161,18 @@ Result<void> Writer::write_message_indexes(ChunkIndex& index) {
 
 Result<void> Writer::end() {
   if (auto done = close_chunk(); !done) return done;
+  data_end_ = position_;
+  data_crc_ = crc_;
   if (auto done = emit_record(DataEnd{crc_}); !done) return done;
   return write_summary();
+}
+
+Result<void> Writer::take_up(std::uint64_t more_bytes) {
+  const std::uint64_t end_bytes = position_ - data_end_;
+  if (auto done = sink_.go_back(data_end_, end_bytes + more_bytes); !done) return done;
+  position_ = data_end_;
+  crc_ = data_crc_;
+  return {};
 }
 
 /// Emits the records that `next` returns until it returns nullptr, in pieces: of a long recording

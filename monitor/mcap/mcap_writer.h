@@ -45,8 +45,13 @@ class Writer {
   /// Closes the chunk if its span is over at `now_ns`, so that messages do not stay in memory while
   /// no more arrive.
   Result<void> close_chunk_if_due(std::uint64_t now_ns);
-  /// Closes the last chunk and writes the summary. Call nothing that writes after it.
+  /// Closes the last chunk and writes the summary. Call nothing that writes after it, but for
+  /// `take_up`.
   Result<void> end();
+  /// Takes the end back, so that `more_bytes` of metadata can be written, and `end` be called
+  /// again. Makes sure before that there is room for it. Requires: `end` was the last call, and
+  /// succeeded. Errors: there is no room, or the sink cannot go back; the file is as it was.
+  Result<void> take_up(std::uint64_t more_bytes);
 
   [[nodiscard]] const Statistics& statistics() const noexcept { return statistics_; }
   [[nodiscard]] std::uint64_t bytes_written() const noexcept { return position_; }
@@ -74,7 +79,9 @@ class Writer {
   ChunkBuilder chunk_;
   Bytes scratch_, frame_;
   std::uint64_t position_ = 0;
-  std::uint32_t crc_ = 0;  ///< of the data section, and then of the summary
+  std::uint32_t crc_ = 0;       ///< of the data section, and then of the summary
+  std::uint64_t data_end_ = 0;  ///< where the summary was begun
+  std::uint32_t data_crc_ = 0;
   Result<void> outcome_;
   std::vector<Schema> schemas_;
   std::vector<Channel> channels_;

@@ -25,7 +25,7 @@ bool is_heard_by_operators(const Channel& channel) {
 }  // namespace
 
 void add_addressees(CommandLine& line, Addressees& whom) {
-  auto robots = line.option("--robot", whom.robots, "The robots to command");
+  auto robots = line.option("--robot", whom.robots, "The robots to command").not_empty();
   const auto team = line.flag("--team", whom.team, "Command every robot that sends its state");
   add_domain_option(line, whom.domain);
   robots.excludes(team);

@@ -93,9 +93,21 @@ WriterLosses beyond(WriterLosses losses, const WriterLosses& before) noexcept {
   return losses;
 }
 
+mcap::Metadata losses_metadata(const char* name, const std::vector<WriterLosses>& losses) {
+  mcap::Metadata all{name, {}};
+  for (const auto& each : losses) {
+    const std::string whose = each.topic + " of " + each.process;
+    const bool is_taken = all.entries.contains(whose);
+    all.entries[is_taken ? whose + " (" + each.writer + ")" : whose] =
+        ordered_json_text(json_of(each));
+  }
+  all.entries["missing"] = std::to_string(total_missing(losses));
+  return all;
+}
+
 Result<void> LossLog::begin(const std::vector<WriterLosses>& before) {
   for (const auto& each : before) told_[each.writer] = each.missing();
-  return write_all(kLossesBeforeMetadata, before);
+  return writer_.write(losses_metadata(kLossesBeforeMetadata, before));
 }
 
 Result<void> LossLog::tell(const std::vector<WriterLosses>& losses, std::int64_t now_ns) {
@@ -121,19 +133,7 @@ Result<void> LossLog::write(const WriterLosses& losses, std::int64_t now_ns) {
 }
 
 Result<void> LossLog::conclude(const std::vector<WriterLosses>& losses) {
-  return write_all(kLossesMetadata, losses);
-}
-
-Result<void> LossLog::write_all(const char* name, const std::vector<WriterLosses>& losses) {
-  mcap::Metadata all{name, {}};
-  for (const auto& each : losses) {
-    const std::string whose = each.topic + " of " + each.process;
-    const bool is_taken = all.entries.contains(whose);
-    all.entries[is_taken ? whose + " (" + each.writer + ")" : whose] =
-        ordered_json_text(json_of(each));
-  }
-  all.entries["missing"] = std::to_string(total_missing(losses));
-  return writer_.write(all);
+  return writer_.write(losses_metadata(kLossesMetadata, losses));
 }
 
 }  // namespace galilean::monitor

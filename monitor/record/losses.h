@@ -53,6 +53,10 @@ struct WriterLosses {
 /// Returns what one writer's losses are beyond those that were told of it before.
 [[nodiscard]] WriterLosses beyond(WriterLosses losses, const WriterLosses& before) noexcept;
 
+/// Returns what a file lacks, as the metadata of this name.
+[[nodiscard]] mcap::Metadata losses_metadata(const char* name,
+                                             const std::vector<WriterLosses>& losses);
+
 /// Writes into a file what it lacks.
 class LossLog {
  public:
@@ -69,7 +73,6 @@ class LossLog {
 
  private:
   [[nodiscard]] Result<void> write(const WriterLosses& losses, std::int64_t now_ns);
-  [[nodiscard]] Result<void> write_all(const char* name, const std::vector<WriterLosses>& losses);
 
   mcap::Writer& writer_;
   std::uint16_t channel_ = 0;  ///< 0: nothing was told yet

@@ -33,7 +33,7 @@ class MessageRing {
   };
 
   /// Keeps what is not older than `span`, and of that the newest of so many bytes.
-  MessageRing(Duration span, std::size_t most_bytes) : span_(span), most_bytes_(most_bytes) {}
+  MessageRing(Duration span, std::uint64_t most_bytes) : span_(span), most_bytes_(most_bytes) {}
 
   void add(const wire::EndpointInfo& writer, const wire::Received& received, Time at,
            std::int64_t log_ns);
@@ -66,7 +66,7 @@ class MessageRing {
   void pop();
 
   Duration span_;
-  std::size_t most_bytes_, bytes_ = 0;
+  std::uint64_t most_bytes_, bytes_ = 0;
   std::deque<Held> held_;
   /// One for all messages of a writer, by its GUID.
   std::map<std::string, std::weak_ptr<const wire::EndpointInfo>> writers_;

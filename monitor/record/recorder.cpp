@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/record/recorder.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "core/wire/ros_time.h"
+#include "monitor/record/size_text.h"
 #include "monitor/record/times.h"
 
 namespace galilean::monitor {
@@ -12,16 +12,16 @@ namespace {
 
 constexpr Duration kLookEach = std::chrono::seconds(1);
 
-std::string megabytes(std::uint64_t bytes) {
-  return std::to_string(bytes / 1'000'000) + " MB";
-}
-
 }  // namespace
 
 Recorder::Recorder(Setup setup)
     : setup_(std::move(setup)),
       recordings_({.participant = setup_.participant,
                    .selection = setup_.selection,
+                   .overhears =
+                       [trigger = setup_.snapshots.trigger](const wire::EndpointInfo& writer) {
+                         return trigger && trigger->wants(writer);
+                       },
                    .warn = setup_.warn,
                    .on_data = [this] { wake_.ring(); }}),
       definitions_(setup_.participant, setup_.ended),
@@ -49,6 +49,7 @@ Result<void> Recorder::pump() {
   if (!looked_ || now - *looked_ >= kLookEach) {
     looked_ = now;
     recordings_.watch_matches();
+    say_doubts();
     if (auto done = look_after_files(now); !done) return done;
   }
   if (!setup_.files.is_open()) return {};
@@ -65,8 +66,12 @@ Result<void> Recorder::record() {
 }
 
 Result<void> Recorder::take_in(const wire::Received& received, TopicRecording::Writer& writer) {
-  if (pause_) return pass_over(received, writer), Result<void>();
   const Time now = setup_.clock.now();
+  if (!writer.recorded) {
+    if (!pause_) setup_.snapshots.trigger->take(writer.info, received, now);
+    return {};
+  }
+  if (pause_) return pass_over(received, writer), Result<void>();
   const bool waits = ring_ && !setup_.files.is_open();
   if (ring_) setup_.snapshots.trigger->take(writer.info, received, now);
   if (!waits) kept_.note(writer.info, received);
@@ -86,7 +91,7 @@ Result<void> Recorder::follow_events(Time now) {
   const bool too_much = ring_->forget(
       now, [&](const MessageRing::Held& held) { kept_.note(*held.writer, held.received()); });
   if (too_much)
-    warn_once("more came than " + megabytes(setup_.snapshots.most_bytes) +
+    warn_once("more came than " + size_text(setup_.snapshots.most_bytes) +
               " in the time that is kept before an event (--keep-memory): less of it is kept");
   const auto event = setup_.snapshots.trigger->happened();
   if (event) {
@@ -146,30 +151,6 @@ Result<void> Recorder::attach_programs(const wire::EndpointInfo& writer,
   return {};
 }
 
-/// Tells what was lost, goes on in another file, and looks whether there is room.
-Result<void> Recorder::look_after_files(Time now) {
-  const bool has_room = setup_.room.look();
-  if (!setup_.files.is_open() && ring_) return remember_losses(now), Result<void>();
-  if (!setup_.files.is_open()) {
-    if (!has_room || pause_) return {};
-    setup_.warn("there is room on the disk again: the recording goes on");
-    return begin_file(wire::wall_clock_ns());
-  }
-  if (!has_room) return stand_still();
-  if (auto done = contents_->losses.tell(recordings_.losses(), wire::wall_clock_ns()); !done)
-    return done;
-  if (pause_ || !setup_.files.is_full(now)) return {};
-  if (auto done = conclude(); !done) return done;
-  return begin_file(wire::wall_clock_ns());
-}
-
-Result<void> Recorder::stand_still() {
-  setup_.warn("only " + megabytes(setup_.room.free()) + " are free for '" +
-              setup_.files.plan().out + "', less than " + megabytes(setup_.room.least()) +
-              " (--min-free): nothing is recorded until there is room again; delete something");
-  return conclude();
-}
-
 Result<void> Recorder::begin_file(std::int64_t log_ns) {
   const std::size_t files_before = setup_.files.totals().files;
   if (auto done = setup_.files.begin(setup_.clock.now()); !done) return done;
@@ -203,19 +184,9 @@ Result<void> Recorder::write_kept(std::int64_t log_ns, const std::set<std::strin
   return {};
 }
 
-Result<void> Recorder::conclude() {
-  if (!setup_.files.is_open()) return {};
-  concluded_ = recordings_.losses();
-  if (pause_) {
-    auto until_now = *pause_;
-    until_now.to_ns = std::max(pause_->from_ns, wire::wall_clock_ns());
-    if (auto done = contents_->pauses.tell(until_now); !done) return done;
-  }
-  if (auto done = contents_->pauses.conclude(); !done) return done;
-  if (auto done = contents_->losses.conclude(concluded_); !done) return done;
-  contents_.reset();
-  losses_then_.clear();
-  return setup_.files.end();
+void Recorder::say_doubts() {
+  if (!setup_.snapshots.trigger) return;
+  for (const auto& sentence : setup_.snapshots.trigger->doubts()) warn_once(sentence);
 }
 
 void Recorder::warn_once(const std::string& sentence) {

@@ -76,8 +76,9 @@ class Recorder {
   /// Records the messages that came since the last call. It may block for 3 s at the first message
   /// of a type that this release does not define. Errors: the file cannot be written.
   [[nodiscard]] Result<void> pump();
-  /// Writes what was lost into the open file and ends it. Call it last. Errors: the file cannot be
-  /// written.
+  /// Writes what was lost into the open file and ends it. A file that has ended because the disk is
+  /// nearly full is told what was not written since. Call it last. Errors: the file cannot be
+  /// written, or has been deleted or spoilt.
   [[nodiscard]] Result<void> conclude();
 
   /// Records what has come until now, and then nothing until `resume`. `by` is who asks for it.
@@ -114,12 +115,18 @@ class Recorder {
   [[nodiscard]] Result<void> attach_programs(const wire::EndpointInfo& writer,
                                              const wire::Received& received);
   [[nodiscard]] Result<void> look_after_files(Time now);
+  [[nodiscard]] Result<void> watch_file();
   [[nodiscard]] Result<void> stand_still();
+  /// Writes into the open file what stands at its end.
+  [[nodiscard]] Result<void> write_end();
+  void tell_what_came_since();
   /// `log_ns` is the log time of the states that the file begins with.
   [[nodiscard]] Result<void> begin_file(std::int64_t log_ns);
   /// Writes the states that writers keep, or only those of `writers`.
   [[nodiscard]] Result<void> write_kept(std::int64_t log_ns,
                                         const std::set<std::string>* writers = nullptr);
+  /// Says why a trigger cannot come true, as far as is known.
+  void say_doubts();
   void warn_once(const std::string& sentence);
 
   Setup setup_;

@@ -31,6 +31,7 @@ void add(RecordingFiles::Totals& totals, const mcap::Writer& writer) noexcept {
 }  // namespace
 
 Result<void> RecordingFiles::begin(Time now) {
+  aside_.reset();
   const std::string path = take_path();
   auto sink = open_sink(path, plan_.replace);
   if (!sink) return sink.error();
@@ -45,11 +46,51 @@ Result<void> RecordingFiles::begin(Time now) {
 
 Result<void> RecordingFiles::end() {
   if (!file_) return {};
-  auto done = file_->writer.end();
-  if (done) done = file_->sink.sync();
+  auto done = finish(*file_);
   add(ended_, file_->writer);
   file_.reset();
   return done;
+}
+
+Result<void> RecordingFiles::set_aside() {
+  auto done = finish(*file_);
+  add(ended_, file_->writer);
+  aside_ = std::move(file_);
+  return done;
+}
+
+Result<void> RecordingFiles::amend(const mcap::Metadata& metadata) {
+  if (auto there = check(); !there) return there;
+  mcap::Bytes record;
+  append(record, metadata);
+  auto& writer = aside_->writer;
+  const auto bytes_before = writer.bytes_written();
+  // Its index, and lengths that this makes longer.
+  constexpr std::uint64_t kMoreThanThat = 1000;
+  if (auto done = writer.take_up(record.size() + kMoreThanThat); !done) return done;
+  if (auto done = writer.write(metadata); !done) return done;
+  auto done = finish(*aside_);
+  ended_.bytes += writer.bytes_written() - bytes_before;
+  return done;
+}
+
+Result<void> RecordingFiles::finish(File& file) {
+  auto done = file.writer.end();
+  if (done) done = file.sink.sync();
+  lost_ = lost_ || !file.sink.check_whole();
+  return done;
+}
+
+Result<void> RecordingFiles::check() {
+  const File* file = newest_file();
+  auto done = file ? file->sink.check_whole() : Result<void>();
+  lost_ = lost_ || !done;
+  return done;
+}
+
+bool RecordingFiles::has_moved() const {
+  const File* file = newest_file();
+  return file && file->sink.has_moved();
 }
 
 bool RecordingFiles::is_full(Time now) const noexcept {

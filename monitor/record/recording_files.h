@@ -44,6 +44,22 @@ class RecordingFiles {
   [[nodiscard]] Result<void> begin(Time now);
   /// Ends the open file, if there is one. Errors: it cannot be written.
   [[nodiscard]] Result<void> end();
+  /// Ends the open file as `end` does, and lets `amend` add to it until the next one begins.
+  /// Requires: one is open. Errors: it cannot be written.
+  [[nodiscard]] Result<void> set_aside();
+  /// Returns whether a file was set aside.
+  [[nodiscard]] bool can_amend() const noexcept { return aside_ != nullptr; }
+  /// Adds metadata to the file that was set aside. Requires: there is one. Errors: it cannot be
+  /// written; without room it is as it was.
+  [[nodiscard]] Result<void> amend(const mcap::Metadata& metadata);
+
+  /// Looks whether the file that is open, or set aside, is still there. Errors: it was deleted or
+  /// spoilt, and what was written to it is lost.
+  [[nodiscard]] Result<void> check();
+  /// Returns whether `check`, `end` or `amend` has found a file deleted or spoilt.
+  [[nodiscard]] bool is_lost() const noexcept { return lost_; }
+  /// Returns whether the file that is open, or set aside, stands under another name.
+  [[nodiscard]] bool has_moved() const;
 
   [[nodiscard]] bool is_open() const noexcept { return file_ != nullptr; }
   /// Returns whether the open file has grown as old or as large as the plan allows.
@@ -74,9 +90,15 @@ class RecordingFiles {
   /// Returns the path of the file to begin.
   std::string take_path();
   void delete_oldest();
+  [[nodiscard]] Result<void> finish(File& file);
+  [[nodiscard]] const File* newest_file() const noexcept {
+    return file_ ? file_.get() : aside_.get();
+  }
 
   FilePlan plan_;
-  std::unique_ptr<File> file_;
+  std::unique_ptr<File> file_;   ///< the open one
+  std::unique_ptr<File> aside_;  ///< the one that has ended, and may be added to
+  bool lost_ = false;
   std::size_t next_ = 0;          ///< the number of the file to begin
   std::deque<std::string> kept_;  ///< paths, the oldest first
   Totals ended_;                  ///< of the files that are not open

@@ -16,6 +16,11 @@ bool is_left_out(const wire::EndpointInfo& picture, Pictures pictures) {
   return pictures == Pictures::kNone;
 }
 
+bool matches_any(const std::vector<std::regex>& expressions, const std::string& name) {
+  return std::ranges::any_of(expressions,
+                             [&](const std::regex& each) { return std::regex_search(name, each); });
+}
+
 }  // namespace
 
 bool is_picture(const wire::EndpointInfo& writer) {
@@ -40,9 +45,17 @@ bool Selection::takes(const wire::EndpointInfo& writer) const {
   if (is_inputs(writer) && !inputs) return false;
   if (is_picture(writer) && is_left_out(writer, pictures)) return false;
   const std::string name = shown_topic(writer.topic);
-  const auto matches = [&](const std::regex& each) { return std::regex_search(name, each); };
-  if (std::ranges::any_of(excluded, matches)) return false;
-  return topics.empty() || std::ranges::any_of(topics, matches);
+  if (excludes(name)) return false;
+  return topics.empty() || is_inputs(writer) || matches_any(topics, name);
+}
+
+bool Selection::excludes(const std::string& name) const {
+  return matches_any(excluded, name);
+}
+
+bool Selection::excludes_inputs_of_all() const {
+  constexpr const char* kOfNoRobotThatThereIs = "/q0_q0/inputs";
+  return excludes(kOfNoRobotThatThereIs);
 }
 
 }  // namespace galilean::monitor

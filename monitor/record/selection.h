@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <regex>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,12 +29,18 @@ struct Selection {
   std::vector<std::regex> topics;    ///< one must match a part of a topic's name; none: all topics
   std::vector<std::regex> excluded;  ///< none may match a part of it
   Pictures pictures = Pictures::kAll;
-  bool inputs = false;  ///< what each tick read, too, which robots send to readers alone
+  /// What each tick read, too, which robots send to readers alone. `topics` need not match it.
+  bool inputs = false;
   std::function<bool(const wire::EndpointInfo&)> wants;  ///< must be true, too; empty: it is
 
   /// Returns whether what this writer sends is recorded. The requests and replies of ROS 2's
   /// services are no topics, and what recorders tell of themselves stands in their files.
   [[nodiscard]] bool takes(const wire::EndpointInfo& writer) const;
+  /// Returns whether `excluded` matches what the ticks of a robot read, however it is called.
+  [[nodiscard]] bool excludes_inputs_of_all() const;
+
+ private:
+  [[nodiscard]] bool excludes(const std::string& name) const;
 };
 
 /// Returns whether the topic carries the requests or the replies of a service of ROS 2.

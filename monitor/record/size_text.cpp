@@ -6,6 +6,7 @@
 #include <charconv>
 #include <string>
 
+#include "core/plural.h"
 #include "core/visible_text.h"
 
 namespace galilean::monitor {
@@ -38,6 +39,12 @@ Result<std::uint64_t> bytes_of(std::string_view text) {
   const auto known = std::ranges::find(kSizeUnits, unit, &SizeUnit::name);
   if (known == std::end(kSizeUnits) || number * known->bytes > kLargest_bytes) return refused;
   return static_cast<std::uint64_t>(number * known->bytes);
+}
+
+std::string size_text(std::uint64_t bytes) {
+  if (bytes < 1000) return plural(bytes, "byte");
+  if (bytes < 1'000'000) return std::to_string(bytes / 1000) + " kB";
+  return std::to_string(bytes / 1'000'000) + " MB";
 }
 
 }  // namespace galilean::monitor

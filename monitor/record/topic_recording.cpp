@@ -31,6 +31,7 @@ TopicRecording::~TopicRecording() {
 
 void TopicRecording::follow(const wire::EndpointInfo& writer) {
   Writer& followed = writers_[writer.guid];
+  followed.recorded = setup_.recorded;
   followed.info = writer;  // its process may have got a name meanwhile
   writer_of_handle_[writer.handle] = &followed;
   read_what_is(writer);
@@ -84,6 +85,7 @@ TopicRecording::Writer& TopicRecording::writer_of(std::uint64_t handle) {
   const auto info = found ? *found : writer_that_left(handle);
   Writer& writer = writers_[info.guid];
   writer.info = info;
+  writer.recorded = setup_.recorded;
   return *(writer_of_handle_[handle] = &writer);
 }
 

@@ -37,6 +37,7 @@ class TopicRecording {
     SequenceTally tally;
     /// Of those that did not come: how many were missed while a reader's queue was full.
     std::uint64_t overrun = 0;
+    bool recorded = true;  ///< otherwise it is heard, and counted nowhere
     // For who receives the messages, to count what he did not write:
     std::uint64_t unwritten = 0;  ///< for want of room
     std::uint64_t left_out = 0;   ///< because more was not asked for
@@ -46,7 +47,8 @@ class TopicRecording {
   struct Setup {
     wire::Participant& participant;  ///< outlives the recording
     Kind kind;
-    int depth = 1;  ///< messages that each reader keeps between two calls of `take`
+    bool recorded = true;  ///< whether its writers are
+    int depth = 1;         ///< messages that each reader keeps between two calls of `take`
     /// Finds a writer by EndpointInfo::handle. Nothing: it has left.
     std::function<std::optional<wire::EndpointInfo>(std::uint64_t)> find;
     std::function<void()> on_data;  ///< a thread of Cyclone calls it when there is data to take
@@ -69,6 +71,7 @@ class TopicRecording {
   [[nodiscard]] bool hears(const wire::EndpointInfo& writer) const;
   /// Calls `receive` for each message that came since the last call, and that has not come before.
   void take(const Receive& receive);
+  [[nodiscard]] bool recorded() const noexcept { return setup_.recorded; }
   /// Returns all writers that were followed, those that have left, too, by their GUIDs.
   [[nodiscard]] const std::map<std::string, Writer>& writers() const noexcept { return writers_; }
 

@@ -35,9 +35,9 @@ WriterLosses losses_of(const TopicRecording::Kind& kind, const TopicRecording::W
 void TopicRecordings::follow_writers() {
   for (const auto& end : endpoints_.known()) {
     if (!end.writes) continue;
-    if (setup_.selection.takes(end))
-      follow(end);
-    else
+    const bool selected = setup_.selection.takes(end);
+    if (selected || (setup_.overhears && setup_.overhears(end))) follow(end);
+    if (!selected)
       left_out_topics_ =
           left_out_topics_ || (!is_service(end.topic) && !is_of_recorders(end.topic));
   }
@@ -57,6 +57,7 @@ TopicRecording& TopicRecordings::recording_of(const wire::EndpointInfo& writer) 
     recording = std::make_unique<TopicRecording>(
         TopicRecording::Setup{.participant = setup_.participant,
                               .kind = TopicRecording::kind_of(writer),
+                              .recorded = setup_.selection.takes(writer),
                               .depth = is_picture(writer) ? kPictureDepth : kReaderDepth,
                               .find = [this](std::uint64_t handle) { return find_writer(handle); },
                               .on_data = setup_.on_data});
@@ -91,14 +92,17 @@ const TopicRecording* TopicRecordings::find_recording(const wire::EndpointInfo& 
 
 std::size_t TopicRecordings::topics() const {
   std::set<std::string_view> names;
-  for (const auto& [kind, recording] : recordings_) names.insert(kind.topic);
+  for (const auto& [kind, recording] : recordings_)
+    if (recording->recorded()) names.insert(kind.topic);
   return names.size();
 }
 
 std::vector<WriterLosses> TopicRecordings::losses() const {
   std::vector<WriterLosses> all;
-  for (const auto& [kind, recording] : recordings_)
+  for (const auto& [kind, recording] : recordings_) {
+    if (!recording->recorded()) continue;
     for (const auto& [guid, writer] : recording->writers()) all.push_back(losses_of(kind, writer));
+  }
   return all;
 }
 

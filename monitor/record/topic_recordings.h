@@ -18,13 +18,16 @@
 
 namespace galilean::monitor {
 
-/// Receives the messages of all writers of the domain that a selection takes. For use by one
-/// thread.
+/// Receives the messages of all writers of the domain that a selection takes, and of those that are
+/// overheard. For use by one thread.
 class TopicRecordings {
  public:
   struct Setup {
     wire::Participant& participant;  ///< outlives this
     Selection selection;
+    /// Which writers are heard though they are not selected. Nothing of them is counted. May be
+    /// left empty.
+    std::function<bool(const wire::EndpointInfo&)> overhears = {};
     std::function<void(const std::string&)> warn;  ///< gets a sentence for what is not heard
     std::function<void()> on_data;  ///< a thread of Cyclone calls it when there is data to take
   };
@@ -41,9 +44,9 @@ class TopicRecordings {
 
   /// Returns the writers and readers that are in the domain now.
   [[nodiscard]] std::vector<wire::EndpointInfo> present() { return endpoints_.known(); }
-  /// Returns the number of topics that are read.
+  /// Returns the number of topics that are recorded.
   [[nodiscard]] std::size_t topics() const;
-  /// Returns what came and what did not, by topic and writer.
+  /// Returns what came and what did not of what is recorded, by topic and writer.
   [[nodiscard]] std::vector<WriterLosses> losses() const;
   /// Returns whether there were topics that the selection leaves out.
   [[nodiscard]] bool left_out_topics() const noexcept { return left_out_topics_; }

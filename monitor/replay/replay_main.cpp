@@ -55,8 +55,10 @@ int main(int argc, char** argv) {
   app.option("--robots", options.choice.robots,
              "Play only these robots, such as io,ganymede, beside others that are live; the score, "
              "the map and simulations of the recording are left out")
-      .divided_by(',');
-  app.option("--topic", options.choice.topics, "Play only these topics, such as io/state");
+      .divided_by(',')
+      .not_empty();
+  app.option("--topic", options.choice.topics, "Play only these topics, such as io/state")
+      .not_empty();
   app.options(
       "--remap",
       [&options](const std::string& text) -> Result<void> {

@@ -120,7 +120,7 @@ int main(int argc, char** argv) {
   app.flag("--once", options.once, "Print one snapshot as plain text, for scripts");
   app.flag("--ascii", options.ascii, "Draw ASCII alone, as where the locale is not UTF-8");
   app.flag("--no-mouse", options.no_mouse, "Leave the mouse to the terminal, which selects text");
-  app.option("--robot", options.robot, "The robot to show first");
+  app.option("--robot", options.robot, "The robot to show first").not_empty();
   add_monitor_option(app, options.push);
   app.describe_exit(kUnusable, "The command line is wrong, or there is no terminal to use.");
   if (const auto code = app.parse(argc, argv)) return *code;

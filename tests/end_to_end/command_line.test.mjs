@@ -58,6 +58,7 @@ const endings = [
   ['programs list --monitor http://127.0.0.1:1', 1], ['programs diff a b --monitor http://127.0.0.1:1', 2],
   ['monitor --listen 127.0.0.1:0 --data /dev/null/none', 1],
   ["record --out /none/run.mcap --on ''", 2], ["record --out ''", 2], ["demo --record ''", 2], ["log check /none.mcap --expect ''", 2],
+  ["replay /none.mcap --topic ''", 2], ["hold --robot ''", 2], ["swap /none.bhdl --robot ''", 2], ["demo --allow-origin ''", 2],
   ["log plot /none.mcap a.b --svg ''", 2], ["log rerun /none.mcap --bhdl ''", 2], ["sim --trace ''", 2],
 ];
 for (const [words, code] of endings)

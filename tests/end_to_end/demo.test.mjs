@@ -2,12 +2,12 @@
 // `galilean demo` starts a team and ends it, whatever happens to it or to its parts.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
-import { cpSync, existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { eventually, freePort, freshDomain, galilean, getJson, processesIn, root, Running, scratchFolder, sharedMemory, startTeam } from './tools.mjs';
+import { eventually, freePort, freshDomain, galilean, galileanBinary, getJson, processesIn, root, Running, scratchFolder, sharedMemory, startTeam } from './tools.mjs';
 
 const limit = { timeout: 120_000 };
 
@@ -173,6 +173,29 @@ test('a demo whose recording cannot be made does not run unrecorded', limit, asy
   const run = galilean(['demo', '--port', String(await freePort()), '--record', 'none/run.mcap'], { domain, cwd, timeout: 60_000 });
   assert.equal(run.status, 1);
   assert.match(run.stderr, /record did not start \(exit code 1\):\n.*none\/run\.mcap cannot be written/);
+  await nothingIsLeft(domain, 'none');
+});
+
+test('a demo on a nearly full disk says so at once, ends with 3, and the XML tells it', limit, async (t) => {
+  const cwd = scratchFolder(t), domain = freshDomain();
+  mkdirSync(`${cwd}/small`);
+  const small = [...(process.getuid() === 0 ? [] : ['--user', '--map-root-user']), '--mount', 'bash', '-c', 'mount -t tmpfs -o size=3M tmpfs small && exec "$@"', 'bash'];
+  const inSmall = (...command) => spawnSync('unshare', [...small, ...command], { cwd, env: { ...process.env, ROS_DOMAIN_ID: domain }, encoding: 'utf8', timeout: 90_000 });
+  if (inSmall('true').status !== 0) return t.skip('needs unshare and mount: no small disk can be made');
+  const demo = ['demo', '--headless-for', '20', '--record', 'small/run.mcap', '--port'];
+  const sentence = /galilean-demo: (only \d+ [kM]B are free for 'small\/run\.mcap', less than 500 MB \(--min-free\): nothing is recorded [^\n]*)\n/;
+
+  const plain = inSmall(galileanBinary, ...demo, String(await freePort()));
+  assert.equal(plain.status, 3, plain.stdout + plain.stderr);
+  assert.match(plain.stdout, /The team worked\./);
+  assert.match(plain.stderr, sentence);
+  assert.match(plain.stderr, /galilean-demo: messages are missing in small\/run\.mcap; /);
+
+  writeFileSync(`${cwd}/little.expect`, 'every robot: never state is "moon"\n');
+  const judged = inSmall(galileanBinary, ...demo, String(await freePort()), '--expect', 'little.expect', '--junit', 'out.xml');
+  assert.equal(judged.status, 3, judged.stdout + judged.stderr);
+  assert.match(judged.stderr, sentence);
+  assert.match(readFileSync(`${cwd}/out.xml`, 'utf8'), /name="the recording">\s*<error message="only \d+ [kM]B are free for /);
   await nothingIsLeft(domain, 'none');
 });
 

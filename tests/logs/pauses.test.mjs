@@ -100,6 +100,9 @@ test("space pauses and goes on, and q ends, in a recorder's terminal", async () 
 });
 
 test("who is not there cannot be paused, and the answer says who is", async () => {
+  const nameless = spawnSync(program("galilean-record-ctl"), ["pause", "--name", "", "--domain", freshDomain()], limit);
+  assert.equal(nameless.status, 2);
+  assert.match(nameless.stderr.toString(), /--name: the value is empty/);
   const nobody = spawnSync(program("galilean-record-ctl"), ["pause", "--domain", freshDomain()], limit);
   assert.equal(nobody.status, 1);
   assert.match(nobody.stderr.toString(), /^galilean record pause: no recorder is heard; check that galilean record runs in the same DDS domain/);

@@ -159,8 +159,8 @@ describe("beside a robot that talks", () => {
     assert.match(waiting.text, /nothing was recorded, because it never came true: \/io\/state\.tick < 0\n/);
     assert.equal(statSync(file("never.mcap"), { throwIfNoEntry: false }), undefined);
     const refused = recorded("--out", file("no.mcap"), "--domain", domain, "--on", "state are stuck");
-    assert.equal(refused.status, 1);
-    assert.match(refused.stderr.toString(), /^galilean-record: --on: 'state are stuck' is no condition: /);
+    assert.equal(refused.status, 2);
+    assert.match(refused.stderr.toString(), /^galilean record: --on: 'state are stuck' is no condition: /);
   });
 
   test("it stands still while the disk is nearly full, and says how much is missing", async () => {
@@ -168,7 +168,20 @@ describe("beside a robot that talks", () => {
     assert.equal((await recorder.ended).code, 3, recorder.text);
     assert.match(recorder.text, /only \d+ MB are free for '.*full\.mcap', less than 1000000000 MB \(--min-free\): nothing is recorded until there is room again; delete something\n/);
     assert.match(recorder.text, /\/io\/state lacks, for want of room on the disk, \d+ of \d+ messages of io\n/);
-    assert.equal(info(file("full.mcap")).recovered, false);
+    const { recovered, losses } = info(file("full.mcap"), 3);
+    assert.equal(recovered, false);
+    assert.ok(losses.writers.find(({ topic }) => topic === "/io/state").unwritten > 0, JSON.stringify(losses));
+  });
+
+  test("it notices that its file was deleted, and no second recorder spoils it", async () => {
+    const recorder = record("gone.mcap", "--domain", domain);
+    await grown("gone.mcap", 1000);
+    const second = recorded("--out", file("gone.mcap"), "--replace", "--domain", domain, "--duration", "1");
+    assert.equal(second.status, 1);
+    assert.match(second.stderr.toString(), /gone\.mcap is being written by another program; choose another name\n/);
+    rmSync(file("gone.mcap"));
+    assert.equal((await recorder.ended).code, 1, recorder.text);
+    assert.match(recorder.text, /gone\.mcap was deleted or replaced while it was written; what was recorded to it is lost\n/);
   });
 
   test("it takes what is asked for: expressions, exceptions, pictures, compression, pictures' bytes", async () => {
@@ -231,12 +244,28 @@ test("what cannot be asked for is refused, with what to write", () => {
     [["--split-size", "much"], /--split-size: 'much' is no size: write a number and a unit/],
     [["--max-files", "2"], /--max-files needs --split-size or --split-duration/],
     [["--compression", "best"], /--compression/],
+    [["--topics", ""], /--topics: the value is empty; give one, or leave the option out/],
+    [["--exclude", "a", ""], /--exclude: the value is empty/],
+    [["--split-size", "0"], /--split-size: the value must be above 0, and not '0'/],
+    [["--split-duration", "0"], /--split-duration: the value must be above 0/],
+    [["--keep-memory", "0", "--on", "it is healthy"], /--keep-memory: the value must be above 0/],
+    [["--keep-last", "5s"], /--keep-last needs --on, which says around what event is recorded/],
+    [["--keep-after", "5s"], /--keep-after needs --on/],
+    [["--keep-memory", "5MB"], /--keep-memory needs --on/],
+    [["--inputs", "--exclude", "inputs"], /--exclude leaves out what --inputs asks for/],
+    [["--no-images", "--pictures", "camera"], /--no-images is the same as --pictures none/],
+    [["--about", "seed=7", "seed=8"], /--about: 'seed' is told twice; choose one of its values/],
+    [["--about", "version=9"], /--about: the recorder itself tells 'version'; choose another word/],
+    [["--on", 'state is "a'], /--on: .* is no condition: /],
   ];
   for (const [options, reason] of cases) {
     const { status, stderr } = recorded("--out", file("refused.mcap"), ...options);
     assert.equal(status, 2, options.join(" "));
     assert.match(stderr.toString(), reason);
   }
+  const room = recorded("--out", "-", "--min-free", "1GB");
+  assert.equal(room.status, 2);
+  assert.match(room.stderr.toString(), /--min-free looks at the disk of a file/);
   const split = recorded("--out", "-", "--split-size", "1MB");
   assert.equal(split.status, 2);
   assert.match(split.stderr.toString(), /standard output cannot be split/);

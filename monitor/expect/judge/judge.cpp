@@ -128,6 +128,14 @@ void Judge::damage(const Span& span, const std::string& why) {
   if (!why.empty() && notes_.size() < kMostNotes) notes_.push_back(why);
 }
 
+std::vector<std::string> Judge::unknown_names() const {
+  std::vector<std::string> sentences;
+  for (const auto& [name, robot] : robots_)
+    if (auto sentence = robot->unknown_names(); !sentence.empty())
+      sentences.push_back(std::move(sentence));
+  return sentences;
+}
+
 Judgement Judge::finish(std::int64_t begin_ns, std::int64_t end_ns) {
   Judgement judgement;
   judgement.begin_ns = begin_ns;

@@ -4,6 +4,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "core/clock.h"
 #include "monitor/expect/judge/needs.h"
@@ -42,6 +44,10 @@ class Judge final : public SampleSink {
   void sample(std::int64_t at_ns, const msg::Program& program) override;
   void missed(std::string_view topic, std::optional<std::uint64_t> messages) override;
   void damage(const Span& span, const std::string& why) override;
+
+  /// Returns a sentence for each robot whose program lacks a name that a claim about it has, as far
+  /// as is known now: "io's program has no state 'stuk'; did you mean 'stuck'?".
+  [[nodiscard]] std::vector<std::string> unknown_names() const;
 
   /// Returns what came of the expectations between the two instants. Call it once, at the end.
   [[nodiscard]] Judgement finish(std::int64_t begin_ns, std::int64_t end_ns);

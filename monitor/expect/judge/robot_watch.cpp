@@ -183,6 +183,12 @@ std::string RobotWatch::complaint_on_names(const Claim& claim) const {
   return {};
 }
 
+std::string RobotWatch::unknown_names() const {
+  for (const auto& entry : entries_)
+    if (auto complaint = complaint_on_names(*entry.claim); !complaint.empty()) return complaint;
+  return {};
+}
+
 /// Turns an outcome that rests on what is not known into "cannot tell".
 void RobotWatch::settle(const Claim& claim, const std::set<std::string>& heard_robots,
                         Finding& finding) const {

@@ -46,6 +46,9 @@ class RobotWatch {
   void observe(std::int64_t at_ns, unsigned sources);
 
   [[nodiscard]] bool heard() const noexcept { return belief_.state.message.has_value(); }
+  /// Returns a sentence on the first name in its claims that its program does not have, as far as
+  /// that is known; or an empty text.
+  [[nodiscard]] std::string unknown_names() const;
   /// Returns what came of each claim, in the order in which they were added. Call it once.
   /// `heard_robots` are those of the team, of which one may have been meant.
   [[nodiscard]] std::vector<Finding> finish(std::int64_t end_ns,

@@ -68,6 +68,7 @@ struct Outcome {
   bool fatal_loss = false;
   bool no_robots = false;  ///< all of them have ended
   std::vector<std::string> lost;
+  std::vector<std::string> shortages;  ///< why the recording is not whole
 };
 
 /// Returns whether every robot has ended.
@@ -75,6 +76,25 @@ bool are_all_lost(const std::vector<std::string>& robots, const Outcome& outcome
   return std::ranges::all_of(robots, [&](const auto& robot) {
     return std::ranges::find(outcome.lost, robot) != outcome.lost.end();
   });
+}
+
+/// Repeats what the recorder says, as soon as it says it: nobody reads its log before the end.
+void repeat_recorder(Ensemble& ensemble, Outcome& outcome) {
+  for (const auto& sentence : ensemble.recorder_said()) {
+    complain(sentence);
+    if (tells_of_full_disk(sentence)) outcome.shortages.push_back(sentence);
+  }
+}
+
+/// Says how the recorder ended, if not well. Returns its exit code.
+int end_of_recorder(Ensemble& ensemble, Outcome& outcome) {
+  const int code = ensemble.recorder_exit_code();
+  if (code == kIncomplete)
+    complain("messages are missing in " + ensemble.recording() + "; 'galilean log info " +
+             ensemble.recording() + "' shows which");
+  else if (code != 0)
+    repeat_recorder(ensemble, outcome);
+  return code;
 }
 
 void report(const Ensemble::Loss& loss, const Outcome& outcome) {
@@ -96,6 +116,7 @@ Outcome run_on(Ensemble& ensemble, Witness& witness, Termination& termination,
     pollfd events[] = {{witness.descriptor(), POLLIN, 0}, {termination.descriptor(), POLLIN, 0}};
     poll(events, 2, kLookEach_ms);
     witness.poll();
+    repeat_recorder(ensemble, outcome);
     for (const auto& loss : ensemble.losses()) {
       outcome.lost.push_back(loss.name);
       outcome.fatal_loss |= loss.fatal;
@@ -108,10 +129,13 @@ Outcome run_on(Ensemble& ensemble, Witness& witness, Termination& termination,
 }
 
 /// Prints the judgement of a headless run. Returns why the team did not work; nothing if it did.
-std::vector<std::string> judge(const Evidence& evidence, const Outcome& outcome, bool interrupted) {
+std::vector<std::string> judge(const Evidence& evidence, const Outcome& outcome, int recorder_code,
+                               bool interrupted) {
   std::cout << evidence.summary();
   auto reasons = evidence.shortcomings();
   for (const auto& name : outcome.lost) reasons.push_back(name + " ended");
+  if (recorder_code == kFailed && outcome.lost.empty())
+    reasons.push_back("the recording could not be written to its end");
   if (interrupted) reasons.push_back(kInterrupted);
   for (const auto& reason : reasons) complain(reason);
   std::cout << (reasons.empty() ? "The team worked.\n" : "The team did not work.\n");
@@ -127,11 +151,11 @@ int give_up(Ensemble& ensemble, const std::string& why) {
 
 /// Returns the exit code of a headless run: that of the team's work and that of its expectations.
 int judge_all(Ensemble& ensemble, const Evidence& evidence, const Outcome& outcome,
-              const DemoOptions& options, bool interrupted) {
-  const auto problems = judge(evidence, outcome, interrupted);
-  if (options.expectations.empty()) return problems.empty() ? 0 : kFailed;
+              const DemoOptions& options, int recorder_code, bool interrupted) {
+  const auto problems = judge(evidence, outcome, recorder_code, interrupted);
+  if (options.expectations.empty()) return problems.empty() ? recorder_code : kFailed;
   if (interrupted) return give_up(ensemble, kInterrupted);
-  const auto expectations = ensemble.judge_recording(problems);
+  const auto expectations = ensemble.judge_recording(problems, outcome.shortages);
   if (!expectations) {
     complain(expectations.error().message);
     return give_up(ensemble, expectations.error().message);
@@ -176,15 +200,17 @@ int run(const DemoOptions& options) try {
   const bool interrupted = termination.asked();
   auto problems = ensemble.end();
   for (const auto& problem : problems) complain(problem);
+  const int recorder_code = end_of_recorder(ensemble, outcome);
   if (outcome.fatal_loss || !problems.empty()) {
     std::cout << evidence.summary();
     for (const auto& name : outcome.lost) problems.push_back(name + " ended");
     return give_up(ensemble, list(problems));
   }
-  if (options.headless_for_s) return judge_all(ensemble, evidence, outcome, options, interrupted);
+  if (options.headless_for_s)
+    return judge_all(ensemble, evidence, outcome, options, recorder_code, interrupted);
   if (interrupted) std::cout << '\n';  // behind the terminal's ^C
   std::cout << evidence.summary();
-  return outcome.no_robots && !interrupted ? kFailed : 0;
+  return outcome.no_robots && !interrupted ? kFailed : recorder_code;
 } catch (const std::exception& error) {
   complain(error.what());
   return 1;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "core/command_line/exit_code.h"
 #include "core/installation.h"
 #include "core/json_text.h"
 #include "monitor/access/tokens.h"
@@ -33,6 +34,7 @@ Ensemble::Ensemble(const DemoOptions& options, Termination& termination)
       termination_(termination),
       logs_(new_run(".galilean", "run-" + std::to_string(getpid()))),
       check_(options.expectations, options.junit, logs_, termination),
+      recorder_words_(logs_ / (std::string(kRecorder) + ".log")),
       run_("demo-" + std::to_string(getpid())) {
   if (!options_.expectations.empty() && options_.record.empty())
     options_.record = (logs_ / "run.mcap").string();
@@ -190,6 +192,12 @@ std::vector<Ensemble::Loss> Ensemble::losses() {
                     member.fatal});
   }
   return lost;
+}
+
+int Ensemble::recorder_exit_code() const {
+  for (const auto& member : members_)
+    if (member.process.name() == kRecorder) return member.process.exit_code().value_or(kFailed);
+  return 0;
 }
 
 // The recorder ends first, while the others still send. The simulator ends last, because the robots

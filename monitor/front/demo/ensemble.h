@@ -10,6 +10,7 @@
 #include "core/result.h"
 #include "core/termination.h"
 #include "monitor/front/demo/options.h"
+#include "monitor/front/demo/recorder_words.h"
 #include "monitor/front/demo/recording_check.h"
 #include "monitor/front/process.h"
 
@@ -45,10 +46,19 @@ class Ensemble {
   [[nodiscard]] const std::filesystem::path& logs() const noexcept { return logs_; }
   /// Prints what came of the expectations. Returns the exit code of `galilean log check`.
   /// Requires: there are expectations, and all processes have ended. Errors: they cannot be judged.
-  /// @param problems  what went wrong in the run, which the reports tell, too
-  [[nodiscard]] Result<int> judge_recording(const std::vector<std::string>& problems) {
-    return check_.judge(options_.record, problems);
+  /// @param problems   what went wrong in the run, which the reports tell, too
+  /// @param shortages  why the recording is not whole, which they tell, too
+  [[nodiscard]] Result<int> judge_recording(const std::vector<std::string>& problems,
+                                            const std::vector<std::string>& shortages) {
+    return check_.judge(options_.record, problems, shortages);
   }
+  /// Returns what the recorder has said since the last call, a sentence each.
+  [[nodiscard]] std::vector<std::string> recorder_said() { return recorder_words_.take(); }
+  /// Returns the recorder's exit code, kFailed if it was killed, or 0 without a recorder.
+  /// Requires: all processes have ended.
+  [[nodiscard]] int recorder_exit_code() const;
+  /// Returns the file that is recorded; empty: none is.
+  [[nodiscard]] const std::string& recording() const noexcept { return options_.record; }
   /// Writes to JUnit's XML, if it is asked for, why nothing was judged. Errors: that cannot be
   /// done.
   [[nodiscard]] Result<void> give_up(const std::string& why) { return check_.give_up(why); }
@@ -79,6 +89,7 @@ class Ensemble {
   Termination& termination_;
   std::filesystem::path logs_;
   RecordingCheck check_;
+  RecorderWords recorder_words_;
   std::string run_;
   std::vector<std::string> robot_names_;
   std::vector<std::string> starts_;  ///< the monitor's --start: ROBOT:X,Y,HEADING in m and degrees

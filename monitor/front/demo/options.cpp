@@ -71,13 +71,16 @@ std::optional<int> read_options(int count, const char* const* arguments, DemoOpt
   app.option("--junit", options.junit, "Write what came of them as JUnit's XML to this file, too")
       .names_file(".xml");
   app.option("--allow-origin", options.allowed_origins,
-             "Another page that may use the monitor, as https://host[:port]");
+             "Another page that may use the monitor, as https://host[:port]")
+      .not_empty();
   add_domain_option(app, options.domain);
   app.describe_exit(
       kFailed,
       "The team did not work, no robot could run the program, or an expectation does not "
       "hold.");
-  app.describe_exit(kIncomplete, "The team worked, and for some expectations it cannot be told.");
+  app.describe_exit(kIncomplete,
+                    "The team worked, and for some expectations it cannot be told, or messages are "
+                    "missing in the recording.");
   if (const auto code = app.parse(count, arguments)) return code;
   if (const auto sentence = contradiction(options); !sentence.empty()) return app.refuse(sentence);
   return std::nullopt;

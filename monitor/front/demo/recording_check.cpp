@@ -56,10 +56,12 @@ Result<void> RecordingCheck::read_expectations() {
 }
 
 Result<int> RecordingCheck::judge(const std::string& recording,
-                                  const std::vector<std::string>& problems) {
+                                  const std::vector<std::string>& problems,
+                                  const std::vector<std::string>& shortages) {
   std::vector<std::string> arguments{recording};
   if (!junit_.empty()) arguments.insert(arguments.end(), {"--junit", junit_});
   for (const auto& each : problems) arguments.insert(arguments.end(), {"--problem", each});
+  for (const auto& each : shortages) arguments.insert(arguments.end(), {"--shortage", each});
   const auto said = run("check", std::move(arguments));
   if (!said) return said.error();
   has_told_ = true;

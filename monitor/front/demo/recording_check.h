@@ -27,9 +27,11 @@ class RecordingCheck {
   [[nodiscard]] Result<void> read_expectations();
   /// Prints what came of the expectations. Returns the exit code of `galilean log check`.
   /// Errors: it could not be run, or termination was asked for.
-  /// @param problems  what went wrong in the run, which the reports tell, too
+  /// @param problems   what went wrong in the run, which the reports tell, too
+  /// @param shortages  why the recording is not whole, which they tell, too
   [[nodiscard]] Result<int> judge(const std::string& recording,
-                                  const std::vector<std::string>& problems);
+                                  const std::vector<std::string>& problems,
+                                  const std::vector<std::string>& shortages);
   /// Writes why nothing was judged, unless the XML tells already. Errors: it cannot be written.
   [[nodiscard]] Result<void> give_up(const std::string& why);
 

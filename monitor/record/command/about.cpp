@@ -3,6 +3,9 @@
 
 #include <sys/utsname.h>
 
+#include <algorithm>
+#include <array>
+
 #include "core/account.h"
 
 namespace galilean::monitor {
@@ -10,6 +13,14 @@ namespace galilean::monitor {
 std::string host_name() {
   utsname system{};
   return uname(&system) == 0 ? system.nodename : "";
+}
+
+bool is_told_anyway(std::string_view word) noexcept {
+  // Those of `about`, and those that the recorder adds to each file.
+  constexpr std::array<std::string_view, 10> kTold{"system", "version", "compiler", "host",
+                                                   "user",   "name",    "domain",   "started",
+                                                   "file",   "event"};
+  return std::ranges::find(kTold, word) != kTold.end();
 }
 
 mcap::Text about(const RecordingOptions& options, std::uint32_t domain) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "monitor/mcap/mcap_records.h"
 #include "monitor/record/command/recording_options.h"
@@ -11,6 +12,9 @@ namespace galilean::monitor {
 
 /// Returns this machine's name, as the network knows it.
 [[nodiscard]] std::string host_name();
+
+/// Returns whether each file tells this word of itself, so that --about cannot.
+[[nodiscard]] bool is_told_anyway(std::string_view word) noexcept;
 
 /// Returns what each file of a recording tells of who recorded it, where and with what: the
 /// versions of Galilean, the compiler and the system, the host, the user, the DDS `domain` that was

@@ -18,13 +18,18 @@ namespace galilean::monitor {
 /// is "stuck" for 3 s`. For use by one thread.
 class ExpressionTrigger final : public Trigger {
  public:
+  /// Errors: the text is no condition; the error is a sentence.
+  [[nodiscard]] static Result<void> check(const std::string& text);
   /// Requires: `definitions` outlives this.
   /// Errors: the text is no condition; the error is a sentence.
   [[nodiscard]] static Result<std::unique_ptr<ExpressionTrigger>> read(const std::string& text,
                                                                        Definitions& definitions);
 
+  [[nodiscard]] bool wants(const wire::EndpointInfo& writer) const override;
   void take(const wire::EndpointInfo& writer, const wire::Received& received, Time at) override;
   [[nodiscard]] std::optional<std::string> happened() override;
+  /// They are on names that a robot's program does not have, and on what cannot be decoded.
+  [[nodiscard]] std::vector<std::string> doubts() override;
 
  private:
   ExpressionTrigger(std::vector<expect::Expectation> expectations, Definitions& definitions);

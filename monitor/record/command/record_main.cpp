@@ -129,7 +129,10 @@ int run(RecordingOptions& options) try {
   steering.greet();
   auto done = record(recorder, steering, termination, clock, options.duration_s);
   if (done) done = recorder.conclude();
-  if (!done) return fail(done.error().message + "; what was recorded until then can still be read");
+  if (!done)
+    return fail(done.error().message + (files.is_lost()
+                                            ? "; what was recorded to it is lost"
+                                            : "; what was recorded until then can still be read"));
   return report(files, recorder.recordings(), options.on);
 } catch (const std::exception& error) {
   return fail(error.what());

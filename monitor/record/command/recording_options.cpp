@@ -15,6 +15,8 @@
 #include "core/command_line/exit_code.h"
 #include "core/command_line/seconds_of.h"
 #include "core/visible_text.h"
+#include "monitor/record/command/about.h"
+#include "monitor/record/command/expression_trigger.h"
 #include "monitor/record/size_text.h"
 
 namespace galilean::monitor {
@@ -45,7 +47,18 @@ CommandLine::Reader size_into(std::uint64_t& target) {
   };
 }
 
+/// As size_into, for what has no meaning at 0.
+CommandLine::Reader size_above_0_into(std::uint64_t& target) {
+  return [&target](const std::string& text) -> Result<void> {
+    if (auto read = size_into(target)(text); !read) return read;
+    if (target > 0) return {};
+    return Error{"the value must be above 0, and not '" + visible(text) + "'"};
+  };
+}
+
+/// An empty expression matches everything, and is the text of a variable that is not set.
 Result<std::regex> expression_of(const std::string& text) try {
+  if (text.empty()) return Error{"the value is empty; give one, or leave the option out"};
   return std::regex(text, std::regex::optimize);
 } catch (const std::regex_error& error) {
   return Error{"'" + visible(text) + "' is not a valid regular expression: " + error.what()};
@@ -90,7 +103,7 @@ void add_what(CommandLine& app, RecordingOptions& options, Words& words) {
       .describe_default("200kB");
   app.flag("--inputs", options.selection.inputs,
            "Record what each tick of the robots read, too, so that 'galilean log rerun' can run "
-           "them again; about 1 MB a second for a robot with a camera");
+           "them again, whatever --topics says; about 1 MB a second for a robot with a camera");
   app.option("--schema", words.schema,
              "How the recording defines its messages: as .msg files do, which PlotJuggler and ROS "
              "2 read, or in IDL")
@@ -109,7 +122,7 @@ void add_where(CommandLine& app, RecordingOptions& options, Words& words) {
              "several times as long, or by LZ4")
       .one_of({"none", "fast", "small", "lz4"})
       .show_default();
-  app.option("--split-size", size_into(options.plan.split_bytes),
+  app.option("--split-size", size_above_0_into(options.plan.split_bytes),
              "Write run_0.mcap, and go on in run_1.mcap whenever a file has this size, such as "
              "500MB");
   app.option("--split-duration", words.split_duration_s,
@@ -123,54 +136,69 @@ void add_where(CommandLine& app, RecordingOptions& options, Words& words) {
       .describe_default("500MB");
 }
 
+/// Returns what reads WORD=VALUE into `about`.
+CommandLine::Reader word_into(mcap::Text& about) {
+  return [&about](const std::string& text) -> Result<void> {
+    const auto equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos)
+      return Error{"'" + visible(text) + "' is no WORD=VALUE, such as seed=7"};
+    const std::string word = text.substr(0, equals);
+    if (is_told_anyway(word))
+      return Error{"the recorder itself tells '" + word + "'; choose another word"};
+    if (about.emplace(word, text.substr(equals + 1)).second) return {};
+    return Error{"'" + visible(word) + "' is told twice; choose one of its values"};
+  };
+}
+
 void add_about(CommandLine& app, RecordingOptions& options) {
   app.option("--name", options.name,
              "How 'galilean record pause' and 'resume' call this recorder; without it, by the name "
              "of its file without .mcap")
       .not_empty();
-  app.options(
-      "--about",
-      [&options](const std::string& text) -> Result<void> {
-        const auto equals = text.find('=');
-        if (equals == 0 || equals == std::string::npos)
-          return Error{"'" + visible(text) + "' is no WORD=VALUE, such as seed=7"};
-        options.about[text.substr(0, equals)] = text.substr(equals + 1);
-        return {};
-      },
-      "Tell this in the metadata 'galilean' of each file: WORD=VALUE, such as seed=7");
+  app.options("--about", word_into(options.about),
+              "Tell this in the metadata 'galilean' of each file: WORD=VALUE, such as seed=7");
 }
 
 void add_snapshots(CommandLine& app, RecordingOptions& options) {
   app.option("--on", options.on,
              "Record only what is around an event: when this comes true for a robot, such as "
              "'state is \"break_free\" for 3 s', in the words of docs/EXPECT.md")
-      .not_empty();
+      .not_empty()
+      .check(ExpressionTrigger::check);
   app.option("--keep-last", time_into(options.snapshots.before),
              "How long before an event a file begins, such as 30s")
       .describe_default("30s");
   app.option("--keep-after", time_into(options.snapshots.after),
              "How long after the last event it ends")
       .describe_default("10s");
-  app.option(
-         "--keep-memory",
-         [&options](const std::string& text) -> Result<void> {
-           const auto bytes = bytes_of(text);
-           if (!bytes) return bytes.error();
-           options.snapshots.most_bytes = static_cast<std::size_t>(bytes.value());
-           return {};
-         },
-         "How much of that is kept in memory at most")
+  app.option("--keep-memory", size_above_0_into(options.snapshots.most_bytes),
+             "How much of that is kept in memory at most")
       .describe_default("64MB");
 }
 
+/// Returns which option has no effect beside the others, or nothing.
+std::string without_effect(CommandLine& app, const RecordingOptions& options, const Words& words) {
+  for (const char* name : {"--keep-last", "--keep-after", "--keep-memory"})
+    if (app.find(name).given() && options.on.empty())
+      return std::string(name) + " needs --on, which says around what event is recorded";
+  if (words.no_images && words.pictures != "none" && app.find("--pictures").given())
+    return "--no-images is the same as --pictures none; leave one of the two out";
+  if (options.selection.inputs && options.selection.excludes_inputs_of_all())
+    return "--exclude leaves out what --inputs asks for; leave one of the two out";
+  return "";
+}
+
 /// Returns why the options contradict each other, or nothing.
-std::string contradiction(const RecordingOptions& options, const Words& words) {
+std::string contradiction(CommandLine& app, const RecordingOptions& options, const Words& words) {
   const bool is_split = options.plan.split_bytes > 0 || words.split_duration_s > 0;
   if (words.most_files > 0 && !is_split)
     return "--max-files needs --split-size or --split-duration";
+  if (auto problem = without_effect(app, options, words); !problem.empty()) return problem;
   if (options.plan.out != kStandardOutput) return "";
   if (is_split) return "standard output cannot be split; give --out the name of a file";
   if (!options.on.empty()) return "each event has a file of its own; give --out the name of a file";
+  if (app.find("--min-free").given() && options.min_free_bytes > 0)
+    return "--min-free looks at the disk of a file; give --out the name of one";
   if (isatty(STDOUT_FILENO))
     return "a recording is no text for a terminal; give --out the name of a file, or redirect "
            "standard output";
@@ -211,7 +239,7 @@ std::optional<int> read_options(int count, const char* const* arguments,
   if (const auto code = app.parse(count, arguments)) return code;
   if (std::ranges::find(kStandardOutputNames, options.plan.out) != kStandardOutputNames.end())
     options.plan.out = kStandardOutput;
-  if (const auto problem = contradiction(options, words); !problem.empty())
+  if (const auto problem = contradiction(app, options, words); !problem.empty())
     return app.refuse(problem);
   take_words(options, words);
   return std::nullopt;

@@ -71,9 +71,10 @@ int run(const std::string& verb, std::uint8_t kind, const Options& options) try 
 CommandLine add(CommandLine& app, const char* name, const char* help, Options& options) {
   auto verb = app.command(name, help);
   verb.option(
-      "--name", options.name,
-      "The recorder, by its --name or else the name of its file without .mcap; needed where "
-      "several record");
+          "--name", options.name,
+          "The recorder, by its --name or else the name of its file without .mcap; needed where "
+          "several record")
+      .not_empty();
   add_domain_option(verb, options.domain);
   return verb;
 }

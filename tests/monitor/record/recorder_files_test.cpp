@@ -94,6 +94,57 @@ TEST_F(RecorderFilesTest, StandsStillWhileTheDiskIsNearlyFullAndGoesOn) {
   EXPECT_EQ(told->writers.front().recorded, 1U);  // the other stands in the file before
 }
 
+TEST_F(RecorderFilesTest, AFileThatNoOtherFollowsTellsWhatWasNotWrittenSince) {
+  auto flow = talk(Foreign::kCells, "rt/flow", Delivery::kFlow);
+  start();
+  ASSERT_TRUE(comes_to_be_heard(flow));
+  ASSERT_TRUE(flow.write());
+  ASSERT_TRUE(comes_to_record(1));
+  free = kLeastRoom - 1;
+  look();
+  ASSERT_TRUE(flow.write());
+  ASSERT_TRUE(wire::wait_until(
+      [&] { return pump(), total_missing(recorder->recordings().losses()) == 1; }));
+  ASSERT_TRUE(recorder->conclude());
+  EXPECT_EQ(messages_in("run.mcap"), 1U);
+  const auto source = mcap::FileSource::open(folder / "run.mcap");
+  const auto told = told_losses(source.value(), summary_of("run.mcap"));
+  ASSERT_TRUE(told.has_value());
+  ASSERT_EQ(told->writers.size(), 1U);
+  EXPECT_EQ(told->writers.front().unwritten, 1U);
+  EXPECT_EQ(told->writers.front().recorded, 1U);
+}
+
+TEST_F(RecorderFilesTest, NoticesWithinASecondThatItsFileWasDeleted) {
+  start();
+  pump();
+  std::filesystem::remove(folder / "run.mcap");
+  clock.advance(kLookEach);
+  const auto done = recorder->pump();
+  ASSERT_FALSE(done);
+  EXPECT_THAT(done.error().message, HasSubstr("run.mcap was deleted"));
+  EXPECT_TRUE(files->is_lost());
+}
+
+TEST_F(RecorderFilesTest, NoticesAtItsEndThatItsFileWasEmptied) {
+  start();
+  pump();
+  std::filesystem::resize_file(folder / "run.mcap", 0);
+  const auto done = recorder->conclude();
+  ASSERT_FALSE(done);
+  EXPECT_THAT(done.error().message, HasSubstr("run.mcap was emptied"));
+}
+
+TEST_F(RecorderFilesTest, GoesOnInAFileThatIsCalledOtherwiseAndSaysSo) {
+  start();
+  pump();
+  std::filesystem::rename(folder / "run.mcap", folder / "kept.mcap");
+  look();
+  EXPECT_THAT(warnings, HasSubstr("run.mcap is no longer there"));
+  ASSERT_TRUE(recorder->conclude());
+  EXPECT_FALSE(summary_of("kept.mcap").recovered());
+}
+
 TEST_F(RecorderFilesTest, EndsAnEmptyFileThatNobodySentAnythingFor) {
   start();
   pump();

@@ -17,19 +17,23 @@ using wire::Foreign;
 /// Something that happens when the test says so.
 class SaidSo final : public Trigger {
  public:
+  bool wants(const wire::EndpointInfo& writer) const override { return writer.topic == needed; }
   void take(const wire::EndpointInfo&, const wire::Received&, Time) override { ++taken; }
   std::optional<std::string> happened() override { return std::exchange(event, std::nullopt); }
+  std::vector<std::string> doubts() override { return doubted; }
 
+  std::string needed;  ///< a topic
+  std::vector<std::string> doubted;
   int taken = 0;
   std::optional<std::string> event;
 };
 
 class RecorderSnapshotTest : public RecorderTest {
  protected:
-  void start_waiting() {
+  void start_waiting(Selection selection = {}) {
     snapshots = {
         .trigger = &trigger, .before = std::chrono::seconds(3), .after = std::chrono::seconds(2)};
-    start();
+    start(std::move(selection));
   }
   /// Sends a message and waits until the recorder has it.
   void receive(wire::ForeignTalk& writer) {
@@ -108,6 +112,36 @@ TEST_F(RecorderSnapshotTest, WithoutAnEventThereIsNoFile) {
   ASSERT_TRUE(recorder->conclude());
   EXPECT_EQ(files->totals().files, 0U);
   EXPECT_FALSE(std::filesystem::exists(folder / "run.mcap"));
+}
+
+TEST_F(RecorderSnapshotTest, WhatTheEventNeedsIsHeardThoughItIsNotRecorded) {
+  auto state = talk(Foreign::kCells, "rt/state");
+  auto flow = talk(Foreign::kCells, "rt/flow", Delivery::kFlow);
+  trigger.needed = "rt/flow";
+  Selection selection;
+  selection.topics.emplace_back("state");
+  start_waiting(std::move(selection));
+  ASSERT_TRUE(comes_to_be_heard(state));
+  ASSERT_TRUE(comes_to_be_heard(flow));
+  receive(state);
+  receive(flow);
+  trigger.event = "flow";
+  pump();
+  receive(flow);
+  EXPECT_EQ(recorder->recordings().topics(), 1U);
+  EXPECT_EQ(recorder->recordings().losses().size(), 1U);
+  const auto summary = recorded();
+  ASSERT_EQ(summary.channels.size(), 1U);
+  EXPECT_EQ(summary.channels.begin()->second.topic, "/state");
+}
+
+TEST_F(RecorderSnapshotTest, SaysOnceWhyTheEventCannotHappen) {
+  start_waiting();
+  pump();
+  trigger.doubted = {"io's program has no state 'stuk'"};
+  look();
+  look();
+  EXPECT_EQ(warnings, "io's program has no state 'stuk'\n");
 }
 
 }  // namespace

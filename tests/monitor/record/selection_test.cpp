@@ -40,6 +40,21 @@ TEST(Selection, TakesTheInputsOfRobotsOnlyIfTheyAreAskedFor) {
   EXPECT_TRUE(some.takes(inputs));
 }
 
+TEST(Selection, TakesInputsBesideTheTopicsThatAreChosen) {
+  auto inputs = writer_of("rt/io/inputs");
+  inputs.dds_type = "galilean_msgs::msg::dds_::TickInputs_";
+  Selection some;
+  some.inputs = true;
+  some.topics.emplace_back("state");
+  EXPECT_TRUE(some.takes(inputs));
+  EXPECT_FALSE(some.excludes_inputs_of_all());
+  some.excluded.emplace_back("^/io/");
+  EXPECT_FALSE(some.takes(inputs));
+  EXPECT_FALSE(some.excludes_inputs_of_all()) << "other robots may send some";
+  some.excluded.emplace_back("inputs$");
+  EXPECT_TRUE(some.excludes_inputs_of_all());
+}
+
 TEST(Selection, LeavesServicesOut) {
   EXPECT_FALSE(Selection().takes(writer_of("rq/talker/set_parametersRequest")));
   EXPECT_FALSE(Selection().takes(writer_of("rr/talker/set_parametersReply")));

@@ -23,5 +23,12 @@ TEST(SizeText, WhatIsNoSizeIsRefusedWithWhatToWrite) {
             "'many' is no size: write a number and a unit, such as 500MB or 2GB");
 }
 
+TEST(SizeText, IsToldInTheLargestUnitOfWhichThereIsOne) {
+  EXPECT_EQ(size_text(0), "0 bytes");
+  EXPECT_EQ(size_text(999), "999 bytes");
+  EXPECT_EQ(size_text(10'000), "10 kB");
+  EXPECT_EQ(size_text(64'999'999), "64 MB");
+}
+
 }  // namespace
 }  // namespace galilean::monitor

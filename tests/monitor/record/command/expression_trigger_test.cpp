@@ -31,6 +31,17 @@ class ExpressionTriggerTest : public testing::Test {
     const auto cdr = expect::cdr(state_);
     trigger.take(writer, {cdr, 0, 1, state_.tick}, Time{} + from_seconds(s));
   }
+  /// Gives it that a robot's program has a state "stuck".
+  static void tell_program(ExpressionTrigger& trigger, const std::string& robot) {
+    wire::EndpointInfo writer;
+    writer.topic = "rt/" + robot + "/program";
+    writer.dds_type = "galilean_msgs::msg::dds_::Program_";
+    writer.guid = robot + "'s program";
+    msg::Program program;
+    program.robot = robot;
+    program.states.emplace_back().name = "stuck";
+    trigger.take(writer, {expect::cdr(program), 0, 1, 1}, Time{});
+  }
   std::string refusal(const std::string& text) {
     const auto read = ExpressionTrigger::read(text, definitions_);
     return read ? "" : read.error().message;
@@ -75,6 +86,35 @@ TEST_F(ExpressionTriggerTest, RefusesWhatIsNoCondition) {
               HasSubstr("more than one condition"));
   EXPECT_THAT(refusal("state is \"a\"\nio: never state is \"b\""),
               HasSubstr("more than one condition"));
+}
+
+TEST_F(ExpressionTriggerTest, DoubtsANameThatARobotsProgramDoesNotHave) {
+  const auto mistyped = trigger("state is \"stuk\"");
+  ASSERT_TRUE(mistyped);
+  EXPECT_THAT(mistyped->doubts(), testing::IsEmpty()) << "no program is known";
+  tell_program(*mistyped, "io");
+  EXPECT_THAT(mistyped->doubts(), testing::ElementsAre(testing::AllOf(
+                                      HasSubstr("--on: io's program has no state"),
+                                      HasSubstr("stuk"), HasSubstr("did you mean 'stuck'?"))));
+  const auto right = trigger("state is \"stuck\"");
+  ASSERT_TRUE(right);
+  tell_program(*right, "io");
+  EXPECT_THAT(right->doubts(), testing::IsEmpty());
+}
+
+TEST_F(ExpressionTriggerTest, WantsTheTopicsThatItsConditionNeeds) {
+  const auto fields = trigger("/scan.range < 1");
+  ASSERT_TRUE(fields);
+  wire::EndpointInfo writer;
+  writer.topic = "rt/scan";
+  writer.dds_type = "sensor::msg::dds_::Scan_";
+  EXPECT_TRUE(fields->wants(writer));
+  writer.topic = "rt/io/state";
+  writer.dds_type = "galilean_msgs::msg::dds_::RobotState_";
+  EXPECT_TRUE(fields->wants(writer)) << "from which robots are known";
+  writer.topic = "rt/io/variables";
+  writer.dds_type = "galilean_msgs::msg::dds_::Variables_";
+  EXPECT_FALSE(fields->wants(writer));
 }
 
 }  // namespace

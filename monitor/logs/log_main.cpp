@@ -43,7 +43,7 @@ int print_info(const InfoOptions& options) {
   std::cout << (options.json ? monitor::describe_json(options.file, summary, losses, pauses)
                              : monitor::describe(options.file, summary, losses, pauses));
   if (!std::cout.flush()) return kFailed;
-  const bool is_missing = losses && monitor::total_missing(losses->writers) > 0;
+  const bool is_missing = losses && (losses->missing() > 0 || !losses->copies.empty());
   return summary.recovered() || is_missing ? kIncomplete : 0;
 }
 

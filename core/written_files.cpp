@@ -35,6 +35,8 @@ Result<void> check_written_files(const std::vector<std::string>& written,
                                  const std::vector<std::string>& read) {
   for (auto each = written.begin(); each != written.end(); ++each) {
     std::error_code unknown;
+    if (*each == "-")
+      return Error{"'-' stands for standard output, which is not written here; name a file"};
     if (each->empty() || fs::is_other(*each, unknown)) continue;
     for (const auto& other : read)
       if (is_same_file(*each, other))

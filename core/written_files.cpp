@@ -31,6 +31,11 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return fs::equivalent(a, b, unknown) || place_of(a) == place_of(b);
 }
 
+void remove_unfinished(const std::string& path) noexcept {
+  std::error_code unknown;
+  if (fs::is_regular_file(path, unknown)) fs::remove(path, unknown);
+}
+
 Result<void> check_written_files(const std::vector<std::string>& written,
                                  const std::vector<std::string>& read) {
   for (auto each = written.begin(); each != written.end(); ++each) {

@@ -19,4 +19,8 @@ namespace galilean {
 [[nodiscard]] Result<void> check_written_files(const std::vector<std::string>& written,
                                                const std::vector<std::string>& read);
 
+/// Removes a file whose writing failed, as on a full disk: the part that is there would pass for
+/// the whole, or for an empty result. Leaves pipes and devices.
+void remove_unfinished(const std::string& path) noexcept;
+
 }  // namespace galilean

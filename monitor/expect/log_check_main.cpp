@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "core/broken_pipe.h"
 #include "core/command_line/exit_code.h"
 #include "core/json_text.h"
 #include "core/progress_bar.h"
@@ -155,6 +156,7 @@ int run(const CheckOptions& options) try {
 }  // namespace
 
 int main(int argc, char** argv) {
+  ignore_file_size_limit();
   CheckOptions options;
   if (const auto code = read_check_options(argc, argv, options)) return *code;
   return run(options);

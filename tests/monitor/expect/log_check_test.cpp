@@ -109,6 +109,15 @@ TEST_F(LogCheckTest, AReportOfARunThatIsKilledIsNoOlderOne) {
   EXPECT_THAT(read("o.xml"), HasSubstr("<error message=\"the run has not come to its end\""));
 }
 
+TEST_F(LogCheckTest, AReportThatTheDiskDoesNotTakeIsNotLeftThere) {
+  write("a.expect", "io: always it is healthy\n");
+  const std::string script = "cd '" + folder_.path().string() +
+                             "' && ulimit -f 0 && '" GALILEAN_LOG_CHECK
+                             "' run.mcap --expect a.expect --junit o.xml >/dev/null 2>&1";
+  EXPECT_EQ(WEXITSTATUS(std::system(script.c_str())), 1);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "o.xml"));
+}
+
 TEST_F(LogCheckTest, EveryFormatIsPrinted) {
   const std::string text = "io: never state is \"stuck\" for 2 s\n";
   EXPECT_THAT(check(text, "--format tap").text,

@@ -205,8 +205,10 @@ std::string copy_loss_text(const CopyLosses& losses) {
     text = "an unknown number of messages";
   else
     text = (losses.is_exact ? "" : "at least ") + plural(missing, "message");
-  text += missing > 1 ? " are lost, which were " : " is lost, which was ";
-  text += "damaged or missing in " + visible(losses.file) + ", the file that it was copied from";
+  text += missing > 1 ? " are lost" : " is lost";
+  text += missing == 1 ? ", which was damaged" : ", which were damaged";
+  text += " or missing in " + (losses.file.empty() ? "" : visible(losses.file) + ", ") +
+          "the file that it was copied from";
   std::string topics;
   for (const auto& [topic, messages] : losses.topics)
     topics += (topics.empty() ? " (" : ", ") + visible(topic) + ' ' + std::to_string(messages);

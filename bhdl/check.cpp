@@ -106,4 +106,13 @@ CheckResult check_file(const std::filesystem::path& path, const Catalog& catalog
   return check_file(path, Vocabulary(catalog));
 }
 
+std::vector<std::string> files_of(const std::filesystem::path& path) {
+  Diagnostics unused;
+  const auto folder = path.parent_path();
+  const auto program = load(path.filename().string(), DiskSources(folder), unused);
+  std::vector<std::string> paths{path.string()};
+  for (const auto& file : program.files) paths.push_back((folder / file.path).string());
+  return paths;
+}
+
 }  // namespace galilean::bhdl

@@ -60,4 +60,8 @@ struct CheckResult {
                                      Depth depth = Depth::kErrorsAndWarnings);
 [[nodiscard]] CheckResult check_file(const std::filesystem::path& path, const Catalog& catalog);
 
+/// Returns the paths of all files that a program on disk is read from, as far as they can be read:
+/// the main file first, then those that are included.
+[[nodiscard]] std::vector<std::string> files_of(const std::filesystem::path& path);
+
 }  // namespace galilean::bhdl

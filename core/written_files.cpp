@@ -31,10 +31,17 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return fs::equivalent(a, b, unknown) || place_of(a) == place_of(b);
 }
 
+void remove_unfinished(const std::string& path) noexcept {
+  std::error_code unknown;
+  if (fs::is_regular_file(path, unknown)) fs::remove(path, unknown);
+}
+
 Result<void> check_written_files(const std::vector<std::string>& written,
                                  const std::vector<std::string>& read) {
   for (auto each = written.begin(); each != written.end(); ++each) {
     std::error_code unknown;
+    if (*each == "-")
+      return Error{"'-' stands for standard output, which is not written here; name a file"};
     if (each->empty() || fs::is_other(*each, unknown)) continue;
     for (const auto& other : read)
       if (is_same_file(*each, other))

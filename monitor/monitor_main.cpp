@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <charconv>
+#include <filesystem>
 #include <iostream>
+#include <utility>
 
 #include "core/broken_pipe.h"
 #include "core/command_line/command_line.h"
@@ -61,6 +63,22 @@ int run(const monitor::MonitorOptions& options) {
   return EXIT_SUCCESS;
 }
 
+/// Returns which of the folders is a file or anything else that is no folder; empty if none is.
+std::string no_folder(const monitor::MonitorOptions& options) {
+  const std::pair<const char*, const std::filesystem::path*> folders[] = {
+      {"--web", &options.page_folder},
+      {"--programs", &options.library_folder},
+      {"--data", &options.data_folder},
+      {"--recordings", &options.recordings_folder}};
+  for (const auto& [option, folder] : folders) {
+    std::error_code unknown;
+    if (std::filesystem::exists(*folder, unknown) &&
+        !std::filesystem::is_directory(*folder, unknown))
+      return std::string(option) + " " + folder->string() + " is no folder";
+  }
+  return {};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -101,6 +119,7 @@ int main(int argc, char** argv) {
              "another page that may use this monitor, as https://host[:port]")
       .not_empty();
   if (const auto code = app.parse(argc, argv)) return *code;
+  if (const auto wrong = no_folder(options); !wrong.empty()) return app.refuse(wrong);
   options.map.silent_after = galilean::from_seconds(silent_after_s);
   return run(options);
 }

@@ -111,10 +111,10 @@ int run_live(const Options& options, const Scenario& scenario) {
 
 /// Errors: a file is to be written that is read, too.
 Result<void> check_files(const Options& options) {
-  return check_written_files(
-      {options.trace, options.snapshot},
-      {find_file(options.scenario, "scenarios", ".json").string(),
-       find_file(options.bhdl, "programs", ".bhdl").string(), options.start});
+  auto read = bhdl::files_of(find_file(options.bhdl, "programs", ".bhdl"));
+  read.push_back(find_file(options.scenario, "scenarios", ".json").string());
+  read.push_back(options.start);
+  return check_written_files({options.trace, options.snapshot}, read);
 }
 
 }  // namespace

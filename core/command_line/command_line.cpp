@@ -8,6 +8,7 @@
 
 #include "core/command_line/describe.h"
 #include "core/command_line/unknown_word.h"
+#include "core/standard_output.h"
 #include "core/visible_text.h"
 
 namespace galilean {
@@ -120,6 +121,7 @@ void CommandLine::describe_exit(int code, const std::string& sentence) {
 }
 
 std::optional<int> CommandLine::parse(int count, const char* const* arguments) {
+  tell_unwritten_output();
   if (const auto asked = asked_description(*app_, *notes_, count, arguments)) {
     std::cout << description_to_json(*asked) << std::endl;
     return EXIT_SUCCESS;

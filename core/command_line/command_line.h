@@ -78,6 +78,7 @@ class CommandLine {
   /// reason says what may have been meant.
   /// If the last argument is kDescribeCommandLine (description.h) and no option is before it, this
   /// prints what is described there, and returns 0.
+  /// Calls tell_unwritten_output(), so that every program says if what it prints is lost.
   [[nodiscard]] std::optional<int> parse(int count, const char* const* arguments);
   /// Returns whether this command was given.
   [[nodiscard]] bool chosen() const;

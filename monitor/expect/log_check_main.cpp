@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
+#include "core/broken_pipe.h"
 #include "core/command_line/exit_code.h"
 #include "core/json_text.h"
 #include "core/progress_bar.h"
@@ -34,13 +36,27 @@ std::string in_format(const std::string& format, const Report& report) {
   return text_report(report);
 }
 
+std::string about_what(const CheckOptions& options) {
+  if (options.live) return "the live team";
+  return options.recording.empty() ? "expectations" : options.recording;
+}
+
+/// Writes to the file of --junit that the run has not come to its end, so that no older report is
+/// taken for that of a run that is killed. A pipe gets the report alone. Errors: it cannot be
+/// written.
+Result<void> begin_report(const CheckOptions& options) {
+  std::error_code unknown;
+  if (options.junit.empty() || std::filesystem::is_other(options.junit, unknown)) return {};
+  return write_report(options.junit,
+                      junit_problems(about_what(options),
+                                     {{.message = "the run has not come to its end", .file = {}}}));
+}
+
 /// Prints why nothing was judged for programs, where they read, and writes it to the file of
 /// --junit. Returns the exit code.
 int tell_programs(const CheckOptions& options, const std::vector<Problem>& problems,
                   const std::vector<bhdl::Diagnostic>& mistakes) {
-  const std::string about = options.live                ? "the live team"
-                            : options.recording.empty() ? "expectations"
-                                                        : options.recording;
+  const std::string about = about_what(options);
   if (options.format == "junit") std::cout << junit_problems(about, problems);
   if (options.format == "tap") std::cout << tap_problems(problems);
   if (options.format == "github") std::cout << github_problems(problems);
@@ -128,6 +144,7 @@ int run(const CheckOptions& options) try {
   if (const auto right = check_files(options); !right) return fail(right.error().message);
   const auto parsed = parse_files(options.expectations);
   if (!parsed.ok() || options.syntax) return tell_mistakes(options, parsed.diagnostics);
+  if (const auto begun = begin_report(options); !begun) return fail(begun.error().message);
   Judge judge(parsed.expectations, {.silence = from_seconds(options.silence_s)});
   auto played = options.live ? hear_team(options, judge) : read_recording(options, judge);
   if (!played) return give_up(options, played.error().message);
@@ -142,6 +159,7 @@ int run(const CheckOptions& options) try {
 }  // namespace
 
 int main(int argc, char** argv) {
+  ignore_file_size_limit();
   CheckOptions options;
   if (const auto code = read_check_options(argc, argv, options)) return *code;
   return run(options);

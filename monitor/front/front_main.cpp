@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/command_line/exit_code.h"
+#include "core/standard_output.h"
 #include "monitor/front/siblings.h"
 #include "monitor/front/verbs.h"
 
@@ -34,6 +35,7 @@ int become(const Verb& verb, char** rest) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  galilean::tell_unwritten_output();
   const std::string name = argc > 1 ? argv[1] : "";
   if (name == "version" || name == "--version")
     return std::cout << "galilean " GALILEAN_VERSION "\n", 0;

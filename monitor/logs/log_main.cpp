@@ -2,6 +2,7 @@
 // galilean-log info|cat|csv|stats|plot|verify|diff|coverage|rerun|slice|merge|recover|convert reads
 // recordings.
 #include <iostream>
+#include <sstream>
 
 #include "core/broken_pipe.h"
 #include "monitor/logs/log_options.h"
@@ -43,8 +44,29 @@ int print_info(const InfoOptions& options) {
   std::cout << (options.json ? monitor::describe_json(options.file, summary, losses, pauses)
                              : monitor::describe(options.file, summary, losses, pauses));
   if (!std::cout.flush()) return kFailed;
-  const bool is_missing = losses && monitor::total_missing(losses->writers) > 0;
+  const bool is_missing = losses && (losses->missing() > 0 || !losses->copies.empty());
   return summary.recovered() || is_missing ? kIncomplete : 0;
+}
+
+/// Returns why the times bound no part; empty if they do. Of commands that were not given, they are
+/// those of the whole recording.
+template <class Times>
+std::string wrong_order(const Times& times) {
+  if (!times.to_s || *times.to_s >= times.from_s) return {};
+  std::ostringstream text;
+  text << "--to " << *times.to_s << "s is before --from " << times.from_s
+       << "s; a part begins before it ends";
+  return text.str();
+}
+
+/// Returns what is wrong with the options together; empty if nothing is.
+std::string contradiction(const Options& options, bool is_plot) {
+  if (is_plot && options.plot.map == !options.plot.values.empty())
+    return options.plot.map ? "--map draws no fields; leave them out, or --map"
+                            : "plot needs TOPIC.FIELD, such as io/state.x_m, or --map";
+  return wrong_order(options.cat.selection) + wrong_order(options.csv) +
+         wrong_order(options.stats.selection) + wrong_order(options.plot) +
+         wrong_order(options.slice.selection);
 }
 
 template <class Run>
@@ -76,9 +98,8 @@ int main(int argc, char** argv) {
   const auto recover = add_recover(app, options.recover);
   const auto convert = add_convert(app, options.convert);
   if (const auto code = app.parse(argc, argv)) return *code;
-  if (plotted.chosen() && options.plot.map == !options.plot.values.empty())
-    return app.refuse(options.plot.map ? "--map draws no fields; leave them out, or --map"
-                                       : "plot needs TOPIC.FIELD, such as io/state.x_m, or --map");
+  if (const auto wrong = contradiction(options, plotted.chosen()); !wrong.empty())
+    return app.refuse(wrong);
   return guarded([&] {
     if (info.chosen()) return print_info(options.info);
     if (cat.chosen()) return print_messages(options.cat);

@@ -163,9 +163,11 @@ CommandLine add_coverage(CommandLine& app, CoverageOptions& options) {
   command.option("--format", options.format, "What to print: text, JSON, or a graph for Graphviz")
       .one_of({"text", "json", "dot"})
       .show_default();
-  command.option("--at-least", options.least_percent,
-                 "Fail unless so many per cent of each program's states, and of its conditions, "
-                 "were exercised");
+  command
+      .option("--at-least", options.least_percent,
+              "Fail unless so many per cent of each program's states, and of its conditions, "
+              "were exercised")
+      .between(0.0, 100.0);
   command.describe_exit(kFailed, "Less was exercised than --at-least, or nothing can be read.");
   describe_damage(command, "the rest was counted.");
   return command;

@@ -47,9 +47,11 @@ std::vector<Row> rows(const mcap::Summary& summary) {
 }
 
 std::string missing_line(const ToldLosses& losses) {
-  const auto missing = plural(total_missing(losses.writers), "message");
+  const auto missing = plural(losses.missing(), "message");
   if (losses.is_whole) return missing;
-  return "at least " + missing + ", as far as was told before the recorder broke off";
+  return "at least " + missing +
+         (losses.copies.empty() ? ", as far as was told before the recorder broke off"
+                                : ", as far as is known");
 }
 
 void describe_losses(std::ostream& out, const std::optional<ToldLosses>& losses) {
@@ -59,6 +61,7 @@ void describe_losses(std::ostream& out, const std::optional<ToldLosses>& losses)
   for (const auto& each : losses->writers)
     out << "  " << visible(each.topic) << " of " << visible(each.process) << ": "
         << losses_text(each) << '\n';
+  for (const auto& copy : losses->copies) out << "  " << copy_loss_text(copy) << '\n';
 }
 
 void describe_channels(std::ostream& out, const mcap::Summary& summary) {

@@ -45,13 +45,24 @@ Json damage_json(const mcap::Damage& damage, const mcap::Summary& summary) {
   return json;
 }
 
+Json copy_json(const CopyLosses& losses) {
+  return {{"file", losses.file},
+          {"missing", losses.missing()},
+          {"exact", losses.is_exact},
+          {"topics", losses.topics},
+          {"others", losses.others}};
+}
+
 Json losses_json(const std::optional<ToldLosses>& losses) {
   if (!losses) return nullptr;
   auto writers = Json::array();
   for (const auto& each : losses->writers) writers.push_back(json_of(each));
-  return {{"missing", total_missing(losses->writers)},
+  auto copies = Json::array();
+  for (const auto& each : losses->copies) copies.push_back(copy_json(each));
+  return {{"missing", losses->missing()},
           {"complete", losses->is_whole},
-          {"writers", std::move(writers)}};
+          {"writers", std::move(writers)},
+          {"copies", std::move(copies)}};
 }
 
 Json lost_json(const mcap::Summary& summary) {

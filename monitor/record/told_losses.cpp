@@ -79,6 +79,12 @@ bool says_nothing(const WriterLosses& losses) noexcept {
 
 }  // namespace
 
+std::uint64_t ToldLosses::missing() const noexcept {
+  std::uint64_t sum = total_missing(writers);
+  for (const auto& copy : copies) sum += copy.missing();
+  return sum;
+}
+
 bool tells_its_end(const mcap::Summary& summary) {
   const auto ended = count_metadata(summary, kLossesMetadata);
   return ended > 0 && ended >= count_metadata(summary, kLossesBeforeMetadata);
@@ -88,11 +94,14 @@ std::optional<ToldLosses> told_losses(const mcap::ByteSource& source,
                                       const mcap::Summary& summary) {
   const auto ended = count_metadata(summary, kLossesMetadata);
   const bool is_ours = count_metadata(summary, kRecorderMetadata) > 0;
-  if (ended == 0 && (summary.closed || !is_ours)) return std::nullopt;
+  auto copies = copy_losses(summary);
+  if (ended == 0 && copies.empty() && (summary.closed || !is_ours)) return std::nullopt;
   ToldLosses told;
-  told.is_whole = tells_its_end(summary);
+  const bool has_end = tells_its_end(summary);
+  told.is_whole = has_end && std::ranges::all_of(copies, &CopyLosses::is_exact);
+  told.copies = std::move(copies);
   auto newest = at_the_end(summary);
-  if (!told.is_whole) take_in_what_was_told(source, summary, newest);
+  if (!has_end) take_in_what_was_told(source, summary, newest);
   const auto before = before_the_beginning(summary);
   for (auto& [writer, losses] : newest) {
     const auto known = before.find(writer);

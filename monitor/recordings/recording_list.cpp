@@ -45,7 +45,29 @@ Result<std::vector<ListedRecording>> RecordingList::list() {
   }
   looked_ = std::move(now);
   std::ranges::stable_sort(listed, std::greater{}, &ListedRecording::modified_ns);
+  read_some(listed);
   return listed;
+}
+
+/// Finds by reading which of the recordings that seem to be complete are damaged.
+void RecordingList::read_some(std::vector<ListedRecording>& newest_first) {
+  std::uint64_t room_bytes = kMostRead_bytes;
+  for (auto& recording : newest_first) {
+    if (!recording.complete || recording.bytes > room_bytes) continue;
+    auto& looked = looked_[recording.name];
+    if (std::exchange(looked.is_read, true)) continue;
+    room_bytes -= recording.bytes;
+    recording.complete = looked.recording.complete = is_whole(recording.name);
+  }
+}
+
+bool RecordingList::is_whole(const std::string& name) const try {
+  const auto opened = folder_.open(name);
+  if (!opened) return false;
+  const auto summary = mcap::summarize(*opened.value().source);
+  return summary && !summary.value().recovered();
+} catch (const std::exception&) {
+  return false;
 }
 
 RecordingList::Looked RecordingList::look(const std::string& name, Looked before) const try {

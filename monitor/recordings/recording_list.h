@@ -22,14 +22,19 @@ struct ListedRecording {
 };
 
 /// Lists the recordings of a folder. What a file holds is looked up again only when its size or
-/// its time has changed, and, while it is being written, at most every ten seconds. For use by one
-/// thread; a call may block on the disk.
+/// its time has changed, and, while it is being written, at most every ten seconds. A glance tells
+/// most of it; damage is found by reading all, which a call does for the newest that were not read,
+/// kMostRead_bytes in all. For use by one thread; a call may block on the disk.
 class RecordingList {
  public:
+  /// As much is read in less than a second. Larger recordings are looked at only at a glance.
+  static constexpr std::uint64_t kMostRead_bytes = 64'000'000;
+
   /// Requires: `folder` outlives this.
   explicit RecordingList(const RecordingFolder& folder) : folder_(folder) {}
 
-  /// Returns the recordings, the newest first.
+  /// Returns the recordings, the newest first. One whose damage only reading finds may be complete
+  /// in one list and not in the next.
   /// Errors: the folder cannot be read. The error is a sentence.
   [[nodiscard]] Result<std::vector<ListedRecording>> list();
 
@@ -38,8 +43,11 @@ class RecordingList {
     ListedRecording recording;
     std::uint64_t inode = 0;
     std::uint64_t renew_at_ns = 0;  ///< since the Unix epoch; 0: when the file changes
+    bool is_read = false;           ///< all of it, so that damage was met
   };
   [[nodiscard]] Looked look(const std::string& name, Looked before) const;
+  void read_some(std::vector<ListedRecording>& newest_first);
+  [[nodiscard]] bool is_whole(const std::string& name) const;
 
   const RecordingFolder& folder_;
   std::map<std::string, Looked> looked_;

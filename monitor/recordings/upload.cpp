@@ -59,11 +59,11 @@ NotKept no_recording(const std::string& name,
   return {Why::kNoRecording, shown(name) + " " + predicate + "."};
 }
 
-KeptRecording kept(const std::string& name, const mcap::Outline& outline) {
-  if (outline.closed && !outline.damaged) return {.complete = true, .note = {}};
+KeptRecording kept(const std::string& name, const mcap::Summary& summary) {
+  if (summary.closed && summary.damages.empty()) return {.complete = true, .note = {}};
   return {.complete = false,
           .note = shown(name) +
-                  " was kept, but is not whole: " + plural(outline.messages, "message") +
+                  " was kept, but is not whole: " + plural(summary.statistics.messages, "message") +
                   " of it can be read, and 'galilean log recover' writes them to a whole file."};
 }
 
@@ -150,7 +150,9 @@ Result<KeptRecording, NotKept> Upload::look_into() const {
   if (!outline) return no_recording(name_, outline.error().message);
   if (const auto right = mcap::check_content(draft.value(), outline.value()); !right)
     return no_recording(name_, right.error().message);
-  return kept(name_, outline.value());
+  const auto summary = mcap::summarize(draft.value());
+  if (!summary) return no_recording(name_, summary.error().message);
+  return kept(name_, summary.value());
 }
 
 Result<KeptRecording, NotKept> Upload::finish() {

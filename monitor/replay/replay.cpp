@@ -13,6 +13,7 @@
 #include "core/visible_text.h"
 #include "core/wire/ros_time.h"
 #include "core/wire/topic_names.h"
+#include "monitor/record/copy_losses.h"
 #include "monitor/record/damage_text.h"
 #include "monitor/record/log_info.h"
 #include "monitor/replay/neighbours.h"
@@ -60,7 +61,7 @@ int Replay::run() {
   begin();
   while (pass() && options_.loop) {
   }
-  return damaged_ || summary_.recovered() ? kIncomplete : 0;
+  return damaged_ || summary_.recovered() || !copy_losses(summary_).empty() ? kIncomplete : 0;
 }
 
 /// Looks who is in the domain, and says it. Returns false if the replay must not begin.

@@ -8,6 +8,7 @@
 
 #include "core/plural.h"
 #include "core/visible_text.h"
+#include "monitor/record/copy_losses.h"
 #include "monitor/record/damage_text.h"
 #include "monitor/record/log_info.h"
 #include "monitor/record/times.h"
@@ -26,6 +27,7 @@ std::string before_playing(const std::string& path, const mcap::Summary& summary
   std::ostringstream out;
   out << std::fixed << std::setprecision(1);
   out << condition_text(path, summary);
+  for (const auto& copy : copy_losses(summary)) out << "lost: " << copy_loss_text(copy) << '\n';
   out << path << ": " << plural(topics_played(tracks), "topic") << ", " << duration_s(summary)
       << " s, from " << iso_time(summary.statistics.start_ns) << '\n';
   if (!tracks.commands.empty())

@@ -21,6 +21,7 @@ constexpr std::uint32_t kLongest = 64U << 20;
 struct Options {
   RerunReport report;
   std::string bhdl_file;
+  bool only_check = false;
 };
 
 /// Reads the next message. Returns false at the end of the stream. Errors: it is no whole message.
@@ -63,6 +64,9 @@ int run(int argc, char** argv) {
   CommandLine app("Runs a recorded run again; galilean log rerun starts it.", "galilean-rerun");
   app.option("--bhdl", options.bhdl_file, "Run this program in place of the recorded one")
       .names_file(".bhdl");
+  app.flag("--check", options.only_check,
+           "Only tell what is wrong with that program, and what is suspect; without it, the run "
+           "tells only why there is none");
   app.option("--title", options.report.title, "What the report calls the run");
   app.flag("--json", options.report.as_json, "Report in one line of JSON");
   if (const auto code = app.parse(argc, argv)) return *code;
@@ -73,8 +77,10 @@ int run(int argc, char** argv) {
   if (options.bhdl_file.empty()) return rerun(options, components, std::nullopt);
   options.report.other_program = true;
   auto checked = bhdl::check_file(options.bhdl_file, components.catalog());
-  for (const auto& diagnostic : checked.diagnostics) std::cerr << format(diagnostic) << '\n';
+  if (options.only_check || !checked.program)
+    for (const auto& diagnostic : checked.diagnostics) std::cerr << format(diagnostic) << '\n';
   if (!checked.program) return kFailed;
+  if (options.only_check) return 0;
   return rerun(options, components, std::move(checked.program));
 }
 

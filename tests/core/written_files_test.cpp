@@ -51,6 +51,11 @@ TEST_F(WrittenFiles, NothingIsWrittenTwiceThoughItIsNotThereYet) {
   EXPECT_NE(refusal({path("new.svg"), path("link_to_nothing")}, {}), "");
 }
 
+TEST_F(WrittenFiles, NoFileIsCalledAsStandardOutput) {
+  EXPECT_EQ(refusal({"", "-"}, {}),
+            "'-' stands for standard output, which is not written here; name a file");
+}
+
 TEST_F(WrittenFiles, OtherFilesAreNobodysBusiness) {
   EXPECT_EQ(refusal({path("other.mcap"), path("new.svg")}, {path("run.mcap")}), "");
   EXPECT_EQ(refusal({"", "", path("a.svg")}, {"", path("none")}), "");

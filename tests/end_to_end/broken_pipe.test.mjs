@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Programs whose output nobody reads any more, as behind `… | head -1`: those that do more than print go on.
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { test } from 'node:test';
-import { eventually, freshDomain, galilean, getJson, programs, Running, scratchFolder } from './tools.mjs';
+import { eventually, freshDomain, galilean, galileanBinary, getJson, programs, Running, scratchFolder } from './tools.mjs';
 
 const limit = { timeout: 120_000 };
 const ended = { code: 0, signal: null };
@@ -59,6 +60,20 @@ test('a demo whose output nobody reads goes on until it is ended', limit, async 
     return now && now.state !== 'start';
   });
   assert.deepEqual(await demo.stop(), ended);
+});
+
+test('what cannot be printed is told in one sentence, whatever the program', limit, async (t) => {
+  const cwd = scratchFolder(t);
+  const verbs = galilean(['help']).stdout.matchAll(/^ {2}(?:galilean )?([a-z]+)\b/gm);
+  const asked = [['help'], ['version'], ['bhdl', 'describe'], ...[...new Set([...verbs].map(([, verb]) => verb))].map((verb) => [verb, '--help'])];
+  assert.ok(asked.length > 15, `${asked.length} verbs`);
+  for (const args of asked)
+    for (const where of ['> /dev/full', '>&-']) {
+      const run = spawnSync('sh', ['-c', `exec "$0" "$@" ${where}`, galileanBinary, ...args], { cwd, encoding: 'utf8' });
+      const what = `galilean ${args.join(' ')} ${where}: ${run.stderr}`;
+      assert.equal(run.status, 1, what);
+      assert.match(run.stderr, /^galilean[a-z-]*: standard output cannot be written: [^\n]+\n$/, what);
+    }
 });
 
 test('a command that only prints ends quietly', limit, async (t) => {

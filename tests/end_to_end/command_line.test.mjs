@@ -35,6 +35,9 @@ const misspelt = [
   ['record --oot run.mcap', /there is no option '--oot'; did you mean '--out'\?/],
   ['xyzzy', /there is no 'xyzzy'; 'galilean help' lists what there is/],
   ['log xyzzy', /there is no command 'xyzzy'\n/],
+  ['log slice --from 9 --to 3s --out x.mcap run.mcap', /galilean log slice: --to 3s is before --from 9s; a part begins before it ends\n/],
+  ['log coverage --at-least 101 run.mcap', /101/],
+  ['monitor --listen 127.0.0.1:0 --recordings /dev/null', /galilean monitor: --recordings \/dev\/null is no folder\n/],
 ];
 for (const [words, said] of misspelt)
   test(`galilean ${words}`, () => {
@@ -49,6 +52,8 @@ const endings = [
   ['break', 2], ['break :', 2], ['break grab --lock --stop-team', 2], ['break grab --clear', 2], ['step', 2],
   ['break grab', 2], ['break --clear', 2],
   ['step --team --robot io', 2],
+  ...['cat', 'csv', 'stats', 'plot --map'].map((verb) => [`log ${verb} --from 9 --to 3 /none.mcap`, 2]),
+  ['log slice /none.mcap --out -', 1], ['log check /none.mcap --expect /none.expect --junit -', 1],
   ['log cat', 2], ['log cat --from 5x /none.mcap', 2], ['log diff /none.mcap', 2], ['log slice /none.mcap', 2],
   ['log check --live --for 0 --expect /none.expect', 2], ['log check --expect /none.expect', 2],
   ['log cat /none.mcap', 1], ['log verify /none.mcap', 1], ['log merge /none.mcap --out /none/out.mcap', 1],

@@ -150,13 +150,14 @@ test('mistakes in expectations are told before anything starts', limit, async (t
 
 test('no file that is there is taken for the recording or the report', limit, async (t) => {
   const cwd = scratchFolder(t), domain = freshDomain();
-  const files = { 'run.mcap': 'a recording', 'my.expect': 'every robot: always it is healthy\n', 'my.bhdl': 'state: name: "first" end\n' };
+  const files = { 'run.mcap': 'a recording', 'my.expect': 'every robot: always it is healthy\n', 'my.bhdl': 'include "parts.bhdl"\n', 'parts.bhdl': 'state: name: "first" end\n' };
   for (const [name, text] of Object.entries(files)) writeFileSync(`${cwd}/${name}`, text);
   const judged = ['--headless-for', '60', '--bhdl', 'my.bhdl', '--expect', 'my.expect'];
   const cases = [
     [['--record', 'run.mcap'], /^galilean demo: run\.mcap exists already; choose another name for --record\n/],
     [[...judged, '--junit', './my.expect'], /^galilean demo: \.\/my\.expect is read here and cannot be written/],
     [[...judged, '--junit', 'my.bhdl'], /my\.bhdl is read here and cannot be written/],
+    [[...judged, '--junit', './parts.bhdl'], /parts\.bhdl is read here and cannot be written/],
     [[...judged, '--record', 'new', '--junit', './new'], /\.\/new would be written twice/],
   ];
   for (const [options, reason] of cases) {

@@ -80,6 +80,12 @@ describe('a team that is recorded with --inputs from its start', () => {
     assert.match(rerun('run.mcap', '--robot', 'ganymed').stderr, /did you mean 'ganymede'\?/);
   });
 
+  test('is not begun where the other program cannot be read, which is said once', () => {
+    const { status, stdout, stderr } = rerun('run.mcap', '--bhdl', 'none.bhdl');
+    assert.deepEqual([status, stdout], [1, '']);
+    assert.match(stderr, /^[^\n]*none\.bhdl[^\n]*\n$/);
+  });
+
   test('needs --inputs: nobody else makes robots send them', () => {
     const { status, stderr } = rerun('without.mcap');
     assert.equal(status, 1);

@@ -33,15 +33,16 @@ for (const program of ['office_cleanup', 'sit_and_spin']) {
 
 test('what a simulation reads it does not write over', (t) => {
   const cwd = scratchFolder(t);
-  const program = 'state: name: "alone" end\n';
-  writeFileSync(`${cwd}/my.bhdl`, program);
+  const texts = { 'my.bhdl': 'include "parts.bhdl"\n', 'parts.bhdl': 'state: name: "alone" end\n' };
+  for (const [name, text] of Object.entries(texts)) writeFileSync(`${cwd}/${name}`, text);
   symlinkSync('my.bhdl', `${cwd}/link`);
-  for (const option of ['--trace', '--snapshot']) {
-    const { status, stderr } = galilean(['sim', '--bhdl', 'my.bhdl', '--duration', '1', option, './link'], { cwd });
-    assert.equal(status, 2);
-    assert.equal(stderr, 'galilean-sim: ./link is read here and cannot be written; choose another name\n');
-    assert.equal(readFileSync(`${cwd}/my.bhdl`, 'utf8'), program);
-  }
+  for (const option of ['--trace', '--snapshot'])
+    for (const written of ['./link', 'parts.bhdl']) {
+      const { status, stderr } = galilean(['sim', '--bhdl', 'my.bhdl', '--duration', '1', option, written], { cwd });
+      assert.equal(status, 2);
+      assert.equal(stderr, `galilean-sim: ${written} is read here and cannot be written; choose another name\n`);
+      for (const [name, text] of Object.entries(texts)) assert.equal(readFileSync(`${cwd}/${name}`, 'utf8'), text);
+    }
 });
 
 test('a hundred robots have places in an office that grows, and one more is refused', () => {

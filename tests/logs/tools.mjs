@@ -70,7 +70,7 @@ export function info(file, status) {
   const text = ended.stdout.toString();
   assert.notEqual(text, "", ended.stderr.toString());
   const told = JSON.parse(text);
-  const isMissing = told.recovered || told.losses?.missing > 0;
+  const isMissing = told.recovered || told.losses?.missing > 0 || told.losses?.copies.length > 0;
   assert.equal(ended.status, status ?? (isMissing ? 3 : 0), `${ended.stderr}${text}`);
   return told;
 }

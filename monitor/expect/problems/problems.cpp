@@ -6,6 +6,7 @@
 
 #include "core/json_text.h"
 #include "core/visible_text.h"
+#include "core/written_files.h"
 #include "monitor/expect/problems/escapes.h"
 
 namespace galilean::expect {
@@ -85,6 +86,7 @@ std::string github_problems(const std::vector<Problem>& problems) {
 Result<void> write_report(const std::string& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   if (file << text && file.flush()) return {};
+  if (file.is_open()) remove_unfinished(path);
   return Error{"cannot write " + path};
 }
 

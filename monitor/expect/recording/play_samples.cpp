@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "monitor/expect/recording/channel_decoder.h"
 #include "monitor/mcap/message_reader.h"
+#include "monitor/record/copy_losses.h"
 #include "monitor/record/damage_text.h"
 #include "monitor/record/told_losses.h"
 #include "monitor/record/told_pauses.h"
@@ -43,6 +45,15 @@ class Playing {
       sink_.missed(topic, missed);
   }
 
+  /// What a file lacked is missing in its copies, too.
+  void tell(const monitor::CopyLosses& losses) {
+    const std::string text = monitor::copy_loss_text(losses);
+    if (losses.times.empty()) return sink_.damage(kAnyTime, text);
+    for (bool is_first = true; const auto& time : losses.times)
+      sink_.damage({to_time(time.start_ns), to_time(time.end_ns)},
+                   std::exchange(is_first, false) ? text : std::string());
+  }
+
   /// What came in a pause is unknown, and nothing of it is lost.
   void tell(const monitor::Pause& pause) {
     const auto end_ns = pause.to_ns.value_or(std::max(pause.from_ns, played_.end_ns));
@@ -53,10 +64,8 @@ class Playing {
   Played end(const std::vector<mcap::Damage>& met) {
     for (const auto& damage : summary_.damages) tell(damage);
     for (const auto& damage : monitor::newly_met(met, summary_)) tell(damage);
-    if (!summary_.closed)
-      played_.notes.push_back(summary_.being_written
-                                  ? "the recording is being written; it is judged as far as it goes"
-                                  : "the recording was not closed; it is judged as far as it goes");
+    for (const auto& copy : monitor::copy_losses(summary_)) tell(copy);
+    tell_whether_it_ends();
     std::ranges::move(decoders_.notes(), std::back_inserter(played_.notes));
     for (const auto& silence : time_.silences())
       played_.silences.push_back({to_time(silence.start_ns), to_time(silence.end_ns)});
@@ -64,6 +73,15 @@ class Playing {
   }
 
  private:
+  /// What a recording that was not closed has lost behind its last message is not known.
+  void tell_whether_it_ends() {
+    if (summary_.being_written)
+      played_.notes.emplace_back("the recording is being written; it is judged as far as it goes");
+    else if (!summary_.closed)
+      sink_.damage({played_.end_ns + 1, kAnyTime.to_ns},
+                   "the recording was not closed; what came after its last message is not known");
+  }
+
   /// The judge is told only of what loses messages.
   void tell(const mcap::Damage& damage) {
     const std::string text = "damaged: " + monitor::damage_text(damage, summary_);

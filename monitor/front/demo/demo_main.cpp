@@ -171,6 +171,7 @@ std::string list(const std::vector<std::string>& names) {
 
 int run(const DemoOptions& options) try {
   ignore_broken_pipes();
+  ignore_file_size_limit();
   Termination termination;
   Ensemble ensemble(options, termination);
   if (const auto started = ensemble.start(); !started) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "bhdl/check.h"
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
 #include "core/command_line/robots_option.h"
@@ -26,8 +27,8 @@ std::string recording_in_the_way(const std::string& record) {
 
 /// Errors: a file is to be written that is read, too, or twice.
 Result<void> check_files(const DemoOptions& options) {
-  std::vector<std::string> read{find_file(options.bhdl, "programs", ".bhdl").string(),
-                                find_file(options.scenario, "scenarios", ".json").string()};
+  auto read = bhdl::files_of(find_file(options.bhdl, "programs", ".bhdl"));
+  read.push_back(find_file(options.scenario, "scenarios", ".json").string());
   for (const auto& each : options.expectations)
     read.push_back(find_file(each, "expectations", ".expect").string());
   return check_written_files({options.record, options.junit}, read);

@@ -13,6 +13,7 @@
 #include "core/visible_text.h"
 #include "monitor/logs/reading/attachments.h"
 #include "monitor/logs/reading/selection.h"
+#include "monitor/record/copy_losses.h"
 #include "monitor/record/damage_text.h"
 #include "monitor/schemas/message_trees.h"
 
@@ -63,6 +64,8 @@ Findings look_into(const Recording& recording) {
   for (auto& line : lines_of(monitor::condition_text(recording.path(), summary)))
     (line.starts_with("silence: ") || summary.being_written ? findings.notes : findings.problems)
         .push_back(std::move(line));
+  for (const auto& copy : monitor::copy_losses(summary))
+    findings.notes.push_back(monitor::copy_loss_text(copy));
   if (summary.being_written && summary.recovered()) findings.problems.push_back("it is damaged");
   for (const auto& attachment : summary.attachments)
     if (!is_whole(recording.source(), attachment))

@@ -11,6 +11,7 @@
 #include "monitor/logs/figures/topic_statistics.h"
 #include "monitor/logs/reading/undecoded.h"
 #include "monitor/record/channel_metadata.h"
+#include "monitor/record/copy_losses.h"
 #include "monitor/record/damage_text.h"
 #include "monitor/record/told_losses.h"
 #include "monitor/wire/message_text.h"
@@ -98,6 +99,19 @@ class Statistics {
         statistics.set_missing(told->second);
   }
 
+  /// Takes what is lost by damage of the whole recording, and of those that it was copied from.
+  void take(const std::vector<mcap::Damage>& damages) {
+    const auto& summary = recording_.summary();
+    std::map<std::string, std::uint64_t> lost;
+    for (const auto& [channel, messages] : monitor::lost_by_channel(summary, damages))
+      lost[monitor::topic_of(channel, summary)] += messages;
+    for (const auto& copy : monitor::copy_losses(summary))
+      for (const auto& [topic, messages] : copy.topics) lost[topic] += messages;
+    for (auto& [topic, statistics] : topics_)
+      if (const auto found = lost.find(topic); found != lost.end())
+        statistics.add_damaged(found->second);
+  }
+
   [[nodiscard]] int print() const {
     if (options_.json)
       print_json();
@@ -151,10 +165,12 @@ int print_statistics(const StatsOptions& options) {
   while (const mcap::Message* message = messages.value().next())
     if (auto done = statistics.add(*message, messages.value().at_s()); !done)
       return fail_stats(done.error().message);
-  if (selection.from_s <= 0 && !selection.to_s)
+  if (selection.from_s <= 0 && !selection.to_s) {
     if (const auto losses =
             monitor::told_losses(recording.value().source(), recording.value().summary()))
       statistics.take(*losses);
+    statistics.take(messages.value().damages());
+  }
   tell_nothing(kStats, selection, messages.value());
   const int undecoded = statistics.print();
   const int damaged = tell_damage(kStats, messages.value());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/logs/figures/topic_statistics.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace galilean::logs {
@@ -46,6 +47,12 @@ void TopicStatistics::note_number(std::uint16_t channel, std::uint32_t sequence)
 
 void TopicStatistics::set_missing(std::optional<std::uint64_t> messages) {
   missing_ = messages;
+  was_counted_ = true;
+}
+
+void TopicStatistics::add_damaged(std::uint64_t messages) {
+  if (!missing_) return;
+  *missing_ = was_counted_ ? *missing_ + messages : std::max(*missing_, messages);
 }
 
 Json TopicStatistics::figures() const {

@@ -22,6 +22,9 @@ class TopicStatistics {
   /// Takes how many are missing by what the recorder counted, which knows better than the numbers;
   /// nothing: it could not count them.
   void set_missing(std::optional<std::uint64_t> messages);
+  /// Takes how many are lost by damage. The numbers tell of some of these, but not of those behind
+  /// the last that is there; what a recorder counted has none of them.
+  void add_damaged(std::uint64_t messages);
   /// Returns the figures, with null for what so few messages do not tell.
   [[nodiscard]] monitor::MessageTree figures() const;
 
@@ -30,6 +33,7 @@ class TopicStatistics {
 
   std::uint64_t messages_ = 0, bytes_ = 0;
   std::optional<std::uint64_t> missing_ = 0;  ///< nothing: the numbers do not tell
+  bool was_counted_ = false;                  ///< `missing_` is what the recorder counted
   double first_s_ = 0, last_s_ = 0;
   NumberStatistics gaps_s_, size_bytes_, delay_s_;
   std::map<std::uint16_t, std::uint32_t> newest_;  ///< number of the newest, by channel

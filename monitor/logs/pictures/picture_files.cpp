@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/logs/pictures/picture_files.h"
 
+#include "core/written_files.h"
 #include "monitor/logs/pictures/png.h"
 #include "monitor/mcap/byte_sink.h"
 
@@ -11,7 +12,9 @@ Result<void> write_picture(const std::string& path, bool replace, const std::str
   auto file = mcap::FileSink::create(path, replace);
   if (!file) return file.error();
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(content.data());
-  return file.value().write({bytes, content.size()});
+  auto done = file.value().write({bytes, content.size()});
+  if (!done) remove_unfinished(path);
+  return done;
 }
 
 }  // namespace

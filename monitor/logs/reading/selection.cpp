@@ -9,6 +9,7 @@
 
 #include "core/command_line/exit_code.h"
 #include "core/visible_text.h"
+#include "monitor/record/copy_losses.h"
 #include "monitor/record/damage_text.h"
 #include "monitor/replay/report.h"
 
@@ -78,6 +79,19 @@ bool SelectedMessages::is_wanted(const mcap::Message& message) const {
   return at_s() >= from_s_ && takes_channel(message.channel_id);
 }
 
+std::optional<mcap::TimeRange> SelectedMessages::log_times(const Selection& selection) const {
+  const bool from_start = selection.from_s <= 0,
+             to_end = !selection.to_s || *selection.to_s > at_s();
+  if ((from_start && to_end) || !time_.has_begun()) return std::nullopt;
+  const auto log_ns = [&](double time_s) {
+    const double position_ns = std::clamp(time_s, 0.0, at_s()) * 1e9;
+    return time_.log_ns_at(std::min(static_cast<std::uint64_t>(position_ns), time_.position_ns()));
+  };
+  return mcap::TimeRange{
+      from_start ? 0 : log_ns(selection.from_s),
+      to_end ? std::numeric_limits<std::uint64_t>::max() : log_ns(*selection.to_s)};
+}
+
 std::vector<mcap::Damage> SelectedMessages::damages() const {
   auto all = recording_->summary().damages;
   std::ranges::move(monitor::newly_met(reader_->damages(), recording_->summary()),
@@ -108,7 +122,9 @@ int tell_damage(const std::string& program, const SelectedMessages& read) {
               << " damages more; 'galilean log info --json' lists all\n";
   const bool unclosed = !summary.closed && !summary.being_written;
   if (unclosed) std::cerr << who << " was not closed properly; what it has was read\n";
-  return damages.empty() && !unclosed ? 0 : kIncomplete;
+  const auto copies = monitor::copy_losses(summary);
+  for (const auto& copy : copies) std::cerr << who << ": " << monitor::copy_loss_text(copy) << '\n';
+  return damages.empty() && !unclosed && copies.empty() ? 0 : kIncomplete;
 }
 
 }  // namespace galilean::logs

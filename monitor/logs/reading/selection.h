@@ -58,6 +58,9 @@ class SelectedMessages {
   [[nodiscard]] bool takes_all_topics() const noexcept { return all_topics_; }
   /// Returns whether there was a message yet.
   [[nodiscard]] bool any() const noexcept { return any_; }
+  /// Returns the log times of a selection's part; nothing if it is all of the recording's time.
+  /// Requires: all was read.
+  [[nodiscard]] std::optional<mcap::TimeRange> log_times(const Selection& selection) const;
   /// Returns what was damaged of all that was read so far, and of the file as a whole.
   [[nodiscard]] std::vector<mcap::Damage> damages() const;
 

@@ -37,6 +37,10 @@ int worse(int a, int b) {
   return std::max(a, b);
 }
 
+std::string rerun_program() {
+  return (program_folder() / "galilean-rerun").string();
+}
+
 /// The runs of all robots of a recording, each in a process. A robot that was started anew is
 /// another run.
 class Runs {
@@ -100,8 +104,7 @@ class Runs {
 
   [[nodiscard]] std::vector<std::string> command(const std::string& file,
                                                  const std::string& topic) const {
-    std::vector<std::string> words{(program_folder() / "galilean-rerun").string(), "--title",
-                                   file + ' ' + topic};
+    std::vector<std::string> words{rerun_program(), "--title", file + ' ' + topic};
     if (!options_.bhdl_file.empty()) words.insert(words.end(), {"--bhdl", options_.bhdl_file});
     if (options_.json) words.emplace_back("--json");
     return words;
@@ -117,6 +120,17 @@ class Runs {
   std::map<std::string, std::unique_ptr<RunProcess>> runs_;  ///< by topic and process
   int code_ = 0;
 };
+
+/// Has what is wrong with the program, or suspect, told once and not by each run. Returns whether
+/// it can be run. Errors: no process can be started.
+Result<bool> check_program(const std::string& bhdl_file) {
+  if (bhdl_file.empty()) return true;
+  auto check = RunProcess::start({rerun_program(), "--check", "--bhdl", bhdl_file});
+  if (!check) return check.error();
+  const auto code = check.value()->finish();
+  if (!code) return code.error();
+  return code.value() == 0;
+}
 
 /// Errors: one cannot be read.
 Result<Recordings> open_all(const std::vector<std::string>& files) {
@@ -137,6 +151,9 @@ int rerun_recordings(const RerunOptions& options) {
   if (!recordings) return fail_rerun(recordings.error().message);
   if (auto right = check_robots(options.robots, recordings.value()); !right)
     return fail_rerun(right.error().message);
+  const auto is_right = check_program(options.bhdl_file);
+  if (!is_right) return fail_rerun(is_right.error().message);
+  if (!is_right.value()) return kFailed;
   Runs runs(options);
   for (const auto& recording : recordings.value())
     if (const auto done = runs.read(*recording); !done) return fail_rerun(done.error().message);

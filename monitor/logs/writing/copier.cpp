@@ -45,6 +45,7 @@ Result<std::unique_ptr<Copier>> Copier::create(const OutputOptions& options,
 Result<void> Copier::copy_extras(const Recording& from, bool part) {
   for (const auto& metadata : from.summary().metadata) {
     if (part && is_of_the_whole(metadata)) continue;
+    if (metadata.name == monitor::kCopyLossesMetadata) continue;
     if (!metadata_.emplace(metadata.name, metadata.entries).second) continue;
     if (auto done = writer_.write(metadata); !done) return done;
   }
@@ -58,6 +59,13 @@ Result<void> Copier::copy_extras(const Recording& from, bool part) {
     if (auto done = writer_.write(attachment, from.source()); !done) return done;
   }
   return {};
+}
+
+Result<void> Copier::tell_losses(const monitor::CopyLosses& losses) {
+  if (!losses.any()) return {};
+  const auto metadata = monitor::metadata_of(losses);
+  if (!metadata_.emplace(metadata.name, metadata.entries).second) return {};
+  return writer_.write(metadata);
 }
 
 std::uint16_t Copier::schema_for(const Recording& from, std::uint16_t id) {

@@ -10,6 +10,7 @@
 
 #include "monitor/logs/reading/recording.h"
 #include "monitor/mcap/mcap_writer.h"
+#include "monitor/record/copy_losses.h"
 
 namespace galilean::logs {
 
@@ -32,8 +33,9 @@ class Copier {
                                                               const mcap::Header& first);
 
   /// Copies the metadata and the attachments of a recording, each once if several have it. Of a
-  /// part of the recording's time, it leaves out what was counted as missing of all of it. It
-  /// leaves out attachments that are not whole, too.
+  /// part of the recording's time, it leaves out what was counted as missing of all of it. What a
+  /// copy tells of its own losses is left to tell_losses(). It leaves out attachments that are not
+  /// whole, too.
   Result<void> copy_extras(const Recording& from, bool part);
   /// Copies all schemas, also those that no channel has.
   void copy_schemas(const Recording& from);
@@ -41,6 +43,8 @@ class Copier {
   Result<void> copy_channel(const Recording& from, std::uint16_t id);
   /// Copies a message of a recording.
   Result<void> copy(const Recording& from, const mcap::Message& message);
+  /// Writes what the copy lacks of a recording, once if several tell the same.
+  Result<void> tell_losses(const monitor::CopyLosses& losses);
   /// Closes the file, and waits until it is on the disk.
   Result<void> finish();
   [[nodiscard]] const mcap::Statistics& statistics() const noexcept { return writer_.statistics(); }

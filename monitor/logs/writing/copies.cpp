@@ -123,7 +123,27 @@ class Copying {
       source->next = source->messages.next();
     }
     if (auto done = copy_kept(); !done) return done;
+    for (const auto& source : sources_)
+      if (auto done = tell_losses(source); !done) return done;
     return copier_->finish();
+  }
+
+  /// Has the copy tell what it lacks because its source is damaged, or lacked it already.
+  Result<void> tell_losses(const CopySource& source) {
+    const auto& recording = *source.recording;
+    monitor::CopiedPart part{source.messages.log_times(options_.selection), {}};
+    if (!source.messages.takes_all_topics())
+      part.takes = [&](const std::string& topic) { return takes_topic(source, topic); };
+    for (const auto& before : monitor::copy_losses(recording.summary()))
+      if (auto done = copier_->tell_losses(monitor::part_of(before, part)); !done) return done;
+    return copier_->tell_losses(monitor::losses_of_copying(recording.path(), recording.summary(),
+                                                           source.messages.damages(), part));
+  }
+
+  static bool takes_topic(const CopySource& source, const std::string& topic) {
+    return std::ranges::any_of(source.recording->summary().channels, [&](const auto& each) {
+      return each.second.topic == topic && source.messages.takes_channel(each.first);
+    });
   }
 
   /// Copies what a recording lists, with messages or without: that nothing came is a fact, too.

@@ -10,6 +10,7 @@
 #include "core/visible_text.h"
 #include "monitor/coverage/recorded_coverage.h"
 #include "monitor/mcap/message_reader.h"
+#include "monitor/record/copy_losses.h"
 #include "monitor/record/damage_text.h"
 
 namespace galilean::monitor {
@@ -35,9 +36,14 @@ std::vector<std::string> damage_sentences(const mcap::Summary& summary,
 }
 
 std::vector<std::string> end_sentences(const mcap::Summary& summary) {
-  if (summary.closed) return {};
-  return {summary.being_written ? "it is being written, and what it has so far was counted"
-                                : "it was not closed properly, and what can be read was counted"};
+  std::vector<std::string> sentences;
+  if (!summary.closed)
+    sentences.emplace_back(summary.being_written
+                               ? "it is being written, and what it has so far was counted"
+                               : "it was not closed properly, and what can be read was counted");
+  for (const auto& copy : copy_losses(summary))
+    sentences.push_back("it is a copy: " + copy_loss_text(copy));
+  return sentences;
 }
 
 nlohmann::json programs_json(const RecordedCoverage& coverage) {

@@ -43,6 +43,17 @@ HttpRequest plain(const http::request_header<>& from) {
   return request;
 }
 
+bool is_for_websockets(std::string_view path) {
+  return path == "/ws" || path == "/lsp" || path == "/replay";
+}
+
+HttpResponse websocket_needed(const std::string& path) {
+  auto response =
+      problem(426, "'" + path + "' is for WebSockets: open ws:// and not http:// there.");
+  response.headers.emplace_back("Upgrade", "websocket");
+  return response;
+}
+
 }  // namespace
 
 HttpConnection::HttpConnection(boost::asio::ip::tcp::socket socket,
@@ -118,10 +129,10 @@ void HttpConnection::receive() {
   auto message = parser_->release();
   auto request = begin(message);
   if (!request) return;
-  const auto& path = request->path;
-  if (beast::websocket::is_upgrade(message) &&
-      (path == "/ws" || path == "/lsp" || path == "/replay"))
-    return become_websocket(*request, message);
+  if (is_for_websockets(request->path)) {
+    if (beast::websocket::is_upgrade(message)) return become_websocket(*request, message);
+    return respond(websocket_needed(request->path));
+  }
   request->body = std::move(message.body());
   handle(*request);
 }

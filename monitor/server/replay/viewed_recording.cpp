@@ -6,6 +6,7 @@
 
 #include "core/plural.h"
 #include "core/visible_text.h"
+#include "monitor/record/copy_losses.h"
 #include "monitor/record/damage_text.h"
 
 namespace galilean::monitor {
@@ -45,6 +46,8 @@ std::vector<std::string> DamageTeller::known() {
                         (summary.being_written
                              ? " is being written; what it has so far is played."
                              : " was not closed properly; what can be read of it is played."));
+  for (const auto& copy : copy_losses(summary))
+    sentences.push_back(shown_name(recording_) + " is a copy: " + copy_loss_text(copy) + ".");
   auto damages = newly(summary.damages);
   std::move(damages.begin(), damages.end(), std::back_inserter(sentences));
   if (const auto loss = loss_text(summary); !loss.empty())

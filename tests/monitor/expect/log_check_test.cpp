@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 
 #include "tests/monitor/expect/recording/recorded_team.h"
@@ -93,6 +94,28 @@ TEST_F(LogCheckTest, AReportNeverGoesOverWhatIsRead) {
   }
   EXPECT_EQ(read("run.mcap"), recording);
   EXPECT_EQ(read("a.expect"), text);
+}
+
+TEST_F(LogCheckTest, AReportOfARunThatIsKilledIsNoOlderOne) {
+  write("a.expect", "io: always it is healthy\n");
+  write("o.xml", "an older report");
+  const std::string script =
+      "cd '" + folder_.path().string() +
+      "' && { '" GALILEAN_LOG_CHECK
+      "' --live --for 900s --expect a.expect --junit o.xml >/dev/null 2>&1 & p=$!;"
+      " for i in $(seq 600); do grep -q 'come to its end' o.xml && break; sleep 0.1; done;"
+      " kill -9 $p; wait $p; } 2>/dev/null";
+  (void)std::system(script.c_str());
+  EXPECT_THAT(read("o.xml"), HasSubstr("<error message=\"the run has not come to its end\""));
+}
+
+TEST_F(LogCheckTest, AReportThatTheDiskDoesNotTakeIsNotLeftThere) {
+  write("a.expect", "io: always it is healthy\n");
+  const std::string script = "cd '" + folder_.path().string() +
+                             "' && ulimit -f 0 && '" GALILEAN_LOG_CHECK
+                             "' run.mcap --expect a.expect --junit o.xml >/dev/null 2>&1";
+  EXPECT_EQ(WEXITSTATUS(std::system(script.c_str())), 1);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "o.xml"));
 }
 
 TEST_F(LogCheckTest, EveryFormatIsPrinted) {

@@ -107,6 +107,12 @@ TEST_F(RecordingListTest, ACutOneIsListedAsFarAsItGoes) {
   EXPECT_THAT(cut.robots, ElementsAre("io"));
 }
 
+TEST_F(RecordingListTest, ADamagedOneIsNotComplete) {
+  write_file(inside / "dam.mcap", damaged_recording());
+  for (int again = 0; again < 2; ++again) EXPECT_FALSE(listed("dam.mcap").complete);
+  EXPECT_EQ(listed("dam.mcap").messages, 20u) << "as the file states it";
+}
+
 TEST_F(RecordingListTest, LooksAgainAtWhatHasChanged) {
   write_file(inside / "run.mcap", recording_of_states("io", 2));
   EXPECT_EQ(listed("run.mcap").messages, 2u);

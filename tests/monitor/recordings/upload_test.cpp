@@ -131,6 +131,15 @@ TEST_F(UploadTest, ACutRecordingIsKeptAndSaidToBeCut) {
   EXPECT_EQ(content("cut.mcap"), bytes);
 }
 
+TEST_F(UploadTest, ADamagedRecordingIsKeptAndSaidToBeDamaged) {
+  auto upload = Upload::begin(folder, "dam.mcap", {}, limits);
+  ASSERT_TRUE(upload && upload.value().append(damaged_recording()));
+  const auto kept = upload.value().finish();
+  ASSERT_TRUE(kept) << kept.error().message;
+  EXPECT_FALSE(kept.value().complete);
+  EXPECT_THAT(kept.value().note, HasSubstr("'dam.mcap' was kept, but is not whole: "));
+}
+
 TEST_F(UploadTest, TakesOnlyNamesThatCanBeSeen) {
   for (const char* name : {"a\u202Eb.mcap", "a\u200B.mcap", "a\tb.mcap", "a\xFF.mcap", " a.mcap",
                            ".a.mcap", "a/b.mcap", "a\\b.mcap"}) {

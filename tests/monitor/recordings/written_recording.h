@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/wire/schemas.h"
+#include "monitor/mcap/mcap_reader.h"
 #include "monitor/mcap/mcap_writer.h"
 #include "tests/monitor/record/faulty_disk.h"
 
@@ -31,6 +32,15 @@ inline mcap::Bytes recording_of_states(const std::string& robot, int states,
   }
   (void)writer.end();
   return disk.bytes();
+}
+
+/// Returns a recording of 20 states that is whole at a glance, of which a chunk is damaged.
+inline mcap::Bytes damaged_recording() {
+  auto bytes = recording_of_states("io", 20);
+  const auto blocks = mcap::summarize(mcap::MemorySource(bytes)).value().blocks;
+  const auto& chunk = blocks.at(blocks.size() / 2);
+  bytes[chunk.offset + chunk.bytes - 1] ^= 0x55;
+  return bytes;
 }
 
 inline void write_file(const std::filesystem::path& path, const mcap::Bytes& bytes) {

@@ -80,6 +80,11 @@ TEST_F(ServerTest, TellsWhatIsWrongWithARequest) {
   EXPECT_EQ(get("/api/programs/..%2F..%2Fetc%2Fpasswd").status, 404U);
   EXPECT_EQ(get("/api/map.png").status, 404U);
   EXPECT_EQ(get("/api/push").status, 405U);
+  for (const char* path : {"/ws", "/lsp", "/replay?recording=x"}) {
+    const auto answer = get(path);
+    EXPECT_EQ(answer.status, 426U) << path;
+    EXPECT_THAT(answer.as_json()["detail"].get<std::string>(), HasSubstr("is for WebSockets"));
+  }
   EXPECT_EQ(request(http::verb::post, "/api/push", "{", bearer("operator.token")).status, 400U);
   EXPECT_EQ(post("/api/push", {{"files", 3}}).status, 400U);
   EXPECT_EQ(post("/api/check", json::object()).status, 400U);

@@ -6,6 +6,7 @@
 #include "monitor/expect/judge/judge.h"
 #include "monitor/expect/language/parser.h"
 #include "monitor/expect/report/words.h"
+#include "monitor/record/copy_losses.h"
 #include "monitor/record/losses.h"
 #include "tests/monitor/expect/recording/recorded_team.h"
 
@@ -96,6 +97,41 @@ TEST(PlaySamples, AChunkThatIsLostAtTheBeginningOrTheEndIsMissed) {
     const auto judgement = judge(bytes, "io: never state is \"grab\"");
     EXPECT_EQ(judgement.verdicts.at(0).finding.outcome, Outcome::kCannotTell) << s;
     EXPECT_THAT(judgement.notes, testing::Contains(HasSubstr("(/io/state 1"))) << s;
+  }
+}
+
+/// A recording of ten states whose recorder was killed, or a copy of it.
+mcap::Bytes broken_off(bool is_copy) {
+  RecordedTeam team;
+  msg::RobotState state;
+  state.robot = "io";
+  state.state = "wander";
+  for (int i = 0; i < 10; ++i) team.send(0.1 * i, "/io/state", state);
+  if (is_copy) {
+    monitor::CopyLosses losses{.file = "cut.mcap", .is_exact = false};
+    losses.times = {{RecordedTeam::kBegin_ns + 900'000'001, UINT64_MAX}};
+    EXPECT_TRUE(team.writer().write(monitor::metadata_of(losses)));
+    return team.end();
+  }
+  EXPECT_TRUE(team.writer().close_chunk_if_due(10'000'000'000));
+  return team.bytes();
+}
+
+TEST(PlaySamples, WhereARecorderBrokeOffTheEndAndTheLossesCannotBeTold) {
+  for (const bool is_copy : {false, true}) {
+    const auto judgement = judge(broken_off(is_copy),
+                                 "io: state is \"wander\" at end, no losses of ~/state\n"
+                                 "io: never state is \"stuck\"\n"
+                                 "io: eventually state is \"wander\"\n"
+                                 "io: never state is \"wander\"");
+    ASSERT_EQ(judgement.verdicts.size(), 5U);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_EQ(judgement.verdicts[i].finding.outcome, Outcome::kCannotTell) << is_copy << i;
+    EXPECT_EQ(judgement.verdicts[3].finding.outcome, Outcome::kHolds);
+    EXPECT_EQ(judgement.verdicts[4].finding.outcome, Outcome::kFails) << "what was seen is seen";
+    EXPECT_THAT(judgement.notes,
+                testing::Contains(HasSubstr(is_copy ? "the file that it was copied from"
+                                                    : "the recording was not closed")));
   }
 }
 

@@ -39,6 +39,8 @@ class RecordedTeam {
     (void)writer_.end();
     return sink_.bytes_;
   }
+  /// Returns the bytes so far.
+  [[nodiscard]] const mcap::Bytes& bytes() const noexcept { return sink_.bytes_; }
   [[nodiscard]] std::uint64_t messages() const { return writer_.statistics().messages; }
 
  private:

@@ -2,7 +2,9 @@
 #include "monitor/logs/figures/plot.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <limits>
 
 #include "monitor/logs/figures/chart.h"
@@ -171,6 +173,18 @@ TEST_F(PlotTest, WritesAPngOfTheSamePicture) {
   const auto size_at = [&](std::size_t at) { return bytes[at + 2] << 8 | bytes[at + 3]; };
   EXPECT_EQ(size_at(16), 960);       // width
   EXPECT_EQ(size_at(20), 360 + 44);  // height, with a bar
+}
+
+TEST_F(PlotTest, APictureThatTheDiskDoesNotTakeIsNotLeftThere) {
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit none{0, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &none);
+  const auto done = write_pictures({.svg = path("x.svg"), .png = {}}, {10, 20, {}});
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_FALSE(done);
+  EXPECT_FALSE(std::filesystem::exists(path("x.svg")));
 }
 
 TEST(Svg, TakesNoTextForItsOwn) {

@@ -6,6 +6,7 @@
 #include "core/json_text.h"
 #include "monitor/logs/figures/number_statistics.h"
 #include "monitor/logs/figures/topic_statistics.h"
+#include "monitor/record/losses.h"
 #include "tests/monitor/logs/logged_team.h"
 
 namespace galilean::logs {
@@ -32,6 +33,24 @@ TEST_F(StatsTest, TellsHowATopicsMessagesCome) {
   EXPECT_NEAR(state["gap_s"]["most"].get<double>(), 0.1, 1e-6);
   EXPECT_EQ(state["missing"], 0);
   EXPECT_EQ(state["delay_s"]["most"], 0.0);
+}
+
+TEST_F(StatsTest, WhatIsLostByDamageIsMissing) {
+  for (const bool was_counted : {false, true}) {
+    expect::RecordedTeam team;
+    for (int i = 0; i < 60; ++i) team.send(0.1 * i, "/io/state", msg::RobotState{});
+    if (was_counted) {
+      ASSERT_TRUE(monitor::LossLog(team.writer())
+                      .conclude({{.topic = "/io/state", .writer = "a", .unwritten = 2}}));
+    }
+    auto bytes = team.end();
+    expect::damage_chunk_at(2.5, bytes);
+    write("run.mcap", bytes);
+    const auto answer = stats({.json = true});
+    EXPECT_EQ(answer.code, 3);
+    EXPECT_EQ(read_json(answer.out).value()["topics"]["/io/state"]["missing"],
+              was_counted ? 12 : 10);
+  }
 }
 
 TEST_F(StatsTest, TellsWhatFieldsWere) {

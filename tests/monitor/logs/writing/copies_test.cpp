@@ -7,9 +7,12 @@
 #include <map>
 #include <span>
 
+#include "core/json_text.h"
+#include "monitor/logs/figures/stats.h"
 #include "monitor/logs/reading/attachments.h"
 #include "monitor/mcap/crc32.h"
 #include "monitor/record/losses.h"
+#include "monitor/record/told_losses.h"
 #include "tests/monitor/logs/logged_team.h"
 #include "tests/monitor/record/faulty_disk.h"
 
@@ -283,6 +286,64 @@ TEST_F(CopiesTest, ADamagedRecordingIsCopiedAsFarAsItCanBeRead) {
   EXPECT_EQ(answer.code, 3);
   EXPECT_THAT(answer.errors, HasSubstr("damaged: the chunk at byte"));
   EXPECT_EQ(contents_of(path("mended.mcap")).size(), 100U);
+}
+
+/// What a recording tells that it lacks.
+monitor::ToldLosses losses_in(const std::string& path) {
+  const auto recording = Recording::open(path);
+  return monitor::told_losses(recording.value().source(), recording.value().summary())
+      .value_or(monitor::ToldLosses{});
+}
+
+TEST_F(CopiesTest, WhatACopyCouldNotTakeIsToldByEveryLaterReader) {
+  auto bytes = six_seconds();
+  expect::damage_chunk_at(2.5, bytes);
+  write("dam.mcap", bytes);
+  std::string from = "dam.mcap";
+  for (const char* verb : {"recover", "merge", "convert"}) {
+    const std::string out = std::string(verb) + ".mcap";
+    EXPECT_EQ(copy(verb, {.files = {from}, .output = {.path = out}}).code, 3) << verb;
+    const auto losses = losses_in(path(out));
+    ASSERT_EQ(losses.copies.size(), 1U) << verb;
+    EXPECT_EQ(losses.missing(), 20U) << verb;
+    EXPECT_EQ(losses.copies[0].topics.at("/io/state"), 10U);
+    EXPECT_EQ(losses.copies[0].file, "dam.mcap") << "it is of the first that was damaged";
+    from = out;
+  }
+  const auto stats =
+      answer_of([&] { return print_statistics({.file = path(from), .json = true}); });
+  EXPECT_EQ(stats.code, 3);
+  EXPECT_THAT(stats.errors, HasSubstr("20 messages are lost, which were damaged or missing in "
+                                      "dam.mcap, the file that it was copied from"));
+  EXPECT_EQ(read_json(stats.out).value()["topics"]["/io/state"]["missing"], 10);
+}
+
+TEST_F(CopiesTest, ACopyOfAPartLacksWhatWasLostOfThatPart) {
+  auto bytes = six_seconds();
+  expect::damage_chunk_at(2.5, bytes);
+  write("dam.mcap", bytes);
+  const auto losses_of = [&](Selection selection) {
+    (void)copy("slice", {.files = {"dam.mcap"},
+                         .selection = std::move(selection),
+                         .output = {.path = "slice.mcap", .replace = true}});
+    return losses_in(path("slice.mcap")).copies;
+  };
+  EXPECT_TRUE(losses_of({.from_s = 4}).empty());
+  EXPECT_TRUE(losses_of({.to_s = 1}).empty());
+  EXPECT_EQ(losses_of({.from_s = 1, .to_s = 4}).at(0).missing(), 20U);
+  EXPECT_EQ(losses_of({.topics = {"/io/state"}}).at(0).missing(), 10U);
+  write("dam.mcap", with_silent_channels());
+  EXPECT_TRUE(losses_of({}).empty()) << "it is whole";
+}
+
+TEST_F(CopiesTest, ACopyOfARecordingThatWasNotClosedSaysThatMoreMayBeLost) {
+  const auto whole = six_seconds();
+  write("cut.mcap", {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(whole.size() / 2)});
+  (void)copy("recover", {.files = {"cut.mcap"}, .output = {.path = "mended.mcap"}});
+  const auto losses = losses_in(path("mended.mcap"));
+  EXPECT_FALSE(losses.is_whole);
+  ASSERT_EQ(losses.copies.size(), 1U);
+  EXPECT_FALSE(losses.copies[0].is_exact);
 }
 
 TEST_F(CopiesTest, WhatIsRecoveredIsWholeAndSaysWhatIsNot) {

@@ -78,6 +78,7 @@ export interface PushedProgram {
   id: string;
   targets: string[];
   state?: string;
+  steps?: PushStep[];
 }
 
 /** What the monitor objects to; of a program, with every place. */

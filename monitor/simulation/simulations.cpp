@@ -25,7 +25,9 @@ Result<const msg::SimulationState*> Simulations::find(const std::string& name, T
     return Error{
         "no simulation is heard; check that galilean demo or galilean sim --live runs in the same "
         "DDS domain (--domain, ROS_DOMAIN_ID)"};
-  if (!name.empty()) return Error{"simulation '" + name + "' is not heard; heard are " + names};
+  if (!name.empty())
+    return Error{"simulation '" + name + "' is not heard; heard " + (live == 1 ? "is " : "are ") +
+                 names};
   if (live > 1) return Error{"several simulations are heard; name one of them: " + names};
   return found;
 }

@@ -57,6 +57,10 @@ const endings = [
   ['replay /none.mcap', 1], ['bhdl check /none.bhdl', 1], ['robot --bhdl /none.bhdl', 1],
   ['programs list --monitor http://127.0.0.1:1', 1], ['programs diff a b --monitor http://127.0.0.1:1', 2],
   ['monitor --listen 127.0.0.1:0 --data /dev/null/none', 1],
+  ['swap x.bhdl --team --monitor foo', 2], ['top --once --monitor foo', 2], ['programs list --monitor https://127.0.0.1:1', 2],
+  ['programs list --monitor 127.0.0.1:1', 1],
+  ['sim ctl rate 0', 2], ['sim ctl rate 21', 2], ['sim ctl step -1', 2], ['sim ctl push io 0 90', 2],
+  ['wait io/state.tick>1 --timeout 3x', 2], ['wait io/state.tick>1 --timeout 0s', 2], ['swap x.bhdl --team --direct --timeout 0', 2],
   ["record --out /none/run.mcap --on ''", 2], ["record --out ''", 2], ["demo --record ''", 2], ["log check /none.mcap --expect ''", 2],
   ["log plot /none.mcap a.b --svg ''", 2], ["log rerun /none.mcap --bhdl ''", 2], ["sim --trace ''", 2],
 ];

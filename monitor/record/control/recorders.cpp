@@ -28,7 +28,8 @@ Result<const RecorderStatus*> Recorders::find(const std::string& name, Time now)
         "no recorder is heard; check that galilean record runs in the same DDS domain (--domain or "
         "ROS_DOMAIN_ID)"};
   if (!name.empty())
-    return Error{"the recorder '" + visible(name) + "' is not heard; heard are " + names};
+    return Error{"the recorder '" + visible(name) + "' is not heard; heard " +
+                 (live == 1 ? "is " : "are ") + names};
   if (live > 1)
     return Error{"several recorders are heard; choose one of them with --name: " + names};
   return found;

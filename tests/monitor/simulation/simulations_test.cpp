@@ -22,7 +22,7 @@ TEST(Simulations, TheOnlyOneNeedsNoName) {
   simulations.note(state_of("alpha"), Time{});
   ASSERT_TRUE(simulations.find("", Time{}));
   EXPECT_EQ(simulations.find("", Time{}).value()->simulation, "alpha");
-  EXPECT_NE(simulations.find("beta", Time{}).error().message.find("heard are alpha"),
+  EXPECT_NE(simulations.find("beta", Time{}).error().message.find("heard is alpha"),
             std::string::npos);
 }
 

@@ -49,7 +49,7 @@ TEST(Recorders, AreFoundByNameAndTheOnlyOneWithout) {
   recorders.note(status_of("run"), now);
   EXPECT_EQ(recorders.find("", now).value()->name, "run");
   EXPECT_EQ(recorders.find("other", now).error().message,
-            "the recorder 'other' is not heard; heard are run");
+            "the recorder 'other' is not heard; heard is run");
   recorders.note(status_of("other"), now);
   EXPECT_EQ(recorders.find("other", now).value()->name, "other");
   EXPECT_THAT(recorders.find("", now).error().message, HasSubstr("--name: other, run"));

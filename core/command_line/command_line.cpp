@@ -144,13 +144,18 @@ bool CommandLine::chosen() const {
   return app_->parsed();
 }
 
-int CommandLine::refuse(const std::string& sentence) const {
+std::string CommandLine::typed() const {
   const CLI::App* command = app_.get();
   std::string name = command->get_name();
   while (!command->get_subcommands().empty()) {
     command = command->get_subcommands().front();
     name += ' ' + command->get_name();
   }
+  return name;
+}
+
+int CommandLine::refuse(const std::string& sentence) const {
+  const std::string name = typed();
   std::cerr << name << ": " << visible(sentence) << "\n'" << name
             << " --help' lists what there is.\n";
   return kWrongUsage;

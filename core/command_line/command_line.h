@@ -82,6 +82,9 @@ class CommandLine {
   [[nodiscard]] std::optional<int> parse(int count, const char* const* arguments);
   /// Returns whether this command was given.
   [[nodiscard]] bool chosen() const;
+  /// Returns what the user typed without options, such as "galilean hold". Requires: parse() was
+  /// called.
+  [[nodiscard]] std::string typed() const;
   /// Prints why the arguments are wrong, as parse() does. Returns kWrongUsage.
   [[nodiscard]] int refuse(const std::string& sentence) const;
 

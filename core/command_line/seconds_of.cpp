@@ -30,4 +30,19 @@ Result<double> seconds_of(const std::string& text) {
   return number * unit_s;
 }
 
+CommandLineOption add_seconds_option(CommandLine& line, const std::string& names, double& target_s,
+                                     const std::string& help) {
+  return line.option(
+      names,
+      [&target_s](const std::string& text) -> Result<void> {
+        const auto seconds = seconds_of(text);
+        if (!seconds) return seconds.error();
+        if (seconds.value() <= 0)
+          return Error{"the time must be above 0, and not '" + visible(text) + "'"};
+        target_s = seconds.value();
+        return {};
+      },
+      help);
+}
+
 }  // namespace galilean

@@ -15,6 +15,7 @@
 #include "monitor/pushes/history/json.h"
 #include "monitor/pushes/history/push_messages.h"
 #include "monitor/pushes/history/replies.h"
+#include "monitor/pushes/push_order.h"
 #include "monitor/pushes/target_check.h"
 
 namespace galilean::monitor {
@@ -84,15 +85,18 @@ int swap_directly(const DirectSwapOptions& options) {
   std::vector<Target> targets;
   std::vector<std::string> names;
   for (const auto* robot : robots.value()) {
-    targets.push_back(target_of(*robot));
+    if (options.push.robots.empty() && !takes_what_all_take(*robot, listener.team())) continue;
+    // One that sends nothing, and is known by a monitor alone, must answer, too.
+    if (robot->state) targets.push_back(target_of(*robot));
     names.push_back(robot->name);
   }
+  if (targets.empty()) return fail("no robot in service is heard; nothing was pushed");
   const auto check =
       check_for(targets, installed ? installed.value() : Catalog{},
                 [&](const Catalog& catalog) { return bhdl::check_file(options.file, catalog); });
   if (!check.result.program) return print_check_errors(check, options);
   if (!listener.wait(kDiscovery,
-                     [&] { return writer.readers() >= static_cast<int>(names.size()); }))
+                     [&] { return writer.readers() >= static_cast<int>(targets.size()); }))
     return fail("the robots do not listen for programs; they run an older version or are ending");
   const auto message = make_push(*check.result.program, options.push.author, options.push.robots,
                                  options.push.replaces);

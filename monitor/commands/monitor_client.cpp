@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "core/json_text.h"
+#include "core/visible_text.h"
 #include "monitor/access/access.h"
 
 namespace galilean::monitor {
@@ -92,16 +93,16 @@ bool is_host(std::string_view text) {
   return text.substr(1, text.size() - 2).find_first_not_of("0123456789abcdefABCDEF:") == text.npos;
 }
 
-/// Reads "http://HOST[:PORT][/]".
+/// Reads "http://HOST[:PORT][/]" or "HOST:PORT", which is what the monitor's --listen takes.
 std::optional<Address> address_of(std::string_view url) {
   constexpr std::string_view kScheme = "http://";
   constexpr std::size_t kMostDigits = 5;
-  if (!url.starts_with(kScheme)) return std::nullopt;
-  url.remove_prefix(kScheme.size());
+  const bool has_scheme = url.starts_with(kScheme);
+  if (has_scheme) url.remove_prefix(kScheme.size());
   if (url.ends_with('/')) url.remove_suffix(1);
   const auto colon = url.find(':', url.starts_with('[') ? std::min(url.find(']'), url.size()) : 0);
   const auto host = url.substr(0, colon);
-  const auto port = colon == url.npos ? "80" : url.substr(colon + 1);
+  const auto port = colon != url.npos ? url.substr(colon + 1) : has_scheme ? "80" : "";
   const bool is_port = !port.empty() && port.size() <= kMostDigits &&
                        port.find_first_not_of("0123456789") == port.npos;
   if (!is_host(host) || !is_port) return std::nullopt;
@@ -121,11 +122,15 @@ std::string MonitorAnswer::detail() const {
   return "the monitor answered " + std::to_string(status);
 }
 
+Result<void> MonitorClient::check_address(const std::string& url) {
+  if (address_of(url)) return {};
+  return Error{"'" + visible(url) +
+               "' is not a valid address of a monitor, such as http://127.0.0.1:8080"};
+}
+
 Result<MonitorClient> MonitorClient::at(const std::string& url, const std::string& token_file) {
   const auto address = address_of(url);
-  if (!address)
-    return Error{"'" + url +
-                 "' is not a valid address of a monitor, such as http://127.0.0.1:8080"};
+  if (!address) return check_address(url).error();
   MonitorClient client(url, address->host, address->port);
   const bool is_near = is_loopback(without_brackets(client.host_));
   const auto file = operator_token_file(default_data_folder());

@@ -29,7 +29,9 @@ class MonitorClient {
  public:
   static constexpr int kTimeout_s = 20;
 
-  /// `url` is the monitor's address, such as http://127.0.0.1:8080. `token_file` holds the token to
+  /// Errors: `url` is no address of a monitor, such as http://127.0.0.1:8080 or 127.0.0.1:8080.
+  [[nodiscard]] static Result<void> check_address(const std::string& url);
+  /// `url` is the monitor's address, as check_address takes it. `token_file` holds the token to
   /// send. If it is empty, this user's operator token is sent, but only to a monitor on this
   /// machine.
   /// Errors: `url` is no such address, or the token cannot be read.

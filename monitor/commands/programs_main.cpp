@@ -12,6 +12,7 @@
 #include "monitor/access/tokens.h"
 #include "monitor/commands/push_session.h"
 #include "monitor/pushes/history/json.h"
+#include "monitor/pushes/history/words.h"
 
 namespace {
 using namespace galilean::monitor;
@@ -45,12 +46,17 @@ std::string joined(const json& names) {
   return text.empty() ? "team" : text;
 }
 
-std::string outcomes(const json& replies) {
+/// Returns what each robot replied; where no robot was asked, what the push failed at.
+std::string outcomes(const json& push) {
   std::string text;
-  for (const auto& reply : replies)
+  for (const auto& reply : push.value("replies", json::array()))
     text += (text.empty() ? "" : ", ") +
             visible(reply.value("robot", "") + " " + reply.value("status", ""));
-  return text;
+  for (const auto& step : push.value("steps", json::array()))
+    if (const auto state = step_state_of(step.value("state", ""));
+        text.empty() && (state == StepState::kFailed || state == StepState::kCancelled))
+      text = visible(step.value("detail", ""));
+  return text.empty() ? "no answer is known" : text;
 }
 
 /// Says that there is no push yet. `url` names the monitor.
@@ -73,7 +79,7 @@ int list(const MonitorClient& monitor, const std::string& url, bool as_json) {
               << visible(push.value("program", "")) << ' ' << std::setw(10)
               << visible(push.value("author", "")) << ' ' << std::setw(12)
               << visible(push.value("state", "")) << "to " << joined(push["targets"]) << ": "
-              << outcomes(push["replies"]) << '\n';
+              << outcomes(push) << '\n';
   return EXIT_SUCCESS;
 }
 

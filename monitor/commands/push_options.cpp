@@ -3,11 +3,14 @@
 
 #include "core/command_line/command_line.h"
 #include "core/command_line/seconds_of.h"
+#include "monitor/commands/monitor_client.h"
 
 namespace galilean::monitor {
 
 void add_monitor_option(CommandLine& app, PushOptions& options) {
-  app.option("--monitor", options.monitor, "the monitor to use").show_default();
+  app.option("--monitor", options.monitor, "the monitor to use")
+      .check(MonitorClient::check_address)
+      .show_default();
   app.option("--token-file", options.token_file,
              "file of the operator's token; not needed for a monitor on this machine")
       .names_file();

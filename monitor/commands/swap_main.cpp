@@ -5,6 +5,7 @@
 #include "bhdl/check.h"
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "core/command_line/seconds_of.h"
 #include "core/json_text.h"
 #include "monitor/commands/direct_swap.h"
 #include "monitor/commands/push_session.h"
@@ -53,8 +54,8 @@ int main(int argc, char** argv) {
   for (const auto* other :
        {"--try", "--try-only", "--canary", "--probation", "--monitor", "--token-file"})
     app.find(other).excludes(directly);
-  app.option("--timeout", options.timeout_s, "seconds to wait for answers (with --direct)")
-      .positive();
+  galilean::add_seconds_option(app, "--timeout", options.timeout_s,
+                               "how long to wait for answers, such as 5s (with --direct)");
   galilean::add_domain_option(app, options.domain, "with --direct");
   if (const auto code = app.parse(argc, argv)) return *code;
   if (const auto targets = check_targets(options.push); !targets)

@@ -15,8 +15,13 @@ constexpr Duration kNobodyNew = std::chrono::milliseconds(500);
 
 std::string list_of(const std::map<std::string, Robot, std::less<>>& robots) {
   std::string names;
-  for (const auto& [name, robot] : robots) names += (names.empty() ? "" : ", ") + visible(name);
+  for (const auto& [name, robot] : robots)
+    if (robot.state) names += (names.empty() ? "" : ", ") + visible(name);
   return names;
+}
+
+bool speaks(const std::map<std::string, Robot, std::less<>>& robots) {
+  return std::ranges::any_of(robots, [](auto& each) { return each.second.state.has_value(); });
 }
 
 }  // namespace
@@ -44,7 +49,7 @@ TeamListener::TeamListener(std::unique_ptr<wire::Participant> participant, Inges
 bool TeamListener::is_heard_by_pushers(const Channel& channel) {
   const auto type = channel.schema->ros_type;
   return type == msg::RobotState::kRosType || type == msg::Catalog::kRosType ||
-         type == msg::ProgramReply::kRosType;
+         type == msg::ProgramReply::kRosType || type == msg::ObjectMap::kRosType;
 }
 
 Result<std::unique_ptr<TeamListener>> TeamListener::join(const std::string& name, int domain,
@@ -86,17 +91,17 @@ Result<std::vector<const Robot*>> TeamListener::find(const std::vector<std::stri
     if (!names.empty()) return std::ranges::all_of(names, [&](auto& name) { return known(name); });
     if (team_.robots().size() != heard) since = now();
     heard = team_.robots().size();
-    return heard > 0 && now() - since >= kNobodyNew;
+    return speaks(team_.robots()) && now() - since >= kNobodyNew;
   });
   std::vector<const Robot*> found;
   for (const auto& [name, robot] : team_.robots())
     if (names.empty() || std::ranges::find(names, name) != names.end()) found.push_back(&robot);
-  if (team_.robots().empty())
+  if (!speaks(team_.robots()))
     return Error{
         "no robot sends its state; check that robots run, and in the same DDS domain "
         "(--domain or ROS_DOMAIN_ID)"};
   for (const auto& name : names)
-    if (!team_.find(name))
+    if (const Robot* robot = team_.find(name); !robot || !robot->state)
       return Error{"robot '" + visible(name) + "' sends no state; " +
                    agreeing(team_.robots().size(), "this one does: ", "these do: ") +
                    list_of(team_.robots())};

@@ -19,15 +19,16 @@ namespace galilean::monitor {
 class TeamListener {
  public:
   /// `name` is the participant's name, which other participants see.
-  /// `hears` says which topics are read: without it, the states, the catalogs and the answers to
-  /// pushes. Errors: DDS cannot be used.
+  /// `hears` says which topics are read: without it, the states, the catalogs, the answers to
+  /// pushes, and which robots a monitor knows. Errors: DDS cannot be used.
   [[nodiscard]] static Result<std::unique_ptr<TeamListener>> join(
       const std::string& name, int domain, Ingest::ReadAtOnce hears = is_heard_by_pushers);
 
   /// Takes messages until `enough` returns true or `timeout` is over. Returns the last result of
   /// `enough`.
   bool wait(Duration timeout, const std::function<bool()>& enough);
-  /// Returns the robots of these names, or all robots if there are no names. Waits, at most
+  /// Returns the robots of these names, or all that are known if there are no names, of which some
+  /// may send no state. Waits, at most
   /// `timeout`, for the state and the catalog of each named robot, or until no new robot has been
   /// heard for 0.5 s.
   /// Errors: no robot is heard, or a named one is not.

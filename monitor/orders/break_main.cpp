@@ -20,8 +20,9 @@ using namespace galilean::monitor;
 
 using Names = std::vector<std::string>;
 
-int fail(const std::string& why) {
-  std::cerr << "galilean-break: " << why << '\n';
+/// Says why what the user typed failed. Returns the exit code.
+int fail(const CommandLine& app, const std::string& why) {
+  std::cerr << app.typed() << ": " << why << '\n';
   return kFailed;
 }
 
@@ -29,15 +30,16 @@ void tell(const std::string& robot, const std::string& what) {
   std::cout << visible(robot) << ": " << visible(what) << '\n';
 }
 
-/// Prints what each robot answered. `effect` says what the order did to a robot that carried it
-/// out. Returns the exit code.
+/// Prints what each robot answered to an order of `given`. `effect` says what the order did to a
+/// robot that carried it out. Returns the exit code.
 int tell_answers(OrderSession& session, const Names& robots, const std::string& order_id,
-                 const std::function<std::string(const std::string& robot)>& effect) {
+                 Time given, const std::function<std::string(const std::string& robot)>& effect) {
   const auto unheard = session.wait_for_answers(robots, order_id);
   bool all_did = unheard.empty();
   for (const auto& robot : robots) {
     if (std::ranges::find(unheard, robot) != unheard.end()) {
-      tell(robot, "did not answer; try again");
+      tell(robot, session.has_told_since(robot, given) ? "did not answer; try again"
+                                                       : session.silence_of(robot));
       continue;
     }
     const std::string& refused = session.answer_of(robot, order_id)->refused;
@@ -56,35 +58,43 @@ std::string with_unknown_states(std::string effect, const msg::BreakOrder& order
   return effect;
 }
 
-int give(OrderSession& session, msg::BreakOrder order, const Addressees& whom,
-         const Names& robots) {
+Result<int> give(OrderSession& session, msg::BreakOrder order, const Addressees& whom,
+                 std::size_t there) {
   BreakOrders orders(session.participant());
   order.targets = whom.robots;
-  session.wait(OrderSession::kHear,
-               [&] { return orders.listeners() >= static_cast<int>(robots.size()); });
+  session.wait(OrderSession::kHear, [&] { return orders.listeners() >= static_cast<int>(there); });
+  const Time given = session.now();
   const std::string id = orders.give(order);
-  if (id.empty()) return fail("DDS did not accept the order; try again");
-  return tell_answers(session, robots, id, [&](const std::string& robot) {
+  if (id.empty()) return Error{"DDS did not accept the order; try again"};
+  return tell_answers(session, session.everyone(whom), id, given, [&](const std::string& robot) {
     return with_unknown_states(effect_of(order), order, session.program_of(robot));
   });
 }
 
-int step(OrderSession& session, const Addressees& whom, const Names& robots) {
+Result<int> step(OrderSession& session, const Addressees& whom, std::size_t there) {
   Operator speaker(session.participant());
-  session.wait(OrderSession::kHear,
-               [&] { return speaker.listeners() >= static_cast<int>(robots.size()); });
+  session.wait(OrderSession::kHear, [&] { return speaker.listeners() >= static_cast<int>(there); });
+  const Time given = session.now();
   if (!speaker.say(Operator::Word::kStep, whom.robots))
-    return fail("DDS did not accept the command; try again");
-  return tell_answers(session, robots, speaker.last_id(), [](const std::string&) {
-    return std::string("goes on until its next change of state");
-  });
+    return Error{"DDS did not accept the command; try again"};
+  return tell_answers(
+      session, session.everyone(whom), speaker.last_id(), given,
+      [](const std::string&) { return std::string("goes on until its next change of state"); });
 }
 
-int list(OrderSession& session, const Names& robots) {
-  const auto told = [&](const std::string& robot) { return session.breaks_of(robot) != nullptr; };
+Result<int> list(OrderSession& session, const Addressees& whom) {
+  const Time asked = session.now();
+  const Names robots = session.everyone(whom);
+  const auto told = [&](const std::string& robot) {
+    return session.breaks_of(robot) && session.has_told_since(robot, asked);
+  };
   const bool all_told =
       session.wait(OrderSession::kAnswer, [&] { return std::ranges::all_of(robots, told); });
   for (const auto& robot : robots) {
+    if (!session.has_told_since(robot, asked)) {
+      tell(robot, session.silence_of(robot));
+      continue;
+    }
     const msg::Breaks* breaks = session.breaks_of(robot);
     const Names nothing{"does not tell where it stops"};
     for (const auto& line : breaks ? lines_of(*breaks) : nothing) tell(robot, line);
@@ -92,25 +102,28 @@ int list(OrderSession& session, const Names& robots) {
   return all_told ? EXIT_SUCCESS : kFailed;
 }
 
-using Talk = std::function<int(OrderSession& session, const Names& robots)>;
+/// Gives an order to the robots, of which so many are there. Errors: the order cannot be given.
+using Talk = std::function<Result<int>(OrderSession& session, std::size_t there)>;
 
-int run(const Addressees& whom, const Talk& talk) try {
+Result<int> run(const Addressees& whom, const Talk& talk) try {
   const auto session = OrderSession::join("break", whom.domain);
-  if (!session) return fail(session.error().message);
-  const auto robots = session.value()->find(whom);
-  if (!robots) return fail(robots.error().message);
-  return talk(*session.value(), robots.value());
+  if (!session) return session.error();
+  const auto there = session.value()->find(whom);
+  if (!there) return there.error();
+  return talk(*session.value(), there.value());
 } catch (const std::exception& error) {
-  return fail(error.what());
+  return Error{error.what()};
 }
 
-int run_break(const BreakOptions& options, const CommandLine& app) {
-  if (options.list) return run(options.whom, list);
-  const auto order = order_of(options);
-  if (!order) return app.refuse(order.error().message);
-  return run(options.whom, [&](OrderSession& session, const Names& robots) {
-    return give(session, order.value(), options.whom, robots);
+Result<int> run_break(const BreakOptions& options, const msg::BreakOrder& order) {
+  return run(options.whom, [&](OrderSession& session, std::size_t there) {
+    return options.list ? list(session, options.whom) : give(session, order, options.whom, there);
   });
+}
+
+Result<int> run_step(const Addressees& whom) {
+  return run(whom,
+             [&](OrderSession& session, std::size_t there) { return step(session, whom, there); });
 }
 
 }  // namespace
@@ -125,9 +138,11 @@ int main(int argc, char** argv) {
   auto stepped = app.command("step", "Let robots go on until their next change of state");
   add_addressees(stepped, stepping);
   if (const auto code = app.parse(argc, argv)) return *code;
-  if (breaking.chosen()) return run_break(options, app);
-  if (const auto named = check_named(stepping); !named) return app.refuse(named.error().message);
-  return run(stepping, [&](OrderSession& session, const Names& robots) {
-    return step(session, stepping, robots);
-  });
+  const bool breaks = breaking.chosen();
+  const auto order = breaks && !options.list ? order_of(options) : msg::BreakOrder{};
+  if (!order) return app.refuse(order.error().message);
+  if (const auto named = check_named(stepping); !breaks && !named)
+    return app.refuse(named.error().message);
+  const auto code = breaks ? run_break(options, order.value()) : run_step(stepping);
+  return code ? code.value() : fail(app, code.error().message);
 }

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
+#include <set>
 #include <utility>
 
 #include "core/command_line/domain_option.h"
 #include "core/visible_text.h"
+#include "core/wire/neighbours.h"
 #include "monitor/orders/break_answer.h"
 
 namespace galilean::monitor {
@@ -43,26 +44,41 @@ Result<std::unique_ptr<OrderSession>> OrderSession::join(const std::string& name
 }
 
 OrderSession::OrderSession(std::unique_ptr<TeamListener> listener)
-    : listener_(std::move(listener)) {
+    : listener_(std::move(listener)),
+      endpoints_(std::make_unique<wire::Endpoints>(listener_->participant())),
+      joined_(listener_->now()) {
   listener_->on_message([this](const Message& message) {
+    const auto type = message.channel.schema->ros_type;
+    has_heard_monitor_ |= type == msg::ObjectMap::kRosType && !message.replayed;
     msg::Breaks breaks;
-    if (message.channel.schema->ros_type != msg::Breaks::kRosType) return;
+    if (type != msg::Breaks::kRosType) return;
     if (msg::decode_cdr(*message.cdr, breaks)) breaks_[breaks.robot] = std::move(breaks);
   });
 }
 
-Result<std::vector<std::string>> OrderSession::find(const Addressees& whom) {
+Result<std::size_t> OrderSession::find(const Addressees& whom, Duration others_within) {
   constexpr Duration kGather = std::chrono::milliseconds(300);
-  wait(kHear, [&] {
-    const auto heard = [this](const std::string& robot) { return state_of(robot) != nullptr; };
-    return !speaking().empty() && std::ranges::all_of(whom.robots, heard);
-  });
+  const auto there = [this](const std::string& robot) { return is_there(robot); };
+  const bool any = wait(kHear, [&] { return std::ranges::any_of(addressed(whom), there); });
+  if (any && !whom.robots.empty())
+    wait(others_within, [&] { return std::ranges::all_of(whom.robots, there); });
   wait(kGather, [] { return false; });
-  const auto names = whom.robots.empty() ? speaking() : whom.robots;
-  for (const auto& robot : names)
-    if (!state_of(robot)) return Error{visible(robot) + " sends no state; " + kCheck};
-  if (names.empty()) return Error{std::string("no robot sends its state; ") + kCheck};
-  return names;
+  const auto robots = addressed(whom);
+  if (const auto count = std::ranges::count_if(robots, there); count > 0)
+    return static_cast<std::size_t>(count);
+  if (robots.empty()) return Error{std::string("no robot sends its state; ") + kCheck};
+  std::string why;
+  for (const auto& robot : robots)
+    why += (why.empty() ? "" : "; ") + visible(robot) + " " + silence_of(robot);
+  return Error{why + "; " + kCheck};
+}
+
+std::vector<std::string> OrderSession::everyone(const Addressees& whom) {
+  constexpr Duration kMonitorTellsWithin = std::chrono::seconds(1);
+  if (whom.robots.empty())
+    wait(std::max(joined_ + kMonitorTellsWithin - now(), Duration{}),
+         [this] { return has_heard_monitor_; });
+  return addressed(whom);
 }
 
 std::vector<std::string> OrderSession::wait_for_answers(const std::vector<std::string>& robots,
@@ -76,16 +92,25 @@ std::vector<std::string> OrderSession::wait_for_answers(const std::vector<std::s
   return waiting;
 }
 
-bool OrderSession::tell_silent(const std::vector<std::string>& told) const {
+bool OrderSession::is_there(const std::string& robot) const {
   const Team& team = listener_->team();
-  bool any = false;
-  for (const auto& [name, robot] : team.robots()) {
-    if (!team.silent(robot) || std::ranges::find(told, name) != told.end()) continue;
-    std::cout << visible(name) << ": has sent nothing for " << std::lround(team.age_s(robot))
-              << " s, so it is not known what it does\n";
-    any = true;
-  }
-  return any;
+  const Robot* found = team.find(robot);
+  return found && found->state && !team.silent(*found) && !team.replayed(*found);
+}
+
+bool OrderSession::has_told_since(const std::string& robot, Time since) const {
+  const Team& team = listener_->team();
+  const Robot* found = team.find(robot);
+  return found && found->state && found->state_received > since && !team.replayed(*found);
+}
+
+std::string OrderSession::silence_of(const std::string& robot) const {
+  const Team& team = listener_->team();
+  const Robot* found = team.find(robot);
+  if (!found) return "sends no state";
+  if (team.replayed(*found)) return "is played by a recording, and is not there";
+  const long silent_s = std::max(std::lround(team.age_s(*found)), 1L);
+  return "has sent nothing for " + std::to_string(silent_s) + " s, so it is not known what it does";
 }
 
 const msg::RobotState* OrderSession::state_of(const std::string& robot) const {
@@ -109,12 +134,17 @@ const msg::BreakAnswer* OrderSession::answer_of(const std::string& robot,
   return told ? answer_to(*told, order_id) : nullptr;
 }
 
-std::vector<std::string> OrderSession::speaking() const {
+std::vector<std::string> OrderSession::addressed(const Addressees& whom) {
+  if (!whom.robots.empty()) return whom.robots;
   const Team& team = listener_->team();
-  std::vector<std::string> names;
-  for (const auto& [name, robot] : team.robots())
-    if (robot.state && !team.silent(robot)) names.push_back(name);
-  return names;
+  const auto writing = wire::robots_in(endpoints_->known()).live;
+  std::set<std::string> names(writing.begin(), writing.end());
+  for (const auto& [name, robot] : team.robots()) names.insert(name);
+  std::erase_if(names, [&](const std::string& name) {
+    const Robot* robot = team.find(name);
+    return robot && team.replayed(*robot);
+  });
+  return {names.begin(), names.end()};
 }
 
 }  // namespace galilean::monitor

@@ -9,6 +9,7 @@
 
 #include "core/command_line/command_line.h"
 #include "core/result.h"
+#include "core/wire/endpoints.h"
 #include "monitor/commands/team_listener.h"
 
 namespace galilean::monitor {
@@ -36,9 +37,24 @@ class OrderSession {
   [[nodiscard]] static Result<std::unique_ptr<OrderSession>> join(const std::string& name,
                                                                   int domain);
 
-  /// Waits until the named robots, or all that there are, have told how they are. Returns their
-  /// names. Errors: no robot is heard, or a named one is not.
-  [[nodiscard]] Result<std::vector<std::string>> find(const Addressees& whom);
+  /// Waits until the first of the robots has told how it is, for at most kHear, and then for the
+  /// other named ones, for at most `others_within`, or for others of the team. Returns how many of
+  /// them are there. Errors: none of them is; the error says who is not.
+  [[nodiscard]] Result<std::size_t> find(const Addressees& whom, Duration others_within = kHear);
+  /// Returns the named robots, or all that are known: those that send their state, those whose
+  /// writers are known, and those of which a monitor tells. A robot that a recording plays is none
+  /// of the team.
+  [[nodiscard]] std::vector<std::string> addressed(const Addressees& whom);
+  /// As addressed(). For the team it waits until a monitor has told whom it knows, or until one
+  /// would have.
+  [[nodiscard]] std::vector<std::string> everyone(const Addressees& whom);
+  /// Returns whether the robot sends its state now. It is not there if a recording plays it.
+  [[nodiscard]] bool is_there(const std::string& robot) const;
+  /// Returns whether a state of the robot's own came after `since`. Who has none has not confirmed
+  /// an order of then, whatever was known of it before.
+  [[nodiscard]] bool has_told_since(const std::string& robot, Time since) const;
+  /// Returns why nothing is known of a robot that has told nothing since an order.
+  [[nodiscard]] std::string silence_of(const std::string& robot) const;
   /// Takes messages until `enough` returns true or `most` is over. Returns the last result of
   /// `enough`.
   bool wait(Duration most, const std::function<bool()>& enough) {
@@ -49,9 +65,6 @@ class OrderSession {
   [[nodiscard]] std::vector<std::string> wait_for_answers(const std::vector<std::string>& robots,
                                                           const std::string& order_id);
 
-  /// Tells on standard output of the robots that are known to be in the team, send nothing, and are
-  /// none of `told`. Returns whether there are such.
-  bool tell_silent(const std::vector<std::string>& told) const;
   /// Returns the robot's state, or null if it has sent none.
   [[nodiscard]] const msg::RobotState* state_of(const std::string& robot) const;
   /// Returns the program that the robot runs, or null if it is not known.
@@ -63,12 +76,15 @@ class OrderSession {
   [[nodiscard]] const msg::BreakAnswer* answer_of(const std::string& robot,
                                                   const std::string& order_id) const;
   [[nodiscard]] wire::Participant& participant() noexcept { return listener_->participant(); }
+  [[nodiscard]] Time now() const noexcept { return listener_->now(); }
 
  private:
   explicit OrderSession(std::unique_ptr<TeamListener> listener);
-  [[nodiscard]] std::vector<std::string> speaking() const;
 
   std::unique_ptr<TeamListener> listener_;
+  std::unique_ptr<wire::Endpoints> endpoints_;
+  Time joined_;
+  bool has_heard_monitor_ = false;
   std::map<std::string, msg::Breaks> breaks_;
 };
 

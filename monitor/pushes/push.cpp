@@ -65,6 +65,9 @@ void Push::end(StepState how, const std::string& detail) {
   if (steps_.is_at(StepKind::kCanary) && rollout_.canary_may_run_it())
     requests_.push_back(content_.rollback(detail));
   if (std::exchange(is_trial_under_way_, false)) requests_.push_back(EndTrial{});
+  // Replies are recorded as they come; whoever has sent none is known only now.
+  for (const auto& reply : rollout_.replies())
+    if (reply.status == ReplyStatus::kNoAnswer) requests_.push_back(RecordReply{reply});
   steps_.end(how, detail);
   answer(record());
 }

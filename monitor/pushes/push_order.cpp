@@ -27,18 +27,16 @@ void add(const Robot& robot, bool is_named, const Team& team, OrderTargets& targ
     targets.silent.push_back(robot.name);
 }
 
-/// Returns whether a robot takes a program that is pushed to all. One that is out of service does
-/// not, and where a recording plays a robot, nobody is there.
-bool takes_what_all_take(const Robot& robot, const Team& team) {
-  return !(robot.state && robot.state->out_of_service) && !team.replayed(robot);
-}
-
 }  // namespace
 
 std::vector<std::string> OrderTargets::names() const {
   std::vector<std::string> result;
   for (const auto& target : awaited) result.push_back(target.robot);
   return result;
+}
+
+bool takes_what_all_take(const Robot& robot, const Team& team) {
+  return !(robot.state && robot.state->out_of_service) && !team.replayed(robot);
 }
 
 OrderTargets targets_of(const std::vector<std::string>& named, const Team& team) {

@@ -47,11 +47,15 @@ struct PushIdentity {
 
 /// The robots that an order is for.
 struct OrderTargets {
-  std::vector<Target> awaited;      ///< the push waits for their replies
-  std::vector<std::string> silent;  ///< the team's other robots, which were not heard for a while
+  std::vector<Target> awaited;      ///< the program is checked against their catalogs
+  std::vector<std::string> silent;  ///< the team's other robots, which were not heard for a while;
+                                    ///< they must reply, too
 
   [[nodiscard]] std::vector<std::string> names() const;  ///< the names of `awaited`
 };
+/// Returns whether a robot takes a program that is pushed to all. One that is out of service does
+/// not, and where a recording plays a robot, nobody is there.
+[[nodiscard]] bool takes_what_all_take(const Robot& robot, const Team& team);
 /// Returns the robots with the names `named`; if it is empty, all that are in service and that no
 /// recording plays.
 [[nodiscard]] OrderTargets targets_of(const std::vector<std::string>& named, const Team& team);

@@ -92,7 +92,8 @@ bool Replay::clock_is_free(const std::vector<wire::EndpointInfo>& there) const {
 
 void Replay::say_what_comes(const std::vector<wire::EndpointInfo>& there) const {
   std::cout << before_playing(options_.file, summary_, tracks_)
-            << who_is_where(robots_of(tracks_of(summary_)), robots_of(tracks_), robots_in(there))
+            << who_is_where(robots_of(tracks_of(summary_)), robots_of(tracks_),
+                            wire::robots_in(there))
             << std::flush;
 }
 

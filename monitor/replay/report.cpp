@@ -40,7 +40,7 @@ std::string before_playing(const std::string& path, const mcap::Summary& summary
 }
 
 std::string who_is_where(const std::set<std::string>& recorded, const std::set<std::string>& played,
-                         const Neighbours& there) {
+                         const wire::Neighbours& there) {
   std::vector<std::string> left_out;
   std::ranges::set_difference(recorded, played, std::back_inserter(left_out));
   const auto line = [](const char* what, const std::vector<std::string>& names) {
@@ -52,7 +52,7 @@ std::string who_is_where(const std::set<std::string>& recorded, const std::set<s
          (there.played.empty() ? "" : line("robots of another replay: ", there.played));
 }
 
-std::string why_not_beside(const Neighbours& namesakes) {
+std::string why_not_beside(const wire::Neighbours& namesakes) {
   const auto are = [](const std::vector<std::string>& names) {
     return listed(names) + agreeing(names.size(), " is", " are");
   };

@@ -18,10 +18,10 @@ namespace galilean::monitor {
 /// domain or played there by another replay.
 [[nodiscard]] std::string who_is_where(const std::set<std::string>& recorded,
                                        const std::set<std::string>& played,
-                                       const Neighbours& there);
+                                       const wire::Neighbours& there);
 
 /// Returns why a replay must not begin beside those of the same names. Requires: there are some.
-[[nodiscard]] std::string why_not_beside(const Neighbours& namesakes);
+[[nodiscard]] std::string why_not_beside(const wire::Neighbours& namesakes);
 
 /// Returns those damages that a replay met and that the summary did not know.
 [[nodiscard]] std::vector<mcap::Damage> newly_met(const std::vector<mcap::Damage>& met,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/wire/messages.h"
+#include "core/wire/neighbours.h"
 #include "core/wire/topic_names.h"
 #include "monitor/playback/known_type.h"
 #include "monitor/record/channel_metadata.h"
@@ -63,20 +64,15 @@ Tracks tracks_of(const mcap::Summary& summary) {
   return tracks;
 }
 
-std::string owner_of(const std::string& topic) {
-  const auto name = topic.substr(topic.find('/') + 1);
-  return name.substr(0, name.find('/'));
-}
-
 std::set<std::string> robots_of(const Tracks& tracks) {
   std::set<std::string> robots;
   for (const auto& [id, track] : tracks.played)
-    if (track.ros_type == msg::RobotState::kRosType) robots.insert(owner_of(track.topic));
+    if (track.ros_type == msg::RobotState::kRosType) robots.insert(wire::owner_of(track.topic));
   return robots;
 }
 
 bool is_of(const Track& track, const std::string& robot) {
-  return is_shared(track) ? track.sender == robot : owner_of(track.topic) == robot;
+  return is_shared(track) ? track.sender == robot : wire::owner_of(track.topic) == robot;
 }
 
 void leave_out_clock(Tracks& tracks) {

@@ -39,8 +39,6 @@ struct Tracks {
 
 /// Takes a recorded /clock out of what is sent again, because the replay tells the time itself.
 void leave_out_clock(Tracks& tracks);
-/// Returns the name before a topic's second slash: "io" for "rt/io/state".
-[[nodiscard]] std::string owner_of(const std::string& topic);
 /// Returns the names of the robots among what is sent again: those that tell their state.
 [[nodiscard]] std::set<std::string> robots_of(const Tracks& tracks);
 /// Returns whether the message is one of this robot: on a topic of its own, or on a shared one.

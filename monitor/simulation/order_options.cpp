@@ -50,10 +50,12 @@ void OrderOptions::add_clock(CommandLine& app) {
   add(app, "go_on", "go-on", "Let simulated time run again");
   add(app, "step", "step", "Let simulated time run for a while, then pause")
       .option("seconds", read_.duration_s, "How long, in simulated seconds")
-      .required();
+      .required()
+      .positive();
   add(app, "rate", "rate", "Change how fast simulated time runs")
       .option("factor", read_.rate, "Simulated seconds a second, from 0.1 to 20")
-      .required();
+      .required()
+      .between(0.1, 20.0);
 }
 
 void OrderOptions::add_bodies(CommandLine& app) {
@@ -64,7 +66,10 @@ void OrderOptions::add_bodies(CommandLine& app) {
   move.option("--heading", heading_deg_, "Where it heads, in degrees counter-clockwise from x");
   auto& push = add(app, "push", "push", "Push a robot");
   push.option("robot", read_.subject, "Its name").required();
-  push.option("impulse", read_.impulse_ns, "How hard, in newton seconds, up to 20").required();
+  push.option("impulse", read_.impulse_ns, "How hard, in newton seconds, up to 20")
+      .required()
+      .positive()
+      .between(0.0, 20.0);
   push.option("direction", direction_deg_, "Where to, in degrees counter-clockwise from x")
       .required();
   auto& drop = add(app, "drop", "drop", "Drop a piece");

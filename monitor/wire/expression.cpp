@@ -69,9 +69,14 @@ bool compare(const T& left, const std::string& op, const T& right) {
   return left >= right;
 }
 
-bool compare_values(const MessageTree& left, const std::string& op, const MessageTree& right) {
-  const bool comparable = (left.is_number() && right.is_number()) || left.type() == right.type();
-  return comparable && compare(left, op, right);
+const char* kind_of(const MessageTree& value) {
+  if (value.is_number()) return "a number";
+  if (value.is_string()) return "a text";
+  return value.is_boolean() ? "true or false" : "no single value";
+}
+
+bool is_comparable(const MessageTree& left, const MessageTree& right) {
+  return (left.is_number() && right.is_number()) || left.type() == right.type();
 }
 
 Result<bool> comparison_holds(const Expression::Comparison& comparison,
@@ -80,7 +85,12 @@ Result<bool> comparison_holds(const Expression::Comparison& comparison,
   if (message == newest.end()) return false;
   const auto field = find_field(message->second, comparison.field);
   if (!field) return Error{"/" + visible(comparison.topic) + ": " + field.error().message};
-  return field.value() && compare_values(*field.value(), comparison.op, comparison.value);
+  if (!field.value() || field.value()->is_null()) return false;
+  if (!is_comparable(*field.value(), comparison.value))
+    return Error{"/" + visible(comparison.topic) + ": '" + visible(comparison.field) + "' is " +
+                 kind_of(*field.value()) + ", and is compared with " + kind_of(comparison.value) +
+                 ", so that it can never be true"};
+  return compare(*field.value(), comparison.op, comparison.value);
 }
 
 }  // namespace

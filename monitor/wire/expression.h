@@ -32,8 +32,8 @@ class Expression {
   [[nodiscard]] static Result<Expression> parse(std::string_view text);
   /// Returns the topics that it asks about, each once.
   [[nodiscard]] std::vector<std::string> topics() const;
-  /// A comparison is false while its topic has sent nothing, and where the value is of another kind
-  /// than the field. Errors: a message has no field of that name.
+  /// A comparison is false while its topic has sent nothing. Errors: a message has no field of that
+  /// name, or the value is of another kind than the field.
   [[nodiscard]] Result<bool> holds(const Newest& newest) const;
 
  private:

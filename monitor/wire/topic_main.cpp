@@ -5,6 +5,7 @@
 #include "core/broken_pipe.h"
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "core/command_line/seconds_of.h"
 #include "monitor/wire/topic_commands.h"
 
 namespace galilean::monitor {
@@ -90,7 +91,8 @@ int main(int argc, char** argv) {
               "TOPIC.FIELD OP VALUE, joined by 'and' and 'or', such as "
               "'io/state.state == \"wander\"'")
       .required();
-  wait.line.option("--timeout", options.timeout_s, "Give up after so many seconds").positive();
+  add_seconds_option(wait.line, "--timeout", options.timeout_s,
+                     "Give up after this time, such as 3s");
   if (const auto code = app.parse(argc, argv)) return *code;
   for (const auto& verb : verbs)
     if (verb.line.chosen()) return run(verb, options);

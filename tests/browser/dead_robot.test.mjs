@@ -27,6 +27,8 @@ test("of a push it says that it did not answer", async () => {
   await at("push-confirm").click();
   await tab.untilReply("callisto", ["no_answer"]);
   assert.match(await at("reply-callisto").innerText(), /callisto did not answer/);
+  assert.equal(await at("step-rest").getAttribute("data-state"), "failed");
+  await tab.until(() => /failed: callisto has not answered/.test(document.querySelector("[data-testid=push-history]")?.textContent ?? ""));
 });
 
 tab.testComplaints();

@@ -140,6 +140,6 @@ test('a team is stopped between states, steps on, waits at a lock and goes on', 
     assert.equal(full.stdout, 'io: refused: it would have 33 break points, and 32 are the most: take some off first\n');
     const absent = run('break', 'go', '--remove', '--robot', 'io');
     assert.deepEqual([absent.status, absent.stdout], [1, 'io: refused: there is no break point on entering go\n']);
-    assert.match(run('break', 'go', '--robot', 'europa').stderr, /^galilean-break: europa sends no state; /);
+    assert.match(run('break', 'go', '--robot', 'europa').stderr, /^galilean break: europa sends no state; /);
   });
 });

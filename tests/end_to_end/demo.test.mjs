@@ -43,6 +43,19 @@ test('Ctrl-C ends all and leaves nothing behind', limit, async (t) => {
   await nothingIsLeft(domain, runOf(team));
 });
 
+test('a second demo in the same domain is refused before it starts a robot, and harms nobody', limit, async (t) => {
+  const { team, domain, url } = await startTeam(t, ['--robots', '2']);
+  await eventually(async () => (await getJson(`${url}/api/status`)).robots.length === 2);
+  const cwd = scratchFolder(t);
+  const second = galilean(['demo', '--port', String(await freePort()), '--record', 'second.mcap'], { domain, cwd });
+  assert.equal(second.status, 1, second.stdout);
+  assert.equal(second.stderr, `galilean-demo: io and ganymede live in DDS domain ${domain} already, and two robots of one name obey and tell ` +
+    'as one; end those, or use another domain (--domain or ROS_DOMAIN_ID)\n');
+  assert.equal(existsSync(join(cwd, 'second.mcap')), false);
+  assert.equal(processesIn(domain).length, 5);  // demo, sim, two robots, monitor
+  assert.deepEqual(await team.stop('SIGINT'), { code: 0, signal: null });
+});
+
 test('sixteen robots start, and a hundred and one are refused', limit, async (t) => {
   const { url, domain } = await startTeam(t, ['--robots', '16']);
   assert.equal(processesIn(domain).length, 19);

@@ -134,6 +134,35 @@ test('a robot that is killed is silent, stays in the team, and the others run on
   assert.match(stopped.stdout, /^callisto: has sent nothing for \d+ s, so it is not known what it does$/m);
 });
 
+test('a robot that hangs is named by every order to the team, and the others obey', { timeout: 300_000 }, async (t) => {
+  const { domain, url } = await startTeam(t);
+  await wholeTeam(url);
+  const callisto = processesIn(domain).find(({ command }) => /galilean-robot .*--name callisto/.test(command));
+  const order = (...words) => {
+    const { status: code, stdout, stderr } = galilean(words, { domain });
+    return { code, stderr, lines: stdout.trim().split('\n').sort() };
+  };
+  const unknown = /^callisto: (has sent nothing for \d+ s, so it is not known what it does|sends no state)$/;
+  process.kill(callisto.pid, 'SIGSTOP');
+  t.after(() => process.kill(callisto.pid, 'SIGCONT'));
+
+  const stopped = order('stop');
+  assert.equal(stopped.code, 1);
+  assert.match(stopped.lines[0], unknown);
+  assert.deepEqual(stopped.lines.slice(1), ['ganymede: stands still', 'io: stands still']);
+  for (const words of [['resume', '--team'], ['start', '--team'], ['break', 'grab_trash', '--team'], ['step', '--team'], ['break', '--list'],
+    ['break', '--clear', '--team'], ['decommission', '--team'], ['commission', '--team'], ['hold', '--team'], ['hold', '--robot', 'io', '--robot', 'callisto']]) {
+    const { code, lines } = order(...words);
+    assert.deepEqual([words.join(' '), code], [words.join(' '), 1]);
+    assert.match(lines[0], unknown, words.join(' '));
+    assert.ok(lines.length > 1, `${words.join(' ')}: ${lines}`);
+  }
+
+  const nobody = order('hold', '--robot', 'io', '--robot', 'europa');
+  assert.deepEqual(nobody, { code: 1, stderr: '', lines: ['europa: sends no state', 'io: stands still'] });
+  assert.match(order('hold', '--robot', 'europa').stderr, /^galilean hold: europa sends no state; check that robots run/);
+});
+
 test('camera and serial line unplugged: the robot says which, and comes back', async (t) => {
   const domain = freshDomain();
   const cwd = scratchFolder(t);

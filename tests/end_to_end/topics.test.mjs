@@ -47,7 +47,7 @@ test('scripts list, read, measure and await what is on the wire', { timeout: 120
   assert.match(galilean(['graph', '--format', 'dot'], { domain }).stdout, /-> "\/io\/state";/);
 
   assert.equal(json('wait', 'io/state.robot == "io" and io/state.tick >= 1', '--timeout', '20')[0].holds, true);
-  const late = said('wait', 'io/state.robot == "callisto"', '--timeout', '1');
+  const late = said('wait', 'io/state.robot == "callisto"', '--timeout', '1000ms');
   assert.equal(late.status, 1);
   assert.match(late.stderr, /^galilean wait: .* did not come true within \d+\.\d s\n$/);
   assert.equal(said('wait', 'io/state.robot = "io"').status, 2);

@@ -12,6 +12,7 @@
 #include "core/installation.h"
 #include "core/json_text.h"
 #include "monitor/access/tokens.h"
+#include "monitor/front/demo/namesakes.h"
 #include "monitor/front/demo/program_check.h"
 #include "monitor/front/demo/run_logs.h"
 #include "monitor/front/siblings.h"
@@ -62,8 +63,14 @@ Result<void> Ensemble::start() {
   }
   if (auto checked = check_program(options_.bhdl); !checked) return checked;
   if (auto started = start_simulator(); !started) return started;
+  // After the first process was started, which would inherit what belongs to DDS.
+  auto namesakes = Namesakes::look(options_.domain);
+  if (!namesakes) return namesakes.error();
   auto ready = await_line("\"ready\"");
   if (!ready) return ready.error();
+  if (auto named = name_robots(ready.value()); !named) return named;
+  if (auto free = namesakes.value()->check(robot_names_, termination_); !free) return free;
+  namesakes.value().reset();
   if (auto started = start_recorder(); !started) return started;
   if (auto started = start_robots(ready.value()); !started) return started;
   if (auto started = start_monitor(); !started) return started;
@@ -89,6 +96,16 @@ Result<void> Ensemble::start_simulator() {
              true);
 }
 
+Result<void> Ensemble::name_robots(const std::string& ready_line) try {
+  const auto ready = read_json(ready_line);
+  if (!ready) return Error{"the simulator's ready line cannot be read: " + ready.error().message};
+  for (const auto& robot : ready.value().at("robots"))
+    robot_names_.push_back(robot.at("name").get<std::string>());
+  return {};
+} catch (const nlohmann::json::exception& error) {
+  return Error{"the simulator's ready line cannot be read: " + std::string(error.what())};
+}
+
 Result<void> Ensemble::start_robots(const std::string& ready_line) try {
   const auto read = read_json(ready_line);
   if (!read) return Error{"the simulator's ready line cannot be read: " + read.error().message};
@@ -99,7 +116,6 @@ Result<void> Ensemble::start_robots(const std::string& ready_line) try {
   for (const auto& robot : ready.at("robots")) {
     const auto name = robot.at("name").get<std::string>();
     const auto camera = robot.at("camera").get<std::string>();
-    robot_names_.push_back(name);
     const auto& place = robot.at("start");
     starts_.push_back(name + ":" + json_text(place.at("x_m")) + "," + json_text(place.at("y_m")) +
                       "," + json_text(place.at("heading_deg")));

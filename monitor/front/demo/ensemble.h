@@ -28,7 +28,8 @@ class Ensemble {
 
   /// Starts all, and returns when the monitor serves. Waits at most 30 s, and one more for each
   /// robot, for the simulator and as long for the monitor. Errors: no robot can run the program,
-  /// one of the processes did not start, or termination was asked for.
+  /// one of the processes did not start, robots of the same names live in the DDS domain, or
+  /// termination was asked for.
   Result<void> start();
 
   struct Loss {
@@ -72,6 +73,8 @@ class Ensemble {
     bool lost = false;
   };
   Result<void> start_simulator();
+  /// Notes the robots' names.
+  Result<void> name_robots(const std::string& ready_line);
   Result<void> start_robots(const std::string& ready_line);
   Result<void> start_monitor();
   Result<void> start_recorder();

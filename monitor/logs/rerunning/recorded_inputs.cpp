@@ -6,6 +6,7 @@
 
 #include "core/spelling.h"
 #include "core/visible_text.h"
+#include "core/wire/neighbours.h"
 #include "monitor/replay/report.h"
 #include "monitor/replay/tracks.h"
 
@@ -15,9 +16,9 @@ namespace {
 /// Returns the robots whose inputs have a channel, of whatever release.
 std::set<std::string> robots_with_inputs(const monitor::Tracks& tracks) {
   std::set<std::string> robots;
-  for (const auto& [id, track] : tracks.inputs) robots.insert(monitor::owner_of(track.topic));
+  for (const auto& [id, track] : tracks.inputs) robots.insert(wire::owner_of(track.topic));
   for (const auto& topic : tracks.foreign)
-    if (topic.ends_with(kInputs)) robots.insert(monitor::owner_of(topic));
+    if (topic.ends_with(kInputs)) robots.insert(wire::owner_of(topic));
   return robots;
 }
 

@@ -53,8 +53,6 @@ class Replies {
   /// complete.
   Replies(std::string push_id, std::vector<std::string> awaited, Time sent);
 
-  /// Lists a robot whose reply is not awaited, because it had fallen silent.
-  void list(const std::string& robot);
   /// Takes in a reply. Returns false if it belongs to another push or tells nothing new.
   bool note(const msg::ProgramReply& reply, Time now);
   /// Returns whether each awaited robot runs the program or refused it.
@@ -67,6 +65,7 @@ class Replies {
   [[nodiscard]] std::vector<RobotReply> all() const;
 
  private:
+  void list(const std::string& robot);
   [[nodiscard]] bool all_awaited(const std::function<bool(ReplyStatus)>& have) const;
 
   std::string push_id_;

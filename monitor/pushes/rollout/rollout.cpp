@@ -12,9 +12,9 @@ void Rollout::begin_canary(Time now) {
 void Rollout::begin_rest(Time now) {
   rest_sent_ = now;
   auto awaited = plan_.awaited;
+  awaited.insert(awaited.end(), plan_.silent.begin(), plan_.silent.end());
   std::erase(awaited, plan_.canary);
   rest_.emplace(plan_.push_id, std::move(awaited), now);
-  for (const auto& robot : plan_.silent) rest_->list(robot);
 }
 
 std::optional<RobotReply> Rollout::note(const msg::ProgramReply& reply, Time now) {
@@ -50,7 +50,6 @@ std::string Rollout::shortcomings() const {
   std::string text;
   for (const auto& reply : replies()) {
     if (runs(reply.status)) continue;
-    if (std::ranges::find(plan_.silent, reply.robot) != plan_.silent.end()) continue;
     text += (text.empty() ? "" : "; ") + failure_reason(reply);
   }
   return text;

@@ -14,8 +14,8 @@ namespace galilean::monitor {
 /// The robots that a program goes to.
 struct RolloutPlan {
   std::string push_id;
-  std::vector<std::string> awaited;  ///< targets whose replies are awaited
-  std::vector<std::string> silent;   ///< targets that are asked, but whose replies are not awaited
+  std::vector<std::string> awaited;  ///< targets that are heard, or that the order names
+  std::vector<std::string> silent;   ///< the team's others, which may come back and must reply, too
   std::string canary;                ///< one of `awaited`, which runs it first; empty: none
   Duration probation = std::chrono::seconds(10);  ///< how long the canary must run it
 };

@@ -180,7 +180,10 @@ void Api::pushed_program(const std::string& hash, const Respond& respond) {
                       if (!found) return respond(problem(503, found.error().message + "."));
                       const auto& files = found.value();
                       if (!files)
-                        return respond(problem(404, "No program '" + hash + "' was ever pushed."));
+                        return respond(problem(
+                            404, "No program '" + hash +
+                                     "' was ever pushed through this monitor. One that robots were "
+                                     "started with comes back by its file: push that."));
                       respond(json_response({{"hash", hash}, {"files", to_json(*files)}}));
                     },
                     unable(finish_of(respond)));

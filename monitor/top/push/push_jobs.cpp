@@ -23,13 +23,24 @@ std::string with_home(const std::string& path) {
   return home && path.starts_with("~/") ? home + path.substr(1) : path;
 }
 
-/// Returns the newest push that was done and brought another program than the one that runs.
+/// Returns whether each robot that answered took the program. One that is away says nothing of it.
+bool was_taken(const json& push) {
+  if (push_state_of(push.value("state", "")) == PushState::kDone) return true;
+  bool any = false;
+  for (const auto& reply : push.value("replies", json::array())) {
+    const auto status = reply_status_of(reply.value("status", ""));
+    if (status == ReplyStatus::kNoAnswer) continue;
+    if (!status || !runs(*status)) return false;
+    any = true;
+  }
+  return any;
+}
+
+/// Returns the newest push that was taken and brought another program than the one that runs.
 std::string last_good_hash(const json& pushes, const std::string& runs_hash) {
   for (const auto& push : pushes.value("pushes", json::array())) {
     const auto hash = push.value("hash", "");
-    if (push_state_of(push.value("state", "")) == PushState::kDone && hash != runs_hash &&
-        !hash.empty())
-      return hash;
+    if (hash != runs_hash && !hash.empty() && was_taken(push)) return hash;
   }
   return {};
 }

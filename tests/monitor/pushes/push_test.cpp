@@ -12,6 +12,7 @@ using namespace std::chrono_literals;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::IsSupersetOf;
 using enum ReplyStatus;
 
 std::vector<StepState> states(const Push& push) {
@@ -329,10 +330,29 @@ TEST(Push, SaysWhoRefusedAndWhoDidNotAnswer) {
   push.update(Time{kReplyTimeout});
   EXPECT_EQ(state(push), PushState::kFailed);
   EXPECT_EQ(detail(push, StepKind::kRest),
-            "callisto has not answered; ganymede refused it: no camera");
+            "callisto has not answered; europa has not answered; ganymede refused it: no camera");
+  EXPECT_THAT(words_of(push), IsSupersetOf({"record reply of callisto", "record reply of europa"}))
+      << "the history names them";
   ASSERT_EQ(push.record().replies.size(), 4U) << "the silent one is listed";
   push.take_reply(said("io", kRolledBack), Time{9s});
   EXPECT_EQ(push.record().replies[3].status, kRolledBack) << "late words are heard";
+}
+
+TEST(Push, ARobotOfTheTeamThatIsAwayKeepsItFromBeingDone) {
+  Push push = ordered(order_for(), {"europa"});
+  pass_check(push);
+  for (const auto* robot : {"io", "ganymede", "callisto"})
+    push.take_reply(said(robot, kRunning), Time{20ms});
+  EXPECT_EQ(state(push), PushState::kRunning) << "it may come back";
+  push.update(Time{kReplyTimeout});
+  EXPECT_EQ(state(push), PushState::kFailed);
+  EXPECT_EQ(detail(push, StepKind::kRest), "europa has not answered");
+
+  Push back = ordered(order_for(), {"europa"});
+  pass_check(back);
+  for (const auto* robot : {"io", "ganymede", "callisto", "europa"})
+    back.take_reply(said(robot, kRunning), Time{20ms});
+  EXPECT_EQ(state(back), PushState::kDone);
 }
 
 TEST(Push, OthersPushesAreAnsweredForAndCannotBeCancelled) {

@@ -60,6 +60,24 @@ TEST_F(PushingTest, WhatWasNotSentAndIsTakenFromTheMonitorsProgramsIsToldAndReme
   EXPECT_EQ(broken.as_json()["taken"], taken);
 }
 
+TEST_F(PushingTest, APushToTheTeamFailsAtARobotThatIsAwayAndTheHistoryNamesIt) {
+  ScriptedRobot io("io", test_domain(), catalog);
+  auto ganymede = std::make_unique<ScriptedRobot>("ganymede", test_domain(), catalog);
+  wait_for_robots(2);
+  ganymede.reset();
+  ASSERT_TRUE(becomes_true(
+      [&] { return get("/api/status").as_json()["robots"][0]["silent"].get<bool>(); }));
+  const auto pushed = post("/api/push", {{"files", files(kProgram)}}).as_json();
+  EXPECT_EQ(pushed["state"], "failed");
+  EXPECT_EQ(pushed["steps"].back()["detail"], "ganymede has not answered");
+  EXPECT_EQ(io.running_hash(), pushed["hash"]) << "the others run it";
+  ASSERT_TRUE(becomes_true([&] {
+    const auto pushes = get("/api/pushes").as_json()["pushes"];
+    return pushes.at(0)["state"] == "failed" && pushes.at(0)["replies"].size() == 2;
+  }));
+  EXPECT_EQ(get("/api/pushes").as_json()["pushes"][0]["replies"][0]["status"], "no_answer");
+}
+
 TEST_F(PushingTest, ABrokenProgramIsPushedToNobody) {
   ScriptedRobot io("io", test_domain(), catalog);
   wait_for_robots(1);

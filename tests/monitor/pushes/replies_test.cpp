@@ -45,14 +45,6 @@ TEST(Replies, HearsNeitherOthersRepliesNorRepeats) {
   EXPECT_EQ(replies.all()[0].status, ReplyStatus::kRunning);
 }
 
-TEST(Replies, ListsARobotThatNobodyWaitsFor) {
-  auto replies = asked({"io"});
-  replies.list("callisto");
-  replies.note(reply("io", status::RUNNING), Time{});
-  EXPECT_TRUE(replies.complete());
-  EXPECT_EQ(replies.all()[0].status, ReplyStatus::kNoAnswer);
-}
-
 TEST(Replies, ANumberThatIsNotKnownDecidesAndIsNoSuccess) {
   auto replies = asked({"io"});
   EXPECT_TRUE(replies.note(reply("io", 9), Time{}));

@@ -46,8 +46,8 @@ TEST(Neighbours, RobotsAreThoseThatTellTheirState) {
   auto reader = writer("rt/europa/state", "monitor");
   reader.writes = false;
   const auto there =
-      robots_in({writer("rt/io/state", "io"), writer("rt/ganymede/state", "replay"), reader,
-                 writer("rt/referee/score", "sim", "galilean_msgs::msg::dds_::Score_")});
+      wire::robots_in({writer("rt/io/state", "io"), writer("rt/ganymede/state", "replay"), reader,
+                       writer("rt/referee/score", "sim", "galilean_msgs::msg::dds_::Score_")});
   EXPECT_EQ(there.live, Names{"io"});
   EXPECT_EQ(there.played, Names{"ganymede"});
 }

@@ -25,7 +25,6 @@ TEST(Expression, ComparesFieldsWithValues) {
   EXPECT_TRUE(holds("io/state.held == false", kNewest));
   EXPECT_TRUE(holds("referee/score.calls[0].text == \"goal or miss\"", kNewest));
   EXPECT_FALSE(holds("io/state.tick > 7", kNewest));
-  EXPECT_FALSE(holds("io/state.state == 7", kNewest));
 }
 
 TEST(Expression, AndBindsTighterThanOr) {
@@ -42,6 +41,20 @@ TEST(Expression, AMissingFieldIsAnErrorThatSaysWhatWasMeant) {
   const auto held = Expression::parse("io/state.stae == 1").value().holds(kNewest);
   ASSERT_FALSE(held.ok());
   EXPECT_NE(held.error().message.find("did you mean 'state'?"), std::string::npos);
+}
+
+TEST(Expression, WhatCanNeverBeTrueIsAnErrorThatSaysWhy) {
+  const auto why = [](const char* text) {
+    const auto held = Expression::parse(text).value().holds(kNewest);
+    return held ? "no error" : held.error().message;
+  };
+  EXPECT_EQ(why("io/state.state == 3"),
+            "/io/state: 'state' is a text, and is compared with a number, so that it can never be "
+            "true");
+  EXPECT_NE(why("io/state.tick == \"7\"").find("is a number, and is compared with a text"),
+            std::string::npos);
+  EXPECT_NE(why("io/state.held == 0").find("is true or false"), std::string::npos);
+  EXPECT_NE(why("referee/score.calls == 0").find("is no single value"), std::string::npos);
 }
 
 TEST(Expression, RefusesWhatIsNone) {

@@ -80,6 +80,7 @@ export interface PushedProgram {
   id: string;
   targets: string[];
   state?: string;
+  steps?: PushStep[];
 }
 
 /** What the monitor objects to; of a program, with every place. */

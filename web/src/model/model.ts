@@ -80,6 +80,11 @@ export interface Robot {
   readonly name: string;
   readonly identity: Identity;
   readonly heard_ms: number;
+  /**
+   * Since when the page, itself up to date, listens to it on this connection; Infinity: it is not up to date yet. Without it
+   * the robot was listened to at any time.
+   */
+  readonly watched_ms?: number;
   /** Add it to a stamp of this robot to have the page's clock. */
   readonly clock_offset_ms?: number;
   readonly state?: Stamped<RobotState>;

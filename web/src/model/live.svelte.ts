@@ -17,7 +17,7 @@ import { History, type Instant } from "./history";
 import { emptyTeam, type Robot, type Team } from "./model";
 import { Playback } from "./playback.svelte";
 import { rewound } from "./rewind";
-import { silentIn, unwatched, watched } from "./silence";
+import { silentIn, unwatched, watched, withSilencesUntil } from "./silence";
 import { LOOK_MS, PageClock } from "./page_clock.svelte";
 import { withInterrupted, withProgress, withPush, withReply } from "./pushes";
 import { applyAll } from "./reduce";
@@ -214,7 +214,10 @@ class Live {
     this.connection = connection;
     if (this.playback) return;
     if (connection === "live") this.#fold(unwatched(this.#team));
-    if (connection === "lost") this.lost_ms ??= Date.now();
+    if (connection === "lost") {
+      this.#fold(withSilencesUntil(this.#team, this.#clock.newest_ms(Date.now())));
+      this.lost_ms ??= Date.now();
+    }
     if (connection !== "live" || this.lost_ms === undefined) return;
     this.gaps = withGap(this.gaps, { from_ms: this.lost_ms, to_ms: Date.now() });
     this.lost_ms = undefined;

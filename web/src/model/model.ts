@@ -23,6 +23,7 @@ import type { Catalog } from "../bhdl/catalog";
 import type { Reply } from "../feed/api";
 import type { Coverages } from "./coverage";
 import type { RobotEvent } from "./events";
+import type { Gap } from "./gaps";
 import type { Identity } from "./identity";
 import type { MessageRate } from "./message_rate";
 import type { Standing } from "./stillness";
@@ -105,6 +106,8 @@ export interface Robot {
   /** What has happened at all, of each program. */
   readonly coverages?: Coverages;
   readonly bars: readonly StateBar[];
+  /** When it was not heard, as far as that is over or the monitor told of it: what it did then is not known. */
+  readonly silences?: readonly Gap[];
   readonly programs: readonly ProgramChange[];
   readonly events: readonly RobotEvent[];
   readonly standing?: Standing;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+import { withJoined } from "./gaps";
 import type { Robot, Team } from "./model";
 
 /** State comes ten times a second: two seconds without any are no hiccup. */
@@ -27,12 +28,22 @@ export function isSilent(robot: Robot, now_ms: number): boolean {
   return robot.placed?.silent === true || unheard_s(robot, now_ms) > SILENT_AFTER_S;
 }
 
-function withWatched(team: Team, watchedOf: (robot: Robot) => number): Team {
-  const changed = [...team.robots.values()].filter((robot) => robot.watched_ms !== watchedOf(robot));
+function withRobots(team: Team, changed: readonly Robot[]): Team {
   if (changed.length === 0) return team;
   const robots = new Map(team.robots);
-  for (const robot of changed) robots.set(robot.name, { ...robot, watched_ms: watchedOf(robot) });
+  for (const robot of changed) robots.set(robot.name, robot);
   return { ...team, robots };
+}
+
+function withWatched(team: Team, watchedOf: (robot: Robot) => number): Team {
+  const changed = [...team.robots.values()].filter((robot) => robot.watched_ms !== watchedOf(robot));
+  return withRobots(team, changed.map((robot) => ({ ...robot, watched_ms: watchedOf(robot) })));
+}
+
+/** The monitor is heard no more: of those that were silent, it is kept since when. */
+export function withSilencesUntil(team: Team, known_ms: number): Team {
+  const silent = [...team.robots.values()].filter((robot) => isSilent(robot, known_ms));
+  return withRobots(team, silent.map((robot) => ({ ...robot, silences: withJoined(robot.silences ?? [], { from_ms: robot.heard_ms, to_ms: known_ms }) })));
 }
 
 /** Another connection begins: how long nobody was heard on it is not known before the page is up to date. */

@@ -19,7 +19,7 @@ test("a monitor that went away is told of, with for how long, and no robot is ac
 
 test("a STOP that nobody takes says so, with no figure of the team cut, and is taken back at a word", async () => {
   await tab.page.keyboard.press(".");
-  await untilText("stop-report", /^⚠\s+STOP has not reached the robots: .* It is sent again every second, and reaches the robots that are there as soon as the monitor answers\./);
+  await untilText("stop-report", /STOP has not reached the robots: .* It is sent again every second, and reaches the robots that are there as soon as the monitor answers\./);
   assert.doesNotMatch(await at("stop-report").innerText(), /They are told again|has not answered for/);
   await until(() => !/heard \d\.\d s ago/.test(document.querySelector("[data-testid=health-io]").textContent) || /heard [1-9]/.test(document.querySelector("[data-testid=health-io]").textContent));
   const cut = await tab.page.evaluate(() => {

@@ -77,6 +77,7 @@ for (const robots of [3, 30]) {
     test("a robot that is silent is called so in its place and in large letters", async () => {
       await tab.untilIs("wall-robot-callisto", "data-condition", "silent");
       await tab.untilText("wall-robot-callisto", /silent \d/);
+      await tab.until(() => document.querySelector("[data-testid=wall-robots] > li").dataset.testid === "wall-robot-callisto");
       await tab.page.locator("[data-kind=alarm]").filter({ hasText: "callisto is silent, for" }).waitFor();
     });
 

@@ -44,7 +44,7 @@ test("it is live again by itself, and the gap stays on the timeline", async () =
   tab.fixture = await startFixture({ probation: 60 }, new URL(tab.url).port);
   await untilText("connection", /live/);
   await until(() => document.querySelector("[data-testid=team-row-io]")?.dataset.held === "true");
-  await at("resume-all").click();
+  await at("resume-all").filter({ hasText: "Resume 3" }).click();
   await tab.page.getByRole("button", { name: "Let 3 robots move" }).click();
   await tab.untilRow("io", "data-held", "false");
   await until(() => document.querySelector("[data-testid=team-rows]").dataset.stale === "false");

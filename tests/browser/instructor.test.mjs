@@ -24,6 +24,19 @@ test("it is opened by its key, and stands in no arrangement before", async () =>
   await at("instructor").waitFor();
 });
 
+test("a key of the panel behind it brings that one into sight, and does there what it does", async () => {
+  await tab.page.keyboard.press("?");
+  await at("help").getByText("list of break points").waitFor();
+  await tab.page.keyboard.press("Escape");
+  await tab.page.keyboard.press("B");
+  await at("machine").waitFor();
+  await at("break-list").waitFor();
+  await tab.page.keyboard.press("B");
+  await at("break-list").waitFor({ state: "detached" });
+  await tab.page.keyboard.press("i");
+  await at("instructor").waitFor();
+});
+
 test("simulated time stands still and goes on at its word, and the timeline keeps who said so", async () => {
   await at("instructor-pause").click();
   await answer("paused the simulation");

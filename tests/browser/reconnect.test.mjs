@@ -17,10 +17,36 @@ test("a monitor that went away is told of, with for how long, and no robot is ac
   assert.equal(await at("alarm-count").count(), 0);
 });
 
+test("a STOP that nobody takes says so, with no figure of the team cut, and is taken back at a word", async () => {
+  await tab.page.keyboard.press(".");
+  await untilText("stop-report", /STOP has not reached the robots: .* It is sent again every second, and reaches the robots that are there as soon as the monitor answers\./);
+  assert.doesNotMatch(await at("stop-report").innerText(), /They are told again|has not answered for/);
+  await until(() => !/heard \d\.\d s ago/.test(document.querySelector("[data-testid=health-io]").textContent) || /heard [1-9]/.test(document.querySelector("[data-testid=health-io]").textContent));
+  const cut = await tab.page.evaluate(() => {
+    const all = document.querySelector(".figures").getBoundingClientRect();
+    return [...document.querySelector(".figures").children].filter((figure) => {
+      const { top, right } = figure.getBoundingClientRect();
+      return top < all.bottom - 1 && right > all.right + 1;
+    }).map(({ textContent }) => textContent);
+  });
+  assert.deepEqual(cut, []);
+  await at("stop-take-back").click();
+  await at("stop-report").waitFor({ state: "detached" });
+});
+
+test("a STOP that nobody took holds the team of the monitor that answers next", async () => {
+  await tab.page.keyboard.press(".");
+  await at("stop-take-back").waitFor();
+});
+
 test("it is live again by itself, and the gap stays on the timeline", async () => {
   // With time enough to end it again while the push of the next test is under way.
   tab.fixture = await startFixture({ probation: 60 }, new URL(tab.url).port);
   await untilText("connection", /live/);
+  await until(() => document.querySelector("[data-testid=team-row-io]")?.dataset.held === "true");
+  await at("resume-all").filter({ hasText: "Resume 3" }).click();
+  await tab.page.getByRole("button", { name: "Let 3 robots move" }).click();
+  await tab.untilRow("io", "data-held", "false");
   await until(() => document.querySelector("[data-testid=team-rows]").dataset.stale === "false");
   assert.equal(await at("timeline-gap").count(), 1);
   assert.match(await at("timeline-gap").getAttribute("title"), /^Nothing was heard from the monitor for \d/);

@@ -15,6 +15,29 @@ test("a stop names who has not answered and who drives on", async () => {
   assert.equal(await at("stop-report").getByRole("alert").innerText(), "1 stopped, 2 not confirmed");
 });
 
+/** Of what is open by that test id: whether it leaves the report in sight, all of it. */
+const leavesReport = (open) => tab.until((testid) => {
+  const over = document.querySelector(testid)?.getBoundingClientRect();
+  const report = document.querySelector("[data-testid=stop-report]").getBoundingClientRect();
+  const seen = [report.left + 4, report.right - 4].every((x) => document.elementFromPoint(x, (report.top + report.bottom) / 2)?.closest("[data-testid=stop-report]"));
+  return over && over.height > 40 && over.top >= report.bottom && over.bottom <= innerHeight && seen;
+}, open);
+
+test("the report stays in sight over the editor, the recordings, the keys and an open menu", async () => {
+  await at("edit-button").click();
+  await leavesReport("[data-testid=editor]");
+  await at("editor-close").click();
+  await tab.page.keyboard.press("L");
+  await leavesReport("[data-testid=recordings]");
+  await at("recordings-close").click();
+  await tab.page.keyboard.press("?");
+  await leavesReport("[data-testid=help]");
+  await tab.page.keyboard.press("Escape");
+  await at("panels-menu").click();
+  await leavesReport(":popover-open");
+  await tab.page.keyboard.press("Escape");
+});
+
 test("once the robots are let go nothing is said of the stop", async () => {
   await at("resume-all").click();
   await tab.page.getByRole("button", { name: "Let 1 robot move" }).click();

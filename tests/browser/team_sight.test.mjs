@@ -45,4 +45,17 @@ test("so they are with more alarms, in one line each", async () => {
   assert.match(await at("team-row-ganymede").innerText(), /\d µs/, "health is hidden");
 });
 
+test("the silent robot stands first, then those with alarms, and a row of one line still has its buttons", async () => {
+  const order = () => [...document.querySelectorAll("[data-testid=team-rows] > li")].map(({ dataset }) => dataset.testid);
+  await until(() => document.querySelector("[data-testid=team-rows] > li")?.dataset.testid === "team-row-callisto");
+  assert.equal((await tab.page.evaluate(order)).length, 3);
+  await tab.row("io").getByRole("button").first().click();
+  const hold = tab.row("callisto").getByRole("button", { name: "Hold" });
+  await hold.waitFor();
+  await at("more-callisto").waitFor();
+  const { x, width } = await hold.boundingBox();
+  const panel = await tab.page.locator("[data-panel=team]").boundingBox();
+  assert.ok(x > panel.x && x + width < panel.x + panel.width, "the button is cut off");
+});
+
 tab.testComplaints();

@@ -77,6 +77,7 @@ for (const robots of [3, 30]) {
     test("a robot that is silent is called so in its place and in large letters", async () => {
       await tab.untilIs("wall-robot-callisto", "data-condition", "silent");
       await tab.untilText("wall-robot-callisto", /silent \d/);
+      await tab.until(() => document.querySelector("[data-testid=wall-robots] > li").dataset.testid === "wall-robot-callisto");
       await tab.page.locator("[data-kind=alarm]").filter({ hasText: "callisto is silent, for" }).waitFor();
     });
 
@@ -111,6 +112,18 @@ for (const robots of [3, 30]) {
     tab.testComplaints();
   });
 }
+
+describe("while all are held that are heard", () => {
+  const tab = wallOf({ robots: 3, ahead: 60, silent: "callisto" });
+
+  test("it says how many are held and who is silent, and never that all are", async () => {
+    await tab.untilIs("wall-robot-callisto", "data-condition", "silent");
+    await tab.api("/api/command", { kind: "hold" });
+    await tab.page.locator("[data-kind=held]").filter({ hasText: "2 robots are held; callisto is silent." }).waitFor();
+    await assertLegible(tab.page);
+    assert.deepEqual(await tab.page.evaluate(cutOff), []);
+  });
+});
 
 describe("with several robots and the referee silent", () => {
   const tab = wallOf({ robots: 30, ahead: 60, silent: "io,callisto,robot7,robot9,robot20,robot21,referee" });

@@ -12,33 +12,55 @@ namespace {
 /// What was over sooner was none: a robot that was just started is heard before its program is.
 constexpr Duration kPassing = std::chrono::milliseconds(1500);
 
-std::string names_of(const std::vector<const PostedAlarm*>& group) {
-  std::string names;
+std::vector<std::string> robots_of(const std::vector<const PostedAlarm*>& group) {
+  std::vector<std::string> robots;
   for (const auto* each : group)
-    if (names.find(each->alarm.robot) == names.npos)
-      names += (names.empty() ? "" : ", ") + each->alarm.robot;
-  return names;
+    if (std::ranges::find(robots, each->alarm.robot) == robots.end())
+      robots.push_back(each->alarm.robot);
+  return robots;
 }
 
-std::string words_of(AlarmKind kind, std::size_t count) {
-  const std::string robots = plural(count, "robot");
+/// What one robot is or was, and what several are or were.
+struct Words {
+  const char* one;
+  const char* one_past;
+  const char* several;
+  const char* several_past;
+};
+
+Words words_of(AlarmKind kind) {
   switch (kind) {
     case AlarmKind::kSilent:
-      return robots + agreeing(count, " is silent", " are silent");
+      return {"is silent", "was silent", "are silent", "were silent"};
     case AlarmKind::kLate:
-      return robots + agreeing(count, " begins its ticks late", " begin their ticks late");
+      return {"begins its ticks late", "began its ticks late", "begin their ticks late",
+              "began their ticks late"};
     case AlarmKind::kDrift:
-      return robots + agreeing(count, " runs", " run") + " another program than the team";
+      return {"runs another program than the team", "ran another program than the team",
+              "run another program than the team", "ran another program than the team"};
     case AlarmKind::kStuck:
-      return robots + agreeing(count, " does not move", " do not move");
+      return {"does not move", "did not move", "do not move", "did not move"};
     case AlarmKind::kUncertain:
-      return robots + " may not be where the map shows " + agreeing(count, "it", "them");
+      return {"may not be where the map shows it", "may not have been where the map showed it",
+              "may not be where the map shows them", "may not have been where the map showed them"};
     case AlarmKind::kPush:
-      return robots + " refused or went back from a push";
+      return {"refused or went back from a push", "refused or went back from a push",
+              "refused or went back from a push", "refused or went back from a push"};
     case AlarmKind::kProblem:
       break;
   }
-  return plural(count, "problem");
+  return {"has problems", "had problems", "have problems", "had problems"};
+}
+
+/// Returns "3 robots are silent: io, europa, callisto", or "… were silent …" where that is over.
+std::string group_text(const std::vector<const PostedAlarm*>& group, bool over) {
+  const auto robots = robots_of(group);
+  const Words words = words_of(group[0]->alarm.kind);
+  const char* now = robots.size() == 1 ? words.one : words.several;
+  const char* past = robots.size() == 1 ? words.one_past : words.several_past;
+  std::string text = plural(robots.size(), "robot") + " " + (over ? past : now);
+  for (std::size_t i = 0; i < robots.size(); ++i) text += (i == 0 ? ": " : ", ") + robots[i];
+  return text;
 }
 
 AlarmLine line_of(const std::vector<const PostedAlarm*>& group, Time now) {
@@ -50,7 +72,7 @@ AlarmLine line_of(const std::vector<const PostedAlarm*>& group, Time now) {
     line.text = sentence_of(*group[0], now);
     line.robot = group[0]->alarm.robot;
   } else {
-    line.text = words_of(group[0]->alarm.kind, group.size()) + ": " + names_of(group);
+    line.text = group_text(group, line.over);
   }
   return line;
 }

@@ -76,6 +76,7 @@ export class FeedServer {
   }
 
   #connect(url: string, beginning?: Beginning): void {
+    this.#inbox = new Inbox(beginning === undefined);
     const trouble = (sentence: string) => this.send({ kind: "trouble", sentence });
     this.#playback = beginning && new PlaybackLink({
       begun: (range, now_ns) => (this.#beginAnew(now_ns), this.send({ kind: "begun", range, now_ns })),

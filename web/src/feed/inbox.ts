@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { Arrival } from "./feed";
-import { type Portion, Portions, type Waiting } from "./portions";
+import { type Pause, type Portion, Portions, type Waiting } from "./portions";
 import { robotTopicOf, tellsWhatHappens } from "./topics";
 
 export interface Batch extends Portion {
@@ -14,6 +14,9 @@ const MOST_EVENTS = 20_000;
 /** Of more robots than these, those that nobody looks at are told of in turns, so many at a time, each four times a second. */
 export const CROWD = 12;
 export const GLANCE_MS = 250;
+
+/** A robot tells its state ten times a second: a pause that is longer is no hiccup. */
+const PAUSE_MS = 2000;
 
 /**
  * What came since the page looked last. Of what tells how things stand only the newest is kept, so that a
@@ -35,9 +38,14 @@ export class Inbox {
   #told_ms = 0;
   #isTold = true;
   #robots = new Set<string>();
+  /** When each robot told its state last, on this connection. */
+  #stated_ms = new Map<string, number>();
   #looked: string | undefined;
   /** When robots of the crowd were told of last. */
   #turn_ms = -Infinity;
+
+  /** `knowsPauses`: all that was sent comes, as it does not of a recording that is played fast. */
+  constructor(private readonly knowsPauses = true) {}
 
   put(arrival: Arrival): void {
     this.#told_ms = Math.max(this.#told_ms, arrival.received_ms);
@@ -108,17 +116,27 @@ export class Inbox {
     this.#waiting.clear();
     this.#aside.clear();
     this.#portions.clear();
+    this.#stated_ms.clear();
     [this.#events, this.#dropped, this.#told_ms] = [[], 0, 0];
   }
 
   #putState(arrival: Arrival): void {
-    const robot = robotTopicOf(arrival.topic)?.robot;
+    const { robot, kind } = robotTopicOf(arrival.topic) ?? {};
     if (robot !== undefined) this.#robots.add(robot);
     const shelf = this.#shelfOf(robot);
-    const count = (shelf.get(arrival.topic)?.count ?? 0) + 1;
+    const before = shelf.get(arrival.topic);
+    const count = (before?.count ?? 0) + 1;
+    const pauses = [...(before?.pauses ?? []), ...(kind === "state" ? this.#pauseBefore(arrival) : [])];
     // Behind what came before it: an event and the state after it keep their order.
     shelf.delete(arrival.topic);
-    shelf.set(arrival.topic, { ...arrival, count });
+    shelf.set(arrival.topic, { ...arrival, count, ...(pauses.length > 0 && { pauses }) });
+  }
+
+  /** Found where all states pass by: the page itself may have slept, and sees the newest alone. */
+  #pauseBefore({ topic, received_ms: to_ms }: Arrival): Pause[] {
+    const from_ms = this.#stated_ms.get(topic) ?? to_ms;
+    this.#stated_ms.set(topic, to_ms);
+    return this.knowsPauses && to_ms - from_ms > PAUSE_MS ? [{ from_ms, to_ms }] : [];
   }
 
   #shelfOf(robot: string | undefined): Map<string, Waiting> {

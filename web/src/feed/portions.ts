@@ -5,10 +5,18 @@ import type { Arrival } from "./feed";
 /** So many messages a page takes in within a few milliseconds. */
 export const PORTION = 40;
 
+/** A time between two messages of a topic, by when the monitor received them. */
+export interface Pause {
+  readonly from_ms: number;
+  readonly to_ms: number;
+}
+
 /** The newest of some messages of one topic, or one that tells what happened. */
 export interface Waiting extends Arrival {
   /** How many they are. */
   readonly count: number;
+  /** Of a robot's states: when none came for longer than a robot takes that is well. */
+  readonly pauses?: readonly Pause[];
 }
 
 /** A message that the page has not seen yet. */
@@ -18,6 +26,7 @@ export interface News {
   readonly received_ms: number;
   /** How many messages came on the topic since the last one that the page saw; this is the newest. */
   readonly count: number;
+  readonly pauses?: readonly Pause[];
 }
 
 export interface Portion {
@@ -60,9 +69,9 @@ export class Portions {
   }
 }
 
-function decoded({ topic, decode, received_ms, count }: Waiting, damaged: (topic: string, reason: string) => void): News[] {
+function decoded({ topic, decode, received_ms, count, pauses }: Waiting, damaged: (topic: string, reason: string) => void): News[] {
   try {
-    return [{ topic, message: decode(), received_ms, count }];
+    return [{ topic, message: decode(), received_ms, count, ...(pauses && { pauses }) }];
   } catch (error) {
     damaged(topic, (error as Error).message);
     return [];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The page's keys. A panel declares its own while it is shown; `?` lists those that work now.
+// The page's keys. A panel declares its own while it is shown; `?` lists those that work now, and those that bring their
+// panel into sight first.
 
 import { SvelteMap } from "svelte/reactivity";
 
@@ -12,12 +13,20 @@ interface Key {
 
 export const keys = new SvelteMap<string, Key>();
 
-/** Declares a key such as "f" or "Ctrl+."; the returned function takes it back. */
+/** All that are declared of each key, the newest last. */
+const declaredOf = new Map<string, readonly Key[]>();
+
+/** Declares a key such as "f" or "Ctrl+."; the returned function takes it back. What was declared before it is back then. */
 export function onKey(key: string, does: string, act: () => void, anywhere = false): () => void {
   const declared = { does, act, anywhere };
+  declaredOf.set(key, [...(declaredOf.get(key) ?? []), declared]);
   keys.set(key, declared);
   return () => {
-    if (keys.get(key) === declared) keys.delete(key);
+    const left = (declaredOf.get(key) ?? []).filter((other) => other !== declared);
+    declaredOf.set(key, left);
+    const newest = left.at(-1);
+    if (newest) keys.set(key, newest);
+    else keys.delete(key);
   };
 }
 

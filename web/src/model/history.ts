@@ -9,6 +9,8 @@ const KEPT_MS = 600_000;
 
 export interface Instant {
   readonly at_ms: number;
+  /** The newest time of which the monitor had told then: by it a robot was silent, or the page was only behind. */
+  readonly known_ms: number;
   readonly team: Team;
 }
 
@@ -20,10 +22,10 @@ export class History {
   #old: Instant[] = [];
   #fine: Instant[] = [];
 
-  record(team: Team, at_ms: number): void {
+  record(team: Team, at_ms: number, known_ms = at_ms): void {
     const newest = this.#fine.at(-1);
     if (newest && at_ms - newest.at_ms < STEP_MS) return;
-    this.#fine.push({ at_ms, team: { ...team, grid: undefined } });
+    this.#fine.push({ at_ms, known_ms, team: { ...team, grid: undefined } });
     while (this.#fine[0]!.at_ms < at_ms - FINE_MS) this.#age(this.#fine.shift()!);
     const kept_from = this.#old.findIndex((instant) => instant.at_ms >= at_ms - KEPT_MS);
     if (kept_from > 0) this.#old.splice(0, kept_from);

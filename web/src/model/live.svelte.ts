@@ -17,7 +17,7 @@ import { History, type Instant } from "./history";
 import { emptyTeam, type Robot, type Team } from "./model";
 import { Playback } from "./playback.svelte";
 import { rewound } from "./rewind";
-import { silentIn } from "./silence";
+import { silentIn, unwatched, watched, withSilencesUntil } from "./silence";
 import { LOOK_MS, PageClock } from "./page_clock.svelte";
 import { withInterrupted, withProgress, withPush, withReply } from "./pushes";
 import { applyAll } from "./reduce";
@@ -111,7 +111,7 @@ class Live {
   get known_present_ms(): number {
     return this.#clock.known_ms;
   }
-  readonly known_ms: number = $derived(this.#past?.at_ms ?? this.instant_ms ?? this.known_present_ms);
+  readonly known_ms: number = $derived(this.#past?.known_ms ?? this.instant_ms ?? this.known_present_ms);
   get behind_ms(): number {
     return this.#clock.behind_ms;
   }
@@ -213,7 +213,11 @@ class Live {
   #connected(connection: Connection): void {
     this.connection = connection;
     if (this.playback) return;
-    if (connection === "lost") this.lost_ms ??= Date.now();
+    if (connection === "live") this.#fold(unwatched(this.#team));
+    if (connection === "lost") {
+      this.#fold(withSilencesUntil(this.#team, this.#clock.newest_ms(Date.now())));
+      this.lost_ms ??= Date.now();
+    }
     if (connection !== "live" || this.lost_ms === undefined) return;
     this.gaps = withGap(this.gaps, { from_ms: this.lost_ms, to_ms: Date.now() });
     this.lost_ms = undefined;
@@ -227,7 +231,9 @@ class Live {
     this.#hasOtherNews ||= happened.some(({ topic }) => !isChange(topic));
     if (told_ms > 0) this.#clock.tell(told_ms);
     if (dropped > 0) this.trouble = `The page slept too long: ${plural(dropped, "event")} of the robots were dropped.`;
-    this.#fold(applyAll(this.#team, news), happened.length > 0);
+    const team = applyAll(this.#team, news);
+    // Of a recording everything is told with the times that it had.
+    this.#fold(this.playback ? team : watched(team, told_ms), happened.length > 0);
   }
 
   /**
@@ -279,7 +285,7 @@ class Live {
     [this.#hasOtherNews, this.#ahead] = [false, undefined];
     if (this.#shown !== this.#team) {
       this.#shown = this.#team;
-      this.#history.record(this.#team, this.clock_ms);
+      this.#history.record(this.#team, this.clock_ms, this.#clock.newest_ms(this.clock_ms));
       // What is forgotten is not shown under its old time.
       if (this.instant_ms !== undefined && this.instant_ms < this.earliest_ms) this.instant_ms = this.earliest_ms;
     }

@@ -23,6 +23,7 @@ import type { Catalog } from "../bhdl/catalog";
 import type { Reply } from "../feed/api";
 import type { Coverages } from "./coverage";
 import type { RobotEvent } from "./events";
+import type { Gap } from "./gaps";
 import type { Identity } from "./identity";
 import type { MessageRate } from "./message_rate";
 import type { Standing } from "./stillness";
@@ -80,6 +81,11 @@ export interface Robot {
   readonly name: string;
   readonly identity: Identity;
   readonly heard_ms: number;
+  /**
+   * Since when the page, itself up to date, listens to it on this connection; Infinity: it is not up to date yet. Without it
+   * the robot was listened to at any time.
+   */
+  readonly watched_ms?: number;
   /** Add it to a stamp of this robot to have the page's clock. */
   readonly clock_offset_ms?: number;
   readonly state?: Stamped<RobotState>;
@@ -100,6 +106,8 @@ export interface Robot {
   /** What has happened at all, of each program. */
   readonly coverages?: Coverages;
   readonly bars: readonly StateBar[];
+  /** When it was not heard, as far as that is over or the monitor told of it: what it did then is not known. */
+  readonly silences?: readonly Gap[];
   readonly programs: readonly ProgramChange[];
   readonly events: readonly RobotEvent[];
   readonly standing?: Standing;

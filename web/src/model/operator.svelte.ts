@@ -18,6 +18,9 @@ export class Operator {
   /** When STOP ALL was ordered last, on the page's clock; until it is resumed or dismissed. */
   #ordered_ms = $state<number>();
   #told_ms = 0;
+  /** Whether the monitor has taken it. */
+  #isTaken = $state(false);
+  #stopFailure = $state<string>();
   #confirmed_ms: number | undefined;
 
   readonly held: string[] = $derived(
@@ -29,6 +32,11 @@ export class Operator {
     this.#ordered_ms === undefined ? undefined : stopProgress(live.present, this.#ordered_ms, live.known_present_ms),
   );
 
+  /** Why the last words of that order did not reach the monitor; undefined where they did. They are said again until they do. */
+  readonly stopFailure: string | undefined = $derived(
+    this.#stopFailure && (this.#isTaken ? `Those that have not confirmed cannot be told again now: ${this.#stopFailure}` : `STOP has not reached the robots: ${this.#stopFailure}`),
+  );
+
   /** What went wrong with the last words, until the next. */
   get failure(): string | undefined {
     return this.#attempts.failure;
@@ -37,18 +45,22 @@ export class Operator {
   /** Acts at once. A viewer that may not steer is told so by the monitor. */
   stopAll(): void {
     this.askingToResume = false;
-    if (rights.maySteer) this.#ordered_ms = this.#told_ms = Date.now();
-    this.#confirmed_ms = undefined;
-    void this.#say("hold", [], "STOP did not reach the robots");
+    [this.#confirmed_ms, this.#stopFailure, this.#isTaken] = [undefined, undefined, false];
+    if (!rights.maySteer || live.playback) return void this.#say("hold", [], "STOP did not reach the robots");
+    this.#ordered_ms = Date.now();
+    this.#tellStop([], this.#ordered_ms);
   }
 
-  /** Called as time goes on: tells those again that have not confirmed, and ends the report once all have. */
+  /**
+   * Called as time goes on: tells all again until the monitor has taken it, then those that have not confirmed, and ends the
+   * report once all have.
+   */
   refreshStop(now_ms: number): void {
     const left = this.stopping?.unconfirmed.map(({ name }) => name);
     if (!left) return;
-    if (left.length > 0) {
+    if (left.length > 0 || !this.#isTaken) {
       this.#confirmed_ms = undefined;
-      if (now_ms - this.#told_ms >= AGAIN_MS) this.#tellAgain(left, now_ms);
+      if (now_ms - this.#told_ms >= AGAIN_MS) this.#tellStop(this.#isTaken ? left : [], now_ms);
       return;
     }
     this.#confirmed_ms ??= now_ms;
@@ -57,7 +69,7 @@ export class Operator {
 
   /** Nobody is told again, and the report goes. */
   dismissStop(): void {
-    this.#ordered_ms = undefined;
+    [this.#ordered_ms, this.#stopFailure] = [undefined, undefined];
   }
 
   hold(robot: string): void {
@@ -84,9 +96,15 @@ export class Operator {
     void this.#say("push_bumper", [robot], `${robot}'s bumper was not pushed`);
   }
 
-  #tellAgain(robots: readonly string[], now_ms: number): void {
+  #tellStop(robots: readonly string[], now_ms: number): void {
     this.#told_ms = now_ms;
-    void this.#say("hold", robots, "STOP did not reach the robots");
+    const order_ms = this.#ordered_ms;
+    const became = (failure: string | undefined) => {
+      if (this.#ordered_ms !== order_ms) return;
+      this.#stopFailure = failure;
+      this.#isTaken ||= failure === undefined;
+    };
+    void command("hold", robots).then(() => became(undefined), ({ message }: Error) => became(message));
   }
 
   async #say(kind: CommandKind, targets: readonly string[], failed: string): Promise<void> {

@@ -34,6 +34,11 @@ export class PageClock {
     this.#toldNext_ms = monitor_ms;
   }
 
+  /** Of `at_ms`, what the monitor has told until then, drawn or not. */
+  newest_ms(at_ms: number): number {
+    return Math.min(at_ms, this.#toldNext_ms ?? at_ms);
+  }
+
   /** Whether time must be drawn though nothing else is. */
   isDue(at_ms: number): boolean {
     return at_ms - this.now_ms >= this.#ageing_ms * PATIENCE;

@@ -5,6 +5,7 @@ import type { News } from "../feed/portions";
 import { REPLAYED, type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
 import { withSeenState, withTransitionCounted } from "./coverage";
 import { contestBegan_ms, withEvents } from "./events";
+import { type Gap, withJoined } from "./gaps";
 import { identityOf } from "./identity";
 import type { Robot, Team } from "./model";
 import { withMessages } from "./message_rate";
@@ -97,7 +98,8 @@ function withObjects(team: Team, message: wire.ObjectMap, received_ms: number): 
     const robot = robotNamed({ ...team, robots }, placed.name, received_ms - placed.age_s * 1000);
     const pose = unwound(robot.pose, placed);
     const trail = withPoint(robot.trail, { x_m: placed.x_m, y_m: placed.y_m, at_ms: received_ms });
-    robots.set(placed.name, { ...robot, placed, pose, trail });
+    const silences = placed.silent ? [{ from_ms: received_ms - placed.age_s * 1000, to_ms: received_ms }] : [];
+    robots.set(placed.name, withSilences({ ...robot, placed, pose, trail }, silences));
   }
   return { ...team, robots, objects: { value: message.objects, received_ms, stamp: message.stamp } };
 }
@@ -126,14 +128,18 @@ const ofTeam: { [K in TeamTopic | typeof REPLAYED]: Reduce<Team, never> } = {
   }),
 };
 
+function withSilences(robot: Robot, silences: readonly Gap[] = []): Robot {
+  return silences.length === 0 ? robot : { ...robot, silences: silences.reduce(withJoined, robot.silences ?? []) };
+}
+
 /** A message that says something of one robot alone: what it makes of it. */
-function robotAfter(team: Team, { topic, message, received_ms, count }: News): Robot | undefined {
+function robotAfter(team: Team, { topic, message, received_ms, count, pauses }: News): Robot | undefined {
   const named = robotTopicOf(topic);
   const reduce = named && ofRobot[named.kind as keyof typeof ofRobot];
   if (!reduce) return undefined;
   const before = robotNamed(team, named.robot, received_ms);
   const heard = { ...before, heard_ms: Math.max(before.heard_ms, received_ms), rate: withMessages(before.rate, received_ms, count) };
-  return reduce(heard, message as never, received_ms);
+  return withSilences(reduce(heard, message as never, received_ms), pauses);
 }
 
 function teamAfter(team: Team, { topic, message, received_ms }: News): Team {

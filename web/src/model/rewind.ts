@@ -12,12 +12,13 @@ import { onPageClock_ms } from "./robot_clock";
 const GAP_MS = 1000;
 
 /** What a robot did, without how it stands. */
-function past({ name, identity, heard_ms, clock_offset_ms, catalog, stops, transitions, moments, coverages, bars, programs, events }: Robot): Robot {
+function past({ name, identity, heard_ms, clock_offset_ms, catalog, stops, transitions, moments, coverages, bars, silences, programs, events }: Robot): Robot {
   return {
     name, identity, heard_ms, transitions, moments, bars, programs, events, trail: [],
     ...(clock_offset_ms !== undefined && { clock_offset_ms }),
     ...(catalog && { catalog }),
     ...(stops && { stops }),
+    ...(silences && { silences }),
     ...(coverages && { coverages }),
   };
 }
@@ -41,7 +42,8 @@ function caughtUp({ team, at_ms: kept_ms }: Instant, later: Team, to_ms: number)
     const stops = new Map([...(known?.stops ?? [])].filter(([number]) => numbers.has(number)));
     const events = [...robot.events, ...(known?.events ?? []).filter(isBetween)];
     const programs = [...robot.programs, ...(known?.programs ?? []).filter(isBetween)];
-    return [name, { ...robot, events, programs, stops }];
+    const silences = gapsUntil(known?.silences ?? [], to_ms, to_ms);
+    return [name, { ...robot, events, programs, stops, silences }];
   }));
   const begun = later.pushes.filter(isBetween).map((push) => ({ ...push, replies: new Map(), steps: [], state: "" }));
   return { ...next, robots, pushes: [...team.pushes, ...begun], instructions: later.instructions.filter(({ at_ms }) => at_ms <= to_ms) };

@@ -30,15 +30,15 @@ export interface DrawnBar {
   readonly to_ms: number;
 }
 
-/** The bars that can be seen between two instants, cut to them. */
-export function drawnBars(bars: readonly StateBar[], from_ms: number, to_ms: number): DrawnBar[] {
+/** The bars that can be seen between two instants, cut to them. What a robot did while it was silent is not known. */
+export function drawnBars(bars: readonly StateBar[], from_ms: number, to_ms: number, silences: readonly Stretch[] = []): DrawnBar[] {
   return bars
     .map((bar, i) => ({
       state: bar.state,
       from_ms: Math.max(bar.from_ms, from_ms),
       to_ms: Math.min(bars[i + 1]?.from_ms ?? to_ms, to_ms),
     }))
-    .filter((bar) => bar.to_ms > bar.from_ms);
+    .flatMap(({ state, ...bar }) => partsOutside(bar, silences).map((part) => ({ state, ...part })));
 }
 
 interface Stretch {
@@ -46,8 +46,8 @@ interface Stretch {
   readonly to_ms: number;
 }
 
-/** The longest part of a bar that no gap covers: there its name is read. Gaps are in their order of time. */
-export function namedPart({ from_ms, to_ms }: Stretch, gaps: readonly Stretch[]): Stretch {
+/** The parts of a stretch that no gap covers. Gaps are in their order of time. */
+function partsOutside({ from_ms, to_ms }: Stretch, gaps: readonly Stretch[]): Stretch[] {
   const parts: Stretch[] = [];
   let begin_ms = from_ms;
   for (const gap of gaps) {
@@ -56,7 +56,13 @@ export function namedPart({ from_ms, to_ms }: Stretch, gaps: readonly Stretch[])
     begin_ms = Math.min(gap.to_ms, to_ms);
   }
   parts.push({ from_ms: begin_ms, to_ms });
-  return parts.reduce((best, part) => (part.to_ms - part.from_ms > best.to_ms - best.from_ms ? part : best));
+  return parts.filter((part) => part.to_ms > part.from_ms);
+}
+
+/** The longest part of a bar that no gap covers: there its name is read. Gaps are in their order of time. */
+export function namedPart(bar: Stretch, gaps: readonly Stretch[]): Stretch {
+  const nothing = { from_ms: bar.from_ms, to_ms: bar.from_ms };
+  return partsOutside(bar, gaps).reduce((best, part) => (part.to_ms - part.from_ms > best.to_ms - best.from_ms ? part : best), nothing);
 }
 
 /** Narrower labels say nothing. */

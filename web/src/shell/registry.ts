@@ -5,21 +5,26 @@
 import type { Component } from "svelte";
 import { instructor } from "../model/instructor.svelte";
 import type { PanelName } from "../layout/arrangement.svelte";
+import { BREAK, BREAKS, COVERAGE } from "../machine/keys";
 import MachinePanel from "../machine/MachinePanel.svelte";
 import GainsPanel from "../gains/GainsPanel.svelte";
 import InstructorPanel from "../instructor/InstructorPanel.svelte";
 import MapPanel from "../map/MapPanel.svelte";
 import PlotsPanel from "../plots/PlotsPanel.svelte";
+import { EDIT } from "../program/keys";
 import ProgramPanel from "../program/ProgramPanel.svelte";
 import RefereePanel from "../referee/RefereePanel.svelte";
 import TeamPanel from "../team/TeamPanel.svelte";
 import TimelinePanel from "../timeline/TimelinePanel.svelte";
 import VariablesPanel from "../variables/VariablesPanel.svelte";
+import { EVERY_ROBOT } from "../vision/keys";
 import VisionPanel from "../vision/VisionPanel.svelte";
 import WhyPanel from "../why/WhyPanel.svelte";
 
 export interface PanelKind extends PanelName {
   readonly component: Component;
+  /** Keys of the panel that bring it into sight where it is not, with what they do. */
+  readonly keys?: readonly (readonly [key: string, does: string])[];
 }
 
 /** `behind` puts a panel that STANDARD does not place as a tab of another. */
@@ -41,6 +46,7 @@ export const panels: readonly PanelKind[] = [
     title: "State machine",
     about: "The chosen robot's states: the current one is filled, blue arrows fired lately, a dashed arrow is near to firing. Point at a state to see its conditions as they stand. ● stops the robot there, ■ waits until somebody lets it through.",
     component: MachinePanel,
+    keys: [COVERAGE, BREAK, BREAKS],
   },
   {
     id: "why",
@@ -59,6 +65,7 @@ export const panels: readonly PanelKind[] = [
     title: "Vision",
     about: "What the chosen robot's camera sees, and what it takes for objects. Tune tries other thresholds on the picture.",
     component: VisionPanel,
+    keys: [EVERY_ROBOT],
   },
   {
     id: "plots",
@@ -78,6 +85,7 @@ export const panels: readonly PanelKind[] = [
     title: "Program",
     about: "What runs, and what would: check, try, push to one robot first or to all, roll back. Every push is kept in the history.",
     component: ProgramPanel,
+    keys: [EDIT],
   },
   {
     id: "referee",

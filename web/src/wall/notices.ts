@@ -47,9 +47,23 @@ export function alarmNotices(posted: readonly PostedAlarm[], now_ms: number): No
   return [...words, ...(left > 0 ? [plural(left, "more alarm")] : [])].map((each) => ({ kind: "alarm", words: `${each}.` }));
 }
 
-/** All that are in service and heard stand still at somebody's word. */
+/** "callisto is silent", "callisto and io are silent", "6 robots are silent" */
+function unknownWords(names: readonly string[], one: string, several: string): string[] {
+  if (names.length === 0) return [];
+  const named = [names.slice(0, -1).join(", "), names.at(-1)].filter(Boolean).join(" and ");
+  return [`${names.length > NAMES ? `${names.length} robots` : named} ${names.length === 1 ? one : several}`];
+}
+
+/** All that are in service and heard stand still at somebody's word; of the others nobody knows, which is said. */
 export function heldNotice(robots: readonly Robot[], known_ms: number): Notice | undefined {
-  const inService = robots.filter((robot) => robot.state && !robot.state.value.out_of_service && !isSilent(robot, known_ms));
-  const held = inService.length > 0 && inService.every(({ state }) => state?.value.held);
-  return held ? { kind: "held", words: inService.length === 1 ? "The robot is held." : "All robots are held." } : undefined;
+  const silent = robots.filter((robot) => isSilent(robot, known_ms));
+  const heard = robots.filter((robot) => !silent.includes(robot) && !robot.state?.value.out_of_service);
+  const held = heard.filter(({ state }) => state?.value.held);
+  const unheard = heard.filter(({ state }) => !state);
+  if (held.length === 0 || held.length + unheard.length < heard.length) return undefined;
+  const names = (some: readonly Robot[]) => some.map(({ name }) => name);
+  const rest = [...unknownWords(names(silent), "is silent", "are silent"), ...unknownWords(names(unheard), "has told no state yet", "have told no state yet")];
+  const all = held.length === 1 ? "The robot is held" : "All robots are held";
+  const some = `${plural(held.length, "robot")} ${held.length === 1 ? "is" : "are"} held`;
+  return { kind: "held", words: `${[rest.length > 0 ? some : all, ...rest].join("; ")}.` };
 }

@@ -31,6 +31,18 @@ describe("what came since the page looked last", () => {
     inbox.take(undamaged, Infinity);
     expect(inbox.take(undamaged, Infinity).news).toEqual([]);
   });
+  it("says when a robot told no state, also where the page slept, and nothing of what another connection brought", () => {
+    const inbox = new Inbox();
+    const state = (received_ms: number) => inbox.put(arrival("/io/state", received_ms, received_ms));
+    const pauses = () => inbox.take(undamaged, Infinity).news.map((news) => news.pauses);
+    [1000, 2000, 15_000, 16_000, 20_000, 20_100].forEach(state);
+    expect(pauses()).toEqual([[{ from_ms: 2000, to_ms: 15_000 }, { from_ms: 16_000, to_ms: 20_000 }]]);
+    state(20_200);
+    expect(pauses()).toEqual([undefined]);
+    inbox.clear();
+    state(90_000);
+    expect(pauses()).toEqual([undefined]);
+  });
   it("says until when the monitor told it, also where it told of nothing but the time", () => {
     const inbox = new Inbox();
     inbox.put(arrival("/io/state", "a", 1000));

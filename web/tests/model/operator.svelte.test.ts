@@ -24,7 +24,33 @@ it("tells that STOP did not reach the robots, though another word fails after it
   operator.hold("io");
   await questions.of("command", 0).refuse(new Error("The monitor does not answer."));
   await questions.of("command", 1).refuse(new Error("It is busy."));
-  expect(operator.failure).toBe("STOP did not reach the robots: The monitor does not answer. io was not told to hold: It is busy.");
+  expect([operator.stopFailure, operator.failure]).toEqual(["STOP has not reached the robots: The monitor does not answer.", "io was not told to hold: It is busy."]);
+});
+
+describe("a STOP that the monitor does not take", () => {
+  const deaf = new Error("The monitor does not answer.");
+  let ordered_ms: number;
+  beforeEach(async () => {
+    live.reset();
+    operator.stopAll();
+    ordered_ms = Date.now();
+    await questions.of("command").refuse(deaf);
+  });
+
+  it("is said to all again until it takes it, also where no robot is known, and the report stays as long", async () => {
+    operator.refreshStop(ordered_ms + 1500);
+    await questions.of("command", 1).refuse(deaf);
+    operator.refreshStop(ordered_ms + 9000);
+    expect(questions.asked.map(({ told }) => told)).toEqual([["hold", []], ["hold", []], ["hold", []]]);
+    expect(operator.stopping).toBeDefined();
+    await questions.of("command", 2).answer({ id: "1" });
+    expect(operator.stopFailure).toBeUndefined();
+  });
+  it("is taken back at a word, and reaches nobody then", async () => {
+    operator.dismissStop();
+    operator.refreshStop(ordered_ms + 9000);
+    expect([questions.asked.length, operator.stopping, operator.stopFailure]).toEqual([1, undefined, undefined]);
+  });
 });
 
 it("sends STOP in the very task of the key, before anything is drawn", () => {
@@ -41,9 +67,9 @@ it("counts a robot of a recording among the held ones as little as one out of se
 });
 
 it("tells of a failure until the next word", async () => {
-  operator.stopAll();
+  operator.hold("io");
   await questions.of("command").refuse(new Error("The monitor does not answer."));
-  operator.stopAll();
+  operator.hold("io");
   expect(operator.failure).toBeUndefined();
   await questions.of("command").answer({ id: "1" });
   expect(operator.failure).toBeUndefined();
@@ -65,6 +91,7 @@ describe("after STOP ALL", () => {
     live.reset();
     operator.stopAll();
     ordered_ms = Date.now();
+    void questions.of("command").answer({ id: "1" });
     live.robots = [robot("io", true, ordered_ms + 100), robot("callisto", false, ordered_ms - 100)];
   });
   const told = () => questions.asked.map(({ told }) => told[1]);

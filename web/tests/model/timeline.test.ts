@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { drawnBars, labelled, markLabels, namedPart, withBar, withProgram } from "../../src/model/timeline";
-import { robotOf, state, T0_MS, told, transition } from "./told";
+import type { Team } from "../../src/model/model";
+import { applyAll } from "../../src/model/reduce";
+import { withSilencesUntil } from "../../src/model/silence";
+import { mapRobot, robotOf, state, T0_MS, time, told, transition } from "./told";
 
 describe("the timeline", () => {
   const changed = state({ at_ms: T0_MS + 1000, state: "wander", transitions: 1n });
@@ -49,6 +52,29 @@ describe("the timeline", () => {
     const reborn = state({ at_ms: T0_MS + 60_000, state: "start", transitions: 0n });
     const team = told([["/io/state", changed, T0_MS + 1000], ["/io/state", reborn, T0_MS + 60_000]]);
     expect(robotOf(team).bars.map((bar) => bar.state)).toEqual(["wander", "start"]);
+  });
+  describe("of a robot that was silent", () => {
+    const reborn = state({ at_ms: T0_MS + 13_000, state: "start", transitions: 0n });
+    const dead = { from_ms: T0_MS + 1000, to_ms: T0_MS + 13_000 };
+    const alive = told([["/io/state", changed, T0_MS + 1000]]);
+    const drawn = (team: Team) => drawnBars(robotOf(team).bars, T0_MS, T0_MS + 20_000, robotOf(team).silences);
+
+    it("leaves a gap that stays, whatever comes after it", () => {
+      const back = (message: typeof reborn) => applyAll(alive, [{ topic: "/io/state", message, received_ms: dead.to_ms, count: 1, pauses: [dead] }]);
+      expect(drawn(back(reborn))).toEqual([{ state: "start", from_ms: dead.to_ms, to_ms: T0_MS + 20_000 }]);
+      const changedMeanwhile = told([["/io/transition", transition(2, "grab", T0_MS + 5000), dead.to_ms]], back({ ...changed, stamp: reborn.stamp }));
+      expect(drawn(changedMeanwhile)).toEqual([{ state: "grab", from_ms: dead.to_ms, to_ms: T0_MS + 20_000 }]);
+    });
+    it("ends the bar where the monitor last heard it, by the monitor's age", () => {
+      const objects = (at_ms: number, age_s: number) => ["/team/objects", { stamp: time(at_ms), objects: [], robots: [mapRobot({ silent: true, age_s })] }, at_ms] as [string, unknown, number];
+      const back = told([objects(T0_MS + 5000, 3), objects(T0_MS + 9000, 7), ["/io/state", { ...changed, stamp: time(T0_MS + 10_000) }, T0_MS + 10_000]], alive);
+      expect(drawn(back)).toEqual([{ state: "wander", from_ms: T0_MS + 1000, to_ms: T0_MS + 2000 }, { state: "wander", from_ms: T0_MS + 9000, to_ms: T0_MS + 20_000 }]);
+    });
+    it("keeps the gap where the connection is lost meanwhile", () => {
+      const back = told([["/io/state", reborn, dead.to_ms]], withSilencesUntil(alive, T0_MS + 9000));
+      expect(robotOf(back).silences).toEqual([{ from_ms: T0_MS + 1000, to_ms: T0_MS + 9000 }]);
+      expect(withSilencesUntil(alive, T0_MS + 2000)).toBe(alive);
+    });
   });
   it("puts changes that were heard before the first state where they happened", () => {
     const late = T0_MS + 30_000;

@@ -66,3 +66,12 @@ test("that all are held is said of those in service, and by no word of a silent 
   expect(words(robot("io", { held: true }), robot("ganymede", { held: true }), robot("callisto", { out_of_service: true }))).toBe("All robots are held.");
   expect(words(robot("io", { held: true }, NOW_MS - 5000))).toBeUndefined();
 });
+
+test("all is never said where one is silent or has told nothing yet", () => {
+  const words = (...robots: Robot[]) => heldNotice([robot("io", { held: true }), ...robots], NOW_MS)?.words;
+  const silent = (name: string, state = {}) => robot(name, state, NOW_MS - 5000);
+  expect(words(robot("ganymede", { held: true }), silent("callisto"))).toBe("2 robots are held; callisto is silent.");
+  expect(words(silent("callisto", { held: true }), silent("europa", { out_of_service: true }))).toBe("1 robot is held; callisto and europa are silent.");
+  expect(words(..."abcdef".split("").map((name) => silent(name)))).toBe("1 robot is held; 6 robots are silent.");
+  expect(words({ ...robot("callisto"), state: undefined } as unknown as Robot)).toBe("1 robot is held; callisto has told no state yet.");
+});

@@ -93,6 +93,20 @@ TEST(AlarmLines, AreGroupedByKindWhereTheyAreMany) {
   EXPECT_EQ(lines[1].keys.size(), 12u);
 }
 
+TEST(AlarmLines, TellWhatIsOverAsPastAndEachRobotOnce) {
+  AlarmBoard board;
+  board.update({alarm("r10"), alarm("r1")}, Time{});
+  board.update({}, Time{seconds(3)});
+  const auto text = [&] { return alarm_lines(board.posted(), Time{seconds(9)}, 1).at(0).text; };
+  EXPECT_EQ(text(), "2 robots were silent: r10, r1");
+  board.acknowledge();
+  Alarm first = alarm("io", AlarmKind::kProblem);
+  Alarm second = first;
+  second.key += " another";
+  board.update({first, second}, Time{seconds(10)});
+  EXPECT_EQ(text(), "1 robot has problems: io");
+}
+
 class Finder : public Told {
  protected:
   std::vector<std::string> found() {

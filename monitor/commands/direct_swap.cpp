@@ -15,7 +15,6 @@
 #include "monitor/pushes/history/json.h"
 #include "monitor/pushes/history/push_messages.h"
 #include "monitor/pushes/history/replies.h"
-#include "monitor/pushes/push_order.h"
 #include "monitor/pushes/target_check.h"
 
 namespace galilean::monitor {

@@ -35,10 +35,6 @@ std::vector<std::string> OrderTargets::names() const {
   return result;
 }
 
-bool takes_what_all_take(const Robot& robot, const Team& team) {
-  return !(robot.state && robot.state->out_of_service) && !team.replayed(robot);
-}
-
 OrderTargets targets_of(const std::vector<std::string>& named, const Team& team) {
   OrderTargets targets;
   for (const auto& [name, robot] : team.robots())

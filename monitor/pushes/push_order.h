@@ -53,9 +53,6 @@ struct OrderTargets {
 
   [[nodiscard]] std::vector<std::string> names() const;  ///< the names of `awaited`
 };
-/// Returns whether a robot takes a program that is pushed to all. One that is out of service does
-/// not, and where a recording plays a robot, nobody is there.
-[[nodiscard]] bool takes_what_all_take(const Robot& robot, const Team& team);
 /// Returns the robots with the names `named`; if it is empty, all that are in service and that no
 /// recording plays.
 [[nodiscard]] OrderTargets targets_of(const std::vector<std::string>& named, const Team& team);

@@ -5,6 +5,10 @@
 
 namespace galilean::monitor {
 
+bool takes_what_all_take(const Robot& robot, const Team& team) {
+  return !(robot.state && robot.state->out_of_service) && !team.replayed(robot);
+}
+
 TargetCheck check_for(const std::vector<Target>& targets, const Catalog& installed,
                       const std::function<bhdl::CheckResult(const Catalog&)>& check) {
   if (targets.empty()) return {check(installed), {}};

@@ -20,6 +20,10 @@ struct Target {
   return {robot.name, robot.catalog};
 }
 
+/// Returns whether a robot takes a program that is pushed to all. One that is out of service does
+/// not, and where a recording plays a robot, nobody is there.
+[[nodiscard]] bool takes_what_all_take(const Robot& robot, const Team& team);
+
 /// The check of a program for the robots that are to run it.
 struct TargetCheck {
   bhdl::CheckResult result;  ///< for the first robot that would refuse it, else for the first

@@ -28,6 +28,8 @@ constexpr const char* kFull = "/dev/full";
 constexpr const char* kSentence = "standard output cannot be written: .*; what was printed is not";
 
 TEST(StandardOutput, ThatCannotBeWrittenIsToldInASentence) {
+  // In a process of its own: other tests of this program may have called it already.
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(print_to(kFull, 0), testing::ExitedWithCode(1), kSentence);
   EXPECT_EXIT(print_to(kFull, 2), testing::ExitedWithCode(2), kSentence);
   EXPECT_EXIT(print_to("", 0), testing::ExitedWithCode(1), kSentence);

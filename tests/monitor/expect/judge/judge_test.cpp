@@ -313,7 +313,7 @@ TEST(Judge, TimeThatGoesBackIsNoted) {
   scene.state(1, "a");
   scene.state(0.5, "a");
   EXPECT_THAT(scene.judge().finish(Scene::at(0), Scene::at(1)).notes,
-              testing::ElementsAre(HasSubstr("older than those before")));
+              testing::ElementsAre(HasSubstr("1 message was older than that before it")));
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ mcap::Bytes broken_off(bool is_copy) {
     EXPECT_TRUE(team.writer().write(monitor::metadata_of(losses)));
     return team.end();
   }
-  EXPECT_TRUE(team.writer().close_chunk_if_due(10'000'000'000));
+  EXPECT_TRUE(team.writer().close_chunk_if_due(RecordedTeam::kBegin_ns + 10'000'000'000));
   return team.bytes();
 }
 

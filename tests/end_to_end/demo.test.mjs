@@ -258,7 +258,7 @@ test('a run that does not do what is expected of it fails', limit, async (t) => 
 test('a program that no robot can run is told of before anything starts', limit, async (t) => {
   const cwd = scratchFolder(t), domain = freshDomain();
   writeFileSync(`${cwd}/copy.bhdl`, 'include "lacking.bhdl"\n');
-  for (const [program, sentence] of [['nosuch', /no robot can run nosuch:\nnosuch:1:1: error: cannot read 'nosuch'/], ['copy.bhdl', /\ncopy\.bhdl:1:9: error: cannot read 'lacking\.bhdl'/]]) {
+  for (const [program, sentence] of [['nosuch', /no program 'nosuch': expected a \.bhdl file, or the name of a program that ships/], ['copy.bhdl', /\ncopy\.bhdl:1:9: error: cannot read 'lacking\.bhdl'/]]) {
     const run = galilean(['demo', '--robots', '1', '--bhdl', program], { domain, cwd });
     assert.equal(run.status, 1);
     assert.match(run.stderr, sentence);

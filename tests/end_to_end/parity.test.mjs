@@ -43,7 +43,7 @@ test('each key of the terminal is one that its help or a sheet names', () => {
 
 test('each key and button of the page is there', () => {
   const sources = readdirSync(`${root}web/src`, { recursive: true }).filter((file) => /\.(svelte|ts)$/.test(file)).map((file) => textOf(`web/src/${file}`)).join('\n');
-  const keys = [...sources.matchAll(/onKey\("([^"]+)"/g)].map(([, key]) => key);
+  const keys = [...sources.matchAll(/(?:onKey\(|^export const [A-Z_]+ = \[)"([^"]+)"/gm)].map(([, key]) => key);
   for (const [what, cell] of cells(1)) {
     for (const key of quoted(cell)) assert.ok(keys.includes(key === 'Space' ? ' ' : key), `${what}: ${key}`);
     const button = cell.replace(/`[^`]+`(, )?/g, '').trim();

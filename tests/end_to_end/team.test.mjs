@@ -114,9 +114,11 @@ test('another strategy while the team runs', async (t) => {
 });
 
 test('a robot that is killed is silent, stays in the team, and the others run on', async (t) => {
+  let callisto;
+  t.after(() => callisto && process.kill(callisto.pid, 'SIGCONT'));  // before the team is ended
   const { domain, url } = await startTeam(t);
   await wholeTeam(url);
-  const callisto = processesIn(domain).find(({ command }) => /galilean-robot .*--name callisto/.test(command));
+  callisto = processesIn(domain).find(({ command }) => /galilean-robot .*--name callisto/.test(command));
   process.kill(callisto.pid, 'SIGKILL');
   const answer = await eventually(async () => {
     const now = await status(url);
@@ -144,7 +146,6 @@ test('a robot that hangs is named by every order to the team, and the others obe
   };
   const unknown = /^callisto: (has sent nothing for \d+ s, so it is not known what it does|sends no state)$/;
   process.kill(callisto.pid, 'SIGSTOP');
-  t.after(() => process.kill(callisto.pid, 'SIGCONT'));
 
   const stopped = order('stop');
   assert.equal(stopped.code, 1);

@@ -39,6 +39,8 @@ test("a condition that never fired is called so", async () => {
 });
 
 test("a program that is pushed starts anew", async () => {
+  // The program before it is seen for longer than a step back in time is.
+  await tab.until((from_ms) => Date.now() > from_ms + 2000, Date.now());
   await at("program-select").selectOption("sit_and_spin.bhdl");
   await at("push-button").click();
   await at("push-confirm").click();

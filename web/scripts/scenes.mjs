@@ -68,8 +68,13 @@ async function push(page) {
 
 async function instructor(page) {
   await atWork(page);
-  await page.keyboard.press("i");
-  await at(page, "instructor-clock").waitFor();
+  const clock = at(page, "instructor-clock");
+  // The key is there once the simulation was heard.
+  for (let tries = 0; tries < 20 && (await clock.count()) === 0; tries += 1) {
+    await page.keyboard.press("i");
+    await clock.waitFor({ timeout: 1000 }).catch(() => {});
+  }
+  await clock.waitFor();
 }
 
 async function replay(page) {

@@ -54,9 +54,8 @@ async function shake(domain, until) {
   }
 }
 
-async function record(number) {
+async function record(number, domain) {
   const file = join(folder, `${number}.mcap`);
-  const domain = freshDomain();
   const recorder = start(domain, ['record', '--out', file, '--inputs', '--pictures', 'none']);
   while (!existsSync(file)) await sleep(20);
   const team = start(domain, ['demo', '--robots', asked.robots, '--seed', String(number), '--port', String(await freePort())]);
@@ -89,8 +88,8 @@ function add(sum, run) {
   sum.fewest_x = Math.min(sum.fewest_x, run.recorded_s / run.took_s);
 }
 
-async function recordAndRerun(number) {
-  const file = await record(number);
+async function recordAndRerun(number, domain) {
+  const file = await record(number, domain);
   bytes += statSync(file).size;
   let good = true;
   for (const build of builds) {
@@ -103,8 +102,10 @@ async function recordAndRerun(number) {
   if (++done % 10 === 0) console.log(`${done} recordings: ${JSON.stringify(sums)}`);
 }
 
+/** One team after the other in one DDS domain: there are fewer domains than recordings. */
 async function work() {
-  while (begun < Number(asked.recordings)) await recordAndRerun(++begun);
+  const domain = freshDomain();
+  while (begun < Number(asked.recordings)) await recordAndRerun(++begun, domain);
 }
 await Promise.all(Array.from({ length: Number(asked['at-once']) }, work));
 console.log(`${asked.recordings} recordings, ${(bytes / 1e6).toFixed(0)} MB`);

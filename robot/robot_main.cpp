@@ -62,7 +62,7 @@ int refuse(const std::string& reason) {
 /// Runs the robot until a signal comes. Threads end in the reverse order of their start.
 int work(const Options& options, const Registry& components, bhdl::Program program,
          const Termination& termination) {
-  const DeviceSettings settings = DeviceSettings::of(program);
+  const DeviceSettings settings = DeviceSettings::of(program, components.catalog());
   SerialPort line(options.serial.value_or(settings.comm_port.device), settings.comm_port.baud);
   const auto camera = make_frame_source(options.camera.value_or(settings.frame_grabber.device));
   if (!camera) return refuse(camera.error().message);

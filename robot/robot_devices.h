@@ -13,8 +13,9 @@ namespace galilean::robot {
 class RobotDevices final : public DeviceTuner {
  public:
   /// `settings` are those of the first program. Requires: line and source outlive this object.
-  /// `tune` applies each later program's settings, except for the devices' names and their
-  /// timeouts.
+  /// `tune` applies each later program's settings, except for the devices' names and the line's
+  /// speed, in which programs of one robot do not differ (see OpenedDevices), and the line's
+  /// timeout.
   RobotDevices(ByteStream& line, FrameSource& camera, const DeviceSettings& settings)
       : link_(line, settings.comm_port),
         drive_(link_, settings.motor_drive),

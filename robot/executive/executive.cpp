@@ -27,6 +27,8 @@ Executive::Executive(const ExecutiveSetup& setup)
 Executive::~Executive() = default;
 
 Result<ProgramId> Executive::load(bhdl::Program program, const ProbationRules& rules) {
+  if (setup_.admits)
+    if (const auto admitted = setup_.admits(program); !admitted) return admitted.error();
   auto id =
       intake_.load(std::move(program), {setup_.components, devices_, Random(setup_.seed), rules});
   if (id && setup_.on_waiting) setup_.on_waiting();

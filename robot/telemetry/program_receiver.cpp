@@ -136,14 +136,13 @@ void ProgramReceiver::handle(const msg::ProgramPush& message) {
            push.hash.substr(0, 8) + ")");
   send({.id = push.id,
         .hash = push.hash,
-        .running_hash = ledger_.running().hash(),
+        .running_hash = ledger_.running_hash(),
         .status = status::RECEIVED});
   auto checked = bhdl::check(std::move(files), vocabulary_);
   if (!checked.program)
     return reject(push, "the program has errors", to_messages(checked.diagnostics));
   push.warnings = to_messages(checked.diagnostics);
-  run_program(std::move(*checked.program), rules_of(message, source_.executive.probation_rules()),
-              std::move(push));
+  run_program(std::move(*checked.program), message, std::move(push));
 }
 
 Result<void> ProgramReceiver::admit(const msg::ProgramPush& push,
@@ -151,22 +150,18 @@ Result<void> ProgramReceiver::admit(const msg::ProgramPush& push,
   if (files.empty()) return Error{"the push contains no file"};
   if (bhdl::program_hash(files) != push.hash)
     return Error{"its hash does not match its files: they were changed on the way"};
-  const std::string running = ledger_.running().hash();
-  if (!push.replaces_hash.empty() && push.replaces_hash != running)
-    return Error{"it is meant to replace program " + push.replaces_hash + ", but program " +
-                 running + " runs"};
   return check_rules(push);
 }
 
-void ProgramReceiver::run_program(bhdl::Program program, const ProbationRules& rules,
+// Only after its turn it is certain which program this one would replace.
+void ProgramReceiver::run_program(bhdl::Program program, const msg::ProgramPush& message,
                                   PushLedger::Push push) {
   if (!wait_for_turn(source_.executive)) return reject(push, "the control loop stands still");
-  if (ledger_.running().hash() == push.hash) {
-    for (auto& reply : ledger_.join_running(std::move(push))) send(std::move(reply));
-    return;
-  }
-  const auto loaded = ledger_.load(std::move(program), rules, push);
-  if (!loaded) reject(push, loaded.error().message);
+  auto taken =
+      ledger_.load(std::move(program), rules_of(message, source_.executive.probation_rules()), push,
+                   message.replaces_hash);
+  if (!taken) return reject(push, taken.error().message);
+  for (auto& reply : taken.value()) send(std::move(reply));
 }
 
 void ProgramReceiver::on_event(const Event& event) {
@@ -178,7 +173,7 @@ void ProgramReceiver::reject(const PushLedger::Push& push, std::string why,
   log_warning("program " + push.hash.substr(0, 8) + " was rejected: " + why);
   send({.id = push.id,
         .hash = push.hash,
-        .running_hash = ledger_.running().hash(),
+        .running_hash = ledger_.running_hash(),
         .status = status::REJECTED,
         .message = std::move(why),
         .diagnostics = std::move(diagnostics)});

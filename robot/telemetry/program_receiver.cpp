@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bhdl/source/sha256.h"
+#include "core/cut_text.h"
 #include "core/failure.h"
 #include "core/wire/reader.h"
 #include "core/wire/topic_names.h"
@@ -38,6 +39,7 @@ std::vector<msg::Diagnostic> to_messages(const std::vector<bhdl::Diagnostic>& di
 }
 
 constexpr float kLongestProbation_s = 3600;
+constexpr std::size_t kShownOfHash = 8;
 
 /// Errors: the push's rules of probation are not valid.
 Result<void> check_rules(const msg::ProgramPush& push) {
@@ -110,7 +112,8 @@ Result<void> ProgramReceiver::handle_from(const std::optional<std::string>& send
 
 void ProgramReceiver::handle(const msg::ProgramRollback& message) {
   const PushLedger::Push order{message.id, message.hash, {}};
-  log_info(message.author + " ordered a rollback of program " + message.hash.substr(0, 8));
+  log_info(message.author + " ordered a rollback of program " +
+           std::string(cut_text(message.hash, kShownOfHash)));
   wait_until_runs(message.hash);
   const std::string reason = "by " + message.author + ": " + message.reason;
   if (const auto ordered = ledger_.roll_back(order, reason); !ordered)
@@ -133,7 +136,7 @@ void ProgramReceiver::handle(const msg::ProgramPush& message) {
   if (const auto admitted = admit(message, files); !admitted)
     return reject(push, admitted.error().message);
   log_info(message.author + " pushed program " + files.front().path + " (" +
-           push.hash.substr(0, 8) + ")");
+           std::string(cut_text(push.hash, kShownOfHash)) + ")");
   send({.id = push.id,
         .hash = push.hash,
         .running_hash = ledger_.running_hash(),
@@ -170,7 +173,8 @@ void ProgramReceiver::on_event(const Event& event) {
 
 void ProgramReceiver::reject(const PushLedger::Push& push, std::string why,
                              std::vector<msg::Diagnostic> diagnostics) {
-  log_warning("program " + push.hash.substr(0, 8) + " was rejected: " + why);
+  log_warning("program " + std::string(cut_text(push.hash, kShownOfHash)) +
+              " was rejected: " + why);
   send({.id = push.id,
         .hash = push.hash,
         .running_hash = ledger_.running_hash(),

@@ -17,8 +17,8 @@ std::set<std::string> devices_named(const Program& program, const Vocabulary& vo
   return devices;
 }
 
-std::unordered_set<const SchemaUse*> listed_schemas(const Program& program,
-                                                    const SchemaUses& uses) {
+std::unordered_set<const SchemaUse*> schemas_of_states(const Program& program,
+                                                       const SchemaUses& uses) {
   std::unordered_set<const SchemaUse*> listed;
   for (std::size_t state = 0; state < program.states.size(); ++state)
     for (const auto* schemas : {&uses.listed(state).perceptual, &uses.listed(state).motor})
@@ -37,7 +37,7 @@ std::string section_of(const std::string& device, const Vocabulary& vocabulary) 
 void warn_of_unnamed_devices(const Program& program, const SchemaUses& uses,
                              const Vocabulary& vocabulary, Diagnostics& diagnostics) {
   std::set<std::string> known = devices_named(program, vocabulary);
-  const auto listed = listed_schemas(program, uses);
+  const auto listed = schemas_of_states(program, uses);
   for (const SchemaUse& use : uses.all()) {
     if (!listed.contains(&use)) continue;
     for (const std::string& device : use.spec->needs) {

@@ -38,13 +38,15 @@ std::vector<msg::Diagnostic> to_messages(const std::vector<bhdl::Diagnostic>& di
   return messages;
 }
 
-constexpr float kLongestProbation_s = 3600;
+/// An hour, which is the most that an operator can order, and the time in which a monitor decides
+/// whether the canary's program is rolled back.
+constexpr float kLongestProbation_s = 3610;
 constexpr std::size_t kShownOfHash = 8;
 
 /// Errors: the push's rules of probation are not valid.
 Result<void> check_rules(const msg::ProgramPush& push) {
   if (!(push.probation_s >= 0 && push.probation_s <= kLongestProbation_s))
-    return Error{"its probation must last from 0 to 3600 s, not " +
+    return Error{"its probation must last from 0 to 3610 s, not " +
                  std::to_string(push.probation_s)};
   if (push.most_transitions_per_s > ProbationRules::kMostCounted)
     return Error{"its limit must be at most " + std::to_string(ProbationRules::kMostCounted) +

@@ -184,6 +184,12 @@ TEST_F(ReceiverTest, APushBringsItsOwnProbation) {
   push.id = "endless";
   push.files[0].text += ";";
   push.hash = bhdl::program_hash({{push.files[0].path, push.files[0].text}});
+  push.probation_s = 3602;  // of a canary for an hour, until its monitor has decided
+  io.send(push);
+  EXPECT_TRUE(io.tick_until([&] { return running_hash() == push.hash; }));
+  push.id = "none";
+  push.files[0].text += ";";
+  push.hash = bhdl::program_hash({{push.files[0].path, push.files[0].text}});
   push.probation_s = std::numeric_limits<float>::quiet_NaN();
   io.send(push);
   const auto rejected = replies.wait_for(has_status(status::REJECTED));

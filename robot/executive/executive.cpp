@@ -116,6 +116,8 @@ void Executive::publish() noexcept {
                       .devices = devices_,
                       .health = health_,
                       .pose = pose(),
+                      .speed_mps = odometry_.speed_mps(),
+                      .turn_rate_radps = odometry_.turn_rate_radps(),
                       .standstill = standstill(),
                       .out_of_service = !orders_.in_service,
                       .in_probation = succession_.probation().active(),

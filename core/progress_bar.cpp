@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "core/cut_text.h"
 #include "core/visible_text.h"
 
 namespace galilean {
@@ -31,8 +32,8 @@ void ProgressBar::show(double done) {
   done = std::clamp(done, 0.0, 1.0);
   const auto letters = static_cast<std::size_t>(done * kBarLetters);
   const std::string task = visible(setup_.task);
-  setup_.write(kBeginLine + task.substr(0, kMostOfTask) + " [" + std::string(letters, '#') +
-               std::string(kBarLetters - letters, ' ') + "] " +
+  setup_.write(kBeginLine + std::string(cut_text(task, kMostOfTask)) + " [" +
+               std::string(letters, '#') + std::string(kBarLetters - letters, ' ') + "] " +
                std::to_string(static_cast<int>(done * 100)) + " %");
   is_shown_ = true;
 }

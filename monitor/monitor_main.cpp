@@ -100,9 +100,9 @@ int main(int argc, char** argv) {
   app.option("--catalog", options.catalog_file,
              "JSON file of the components, used where no robot is asked for them")
       .names_file(".json");
-  app.option("--data", options.data_folder,
-             "folder that keeps the history of pushes and the tokens")
-      .names_folder();
+  const auto data = app.option("--data", options.data_folder,
+                               "folder that keeps the history of pushes and the tokens")
+                        .names_folder();
   app.option("--recordings", options.recordings_folder,
              "folder of the recordings that the page plays, and that are put there")
       .names_folder();
@@ -120,6 +120,7 @@ int main(int argc, char** argv) {
       .not_empty();
   if (const auto code = app.parse(argc, argv)) return *code;
   if (const auto wrong = no_folder(options); !wrong.empty()) return app.refuse(wrong);
+  options.shares_data_folder = !data.given();
   options.map.silent_after = galilean::from_seconds(silent_after_s);
   return run(options);
 }

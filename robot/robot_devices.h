@@ -13,8 +13,8 @@ namespace galilean::robot {
 class RobotDevices final : public DeviceTuner {
  public:
   /// `settings` are those of the first program. Requires: line and source outlive this object.
-  /// `tune` applies each later program's settings, except for the devices' names and their
-  /// timeouts.
+  /// `tune` applies each later program's settings, except for the devices' names and the line's
+  /// speed, in which the programs of one robot do not differ (see OpenedDevices).
   RobotDevices(ByteStream& line, FrameSource& camera, const DeviceSettings& settings)
       : link_(line, settings.comm_port),
         drive_(link_, settings.motor_drive),
@@ -28,6 +28,7 @@ class RobotDevices final : public DeviceTuner {
 
   [[nodiscard]] Devices devices() noexcept { return {link_, drive_, grabber_}; }
   void tune(const DeviceSettings& settings) noexcept override {
+    link_.set_timeout(from_seconds(settings.comm_port.timeout_s));
     drive_.configure(settings.motor_drive);
     grabber_.configure(settings.frame_grabber);
   }

@@ -15,6 +15,7 @@
 #include "robot/devices/frame_sources.h"
 #include "robot/devices/pump_thread.h"
 #include "robot/devices/serial_port.h"
+#include "robot/executive/opened_devices.h"
 #include "robot/executive/snapshot.h"
 #include "robot/log/log.h"
 #include "robot/options.h"
@@ -54,6 +55,13 @@ AcceptedSenders accepted_senders(const Options& options) {
                                            : AcceptedSenders(options.accept_swaps_from);
 }
 
+OpenedDevices opened_devices(const Options& options, const DeviceSettings& settings) {
+  OpenedDevices opened{.baud = settings.comm_port.baud};
+  if (!options.serial) opened.serial = settings.comm_port.device;
+  if (!options.camera) opened.camera = settings.frame_grabber.device;
+  return opened;
+}
+
 int refuse(const std::string& reason) {
   std::cerr << "galilean-robot: " << reason << "\n";
   return 1;
@@ -62,9 +70,10 @@ int refuse(const std::string& reason) {
 /// Runs the robot until a signal comes. Threads end in the reverse order of their start.
 int work(const Options& options, const Registry& components, bhdl::Program program,
          const Termination& termination) {
-  const DeviceSettings settings = DeviceSettings::of(program);
+  const DeviceSettings settings = DeviceSettings::of(program, components.catalog());
   SerialPort line(options.serial.value_or(settings.comm_port.device), settings.comm_port.baud);
   const auto camera = make_frame_source(options.camera.value_or(settings.frame_grabber.device));
+  const OpenedDevices opened = opened_devices(options, settings);
   if (!camera) return refuse(camera.error().message);
   const auto participant = wire::Participant::join(options.name, options.domain);
   if (!participant) return refuse(participant.error().message);
@@ -75,17 +84,20 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
   ImageTap images(components.catalog());
   InputsTap inputs;
   Wake wake;
-  Executive executive({.components = components,
-                       .devices = devices.devices(),
-                       .clock = clock,
-                       .stopwatch = clock,
-                       .seed = options.seed,
-                       .tick_period = from_seconds(1 / options.rate_hz),
-                       .probation = {.length = from_seconds(options.probation_s),
-                                     .most_transitions_per_s = options.most_transitions_per_s},
-                       .tuner = &devices,
-                       .observers = {&tap, &images, &inputs},
-                       .on_waiting = [&wake] { wake.ring(); }});
+  Executive executive(
+      {.components = components,
+       .devices = devices.devices(),
+       .clock = clock,
+       .stopwatch = clock,
+       .seed = options.seed,
+       .tick_period = from_seconds(1 / options.rate_hz),
+       .probation = {.length = from_seconds(options.probation_s),
+                     .most_transitions_per_s = options.most_transitions_per_s},
+       .tuner = &devices,
+       .observers = {&tap, &images, &inputs},
+       .on_waiting = [&wake] { wake.ring(); },
+       .admits =
+           [&](const bhdl::Program& next) { return opened.accept(next, components.catalog()); }});
   if (const auto loaded = executive.load(std::move(program)); !loaded)
     return refuse(loaded.error().message);
 

@@ -3,6 +3,7 @@
 
 #include "bhdl/check/constants.h"
 #include "bhdl/lint/condition_check.h"
+#include "bhdl/lint/device_check.h"
 #include "bhdl/lint/idle_check.h"
 #include "bhdl/lint/reachability.h"
 #include "bhdl/lint/stop_check.h"
@@ -19,6 +20,7 @@ void warn_of_suspects(const Program& program, const Vocabulary& vocabulary, cons
   warn_of_endless_driving(program, uses, graph, diagnostics);
   warn_of_certain_conditions(program, uses, graph, diagnostics);
   warn_of_wiring(program, uses, text.tree, diagnostics);
+  warn_of_unnamed_devices(program, uses, vocabulary, diagnostics);
   warn_of_unwritten_variables(program, uses, vocabulary, diagnostics);
   warn_of_unused_constants(text.unused_constants, text.main_file, diagnostics);
   warn_of_unused_schemas(program, uses, text, diagnostics);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/cut_text.h"
 #include "core/visible_text.h"
 
 namespace galilean::bhdl {
@@ -107,9 +108,7 @@ std::size_t character_count(std::string_view text) noexcept {
 
 std::string in_quotes(std::string_view text) {
   if (text.size() <= kLongestQuoted) return "'" + visible(text) + "'";
-  std::size_t size = kLongestQuoted;
-  while (size > 0 && continues(static_cast<unsigned char>(text[size]))) --size;
-  return "'" + visible(text.substr(0, size)) + "…'";
+  return "'" + visible(cut_text(text, kLongestQuoted)) + "…'";
 }
 
 std::string number_text(double number) {

@@ -111,6 +111,8 @@ ComponentSpec component_from_json(const nlohmann::json& json) {
   component.kind = parse_word<ComponentKind>(kKinds, json.at("kind"));
   component.help = json.value("help", "");
   component.drives = json.value("drives", "");
+  component.needs = json.value("needs", component.needs);
+  component.configures = json.value("configures", "");
   for (const auto& attribute : json.at("attributes"))
     component.attributes.push_back(attribute_from_json(attribute));
   return component;
@@ -156,7 +158,10 @@ void to_json(nlohmann::json& json, const Catalog& catalog) {
                                   {"kind", to_string(component.kind)},
                                   {"help", component.help},
                                   {"attributes", attributes}});
-    if (!component.drives.empty()) json["components"].back()["drives"] = component.drives;
+    nlohmann::json& entry = json["components"].back();
+    if (!component.drives.empty()) entry["drives"] = component.drives;
+    if (!component.needs.empty()) entry["needs"] = component.needs;
+    if (!component.configures.empty()) entry["configures"] = component.configures;
   }
 }
 

@@ -79,11 +79,19 @@ struct ComponentSpec {
   std::vector<AttributeSpec> attributes;
   std::string drives;  ///< of a motor schema: the device that it commands; the last such schema of
                        ///< a tick wins; empty: none
+  std::vector<std::string> needs;  ///< of a schema: the devices without which it has no effect
+  std::string configures;          ///< of settings: the device that they are for; empty: the one
+                                   ///< that is called as the component is
 
   [[nodiscard]] const AttributeSpec* find(
       std::string_view attribute) const noexcept;  ///< by name or alias; nullptr: there is none
   /// Returns the first attribute that has the role, or nullptr if none has it.
   [[nodiscard]] const AttributeSpec* find(Role role) const noexcept;
+  /// Returns the robot's device that a program names by this component. Requires: these are the
+  /// settings of a device.
+  [[nodiscard]] const std::string& device() const noexcept {
+    return configures.empty() ? name : configures;
+  }
 };
 
 /// The components that exist and the attributes that they take. It is plain data, so that a checker

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -108,6 +109,14 @@ class Declaration {
   /// Names the device that the schema commands. One state should not list two schemas that command
   /// the same device.
   void drives(std::string device) { spec_.drives = std::move(device); }
+
+  /// Names a device without which the schema has no effect. The checker warns of a program that
+  /// lists the schema and does not name the device. A robot drives no program that lists the schema
+  /// while the device is silent.
+  void needs(std::string device) { spec_.needs.push_back(std::move(device)); }
+
+  /// Names the robot's device that these settings are for.
+  void configures(std::string device) { spec_.configures = std::move(device); }
 
   Refinement flag(bool T::*member, std::string name, bool default_value, std::string text) {
     return add({.name = std::move(name),
@@ -227,6 +236,7 @@ class Declaration {
   /// These two add no attribute. They give the component the robot's devices, or its own stream of
   /// random numbers.
   void uses_devices(const Devices* T::*member) {
+    uses_devices_ = true;
     connections_.push_back([member](T& t, const Wiring& wiring) { t.*member = &wiring.devices; });
   }
   void uses_random(Random T::*member) {
@@ -234,6 +244,14 @@ class Declaration {
   }
 
   [[nodiscard]] const ComponentSpec& spec() const noexcept { return spec_; }
+
+  /// Errors: throws std::logic_error if the component gets the robot's devices and names none that
+  /// it needs.
+  void require_named_devices() const {
+    if (uses_devices_ && spec_.needs.empty())
+      throw std::logic_error("'" + spec_.name +
+                             "' uses the robot's devices, but does not say which it needs");
+  }
 
   /// Sets every attribute that `values` gives, then the devices and random numbers. Requires: the
   /// checker has filled in the defaults.
@@ -281,6 +299,7 @@ class Declaration {
   ComponentSpec spec_;
   std::vector<Setter> setters_;
   std::vector<std::function<void(T&, const Wiring&)>> connections_;
+  bool uses_devices_ = false;
 };
 
 }  // namespace galilean

@@ -17,7 +17,7 @@ namespace galilean {
 class Registry {
  public:
   /// Adds a schema. Requires: T has `static void describe(Declaration<T>&)`. Errors: throws
-  /// std::logic_error if an attribute cannot have its role.
+  /// std::logic_error if an attribute cannot have its role, or if T uses devices and needs none.
   template <class T>
   void add_schema(std::string name) {
     constexpr auto kind = std::is_base_of_v<MotorSchema, T> ? ComponentKind::kMotorSchema
@@ -26,6 +26,7 @@ class Registry {
     T::describe(*declaration);
     if constexpr (kind == ComponentKind::kMotorSchema) declaration->takes_gain();
     require_sound_roles(declaration->spec());
+    declaration->require_named_devices();
     catalog_.components.push_back(declaration->spec());
     factories_[std::move(name)] = [declaration](const AttributeValues& values,
                                                 const Wiring& wiring) {

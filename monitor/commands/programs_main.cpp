@@ -62,8 +62,10 @@ std::string outcomes(const json& push) {
 /// Says that there is no push yet. `url` names the monitor.
 void tell_empty(const std::string& url) {
   std::cerr << kCommand << ": no program was pushed yet through the monitor at " << url
-            << ". It looks in history.sqlite in the folder of its --data, which is "
-            << default_data_folder().string() << " unless it was told another.\n";
+            << ". It looks in history.sqlite in the folder of its --data. Without --data that is "
+            << default_data_folder().string()
+            << ", and for another DDS domain than 0 or another port than 8080 the folder "
+            << "histories/domain-N-port-P in it.\n";
 }
 
 int list(const MonitorClient& monitor, const std::string& url, bool as_json) {

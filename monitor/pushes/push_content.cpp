@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/pushes/push_content.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/wire/ros_time.h"
 
 namespace galilean::monitor {
+namespace {
+
+/// A length of 0 would mean to a robot that its own rules hold. This one is over after a tick.
+constexpr Duration kShortestProbation = std::chrono::milliseconds(1);
+
+}  // namespace
 
 PushContent::PushContent(PushOrder order, PushIdentity identity)
     : order_(std::move(order)), identity_(std::move(identity)), is_ours_(true) {}
@@ -30,7 +37,8 @@ void PushContent::set_program(const CheckedProgram& program) {
   if (!order_.probation) return;
   // The robot's probation must last until the monitor has decided whether the canary rolls back.
   const Duration more = order_.canary.empty() ? Duration() : kReplyTimeout;
-  message_.probation_s = static_cast<float>(to_seconds(*order_.probation + more));
+  message_.probation_s =
+      static_cast<float>(to_seconds(std::max(*order_.probation + more, kShortestProbation)));
 }
 
 RolloutPlan PushContent::plan(const OrderTargets& targets) const {

@@ -4,6 +4,7 @@
 #include <ctime>
 #include <utility>
 
+#include "core/cut_text.h"
 #include "monitor/pushes/history/json.h"
 #include "monitor/pushes/history/words.h"
 
@@ -11,7 +12,7 @@ namespace galilean::monitor {
 namespace {
 
 std::string short_hash(const std::string& hash) {
-  return hash.substr(0, 8);
+  return std::string(cut_text(hash, 8));
 }
 
 std::string clock_time(std::int64_t since_epoch_ns) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/cut_text.h"
 #include "core/visible_text.h"
 
 namespace galilean::monitor {
@@ -18,7 +19,7 @@ bool is_listed_name(std::string_view name) {
 }
 
 Result<void> check_recording_name(std::string_view name) {
-  const auto shown = "'" + visible(name.substr(0, kLongestName)) + "'";
+  const auto shown = "'" + visible(cut_text(name, kLongestName)) + "'";
   if (name.size() > kLongestName)
     return Error{"A recording's name has at most 200 bytes; " + shown + " begins a longer one."};
   if (name.find_first_of("/\\") != name.npos)

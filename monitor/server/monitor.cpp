@@ -12,6 +12,7 @@
 #include "core/wire/ros_time.h"
 #include "monitor/background/guarded.h"
 #include "monitor/ingest/ingest.h"
+#include "monitor/pushes/history/history_folder.h"
 #include "monitor/recordings/upload.h"
 #include "monitor/server/api/api.h"
 #include "monitor/server/api/team_parameters.h"
@@ -22,6 +23,7 @@ namespace {
 namespace asio = boost::asio;
 
 constexpr auto kTellPeriod = std::chrono::milliseconds(100);
+constexpr const char* kHistoryFile = "history.sqlite";
 
 /// Returns an empty catalog if the file cannot be read, because robots publish catalogs of their
 /// own.
@@ -34,6 +36,20 @@ Catalog catalog_or_none(const std::filesystem::path& file) {
 
 std::filesystem::path library_folder(const MonitorOptions& options) {
   return options.library_folder.empty() ? default_library_folder() : options.library_folder;
+}
+
+/// Says where another history is if this one is only begun.
+Result<std::unique_ptr<History>> open_history(const MonitorOptions& options, std::uint32_t domain) {
+  const auto usual = options.data_folder / kHistoryFile;
+  const auto file = options.shares_data_folder
+                        ? history_folder(options.data_folder, domain, options.port) / kHistoryFile
+                        : usual;
+  std::error_code unknown;
+  if (!std::filesystem::exists(file, unknown) && std::filesystem::exists(usual, unknown))
+    std::clog << "galilean-monitor: the history of pushes in this domain and on this port begins "
+              << "in " << file.string() << "; another one is in " << usual.string()
+              << " and is shown with --data " << options.data_folder.string() << std::endl;
+  return History::open(file);
 }
 
 std::filesystem::path recordings_folder(const MonitorOptions& options) {
@@ -191,12 +207,12 @@ void Monitor::Parts::tell_regularly() {
 }
 
 Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) try {
-  auto history = History::open(options.data_folder / "history.sqlite");
-  if (!history) return history.error();
   auto tokens = open_tokens(options.data_folder);
   if (!tokens) return tokens.error();
   auto participant = wire::Participant::join(wire::kMonitorName, options.domain);
   if (!participant) return participant.error();
+  auto history = open_history(options, participant.value()->domain());
+  if (!history) return history.error();
   auto blocks = std::make_unique<Parts>(options, std::move(participant).value(),
                                         std::move(history).value(), tokens.value());
   if (tokens.value().are_new) blocks->new_operator_token = tokens.value().operator_;

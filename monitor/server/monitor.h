@@ -21,6 +21,8 @@ struct MonitorOptions {
   std::filesystem::path page_folder;
   std::filesystem::path library_folder;
   std::filesystem::path data_folder;  ///< keeps the tokens, the history of pushes and trials' files
+  bool shares_data_folder = false;    ///< other monitors use it, too: the history is kept in a
+                                      ///< folder within it, by domain and port
   std::filesystem::path recordings_folder;  ///< empty: "recordings" in the data folder
   std::filesystem::path catalog_file;
   std::filesystem::path simulator;  ///< galilean-sim's path; empty: the one beside this program

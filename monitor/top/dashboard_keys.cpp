@@ -2,6 +2,7 @@
 #include <cctype>
 #include <utility>
 
+#include "core/cut_text.h"
 #include "monitor/top/dashboard.h"
 #include "monitor/top/sheets/help_sheet.h"
 #include "monitor/top/sheets/push_sheet.h"
@@ -50,7 +51,8 @@ void Dashboard::press_with_text(const Press& press) {
   has_typed_ = true;
   std::string& text = typed();
   if (press.key == Key::kLetter) text += press.letter;
-  if (press.key == Key::kBackspace && !text.empty()) text.pop_back();
+  if (press.key == Key::kBackspace && !text.empty())
+    text.resize(cut_text(text, text.size() - 1).size());
   const Mode mode = mode_;
   if (press.key == Key::kEnter || press.key == Key::kEscape) mode_ = Mode::kTeam;
   if (press.key == Key::kEscape && mode == Mode::kFilter) text.clear();

@@ -31,6 +31,9 @@ class BoardSession {
   /// first call.
   void configure(const firmware::Parameters& parameters);
 
+  /// Sets after how much silence the board counts as gone.
+  void set_timeout(Duration timeout) noexcept { timeout_ = timeout; }
+
   /// Commands are dropped unless the session is ready: an old one must not move a robot later.
   void drive(const firmware::Drive& command);
   void stop();

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/devices/frame_grabber_settings.h"
 
+#include "core/device/device_names.h"
+
 namespace galilean::robot {
 
 void FrameGrabberSettings::describe(Declaration<FrameGrabberSettings>& is) {
   using S = FrameGrabberSettings;
   is.help("The camera: colour pictures of 352 x 186 pixels.");
+  is.configures(kFrameGrabberName);
   is.text(&S::device, "device", "/dev/video0",
           "a camera's device, a video or picture file, or ring:/name for the simulator's camera");
   is.number(&S::timeout_s, "timeout", unit::kSecond, 1,

@@ -14,6 +14,7 @@ MicrocontrollerLink::MicrocontrollerLink(ByteStream& line, const CommPortSetting
       problem_("The serial line " + line_name_ + " was not opened yet.") {}
 
 void MicrocontrollerLink::pump(Time now) {
+  if (new_timeout_.take()) session_.set_timeout(new_timeout_.reading());
   if (setup_.take()) {
     counts_per_m_ = setup_.reading().ticks_per_m * firmware::kCountsPerTick;
     session_.configure(setup_.reading().parameters);
@@ -97,6 +98,11 @@ void MicrocontrollerLink::stop() noexcept {
 
 void MicrocontrollerLink::configure(const MotorSetup& setup) noexcept {
   setup_.publish(setup);
+}
+
+void MicrocontrollerLink::set_timeout(Duration timeout) noexcept {
+  timeout_ = timeout;
+  new_timeout_.publish(timeout);
 }
 
 }  // namespace galilean::robot

@@ -44,6 +44,8 @@ class MicrocontrollerLink final : public CommPort {
   void drive(const firmware::Drive& command) noexcept;
   void stop() noexcept;
   void configure(const MotorSetup& setup) noexcept;
+  /// Sets after how much silence the line counts as lost, for another program.
+  void set_timeout(Duration timeout) noexcept;
 
  private:
   struct Order {
@@ -66,6 +68,7 @@ class MicrocontrollerLink final : public CommPort {
   double counts_per_m_ = 0;
   Report newest_;
 
+  Latest<Duration> new_timeout_;
   Latest<MotorSetup> setup_;
   Latest<Order> order_;
   Latest<GripperCommand> gripper_;

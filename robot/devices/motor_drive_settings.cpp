@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "core/device/device_names.h"
+
 namespace galilean::robot {
 namespace {
 
@@ -73,6 +75,7 @@ void describe_geometry(Declaration<S>& is) {
 
 void MotorDriveSettings::describe(Declaration<MotorDriveSettings>& is) {
   is.help("Steering and translation by two motors.");
+  is.configures(kMotorDriveName);
   describe_motion(is);
   describe_motors(is);
   describe_geometry(is);

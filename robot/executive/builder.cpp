@@ -73,7 +73,7 @@ class Builder {
   }
 
   std::unique_ptr<RunningProgram> build() {
-    made_->devices = DeviceSettings::of(text());
+    made_->devices = DeviceSettings::of(text(), material_.components.catalog());
     for (const auto& component : text().variables) make_variable(component);
     for (const auto& component : text().perceptual_schemas) make_schema(component, perceptual_);
     for (const auto& component : text().motor_schemas) make_schema(component, motor_);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/executive/device_settings.h"
 
+#include <algorithm>
+#include <set>
+#include <string_view>
+
 #include "core/catalog/registry.h"
 #include "core/device/comm_port.h"
 #include "core/device/device_names.h"
@@ -35,9 +39,28 @@ class NullDevices final : public CommPort, public MotorDrive, public FrameGrabbe
   CameraGeometry geometry_;
 };
 
+/// Returns whether a schema that a state lists needs the device.
+bool is_needed(std::string_view device, const bhdl::Program& program, const Catalog& catalog) {
+  std::set<std::string_view> perceptual;
+  std::set<std::string_view> motor;
+  for (const auto& state : program.states) {
+    perceptual.insert(state.perceptual_schemas.begin(), state.perceptual_schemas.end());
+    motor.insert(state.motor_schemas.begin(), state.motor_schemas.end());
+  }
+  const auto needs_it = [&](const std::set<std::string_view>& listed) {
+    return [&](const bhdl::Component& schema) {
+      const ComponentSpec* spec = catalog.find(schema.type);
+      return spec != nullptr && listed.contains(schema.name) &&
+             std::ranges::find(spec->needs, device) != spec->needs.end();
+    };
+  };
+  return std::ranges::any_of(program.perceptual_schemas, needs_it(perceptual)) ||
+         std::ranges::any_of(program.motor_schemas, needs_it(motor));
+}
+
 }  // namespace
 
-DeviceSettings DeviceSettings::of(const bhdl::Program& program) {
+DeviceSettings DeviceSettings::of(const bhdl::Program& program, const Catalog& catalog) {
   static NullDevices null_devices;  // made once, because its frame is large and nothing writes it
   VariableStore no_variables;
   const Devices no_devices{null_devices, null_devices, null_devices};
@@ -50,8 +73,8 @@ DeviceSettings DeviceSettings::of(const bhdl::Program& program) {
       result.frame_grabber = settings<FrameGrabberSettings>(device.attributes, wiring);
     else
       result.comm_port = settings<CommPortSettings>(device.attributes, wiring);
-    result.uses_camera |= device.type == kFrameGrabberName;
   }
+  result.uses_camera = is_needed(kFrameGrabberName, program, catalog);
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bhdl/program/program.h"
+#include "core/catalog/catalog.h"
 #include "robot/devices/comm_port_settings.h"
 #include "robot/devices/frame_grabber_settings.h"
 #include "robot/devices/motor_drive_settings.h"
@@ -14,9 +15,11 @@ struct DeviceSettings {
   CommPortSettings comm_port;
   MotorDriveSettings motor_drive;
   FrameGrabberSettings frame_grabber;
-  bool uses_camera = false;  ///< the program names a frame_grabber
+  bool uses_camera = false;  ///< a state lists a schema that needs the frame_grabber, whether or
+                             ///< not the program names one
 
-  [[nodiscard]] static DeviceSettings of(const bhdl::Program& program);
+  /// Requires: the program was checked against `catalog`.
+  [[nodiscard]] static DeviceSettings of(const bhdl::Program& program, const Catalog& catalog);
 };
 
 /// Applies a program's device settings when that program takes over. The control loop calls it. It

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/clock.h"
+#include "core/cut_text.h"
 #include "core/memory.h"
 #include "robot/executive/holding.h"
 
@@ -32,12 +33,13 @@ struct DeviceHealth {
   }
 };
 
-/// A short text that is stored without the heap. A longer text is cut.
+/// A short text that is stored without the heap. A longer text is cut where a character ends.
 class ShortText {
  public:
   ShortText() = default;
   explicit ShortText(std::string_view text) noexcept
-      : size_(static_cast<std::uint8_t>(text.copy(text_.data(), text_.size()))) {}
+      : size_(static_cast<std::uint8_t>(
+            cut_text(text, text_.size()).copy(text_.data(), text_.size()))) {}
   [[nodiscard]] std::string_view view() const noexcept { return {text_.data(), size_}; }
   void keep(Memory& memory) noexcept {
     for (char& letter : text_) memory.keep(letter);

@@ -27,6 +27,8 @@ Executive::Executive(const ExecutiveSetup& setup)
 Executive::~Executive() = default;
 
 Result<ProgramId> Executive::load(bhdl::Program program, const ProbationRules& rules) {
+  if (setup_.admits)
+    if (const auto admitted = setup_.admits(program); !admitted) return admitted.error();
   auto id =
       intake_.load(std::move(program), {setup_.components, devices_, Random(setup_.seed), rules});
   if (id && setup_.on_waiting) setup_.on_waiting();
@@ -114,6 +116,8 @@ void Executive::publish() noexcept {
                       .devices = devices_,
                       .health = health_,
                       .pose = pose(),
+                      .speed_mps = odometry_.speed_mps(),
+                      .turn_rate_radps = odometry_.turn_rate_radps(),
                       .standstill = standstill(),
                       .out_of_service = !orders_.in_service,
                       .in_probation = succession_.probation().active(),

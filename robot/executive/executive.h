@@ -44,6 +44,9 @@ struct ExecutiveSetup {
   /// Is called by `load` and `roll_back`, in their thread, when a program or an order waits for the
   /// next tick. An early tick would bring it into effect sooner. May be null.
   std::function<void()> on_waiting = nullptr;
+  /// Tells whether the robot can run a program, before `load` builds it. It is called in the thread
+  /// of `load`. May be null: then the robot can run every program.
+  std::function<Result<void>(const bhdl::Program&)> admits = nullptr;
 };
 
 /// The running program and its current state, which other threads read at once: aligned, every
@@ -74,7 +77,7 @@ class Executive {
   /// Any thread but control, or between ticks. Builds `program` while the current one runs. It
   /// takes over at the start of the next tick. The first program starts in its start state. A later
   /// one is in probation, by the rules of the setup or by its own. Errors: another program still
-  /// waits for its first tick; the program cannot be built.
+  /// waits for its first tick; the robot cannot run the program; the program cannot be built.
   Result<ProgramId> load(bhdl::Program program) {
     return load(std::move(program), setup_.probation);
   }

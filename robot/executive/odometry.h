@@ -26,6 +26,10 @@ class Odometry {
   /// Returns the first shaft of the program. Without a shaft it returns the robot's pose from its
   /// start.
   [[nodiscard]] Pose2 pose(const RunningProgram* program) const noexcept;
+  /// Return the robot's speed and turning rate when the board was heard last, whether or not its
+  /// program has a shaft.
+  [[nodiscard]] double speed_mps() const noexcept { return own_.speed_mps; }
+  [[nodiscard]] double turn_rate_radps() const noexcept { return own_.turn_rate_radps; }
 
   void keep(Memory& memory) noexcept;
 

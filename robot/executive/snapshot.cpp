@@ -54,10 +54,6 @@ void copy_variables(const RunningProgram& program, Snapshot& to) noexcept {
       copy_sightings(variable.value, to.variables.size(), to);
     to.variables.push_back(sample(variable, to.now));
   });
-  const auto& shafts = program.variables.all<Shaft>();
-  if (shafts.empty()) return;
-  to.speed_mps = shafts.front().value.speed_mps;
-  to.turn_rate_radps = shafts.front().value.turn_rate_radps;
 }
 
 void copy_forces(const RunningProgram& program, Snapshot& to) noexcept {
@@ -97,6 +93,8 @@ void copy_tick(const TickView& view, Snapshot& to) noexcept {
   to.in_probation = view.in_probation;
   to.health = view.health;
   to.pose = view.pose;
+  to.speed_mps = view.speed_mps;
+  to.turn_rate_radps = view.turn_rate_radps;
   to.frame = view.devices.frame_grabber.frame().number;
   to.frame_captured = view.devices.frame_grabber.frame().captured;
   to.view_angle_rad = view.devices.frame_grabber.geometry().view_angle_rad;

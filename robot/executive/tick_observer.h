@@ -25,7 +25,9 @@ struct TickView {
   const RunningProgram* program;  ///< null while there is none
   const Devices& devices;
   DeviceHealth health;
-  Pose2 pose;  ///< by dead reckoning, odom frame
+  Pose2 pose;                  ///< by dead reckoning, odom frame
+  double speed_mps = 0;        ///< forward positive, as the wheels turned last
+  double turn_rate_radps = 0;  ///< counter-clockwise positive
   Standstill standstill = {};
   bool out_of_service = false;
   bool in_probation = false;

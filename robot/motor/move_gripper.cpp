@@ -19,6 +19,7 @@ void MoveGripper::describe(Declaration<MoveGripper>& is) {
       .only_without("bits_variable")
       .role(Role::kGripperCommand);
   is.drives(kGripperName);
+  is.needs(kCommPortName);
   is.uses_devices(&MoveGripper::devices_);
 }
 

@@ -51,6 +51,7 @@ void MoveRobot::describe(Declaration<MoveRobot>& is) {
   is.flag(&MoveRobot::reverse_, "reverse", false,
           "whether it drives backwards along a force that points backwards, instead of turning");
   is.drives(kMotorDriveName);
+  is.needs(kMotorDriveName);
   is.uses_devices(&MoveRobot::devices_);
 }
 

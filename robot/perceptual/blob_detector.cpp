@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/device/device_names.h"
 #include "core/device/devices.h"
 #include "core/device/frame_grabber.h"
 
@@ -65,6 +66,7 @@ void BlobDetector::describe(Declaration<BlobDetector>& is) {
   is.number(static_cast<Number>(&TargetMemory::miss_penalty), "miss_penalty", unit::kNone, 0.1,
             "certainty lost with each picture in which a remembered place is in view and empty")
       .range(0, 1);
+  is.needs(kFrameGrabberName);
   is.uses_devices(&BlobDetector::devices_);
 }
 

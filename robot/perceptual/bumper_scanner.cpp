@@ -2,6 +2,7 @@
 #include "robot/perceptual/bumper_scanner.h"
 
 #include "core/device/comm_port.h"
+#include "core/device/device_names.h"
 #include "core/device/devices.h"
 
 namespace galilean::robot {
@@ -14,6 +15,7 @@ void BumperScanner::describe(Declaration<BumperScanner>& is) {
       .range(kAllBumpers, ControllerStatus::kBumpers - 1)
       .bit_of("bits_variable")
       .role(Role::kBumper);
+  is.needs(kCommPortName);
   is.uses_devices(&BumperScanner::devices_);
 }
 

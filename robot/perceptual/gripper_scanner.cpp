@@ -2,6 +2,7 @@
 #include "robot/perceptual/gripper_scanner.h"
 
 #include "core/device/comm_port.h"
+#include "core/device/device_names.h"
 #include "core/device/devices.h"
 
 namespace galilean::robot {
@@ -18,6 +19,7 @@ void GripperScanner::describe(Declaration<GripperScanner>& is) {
             "the bit that is 1 while the gripper is closed")
       .range(0, 31)
       .bit_of("bits_variable");
+  is.needs(kCommPortName);
   is.uses_devices(&GripperScanner::devices_);
 }
 

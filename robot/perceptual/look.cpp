@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/perceptual/look.h"
 
+#include "core/device/device_names.h"
 #include "core/device/devices.h"
 #include "core/device/frame.h"
 #include "core/device/frame_grabber.h"
@@ -38,6 +39,7 @@ void Look::describe(Declaration<Look>& is) {
       .role(Role::kChannel, "dark");
   is.flag(&Look::normalise_, "normalise", true,
           "whether dim pictures are first scaled to full brightness");
+  is.needs(kFrameGrabberName);
   is.uses_devices(&Look::devices_);
 }
 

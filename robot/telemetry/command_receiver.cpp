@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/command_receiver.h"
 
+#include "core/device/comm_port.h"
 #include "core/wire/topic_names.h"
 #include "robot/log/log.h"
 
@@ -13,6 +14,16 @@ CommandReceiver::CommandReceiver(const TelemetrySource& source, BreakDesk& desk,
       commands_(
           source.participant, wire::kCommandTopic, source.robot,
           [this](const msg::Command& command) { obey(command); }, report) {}
+
+void CommandReceiver::push_bumper(const msg::Command& command) {
+  const std::string which = std::to_string(command.argument);
+  if (command.argument < 0 || command.argument >= ControllerStatus::kBumpers)
+    return log_warning(command.author + " pushed bumper " + which +
+                       ", which is not there: from 0 to " +
+                       std::to_string(ControllerStatus::kBumpers - 1) + " are");
+  log_info(command.author + " pushed bumper " + which);
+  executive_.push_bumper(command.argument);
+}
 
 void CommandReceiver::obey(const msg::Command& command) {
   switch (command.kind) {
@@ -29,8 +40,7 @@ void CommandReceiver::obey(const msg::Command& command) {
       log_info(command.author + " put this robot into service");
       return executive_.commission();
     case msg::Command_Constants::PUSH_BUMPER:
-      log_info(command.author + " pushed bumper " + std::to_string(command.argument));
-      return executive_.push_bumper(command.argument);
+      return push_bumper(command);
     default:
       log_warning(command.author + " sent a command of unknown kind " +
                   std::to_string(command.kind));

@@ -17,6 +17,7 @@ class CommandReceiver {
 
  private:
   void obey(const msg::Command& command);
+  void push_bumper(const msg::Command& command);
 
   Executive& executive_;
   BreakDesk& desk_;

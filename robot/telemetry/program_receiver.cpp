@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bhdl/source/sha256.h"
+#include "core/cut_text.h"
 #include "core/failure.h"
 #include "core/wire/reader.h"
 #include "core/wire/topic_names.h"
@@ -37,12 +38,15 @@ std::vector<msg::Diagnostic> to_messages(const std::vector<bhdl::Diagnostic>& di
   return messages;
 }
 
-constexpr float kLongestProbation_s = 3600;
+/// An hour, which is the most that an operator can order, and the time in which a monitor decides
+/// whether the canary's program is rolled back.
+constexpr float kLongestProbation_s = 3610;
+constexpr std::size_t kShownOfHash = 8;
 
 /// Errors: the push's rules of probation are not valid.
 Result<void> check_rules(const msg::ProgramPush& push) {
   if (!(push.probation_s >= 0 && push.probation_s <= kLongestProbation_s))
-    return Error{"its probation must last from 0 to 3600 s, not " +
+    return Error{"its probation must last from 0 to 3610 s, not " +
                  std::to_string(push.probation_s)};
   if (push.most_transitions_per_s > ProbationRules::kMostCounted)
     return Error{"its limit must be at most " + std::to_string(ProbationRules::kMostCounted) +
@@ -110,7 +114,8 @@ Result<void> ProgramReceiver::handle_from(const std::optional<std::string>& send
 
 void ProgramReceiver::handle(const msg::ProgramRollback& message) {
   const PushLedger::Push order{message.id, message.hash, {}};
-  log_info(message.author + " ordered a rollback of program " + message.hash.substr(0, 8));
+  log_info(message.author + " ordered a rollback of program " +
+           std::string(cut_text(message.hash, kShownOfHash)));
   wait_until_runs(message.hash);
   const std::string reason = "by " + message.author + ": " + message.reason;
   if (const auto ordered = ledger_.roll_back(order, reason); !ordered)
@@ -133,17 +138,16 @@ void ProgramReceiver::handle(const msg::ProgramPush& message) {
   if (const auto admitted = admit(message, files); !admitted)
     return reject(push, admitted.error().message);
   log_info(message.author + " pushed program " + files.front().path + " (" +
-           push.hash.substr(0, 8) + ")");
+           std::string(cut_text(push.hash, kShownOfHash)) + ")");
   send({.id = push.id,
         .hash = push.hash,
-        .running_hash = ledger_.running().hash(),
+        .running_hash = ledger_.running_hash(),
         .status = status::RECEIVED});
   auto checked = bhdl::check(std::move(files), vocabulary_);
   if (!checked.program)
     return reject(push, "the program has errors", to_messages(checked.diagnostics));
   push.warnings = to_messages(checked.diagnostics);
-  run_program(std::move(*checked.program), rules_of(message, source_.executive.probation_rules()),
-              std::move(push));
+  run_program(std::move(*checked.program), message, std::move(push));
 }
 
 Result<void> ProgramReceiver::admit(const msg::ProgramPush& push,
@@ -151,22 +155,18 @@ Result<void> ProgramReceiver::admit(const msg::ProgramPush& push,
   if (files.empty()) return Error{"the push contains no file"};
   if (bhdl::program_hash(files) != push.hash)
     return Error{"its hash does not match its files: they were changed on the way"};
-  const std::string running = ledger_.running().hash();
-  if (!push.replaces_hash.empty() && push.replaces_hash != running)
-    return Error{"it is meant to replace program " + push.replaces_hash + ", but program " +
-                 running + " runs"};
   return check_rules(push);
 }
 
-void ProgramReceiver::run_program(bhdl::Program program, const ProbationRules& rules,
+// Only after its turn it is certain which program this one would replace.
+void ProgramReceiver::run_program(bhdl::Program program, const msg::ProgramPush& message,
                                   PushLedger::Push push) {
   if (!wait_for_turn(source_.executive)) return reject(push, "the control loop stands still");
-  if (ledger_.running().hash() == push.hash) {
-    for (auto& reply : ledger_.join_running(std::move(push))) send(std::move(reply));
-    return;
-  }
-  const auto loaded = ledger_.load(std::move(program), rules, push);
-  if (!loaded) reject(push, loaded.error().message);
+  auto taken =
+      ledger_.load(std::move(program), rules_of(message, source_.executive.probation_rules()), push,
+                   message.replaces_hash);
+  if (!taken) return reject(push, taken.error().message);
+  for (auto& reply : taken.value()) send(std::move(reply));
 }
 
 void ProgramReceiver::on_event(const Event& event) {
@@ -175,10 +175,11 @@ void ProgramReceiver::on_event(const Event& event) {
 
 void ProgramReceiver::reject(const PushLedger::Push& push, std::string why,
                              std::vector<msg::Diagnostic> diagnostics) {
-  log_warning("program " + push.hash.substr(0, 8) + " was rejected: " + why);
+  log_warning("program " + std::string(cut_text(push.hash, kShownOfHash)) +
+              " was rejected: " + why);
   send({.id = push.id,
         .hash = push.hash,
-        .running_hash = ledger_.running().hash(),
+        .running_hash = ledger_.running_hash(),
         .status = status::REJECTED,
         .message = std::move(why),
         .diagnostics = std::move(diagnostics)});

@@ -40,7 +40,7 @@ class ProgramReceiver {
   /// Errors: the push is refused before its program is read.
   [[nodiscard]] Result<void> admit(const msg::ProgramPush& push,
                                    const std::vector<bhdl::SourceFile>& files) const;
-  void run_program(bhdl::Program program, const ProbationRules& rules, PushLedger::Push push);
+  void run_program(bhdl::Program program, const msg::ProgramPush& message, PushLedger::Push push);
   void reject(const PushLedger::Push& push, std::string why,
               std::vector<msg::Diagnostic> diagnostics = {});
   void send(msg::ProgramReply reply);

@@ -15,16 +15,38 @@ PushLedger::Running PushLedger::running() const {
   return running_;
 }
 
-Result<ProgramId> PushLedger::load(bhdl::Program program, const ProbationRules& rules, Push push) {
-  // The lock covers both, so that the push is known before its program can begin to run.
-  const std::lock_guard lock(mutex_);
-  auto loaded = executive_.load(std::move(program), rules);
-  if (loaded) pushes_.emplace(loaded.value(), std::move(push));
-  return loaded;
+std::shared_ptr<const Description> PushLedger::runs_now() const {
+  return executive_.description(executive_.running());
 }
 
-Replies PushLedger::join_running(Push push) {
+std::string PushLedger::running_hash() const {
+  const auto runs = runs_now();
+  return runs ? runs->program.hash : "";
+}
+
+Result<Replies> PushLedger::load(bhdl::Program program, const ProbationRules& rules, Push push,
+                                 const std::string& replaces) {
+  // The lock covers it all, so that the push is known before its program can begin to run. Events
+  // wait meanwhile: what was told is never newer than what runs.
   const std::lock_guard lock(mutex_);
+  const auto runs = runs_now();
+  const std::string hash = runs ? runs->program.hash : "";
+  if (!replaces.empty() && replaces != hash)
+    return Error{"it is meant to replace program " + replaces + ", but " +
+                 (hash.empty() ? "no program" : "program " + hash) + " runs"};
+  if (runs && hash == push.hash) {
+    if (running_.program && running_.program->id == runs->id) return join_running(std::move(push));
+    joined_.emplace(runs->id, std::move(push));
+    return Replies{};
+  }
+  const auto loaded = executive_.load(std::move(program), rules);
+  if (!loaded) return loaded.error();
+  pushes_.emplace(loaded.value(), std::move(push));
+  return Replies{};
+}
+
+/// Requires: mutex_ is locked, and the push is of the program that events told of last.
+Replies PushLedger::join_running(Push push) {
   Replies replies{reply(push, status::RUNNING)};
   replies.front().message = "it runs already";
   replies.front().tick = running_.since_tick;
@@ -33,6 +55,12 @@ Replies PushLedger::join_running(Push push) {
   else
     pushes_.emplace(running_.program->id, std::move(push));
   return replies;
+}
+
+void PushLedger::answer_those_who_joined(ProgramId program, Replies& replies) {
+  for (auto [push, end] = joined_.equal_range(program); push != end; ++push)
+    for (auto& made : join_running(std::move(push->second))) replies.push_back(std::move(made));
+  joined_.erase(program);
 }
 
 Result<void> PushLedger::roll_back(Push order, std::string_view reason) {
@@ -84,6 +112,7 @@ Replies PushLedger::started(const Event& event) {
       made.kept_variables = kept_variables(*before, *running_.program);
     made.diagnostics = push->second.warnings;
   }
+  answer_those_who_joined(event.program, replies);
   return replies;
 }
 
@@ -108,6 +137,7 @@ Replies PushLedger::rolled_back(const Event& event) {
     concerned->erase(concerned->upper_bound(event.program),
                      concerned->upper_bound(event.from_program));
   }
+  answer_those_who_joined(event.program, replies);
   return replies;
 }
 

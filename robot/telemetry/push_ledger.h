@@ -31,13 +31,18 @@ class PushLedger {
 
   explicit PushLedger(Executive& executive) : executive_(executive) {}
 
+  /// Returns what the events told so far.
   [[nodiscard]] Running running() const;
-  /// Lets the executive build `program` and take it over, and enters the push. Errors: as
-  /// Executive::load.
-  [[nodiscard]] Result<ProgramId> load(bhdl::Program program, const ProbationRules& rules,
-                                       Push push);
-  /// Enters a push of the program that runs already. No program is exchanged. Returns the answers.
-  [[nodiscard]] std::vector<msg::ProgramReply> join_running(Push push);
+  /// Returns the hash of the program that runs now, even if no event told of it yet; empty: none.
+  [[nodiscard]] std::string running_hash() const;
+  /// Lets the executive build `program` and take it over, and enters the push. If that program runs
+  /// already, none is exchanged. What runs is judged by the executive, because events come later
+  /// than programs. Returns the answers that can be given at once. Requires: no program waits for
+  /// its first tick. Errors: a program with another hash than `replaces`, which is not empty, runs;
+  /// as Executive::load.
+  [[nodiscard]] Result<std::vector<msg::ProgramReply>> load(bhdl::Program program,
+                                                            const ProbationRules& rules, Push push,
+                                                            const std::string& replaces);
   /// Orders the executive to roll back the program that `order` names by its hash.
   /// Errors: another program runs, none ran before it, or too many orders wait.
   [[nodiscard]] Result<void> roll_back(Push order, std::string_view reason);
@@ -45,6 +50,9 @@ class PushLedger {
   [[nodiscard]] std::vector<msg::ProgramReply> answers(const Event& event);
 
  private:
+  [[nodiscard]] std::shared_ptr<const Description> runs_now() const;
+  [[nodiscard]] std::vector<msg::ProgramReply> join_running(Push push);
+  void answer_those_who_joined(ProgramId program, std::vector<msg::ProgramReply>& replies);
   [[nodiscard]] std::vector<msg::ProgramReply> started(const Event& event);
   [[nodiscard]] std::vector<msg::ProgramReply> confirmed(const Event& event);
   [[nodiscard]] std::vector<msg::ProgramReply> rolled_back(const Event& event);
@@ -56,6 +64,8 @@ class PushLedger {
   mutable std::mutex mutex_;
   Running running_;
   std::multimap<ProgramId, Push> pushes_;  ///< pushes that are not yet confirmed and still may be
+  std::multimap<ProgramId, Push> joined_;  ///< pushes of a program that runs already, of which no
+                                           ///< event told yet
   std::multimap<ProgramId, Push> orders_;  ///< orders to roll back that are not yet carried out
 };
 

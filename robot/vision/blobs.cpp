@@ -11,6 +11,9 @@ namespace {
 constexpr int kWordBits = 32;
 constexpr int kRowWords = Image::kWidth / kWordBits;
 static_assert(Image::kWidth % kWordBits == 0, "a row of the mask is a whole number of words");
+static_assert(std::endian::native == std::endian::little,
+              "four bytes of the mask are read as one word, whose lowest bit must be the first "
+              "pixel of the first byte");
 
 }  // namespace
 

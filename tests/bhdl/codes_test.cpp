@@ -193,6 +193,10 @@ std::vector<CodeCase> cases() {
            "variables: locate: name: \"can\" end perceptual_schemas: forget: name: "
            "\"f\" variables: \"can\" time: 2 radius: 30 end end state: name: "
            "\"s\" perceptual_schemas: \"f\" end end"),
+      text("device/unnamed",
+           "variables: locate: name: \"can\" end perceptual_schemas: look: name: \"l\" "
+           "locate_variable: \"can\" end end state: name: \"s\" perceptual_schemas: \"l\" end "
+           "end"),
       text("expect/nothing", with_state("expect: name: \"e\" end ")),
       text("too-many", with_state("motor_schemas: " + word_times("x: end ", 150) + "end ")),
   };

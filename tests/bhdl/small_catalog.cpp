@@ -146,6 +146,15 @@ ComponentSpec obstacle_detector() {
            std::move(shaft)}};
 }
 
+ComponentSpec look() {
+  ComponentSpec spec{"look",
+                     ComponentKind::kPerceptualSchema,
+                     "Finds an object in the camera's picture.",
+                     {reference("locate_variable", "locate", Access::kWrite)}};
+  spec.needs = {"frame_grabber"};
+  return spec;
+}
+
 }  // namespace
 
 Catalog small_catalog() {
@@ -184,6 +193,7 @@ Catalog small_catalog() {
             kPerceptualSchema,
             "Reads the bumpers.",
             {reference("bits_variable", "bits", Access::kWrite)}},
+           look(),
            obstacle_detector(),
            time_detector(),
            forget(),

@@ -136,6 +136,7 @@ describe('a folder of recordings', () => {
     assert.deepEqual([read.status, read.headers['access-control-allow-origin']], [206, '*']);
     const asked = await ask('/recordings/run.mcap', { method: 'OPTIONS', headers: { 'access-control-request-headers': 'range' } });
     assert.equal(asked.status, 204);
+    assert.equal(asked.headers['content-length'], undefined, 'RFC 9110, 8.6');
     assert.match(asked.headers['access-control-allow-headers'], /range/);
     assert.equal((await ask(`/api/recordings?token=${token('operator')}`)).status, 403);
   });

@@ -64,3 +64,21 @@ test('a robot takes programs over DDS only from those that it was told to', { ti
     await robot.line(/first -> second \(program swapped\)/);
   });
 });
+
+test('a program for another serial line is refused, pushed or saved, and the robot runs on', { timeout: 60_000 }, async (t) => {
+  const folder = scratchFolder(t);
+  const [file, pushed] = ['first.bhdl', 'second.bhdl'].map((name) => join(folder, name));
+  const on = (line, state) => `input_devices: comm_port: device: "${join(folder, line)}" end end\n${withState(state)}`;
+  writeFileSync(file, on('a.serial', 'first'));
+  writeFileSync(pushed, on('b.serial', 'second'));
+  const domain = freshDomain();
+  const robot = new Running(t, ['robot', '--bhdl', file, '--watch', '--camera', 'shm:none', '--accept-swaps-from', 'swap'], { domain });
+  await robot.line(/comm_port/);
+  const refused = galilean(['swap', pushed, '--robot', 'io', '--direct'], { domain });
+  assert.equal(refused.status, 1, refused.stderr);
+  assert.match(refused.stdout, /rejected.*comm_port is '[^']*b\.serial' in this program, and this robot runs on '[^']*a\.serial'.*restart/);
+  writeFileSync(file, on('b.serial', 'third'));
+  await robot.line(/was saved, but cannot run: comm_port is '[^']*b\.serial'/);
+  writeFileSync(file, on('a.serial', 'fourth'));
+  await robot.line(/first -> fourth \(program swapped\)/);
+});

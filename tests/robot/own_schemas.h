@@ -24,6 +24,7 @@ class Contours final : public PerceptualSchema {
   static void describe(Declaration<Contours>& is) {
     is.help("Draws contours.");
     is.writes(&Contours::picture_, "drawn_on", "the contours").role(Role::kChannel, "contours");
+    is.needs(kFrameGrabberName);
     is.uses_devices(&Contours::devices_);
   }
   void run(const Tick& tick) override {
@@ -108,6 +109,7 @@ class Steer final : public MotorSchema {
         .role(Role::kGain, "brake");
     is.writes(&Steer::way_, "way", "where to");
     is.drives(kMotorDriveName);
+    is.needs(kMotorDriveName);
     is.uses_devices(&Steer::devices_);
   }
   void run(const Tick& tick) override {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bhdl/source/names.h"
+#include "core/cut_text.h"
 
 namespace galilean::expect {
 namespace {
@@ -75,14 +76,8 @@ std::string TokenReader::text_since(std::size_t position) const {
     if (apart) text += ' ';
     text.append(token.begin, token.end);
   }
-  if (text.size() >= kLongestText) {
-    text.resize(kLongestText);
-    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80)
-      text.pop_back();
-    text.pop_back();
-    text += "…";
-  }
-  return text;
+  if (text.size() < kLongestText) return text;
+  return std::string(cut_text(text, kLongestText - 1)) + "…";
 }
 
 }  // namespace galilean::expect

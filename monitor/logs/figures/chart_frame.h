@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/cut_text.h"
 #include "core/visible_text.h"
 #include "monitor/logs/figures/chart.h"
 
@@ -52,7 +53,7 @@ struct ChartFrame {
 
 /// Returns the last part of a name, as much of it as `width` letters have room for.
 [[nodiscard]] inline std::string label_of(const std::string& name, std::size_t width) {
-  return visible(name.substr(name.rfind('.') + 1)).substr(0, width);
+  return std::string(cut_text(visible(name.substr(name.rfind('.') + 1)), width));
 }
 
 }  // namespace galilean::logs

@@ -38,6 +38,12 @@ std::uint32_t mask_of(double index) {
   return index > kLastBit ? 0 : std::uint32_t{1} << static_cast<unsigned>(index);
 }
 
+/// Returns the bits that a message gives as a number, and none if the number is no 32 bits.
+std::uint32_t bits_in(double value) {
+  constexpr double kMost = 4294967295;
+  return value >= 0 && value <= kMost ? static_cast<std::uint32_t>(value) : 0;
+}
+
 bool has_one_of(const std::vector<std::string>& list, const std::set<std::string>& names) {
   return std::ranges::any_of(list, [&](const auto& name) { return names.contains(name); });
 }
@@ -87,7 +93,7 @@ void ContactSensors::update(const msg::Variables& variables, Time now) {
     if (variable.type != msg::Variable_Constants::BITS || !variable.valid ||
         variable.values.empty())
       continue;
-    const auto bits = static_cast<std::uint32_t>(variable.values.front());
+    const std::uint32_t bits = bits_in(variable.values.front());
     const auto is_set = [&](const SensorBits& sensor) {
       return sensor.variable == variable.name && (bits & sensor.mask) != 0;
     };

@@ -94,6 +94,9 @@ void OccupancyGridMap::add_line_of_sight(const Vec2& from_m, double direction_ra
                                          std::optional<double> seen_m, double sure) {
   const Vec2 step = kCell_m * unit_vector(direction_rad);
   const double length_m = seen_m ? *seen_m - kObjectRadius_m : kClear_m;
+  // A camera sees nothing from farther away than the map is large, and a place that is no number is
+  // not seen at all.
+  if (!(length_m > 0 && length_m < kMaxSize_m)) return;
   const auto steps = static_cast<int>(length_m / kCell_m);
   if (steps <= 0 || !make_room(from_m) || !make_room(from_m + steps * step)) return;
   const auto look = seen_m ? OccupancyCells::Look::kAtObject : OccupancyCells::Look::kAtNothing;

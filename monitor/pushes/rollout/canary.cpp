@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/cut_text.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -48,7 +50,8 @@ Verdict Canary::see(bool silent, const std::string& running_hash, Time now) cons
   const bool settled = now - *runs_since_ >= kReplyTimeout / 2;
   const std::string pushed = reply().reply.hash;
   if (settled && !pushed.empty() && running_hash != pushed)
-    return {Kind::kFailed, robot_ + " runs another program now: " + running_hash.substr(0, 8)};
+    return {Kind::kFailed,
+            robot_ + " runs another program now: " + std::string(cut_text(running_hash, 8))};
   return {};
 }
 

@@ -2,6 +2,7 @@
 #include "monitor/server/api/operations.h"
 
 #include "bhdl/diff/diff.h"
+#include "core/device/comm_port.h"
 #include "core/wire/messages.h"
 #include "core/wire/participant.h"
 #include "core/wire/ros_time.h"
@@ -57,7 +58,7 @@ TrialOptions trial_field(RequestFields& request) {
   trial.wanted = true;
   trial.only = fields.flag("only");
   trial.even_if_worse = fields.flag("even_if_worse");
-  trial.seeds = static_cast<int>(fields.number("seeds", trial.seeds, 1, 64));
+  trial.seeds = fields.whole_number("seeds", trial.seeds, 1, 64);
   trial.duration_s = fields.number("duration_s", trial.duration_s, 1, 3600);
   trial.scenario = fields.text("scenario");
   if (!fields.ok()) request.refuse(fields.objection());
@@ -75,6 +76,11 @@ PushOrder order_of(RequestFields& fields) {
   if (fields.find("probation_s"))
     order.probation = from_seconds(fields.number("probation_s", 0, 0, kLongest_s));
   return order;
+}
+
+std::int32_t argument_of(std::uint8_t kind, RequestFields& fields) {
+  if (kind != msg::Command_Constants::PUSH_BUMPER) return fields.whole_number("argument", 0);
+  return fields.whole_number("argument", 0, 0, ControllerStatus::kBumpers - 1);
 }
 
 Outcome refused(const RequestFields& fields) {
@@ -141,7 +147,7 @@ void Operations::command(const nlohmann::json& request, Finish finish) {
   msg::Command command;
   command.author = fields.text("author", "operator");
   command.targets = fields.names("targets");
-  command.argument = fields.whole_number("argument", 0);
+  command.argument = argument_of(kind == command_kinds().end() ? 0 : kind->second, fields);
   if (!fields.ok()) return finish(refused(fields));
   command.kind = kind->second;
   send(commands_, std::move(command), std::move(finish));

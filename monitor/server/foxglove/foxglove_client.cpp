@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "core/cut_text.h"
 #include "core/json_text.h"
 #include "monitor/access/access.h"
 #include "monitor/background/guarded.h"
@@ -70,7 +71,8 @@ void Hub::Client::receive_text(std::string_view text) {
     return refuse("A message must be a JSON object with a string \"op\".");
   const auto known = kOperations.find(op);
   if (known == kOperations.end())
-    return refuse("This server does not know the operation \"" + op.substr(0, 40) + "\".");
+    return refuse("This server does not know the operation \"" + std::string(cut_text(op, 40)) +
+                  "\".");
   const auto done = guarded("a client's message", [&] { known->second(*this, fields); });
   if (!done) return refuse("The monitor cannot do this now: " + done.error().message + ".");
   if (!fields.ok()) refuse(fields.objection());

@@ -8,6 +8,11 @@
 namespace galilean::monitor {
 namespace {
 
+/// Returns whether an answer of this status has a body, and so a length (RFC 9110, 8.6).
+bool has_body(int status) {
+  return status >= 200 && status != 204 && status != 304;
+}
+
 /// How long a client may go on with a body that was refused.
 constexpr auto kLongestRest = std::chrono::seconds(10);
 
@@ -21,7 +26,7 @@ void HttpConnection::respond(HttpResponse response) {
   outgoing_ = std::move(response.stream);
   body_ = response.body ? std::move(response.body) : std::make_shared<const std::string>();
   write_head(response);
-  const bool with_body = !head_only_ && response.status != 304;
+  const bool with_body = !head_only_ && has_body(response.status);
   stream_.expires_after(kLongestRequest);
   // Head and body are written without a copy, mostly in one system call. Beast's serializer would
   // take longer than that call.
@@ -46,7 +51,7 @@ void HttpConnection::write_head(const HttpResponse& response) {
   for (const auto& [name, value] : response.headers) write_field(name, value);
   if (keep_alive_ != (version_ == 11))
     write_field("Connection", keep_alive_ ? "keep-alive" : "close");
-  if (response.status != 304)
+  if (has_body(response.status))
     write_field("Content-Length", std::to_string(outgoing_ ? outgoing_->bytes : body_->size()));
   head_.append("\r\n");
 }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/cut_text.h"
 #include "core/json_text.h"
 #include "monitor/background/guarded.h"
 #include "monitor/server/foxglove/foxglove_messages.h"
@@ -34,15 +35,6 @@ Result<Duration> read_seconds(const std::string& text) {
   if (*end != '\0' || !std::isfinite(seconds) || seconds < 0 || seconds > kLongest_s)
     return Error{"'at' must be a number of seconds since the recording's start."};
   return from_seconds(seconds);
-}
-
-/// Cuts a text where a character of UTF-8 begins.
-std::string shortened(std::string text) {
-  if (text.size() <= kLongestReason) return text;
-  std::size_t end = kLongestReason;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
-  text.resize(end);
-  return text;
 }
 
 class ReplaySession final : public std::enable_shared_from_this<ReplaySession> {
@@ -142,7 +134,8 @@ class ReplaySession final : public std::enable_shared_from_this<ReplaySession> {
     else if (op == "unsubscribe")
       unsubscribe(fields.list("subscriptionIds"));
     else
-      fields.refuse("A replay does not know the operation \"" + op.substr(0, 40) + "\".");
+      fields.refuse("A replay does not know the operation \"" + std::string(cut_text(op, 40)) +
+                    "\".");
     if (!fields.ok()) object(fields.objection());
   }
 
@@ -184,7 +177,9 @@ class ReplaySession final : public std::enable_shared_from_this<ReplaySession> {
     if (std::exchange(closing_, true)) return;
     refusal_ = foxglove::status(foxglove::StatusLevel::kError, why);
     socket_.write(refusal_, [self = shared_from_this(), why](error_code error) {
-      if (!error) self->socket_.close(CloseCode::kPolicy, shortened(why), [self](error_code) {});
+      if (!error)
+        self->socket_.close(CloseCode::kPolicy, std::string(cut_text(why, kLongestReason)),
+                            [self](error_code) {});
     });
   }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/text/request_fields.h"
 
-#include <limits>
 #include <utility>
 
 #include "core/json_text.h"
@@ -60,13 +59,16 @@ std::string RequestFields::text(const char* name, std::string absent) {
   return absent;
 }
 
-int RequestFields::whole_number(const char* name, int absent) {
-  using Limits = std::numeric_limits<int>;
+int RequestFields::whole_number(const char* name, int absent, int least, int most) {
   const json* value = find(name);
   if (!value) return absent;
-  if (is_whole_number(*value)) return *value;
-  refuse(must_be(name, "a whole number from " + std::to_string(Limits::min()) + " to " +
-                           std::to_string(Limits::max())));
+  // The type is asked first, because the conversion of a larger number would keep its lowest bits.
+  if (is_whole_number(*value)) {
+    const int number = *value;
+    if (number >= least && number <= most) return number;
+  }
+  refuse(must_be(name,
+                 "a whole number from " + std::to_string(least) + " to " + std::to_string(most)));
   return absent;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -17,7 +18,10 @@ class RequestFields {
   explicit RequestFields(const nlohmann::json& request);
 
   [[nodiscard]] std::string text(const char* name, std::string absent = {});
-  [[nodiscard]] int whole_number(const char* name, int absent);
+  /// Returns the member if it is a whole number from `least` to `most`, both included.
+  [[nodiscard]] int whole_number(const char* name, int absent,
+                                 int least = std::numeric_limits<int>::min(),
+                                 int most = std::numeric_limits<int>::max());
   /// Returns the member if it is a number from `least` to `most`, both included.
   [[nodiscard]] double number(const char* name, double absent, double least, double most);
   [[nodiscard]] bool flag(const char* name);

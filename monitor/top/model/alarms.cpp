@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/cut_text.h"
 #include "monitor/team/break_reason.h"
 
 namespace galilean::monitor::top {
@@ -44,7 +45,7 @@ void find_failed_pushes(const DashboardModel& model, std::vector<Alarm>& alarms)
     if (!refused && reply.status != statuses::ROLLED_BACK) continue;
     const std::string name = model.pushed_name(reply.id);
     std::string words = reply.robot + (refused ? " refused " : " went back from ") +
-                        (name.empty() ? reply.hash.substr(0, 8) : name);
+                        (name.empty() ? std::string(cut_text(reply.hash, 8)) : name);
     if (!reply.message.empty()) words += ": " + reply.message;
     alarms.push_back(
         {"push " + reply.id + " " + reply.robot, AlarmKind::kPush, reply.robot, std::move(words)});

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <utility>
 
+#include "core/cut_text.h"
 #include "core/wire/ros_time.h"
 #include "monitor/top/model/alarms.h"
 #include "monitor/top/screen/utf8.h"
@@ -38,7 +39,7 @@ std::string whom_and_answers(const PastPush& push) {
 Sheet::Line line_of_push(const PastPush& push, const std::string& runs_hash) {
   constexpr int kWhen = 12, kHash = 10, kProgram = 18, kAuthor = 12, kState = 10;
   const bool runs = !push.hash.empty() && push.hash == runs_hash;
-  return {in_column(when_pushed(push.pushed_ns), kWhen) + in_column(push.hash.substr(0, 8), kHash) +
+  return {in_column(when_pushed(push.pushed_ns), kWhen) + in_column(cut_text(push.hash, 8), kHash) +
               in_column(push.program, kProgram) + in_column(push.author, kAuthor) +
               in_column(runs ? "runs now" : push.state, kState) + "to " + whom_and_answers(push),
           push.has_failed ? Style::kAlarm

@@ -16,6 +16,8 @@ class Example final : public MotorSchema {
   static void describe(Declaration<Example>& is) {
     is.help("For the test.");
     is.drives("motor_drive");
+    is.needs("motor_drive");
+    is.needs("comm_port");
     is.reads(&Example::goal_, "goal_variable", "what to read");
     is.writes(&Example::result_, "result", "what to write").optional();
     is.number(&Example::radius_m_, "radius", unit::kCentimetre, 20, "a length")
@@ -48,6 +50,8 @@ TEST(Catalog, SurvivesJson) {
   ASSERT_TRUE(read.ok()) << read.error().message;
   EXPECT_EQ(catalog_to_json(read.value()), text);
   EXPECT_EQ(read.value().find("example")->drives, "motor_drive");
+  EXPECT_EQ(read.value().find("example")->needs,
+            (std::vector<std::string>{"motor_drive", "comm_port"}));
   EXPECT_EQ(read.value().find("example")->find("bit_index")->bit_of, "bits_variable");
   const auto* radius = read.value().find("example")->find("raduis");
   ASSERT_NE(radius, nullptr);
@@ -56,6 +60,34 @@ TEST(Catalog, SurvivesJson) {
   EXPECT_EQ(radius->maximum, 100);
   EXPECT_FALSE(radius->required());
   EXPECT_TRUE(read.value().find("example")->find("goal_variable")->required());
+}
+
+/// Gets the devices and does not say which it needs.
+class Careless final : public PerceptualSchema {
+ public:
+  static void describe(Declaration<Careless>& is) {
+    is.help("For the test.");
+    is.uses_devices(&Careless::devices_);
+  }
+  void run(const Tick&) override {}
+
+ private:
+  const Devices* devices_ = nullptr;
+};
+
+TEST(Catalog, ASchemaThatUsesDevicesSaysWhichItNeeds) {
+  Registry registry;
+  EXPECT_THROW(registry.add_schema<Careless>("careless"), std::logic_error);
+  EXPECT_EQ(registry.catalog().find("careless"), nullptr);
+}
+
+TEST(Catalog, SettingsSayWhichDeviceTheyAreFor) {
+  ComponentSpec spec{.name = "communication_port"};
+  EXPECT_EQ(spec.device(), "communication_port");
+  spec.configures = "comm_port";
+  const auto read = catalog_from_json(catalog_to_json(Catalog{{spec}}));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read.value().find("communication_port")->device(), "comm_port");
 }
 
 TEST(Catalog, CarriesRolesAsWords) {

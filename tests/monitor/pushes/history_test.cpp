@@ -8,10 +8,12 @@
 
 #include <csignal>
 #include <fstream>
+#include <set>
 
 #include "core/random.h"
 #include "core/wire/messages.h"
 #include "core/wire/ros_time.h"
+#include "monitor/pushes/history/history_folder.h"
 #include "monitor/pushes/history/sql.h"
 #include "tests/temporary_folder.h"
 
@@ -226,6 +228,17 @@ TEST_F(HistoryTest, AFolderThatCannotBeWrittenIsAnErrorThatSaysWhatToDo) {
   const auto history = History::open(folder / "file" / "history.sqlite");
   ASSERT_FALSE(history);
   EXPECT_NE(history.error().message.find("--data DIR"), std::string::npos);
+}
+
+TEST(HistoryFolder, IsOneForEachDomainAndPort) {
+  const fs::path data = "/data";
+  std::set<fs::path> folders;
+  for (const std::uint32_t domain : {0U, 7U, 80U})
+    for (const std::uint16_t port : {std::uint16_t{80}, std::uint16_t{8080}, std::uint16_t{8090}})
+      folders.insert(history_folder(data, domain, port));
+  EXPECT_EQ(folders.size(), 9U);
+  EXPECT_EQ(history_folder(data, 0, 8080), data) << "where it always was";
+  EXPECT_EQ(history_folder(data, 7, 8090), data / "histories" / "domain-7-port-8090");
 }
 
 }  // namespace

@@ -147,6 +147,33 @@ TEST(Push, TheMessageToRobotsHasWhatTheOrderSays) {
   EXPECT_FALSE(sent->is_for_team);
 }
 
+/// Returns the length of probation that robots are sent.
+float sent_probation_s(const std::string& canary, std::optional<Duration> probation) {
+  auto order = order_for(canary);
+  order.probation = probation;
+  Push push = ordered(order);
+  pass_check(push);
+  for (const auto& request : requests_of(push))
+    if (const auto* sent = std::get_if<SendProgram>(&request)) return sent->push.probation_s;
+  ADD_FAILURE() << "nothing was sent";
+  return -1;
+}
+
+TEST(Push, AProbationOfNothingIsOrderedAndNotTheRobotsOwn) {
+  EXPECT_EQ(sent_probation_s("", std::nullopt), 0) << "the robot's own";
+  for (const char* canary : {"", "io"}) {
+    EXPECT_GT(sent_probation_s(canary, Duration()), 0) << canary;
+    EXPECT_LE(sent_probation_s(canary, Duration()), to_seconds(kReplyTimeout)) << canary;
+  }
+  EXPECT_LT(sent_probation_s("", Duration()), 0.01F) << "less than a tick";
+}
+
+TEST(Push, TheLongestProbationOfACanaryIsOneThatRobotsTake) {
+  constexpr float kLongestThatRobotsTake_s = 3610;
+  EXPECT_GE(sent_probation_s("io", Duration(1h)), 3600);
+  EXPECT_LE(sent_probation_s("io", Duration(1h)), kLongestThatRobotsTake_s);
+}
+
 TEST(Push, TheOthersWaitUntilTheCanaryHasProvedTheProgram) {
   auto push = on_probation(Time{1s});
   push.update(Time{10s});

@@ -91,11 +91,20 @@ TEST_F(BadRequestTest, EveryServiceNamesTheFieldThatHasTheWrongType) {
 TEST_F(BadRequestTest, ATrialsFieldsAreReadAsCarefully) {
   for (const json& trial :
        {json{{"only", 3}}, json{{"even_if_worse", "x"}}, json{{"seeds", 0}}, json{{"seeds", 1e300}},
+        json{{"seeds", 1.5}}, json{{"seeds", (std::int64_t{1} << 32) + 8}},
         json{{"duration_s", -1}}, json{{"duration_s", nullptr}}, json{{"scenario", json::array()}}})
     EXPECT_THAT(
         failure(id_of("/galilean/push"), json{{"files", files(kProgram)}, {"try", trial}}.dump()),
         HasSubstr("'" + trial.begin().key() + "'"))
         << trial;
+}
+
+TEST_F(BadRequestTest, NoBumperIsPushedThatIsNotThere) {
+  for (const std::int64_t argument :
+       {std::int64_t{-1}, std::int64_t{8}, std::int64_t{4294967297}, std::int64_t{99999999999999}})
+    EXPECT_THAT(failure(id_of("/galilean/push_bumper"), json{{"argument", argument}}.dump()),
+                HasSubstr("'argument' must be a whole number from 0 to 7"))
+        << argument;
 }
 
 TEST_F(BadRequestTest, EveryOperationNamesTheFieldThatHasTheWrongType) {

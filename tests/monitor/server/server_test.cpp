@@ -200,5 +200,19 @@ TEST_F(ServerTest, APortThatIsTakenOrABadAddressIsOneLine) {
   EXPECT_EQ(run_command(start + "127.0.0.1:0 --domain 999").exit_code, 2);
 }
 
+/// A monitor that keeps its history in the folder of a user, which others use as well.
+class SharedFolderTest : public ServerFixture {
+ protected:
+  void change(MonitorOptions& options) override { options.shares_data_folder = true; }
+};
+
+TEST_F(SharedFolderTest, AMonitorKeepsItsHistoryApartAndTheTokensTogether) {
+  const auto own = folder / "histories" / ("domain-" + std::to_string(test_domain()) + "-port-0") /
+                   "history.sqlite";
+  EXPECT_TRUE(std::filesystem::exists(own)) << own;
+  EXPECT_FALSE(std::filesystem::exists(folder / "history.sqlite"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "operator.token"));
+}
+
 }  // namespace
 }  // namespace galilean::monitor

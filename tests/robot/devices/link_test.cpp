@@ -63,6 +63,21 @@ TEST_F(Link, ALostLineIsNamedStopsTheWheelsAndComesBack) {
   EXPECT_EQ(robot.bench().outputs.left_pwm, 0) << "an old command drove on";
 }
 
+TEST_F(Link, AnotherProgramsTimeoutHoldsFromThenOn) {
+  robot.run(50);
+  link.set_timeout(std::chrono::milliseconds(100));
+  robot.board_runs = false;
+  robot.run(200);
+  EXPECT_FALSE(link.healthy());
+  robot.board_runs = true;
+  robot.run(500);
+  ASSERT_TRUE(link.healthy());
+  link.set_timeout(std::chrono::seconds(2));
+  robot.board_runs = false;
+  robot.run(kTimeout_ms + 500);
+  EXPECT_TRUE(link.healthy());
+}
+
 TEST_F(Link, ASilentBoardIsNamedAndComesBack) {
   robot.run(50);
   robot.board_runs = false;

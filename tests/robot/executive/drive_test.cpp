@@ -74,20 +74,69 @@ TEST(Drive, ALostLineStopsTheMotorsAndTheyComeBackWithIt) {
   EXPECT_TRUE(robot.drive.moving);
 }
 
-TEST(Drive, ALostCameraStopsTheMotorsOfAProgramThatUsesIt) {
-  TestRobot seeing;
-  ASSERT_TRUE(seeing.load(driving_program("input_devices: frame_grabber: end end", "\"ahead\"")));
-  TestRobot blind;
-  ASSERT_TRUE(blind.load(driving_program("", "\"ahead\"")));
-  for (TestRobot* robot : {&seeing, &blind}) {
-    robot->camera.answers = false;
-    robot->tick();
+/// Drives ahead. It defines a schema that needs the camera, and lists it if `looks`.
+std::string looking_program(const std::string& devices, bool looks) {
+  return devices + R"(
+variables: image: name: "red" end
+perceptual_schemas: look: name: "look" red_variable: "red" end end
+motor_schemas: ahead: name: "ahead" speed: 0.2 end end
+states:
+  state: name: "go" )" +
+         (looks ? "perceptual_schemas: \"look\" end " : "") + R"(motor_schemas: "ahead" end end
+end
+)";
+}
+constexpr const char* kNamedCamera = "input_devices: frame_grabber: end end";
+
+TEST(Drive, ALostCameraStopsTheMotorsOfAProgramWhoseSchemasUseItEvenIfItDoesNotNameIt) {
+  for (const char* devices : {kNamedCamera, ""}) {
+    TestRobot robot;
+    ASSERT_TRUE(robot.load(looking_program(devices, true)));
+    robot.tick();
+    EXPECT_TRUE(robot.drive.moving) << devices;
+    robot.camera.answers = false;
+    robot.tick();
+    EXPECT_FALSE(robot.drive.moving) << devices;
+    robot.camera.answers = true;
+    robot.tick();
+    EXPECT_TRUE(robot.drive.moving) << devices;
   }
-  EXPECT_FALSE(seeing.drive.moving);
-  EXPECT_TRUE(blind.drive.moving);
-  seeing.camera.answers = true;
-  seeing.tick();
-  EXPECT_TRUE(seeing.drive.moving);
+}
+
+TEST(Drive, ALostCameraStopsNoProgramWhoseStatesDoNotUseIt) {
+  for (const char* devices : {kNamedCamera, ""}) {
+    TestRobot robot;
+    ASSERT_TRUE(robot.load(looking_program(devices, false)));
+    robot.camera.answers = false;
+    robot.tick();
+    EXPECT_TRUE(robot.drive.moving) << devices;
+  }
+}
+
+/// Returns the lines in which the robot's catalog finds that a device is not named.
+std::vector<int> lines_without_device(const std::string& devices) {
+  const auto checked = bhdl::check({{"test.bhdl", devices + R"(
+variables: shaft: name: "shaft" bits: name: "b" image: name: "red" force: name: "f" end
+perceptual_schemas: bumper_scanner: name: "scan" bits_variable: "b" end
+  look: name: "look" red_variable: "red" end end
+motor_schemas: move_robot: name: "go" input_force: "f" shaft_variable: "shaft" end end
+state: name: "go" perceptual_schemas: "scan" "look" end motor_schemas: "go" end end
+)"}},
+                                   test_components().catalog());
+  EXPECT_TRUE(checked.program);
+  std::vector<int> lines;
+  for (const auto& each : checked.diagnostics)
+    if (each.code == "device/unnamed") lines.push_back(each.line);
+  return lines;
+}
+
+TEST(Drive, AProgramThatUsesDevicesWithoutNamingThemIsWarnedOf) {
+  EXPECT_EQ(lines_without_device(""), (std::vector<int>{3, 4, 5}));
+  EXPECT_EQ(lines_without_device("input_devices: communication_port: end frame_grabber: end end"),
+            (std::vector<int>{5}));
+  EXPECT_EQ(lines_without_device("input_devices: comm_port: end frame_grabber: end end "
+                                 "output_devices: motor_drive: end end"),
+            std::vector<int>());
 }
 
 TEST(Drive, WhenNobodyDrivesAnyMoreTheLastCommandEndsWithItsTimeout) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/catalog/registry.h"
+#include "core/device/device_names.h"
 #include "core/device/devices.h"
 #include "core/device/motor_drive.h"
 
@@ -97,6 +98,7 @@ class Ahead final : public MotorSchema {
   static void describe(Declaration<Ahead>& is) {
     is.help("Drives ahead.");
     is.number(&Ahead::speed_mps_, "speed", unit::kMetrePerSecond, 0.1, "forward").range(-1, 1);
+    is.needs(kMotorDriveName);
     is.uses_devices(&Ahead::devices_);
   }
   void run(const Tick&) override { devices_->motor_drive.drive({.speed_mps = speed_mps_}); }

@@ -46,6 +46,27 @@ TEST(SnapshotTap, HoldsEveryVariableInTheOrderOfTheDescription) {
   EXPECT_TRUE(found);
 }
 
+// The tap has three snapshots, which it fills in turn: each must get the speeds anew.
+TEST(SnapshotTap, TellsTheSpeedsOfAProgramWithoutAShaftAfterOneWithAShaft) {
+  SnapshotTap tap;
+  TestRobot robot(1, {&tap});
+  ASSERT_TRUE(robot.load("variables: shaft: name: \"shaft\" end state: name: \"a\" end"));
+  robot.port.next.left_speed_mps = 0.1;
+  robot.port.next.right_speed_mps = 0.3;
+  robot.tick(4);
+  ASSERT_TRUE(tap.take());
+  EXPECT_NEAR(tap.newest().speed_mps, 0.2, 1e-9);
+  EXPECT_NEAR(tap.newest().turn_rate_radps, 0.2 / 0.4, 1e-9);
+  ASSERT_TRUE(robot.load("state: name: \"b\" end"));
+  robot.port.next.left_speed_mps = robot.port.next.right_speed_mps = -0.1;
+  for (int i = 0; i < 4; ++i) {
+    robot.tick();
+    ASSERT_TRUE(tap.take());
+    EXPECT_NEAR(tap.newest().speed_mps, -0.1, 1e-9);
+    EXPECT_NEAR(tap.newest().turn_rate_radps, 0, 1e-9);
+  }
+}
+
 TEST(SnapshotTap, LosesNoEventOfManyTicksThatNobodyReads) {
   SnapshotTap tap;
   TestRobot robot(1, {&tap});

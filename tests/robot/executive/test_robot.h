@@ -63,14 +63,16 @@ class TestRobot {
                      const Registry& own_components = test_components())
       : components(own_components) {
     more.push_back(&events);
-    executive = std::make_unique<Executive>(ExecutiveSetup{.components = components,
-                                                           .devices = {port, drive, camera},
-                                                           .clock = clock,
-                                                           .stopwatch = stopwatch,
-                                                           .seed = seed,
-                                                           .probation = probation,
-                                                           .observers = std::move(more),
-                                                           .on_waiting = [this] { on_waiting(); }});
+    executive = std::make_unique<Executive>(
+        ExecutiveSetup{.components = components,
+                       .devices = {port, drive, camera},
+                       .clock = clock,
+                       .stopwatch = stopwatch,
+                       .seed = seed,
+                       .probation = probation,
+                       .observers = std::move(more),
+                       .on_waiting = [this] { on_waiting(); },
+                       .admits = [this](const auto& program) { return admits(program); }});
     journal.clear();
   }
 
@@ -108,6 +110,9 @@ class TestRobot {
   ScriptedCamera camera;
   EventList events;
   std::function<void()> on_waiting = [] {};
+  std::function<Result<void>(const bhdl::Program&)> admits = [](const auto&) {
+    return Result<void>();
+  };
   std::unique_ptr<Executive> executive;
 };
 

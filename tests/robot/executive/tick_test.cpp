@@ -36,6 +36,13 @@ states:
 end
 )";
 
+TEST(ShortText, IsCutWhereACharacterEnds) {
+  const std::string letters(126, 'a');
+  EXPECT_EQ(ShortText(letters + "b").view(), letters + "b");
+  EXPECT_EQ(ShortText(letters + "é").view(), letters);
+  EXPECT_EQ(ShortText(letters + "木 and more").view(), letters);
+}
+
 TEST(Tick, PerceivesInListedOrderThenSequencesThenActsInTheNewState) {
   TestRobot robot;
   ASSERT_TRUE(robot.load(kTwoStates));

@@ -3,6 +3,7 @@
 
 #include "core/wire/topic_names.h"
 #include "core/wire/writer.h"
+#include "robot/executive/opened_devices.h"
 #include "tests/robot/telemetry/telemetry_robot.h"
 
 namespace galilean::robot {
@@ -183,6 +184,12 @@ TEST_F(ReceiverTest, APushBringsItsOwnProbation) {
   push.id = "endless";
   push.files[0].text += ";";
   push.hash = bhdl::program_hash({{push.files[0].path, push.files[0].text}});
+  push.probation_s = 3602;  // of a canary for an hour, until its monitor has decided
+  io.send(push);
+  EXPECT_TRUE(io.tick_until([&] { return running_hash() == push.hash; }));
+  push.id = "none";
+  push.files[0].text += ";";
+  push.hash = bhdl::program_hash({{push.files[0].path, push.files[0].text}});
   push.probation_s = std::numeric_limits<float>::quiet_NaN();
   io.send(push);
   const auto rejected = replies.wait_for(has_status(status::REJECTED));
@@ -271,6 +278,24 @@ TEST_F(ReceiverTest, RefusesToReplaceWhatDoesNotRun) {
   const auto rejected = replies.wait_for(has_status(status::REJECTED));
   ASSERT_TRUE(rejected);
   EXPECT_THAT(rejected->message, HasSubstr("0123"));
+}
+
+TEST_F(ReceiverTest, RefusesAProgramForOtherDevicesAndRunsOn) {
+  const std::string before = running_hash();
+  const OpenedDevices opened{.serial = "/dev/ttyS0"};
+  io.robot.admits = [opened](const bhdl::Program& program) {
+    return opened.accept(program, test_components().catalog());
+  };
+  const std::string line = "input_devices: comm_port: device: \"/dev/ttyS1\" end end\n";
+  io.send(io.push(line + kWaits));
+  const auto rejected = replies.wait_for(has_status(status::REJECTED));
+  ASSERT_TRUE(rejected);
+  EXPECT_EQ(rejected->running_hash, before);
+  EXPECT_EQ(rejected->message,
+            "comm_port is '/dev/ttyS1' in this program, and this robot runs on '/dev/ttyS0': "
+            "devices are opened when a robot starts, so restart it with this program");
+  io.robot.tick(3);
+  EXPECT_EQ(running_hash(), before);
 }
 
 TEST_F(ReceiverTest, WhatRunsAlreadyRunsOn) {

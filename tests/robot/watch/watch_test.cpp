@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "robot/executive/opened_devices.h"
 #include "robot/watch/program_watch.h"
 #include "tests/robot/executive/test_robot.h"
 #include "tests/temporary_folder.h"
@@ -319,6 +320,25 @@ TEST_F(WatchTest, ABrokenSaveChangesNothingAndSaysWhy) {
   write(file, with_state("fifth"));
   EXPECT_TRUE(comes_to("fifth"));
   EXPECT_EQ(swaps(), 2);
+}
+
+TEST_F(WatchTest, ASaveForOtherDevicesChangesNothingAndSaysWhy) {
+  const OpenedDevices opened{.camera = "a.jpg"};
+  robot.admits = [opened](const bhdl::Program& program) {
+    return opened.accept(program, test_components().catalog());
+  };
+  start();
+  write_aside_and_rename(
+      file, "input_devices: frame_grabber: device: \"b.jpg\" end end\n" + with_state("second"));
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  const auto told = [this] { return log->text().find("cannot run") != std::string::npos; };
+  while (!told() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  EXPECT_THAT(log->text(), HasSubstr("frame_grabber is 'b.jpg' in this program, and this robot "
+                                     "runs on 'a.jpg'"));
+  robot.tick(3);
+  EXPECT_EQ(robot.state(), "first");
+  write_aside_and_rename(file, with_state("third"));
+  EXPECT_TRUE(comes_to("third"));
 }
 
 TEST_F(WatchTest, SaysWhereASaveIsBroken) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace galilean::monitor {
 namespace {
 
@@ -87,6 +89,21 @@ msg::Variables bits(const std::string& name, std::uint32_t value) {
                              .valid = true,
                              .values = {static_cast<double>(value)}});
   return variables;
+}
+
+TEST_F(ContactSensorsTest, WhatIsNoNumberOfBitsBreaksNoBeam) {
+  sensors = {};
+  sensors.set_program(fetching(), gripping());
+  for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL, -1.0, 1e300, 4294967296.0}) {
+    msg::Variables variables;
+    variables.items.push_back({.name = "gripper",
+                               .type = msg::Variable_Constants::BITS,
+                               .valid = true,
+                               .values = {value}});
+    sensors.update(variables, now);
+    now += 10s;
+    EXPECT_FALSE(holds_in("push")) << value;
+  }
 }
 
 // The names are of no schema that ships: what counts is the role.

@@ -45,6 +45,14 @@ TEST(Guard, OnlyItsOwnPageAndAllowedOnesMayAsk) {
   EXPECT_FALSE(passes(guard, "localhost:8080", "null"));
 }
 
+TEST(Guard, APageOfTheSameHostByAnotherSchemeIsAStranger) {
+  const Guard guard("127.0.0.1", {});
+  EXPECT_TRUE(passes(guard, "LocalHost:8080", "HTTP://localhost:8080"));
+  for (const auto* origin : {"https://localhost:8080", "ws://localhost:8080", "localhost:8080",
+                             "//localhost:8080", "x-http://localhost:8080", "http://", "://"})
+    EXPECT_FALSE(passes(guard, "localhost:8080", origin)) << origin;
+}
+
 TEST(Guard, DesktopProgramsWhosePagesAreFilesMayAsk) {
   const Guard guard("127.0.0.1", {});
   EXPECT_TRUE(passes(guard, "localhost:8080", "file://"));

@@ -7,6 +7,7 @@
 #include "core/broken_pipe.h"
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "monitor/access/access.h"
 #include "monitor/access/tokens.h"
 #include "monitor/server/monitor.h"
 
@@ -59,8 +60,24 @@ int run(const monitor::MonitorOptions& options) {
     std::cout << "  Open " << link << "/#token=" << token << " to steer the team.\n"
               << "  This link is printed only once. The token is kept in "
               << monitor::operator_token_file(options.data_folder).string() << std::endl;
+  if (!monitor::is_loopback(options.address))
+    std::cout
+        << "  This is plain HTTP: anyone on the network between here and a reader can read the "
+           "tokens, and steer the team with them."
+        << std::endl;
   running->run();
   return EXIT_SUCCESS;
+}
+
+/// Returns why the monitor may not listen there; empty if it may. Whoever can listen to the network
+/// has the operator's token as soon as it is sent once, so nobody shall come to that by accident.
+std::string unprotected(const monitor::MonitorOptions& options, bool plain) {
+  if (plain || monitor::is_loopback(options.address)) return {};
+  const auto port = std::to_string(options.port);
+  return "--listen " + options.address +
+         " is heard on the network, where anyone can read the tokens of plain HTTP; give --plain, "
+         "too, if you trust that network, or listen on 127.0.0.1 and reach it with 'ssh -L " +
+         port + ":127.0.0.1:" + port + " HOST'";
 }
 
 /// Returns which of the folders is a file or anything else that is no folder; empty if none is.
@@ -88,11 +105,14 @@ int main(int argc, char** argv) {
   options.data_folder = monitor::default_data_folder();
   options.recordings_folder = options.data_folder / "recordings";
   double silent_after_s = 2;
+  bool plain = false;
   CommandLine app("Watches and steers a team of robots, and serves the page that shows it.",
                   "galilean monitor");
   app.option(
       "--listen", [&](const std::string& text) { return read_listen(text, options); },
       "where to serve, ADDRESS:PORT (127.0.0.1:8080)");
+  app.flag("--plain", plain,
+           "serve plain HTTP on a network whose every user may read the tokens and steer the team");
   galilean::add_domain_option(app, options.domain);
   app.option("--web", options.page_folder, "folder of the built page").names_folder();
   app.option("--programs", options.library_folder, "folder of the programs to choose from")
@@ -120,6 +140,7 @@ int main(int argc, char** argv) {
       .not_empty();
   if (const auto code = app.parse(argc, argv)) return *code;
   if (const auto wrong = no_folder(options); !wrong.empty()) return app.refuse(wrong);
+  if (const auto why = unprotected(options, plain); !why.empty()) return app.refuse(why);
   options.map.silent_after = galilean::from_seconds(silent_after_s);
   return run(options);
 }

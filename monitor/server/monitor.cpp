@@ -10,6 +10,7 @@
 #include "bhdl/program/catalog_file.h"
 #include "core/installation.h"
 #include "core/wire/ros_time.h"
+#include "monitor/access/token_watch.h"
 #include "monitor/background/guarded.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/recordings/upload.h"
@@ -22,6 +23,8 @@ namespace {
 namespace asio = boost::asio;
 
 constexpr auto kTellPeriod = std::chrono::milliseconds(100);
+/// A socket whose token was revoked is closed within one period, and cut within two.
+constexpr auto kTokenPeriod = std::chrono::milliseconds(400);
 
 /// Returns an empty catalog if the file cannot be read, because robots publish catalogs of their
 /// own.
@@ -67,6 +70,8 @@ struct Monitor::Parts {
   asio::io_context io{1};
   asio::signal_set signals{io, SIGINT, SIGTERM};
   asio::steady_timer tell_timer{io};
+  asio::steady_timer token_timer{io};
+  TokenWatch token_watch;
   SendRounds rounds{io};
   Worker worker{io};
   Worker language_worker{io};
@@ -88,7 +93,7 @@ struct Monitor::Parts {
   std::string new_operator_token;
 
   Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-        std::unique_ptr<History> opened, Tokens tokens);
+        std::unique_ptr<History> opened, const Tokens& tokens);
   ~Parts() {
     playbacks.finish();
     coverage.stop();
@@ -103,10 +108,12 @@ struct Monitor::Parts {
   [[nodiscard]] Ingest::Callbacks callbacks();
   void receive(const Message& message);
   void tell_regularly();
+  void look_at_tokens();
+  void look_at_tokens_regularly();
 };
 
 Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-                      std::unique_ptr<History> opened, Tokens tokens)
+                      std::unique_ptr<History> opened, const Tokens& tokens)
     : participant(std::move(joined)),
       history(std::move(opened)),
       team(clock, options.map.silent_after),
@@ -115,6 +122,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
       hub("galilean-monitor",
           [this](std::uint32_t channel_id, bool wanted) { ingest.want(channel_id, wanted); }),
       recordings(recordings_folder(options)),
+      token_watch(named_tokens_file(options.data_folder)),
       language{language_worker, team, library.catalog(), library_folder(options)},
       map(*participant, clock, options.map),
       trials(io, team,
@@ -135,7 +143,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
            *history,
            {recordings, recording_list, recording_worker, coverage}}),
       server(io, {Guard(options.address, options.allowed_origins),
-                  Access(std::move(tokens), is_loopback(options.address)),
+                  Access(tokens, is_loopback(options.address)),
                   [this](const HttpRequest& request, const Respond& respond) {
                     api.answer(request, respond);
                   },
@@ -152,6 +160,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
   });
   recording_worker.run([this] { remove_abandoned_uploads(recordings); });
   tell_regularly();
+  look_at_tokens_regularly();
 }
 
 Ingest::Callbacks Monitor::Parts::callbacks() {
@@ -187,6 +196,27 @@ void Monitor::Parts::tell_regularly() {
   tell_timer.expires_after(kTellPeriod);
   tell_timer.async_wait([this](boost::system::error_code error) {
     if (!error) tell_regularly();
+  });
+}
+
+void Monitor::Parts::look_at_tokens() {
+  const auto changed = token_watch.look();
+  if (!changed) return;
+  if (*changed) return server.set_named_tokens(changed->value());
+  // Nobody can say which of them are still meant to be valid. The operator's own file is.
+  server.set_named_tokens({});
+  std::clog << "galilean-monitor: " << changed->error().message
+            << "; until then no named token gives a right" << std::endl;
+}
+
+void Monitor::Parts::look_at_tokens_regularly() {
+  (void)guarded("looking at the tokens", [this] {
+    look_at_tokens();
+    server.end_withdrawn();
+  });
+  token_timer.expires_after(kTokenPeriod);
+  token_timer.async_wait([this](boost::system::error_code error) {
+    if (!error) look_at_tokens_regularly();
   });
 }
 

@@ -45,7 +45,16 @@ void HttpServer::close() {
 HttpServer::Counts HttpServer::counts() const {
   Counts counts = context_->counts;
   counts.replays = context_->replay.playbacks.running();
+  counts.revoked = context_->sockets.ended();
   return counts;
+}
+
+void HttpServer::set_named_tokens(std::vector<NamedToken> tokens) {
+  context_->access.set_named(std::move(tokens));
+}
+
+void HttpServer::end_withdrawn() {
+  context_->sockets.end_withdrawn(context_->access);
 }
 
 void HttpServer::accept() {

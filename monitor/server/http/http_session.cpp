@@ -61,6 +61,7 @@ HttpConnection::HttpConnection(boost::asio::ip::tcp::socket socket,
     : stream_(std::move(socket)), context_(std::move(context)) {
   ++context_->counts.connections;
   error_code ignored;
+  address_ = stream_.socket().remote_endpoint(ignored).address().to_string();
   stream_.socket().set_option(boost::asio::ip::tcp::no_delay(true), ignored);
 }
 
@@ -151,9 +152,11 @@ std::optional<HttpRequest> HttpConnection::begin(const Request<Body>& message) {
     respond(problem(403, admitted.error().message));
     return {};
   }
-  request.right = context_->guard.is_of_stranger(request)
-                      ? context_->access.right_by_token(request.token)
-                      : context_->access.right_of(request.token);
+  request.right = right_of(request);
+  if (const auto wait = held_off()) {
+    respond(too_many_guesses(*wait));
+    return {};
+  }
   return request;
 }
 
@@ -167,12 +170,15 @@ void HttpConnection::become_websocket(const HttpRequest& request, const TextRequ
   stream_.expires_never();
   auto socket = stream_.release_socket();
   auto& rounds = context_->rounds;
+  std::weak_ptr<Revocable> session;
   if (request.path == "/lsp")
-    serve_language(std::move(socket), message, rounds, context_->language);
+    session = serve_language(std::move(socket), message, rounds, context_->language);
   else if (request.path == "/replay")
-    serve_replay(std::move(socket), message, rounds, context_->replay);
+    session = serve_replay(std::move(socket), message, rounds, context_->replay);
   else
-    serve_websocket(std::move(socket), message, context_->hub, rounds, request.right);
+    session = serve_websocket(std::move(socket), message, context_->hub, rounds, request.right);
+  if (token_right_ != Right::kNone)
+    context_->sockets.add(digest_, token_right_, std::move(session));
 }
 
 void HttpConnection::handle(const HttpRequest& request) {

@@ -91,6 +91,7 @@ struct Monitor::Parts {
   wire::Graph graph;
   std::uint16_t port = 0;
   std::string new_operator_token;
+  std::string fingerprint;
 
   Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
         std::unique_ptr<History> opened, const Tokens& tokens);
@@ -107,6 +108,7 @@ struct Monitor::Parts {
 
   [[nodiscard]] Ingest::Callbacks callbacks();
   void receive(const Message& message);
+  [[nodiscard]] Result<void> begin_tls(const MonitorOptions& options);
   void tell_regularly();
   void look_at_tokens();
   void look_at_tokens_regularly();
@@ -142,7 +144,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
            worker,
            *history,
            {recordings, recording_list, recording_worker, coverage}}),
-      server(io, {Guard(options.address, options.allowed_origins),
+      server(io, {Guard(options.address, options.allowed_origins, options.tls ? "https" : "http"),
                   Access(tokens, is_loopback(options.address)),
                   [this](const HttpRequest& request, const Respond& respond) {
                     api.answer(request, respond);
@@ -199,6 +201,21 @@ void Monitor::Parts::tell_regularly() {
   });
 }
 
+Result<void> Monitor::Parts::begin_tls(const MonitorOptions& options) {
+  auto files = options.certificate;
+  if (files.certificate.empty()) {
+    files = own_certificate(options.data_folder);
+    if (auto made = ensure_own_certificate(files); !made) return made;
+  }
+  auto door = TlsDoor::open(files);
+  if (!door) return door.error();
+  auto read = fingerprint_of(files.certificate);
+  if (!read) return read.error();
+  fingerprint = std::move(read).value();
+  server.use_tls(std::move(door).value());
+  return {};
+}
+
 void Monitor::Parts::look_at_tokens() {
   const auto changed = token_watch.look();
   if (!changed) return;
@@ -230,6 +247,8 @@ Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) tr
   auto blocks = std::make_unique<Parts>(options, std::move(participant).value(),
                                         std::move(history).value(), tokens.value());
   if (tokens.value().are_new) blocks->new_operator_token = tokens.value().operator_;
+  if (options.tls)
+    if (const auto begun = blocks->begin_tls(options); !begun) return begun.error();
   const auto port = blocks->server.listen(options.address, options.port);
   if (!port) return port.error();
   blocks->port = port.value();
@@ -247,6 +266,10 @@ std::uint16_t Monitor::port() const noexcept {
 
 std::string Monitor::new_operator_token() const {
   return parts_->new_operator_token;
+}
+
+std::string Monitor::fingerprint() const {
+  return parts_->fingerprint;
 }
 
 void Monitor::run() {

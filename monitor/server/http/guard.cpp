@@ -21,9 +21,6 @@ std::string without_port(std::string_view host) {
   return lower(host.substr(0, host.find(':')));
 }
 
-/// What a browser puts before the host of a page from here.
-constexpr std::string_view kScheme = "http://";
-
 /// The origin that a browser's engine sends for a page that was opened as a file.
 constexpr std::string_view kDesktopProgram = "file://";
 
@@ -46,7 +43,7 @@ bool Guard::is_allowed_origin(const std::string& origin) const {
 bool Guard::is_of_stranger(const HttpRequest& request) const {
   if (request.origin.empty() || is_allowed_origin(request.origin)) return false;
   return lower(request.origin) != kDesktopProgram &&
-         lower(request.origin) != std::string(kScheme) + lower(request.host);
+         lower(request.origin) != scheme_ + "://" + lower(request.host);
 }
 
 Result<void> Guard::admit(const HttpRequest& request) const {

@@ -26,9 +26,13 @@ class Guard {
  public:
   static constexpr std::string_view kSharedPath = "/recordings/";
 
-  /// `allowed_origins` are written as a browser sends them: "https://studio.example.org".
-  Guard(std::string listen_address, std::vector<std::string> allowed_origins)
-      : listen_address_(std::move(listen_address)), allowed_origins_(std::move(allowed_origins)) {}
+  /// `allowed_origins` are written as a browser sends them: "https://studio.example.org". `scheme`
+  /// is what this server is asked by, "http" or "https".
+  Guard(std::string listen_address, std::vector<std::string> allowed_origins,
+        std::string scheme = "http")
+      : listen_address_(std::move(listen_address)),
+        allowed_origins_(std::move(allowed_origins)),
+        scheme_(std::move(scheme)) {}
 
   /// Errors: the request is refused; the error is a sentence for its author.
   [[nodiscard]] Result<void> admit(const HttpRequest& request) const;
@@ -42,6 +46,7 @@ class Guard {
 
   std::string listen_address_;
   std::vector<std::string> allowed_origins_;
+  std::string scheme_;
 };
 
 }  // namespace galilean::monitor

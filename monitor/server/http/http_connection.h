@@ -21,7 +21,7 @@ class HttpConnection final : public IncomingBody,
                              public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(boost::asio::ip::tcp::socket socket,
-                 std::shared_ptr<HttpServer::ServerContext> context);
+                 std::shared_ptr<HttpServer::ServerContext> context, std::string address);
   ~HttpConnection() override;
 
   /// Reads the next request.

@@ -57,6 +57,18 @@ void HttpServer::end_withdrawn() {
   context_->sockets.end_withdrawn(context_->access);
 }
 
+void HttpServer::welcome(tcp::socket socket) {
+  if (tls_)
+    return tls_->enter(std::move(socket),
+                       [context = context_](tcp::socket inner, const std::string& address) {
+                         if (context->counts.connections < kMostConnections)
+                           serve_http(std::move(inner), context, address);
+                       });
+  error_code ignored;
+  const auto address = socket.remote_endpoint(ignored).address().to_string();
+  serve_http(std::move(socket), context_, address);
+}
+
 void HttpServer::accept() {
   acceptor_.async_accept([this](error_code error, tcp::socket socket) {
     if (error == boost::asio::error::operation_aborted) return;
@@ -69,7 +81,7 @@ void HttpServer::accept() {
       return;
     }
     if (context_->counts.connections < kMostConnections)
-      (void)guarded("a new connection", [&] { serve_http(std::move(socket), context_); });
+      (void)guarded("a new connection", [&] { welcome(std::move(socket)); });
     accept();
   });
 }

@@ -18,6 +18,7 @@
 #include "monitor/server/http/open_sockets.h"
 #include "monitor/server/lsp/language_session.h"
 #include "monitor/server/replay/replay_session.h"
+#include "monitor/server/tls/tls_door.h"
 #include "monitor/server/websocket/send_rounds.h"
 
 namespace galilean::monitor {
@@ -61,6 +62,8 @@ class HttpServer {
   /// port. Returns the port.
   /// Errors: `address` is not a valid address, or the port is taken or not permitted.
   [[nodiscard]] Result<std::uint16_t> listen(const std::string& address, std::uint16_t port);
+  /// Lets connections in through `door`, which speaks TLS. Requires: `listen` was not called yet.
+  void use_tls(std::shared_ptr<TlsDoor> door) { tls_ = std::move(door); }
   /// Accepts no more connections. Those that are open stay.
   void close();
   [[nodiscard]] Counts counts() const;
@@ -72,9 +75,11 @@ class HttpServer {
 
  private:
   void accept();
+  void welcome(boost::asio::ip::tcp::socket socket);
 
   boost::asio::ip::tcp::acceptor acceptor_;
   std::shared_ptr<ServerContext> context_;
+  std::shared_ptr<TlsDoor> tls_;  ///< null where plain HTTP is spoken
 };
 
 }  // namespace galilean::monitor

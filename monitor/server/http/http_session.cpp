@@ -57,11 +57,11 @@ HttpResponse websocket_needed(const std::string& path) {
 }  // namespace
 
 HttpConnection::HttpConnection(boost::asio::ip::tcp::socket socket,
-                               std::shared_ptr<HttpServer::ServerContext> context)
-    : stream_(std::move(socket)), context_(std::move(context)) {
+                               std::shared_ptr<HttpServer::ServerContext> context,
+                               std::string address)
+    : stream_(std::move(socket)), context_(std::move(context)), address_(std::move(address)) {
   ++context_->counts.connections;
   error_code ignored;
-  address_ = stream_.socket().remote_endpoint(ignored).address().to_string();
   stream_.socket().set_option(boost::asio::ip::tcp::no_delay(true), ignored);
 }
 
@@ -192,8 +192,9 @@ void HttpConnection::handle(const HttpRequest& request) {
 }
 
 void serve_http(boost::asio::ip::tcp::socket socket,
-                std::shared_ptr<HttpServer::ServerContext> context) {
-  std::make_shared<HttpConnection>(std::move(socket), std::move(context))->read();
+                std::shared_ptr<HttpServer::ServerContext> context, std::string address) {
+  std::make_shared<HttpConnection>(std::move(socket), std::move(context), std::move(address))
+      ->read();
 }
 
 }  // namespace galilean::monitor

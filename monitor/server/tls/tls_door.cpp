@@ -17,6 +17,9 @@ ssl::context server_context() {
   context.set_options(ssl::context::default_workarounds | ssl::context::no_sslv2 |
                       ssl::context::no_sslv3 | ssl::context::no_tlsv1 | ssl::context::no_tlsv1_1);
   SSL_CTX_set_options(context.native_handle(), SSL_OP_NO_RENEGOTIATION);
+  // A key with a password is refused. OpenSSL would otherwise wait for somebody to type it.
+  context.set_password_callback(
+      [](std::size_t, ssl::context::password_purpose) { return std::string(); });
   return context;
 }
 
@@ -37,9 +40,14 @@ Result<std::shared_ptr<TlsDoor>> TlsDoor::open(const CertificateFiles& files) {
   if (error)
     return Error{files.certificate.string() + " has no certificate in PEM: " + error.message()};
   parts->context.use_private_key_file(files.key.string(), ssl::context::pem, error);
-  if (error)
-    return Error{files.key.string() + " has no private key in PEM that belongs to " +
-                 files.certificate.string() + ": " + error.message()};
+  const auto unusable = [&](const std::string& why) {
+    return Error{files.key.string() + " has no private key in PEM, without a password, for " +
+                 files.certificate.string() + ": " + why};
+  };
+  if (error) return unusable(error.message());
+  // A key of another kind than the certificate's is not noticed before.
+  if (SSL_CTX_check_private_key(parts->context.native_handle()) != 1)
+    return unusable("they do not belong together");
   return std::shared_ptr<TlsDoor>(new TlsDoor(std::move(parts)));
 }
 

@@ -25,7 +25,7 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-NamedToken wanted(const std::string& name, Right right = Right::kRead) {
+NamedToken token_named(const std::string& name, Right right = Right::kRead) {
   return {.name = name, .right = right, .sha256 = {}, .made_s = kNow_s, .expires_s = {}};
 }
 
@@ -58,9 +58,9 @@ class NamedTokens : public testing::Test {
 };
 
 TEST_F(NamedTokens, AreStoredAsDigestsForTheOwnersEyesAlone) {
-  auto evening = wanted("bert", Right::kOperate);
+  auto evening = token_named("bert", Right::kOperate);
   evening.expires_s = kNow_s + 8 * 3600;
-  const auto anna = add(wanted("anna")), bert = add(evening);
+  const auto anna = add(token_named("anna")), bert = add(evening);
   EXPECT_EQ(anna.size(), 64U) << "256 bits";
   EXPECT_NE(anna, bert);
   EXPECT_EQ(text_of(file).find(anna), std::string::npos);
@@ -84,30 +84,30 @@ TEST_F(NamedTokens, AFolderWithoutAnyHasNone) {
 }
 
 TEST_F(NamedTokens, ANameIsInUseUntilItsTokenIsRevokedOrExpires) {
-  auto short_lived = wanted("anna");
+  auto short_lived = token_named("anna");
   short_lived.expires_s = kNow_s + 10;
   const auto first = add(short_lived);
-  EXPECT_THAT(objection_to(wanted("anna")), HasSubstr("tokens revoke anna"));
-  auto later = wanted("anna");
+  EXPECT_THAT(objection_to(token_named("anna")), HasSubstr("tokens revoke anna"));
+  auto later = token_named("anna");
   later.made_s = kNow_s + 10;
   const auto second = add(later);
   ASSERT_EQ(read().size(), 1U);
   EXPECT_EQ(read()[0].sha256, digest_of(second));
   ASSERT_TRUE(revoke_named_token(folder.path(), "anna"));
   EXPECT_TRUE(read().empty());
-  EXPECT_FALSE(add(wanted("anna")).empty());
+  EXPECT_FALSE(add(token_named("anna")).empty());
 }
 
 TEST_F(NamedTokens, NamesThatMisleadAreRefused) {
   for (const auto* name : {"", "a b", "a/b", "\x1b[2J", "anna\n", "операт"})
-    EXPECT_THAT(objection_to(wanted(name)), HasSubstr("is not a valid name")) << name;
-  EXPECT_THAT(objection_to(wanted(std::string(65, 'a'))), HasSubstr("is not a valid name"));
-  EXPECT_THAT(objection_to(wanted("operator")), HasSubstr("operator.token"));
+    EXPECT_THAT(objection_to(token_named(name)), HasSubstr("is not a valid name")) << name;
+  EXPECT_THAT(objection_to(token_named(std::string(65, 'a'))), HasSubstr("is not a valid name"));
+  EXPECT_THAT(objection_to(token_named("operator")), HasSubstr("operator.token"));
   EXPECT_TRUE(read().empty());
 }
 
 TEST_F(NamedTokens, RevokingAnUnknownOneSaysWhichWasMeantAndLeavesTheOthers) {
-  (void)add(wanted("anna"));
+  (void)add(token_named("anna"));
   const auto misspelt = revoke_named_token(folder.path(), "anan");
   ASSERT_FALSE(misspelt);
   EXPECT_THAT(misspelt.error().message, HasSubstr("did you mean 'anna'?"));
@@ -124,13 +124,13 @@ TEST_F(NamedTokens, ADamagedFileIsAnErrorAndIsNotOverwritten) {
         with(R"({"name": "a", "role": "viewer", "made_s": 1, "sha256": "a"})"),
         with(R"({"name": "a", "role": "viewer", "made_s": "1", "sha256": ")" + digest + "\"}")}) {
     EXPECT_THAT(objection_to_text(text), HasSubstr("tokens.json is damaged")) << text;
-    EXPECT_FALSE(add_named_token(folder.path(), wanted("bert"))) << text;
+    EXPECT_FALSE(add_named_token(folder.path(), token_named("bert"))) << text;
     EXPECT_EQ(text_of(file), text);
   }
 }
 
 TEST_F(NamedTokens, AFileThatOthersMayWriteGivesNobodyARight) {
-  (void)add(wanted("anna"));
+  (void)add(token_named("anna"));
   fs::permissions(file, fs::perms::group_write, fs::perm_options::add);
   const auto tokens = read_named_tokens(file);
   ASSERT_FALSE(tokens);
@@ -140,7 +140,7 @@ TEST_F(NamedTokens, AFileThatOthersMayWriteGivesNobodyARight) {
 TEST_F(NamedTokens, EditsAtTheSameTimeLoseNothing) {
   constexpr int kEach = 20;
   const auto add_many = [&](const std::string& prefix) {
-    for (int i = 0; i < kEach; ++i) (void)add(wanted(prefix + std::to_string(i)));
+    for (int i = 0; i < kEach; ++i) (void)add(token_named(prefix + std::to_string(i)));
   };
   std::thread other([&] { add_many("a"); });
   add_many("b");
@@ -154,7 +154,7 @@ TEST_F(NamedTokens, AWatchTellsEachChangeOnce) {
   ASSERT_TRUE(at_first && *at_first);
   EXPECT_TRUE(at_first->value().empty());
   EXPECT_FALSE(watch.look());
-  (void)add(wanted("anna"));
+  (void)add(token_named("anna"));
   const auto added = watch.look();
   ASSERT_TRUE(added && *added);
   EXPECT_EQ(added->value().size(), 1U);

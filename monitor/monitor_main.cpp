@@ -7,6 +7,7 @@
 #include "core/broken_pipe.h"
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "monitor/access/access.h"
 #include "monitor/access/tokens.h"
 #include "monitor/server/monitor.h"
 
@@ -52,15 +53,42 @@ int run(const monitor::MonitorOptions& options) {
   }
   const auto& running = made.value();
   const bool is_ipv6 = options.address.find(':') != std::string::npos;
-  const std::string link = std::string("http://") + (is_ipv6 ? "[" : "") + options.address +
+  const std::string link = (options.tls ? "https://" : "http://") +
+                           std::string(is_ipv6 ? "[" : "") + options.address +
                            (is_ipv6 ? "]:" : ":") + std::to_string(running->port());
   std::cout << "galilean-monitor: " << link << std::endl;
   if (const auto token = running->new_operator_token(); !token.empty())
     std::cout << "  Open " << link << "/#token=" << token << " to steer the team.\n"
               << "  This link is printed only once. The token is kept in "
               << monitor::operator_token_file(options.data_folder).string() << std::endl;
+  if (options.tls)
+    std::cout << "  The certificate's SHA-256 fingerprint, to compare with what the browser shows: "
+              << running->fingerprint() << std::endl;
+  else if (!monitor::is_loopback(options.address))
+    std::cout
+        << "  This is plain HTTP: anyone on the network between here and a reader can read the "
+           "tokens, and steer the team with them."
+        << std::endl;
   running->run();
   return EXIT_SUCCESS;
+}
+
+/// Returns why the monitor may not listen there; empty if it may. Whoever can listen to the network
+/// has the operator's token as soon as it is sent once, so nobody shall come to that by accident.
+std::string unprotected(const monitor::MonitorOptions& options, bool plain) {
+  if (plain || options.tls || monitor::is_loopback(options.address)) return {};
+  return "--listen " + options.address +
+         " is heard on the network, where anyone can read the tokens of plain HTTP; give --tls, "
+         "too, or --plain if you trust that network";
+}
+
+/// Returns why the certificate's options do not fit together; empty if they do.
+std::string wrong_certificate(const monitor::MonitorOptions& options) {
+  const auto& [certificate, key] = options.certificate;
+  if (certificate.empty() != key.empty())
+    return "--certificate and --key belong together; without both, --tls makes its own";
+  if (!certificate.empty() && !options.tls) return "--certificate is of use with --tls only";
+  return {};
 }
 
 /// Returns which of the folders is a file or anything else that is no folder; empty if none is.
@@ -88,11 +116,22 @@ int main(int argc, char** argv) {
   options.data_folder = monitor::default_data_folder();
   options.recordings_folder = options.data_folder / "recordings";
   double silent_after_s = 2;
+  bool plain = false;
   CommandLine app("Watches and steers a team of robots, and serves the page that shows it.",
                   "galilean monitor");
   app.option(
       "--listen", [&](const std::string& text) { return read_listen(text, options); },
       "where to serve, ADDRESS:PORT (127.0.0.1:8080)");
+  auto tls = app.flag("--tls", options.tls,
+                      "serve HTTPS, with a certificate that is made at the first start");
+  app.option("--certificate", options.certificate.certificate,
+             "PEM file of the certificate, and of those that vouch for it, instead of one's own")
+      .names_file(".pem");
+  app.option("--key", options.certificate.key, "PEM file of the certificate's private key")
+      .names_file();
+  app.flag("--plain", plain,
+           "serve plain HTTP on a network whose every user may read the tokens and steer the team")
+      .excludes(tls);
   galilean::add_domain_option(app, options.domain);
   app.option("--web", options.page_folder, "folder of the built page").names_folder();
   app.option("--programs", options.library_folder, "folder of the programs to choose from")
@@ -121,6 +160,8 @@ int main(int argc, char** argv) {
   if (const auto code = app.parse(argc, argv)) return *code;
   if (const auto wrong = no_folder(options); !wrong.empty()) return app.refuse(wrong);
   options.shares_data_folder = !data.given();
+  if (const auto why = wrong_certificate(options); !why.empty()) return app.refuse(why);
+  if (const auto why = unprotected(options, plain); !why.empty()) return app.refuse(why);
   options.map.silent_after = galilean::from_seconds(silent_after_s);
   return run(options);
 }

@@ -4,31 +4,37 @@
 #include <arpa/inet.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "monitor/access/digest.h"
 
 namespace galilean::monitor {
-namespace {
 
-/// Compares in a time that does not depend on how many characters agree, so that the time does not
-/// help to guess a token.
-bool same(std::string_view given, std::string_view secret) noexcept {
-  unsigned difference = given.size() == secret.size() ? 0 : 1;
-  for (std::size_t i = 0; i < secret.size(); ++i)
-    difference |= static_cast<unsigned char>(secret[i]) ^
-                  static_cast<unsigned char>(given.empty() ? 0 : given[i % given.size()]);
-  return difference == 0;
+Access::Access(const Tokens& tokens, bool reads_freely, Now now_s)
+    : viewer_sha256_(digest_of(tokens.viewer)),
+      operator_sha256_(digest_of(tokens.operator_)),
+      reads_freely_(reads_freely),
+      now_s_(std::move(now_s)) {}
+
+Right Access::right_by_digest(std::string_view digest) const {
+  const auto now_s = now_s_();
+  Right right = Right::kNone;
+  const auto compare = [&](std::string_view known, Right gives) {
+    if (is_same_digest(digest, known)) right = std::max(right, gives);
+  };
+  compare(viewer_sha256_, Right::kRead);
+  compare(operator_sha256_, Right::kOperate);
+  for (const auto& token : named_)  // all of them, so that the time tells nothing
+    compare(token.sha256, token.is_expired(now_s) ? Right::kNone : token.right);
+  return right;
 }
 
-}  // namespace
-
-Right Access::right_by_token(std::string_view token) const noexcept {
-  const bool operates = same(token, tokens_.operator_);
-  const bool reads = same(token, tokens_.viewer);
-  if (operates) return Right::kOperate;
-  return reads ? Right::kRead : Right::kNone;
+Right Access::right_by_token(std::string_view token) const {
+  return token.empty() ? Right::kNone : right_by_digest(digest_of(token));
 }
 
-Right Access::right_of(std::string_view token) const noexcept {
-  return std::max(right_by_token(token), reads_freely_ ? Right::kRead : Right::kNone);
+Right Access::right_of(std::string_view token) const {
+  return std::max(right_by_token(token), free_right());
 }
 
 bool is_loopback(const std::string& address) {
@@ -40,8 +46,8 @@ bool is_loopback(const std::string& address) {
 std::string missing_right(Right needed) {
   const std::string whose = needed == Right::kOperate ? "operator" : "viewer";
   return "This needs the " + whose + "'s token, which is in " + whose +
-         ".token in the monitor's data folder: open the page as http://…/#token=TOKEN, or send " +
-         "'Authorization: Bearer TOKEN'.";
+         ".token in the monitor's data folder, or one that 'galilean tokens add' gave: open the " +
+         "page as http://…/#token=TOKEN, or send 'Authorization: Bearer TOKEN'.";
 }
 
 }  // namespace galilean::monitor

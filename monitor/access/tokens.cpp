@@ -2,45 +2,32 @@
 #include "monitor/access/tokens.h"
 
 #include <fcntl.h>
-#include <sys/random.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
 
+#include "core/private_file.h"
 #include "core/regular_file.h"
+#include "monitor/access/digest.h"
 
 namespace galilean::monitor {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::size_t kTokenBytes = 20;
-
-Result<std::string> new_token() {
-  static constexpr char kDigits[] = "0123456789abcdef";
-  std::array<unsigned char, kTokenBytes> bytes;
-  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    return Error{std::string("the system gives no random numbers: ") + std::strerror(errno)};
-  std::string token;
-  for (const auto byte : bytes) (token += kDigits[byte >> 4]) += kDigits[byte & 15];
-  return token;
-}
+constexpr std::size_t kFileTokenBytes = 20;
 
 /// Writes the file whole or not at all, so that a crash never leaves half a token. Returns false,
 /// with the reason in errno, if there is no such file afterwards.
 bool write_secret(const fs::path& file, const std::string& token) {
   const fs::path draft = file.string() + "." + std::to_string(getpid());
-  const int descriptor = open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (descriptor < 0) return false;
-  const std::string text = token + "\n";
-  const bool written =
-      write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
-      fsync(descriptor) == 0;
+  const auto opened = open_private_file(draft, O_WRONLY | O_EXCL);
+  if (!opened) return false;
+  const bool written = write_all(opened.value(), token + "\n") && fsync(opened.value()) == 0;
   const int problem = errno;
-  close(descriptor);
+  close(opened.value());
   // The link fails if another monitor was quicker. Its token is the valid one then.
   const bool placed = written && (link(draft.c_str(), file.c_str()) == 0 || errno == EEXIST);
   if (!written) errno = problem;
@@ -51,7 +38,7 @@ bool write_secret(const fs::path& file, const std::string& token) {
 Result<std::string> read_or_make(const fs::path& file, bool& is_new) {
   std::error_code unknown;
   if (!fs::exists(file, unknown)) {
-    const auto token = new_token();
+    const auto token = random_token(kFileTokenBytes);
     if (!token) return token.error();
     if (!write_secret(file, token.value()))
       return Error{file.string() + " cannot be written: " + std::strerror(errno) +
@@ -75,8 +62,7 @@ fs::path operator_token_file(const fs::path& data_folder) {
 }
 
 Result<Tokens> open_tokens(const fs::path& data_folder) {
-  std::error_code failed;
-  fs::create_directories(data_folder, failed);
+  (void)make_private_folder(data_folder);  // what fails is said when a token is written
   Tokens tokens;
   auto viewer = read_or_make(data_folder / "viewer.token", tokens.are_new);
   if (!viewer) return viewer.error();

@@ -8,8 +8,9 @@
 
 namespace galilean::monitor {
 
-/// The secrets that clients send. `viewer` lets a client watch the team; `operator_` lets it watch
-/// and steer the team.
+/// The secrets of the monitor itself, which its own machine's commands send. People get named
+/// tokens (named_tokens.h). `viewer` lets a client watch the team; `operator_` lets it watch and
+/// steer the team.
 struct Tokens {
   std::string viewer;
   std::string operator_;

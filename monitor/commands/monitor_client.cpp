@@ -2,11 +2,7 @@
 #include "monitor/commands/monitor_client.h"
 
 #include <algorithm>
-#include <boost/asio/connect.hpp>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/read.hpp>
-#include <boost/asio/write.hpp>
+#include <boost/asio/buffer.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <chrono>
@@ -17,6 +13,7 @@
 #include "core/json_text.h"
 #include "core/visible_text.h"
 #include "monitor/access/access.h"
+#include "monitor/tls/certificate.h"
 
 namespace galilean::monitor {
 namespace {
@@ -26,49 +23,6 @@ namespace http = boost::beast::http;
 using boost::system::error_code;
 
 constexpr std::uint64_t kMostAnswerBytes = 64 << 20;
-
-/// One request and its answer, on a connection of its own, which the monitor closes.
-class Exchange {
- public:
-  Exchange(asio::io_context& io, std::string request) : socket_(io), request_(std::move(request)) {}
-
-  void start(const asio::ip::tcp::resolver::results_type& endpoints) {
-    asio::async_connect(socket_, endpoints, [this](error_code error, const auto&) {
-      if (failed(error)) return;
-      is_connected_ = true;
-      write();
-    });
-  }
-  /// Returns whether the monitor may have got the request.
-  [[nodiscard]] bool was_sent() const { return is_connected_; }
-  /// Returns the error of the exchange. Before its end, that is timed_out.
-  [[nodiscard]] error_code error() const { return error_; }
-  /// Returns all bytes of the answer.
-  [[nodiscard]] const std::string& answer() const { return answer_; }
-
- private:
-  bool failed(error_code error) {
-    if (error) error_ = error;
-    return bool(error);
-  }
-  void write() {
-    asio::async_write(socket_, asio::buffer(request_), [this](error_code error, std::size_t) {
-      if (!failed(error)) read();
-    });
-  }
-  void read() {
-    asio::async_read(socket_, asio::dynamic_buffer(answer_, kMostAnswerBytes),
-                     [this](error_code error, std::size_t) {
-                       error_ = error == asio::error::eof ? error_code() : error;
-                     });
-  }
-
-  asio::ip::tcp::socket socket_;
-  std::string request_;
-  std::string answer_;
-  error_code error_ = asio::error::timed_out;
-  bool is_connected_ = false;
-};
 
 using Parser = http::response_parser<http::string_body>;
 
@@ -82,36 +36,36 @@ error_code parse(Parser& parser, const std::string& answer) {
   return error;
 }
 
-struct Address {
-  std::string host;  ///< with brackets if it is an IPv6 address
-  std::string port;
-};
-
 bool is_host(std::string_view text) {
   const bool is_ipv6 = text.starts_with('[') && text.ends_with(']') && text.size() > 2;
   if (!is_ipv6) return !text.empty() && text.find_first_of("/:[]") == text.npos;
   return text.substr(1, text.size() - 2).find_first_not_of("0123456789abcdefABCDEF:") == text.npos;
 }
 
-/// Reads "http://HOST[:PORT][/]" or "HOST:PORT", which is what the monitor's --listen takes.
-std::optional<Address> address_of(std::string_view url) {
-  constexpr std::string_view kScheme = "http://";
+/// Reads "http[s]://HOST[:PORT][/]" or "HOST:PORT", which is what the monitor's --listen takes.
+std::optional<MonitorAddress> address_of(std::string_view url) {
+  constexpr std::string_view kPlain = "http://", kEncrypted = "https://";
   constexpr std::size_t kMostDigits = 5;
-  const bool has_scheme = url.starts_with(kScheme);
-  if (has_scheme) url.remove_prefix(kScheme.size());
+  const bool is_encrypted = url.starts_with(kEncrypted);
+  const bool has_scheme = is_encrypted || url.starts_with(kPlain);
+  const std::string_view usual_port = is_encrypted ? "443" : has_scheme ? "80" : "";
+  if (has_scheme) url.remove_prefix((is_encrypted ? kEncrypted : kPlain).size());
   if (url.ends_with('/')) url.remove_suffix(1);
   const auto colon = url.find(':', url.starts_with('[') ? std::min(url.find(']'), url.size()) : 0);
   const auto host = url.substr(0, colon);
-  const auto port = colon != url.npos ? url.substr(colon + 1) : has_scheme ? "80" : "";
+  const auto port = colon != url.npos ? url.substr(colon + 1) : usual_port;
   const bool is_port = !port.empty() && port.size() <= kMostDigits &&
                        port.find_first_not_of("0123456789") == port.npos;
   if (!is_host(host) || !is_port) return std::nullopt;
-  return Address{std::string(host), std::string(port)};
+  return MonitorAddress{std::string(host), std::string(port), is_encrypted};
 }
 
-/// Returns "::1" for "[::1]".
-std::string without_brackets(const std::string& host) {
-  return host.starts_with('[') ? host.substr(1, host.size() - 2) : host;
+/// Returns `trust`, or trust in the certificate that this user's monitor has made for itself.
+ServerTrust trust_of_own(ServerTrust trust) {
+  if (!trust.is_empty()) return trust;
+  if (auto own = fingerprint_of(own_certificate(default_data_folder()).certificate))
+    trust.fingerprint = std::move(own).value();
+  return trust;
 }
 
 }  // namespace
@@ -128,11 +82,15 @@ Result<void> MonitorClient::check_address(const std::string& url) {
                "' is not a valid address of a monitor, such as http://127.0.0.1:8080"};
 }
 
-Result<MonitorClient> MonitorClient::at(const std::string& url, const std::string& token_file) {
+Result<MonitorClient> MonitorClient::at(const std::string& url, const std::string& token_file,
+                                        ServerTrust trust) {
   const auto address = address_of(url);
   if (!address) return check_address(url).error();
-  MonitorClient client(url, address->host, address->port);
-  const bool is_near = is_loopback(without_brackets(client.host_));
+  if (!address->is_encrypted && !trust.is_empty())
+    return Error{"--ca and --fingerprint are of use with https:// only, and not with " + url};
+  const bool is_near = is_loopback(without_brackets(address->host));
+  if (is_near && address->is_encrypted) trust = trust_of_own(std::move(trust));
+  MonitorClient client(url, *address, std::move(trust));
   const auto file = operator_token_file(default_data_folder());
   if (std::error_code none;
       token_file.empty() && (!is_near || !std::filesystem::exists(file, none)))
@@ -154,8 +112,8 @@ Result<MonitorAnswer, Unanswered> MonitorClient::post(const std::string& path,
 
 std::string MonitorClient::message(const std::string& method, const std::string& path,
                                    const std::string& body) const {
-  std::string text = method + " " + path + " HTTP/1.1\r\nHost: " + host_ + ":" + port_ +
-                     "\r\nContent-Type: application/json\r\nConnection: close\r\n";
+  std::string text = method + " " + path + " HTTP/1.1\r\nHost: " + address_.host + ":" +
+                     address_.port + "\r\nContent-Type: application/json\r\nConnection: close\r\n";
   if (!token_.empty()) text += "Authorization: Bearer " + token_ + "\r\n";
   return text + "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
 }
@@ -168,17 +126,18 @@ Result<MonitorAnswer, Unanswered> MonitorClient::request(const std::string& meth
                        "); start one with 'galilean monitor', or name another with --monitor"},
                       was_sent};
   };
-  asio::io_context io;
-  error_code unknown;
-  asio::ip::tcp::resolver resolver(io);
-  const auto endpoints = resolver.resolve(without_brackets(host_), port_, unknown);
-  if (unknown) return nobody(unknown, false);
-  Exchange exchange(io, message(method, path, body));
-  exchange.start(endpoints);
-  io.run_for(std::chrono::seconds(kTimeout_s));
-  if (exchange.error()) return nobody(exchange.error(), exchange.was_sent());
+  const auto done =
+      exchange(address_, trust_, message(method, path, body), std::chrono::seconds(kTimeout_s));
+  if (!done) return Unanswered{done.error(), false};
+  const Exchanged& exchanged = done.value();
+  if (exchanged.is_distrusted)
+    return Unanswered{{"the certificate of the monitor at " + url_ +
+                       " is not one that is trusted; name it with --ca FILE, or its fingerprint, "
+                       "which the monitor prints, with --fingerprint"},
+                      false};
+  if (exchanged.error) return nobody(exchanged.error, exchanged.was_sent);
   Parser parser;
-  if (const auto error = parse(parser, exchange.answer())) return nobody(error, true);
+  if (const auto error = parse(parser, exchanged.answer)) return nobody(error, true);
   MonitorAnswer answer{static_cast<int>(parser.get().result_int()),
                        nlohmann::json(nlohmann::json::value_t::discarded)};
   if (auto body_read = read_json(parser.get().body())) answer.json = std::move(body_read).value();

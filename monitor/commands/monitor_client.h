@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/result.h"
+#include "monitor/commands/exchange.h"
 
 namespace galilean::monitor {
 
@@ -29,14 +30,17 @@ class MonitorClient {
  public:
   static constexpr int kTimeout_s = 20;
 
-  /// Errors: `url` is no address of a monitor, such as http://127.0.0.1:8080 or 127.0.0.1:8080.
+  /// Errors: `url` is no address of a monitor, such as http://127.0.0.1:8080 or 127.0.0.1:8080,
+  /// or https://lab:8080 where the monitor speaks TLS.
   [[nodiscard]] static Result<void> check_address(const std::string& url);
   /// `url` is the monitor's address, as check_address takes it. `token_file` holds the token to
   /// send. If it is empty, this user's operator token is sent, but only to a monitor on this
-  /// machine.
-  /// Errors: `url` is no such address, or the token cannot be read.
+  /// machine. `trust` judges the certificate of a monitor at https://. If it is empty, that of this
+  /// user's monitor is trusted on this machine, too.
+  /// Errors: `url` is no such address, the token cannot be read, or `trust` is of no use there.
   [[nodiscard]] static Result<MonitorClient> at(const std::string& url,
-                                                const std::string& token_file);
+                                                const std::string& token_file,
+                                                ServerTrust trust = {});
 
   /// Both return the monitor's answer, also if it is a refusal.
   /// Errors: nobody answers in time, the answer is no HTTP, or it is a success without the JSON
@@ -46,8 +50,8 @@ class MonitorClient {
                                                        const nlohmann::json& body) const;
 
  private:
-  MonitorClient(std::string url, std::string host, std::string port)
-      : url_(std::move(url)), host_(std::move(host)), port_(std::move(port)) {}
+  MonitorClient(std::string url, MonitorAddress address, ServerTrust trust)
+      : url_(std::move(url)), address_(std::move(address)), trust_(std::move(trust)) {}
   /// Returns the bytes of a request.
   [[nodiscard]] std::string message(const std::string& method, const std::string& path,
                                     const std::string& body) const;
@@ -56,8 +60,8 @@ class MonitorClient {
                                                           const std::string& body) const;
 
   std::string url_;
-  std::string host_;
-  std::string port_;
+  MonitorAddress address_;
+  ServerTrust trust_;
   std::string token_;  ///< empty if none is sent
 };
 

@@ -184,7 +184,7 @@ int main(int argc, char** argv) {
   if (const auto code = app.parse(argc, argv)) return *code;
   if (const auto targets = check_targets(options); restoring.chosen() && !targets)
     return app.refuse(targets.error().message);
-  const auto monitor = MonitorClient::at(options.monitor, options.token_file);
+  const auto monitor = MonitorClient::at(options.monitor, options.token_file, options.trust);
   if (!monitor)
     return fail(monitor.error().message, comparing.chosen() ? kNotCompared : galilean::kFailed);
   if (listing.chosen()) return list(monitor.value(), options.monitor, list_as_json);

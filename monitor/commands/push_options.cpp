@@ -4,6 +4,7 @@
 #include "core/command_line/command_line.h"
 #include "core/command_line/seconds_of.h"
 #include "monitor/commands/monitor_client.h"
+#include "monitor/tls/certificate.h"
 
 namespace galilean::monitor {
 
@@ -14,6 +15,20 @@ void add_monitor_option(CommandLine& app, PushOptions& options) {
   app.option("--token-file", options.token_file,
              "file of the operator's token; not needed for a monitor on this machine")
       .names_file();
+  const auto ca =
+      app.option("--ca", options.trust.ca_file, "PEM file of the certificates to trust at https://")
+          .names_file(".pem");
+  app.option(
+         "--fingerprint",
+         [&options](const std::string& text) -> Result<void> {
+           auto read = read_fingerprint(text);
+           if (!read) return read.error();
+           options.trust.fingerprint = std::move(read).value();
+           return {};
+         },
+         "SHA-256 fingerprint of the one certificate to trust at https://, as the monitor prints "
+         "it")
+      .excludes(ca);
 }
 
 void add_push_options(CommandLine& app, PushOptions& options) {

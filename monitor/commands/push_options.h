@@ -7,6 +7,7 @@
 
 #include "core/account.h"
 #include "core/result.h"
+#include "monitor/commands/exchange.h"
 
 namespace galilean {
 class CommandLine;
@@ -18,6 +19,7 @@ namespace galilean::monitor {
 struct PushOptions {
   std::string monitor = "http://127.0.0.1:8080";
   std::string token_file;
+  ServerTrust trust;
   bool team = false;
   std::vector<std::string> robots;
   std::string author = user_name();
@@ -30,7 +32,7 @@ struct PushOptions {
   bool json = false;
 };
 
-/// Adds --monitor and --token-file.
+/// Adds --monitor, --token-file, --ca and --fingerprint.
 void add_monitor_option(CommandLine& app, PushOptions& options);
 /// Adds --team, --robot, --author, --replaces, --try, --try-only, --even-if-worse, --canary,
 /// --probation and --json.

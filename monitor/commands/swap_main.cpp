@@ -30,7 +30,8 @@ int swap_through_monitor(const DirectSwapOptions& options) {
   // files, and would take an include that is missing here from the programs that ship.
   const auto files = bhdl::read_program(options.file);
   if (!files) return refuse(files.error(), options.push.json);
-  const auto monitor = MonitorClient::at(options.push.monitor, options.push.token_file);
+  const auto monitor =
+      MonitorClient::at(options.push.monitor, options.push.token_file, options.push.trust);
   if (!monitor) {
     std::cerr << "galilean swap: " << monitor.error().message << std::endl;
     return galilean::kFailed;

@@ -15,6 +15,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/private_file.h"
 #include "core/termination.h"
 
 namespace galilean::front {
@@ -45,8 +46,10 @@ constexpr int kNotStarted = 127;
 
 Result<Process> Process::start(std::string name, const std::vector<std::string>& command,
                                const std::filesystem::path& log) {
-  const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (file < 0) return Error{log.string() + " cannot be written: " + std::strerror(errno)};
+  // A monitor's log holds the link with its token, so logs are for their owner alone.
+  const auto opened = open_private_file(log, O_WRONLY | O_APPEND);
+  if (!opened) return opened.error();
+  const int file = opened.value();
   std::vector<char*> arguments;
   for (const auto& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);

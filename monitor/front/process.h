@@ -18,9 +18,9 @@ namespace galilean::front {
 class Process {
  public:
   /// Starts a program. `command` is its path and arguments. Its standard output and standard error
-  /// are appended to `log`. If the program cannot be executed, it ends with exit code 127.
-  /// Requires: the calling thread outlives the process.
-  /// Errors: the log cannot be written, or the process cannot be made.
+  /// are appended to `log`, which its owner alone may read. If the program cannot be executed, it
+  /// ends with exit code 127. Requires: the calling thread outlives the process. Errors: the log
+  /// cannot be written, or the process cannot be made.
   [[nodiscard]] static Result<Process> start(std::string name,
                                              const std::vector<std::string>& command,
                                              const std::filesystem::path& log);

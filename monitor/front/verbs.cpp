@@ -15,6 +15,7 @@ constexpr std::array kVerbs{
     Verb{"sim", "galilean-sim", "", "The simulated office, live or as fast as possible"},
     Verb{"sim ctl", "galilean-sim-ctl", "", "An instructor's orders to a running simulation"},
     Verb{"monitor", "galilean-monitor", "", "The team in a browser, with its map"},
+    Verb{"tokens", "galilean-tokens", "", "Who may watch and steer through a monitor"},
     Verb{"top", "galilean-top", "", "The team in a terminal"},
     Verb{"record", "galilean-record", "", "Record all topics as MCAP"},
     Verb{"record pause", "galilean-record-ctl", "pause", "Let a recorder record nothing"},

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/plural.h"
+#include "core/private_file.h"
 #include "core/visible_text.h"
 #include "monitor/mcap/mcap_records.h"
 #include "monitor/mcap/outline.h"
@@ -94,7 +95,7 @@ Result<Upload, NotKept> Upload::begin(const RecordingFolder& folder, const std::
   if (const auto right = check_recording_name(name); !right)
     return NotKept{Why::kNoName, right.error().message};
   std::error_code failed;
-  fs::create_directories(folder.path(), failed);  // what fails is said when the draft is made
+  (void)make_private_folder(folder.path());  // what fails is said when the draft is made
   const auto target = folder.path() / name;
   if (fs::symlink_status(target, failed).type() != fs::file_type::not_found) return exists(name);
   if (bytes.value_or(0) > limits.most_bytes) return too_large(limits.most_bytes);

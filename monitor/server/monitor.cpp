@@ -10,6 +10,7 @@
 #include "bhdl/program/catalog_file.h"
 #include "core/installation.h"
 #include "core/wire/ros_time.h"
+#include "monitor/access/token_watch.h"
 #include "monitor/background/guarded.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/pushes/history/history_folder.h"
@@ -24,6 +25,8 @@ namespace asio = boost::asio;
 
 constexpr auto kTellPeriod = std::chrono::milliseconds(100);
 constexpr const char* kHistoryFile = "history.sqlite";
+/// A socket whose token was revoked is closed within one period, and cut within two.
+constexpr auto kTokenPeriod = std::chrono::milliseconds(400);
 
 /// Returns an empty catalog if the file cannot be read, because robots publish catalogs of their
 /// own.
@@ -83,6 +86,8 @@ struct Monitor::Parts {
   asio::io_context io{1};
   asio::signal_set signals{io, SIGINT, SIGTERM};
   asio::steady_timer tell_timer{io};
+  asio::steady_timer token_timer{io};
+  TokenWatch token_watch;
   SendRounds rounds{io};
   Worker worker{io};
   Worker language_worker{io};
@@ -102,9 +107,10 @@ struct Monitor::Parts {
   wire::Graph graph;
   std::uint16_t port = 0;
   std::string new_operator_token;
+  std::string fingerprint;
 
   Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-        std::unique_ptr<History> opened, Tokens tokens);
+        std::unique_ptr<History> opened, const Tokens& tokens);
   ~Parts() {
     playbacks.finish();
     coverage.stop();
@@ -118,11 +124,14 @@ struct Monitor::Parts {
 
   [[nodiscard]] Ingest::Callbacks callbacks();
   void receive(const Message& message);
+  [[nodiscard]] Result<void> begin_tls(const MonitorOptions& options);
   void tell_regularly();
+  void look_at_tokens();
+  void look_at_tokens_regularly();
 };
 
 Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-                      std::unique_ptr<History> opened, Tokens tokens)
+                      std::unique_ptr<History> opened, const Tokens& tokens)
     : participant(std::move(joined)),
       history(std::move(opened)),
       team(clock, options.map.silent_after),
@@ -131,6 +140,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
       hub("galilean-monitor",
           [this](std::uint32_t channel_id, bool wanted) { ingest.want(channel_id, wanted); }),
       recordings(recordings_folder(options)),
+      token_watch(named_tokens_file(options.data_folder)),
       language{language_worker, team, library.catalog(), library_folder(options)},
       map(*participant, clock, options.map),
       trials(io, team,
@@ -150,8 +160,8 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
            worker,
            *history,
            {recordings, recording_list, recording_worker, coverage}}),
-      server(io, {Guard(options.address, options.allowed_origins),
-                  Access(std::move(tokens), is_loopback(options.address)),
+      server(io, {Guard(options.address, options.allowed_origins, options.tls ? "https" : "http"),
+                  Access(tokens, is_loopback(options.address)),
                   [this](const HttpRequest& request, const Respond& respond) {
                     api.answer(request, respond);
                   },
@@ -168,6 +178,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
   });
   recording_worker.run([this] { remove_abandoned_uploads(recordings); });
   tell_regularly();
+  look_at_tokens_regularly();
 }
 
 Ingest::Callbacks Monitor::Parts::callbacks() {
@@ -206,6 +217,42 @@ void Monitor::Parts::tell_regularly() {
   });
 }
 
+Result<void> Monitor::Parts::begin_tls(const MonitorOptions& options) {
+  auto files = options.certificate;
+  if (files.certificate.empty()) {
+    files = own_certificate(options.data_folder);
+    if (auto made = ensure_own_certificate(files); !made) return made;
+  }
+  auto door = TlsDoor::open(files);
+  if (!door) return door.error();
+  auto read = fingerprint_of(files.certificate);
+  if (!read) return read.error();
+  fingerprint = std::move(read).value();
+  server.use_tls(std::move(door).value());
+  return {};
+}
+
+void Monitor::Parts::look_at_tokens() {
+  const auto changed = token_watch.look();
+  if (!changed) return;
+  if (*changed) return server.set_named_tokens(changed->value());
+  // Nobody can say which of them are still meant to be valid. The operator's own file is.
+  server.set_named_tokens({});
+  std::clog << "galilean-monitor: " << changed->error().message
+            << "; until then no named token gives a right" << std::endl;
+}
+
+void Monitor::Parts::look_at_tokens_regularly() {
+  (void)guarded("looking at the tokens", [this] {
+    look_at_tokens();
+    server.end_withdrawn();
+  });
+  token_timer.expires_after(kTokenPeriod);
+  token_timer.async_wait([this](boost::system::error_code error) {
+    if (!error) look_at_tokens_regularly();
+  });
+}
+
 Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) try {
   auto tokens = open_tokens(options.data_folder);
   if (!tokens) return tokens.error();
@@ -216,6 +263,8 @@ Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) tr
   auto blocks = std::make_unique<Parts>(options, std::move(participant).value(),
                                         std::move(history).value(), tokens.value());
   if (tokens.value().are_new) blocks->new_operator_token = tokens.value().operator_;
+  if (options.tls)
+    if (const auto begun = blocks->begin_tls(options); !begun) return begun.error();
   const auto port = blocks->server.listen(options.address, options.port);
   if (!port) return port.error();
   blocks->port = port.value();
@@ -233,6 +282,10 @@ std::uint16_t Monitor::port() const noexcept {
 
 std::string Monitor::new_operator_token() const {
   return parts_->new_operator_token;
+}
+
+std::string Monitor::fingerprint() const {
+  return parts_->fingerprint;
 }
 
 void Monitor::run() {

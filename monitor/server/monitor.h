@@ -10,6 +10,7 @@
 
 #include "core/result.h"
 #include "monitor/map/map_service.h"
+#include "monitor/tls/certificate.h"
 
 namespace galilean::monitor {
 
@@ -27,6 +28,8 @@ struct MonitorOptions {
   std::filesystem::path catalog_file;
   std::filesystem::path simulator;  ///< galilean-sim's path; empty: the one beside this program
   std::vector<std::string> allowed_origins;
+  bool tls = false;
+  CertificateFiles certificate;  ///< with TLS; empty: one that the monitor makes for itself
   MapService::Options map;
 };
 
@@ -44,6 +47,8 @@ class Monitor {
   [[nodiscard]] std::uint16_t port() const noexcept;
   /// Returns the operator's token if tokens were made at this start, else an empty string.
   [[nodiscard]] std::string new_operator_token() const;
+  /// Returns the SHA-256 fingerprint of the certificate, or an empty string without TLS.
+  [[nodiscard]] std::string fingerprint() const;
   /// Serves on the calling thread until `stop`, SIGINT or SIGTERM.
   void run();
   /// Ends `run`. May be called from any thread.

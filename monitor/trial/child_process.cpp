@@ -27,6 +27,7 @@ constexpr int kNotStarted = 127;
   sigprocmask(SIG_SETMASK, &none, nullptr);
   setpgid(0, 0);
   const int nothing = open("/dev/null", O_RDONLY);
+  // As open_private_file does, which allocates.
   const int to_out = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0600);
   const int to_err = open(err, O_WRONLY | O_CREAT | O_TRUNC, 0600);
   dup2(nothing, STDIN_FILENO);

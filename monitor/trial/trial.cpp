@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/trial/trial.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <boost/asio/post.hpp>
 #include <fstream>
 #include <iterator>
 #include <utility>
 
 #include "core/json_text.h"
+#include "core/private_file.h"
 
 namespace galilean::monitor {
 namespace {
@@ -19,9 +23,11 @@ std::string content(const fs::path& file) {
 }
 
 bool write_file(const fs::path& file, const std::string& text) {
-  std::error_code failed;
-  fs::create_directories(file.parent_path(), failed);
-  return bool(std::ofstream(file, std::ios::binary) << text << std::flush);
+  if (!make_private_folder(file.parent_path())) return false;
+  const auto opened = open_private_file(file, O_WRONLY | O_TRUNC);
+  if (!opened) return false;
+  const bool is_written = write_all(opened.value(), text);
+  return close(opened.value()) == 0 && is_written;
 }
 
 /// Returns the place of a program's file. A program's paths are relative to its main file's folder

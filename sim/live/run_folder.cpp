@@ -5,10 +5,10 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <utility>
+
+#include "core/private_file.h"
 
 namespace galilean::sim {
 namespace {
@@ -35,12 +35,11 @@ Result<RunFolder> RunFolder::make(const std::string& run) {
   if (!is_plain(run))
     return Error{"--run '" + run + "': expected letters, digits, _ and -, at most 64"};
   const fs::path path = runtime_folder() / ("galilean-" + run);
-  std::error_code error;
-  fs::create_directories(path, error);
-  const int lock = open((path / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC | O_NOFOLLOW, 0600);
-  if (lock < 0)
-    return Error{path.string() + ": cannot be made (" + std::strerror(errno) +
-                 "); choose another --run"};
+  if (auto made = make_private_folder(path); !made)
+    return Error{made.error().message + "; choose another --run"};
+  const auto opened = open_private_file(path / "lock", O_RDWR | O_NOFOLLOW);
+  if (!opened) return Error{opened.error().message + "; choose another --run"};
+  const int lock = opened.value();
   if (flock(lock, LOCK_EX | LOCK_NB) == 0) return RunFolder(path, lock);
   close(lock);
   return Error{"run '" + run + "' is already simulated; end that one, or choose another --run"};

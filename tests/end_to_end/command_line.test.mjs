@@ -37,6 +37,9 @@ const misspelt = [
   ['log xyzzy', /there is no command 'xyzzy'\n/],
   ['log slice --from 9 --to 3s --out x.mcap run.mcap', /galilean log slice: --to 3s is before --from 9s; a part begins before it ends\n/],
   ['log coverage --at-least 101 run.mcap', /101/],
+  ['monitor --listen 0.0.0.0:8080', /galilean monitor: --listen 0\.0\.0\.0 is heard on the network, .* give --tls, too, or --plain if you trust that network\n/],
+  ['monitor --tls --key /none.pem', /--certificate and --key belong together/],
+  ['tokens add anna --role admin', /viewer/], ['tokens add anna --expires soon', /'soon' is not a valid time/],
   ['monitor --listen 127.0.0.1:0 --recordings /dev/null', /galilean monitor: --recordings \/dev\/null is no folder\n/],
 ];
 for (const [words, said] of misspelt)
@@ -62,13 +65,17 @@ const endings = [
   ['replay /none.mcap', 1], ['bhdl check /none.bhdl', 1], ['robot --bhdl /none.bhdl', 1],
   ['programs list --monitor http://127.0.0.1:1', 1], ['programs diff a b --monitor http://127.0.0.1:1', 2],
   ['monitor --listen 127.0.0.1:0 --data /dev/null/none', 1],
-  ['swap x.bhdl --team --monitor foo', 2], ['top --once --monitor foo', 2], ['programs list --monitor https://127.0.0.1:1', 2],
+  ['swap x.bhdl --team --monitor foo', 2], ['top --once --monitor foo', 2], ['programs list --monitor https://127.0.0.1:1', 1],
+  ['programs list --monitor http://127.0.0.1:1 --ca /none.pem', 1], ['programs list --monitor https://127.0.0.1:1 --fingerprint AB', 2],
   ['programs list --monitor 127.0.0.1:1', 1],
   ['sim ctl rate 0', 2], ['sim ctl rate 21', 2], ['sim ctl step -1', 2], ['sim ctl push io 0 90', 2],
   ['wait io/state.tick>1 --timeout 3x', 2], ['wait io/state.tick>1 --timeout 0s', 2], ['swap x.bhdl --team --direct --timeout 0', 2],
   ["record --out /none/run.mcap --on ''", 2], ["record --out ''", 2], ["demo --record ''", 2], ["log check /none.mcap --expect ''", 2],
   ["replay /none.mcap --topic ''", 2], ["hold --robot ''", 2], ["swap /none.bhdl --robot ''", 2], ["demo --allow-origin ''", 2],
   ["log plot /none.mcap a.b --svg ''", 2], ["log rerun /none.mcap --bhdl ''", 2], ["sim --trace ''", 2],
+  ['tokens', 2], ['tokens add', 2], ['tokens add anna --expires 0s', 2], ['tokens revoke', 2],
+  ['tokens add operator --data /dev/null/none', 1], ['tokens add a/b --data /dev/null/none', 1],
+  ['tokens add anna --data /dev/null/none', 1], ['tokens revoke anna --data /dev/null/none', 1],
 ];
 for (const [words, code] of endings)
   test(`galilean ${words} ends with ${code} and says why`, () => {

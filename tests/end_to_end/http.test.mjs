@@ -128,6 +128,10 @@ test('the server answers as it is described', async (t) => {
   await t.test('a file with a hash in its name may be kept for ever, the page that names it is asked for again', async () => {
     const page = await fetch(url);
     assert.equal(page.headers.get('cache-control'), 'no-cache');
+    const host = new URL(url).host;
+    const policy = page.headers.get('content-security-policy').split('; ');
+    assert.ok(policy.includes(`connect-src 'self' ws://${host} wss://${host}`), policy);
+    for (const forbidden of ['base-uri', 'form-action', 'frame-ancestors', 'object-src']) assert.ok(policy.includes(`${forbidden} 'none'`), forbidden);
     const [asset] = (await page.text()).match(/assets\/index-[\w-]{8}\.js/);
     const script = await fetch(`${url}/${asset}`);
     assert.equal(script.headers.get('cache-control'), 'public, max-age=31536000, immutable');

@@ -28,7 +28,7 @@ test('options of the map, of silence and of other pages', async (t) => {
     const asked = await fetch(`${url}/api/status`, { headers: { origin: studio } });
     assert.deepEqual([asked.status, asked.headers.get('access-control-allow-origin')], [200, studio]);
     assert.equal(await upgraded(url, { origin: studio }), 101);
-    for (const other of ['https://evil.example', `${studio}.evil`, 'http://studio.example']) {
+    for (const other of [url.replace('http:', 'https:'), 'https://evil.example', `${studio}.evil`, 'http://studio.example']) {
       assert.equal((await fetch(`${url}/api/status`, { headers: { origin: other } })).status, 403, other);
       assert.equal(await upgraded(url, { origin: other }), 403, other);
     }
@@ -59,7 +59,7 @@ test('options of the map, of silence and of other pages', async (t) => {
 });
 
 test('on another address than loopback nobody reads without a token', async (t) => {
-  const { monitor, url, token } = await startMonitor(t, [], '0.0.0.0:0');
+  const { monitor, url, token } = await startMonitor(t, ['--plain'], '0.0.0.0:0');
   const ask = (path, bearer) => fetch(url + path, { headers: bearer ? { authorization: `Bearer ${bearer}` } : {} });
   for (const path of ['/api/status', '/api/programs', '/metrics', '/api/recordings']) {
     const refused = await ask(path);

@@ -213,7 +213,7 @@ test('a port that is taken, and an address of another machine, end with one clea
   t.after(() => server.close());
   await new Promise((resolve) => server.on('listening', resolve));
   for (const [address, words] of [[`127.0.0.1:${server.address().port}`, 'galilean-monitor: another program listens on ADDRESS already; end it, or choose another port with --listen\n'], ['203.0.113.1:8080', 'galilean-monitor: cannot listen on ADDRESS: Cannot assign requested address\n']]) {
-    const { status: code, stderr } = galilean(['monitor', '--listen', address], { domain: freshDomain(), cwd: scratchFolder(t) });
+    const { status: code, stderr } = galilean(['monitor', '--plain', '--listen', address], { domain: freshDomain(), cwd: scratchFolder(t) });
     assert.equal(code, 1);
     assert.equal(stderr, words.replace('ADDRESS', address));
   }

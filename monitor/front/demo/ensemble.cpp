@@ -11,6 +11,7 @@
 #include "core/command_line/exit_code.h"
 #include "core/installation.h"
 #include "core/json_text.h"
+#include "core/private_file.h"
 #include "monitor/access/tokens.h"
 #include "monitor/front/demo/namesakes.h"
 #include "monitor/front/demo/program_check.h"
@@ -54,9 +55,7 @@ std::string Ensemble::operator_link() const {
 
 Result<void> Ensemble::start() {
   forget_old_runs(logs_.parent_path(), kKeptRuns - 1);
-  std::error_code error;
-  fs::create_directories(logs_, error);
-  if (error) return Error{logs_.string() + " cannot be made: " + error.message()};
+  if (auto made = make_private_folder(logs_); !made) return made;
   if (!options_.expectations.empty()) {
     if (auto begun = check_.begin(); !begun) return begun;
     if (auto read = check_.read_expectations(); !read) return read;

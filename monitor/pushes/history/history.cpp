@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/pushes/history/history.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "core/private_file.h"
 #include "monitor/pushes/history/history_rows.h"
 #include "monitor/pushes/history/sql.h"
 
 namespace galilean::monitor {
+namespace {
+
+/// Makes the database's file, because SQLite would let others read what it makes. Where this fails,
+/// SQLite says why. The files that SQLite puts beside it get its mode, but an earlier release may
+/// have left some.
+void make_private_database(const std::filesystem::path& file) {
+  (void)make_private_folder(file.parent_path());
+  if (const auto made = open_private_file(file, O_WRONLY | O_EXCL)) close(made.value());
+  for (const char* ending : {"", "-wal", "-shm"}) take_from_others(file.string() + ending);
+}
+
+}  // namespace
 
 Result<std::unique_ptr<History>> History::open(const std::filesystem::path& file) try {
-  std::error_code failed;
-  std::filesystem::create_directories(file.parent_path(), failed);
+  make_private_database(file);
   sqlite3* database = nullptr;
   const int opened = sqlite3_open(file.c_str(), &database);
   std::unique_ptr<History> history(new History(database));

@@ -94,6 +94,12 @@ std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocke
   metric(out, "galilean_http_requests_total", "counter", "Requests.", http.requests);
   metric(out, "galilean_http_refused_total", "counter", "Requests with a wrong Host or Origin.",
          http.refused);
+  metric(out, "galilean_http_wrong_tokens_total", "counter",
+         "Requests with a token that gives no right.", http.wrong_tokens);
+  metric(out, "galilean_http_held_off_total", "counter",
+         "Requests answered with 429, after too many wrong tokens.", http.held_off);
+  metric(out, "galilean_websocket_revoked_total", "counter",
+         "Clients closed because their token was revoked or expired.", http.revoked);
   return out.str();
 }
 

@@ -21,12 +21,6 @@ std::string without_port(std::string_view host) {
   return lower(host.substr(0, host.find(':')));
 }
 
-/// "http://localhost:8080" -> "localhost:8080".
-std::string_view authority(std::string_view origin) {
-  const auto scheme = origin.find("://");
-  return scheme == origin.npos ? std::string_view() : origin.substr(scheme + 3);
-}
-
 /// The origin that a browser's engine sends for a page that was opened as a file.
 constexpr std::string_view kDesktopProgram = "file://";
 
@@ -49,7 +43,7 @@ bool Guard::is_allowed_origin(const std::string& origin) const {
 bool Guard::is_of_stranger(const HttpRequest& request) const {
   if (request.origin.empty() || is_allowed_origin(request.origin)) return false;
   return lower(request.origin) != kDesktopProgram &&
-         lower(authority(request.origin)) != lower(request.host);
+         lower(request.origin) != scheme_ + "://" + lower(request.host);
 }
 
 Result<void> Guard::admit(const HttpRequest& request) const {

@@ -16,8 +16,9 @@ namespace galilean::monitor {
 /// even read the answers. The browser then names the page's host in the Host field or the page's
 /// site in the Origin field. Host must therefore be "localhost", a loopback address or the address
 /// that the server listens on; it may be any address if the server listens on all. Origin, if it is
-/// sent, must be this host or a site that the operator allowed. The origin "file://" passes, too:
-/// the desktop programs of Foxglove and Lichtblick send it, and no site can send it.
+/// sent, must be this host with the scheme that is served here, or a site that the operator
+/// allowed. The origin "file://" passes, too: the desktop programs of Foxglove and Lichtblick send
+/// it, and no site can send it.
 ///
 /// Files below kSharedPath are there for pages of any site, so that viewers in a browser open a
 /// recording by its address. Such a page needs a token, also where reading is free for others.
@@ -25,9 +26,13 @@ class Guard {
  public:
   static constexpr std::string_view kSharedPath = "/recordings/";
 
-  /// `allowed_origins` are written as a browser sends them: "https://studio.example.org".
-  Guard(std::string listen_address, std::vector<std::string> allowed_origins)
-      : listen_address_(std::move(listen_address)), allowed_origins_(std::move(allowed_origins)) {}
+  /// `allowed_origins` are written as a browser sends them: "https://studio.example.org". `scheme`
+  /// is what this server is asked by, "http" or "https".
+  Guard(std::string listen_address, std::vector<std::string> allowed_origins,
+        std::string scheme = "http")
+      : listen_address_(std::move(listen_address)),
+        allowed_origins_(std::move(allowed_origins)),
+        scheme_(std::move(scheme)) {}
 
   /// Errors: the request is refused; the error is a sentence for its author.
   [[nodiscard]] Result<void> admit(const HttpRequest& request) const;
@@ -41,6 +46,7 @@ class Guard {
 
   std::string listen_address_;
   std::vector<std::string> allowed_origins_;
+  std::string scheme_;
 };
 
 }  // namespace galilean::monitor

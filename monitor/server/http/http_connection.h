@@ -21,7 +21,7 @@ class HttpConnection final : public IncomingBody,
                              public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(boost::asio::ip::tcp::socket socket,
-                 std::shared_ptr<HttpServer::ServerContext> context);
+                 std::shared_ptr<HttpServer::ServerContext> context, std::string address);
   ~HttpConnection() override;
 
   /// Reads the next request.
@@ -47,6 +47,12 @@ class HttpConnection final : public IncomingBody,
   [[nodiscard]] std::string origin_for(const HttpRequest& request) const;
   void become_websocket(const HttpRequest& request, const TextRequest& message);
   void handle(const HttpRequest& request);
+
+  // What tokens permit: http_rights.cpp.
+  [[nodiscard]] Right right_of(const HttpRequest& request);
+  [[nodiscard]] std::optional<Duration> held_off();
+  [[nodiscard]] static HttpResponse too_many_guesses(Duration wait);
+  [[nodiscard]] bool is_withdrawn() const;
 
   // Bodies in pieces, in both directions: http_pieces.cpp.
   void say_continue(Take take);
@@ -74,6 +80,9 @@ class HttpConnection final : public IncomingBody,
   std::shared_ptr<const std::string> body_;
   std::string head_;
   std::string allowed_origin_;
+  std::string address_;               ///< the client's
+  std::string digest_;                ///< of the token that the last request sent; else empty
+  Right token_right_ = Right::kNone;  ///< what that token gave
   unsigned version_ = 11;
   std::uint64_t handled_ = 0;  ///< requests that the handler got
   bool awaits_answer_ = false;

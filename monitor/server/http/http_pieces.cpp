@@ -49,6 +49,10 @@ void HttpConnection::take_piece(error_code error, const Take& take) {
     keep_alive_ = false;
     return take(Error{error.message()});
   }
+  if (is_withdrawn()) {
+    keep_alive_ = false;
+    return take(Error{"the token was revoked or has expired"});
+  }
   stream_.expires_never();
   const auto size = piece_.size() - stream_parser_->get().body().size;
   if (size == 0) return next(take);
@@ -58,6 +62,7 @@ void HttpConnection::take_piece(error_code error, const Take& take) {
 /// Sends the next piece of a streamed body, or goes on behind the last.
 void HttpConnection::send_piece() {
   if (!outgoing_ || outgoing_->bytes == 0 || head_only_) return go_on();
+  if (is_withdrawn()) return close();
   // Where the file has become shorter, the head has promised more than there is. Only the
   // connection's end can tell that.
   context_->transfers.run([self = shared_from_this()] { return self->read_piece(); },

@@ -45,7 +45,28 @@ void HttpServer::close() {
 HttpServer::Counts HttpServer::counts() const {
   Counts counts = context_->counts;
   counts.replays = context_->replay.playbacks.running();
+  counts.revoked = context_->sockets.ended();
   return counts;
+}
+
+void HttpServer::set_named_tokens(std::vector<NamedToken> tokens) {
+  context_->access.set_named(std::move(tokens));
+}
+
+void HttpServer::end_withdrawn() {
+  context_->sockets.end_withdrawn(context_->access);
+}
+
+void HttpServer::welcome(tcp::socket socket) {
+  if (tls_)
+    return tls_->enter(std::move(socket),
+                       [context = context_](tcp::socket inner, const std::string& address) {
+                         if (context->counts.connections < kMostConnections)
+                           serve_http(std::move(inner), context, address);
+                       });
+  error_code ignored;
+  const auto address = socket.remote_endpoint(ignored).address().to_string();
+  serve_http(std::move(socket), context_, address);
 }
 
 void HttpServer::accept() {
@@ -60,7 +81,7 @@ void HttpServer::accept() {
       return;
     }
     if (context_->counts.connections < kMostConnections)
-      (void)guarded("a new connection", [&] { serve_http(std::move(socket), context_); });
+      (void)guarded("a new connection", [&] { welcome(std::move(socket)); });
     accept();
   });
 }

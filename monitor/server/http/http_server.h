@@ -7,13 +7,18 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "core/clock.h"
 #include "core/result.h"
+#include "monitor/access/guess_limit.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/http/guard.h"
 #include "monitor/server/http/http_messages.h"
+#include "monitor/server/http/open_sockets.h"
 #include "monitor/server/lsp/language_session.h"
 #include "monitor/server/replay/replay_session.h"
+#include "monitor/server/tls/tls_door.h"
 #include "monitor/server/websocket/send_rounds.h"
 
 namespace galilean::monitor {
@@ -29,8 +34,11 @@ class HttpServer {
   struct Counts {
     std::size_t connections = 0;  ///< open HTTP connections
     std::uint64_t requests = 0;
-    std::uint64_t refused = 0;  ///< requests that the guard refused
-    std::size_t replays = 0;    ///< recordings that are played to a viewer now
+    std::uint64_t refused = 0;       ///< requests that the guard refused
+    std::size_t replays = 0;         ///< recordings that are played to a viewer now
+    std::uint64_t wrong_tokens = 0;  ///< requests with a token that gives no right
+    std::uint64_t held_off = 0;      ///< those of them that were told to wait
+    std::uint64_t revoked = 0;       ///< WebSockets that were closed because their token ended
   };
   /// The objects that all sessions share. They live as long as the server or one of the sessions.
   struct ServerContext {
@@ -43,6 +51,9 @@ class HttpServer {
     ReplayContext& replay;
     Worker& transfers;  ///< reads files while they are sent
     Counts counts = {};
+    GuessLimit guesses = {};
+    OpenSockets sockets = {};
+    SteadyClock clock = {};
   };
 
   HttpServer(boost::asio::io_context& io, ServerContext context);
@@ -51,15 +62,24 @@ class HttpServer {
   /// port. Returns the port.
   /// Errors: `address` is not a valid address, or the port is taken or not permitted.
   [[nodiscard]] Result<std::uint16_t> listen(const std::string& address, std::uint16_t port);
+  /// Lets connections in through `door`, which speaks TLS. Requires: `listen` was not called yet.
+  void use_tls(std::shared_ptr<TlsDoor> door) { tls_ = std::move(door); }
   /// Accepts no more connections. Those that are open stay.
   void close();
   [[nodiscard]] Counts counts() const;
+  /// Replaces the named tokens.
+  void set_named_tokens(std::vector<NamedToken> tokens);
+  /// Ends the open WebSockets whose tokens were revoked or have expired. Call it twice a second or
+  /// more often, because one that does not close by itself is cut at the next call.
+  void end_withdrawn();
 
  private:
   void accept();
+  void welcome(boost::asio::ip::tcp::socket socket);
 
   boost::asio::ip::tcp::acceptor acceptor_;
   std::shared_ptr<ServerContext> context_;
+  std::shared_ptr<TlsDoor> tls_;  ///< null where plain HTTP is spoken
 };
 
 }  // namespace galilean::monitor

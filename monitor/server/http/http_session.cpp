@@ -57,8 +57,9 @@ HttpResponse websocket_needed(const std::string& path) {
 }  // namespace
 
 HttpConnection::HttpConnection(boost::asio::ip::tcp::socket socket,
-                               std::shared_ptr<HttpServer::ServerContext> context)
-    : stream_(std::move(socket)), context_(std::move(context)) {
+                               std::shared_ptr<HttpServer::ServerContext> context,
+                               std::string address)
+    : stream_(std::move(socket)), context_(std::move(context)), address_(std::move(address)) {
   ++context_->counts.connections;
   error_code ignored;
   stream_.socket().set_option(boost::asio::ip::tcp::no_delay(true), ignored);
@@ -151,9 +152,11 @@ std::optional<HttpRequest> HttpConnection::begin(const Request<Body>& message) {
     respond(problem(403, admitted.error().message));
     return {};
   }
-  request.right = context_->guard.is_of_stranger(request)
-                      ? context_->access.right_by_token(request.token)
-                      : context_->access.right_of(request.token);
+  request.right = right_of(request);
+  if (const auto wait = held_off()) {
+    respond(too_many_guesses(*wait));
+    return {};
+  }
   return request;
 }
 
@@ -167,12 +170,15 @@ void HttpConnection::become_websocket(const HttpRequest& request, const TextRequ
   stream_.expires_never();
   auto socket = stream_.release_socket();
   auto& rounds = context_->rounds;
+  std::weak_ptr<Revocable> session;
   if (request.path == "/lsp")
-    serve_language(std::move(socket), message, rounds, context_->language);
+    session = serve_language(std::move(socket), message, rounds, context_->language);
   else if (request.path == "/replay")
-    serve_replay(std::move(socket), message, rounds, context_->replay);
+    session = serve_replay(std::move(socket), message, rounds, context_->replay);
   else
-    serve_websocket(std::move(socket), message, context_->hub, rounds, request.right);
+    session = serve_websocket(std::move(socket), message, context_->hub, rounds, request.right);
+  if (token_right_ != Right::kNone)
+    context_->sockets.add(digest_, token_right_, std::move(session));
 }
 
 void HttpConnection::handle(const HttpRequest& request) {
@@ -186,8 +192,9 @@ void HttpConnection::handle(const HttpRequest& request) {
 }
 
 void serve_http(boost::asio::ip::tcp::socket socket,
-                std::shared_ptr<HttpServer::ServerContext> context) {
-  std::make_shared<HttpConnection>(std::move(socket), std::move(context))->read();
+                std::shared_ptr<HttpServer::ServerContext> context, std::string address) {
+  std::make_shared<HttpConnection>(std::move(socket), std::move(context), std::move(address))
+      ->read();
 }
 
 }  // namespace galilean::monitor

@@ -6,8 +6,8 @@
 namespace galilean::monitor {
 
 /// Serves one connection until it closes or becomes a WebSocket. The session owns itself until
-/// then.
+/// then. `address` is the client's.
 void serve_http(boost::asio::ip::tcp::socket socket,
-                std::shared_ptr<HttpServer::ServerContext> context);
+                std::shared_ptr<HttpServer::ServerContext> context, std::string address);
 
 }  // namespace galilean::monitor

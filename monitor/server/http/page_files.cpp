@@ -84,7 +84,7 @@ HttpResponse PageFiles::get(const HttpRequest& request) const {
       {"ETag", file.etag},
       {"Vary", "Accept-Encoding"},
       {"Cache-Control", for_ever ? "public, max-age=31536000, immutable" : "no-cache"},
-      {"Content-Security-Policy", policy_}};
+      {"Content-Security-Policy", policy_ + connect_policy(request.host)}};
   if (is_known(request.if_none_match, file.etag)) {
     response.status = 304;
     response.body.reset();

@@ -33,7 +33,7 @@ class PageFiles {
   void add(const std::string& path, std::string content, std::string small);
 
   std::map<std::string, File> files_;  ///< by path, such as "/assets/index-1a2b.js"
-  std::string policy_;                 ///< the page's Content-Security-Policy
+  std::string policy_;  ///< the page's Content-Security-Policy, but for what it may connect to
 };
 
 /// Returns the folder of the installed page.

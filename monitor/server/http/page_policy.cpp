@@ -43,7 +43,17 @@ std::string script_hashes(std::string_view html) {
 std::string page_policy(std::string_view html) {
   return "default-src 'self'; script-src 'self'" + script_hashes(html) +
          "; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
-         "connect-src 'self' ws: wss:; worker-src 'self' blob:; frame-ancestors 'none'";
+         "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; "
+         "frame-ancestors 'none'";
+}
+
+std::string connect_policy(std::string_view host) {
+  constexpr std::string_view kInNames =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.:-";
+  std::string policy = "; connect-src 'self'";
+  // The host comes from the request: nothing in it may begin another source or directive.
+  if (host.empty() || host.find_first_not_of(kInNames) != host.npos) return policy;
+  return policy.append(" ws://").append(host).append(" wss://").append(host);
 }
 
 }  // namespace galilean::monitor

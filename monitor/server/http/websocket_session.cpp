@@ -15,6 +15,7 @@ using error_code = boost::system::error_code;
 constexpr std::size_t kMostMessageBytes = 16 << 20;
 
 class WebSocketSession final : public foxglove::Link,
+                               public Revocable,
                                public std::enable_shared_from_this<WebSocketSession> {
  public:
   WebSocketSession(boost::asio::ip::tcp::socket socket, foxglove::Hub& hub, SendRounds& rounds,
@@ -38,6 +39,13 @@ class WebSocketSession final : public foxglove::Link,
   void flush() override { socket_.flush(); }
 
   void close(const std::string& reason) override { close_with(CloseCode::kPolicy, reason); }
+
+  void revoke(const std::string& reason) override {
+    client_.reset();
+    close_with(CloseCode::kPolicy, reason);
+  }
+
+  void cut() override { socket_.cut(); }
 
  private:
   void close_with(CloseCode code, const std::string& reason) {
@@ -85,9 +93,12 @@ class WebSocketSession final : public foxglove::Link,
 
 }  // namespace
 
-void serve_websocket(boost::asio::ip::tcp::socket socket, const Upgrade& upgrade,
-                     foxglove::Hub& hub, SendRounds& rounds, Right right) {
-  std::make_shared<WebSocketSession>(std::move(socket), hub, rounds, right)->start(upgrade);
+std::weak_ptr<Revocable> serve_websocket(boost::asio::ip::tcp::socket socket,
+                                         const Upgrade& upgrade, foxglove::Hub& hub,
+                                         SendRounds& rounds, Right right) {
+  const auto session = std::make_shared<WebSocketSession>(std::move(socket), hub, rounds, right);
+  session->start(upgrade);
+  return session;
 }
 
 }  // namespace galilean::monitor

@@ -2,16 +2,20 @@
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
+#include <memory>
 
 #include "monitor/access/access.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
+#include "monitor/server/websocket/revocable.h"
 #include "monitor/server/websocket/web_socket.h"
 
 namespace galilean::monitor {
 
 /// Serves one WebSocket of Foxglove's protocol until it closes. `right` decides whether the client
-/// may call services. The session owns itself until then. `hub` and `rounds` must outlive it.
-void serve_websocket(boost::asio::ip::tcp::socket socket, const WebSocket::Upgrade& upgrade,
-                     foxglove::Hub& hub, SendRounds& rounds, Right right);
+/// may call services. The session, which is returned, owns itself until then. `hub` and `rounds`
+/// must outlive it.
+std::weak_ptr<Revocable> serve_websocket(boost::asio::ip::tcp::socket socket,
+                                         const WebSocket::Upgrade& upgrade, foxglove::Hub& hub,
+                                         SendRounds& rounds, Right right);
 
 }  // namespace galilean::monitor

@@ -24,7 +24,8 @@ std::string catalog_of(const Team& team, const std::string& robot) {
   return {};
 }
 
-class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
+class LanguageSession final : public Revocable,
+                              public std::enable_shared_from_this<LanguageSession> {
  public:
   LanguageSession(boost::asio::ip::tcp::socket socket, SendRounds& rounds,
                   LanguageServerContext& context)
@@ -38,6 +39,10 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
           if (!error) self->begin(robot);
         });
   }
+
+  void revoke(const std::string& reason) override { close(CloseCode::kPolicy, reason); }
+
+  void cut() override { socket_.cut(); }
 
  private:
   /// The result of one job on the worker.
@@ -124,9 +129,9 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
     });
   }
 
-  void close(CloseCode code) {
+  void close(CloseCode code, const std::string& reason = {}) {
     if (std::exchange(closed_, true)) return;
-    socket_.close(code, {}, [self = shared_from_this()](error_code) {});
+    socket_.close(code, reason, [self = shared_from_this()](error_code) {});
   }
 
   void end() {
@@ -148,9 +153,12 @@ class LanguageSession : public std::enable_shared_from_this<LanguageSession> {
 
 }  // namespace
 
-void serve_language(boost::asio::ip::tcp::socket socket, const WebSocket::Upgrade& upgrade,
-                    SendRounds& rounds, LanguageServerContext& context) {
-  std::make_shared<LanguageSession>(std::move(socket), rounds, context)->start(upgrade);
+std::weak_ptr<Revocable> serve_language(boost::asio::ip::tcp::socket socket,
+                                        const WebSocket::Upgrade& upgrade, SendRounds& rounds,
+                                        LanguageServerContext& context) {
+  const auto session = std::make_shared<LanguageSession>(std::move(socket), rounds, context);
+  session->start(upgrade);
+  return session;
 }
 
 }  // namespace galilean::monitor

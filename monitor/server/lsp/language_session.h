@@ -3,9 +3,11 @@
 
 #include <boost/asio/ip/tcp.hpp>
 #include <filesystem>
+#include <memory>
 
 #include "core/catalog/catalog.h"
 #include "monitor/background/worker.h"
+#include "monitor/server/websocket/revocable.h"
 #include "monitor/server/websocket/web_socket.h"
 #include "monitor/team/team.h"
 
@@ -23,8 +25,9 @@ struct LanguageServerContext {
 /// Serves the language server over one WebSocket until it closes. Each text message is one JSON-RPC
 /// message. Programs are checked against the catalog of the robot that the query names
 /// (`?robot=io`), else against that of the first robot that is not silent and has published one.
-/// The session owns itself until then. `rounds` and `context` must outlive it.
-void serve_language(boost::asio::ip::tcp::socket socket, const WebSocket::Upgrade& upgrade,
-                    SendRounds& rounds, LanguageServerContext& context);
+/// The session, which is returned, owns itself until then. `rounds` and `context` must outlive it.
+std::weak_ptr<Revocable> serve_language(boost::asio::ip::tcp::socket socket,
+                                        const WebSocket::Upgrade& upgrade, SendRounds& rounds,
+                                        LanguageServerContext& context);
 
 }  // namespace galilean::monitor

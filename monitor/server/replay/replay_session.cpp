@@ -37,13 +37,13 @@ Result<Duration> read_seconds(const std::string& text) {
   return from_seconds(seconds);
 }
 
-class ReplaySession final : public std::enable_shared_from_this<ReplaySession> {
+class ReplaySession final : public Revocable, public std::enable_shared_from_this<ReplaySession> {
  public:
   ReplaySession(boost::asio::ip::tcp::socket socket, SendRounds& rounds, ReplayContext& context)
       : executor_(socket.get_executor()),
         socket_(std::move(socket), rounds, kMostOrderBytes),
         context_(context) {}
-  ~ReplaySession() {
+  ~ReplaySession() override {
     if (line_) line_->leave();
   }
 
@@ -63,6 +63,13 @@ class ReplaySession final : public std::enable_shared_from_this<ReplaySession> {
           self->read();
         });
   }
+
+  void revoke(const std::string& reason) override {
+    if (line_) line_->leave();
+    close(CloseCode::kPolicy, reason);
+  }
+
+  void cut() override { socket_.cut(); }
 
  private:
   /// Runs `work`, and closes the connection if it throws, because it may have been done by half.
@@ -206,9 +213,12 @@ class ReplaySession final : public std::enable_shared_from_this<ReplaySession> {
 
 }  // namespace
 
-void serve_replay(boost::asio::ip::tcp::socket socket, const WebSocket::Upgrade& upgrade,
-                  SendRounds& rounds, ReplayContext& context) {
-  std::make_shared<ReplaySession>(std::move(socket), rounds, context)->start(upgrade);
+std::weak_ptr<Revocable> serve_replay(boost::asio::ip::tcp::socket socket,
+                                      const WebSocket::Upgrade& upgrade, SendRounds& rounds,
+                                      ReplayContext& context) {
+  const auto session = std::make_shared<ReplaySession>(std::move(socket), rounds, context);
+  session->start(upgrade);
+  return session;
 }
 
 }  // namespace galilean::monitor

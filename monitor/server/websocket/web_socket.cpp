@@ -28,6 +28,10 @@ WebSocket::WebSocket(boost::asio::ip::tcp::socket socket, SendRounds& rounds,
 }
 
 WebSocket::~WebSocket() {
+  cut();
+}
+
+void WebSocket::cut() {
   stream_->beast.next_layer().close();
 }
 

@@ -55,6 +55,8 @@ class WebSocket {
 
   /// Sends a close frame and waits for the client's.
   void close(CloseCode code, const std::string& reason, Then then);
+  /// Ends the connection at once. What waits for it fails.
+  void cut();
 
  private:
   struct Stream;

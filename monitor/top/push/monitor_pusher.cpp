@@ -9,10 +9,10 @@ constexpr std::chrono::milliseconds kMostAtEnd{100};
 
 /// Returns the way to the monitor that `options` names.
 AskMonitor over_http(const PushOptions& options) {
-  return [url = options.monitor, token_file = options.token_file](
+  return [url = options.monitor, token_file = options.token_file, trust = options.trust](
              const std::string& path,
              const std::optional<nlohmann::json>& body) -> Result<MonitorAnswer, Unanswered> {
-    const auto monitor = MonitorClient::at(url, token_file);
+    const auto monitor = MonitorClient::at(url, token_file, trust);
     if (!monitor) return Unanswered{{monitor.error().message}};
     return body ? monitor.value().post(path, *body) : monitor.value().get(path);
   };

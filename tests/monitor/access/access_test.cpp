@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "monitor/access/digest.h"
 #include "tests/temporary_folder.h"
 
 namespace galilean::monitor {
@@ -53,6 +54,36 @@ TEST(Access, WhereOnlyThisMachineIsHeardReadingIsFree) {
     EXPECT_TRUE(is_loopback(near)) << near;
   for (const auto* far : {"0.0.0.0", "192.168.1.5", "::", "1270.0.0.1", ""})
     EXPECT_FALSE(is_loopback(far)) << far;
+}
+
+TEST(Access, ANamedTokenGivesItsRoleUntilItExpiresOrIsTakenOut) {
+  std::int64_t now_s = 1000;
+  Access access({.viewer = "view-view-view-vi", .operator_ = "oper-oper-oper-op"}, false,
+                [&] { return now_s; });
+  const auto named = [](const std::string& name, Right right, std::optional<std::int64_t> expires) {
+    return NamedToken{
+        .name = name, .right = right, .sha256 = digest_of(name), .made_s = 0, .expires_s = expires};
+  };
+  access.set_named({named("anna", Right::kRead, {}), named("bert", Right::kOperate, 1010)});
+  EXPECT_EQ(access.right_of("anna"), Right::kRead);
+  EXPECT_EQ(access.right_of("bert"), Right::kOperate);
+  EXPECT_EQ(access.right_of(digest_of("bert")), Right::kNone) << "what is stored opens nothing";
+  now_s = 1010;
+  EXPECT_EQ(access.right_of("bert"), Right::kNone);
+  access.set_named({});
+  EXPECT_EQ(access.right_of("anna"), Right::kNone);
+  EXPECT_EQ(access.right_of("oper-oper-oper-op"), Right::kOperate) << "the files' tokens stay";
+  EXPECT_EQ(access.right_of("view-view-view-vi"), Right::kRead);
+}
+
+TEST(Digest, IsComparedAsAWhole) {
+  EXPECT_EQ(digest_of("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_TRUE(is_same_digest(digest_of("abc"), digest_of("abc")));
+  auto other = digest_of("abc");
+  other.back() = 'e';
+  EXPECT_FALSE(is_same_digest(digest_of("abc"), other));
+  EXPECT_FALSE(is_same_digest(digest_of("abc"), ""));
+  EXPECT_FALSE(is_same_digest(digest_of("abc"), digest_of("abc").substr(1)));
 }
 
 }  // namespace

@@ -65,6 +65,14 @@ TEST_F(Processes, LogWhatTheyPrint) {
   EXPECT_FALSE(line_with(log, "four"));
 }
 
+TEST_F(Processes, LogForTheirOwnerAlone) {
+  std::ofstream(log) << "an earlier run\n";
+  fs::permissions(log, fs::perms::others_read, fs::perm_options::add);
+  auto process = shell("echo a token");
+  EXPECT_TRUE(process.end());
+  EXPECT_EQ(fs::status(log).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
 TEST_F(Processes, AreAskedToEndBeforeTheyAreMade) {
   Process process = shell("trap 'echo bye; exit 0' TERM; echo up >" + word.string() +
                           "; while :; do read line <" + word.string() + "; done");

@@ -39,6 +39,26 @@ class HistoryTest : public testing::Test {
   const fs::path file = folder / "new" / "history.sqlite";
 };
 
+TEST_F(HistoryTest, IsForItsOwnerAloneAlsoWhereAnEarlierReleaseLetOthersRead) {
+  const auto others_rights = [](const fs::path& path) {
+    return fs::status(path).permissions() & (fs::perms::group_all | fs::perms::others_all);
+  };
+  const auto is_private = [&] {
+    for (const auto& each : fs::directory_iterator(file.parent_path()))
+      if (others_rights(each.path()) != fs::perms::none) return false;
+    return others_rights(file.parent_path()) == fs::perms::none;
+  };
+  {
+    const auto history = History::open(file);
+    ASSERT_TRUE(history);
+    ASSERT_TRUE(history.value()->add(push(1)));
+    EXPECT_TRUE(is_private());
+  }
+  fs::permissions(file, fs::perms::group_read | fs::perms::others_read, fs::perm_options::add);
+  ASSERT_TRUE(History::open(file));
+  EXPECT_TRUE(is_private());
+}
+
 TEST_F(HistoryTest, RemembersWhoPushedWhatToWhomAndWhatBecameOfIt) {
   {
     auto history = History::open(file);

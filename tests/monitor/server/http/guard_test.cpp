@@ -45,6 +45,17 @@ TEST(Guard, OnlyItsOwnPageAndAllowedOnesMayAsk) {
   EXPECT_FALSE(passes(guard, "localhost:8080", "null"));
 }
 
+TEST(Guard, APageOfTheSameHostByAnotherSchemeIsAStranger) {
+  const Guard guard("127.0.0.1", {});
+  EXPECT_TRUE(passes(guard, "LocalHost:8080", "HTTP://localhost:8080"));
+  for (const auto* origin : {"https://localhost:8080", "ws://localhost:8080", "localhost:8080",
+                             "//localhost:8080", "x-http://localhost:8080", "http://", "://"})
+    EXPECT_FALSE(passes(guard, "localhost:8080", origin)) << origin;
+  const Guard encrypted("127.0.0.1", {}, "https");
+  EXPECT_TRUE(passes(encrypted, "localhost:8080", "https://localhost:8080"));
+  EXPECT_FALSE(passes(encrypted, "localhost:8080", "http://localhost:8080"));
+}
+
 TEST(Guard, DesktopProgramsWhosePagesAreFilesMayAsk) {
   const Guard guard("127.0.0.1", {});
   EXPECT_TRUE(passes(guard, "localhost:8080", "file://"));

@@ -25,6 +25,23 @@ TEST(PagePolicy, NamesEachScriptInsideThePageByItsHash) {
             "'sha256-1HNeOiZeFu7gP1lxi5tdAwGcB9i2xR+Q2jpmbuwTqzU='");
 }
 
+TEST(PagePolicy, ThePageConnectsToItsOwnHostAlone) {
+  EXPECT_EQ(connect_policy("localhost:8080"),
+            "; connect-src 'self' ws://localhost:8080 wss://localhost:8080");
+  for (const auto* strange : {"", "[::1]:8080", "localhost:8080; script-src *", "a b", "a,b",
+                              "localhost\n", "*", "a/'b'"})
+    EXPECT_EQ(connect_policy(strange), "; connect-src 'self'") << strange;
+}
+
+TEST(PagePolicy, NoDirectiveLetsEveryHostOrAnotherSitesFrameIn) {
+  const std::string policy = page_policy("") + connect_policy("localhost:8080");
+  for (const auto* directive : {"base-uri 'none'", "form-action 'none'", "frame-ancestors 'none'",
+                                "object-src 'none'", "default-src 'self'"})
+    EXPECT_NE(policy.find(directive), policy.npos) << directive;
+  for (const auto* whole_scheme : {" ws:;", " ws: ", " wss:;", " wss: ", " http:", " https:", "*"})
+    EXPECT_EQ(policy.find(whole_scheme), policy.npos) << whole_scheme;
+}
+
 TEST(PagePolicy, AScriptThatDoesNotEndIsNone) {
   EXPECT_EQ(script_sources("<script>alert("), "'self'");
   EXPECT_EQ(script_sources("<script>"), "'self'");

@@ -84,6 +84,7 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
                        .probation = {.length = from_seconds(options.probation_s),
                                      .most_transitions_per_s = options.most_transitions_per_s},
                        .tuner = &devices,
+                       .holds_after_faults = !options.resumes_by_itself,
                        .observers = {&tap, &images, &inputs},
                        .on_waiting = [&wake] { wake.ring(); }});
   if (const auto loaded = executive.load(std::move(program)); !loaded)

@@ -52,13 +52,35 @@ void Executive::tick() {
 void Executive::begin_tick() noexcept {
   began_ = setup_.stopwatch.now();
   const Time now = setup_.clock.now();
-  if (tick_.number > 0 && now - tick_.now >= 2 * tick_.period) ++overruns_;
+  const Duration since_last_tick = tick_.number > 0 ? now - tick_.now : Duration{};
+  if (since_last_tick >= 2 * tick_.period) ++overruns_;
   tick_.now = now;
   ++tick_.number;
   state_changed_ = false;
   exchanged_ = Event{};
   breaks_.refresh();
+  watch_faults(since_last_tick);
   take_orders();
+}
+
+/// Goes by the devices of the tick before, so that a robot is held before the tick in which a
+/// device is back. What it decides is among the orders of this tick, and a rerun finds it there.
+void Executive::watch_faults(Duration since_last_tick) noexcept {
+  const FaultCause noted = noted_fault_.exchange(FaultCause::kNone, std::memory_order_relaxed);
+  if (noted != FaultCause::kNone) faults_.note(noted);
+  if (!setup_.holds_after_faults) return;
+  const ControllerStatus& board = port_.status();
+  const auto verdict = faults_.judge({.now = tick_.now,
+                                      .since_last_tick = since_last_tick,
+                                      .health = health_,
+                                      .uses_camera = program() && program()->devices.uses_camera,
+                                      .board_heard = board.received,
+                                      .camera_heard = devices_.frame_grabber.frame().captured,
+                                      .epoch = board.epoch,
+                                      .bumpers = board.bumpers,
+                                      .hold = holding_.now()});
+  if (verdict == FaultWatch::Verdict::kHold) static_cast<void>(holding_.stop(Hold::kFault));
+  if (verdict == FaultWatch::Verdict::kLetGo) static_cast<void>(holding_.end_fault());
 }
 
 void Executive::take_orders() noexcept {
@@ -115,6 +137,7 @@ void Executive::publish() noexcept {
                       .health = health_,
                       .pose = pose(),
                       .standstill = standstill(),
+                      .fault = hold_ == Hold::kFault ? faults_.report() : FaultReport{},
                       .out_of_service = !orders_.in_service,
                       .in_probation = succession_.probation().active(),
                       .tick_time = tick_time_,

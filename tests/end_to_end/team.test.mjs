@@ -164,13 +164,13 @@ test('a robot that hangs is named by every order to the team, and the others obe
   assert.match(order('hold', '--robot', 'europa').stderr, /^galilean hold: europa sends no state; check that robots run/);
 });
 
-test('camera and serial line unplugged: the robot says which, and comes back', async (t) => {
+test('camera and serial line unplugged: a robot that resumes by itself says which, and comes back', async (t) => {
   const domain = freshDomain();
   const cwd = scratchFolder(t);
   const sim = new Running(t, ['sim', '--live', '--scenario', 'office', '--robots', '1', '--run', `fault-${domain}`,
     '--autostart', '1', '--fault', 'camera:io@4-8', '--fault', 'serial:io@10-14'], { domain, cwd });
   const { robots } = JSON.parse((await sim.line(/^\{.*"ready".*\}$/m))[0]);
-  new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', robots[0].serial, '--camera', robots[0].camera], { domain, cwd });
+  new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', robots[0].serial, '--camera', robots[0].camera, '--resume-by-itself'], { domain, cwd });
   const monitor = new Running(t, ['monitor', '--listen', '127.0.0.1:0', '--data', cwd], { domain, cwd });
   const [url] = await monitor.line(/http:\/\/127\.0\.0\.1:\d+/);
 
@@ -182,6 +182,35 @@ test('camera and serial line unplugged: the robot says which, and comes back', a
   await problem(null);
   t.diagnostic(await problem(/^comm_port: /));
   await problem(null);
+});
+
+test('a serial line that is plugged in again: the robot says why it is held, and moves when somebody resumes it', { timeout: 180_000 }, async (t) => {
+  const domain = freshDomain();
+  const cwd = scratchFolder(t);
+  const sim = new Running(t, ['sim', '--live', '--scenario', 'office', '--robots', '1', '--run', `held-${domain}`, '--autostart', '1'], { domain, cwd });
+  const { robots } = JSON.parse((await sim.line(/^\{.*"ready".*\}$/m))[0]);
+  new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', robots[0].serial, '--camera', robots[0].camera], { domain, cwd });
+  const monitor = new Running(t, ['monitor', '--listen', '127.0.0.1:0', '--data', cwd], { domain, cwd });
+  const [url] = await monitor.line(/http:\/\/127\.0\.0\.1:\d+/);
+  const when = (fits) => eventually(async () => {
+    const io = (await status(url)).robots.find(({ name }) => name === 'io');
+    return io && fits(io) && io;
+  });
+  const away_m = (a, b) => Math.hypot(a.x_m - b.x_m, a.y_m - b.y_m);
+  const started = await when((io) => io.problems.length === 0 && io.state !== 'start');
+  await when((io) => away_m(io, started) > 0.1);
+
+  assert.equal(galilean(['sim', 'ctl', 'break', 'io', 'serial_line'], { domain }).status, 0);
+  await when((io) => io.held && io.break_reason.startsWith('held: the serial line is gone; '));
+  assert.equal(galilean(['sim', 'ctl', 'mend', 'io', 'serial_line'], { domain }).status, 0);
+  const back = await when((io) => /^held: the serial line was gone for [\d.]+ s; resume it, or push a bumper\.$/.test(io.break_reason));
+  const later = await when((io) => io.tick > back.tick + 60);
+  assert.ok(later.held && away_m(later, back) < 0.01, JSON.stringify([back, later]));
+  assert.ok(later.problems.includes(later.break_reason), JSON.stringify(later));
+
+  const resumed = galilean(['resume', '--robot', 'io'], { domain });
+  assert.equal(resumed.status, 0, resumed.stdout + resumed.stderr);
+  await when((io) => !io.held && io.problems.length === 0 && away_m(io, later) > 0.05);
 });
 
 test('a camera path that the system refuses: the robot runs on, says what to do, and its motors stand', { timeout: 120_000 }, async (t) => {

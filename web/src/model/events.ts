@@ -15,7 +15,8 @@ const KEPT = 200;
 /** `isStopped`: a break point or a step made it stand, which is told as that. */
 function differences(before: RobotState, now: RobotState, isStopped: boolean): Omit<RobotEvent, "at_ms">[] {
   const events: Omit<RobotEvent, "at_ms">[] = [];
-  if (now.held && !before.held && !isStopped) events.push({ kind: "held", words: "was told to hold, and stands still" });
+  const isFault = now.problems.some((problem) => problem.startsWith("held: "));
+  if (now.held && !before.held && !isStopped && !isFault) events.push({ kind: "held", words: "was told to hold, and stands still" });
   if (!now.held && before.held) events.push({ kind: "resumed", words: "was told to go on" });
   if (now.out_of_service !== before.out_of_service) {
     if (now.out_of_service) events.push({ kind: "decommissioned", words: "was taken out of service" });

@@ -19,6 +19,7 @@
 #include "robot/log/log.h"
 #include "robot/options.h"
 #include "robot/robot_devices.h"
+#include "robot/telemetry/namesake_watch.h"
 #include "robot/telemetry/telemetry.h"
 #include "robot/watch/program_watch.h"
 
@@ -54,6 +55,16 @@ AcceptedSenders accepted_senders(const Options& options) {
                                            : AcceptedSenders(options.accept_swaps_from);
 }
 
+/// A second robot of a name ends before it has told or moved anything. Whoever starts it, by hand
+/// or by a service, reads why at once. If it stayed, even held, the page would show two robots as
+/// one that jumps, and one push, or one order to go on, would reach both.
+Result<void> expect_no_namesake(wire::Participant& participant, const std::string& robot,
+                                Termination& termination) {
+  const SteadyClock clock;
+  NamesakeWatch others(participant, robot);
+  return others.expect_none(clock, [&] { return termination.asked(); });
+}
+
 int refuse(const std::string& reason) {
   std::cerr << "galilean-robot: " << reason << "\n";
   return 1;
@@ -61,13 +72,17 @@ int refuse(const std::string& reason) {
 
 /// Runs the robot until a signal comes. Threads end in the reverse order of their start.
 int work(const Options& options, const Registry& components, bhdl::Program program,
-         const Termination& termination) {
+         Termination& termination) {
   const DeviceSettings settings = DeviceSettings::of(program);
   SerialPort line(options.serial.value_or(settings.comm_port.device), settings.comm_port.baud);
   const auto camera = make_frame_source(options.camera.value_or(settings.frame_grabber.device));
   if (!camera) return refuse(camera.error().message);
   const auto participant = wire::Participant::join(options.name, options.domain);
   if (!participant) return refuse(participant.error().message);
+  if (const auto alone = expect_no_namesake(*participant.value(), options.name, termination);
+      !alone)
+    return refuse(alone.error().message);
+  if (termination.asked()) return 0;
 
   const SteadyClock clock;
   RobotDevices devices(line, *camera.value(), settings);
@@ -135,7 +150,7 @@ int run(int argc, const char* const* argv) {
   set_up_log(options);
   auto program = read_program(options.bhdl_file, components.catalog());
   if (!program) return 1;
-  const Termination termination;
+  Termination termination;
   return work(options, components, std::move(*program), termination);
 }
 

@@ -4,7 +4,7 @@ import { createServer } from 'node:net';
 import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import {
-  childrenOf, eventually, freshDomain, galilean, getJson, processesIn, programs, Running, scratchFolder, startTeam,
+  childrenOf, eventually, freshDomain, galilean, getJson, processesIn, programs, Running, scratchFolder, startMonitor, startTeam,
 } from './tools.mjs';
 
 const status = (url) => getJson(`${url}/api/status`);
@@ -136,6 +136,22 @@ test('a robot that is killed is silent, stays in the team, and the others run on
   assert.match(stopped.stdout, /^callisto: has sent nothing for \d+ s, so it is not known what it does$/m);
 });
 
+test('a second robot of a name says that it would be one, and ends before it moves', async (t) => {
+  const { robot, domain, cwd, url, token } = await startMonitor(t);
+  const twin = (name) => ['robot', '--name', name, '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', '/dev/null/none', '--camera', 'shm:none'];
+  const second = new Running(t, twin('io'), { domain, cwd });
+  assert.deepEqual(await second.exited, { code: 1, signal: null });
+  assert.match(second.output, new RegExp(`^galilean-robot: a robot named io lives in DDS domain ${domain} already, and two robots of one name obey and tell as one; end that one, or start this one with another --name or --domain$`, 'm'));
+  const { robots } = await getJson(`${url}/api/status`, { headers: { authorization: `Bearer ${token('operator')}` } });
+  assert.ok(!robots[0].problems.some((problem) => problem.startsWith('name: ')), JSON.stringify(robots[0].problems));
+
+  robot.process.kill('SIGKILL');  // DDS knows it for ten seconds more
+  await robot.exited;
+  const next = new Running(t, twin('io'), { domain, cwd });
+  await next.line(/comm_port/);
+  assert.deepEqual(await next.stop(), { code: 0, signal: null });
+});
+
 test('a robot that hangs is named by every order to the team, and the others obey', { timeout: 300_000 }, async (t) => {
   const { domain, url } = await startTeam(t);
   await wholeTeam(url);
@@ -168,7 +184,7 @@ test('camera and serial line unplugged: a robot that resumes by itself says whic
   const domain = freshDomain();
   const cwd = scratchFolder(t);
   const sim = new Running(t, ['sim', '--live', '--scenario', 'office', '--robots', '1', '--run', `fault-${domain}`,
-    '--autostart', '1', '--fault', 'camera:io@4-8', '--fault', 'serial:io@10-14'], { domain, cwd });
+    '--autostart', '1', '--fault', 'camera:io@6-10', '--fault', 'serial:io@12-16'], { domain, cwd });
   const { robots } = JSON.parse((await sim.line(/^\{.*"ready".*\}$/m))[0]);
   new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', robots[0].serial, '--camera', robots[0].camera, '--resume-by-itself'], { domain, cwd });
   const monitor = new Running(t, ['monitor', '--listen', '127.0.0.1:0', '--data', cwd], { domain, cwd });

@@ -7,11 +7,11 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <sstream>
 
 #include "core/regular_file.h"
+#include "core/state_folder.h"
 
 namespace galilean::monitor {
 namespace {
@@ -64,10 +64,7 @@ Result<std::string> read_or_make(const fs::path& file, bool& is_new) {
 }  // namespace
 
 fs::path default_data_folder() {
-  if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state)
-    return fs::path(state) / "galilean";
-  const char* home = std::getenv("HOME");
-  return fs::path(home && *home ? home : ".") / ".local" / "state" / "galilean";
+  return state_folder();
 }
 
 fs::path operator_token_file(const fs::path& data_folder) {

@@ -63,26 +63,6 @@ void Executive::begin_tick() noexcept {
   take_orders();
 }
 
-/// Goes by the devices of the tick before, so that a robot is held before the tick in which a
-/// device is back. What it decides is among the orders of this tick, and a rerun finds it there.
-void Executive::watch_faults(Duration since_last_tick) noexcept {
-  const FaultCause noted = noted_fault_.exchange(FaultCause::kNone, std::memory_order_relaxed);
-  if (noted != FaultCause::kNone) faults_.note(noted);
-  if (!setup_.holds_after_faults) return;
-  const ControllerStatus& board = port_.status();
-  const auto verdict = faults_.judge({.now = tick_.now,
-                                      .since_last_tick = since_last_tick,
-                                      .health = health_,
-                                      .uses_camera = program() && program()->devices.uses_camera,
-                                      .board_heard = board.received,
-                                      .camera_heard = devices_.frame_grabber.frame().captured,
-                                      .epoch = board.epoch,
-                                      .bumpers = board.bumpers,
-                                      .hold = holding_.now()});
-  if (verdict == FaultWatch::Verdict::kHold) static_cast<void>(holding_.stop(Hold::kFault));
-  if (verdict == FaultWatch::Verdict::kLetGo) static_cast<void>(holding_.end_fault());
-}
-
 void Executive::take_orders() noexcept {
   const Hold hold = holding_.now();
   orders_ = {.hold = hold, .hold_changed = hold != hold_, .in_service = in_service()};

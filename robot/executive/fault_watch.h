@@ -17,15 +17,16 @@ enum class FaultCause : std::uint8_t {
   kBoard,       ///< so it was, and the board was restarted meanwhile
   kMotorDrive,
   kCamera,
-  kStall,     ///< the control loop stood still
-  kRestart,   ///< the robot program died while the robot ran, and was started again
-  kNamesake,  ///< another robot of this name was there when this one started
+  kStall,       ///< the control loop stood still
+  kRestart,     ///< the robot program died while the robot ran, and was started again
+  kUnknownEnd,  ///< it is not known whether that was so
+  kNamesake,    ///< another robot of this name was there when this one started
 };
 
 /// A fault for which a robot is held.
 struct FaultReport {
   FaultCause cause = FaultCause::kNone;
-  Duration lasted{};  ///< so far, or until it was over; without meaning for kRestart and kNamesake
+  Duration lasted{};  ///< so far, or until it was over; without meaning from kRestart on
   bool over = false;
 
   bool operator==(const FaultReport&) const = default;

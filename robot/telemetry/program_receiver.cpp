@@ -161,7 +161,8 @@ Result<void> ProgramReceiver::admit(const msg::ProgramPush& push,
 void ProgramReceiver::run_program(bhdl::Program program, const ProbationRules& rules,
                                   PushLedger::Push push) {
   if (!wait_for_turn(source_.executive)) return reject(push, "the control loop stands still");
-  if (ledger_.running().hash() == push.hash) {
+  if (const auto running = ledger_.running(); running.hash() == push.hash) {
+    if (source_.keep && running.proven) source_.keep(running.program->program, true);
     for (auto& reply : ledger_.join_running(std::move(push))) send(std::move(reply));
     return;
   }
@@ -169,7 +170,17 @@ void ProgramReceiver::run_program(bhdl::Program program, const ProbationRules& r
   if (!loaded) reject(push, loaded.error().message);
 }
 
+/// A program that may yet be rolled back is none to begin with after a crash.
+void ProgramReceiver::keep_proven(const Event& event) const {
+  const bool is_proven = event.kind == Event::Kind::kConfirmed ||
+                         (event.kind == Event::Kind::kRolledBack && !event.in_probation);
+  if (!source_.keep || !is_proven) return;
+  if (const auto proven = source_.executive.description(event.program))
+    source_.keep(proven->program, ledger_.pushed(event.program));
+}
+
 void ProgramReceiver::on_event(const Event& event) {
+  keep_proven(event);
   for (auto& reply : ledger_.answers(event)) send(std::move(reply));
 }
 

@@ -19,8 +19,21 @@ Result<ProgramId> PushLedger::load(bhdl::Program program, const ProbationRules& 
   // The lock covers both, so that the push is known before its program can begin to run.
   const std::lock_guard lock(mutex_);
   auto loaded = executive_.load(std::move(program), rules);
-  if (loaded) pushes_.emplace(loaded.value(), std::move(push));
+  if (!loaded) return loaded;
+  pushes_.emplace(loaded.value(), std::move(push));
+  note_pushed(loaded.value());
   return loaded;
+}
+
+/// Requires: mutex_ is locked.
+void PushLedger::note_pushed(ProgramId program) {
+  pushed_.insert(program);
+  if (pushed_.size() > kPushedKept) pushed_.erase(pushed_.begin());
+}
+
+bool PushLedger::pushed(ProgramId program) const {
+  const std::lock_guard lock(mutex_);
+  return pushed_.contains(program);
 }
 
 Replies PushLedger::join_running(Push push) {
@@ -28,6 +41,7 @@ Replies PushLedger::join_running(Push push) {
   Replies replies{reply(push, status::RUNNING)};
   replies.front().message = "it runs already";
   replies.front().tick = running_.since_tick;
+  note_pushed(running_.program->id);
   if (running_.proven)
     replies.push_back(reply(push, status::CONFIRMED));
   else

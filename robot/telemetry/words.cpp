@@ -50,6 +50,8 @@ std::string what_happened(const FaultReport& fault) {
       return "the robot program stood still for " + lasted_words(fault.lasted);
     case FaultCause::kRestart:
       return "the robot program died while the robot was running, and was started again";
+    case FaultCause::kUnknownEnd:
+      return "it is not known whether the robot program died while the robot was running";
     case FaultCause::kNamesake:
       return "another robot of this name was there when this one started";
     case FaultCause::kNone:

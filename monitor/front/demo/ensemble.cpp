@@ -125,7 +125,9 @@ Result<void> Ensemble::start_robots(const std::string& ready_line) try {
                                      camera, "--seed", std::to_string(++seed),
                                      // Nobody attends a demo, whose simulator breaks parts, and
                                      // whose machine may be too busy to tick for a second.
-                                     "--resume-by-itself"};
+                                     "--resume-by-itself",
+                                     // A demo begins anew, also after one that was killed.
+                                     "--keep-nothing"};
     if (options_.watch) command.push_back("--watch");
     if (auto added = add(name, std::move(command), false); !added) return added;
   }

@@ -48,7 +48,8 @@ TEST(Publisher, ARobotThatAFaultHoldsSaysWhy) {
   io.robot.executive->hold_after(FaultCause::kRestart);
   io.robot.tick(10);
   auto state = io.mailbox<msg::RobotState>("state");
-  const auto held = state.wait_for([](const msg::RobotState& each) { return each.held; });
+  const auto held = state.wait_for(
+      [](const msg::RobotState& each) { return each.held && !each.problems.empty(); });
   ASSERT_TRUE(held);
   EXPECT_THAT(held->problems,
               ElementsAre("held: the robot program died while the robot was running, and was "

@@ -26,7 +26,7 @@ struct Start {
   bhdl::Program program;
   bool pushed = false;  ///< a push brought the program to the robot program before
   LastEnd last_end = LastEnd::kInOrder;
-  std::string sentence;  ///< which program runs and why; empty if there was no choice
+  std::string sentence = {};  ///< which program runs and why; empty if there was no choice
 };
 
 /// Chooses between the program that was given with --bhdl and the one that was kept. After a death

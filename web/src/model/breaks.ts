@@ -2,7 +2,7 @@
 // Where a robot stops between states, and in words why it stands.
 
 import { kindOf } from "../feed/break_kinds";
-import { type BreakAnswer, type BreakPoint, type Breaks, Breaks_Constants } from "../feed/messages";
+import { type BreakAnswer, type BreakPoint, type Breaks, Breaks_Constants, type RobotState } from "../feed/messages";
 import { type BreakKind, seconds, type StateChange } from "../feed/parts";
 import { lasting } from "../lib/format";
 import type { Robot } from "./model";
@@ -79,10 +79,12 @@ export function stopReason({ breaks, transitions }: Pick<Robot, "breaks" | "tran
 /** What a robot tells about why it stands. */
 type Stands = Pick<Robot, "breaks" | "transitions"> & Partial<Pick<Robot, "state">>;
 
-/** After which fault it is held, which it says among its problems: "held: the serial line was gone for 3.2 s; …" */
-export function faultReason({ state }: Partial<Pick<Robot, "state">>): string | undefined {
-  return state?.value.held ? state.value.problems.find((problem) => problem.startsWith("held: ")) : undefined;
+/** After which fault a robot is held, which it says among its problems: "held: the serial line was gone for 3.2 s; …" */
+export function faultIn({ held, problems }: RobotState): string | undefined {
+  return held ? problems.find((problem) => problem.startsWith("held: ")) : undefined;
 }
+
+export const faultReason = ({ state }: Partial<Pick<Robot, "state">>): string | undefined => state && faultIn(state.value);
 
 /** Why it stands, or what it waits for, without for how long; undefined: no fault, break point, step or lock keeps it. */
 export function standReason(robot: Stands): string | undefined {

@@ -20,6 +20,9 @@ struct Options {
   double rate_hz = 20;
   double probation_s = 10;
   int most_transitions_per_s = 10;
+  bool resumes_by_itself = false;  ///< after a fault, in place of being held
+  bool fresh = false;              ///< begins with bhdl_file, whatever ran before
+  bool keeps_nothing = false;      ///< for the next start, and knows nothing of the one before
   std::vector<std::string> accept_swaps_from;  ///< empty: only the monitor's
   std::string log_level = "info";
   bool print_catalog = false;

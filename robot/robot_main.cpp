@@ -9,6 +9,7 @@
 
 #include "bhdl/check.h"
 #include "core/broken_pipe.h"
+#include "core/state_folder.h"
 #include "core/termination.h"
 #include "robot/components.h"
 #include "robot/control_loop.h"
@@ -19,7 +20,10 @@
 #include "robot/executive/snapshot.h"
 #include "robot/log/log.h"
 #include "robot/options.h"
+#include "robot/restart/program_keeper.h"
+#include "robot/restart/start.h"
 #include "robot/robot_devices.h"
+#include "robot/telemetry/namesake_watch.h"
 #include "robot/telemetry/telemetry.h"
 #include "robot/watch/program_watch.h"
 
@@ -62,21 +66,56 @@ OpenedDevices opened_devices(const Options& options, const DeviceSettings& setti
   return opened;
 }
 
+/// A second robot of a name ends before it has told or moved anything. Whoever starts it, by hand
+/// or by a service, reads why at once. If it stayed, even held, the page would show two robots as
+/// one that jumps, and one push, or one order to go on, would reach both.
+Result<void> expect_no_namesake(wire::Participant& participant, const std::string& robot,
+                                Termination& termination) {
+  const SteadyClock clock;
+  NamesakeWatch others(participant, robot);
+  return others.expect_none(clock, [&] { return termination.asked(); });
+}
+
+/// Returns what the robot begins with, and logs why where there was a choice.
+Start choose(const Options& options, bhdl::Program given, const Catalog& catalog,
+             const std::filesystem::path& kept) {
+  if (options.keeps_nothing) return {.program = std::move(given)};
+  Start start =
+      choose_start(std::move(given), read_kept_program(kept, options.name), catalog, options.fresh);
+  if (!start.sentence.empty()) log_warning(start.sentence);
+  return start;
+}
+
+/// Whoever started the robot program again, or what did, may not see the robot.
+void hold_after(LastEnd last_end, Executive& executive) {
+  if (last_end == LastEnd::kDied) executive.hold_after(FaultCause::kRestart);
+  if (last_end == LastEnd::kUnknown) executive.hold_after(FaultCause::kUnknownEnd);
+}
+
 int refuse(const std::string& reason) {
   std::cerr << "galilean-robot: " << reason << "\n";
   return 1;
 }
 
 /// Runs the robot until a signal comes. Threads end in the reverse order of their start.
-int work(const Options& options, const Registry& components, bhdl::Program program,
-         const Termination& termination) {
-  const DeviceSettings settings = DeviceSettings::of(program, components.catalog());
+int work(const Options& options, const Registry& components, bhdl::Program given,
+         Termination& termination) {
+  const auto participant = wire::Participant::join(options.name, options.domain);
+  if (!participant) return refuse(participant.error().message);
+  if (const auto alone = expect_no_namesake(*participant.value(), options.name, termination);
+      !alone)
+    return refuse(alone.error().message);
+  if (termination.asked()) return 0;
+
+  ProgramKeeper keeper(
+      kept_program_file(state_folder(), options.name, participant.value()->domain()), options.name);
+  Start start = choose(options, std::move(given), components.catalog(), keeper.file());
+  const std::string pushed_hash = start.pushed ? start.program.hash : "";
+  const DeviceSettings settings = DeviceSettings::of(start.program, components.catalog());
   SerialPort line(options.serial.value_or(settings.comm_port.device), settings.comm_port.baud);
   const auto camera = make_frame_source(options.camera.value_or(settings.frame_grabber.device));
   const OpenedDevices opened = opened_devices(options, settings);
   if (!camera) return refuse(camera.error().message);
-  const auto participant = wire::Participant::join(options.name, options.domain);
-  if (!participant) return refuse(participant.error().message);
 
   const SteadyClock clock;
   RobotDevices devices(line, *camera.value(), settings);
@@ -94,12 +133,14 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
        .probation = {.length = from_seconds(options.probation_s),
                      .most_transitions_per_s = options.most_transitions_per_s},
        .tuner = &devices,
+       .holds_after_faults = !options.resumes_by_itself,
        .observers = {&tap, &images, &inputs},
        .on_waiting = [&wake] { wake.ring(); },
        .admits =
            [&](const bhdl::Program& next) { return opened.accept(next, components.catalog()); }});
-  if (const auto loaded = executive.load(std::move(program)); !loaded)
-    return refuse(loaded.error().message);
+  const auto loaded = executive.load(std::move(start.program));
+  if (!loaded) return refuse(loaded.error().message);
+  if (!options.resumes_by_itself) hold_after(start.last_end, executive);
 
   const PumpThread line_pump(
       clock, kLinePause, [&](Time now) { devices.pump_line(now); },
@@ -107,16 +148,25 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
   const PumpThread camera_pump(
       clock, kCameraPause, [&](Time now) { devices.pump_camera(now); },
       [&](const std::string& why) { devices.fail_camera(why); });
-  Telemetry telemetry({.robot = options.name,
-                       .participant = *participant.value(),
-                       .executive = executive,
-                       .tap = tap,
-                       .devices = devices.devices(),
-                       .catalog = components.catalog(),
-                       .clock = clock,
-                       .accepted_senders = accepted_senders(options)},
-                      images, inputs);
+  Telemetry telemetry(
+      {.robot = options.name,
+       .participant = *participant.value(),
+       .executive = executive,
+       .tap = tap,
+       .devices = devices.devices(),
+       .catalog = components.catalog(),
+       .clock = clock,
+       .accepted_senders = accepted_senders(options),
+       .keep = [&](const bhdl::Program& proven,
+                   bool pushed) { keeper.keep(proven, pushed || proven.hash == pushed_hash); }},
+      images, inputs);
+  const auto tell_kept = [&](const std::string& problem) {
+    telemetry.problems().note("restart", problem);
+  };
+  if (!options.keeps_nothing)
+    tell_kept(keeper.begin(executive.description(loaded.value())->program, start.pushed));
   {
+    const Worker writing = options.keeps_nothing ? Worker() : keeper.writer(tell_kept);
     // The watch is made before the loop: if it cannot be made, nothing has moved yet.
     std::optional<ProgramWatch> watch;
     if (!options.watched_file.empty())
@@ -128,6 +178,8 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
   }
   devices.devices().motor_drive.stop();
   std::this_thread::sleep_for(kStopFlushTime);
+  if (const std::string problem = options.keeps_nothing ? "" : keeper.end(); !problem.empty())
+    log_warning(problem);
   log_info("the robot has stopped");
   return 0;
 }
@@ -146,7 +198,7 @@ int run(int argc, const char* const* argv) {
   set_up_log(options);
   auto program = read_program(options.bhdl_file, components.catalog());
   if (!program) return 1;
-  const Termination termination;
+  Termination termination;
   return work(options, components, std::move(*program), termination);
 }
 

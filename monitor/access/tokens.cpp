@@ -5,12 +5,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <sstream>
 
 #include "core/private_file.h"
 #include "core/regular_file.h"
+#include "core/state_folder.h"
 #include "monitor/access/digest.h"
 
 namespace galilean::monitor {
@@ -51,10 +51,7 @@ Result<std::string> read_or_make(const fs::path& file, bool& is_new) {
 }  // namespace
 
 fs::path default_data_folder() {
-  if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state)
-    return fs::path(state) / "galilean";
-  const char* home = std::getenv("HOME");
-  return fs::path(home && *home ? home : ".") / ".local" / "state" / "galilean";
+  return state_folder();
 }
 
 fs::path operator_token_file(const fs::path& data_folder) {

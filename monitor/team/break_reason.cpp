@@ -16,6 +16,13 @@ const msg::Transition* transition_numbered(const Robot& robot, std::uint64_t num
   return found == robot.transitions.end() ? nullptr : &*found;
 }
 
+/// A robot that a fault holds says so among its problems.
+std::string fault_reason(const msg::RobotState& state) {
+  const auto says_why = [](const std::string& problem) { return problem.starts_with("held: "); };
+  const auto found = std::ranges::find_if(state.problems, says_why);
+  return state.held && found != state.problems.end() ? *found : std::string();
+}
+
 bool is_known(const msg::BreakPoint& point) {
   return !point.from_state.empty() || !point.to_state.empty();
 }
@@ -72,6 +79,8 @@ std::string stopper_words(const msg::Breaks& breaks) {
 }
 
 std::string break_reason(const Robot& robot, Duration since_told) {
+  if (robot.state)
+    if (auto reason = fault_reason(*robot.state); !reason.empty()) return reason;
   if (!robot.breaks) return {};
   const msg::Breaks& breaks = *robot.breaks;
   if (breaks.stopped) return stop_reason(robot, breaks);

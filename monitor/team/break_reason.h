@@ -19,9 +19,9 @@ namespace galilean::monitor {
 /// entering grab". Returns an empty text if neither a break point nor a step did.
 [[nodiscard]] std::string stopper_words(const msg::Breaks& breaks);
 /// Returns in a few words why the robot stands still or what it waits for: "stopped at wander ->
-/// grab (Anna's break point)", "stepped into grab", "waits at the lock grab -> move for 3 s".
-/// Returns an empty string if no break point, step or lock keeps it. `since_told` is the time since
-/// the robot's breaks came.
+/// grab (Anna's break point)", "stepped into grab", "waits at the lock grab -> move for 3 s",
+/// "held: the serial line was gone for 3.2 s; …". Returns an empty string if no break point, step,
+/// lock or fault keeps it. `since_told` is the time since the robot's breaks came.
 [[nodiscard]] std::string break_reason(const Robot& robot, Duration since_told);
 
 }  // namespace galilean::monitor

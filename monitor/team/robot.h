@@ -54,8 +54,8 @@ struct RobotStatus {
   std::string program_hash;
   bool drifting = false;  ///< its program differs from the team's program
   bool held = false;
-  /// Why a break point, a step or a lock keeps it; see break_reason. Empty: none does, or it is
-  /// silent, so that nobody knows.
+  /// Why a break point, a step, a lock or a fault keeps it; see break_reason. Empty: none does, or
+  /// it is silent, so that nobody knows.
   std::string break_reason;
   bool out_of_service = false;  ///< an operator decommissioned it
   bool in_probation = false;

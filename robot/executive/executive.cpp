@@ -54,12 +54,14 @@ void Executive::tick() {
 void Executive::begin_tick() noexcept {
   began_ = setup_.stopwatch.now();
   const Time now = setup_.clock.now();
-  if (tick_.number > 0 && now - tick_.now >= 2 * tick_.period) ++overruns_;
+  const Duration since_last_tick = tick_.number > 0 ? now - tick_.now : Duration{};
+  if (since_last_tick >= 2 * tick_.period) ++overruns_;
   tick_.now = now;
   ++tick_.number;
   state_changed_ = false;
   exchanged_ = Event{};
   breaks_.refresh();
+  watch_faults(since_last_tick);
   take_orders();
 }
 
@@ -119,6 +121,7 @@ void Executive::publish() noexcept {
                       .speed_mps = odometry_.speed_mps(),
                       .turn_rate_radps = odometry_.turn_rate_radps(),
                       .standstill = standstill(),
+                      .fault = hold_ == Hold::kFault ? faults_.report() : FaultReport{},
                       .out_of_service = !orders_.in_service,
                       .in_probation = succession_.probation().active(),
                       .tick_time = tick_time_,

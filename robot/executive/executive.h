@@ -15,6 +15,7 @@
 #include "core/device/devices.h"
 #include "core/result.h"
 #include "robot/executive/breaks.h"
+#include "robot/executive/fault_watch.h"
 #include "robot/executive/guarded_drive.h"
 #include "robot/executive/holding.h"
 #include "robot/executive/odometry.h"
@@ -40,6 +41,9 @@ struct ExecutiveSetup {
   Duration tick_period = std::chrono::milliseconds(50);
   ProbationRules probation = {};
   DeviceTuner* tuner = nullptr;  ///< takes over the device settings of programs; may be null
+  /// Whether the robot is held after a fault (see FaultWatch) until somebody lets it go on. Else it
+  /// goes on by itself when the fault is over.
+  bool holds_after_faults = false;
   std::vector<TickObserver*> observers = {};  ///< see every tick
   /// Is called by `load` and `roll_back`, in their thread, when a program or an order waits for the
   /// next tick. An early tick would bring it into effect sooner. May be null.
@@ -108,12 +112,19 @@ class Executive {
   void hold() noexcept { holding_.hold(); }
   void resume() noexcept { holding_.resume(); }
   /// Any thread: lets the robot go on until its next change of state, in whose tick the motors
-  /// stand still again. Returns false, and changes nothing, if an operator holds it.
+  /// stand still again. Returns false, and changes nothing, if an operator or a fault holds it.
   [[nodiscard]] bool step() noexcept { return holding_.step(); }
   /// Any thread: holds the robot for a break point of another one. Returns false, and changes
   /// nothing, if it stands already.
   [[nodiscard]] bool stop_with_team() noexcept { return holding_.stop(Hold::kTeam); }
+  /// Any thread: holds the robot after a fault that the devices do not show, until somebody lets it
+  /// go on. One that stands already is left as it is.
+  void hold_after(FaultCause cause) noexcept {
+    noted_fault_.store(cause, std::memory_order_relaxed);
+    static_cast<void>(holding_.stop(Hold::kFault));
+  }
   [[nodiscard]] bool held() const noexcept { return !lets_drive(holding_.now()); }
+  [[nodiscard]] bool held_after_fault() const noexcept { return holding_.now() == Hold::kFault; }
   /// Where the robot stops. Each method of Breaks says which thread may call it.
   [[nodiscard]] Breaks& breaks() noexcept { return breaks_; }
   /// Any thread: takes the robot out of service. The motors then stand still, and `resume` does not
@@ -162,6 +173,7 @@ class Executive {
  private:
   void keep(Memory& memory) noexcept;
   void begin_tick() noexcept;
+  void watch_faults(Duration since_last_tick) noexcept;
   void take_orders() noexcept;
   void exchange_programs() noexcept;
   void install(const Handover& handover) noexcept;
@@ -211,6 +223,8 @@ class Executive {
   StandingOrders orders_;    ///< those of this tick
   Hold hold_ = Hold::kNone;  ///< what holds the robot in this tick
   Standstill standstill_;    ///< but for `hold`, which other threads change
+  FaultWatch faults_;
+  std::atomic<FaultCause> noted_fault_{FaultCause::kNone};
   std::atomic<bool> in_service_{true};
   std::atomic<Whereabouts> where_{};
   /// Whoever sees that no program waits also sees which one runs: a program that left the intake

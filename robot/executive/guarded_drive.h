@@ -16,9 +16,9 @@ struct MotionOrders {
 };
 
 /// Passes the commands of the schemas on to the motors, and stops the motors when no schema may
-/// drive or none does. That is the case while an operator holds the robot or a device is missing,
-/// when the program enters a state whose schemas do not drive, and when no schema has driven for
-/// the timeout.
+/// drive or none does. That is the case while somebody or a fault holds the robot or a device is
+/// missing, when the program enters a state whose schemas do not drive, and when no schema has
+/// driven for the timeout.
 class GuardedDrive final : public MotorDrive {
  public:
   explicit GuardedDrive(MotorDrive& motors) : motors_(motors) {}

@@ -89,6 +89,7 @@ void copy_tick(const TickView& view, Snapshot& to) noexcept {
   to.overruns = view.overruns;
   to.transitions = view.transitions;
   to.standstill = view.standstill;
+  to.fault = view.fault;
   to.out_of_service = view.out_of_service;
   to.in_probation = view.in_probation;
   to.health = view.health;

@@ -52,6 +52,7 @@ struct Snapshot {
   std::uint32_t overruns = 0;
   std::uint64_t transitions = 0;
   Standstill standstill;
+  FaultReport fault;  ///< for which the robot is held; its cause is kNone if for none
   bool out_of_service = false;
   bool in_probation = false;
   bool uses_camera = false;

@@ -6,6 +6,7 @@
 #include "core/device/comm_port.h"
 #include "core/schema/schema.h"
 #include "robot/executive/event.h"
+#include "robot/executive/fault_watch.h"
 #include "robot/executive/guarded_drive.h"
 #include "robot/executive/holding.h"
 #include "robot/executive/running_program.h"
@@ -29,6 +30,7 @@ struct TickView {
   double speed_mps = 0;        ///< forward positive, as the wheels turned last
   double turn_rate_radps = 0;  ///< counter-clockwise positive
   Standstill standstill = {};
+  FaultReport fault = {};  ///< for which the robot is held; its cause is kNone if for none
   bool out_of_service = false;
   bool in_probation = false;
   Duration tick_time{};           ///< time from exchange to act

@@ -39,6 +39,9 @@ void apply(Hold hold, Executive& executive) {
     case Hold::kTeam:
       executive.resume();
       return static_cast<void>(executive.stop_with_team());
+    case Hold::kFault:
+      executive.resume();
+      return executive.hold_after(FaultCause::kNone);
     case Hold::kBreakPoint:
     case Hold::kStepEnd:
       return;

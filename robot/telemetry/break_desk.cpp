@@ -51,6 +51,8 @@ void BreakDesk::step(const msg::Command& command) {
 Result<void> BreakDesk::begin_step() {
   if (!executive_.in_service()) return Error{robot_ + " is out of service: commission it first"};
   if (executive_.step()) return {};
+  if (executive_.held_after_fault())
+    return Error{robot_ + " is held after a fault, not at a break point: resume it first"};
   return Error{robot_ + " is held by " + held_by_ + ", not at a break point: resume it first"};
 }
 

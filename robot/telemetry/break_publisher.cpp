@@ -24,6 +24,7 @@ std::uint8_t stopper_on_wire(Hold hold) noexcept {
     case Hold::kNone:
     case Hold::kStepping:
     case Hold::kOperator:
+    case Hold::kFault:
       break;
   }
   return stoppers::NOTHING;

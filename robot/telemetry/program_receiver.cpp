@@ -167,9 +167,22 @@ void ProgramReceiver::run_program(bhdl::Program program, const msg::ProgramPush&
                    message.replaces_hash);
   if (!taken) return reject(push, taken.error().message);
   for (auto& reply : taken.value()) send(std::move(reply));
+  if (const auto running = ledger_.running();
+      source_.keep && running.proven && running.hash() == push.hash)
+    source_.keep(running.program->program, true);
+}
+
+/// A program that may yet be rolled back is none to begin with after a crash.
+void ProgramReceiver::keep_proven(const Event& event) const {
+  const bool is_proven = event.kind == Event::Kind::kConfirmed ||
+                         (event.kind == Event::Kind::kRolledBack && !event.in_probation);
+  if (!source_.keep || !is_proven) return;
+  if (const auto proven = source_.executive.description(event.program))
+    source_.keep(proven->program, ledger_.pushed(event.program));
 }
 
 void ProgramReceiver::on_event(const Event& event) {
+  keep_proven(event);
   for (auto& reply : ledger_.answers(event)) send(std::move(reply));
 }
 

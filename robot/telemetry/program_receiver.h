@@ -41,6 +41,7 @@ class ProgramReceiver {
   [[nodiscard]] Result<void> admit(const msg::ProgramPush& push,
                                    const std::vector<bhdl::SourceFile>& files) const;
   void run_program(bhdl::Program program, const msg::ProgramPush& message, PushLedger::Push push);
+  void keep_proven(const Event& event) const;
   void reject(const PushLedger::Push& push, std::string why,
               std::vector<msg::Diagnostic> diagnostics = {});
   void send(msg::ProgramReply reply);

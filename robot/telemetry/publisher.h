@@ -28,6 +28,9 @@ struct TelemetrySource {
   const Catalog& catalog;
   const Clock& clock;
   AcceptedSenders accepted_senders{};
+  /// Is called outside the control loop with each program that has proven itself in place of
+  /// another, and whether a push brought it. It must not wait. May be null.
+  std::function<void(const bhdl::Program& program, bool pushed)> keep = nullptr;
 };
 
 /// Publishes what the robot does. It uses a thread of its own, so that a stalled network delays

@@ -24,6 +24,17 @@ std::string PushLedger::running_hash() const {
   return runs ? runs->program.hash : "";
 }
 
+/// Requires: mutex_ is locked.
+void PushLedger::note_pushed(ProgramId program) {
+  pushed_.insert(program);
+  if (pushed_.size() > kPushedKept) pushed_.erase(pushed_.begin());
+}
+
+bool PushLedger::pushed(ProgramId program) const {
+  const std::lock_guard lock(mutex_);
+  return pushed_.contains(program);
+}
+
 Result<Replies> PushLedger::load(bhdl::Program program, const ProbationRules& rules, Push push,
                                  const std::string& replaces) {
   // The lock covers it all, so that the push is known before its program can begin to run. Events
@@ -35,6 +46,7 @@ Result<Replies> PushLedger::load(bhdl::Program program, const ProbationRules& ru
     return Error{"it is meant to replace program " + replaces + ", but " +
                  (hash.empty() ? "no program" : "program " + hash) + " runs"};
   if (runs && hash == push.hash) {
+    note_pushed(runs->id);
     if (running_.program && running_.program->id == runs->id) return join_running(std::move(push));
     joined_.emplace(runs->id, std::move(push));
     return Replies{};
@@ -42,6 +54,7 @@ Result<Replies> PushLedger::load(bhdl::Program program, const ProbationRules& ru
   const auto loaded = executive_.load(std::move(program), rules);
   if (!loaded) return loaded.error();
   pushes_.emplace(loaded.value(), std::move(push));
+  note_pushed(loaded.value());
   return Replies{};
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -46,13 +47,19 @@ class PushLedger {
   /// Orders the executive to roll back the program that `order` names by its hash.
   /// Errors: another program runs, none ran before it, or too many orders wait.
   [[nodiscard]] Result<void> roll_back(Push order, std::string_view reason);
+  /// Returns whether a push brought the program, or another push would have. It is known of the
+  /// newest kPushedKept.
+  [[nodiscard]] bool pushed(ProgramId program) const;
   /// Returns the answers that `event` causes.
   [[nodiscard]] std::vector<msg::ProgramReply> answers(const Event& event);
 
  private:
+  static constexpr std::size_t kPushedKept = 64;
+
   [[nodiscard]] std::shared_ptr<const Description> runs_now() const;
   [[nodiscard]] std::vector<msg::ProgramReply> join_running(Push push);
   void answer_those_who_joined(ProgramId program, std::vector<msg::ProgramReply>& replies);
+  void note_pushed(ProgramId program);
   [[nodiscard]] std::vector<msg::ProgramReply> started(const Event& event);
   [[nodiscard]] std::vector<msg::ProgramReply> confirmed(const Event& event);
   [[nodiscard]] std::vector<msg::ProgramReply> rolled_back(const Event& event);
@@ -63,6 +70,7 @@ class PushLedger {
   Executive& executive_;
   mutable std::mutex mutex_;
   Running running_;
+  std::set<ProgramId> pushed_;             ///< the newest programs that pushes brought
   std::multimap<ProgramId, Push> pushes_;  ///< pushes that are not yet confirmed and still may be
   std::multimap<ProgramId, Push> joined_;  ///< pushes of a program that runs already, of which no
                                            ///< event told yet

@@ -8,6 +8,7 @@
 #include "robot/telemetry/command_receiver.h"
 #include "robot/telemetry/image_publisher.h"
 #include "robot/telemetry/inputs_publisher.h"
+#include "robot/telemetry/namesake_alarm.h"
 #include "robot/telemetry/order_reader.h"
 #include "robot/telemetry/program_receiver.h"
 #include "robot/telemetry/publisher.h"
@@ -24,12 +25,13 @@ class Telemetry {
       : log_forwarding_(log_),
         break_desk_(source.robot, source.executive),
         breaks_(source, break_desk_),
+        namesakes_(source, problems_),
         programs_(source, problems_.reporter("program_receiver")),
         images_(source, images, problems_.reporter("image_publisher")),
         inputs_(source, inputs, problems_.reporter("inputs_publisher")),
         publisher_(source, log_, problems_,
                    {.event = [this](const Event& event) { listen(event); },
-                    .round = [this](const Snapshot& newest) { breaks_.on_round(newest); }}),
+                    .round = [this](const Snapshot& newest) { look_around(newest); }}),
         commands_(source, break_desk_, problems_.reporter("command_receiver")),
         break_orders_(
             source.participant, wire::kBreakOrderTopic, source.robot,
@@ -44,6 +46,10 @@ class Telemetry {
   [[nodiscard]] ThreadProblems& problems() noexcept { return problems_; }
 
  private:
+  void look_around(const Snapshot& newest) {
+    breaks_.on_round(newest);
+    namesakes_.on_round();
+  }
   void listen(const Event& event) {
     breaks_.on_event(event);
     programs_.on_event(event);
@@ -54,6 +60,7 @@ class Telemetry {
   LogForwarding log_forwarding_;
   BreakDesk break_desk_;
   BreakPublisher breaks_;
+  NamesakeAlarm namesakes_;
   ProgramReceiver programs_;
   ImagePublisher images_;
   // Ends after the publisher: while that one's writers linger, its own messages are confirmed too.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/words.h"
 
+#include <array>
+#include <cstdio>
+
 #include "core/device/comm_port.h"
 #include "core/device/device_names.h"
 #include "core/device/devices.h"
@@ -17,6 +20,44 @@ std::string schema_name(std::size_t schema, const Description& of) {
 Problem device_problem(const std::string& name, const Device& device) {
   const std::string reason = device.problem();
   return {name, reason.empty() ? "It does not answer: check its power and its cable." : reason};
+}
+
+/// Returns "3.2 s", "57 s" or "12 min".
+std::string lasted_words(Duration lasted) {
+  const double lasted_s = to_seconds(lasted);
+  std::array<char, 32> text{};
+  if (lasted_s < 120)
+    std::snprintf(text.data(), text.size(), lasted_s < 10 ? "%.1f s" : "%.0f s", lasted_s);
+  else
+    std::snprintf(text.data(), text.size(), "%.0f min", lasted_s / 60);
+  return text.data();
+}
+
+/// Returns what happened, without the full stop, and without for how long while it goes on: the
+/// sentence of one fault stays the same meanwhile.
+std::string what_happened(const FaultReport& fault) {
+  const std::string gone = fault.over ? " was gone for " + lasted_words(fault.lasted) : " is gone";
+  switch (fault.cause) {
+    case FaultCause::kSerialLine:
+      return "the serial line" + gone;
+    case FaultCause::kBoard:
+      return "the serial line" + gone + ", and the board was restarted";
+    case FaultCause::kMotorDrive:
+      return "the motor drive" + gone;
+    case FaultCause::kCamera:
+      return "the camera" + gone;
+    case FaultCause::kStall:
+      return "the robot program stood still for " + lasted_words(fault.lasted);
+    case FaultCause::kRestart:
+      return "the robot program died while the robot was running, and was started again";
+    case FaultCause::kUnknownEnd:
+      return "it is not known whether the robot program died while the robot was running";
+    case FaultCause::kNamesake:
+      return "another robot of this name was there when this one started";
+    case FaultCause::kNone:
+      break;
+  }
+  return "no reason is known";
 }
 
 }  // namespace
@@ -53,9 +94,18 @@ std::string fault_of(const Event& rollback, const Description& of) {
   return "no reason is known";
 }
 
+std::optional<Problem> hold_of(const Snapshot& snapshot) {
+  if (snapshot.standstill.hold != Hold::kFault) return std::nullopt;
+  const bool by_bumper = snapshot.fault.cause != FaultCause::kNamesake;
+  return Problem{"held", what_happened(snapshot.fault) +
+                             (snapshot.fault.over ? "; resume it" : "; resume it when it is back") +
+                             (by_bumper ? ", or push a bumper." : ".")};
+}
+
 std::vector<Problem> problems_of(const Snapshot& snapshot, const Description* program,
                                  const Devices& devices) {
   std::vector<Problem> problems;
+  if (auto held = hold_of(snapshot)) problems.push_back(std::move(*held));
   if (!program) problems.push_back({"executive", "No program runs."});
   if (!snapshot.health.comm_port)
     problems.push_back(device_problem(kCommPortName, devices.comm_port));

@@ -47,6 +47,7 @@ export const rooms = {
     rehearsal: ['.', 'executive'],
     telemetry: ['executive', 'inputs', 'log'],
     watch: ['executive', 'log'],
+    restart: [],
   },
   sim: {
     '.': ANY,

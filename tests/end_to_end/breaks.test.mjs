@@ -48,7 +48,7 @@ async function startTwo(t) {
   const sim = new Running(t, ['sim', '--live', '--scenario', 'office', '--robots', '2', '--run', `breaks-${domain}`], { domain, cwd });
   const { robots } = JSON.parse((await sim.line(/^\{.*"ready".*\}$/m))[0]);
   const [io, ganymede] = ['io', 'ganymede'].map((name, i) => new Running(t, ['robot', '--name', name, '--bhdl', 'drive.bhdl',
-    '--serial', robots[i].serial, '--camera', robots[i].camera], { domain, cwd }));
+    '--serial', robots[i].serial, '--camera', robots[i].camera, '--resume-by-itself'], { domain, cwd }));
   const run = (...args) => galilean(args, { domain, env: { USER: 'anna' } });
   const say = (...args) => {
     const { status, stdout, stderr } = run(...args);

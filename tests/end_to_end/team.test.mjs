@@ -4,7 +4,7 @@ import { createServer } from 'node:net';
 import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import {
-  childrenOf, eventually, freshDomain, galilean, getJson, processesIn, programs, Running, scratchFolder, startTeam,
+  childrenOf, eventually, freshDomain, galilean, getJson, processesIn, programs, Running, scratchFolder, startMonitor, startTeam,
 } from './tools.mjs';
 
 const status = (url) => getJson(`${url}/api/status`);
@@ -134,6 +134,22 @@ test('a robot that is killed is silent, stays in the team, and the others run on
   assert.match(stopped.stdout, /^callisto: has sent nothing for \d+ s, so it is not known what it does$/m);
 });
 
+test('a second robot of a name says that it would be one, and ends before it moves', async (t) => {
+  const { robot, domain, cwd, url, token } = await startMonitor(t);
+  const twin = (name) => ['robot', '--name', name, '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', '/dev/null/none', '--camera', 'shm:none'];
+  const second = new Running(t, twin('io'), { domain, cwd });
+  assert.deepEqual(await second.exited, { code: 1, signal: null });
+  assert.match(second.output, new RegExp(`^galilean-robot: a robot named io lives in DDS domain ${domain} already, and two robots of one name obey and tell as one; end that one, or start this one with another --name or --domain$`, 'm'));
+  const { robots } = await getJson(`${url}/api/status`, { headers: { authorization: `Bearer ${token('operator')}` } });
+  assert.ok(!robots[0].problems.some((problem) => problem.startsWith('name: ')), JSON.stringify(robots[0].problems));
+
+  robot.process.kill('SIGKILL');  // DDS knows it for ten seconds more
+  await robot.exited;
+  const next = new Running(t, twin('io'), { domain, cwd });
+  await next.line(/comm_port/);
+  assert.deepEqual(await next.stop(), { code: 0, signal: null });
+});
+
 test('a robot that hangs is named by every order to the team, and the others obey', { timeout: 300_000 }, async (t) => {
   const { domain, url } = await startTeam(t);
   await wholeTeam(url);
@@ -162,13 +178,13 @@ test('a robot that hangs is named by every order to the team, and the others obe
   assert.match(order('hold', '--robot', 'europa').stderr, /^galilean hold: europa sends no state; check that robots run/);
 });
 
-test('camera and serial line unplugged: the robot says which, and comes back', async (t) => {
+test('camera and serial line unplugged: a robot that resumes by itself says which, and comes back', async (t) => {
   const domain = freshDomain();
   const cwd = scratchFolder(t);
   const sim = new Running(t, ['sim', '--live', '--scenario', 'office', '--robots', '1', '--run', `fault-${domain}`,
-    '--autostart', '1', '--fault', 'camera:io@4-8', '--fault', 'serial:io@10-14'], { domain, cwd });
+    '--autostart', '1', '--fault', 'camera:io@6-10', '--fault', 'serial:io@12-16'], { domain, cwd });
   const { robots } = JSON.parse((await sim.line(/^\{.*"ready".*\}$/m))[0]);
-  new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', robots[0].serial, '--camera', robots[0].camera], { domain, cwd });
+  new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', robots[0].serial, '--camera', robots[0].camera, '--resume-by-itself'], { domain, cwd });
   const monitor = new Running(t, ['monitor', '--listen', '127.0.0.1:0', '--data', cwd], { domain, cwd });
   const [url] = await monitor.line(/http:\/\/127\.0\.0\.1:\d+/);
 
@@ -180,6 +196,35 @@ test('camera and serial line unplugged: the robot says which, and comes back', a
   await problem(null);
   t.diagnostic(await problem(/^comm_port: /));
   await problem(null);
+});
+
+test('a serial line that is plugged in again: the robot says why it is held, and moves when somebody resumes it', { timeout: 180_000 }, async (t) => {
+  const domain = freshDomain();
+  const cwd = scratchFolder(t);
+  const sim = new Running(t, ['sim', '--live', '--scenario', 'office', '--robots', '1', '--run', `held-${domain}`, '--autostart', '1'], { domain, cwd });
+  const { robots } = JSON.parse((await sim.line(/^\{.*"ready".*\}$/m))[0]);
+  new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', robots[0].serial, '--camera', robots[0].camera], { domain, cwd });
+  const monitor = new Running(t, ['monitor', '--listen', '127.0.0.1:0', '--data', cwd], { domain, cwd });
+  const [url] = await monitor.line(/http:\/\/127\.0\.0\.1:\d+/);
+  const when = (fits) => eventually(async () => {
+    const io = (await status(url)).robots.find(({ name }) => name === 'io');
+    return io && fits(io) && io;
+  });
+  const away_m = (a, b) => Math.hypot(a.x_m - b.x_m, a.y_m - b.y_m);
+  const started = await when((io) => io.problems.length === 0 && io.state !== 'start');
+  await when((io) => away_m(io, started) > 0.1);
+
+  assert.equal(galilean(['sim', 'ctl', 'break', 'io', 'serial_line'], { domain }).status, 0);
+  await when((io) => io.held && io.break_reason.startsWith('held: the serial line is gone; '));
+  assert.equal(galilean(['sim', 'ctl', 'mend', 'io', 'serial_line'], { domain }).status, 0);
+  const back = await when((io) => /^held: the serial line was gone for [\d.]+ s; resume it, or push a bumper\.$/.test(io.break_reason));
+  const later = await when((io) => io.tick > back.tick + 60);
+  assert.ok(later.held && away_m(later, back) < 0.01, JSON.stringify([back, later]));
+  assert.ok(later.problems.includes(later.break_reason), JSON.stringify(later));
+
+  const resumed = galilean(['resume', '--robot', 'io'], { domain });
+  assert.equal(resumed.status, 0, resumed.stdout + resumed.stderr);
+  await when((io) => !io.held && io.problems.length === 0 && away_m(io, later) > 0.05);
 });
 
 test('a camera path that the system refuses: the robot runs on, says what to do, and its motors stand', { timeout: 120_000 }, async (t) => {

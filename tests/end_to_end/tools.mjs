@@ -109,7 +109,7 @@ export async function startMonitor(t, options = [], listen = '127.0.0.1:0') {
   const [, port] = await monitor.line(/http:\/\/[0-9.]+:(\d+)/);
   const url = `http://127.0.0.1:${port}`;
   const robot = new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', '/dev/null/none',
-    '--camera', 'shm:none', '--log-level', 'off'], { domain, cwd });
+    '--camera', 'shm:none', '--log-level', 'off', '--resume-by-itself'], { domain, cwd });
   const token = (name) => readFileSync(join(cwd, `${name}.token`), 'utf8').trim();
   await eventually(async () => {
     const { robots } = await getJson(`${url}/api/status`, { headers: { authorization: `Bearer ${token('operator')}` } });

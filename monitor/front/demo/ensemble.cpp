@@ -119,17 +119,14 @@ Result<void> Ensemble::start_robots(const std::string& ready_line) try {
     starts_.push_back(name + ":" + json_text(place.at("x_m")) + "," + json_text(place.at("y_m")) +
                       "," + json_text(place.at("heading_deg")));
     rings_.push_back(camera.substr(camera.find(':') + 1));
-    std::vector<std::string> command{"galilean-robot",
-                                     "--name",
-                                     name,
-                                     "--bhdl",
-                                     program,
-                                     "--serial",
-                                     robot.at("serial").get<std::string>(),
-                                     "--camera",
-                                     camera,
-                                     "--seed",
-                                     std::to_string(++seed)};
+    std::vector<std::string> command{"galilean-robot", "--name", name, "--bhdl", program,
+                                     "--serial", robot.at("serial").get<std::string>(), "--camera",
+                                     camera, "--seed", std::to_string(++seed),
+                                     // Nobody attends a demo, whose simulator breaks parts, and
+                                     // whose machine may be too busy to tick for a second.
+                                     "--resume-by-itself",
+                                     // A demo begins anew, also after one that was killed.
+                                     "--keep-nothing"};
     if (options_.watch) command.push_back("--watch");
     if (auto added = add(name, std::move(command), false); !added) return added;
   }

@@ -25,7 +25,7 @@ await bench(async () => {
   const sim = start(program('galilean-sim'), ['--live', '--scenario', `${cwd}/hall.json`, '--robots', String(robots), '--run', `bench-${port}`, '--autostart', '1'], { cwd });
   const ready = JSON.parse((await line(sim, /^\{.*"ready".*\}$/m))[0]);
   for (const { name, serial, camera } of ready.robots)
-    start(program('galilean-robot'), ['--name', name, '--bhdl', `${root}bhdl/programs/office_cleanup.bhdl`, '--serial', serial, '--camera', camera, '--log-level', 'off'], { cwd });
+    start(program('galilean-robot'), ['--name', name, '--bhdl', `${root}bhdl/programs/office_cleanup.bhdl`, '--serial', serial, '--camera', camera, '--log-level', 'off', '--resume-by-itself'], { cwd });
   const monitor = start(program('galilean-monitor'), ['--listen', `127.0.0.1:${port}`, '--data', cwd], { cwd });
   await line(monitor, /http:\/\//);
 

@@ -125,6 +125,21 @@ TEST_F(BreakReasonTest, AStepThatIsUnderWayIsSaid) {
   EXPECT_EQ(reason(), "goes on until its next change of state");
 }
 
+TEST_F(BreakReasonTest, AFaultThatHoldsItIsSaid) {
+  const std::string why = "held: the serial line was gone for 3.2 s; resume it, or push a bumper.";
+  msg::RobotState state;
+  state.robot = "io";
+  state.held = true;
+  state.problems = {"camera: gone", why};
+  team.note(state);
+  EXPECT_EQ(present_reason(), why);
+  breaks.waits_at_from = "grab";
+  EXPECT_EQ(reason(), why) << "more than a lock";
+  state.held = false;
+  team.note(state);
+  EXPECT_NE(present_reason(), why) << "somebody has resumed it";
+}
+
 TEST_F(BreakReasonTest, TheNewestBreaksCount) {
   stopped(7, stoppers::BREAK_POINT, "Anna", {"wander", "grab", points::STOP});
   EXPECT_NE(reason(), "");

@@ -19,6 +19,7 @@ class EventList final : public TickObserver {
   void on_tick(const TickView& view) noexcept override {
     in_probation = view.in_probation;
     standstill = view.standstill;
+    fault = view.fault;
   }
 
   [[nodiscard]] int count(Event::Kind kind) const {
@@ -34,6 +35,7 @@ class EventList final : public TickObserver {
   std::vector<Event> events;
   bool in_probation = false;
   Standstill standstill;  ///< of the last tick
+  FaultReport fault;      ///< of the last tick
 };
 
 inline const Registry& test_components() {
@@ -60,7 +62,8 @@ class TestRobot {
  public:
   explicit TestRobot(std::uint64_t seed = 1, std::vector<TickObserver*> more = {},
                      const ProbationRules& probation = {},
-                     const Registry& own_components = test_components())
+                     const Registry& own_components = test_components(),
+                     bool holds_after_faults = false)
       : components(own_components) {
     more.push_back(&events);
     executive = std::make_unique<Executive>(
@@ -70,6 +73,7 @@ class TestRobot {
                        .stopwatch = stopwatch,
                        .seed = seed,
                        .probation = probation,
+                       .holds_after_faults = holds_after_faults,
                        .observers = std::move(more),
                        .on_waiting = [this] { on_waiting(); },
                        .admits = [this](const auto& program) { return admits(program); }});

@@ -12,7 +12,7 @@ namespace galilean::robot {
 /// A robot whose ticks are recorded. Its devices give what the test sets.
 class LiveRobot {
  public:
-  LiveRobot() {
+  explicit LiveRobot(bool holds_after_faults = false) : holds(holds_after_faults) {
     board.received = Time{};
     recorder.memory_each = 1;
     recorder.record(
@@ -52,6 +52,7 @@ class LiveRobot {
   RecordedDevices devices;
   ControllerStatus board;
   bool answers = true;
+  const bool holds;  ///< after faults
   InputsRecorder recorder;
   Executive executive{{.components = test_components(),
                        .devices = devices.devices(),
@@ -59,6 +60,7 @@ class LiveRobot {
                        .stopwatch = stopwatch,
                        .seed = 7,
                        .tuner = &devices,
+                       .holds_after_faults = holds,
                        .observers = {&recorder}}};
 };
 

@@ -97,6 +97,25 @@ TEST(RerunOfOrders, DevicesThatAreLostAndFoundAreRepeated) {
   expect_same_from_memories(robot);
 }
 
+TEST(RerunOfOrders, AHoldAfterAFaultAndTheBumperThatEndsItAreRepeated) {
+  LiveRobot robot(true);
+  robot.load(branching_text());
+  robot.tick(3);
+  robot.answers = false;
+  robot.tick(30);
+  robot.answers = true;
+  robot.tick(5);
+  EXPECT_TRUE(robot.executive.held_after_fault());
+  EXPECT_TRUE(robot.recorder.ticks.back().outcome.stops);
+  robot.board.bumpers = 1U << 5U;
+  robot.tick(2);
+  robot.board.bumpers = 0;
+  robot.tick(3);
+  EXPECT_FALSE(robot.executive.held());
+  expect_same(robot);
+  expect_same_from_memories(robot);
+}
+
 TEST(RerunOfOrders, AnOrderThatIsNotRepeatedIsFound) {
   LiveRobot robot;
   robot.load(branching_text());

@@ -42,6 +42,44 @@ TEST(Publisher, ALateJoinerLearnsStateProgramVariablesAndCatalogAtOnce) {
   EXPECT_TRUE(catalog_from_json(catalog->json).value().find("avoid_obstacle"));
 }
 
+TEST(Publisher, ARobotThatAFaultHoldsSaysWhy) {
+  TelemetryRobot io("faulty");
+  ASSERT_TRUE(io.robot.load(kWaits));
+  io.robot.executive->hold_after(FaultCause::kRestart);
+  io.robot.tick(10);
+  auto state = io.mailbox<msg::RobotState>("state");
+  const auto held = state.wait_for(
+      [](const msg::RobotState& each) { return each.held && !each.problems.empty(); });
+  ASSERT_TRUE(held);
+  EXPECT_THAT(held->problems,
+              ElementsAre("held: the robot program died while the robot was running, and was "
+                          "started again; resume it, or push a bumper."));
+  io.send(msg::Command_Constants::RESUME, 0, "faulty");
+  EXPECT_TRUE(io.tick_until([&] { return !io.robot.executive->held(); }));
+}
+
+TEST(Publisher, TheReasonOfAHoldIsTheSameSentenceWhileTheFaultLasts) {
+  Snapshot snapshot;
+  snapshot.standstill.hold = Hold::kFault;
+  const auto said = [&](const FaultReport& fault) {
+    snapshot.fault = fault;
+    return hold_of(snapshot).value().text();
+  };
+  using std::chrono::milliseconds;
+  EXPECT_EQ(said({FaultCause::kSerialLine, milliseconds(1500), false}),
+            "held: the serial line is gone; resume it when it is back, or push a bumper.");
+  EXPECT_EQ(said({FaultCause::kSerialLine, milliseconds(2500), false}),
+            said({FaultCause::kSerialLine, milliseconds(1500), false}));
+  EXPECT_EQ(said({FaultCause::kSerialLine, milliseconds(3240), true}),
+            "held: the serial line was gone for 3.2 s; resume it, or push a bumper.");
+  EXPECT_EQ(said({FaultCause::kCamera, std::chrono::seconds(57), true}),
+            "held: the camera was gone for 57 s; resume it, or push a bumper.");
+  EXPECT_THAT(said({FaultCause::kStall, std::chrono::minutes(12), true}),
+              HasSubstr("stood still for 12 min"));
+  snapshot.standstill.hold = Hold::kOperator;
+  EXPECT_FALSE(hold_of(snapshot));
+}
+
 TEST(Publisher, VariablesCarryCertaintyAndHowItFades) {
   TelemetryRobot io("fading");
   ASSERT_TRUE(io.robot.load(kWaits));

@@ -63,6 +63,28 @@ TEST_F(ReceiverTest, AGoodProgramRunsAndProvesItself) {
   EXPECT_EQ(running_hash(), push.hash);
 }
 
+TEST_F(ReceiverTest, OnlyAProgramThatHasProvenItselfIsKeptForAStartAfterACrash) {
+  using Kept = std::pair<std::string, bool>;
+  const std::string first = running_hash();
+  const auto push = io.push(renamed(kWaits, "\"go\"", "\"move\""));
+  io.send(push);
+  let_it_swap();
+  ASSERT_TRUE(replies.wait_for(has_status(status::RUNNING)));
+  EXPECT_THAT(io.kept(), ElementsAre());
+  io.robot.tick(201);
+  ASSERT_TRUE(replies.wait_for(has_status(status::CONFIRMED)));
+  EXPECT_THAT(io.kept(), ElementsAre(Kept(push.hash, true)));
+  msg::ProgramRollback order;
+  order.id = "back";
+  order.author = "tester";
+  order.targets = {io.name};
+  order.hash = push.hash;
+  io.send(order);
+  EXPECT_TRUE(io.tick_until([&] { return io.robot.events.count(Event::Kind::kRolledBack) == 1; }));
+  ASSERT_TRUE(replies.wait_for(has_status(status::ROLLED_BACK)));
+  EXPECT_THAT(io.kept(), ElementsAre(Kept(push.hash, true), Kept(first, false)));
+}
+
 TEST_F(ReceiverTest, ABrokenProgramChangesNothingAndShowsEveryError) {
   const std::string before = running_hash();
   io.send(io.push(renamed(renamed(kWaits, "ahead", "ahaed"), "bit_value: 1", "bit_value: 7")));

@@ -30,7 +30,12 @@ class TelemetryRobot {
                                   .tap = tap,
                                   .devices = {robot.port, robot.drive, robot.camera},
                                   .catalog = components.catalog(),
-                                  .clock = robot.clock},
+                                  .clock = robot.clock,
+                                  .keep =
+                                      [this](const bhdl::Program& program, bool pushed) {
+                                        const std::lock_guard lock(kept_mutex_);
+                                        kept_.emplace_back(program.hash, pushed);
+                                      }},
                   images, inputs) {
     ++living_;
   }
@@ -41,6 +46,12 @@ class TelemetryRobot {
   template <class M>
   [[nodiscard]] Mailbox<M> mailbox(const std::string& leaf) {
     return Mailbox<M>(*other, wire::robot_topic(name, leaf));
+  }
+  /// Returns the programs to begin with after a crash, the oldest first, by their hashes, and
+  /// whether pushes brought them.
+  [[nodiscard]] std::vector<std::pair<std::string, bool>> kept() {
+    const std::lock_guard lock(kept_mutex_);
+    return kept_;
   }
   /// Returns a push as the monitor would send it.
   [[nodiscard]] msg::ProgramPush push(const std::string& text) const {
@@ -76,6 +87,13 @@ class TelemetryRobot {
   }
 
   std::string name;
+
+ private:
+  // Before telemetry, which uses them until it ends.
+  std::mutex kept_mutex_;
+  std::vector<std::pair<std::string, bool>> kept_;
+
+ public:
   std::unique_ptr<wire::Participant> participant;
   std::unique_ptr<wire::Participant> other;
   SnapshotTap tap;

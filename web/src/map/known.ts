@@ -4,7 +4,7 @@
 import type { MapObject } from "../feed/messages";
 import { seconds } from "../feed/parts";
 import { degrees, lasting, metres, plural, signed } from "../lib/format";
-import { breakReason } from "../model/breaks";
+import { breakReason, faultReason } from "../model/breaks";
 import { certaintyAt, forgottenIn_s } from "../model/certainty";
 import { ellipseOf } from "../model/ellipse";
 import type { Robot, Team } from "../model/model";
@@ -57,7 +57,7 @@ function knownOfRobot(robot: Robot, team: Team, now_ms: number): Known {
   const facts: [string, string][] = [["does", state ? `${state.value.state}${state.value.held ? ", held" : ""}` : "no state yet"]];
   const silent = isSilent(robot, now_ms);
   const reason = silent ? undefined : breakReason(robot, now_ms);
-  if (reason) facts.push(["break point", reason]);
+  if (reason) facts.push([faultReason(robot) ? "fault" : "break point", reason]);
   if (silent) facts.push(["silent for", lasting(age_s(robot, now_ms))]);
   if (pose) facts.push(["at", placeText(pose)], ["heads", degrees(pose.heading_rad)]);
   if (placed) facts.push(["within", `${metres(ellipseOf(placed).major_m)} × ${metres(ellipseOf(placed).minor_m)}`]);

@@ -2,7 +2,7 @@
 // Where a robot stops between states, and in words why it stands.
 
 import { kindOf } from "../feed/break_kinds";
-import { type BreakAnswer, type BreakPoint, type Breaks, Breaks_Constants } from "../feed/messages";
+import { type BreakAnswer, type BreakPoint, type Breaks, Breaks_Constants, type RobotState } from "../feed/messages";
 import { type BreakKind, seconds, type StateChange } from "../feed/parts";
 import { lasting } from "../lib/format";
 import type { Robot } from "./model";
@@ -76,17 +76,27 @@ export function stopReason({ breaks, transitions }: Pick<Robot, "breaks" | "tran
   return `stopped ${place}${author && ` (${author}'s break point)`}`;
 }
 
-/** Why it stands, or what it waits for, without for how long; undefined: no break point, step or lock keeps it. */
-export function standReason(robot: Pick<Robot, "breaks" | "transitions">): string | undefined {
+/** What a robot tells about why it stands. */
+type Stands = Pick<Robot, "breaks" | "transitions"> & Partial<Pick<Robot, "state">>;
+
+/** After which fault a robot is held, which it says among its problems: "held: the serial line was gone for 3.2 s; …" */
+export function faultIn({ held, problems }: RobotState): string | undefined {
+  return held ? problems.find((problem) => problem.startsWith("held: ")) : undefined;
+}
+
+export const faultReason = ({ state }: Partial<Pick<Robot, "state">>): string | undefined => state && faultIn(state.value);
+
+/** Why it stands, or what it waits for, without for how long; undefined: no fault, break point, step or lock keeps it. */
+export function standReason(robot: Stands): string | undefined {
   const wait = waitOf(robot.breaks?.value);
-  return stopReason(robot) ?? (wait && `waits at the lock ${changeWords(wait)}`);
+  return faultReason(robot) ?? stopReason(robot) ?? (wait && `waits at the lock ${changeWords(wait)}`);
 }
 
 /** The same with for how long it waits, and what a step is that is under way; GET /api/team says it so, too. */
-export function breakReason(robot: Pick<Robot, "breaks" | "transitions">, now_ms: number): string | undefined {
+export function breakReason(robot: Stands, now_ms: number): string | undefined {
   const { breaks } = robot;
   const reason = standReason(robot);
-  if (!breaks || breaks.value.stopped) return reason;
+  if (!breaks || breaks.value.stopped || faultReason(robot)) return reason;
   if (!reason) return breaks.value.stepping ? "goes on until its next change of state" : undefined;
   const waits_s = seconds(breaks.value.stamp) - seconds(breaks.value.waits_since) + (now_ms - breaks.received_ms) / 1000;
   return `${reason} for ${lasting(waits_s)}`;

@@ -2,6 +2,7 @@
 // What happened to a robot besides its changes of state, read from how its state differs from the one before.
 
 import type { RefereeCall, RobotState, Score } from "../feed/messages";
+import { faultIn } from "./breaks";
 import type { Stamped } from "./model";
 
 export interface RobotEvent {
@@ -12,10 +13,10 @@ export interface RobotEvent {
 
 const KEPT = 200;
 
-/** `isStopped`: a break point or a step made it stand, which is told as that. */
+/** `isStopped`: a break point or a step made it stand, which is told as that. So is a fault, among the problems. */
 function differences(before: RobotState, now: RobotState, isStopped: boolean): Omit<RobotEvent, "at_ms">[] {
   const events: Omit<RobotEvent, "at_ms">[] = [];
-  if (now.held && !before.held && !isStopped) events.push({ kind: "held", words: "was told to hold, and stands still" });
+  if (now.held && !before.held && !isStopped && !faultIn(now)) events.push({ kind: "held", words: "was told to hold, and stands still" });
   if (!now.held && before.held) events.push({ kind: "resumed", words: "was told to go on" });
   if (now.out_of_service !== before.out_of_service) {
     if (now.out_of_service) events.push({ kind: "decommissioned", words: "was taken out of service" });

@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { type BreakPoint_Constants, type Breaks, Breaks_Constants } from "../../src/feed/messages";
 import { breakReason, changeOf, changeWords, kindAt, placeWords, standReason, stopperWords, waitOf } from "../../src/model/breaks";
-import { breaks, point, T0_MS, time, transition } from "./told";
+import { breaks, point, state, T0_MS, time, transition } from "./told";
 
 const { BREAK_POINT, STEP, TEAM } = Breaks_Constants;
 const AT = { stopped: true, stopped_at: 7n, stopped_by: BREAK_POINT, break_robot: "io", break_point: point("", "grab"), author: "Anna" };
@@ -68,6 +68,14 @@ describe("why a robot stands", () => {
     expect(waitOf(breaks(waits))).toEqual({ from: "grab", to: "move" });
     expect(waitOf(breaks())).toBeUndefined();
     expect(reason({ ...AT, ...waits })).toBe("stopped at wander → grab (Anna's break point)");
+  });
+  it("is the fault that it is held after, which it says among its problems", () => {
+    const why = "held: the serial line was gone for 3.2 s; resume it, or push a bumper.";
+    const told = (held: boolean) => ({ ...robot({}), state: { value: state({ held, problems: ["camera: gone", why] }), received_ms: T0_MS } });
+    expect(breakReason(told(true), T0_MS)).toBe(why);
+    expect(standReason(told(true))).toBe(why);
+    expect(breakReason(told(false), T0_MS)).toBeUndefined();
+    expect(breakReason({ ...told(true), breaks: undefined }, T0_MS)).toBe(why);
   });
   it("is a step that is under way", () => {
     expect(reason({ stepping: true })).toBe("goes on until its next change of state");

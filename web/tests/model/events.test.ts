@@ -11,6 +11,8 @@ describe("a robot's events", () => {
   it("are read from how its state differs from the one before", () => {
     expect(kinds({ held: true }, { held: true }, { held: false })).toEqual([["resumed", "was told to go on"]]);
     expect(kinds({}, { problems: ["camera: gone"] }, {})).toEqual([["problem", "camera: gone"], ["well", "has no problem any more"]]);
+    expect(kinds({}, { held: true })).toEqual([["held", "was told to hold, and stands still"]]);
+    expect(kinds({}, { held: true, problems: ["held: the camera is gone"] })).toEqual([["problem", "held: the camera is gone"]]);
     expect(kinds({}, { out_of_service: true, overruns: 3 })).toEqual([["decommissioned", "was taken out of service"], ["late", "a tick began late (3 so far)"]]);
   });
   it("are none where it was well and stays so", () => {

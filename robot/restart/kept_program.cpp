@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robot/restart/kept_program.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "bhdl/source/sha256.h"
+#include "core/json_text.h"
+#include "core/regular_file.h"
+
+namespace galilean::robot {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kFormat = "galilean robot, version 1";
+constexpr std::uintmax_t kMostBytes = 32 << 20;
+
+std::string json_of(const KeptProgram& kept) {
+  json files = json::array();
+  for (const auto& file : kept.files) files.push_back({{"path", file.path}, {"text", file.text}});
+  return json_text({{"format", kFormat},
+                    {"robot", kept.robot},
+                    {"running", kept.running},
+                    {"pushed", kept.pushed},
+                    {"hash", kept.hash},
+                    {"files", std::move(files)}});
+}
+
+/// Errors: a field is missing or of another type.
+Result<KeptProgram> kept_in(const json& text) try {
+  KeptProgram kept;
+  if (text.at("format").get<std::string>() != kFormat) return Error{"it has another format"};
+  kept.robot = text.at("robot").get<std::string>();
+  kept.running = text.at("running").get<bool>();
+  kept.pushed = text.at("pushed").get<bool>();
+  kept.hash = text.at("hash").get<std::string>();
+  for (const json& file : text.at("files"))
+    kept.files.push_back({file.at("path").get<std::string>(), file.at("text").get<std::string>()});
+  return kept;
+} catch (const json::exception&) {
+  return Error{"it has another format"};
+}
+
+Result<KeptProgram> parse(const std::string& text, const std::string& robot) {
+  const auto read = read_untrusted_json(text);
+  if (!read) return Error{"it is cut short or no JSON"};
+  auto kept = kept_in(read.value());
+  if (!kept) return kept;
+  if (kept.value().robot != robot) return Error{"it is of another robot"};
+  if (kept.value().files.empty() || bhdl::program_hash(kept.value().files) != kept.value().hash)
+    return Error{"its program does not match its hash"};
+  return kept;
+}
+
+bool write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const auto count = write(descriptor, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+/// Writes a file that reached the disk. Returns 0, or the number of the system's error.
+int write_through(const fs::path& file, const std::string& text) {
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  if (descriptor < 0) return errno;
+  const int problem = write_all(descriptor, text) && fsync(descriptor) == 0 ? 0 : errno;
+  close(descriptor);
+  return problem;
+}
+
+/// Has the disk keep the new name. Some file systems cannot do that for a folder.
+void sync_folder(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  static_cast<void>(fsync(descriptor));
+  close(descriptor);
+}
+
+}  // namespace
+
+fs::path kept_program_file(const fs::path& state_folder, const std::string& robot,
+                           std::uint32_t domain) {
+  return state_folder / "robots" / ("domain_" + std::to_string(domain)) / (robot + ".json");
+}
+
+Result<std::optional<KeptProgram>> read_kept_program(const fs::path& file,
+                                                     const std::string& robot) {
+  std::error_code unknown;
+  if (fs::symlink_status(file, unknown).type() == fs::file_type::not_found)
+    return std::optional<KeptProgram>();
+  const auto text = read_regular_file(file.string(), kMostBytes);
+  if (!text) return Error{file.string() + " cannot be read: " + text.error().message};
+  auto kept = parse(text.value(), robot);
+  if (!kept) return Error{file.string() + " is not what this robot kept: " + kept.error().message};
+  return std::optional<KeptProgram>(std::move(kept).value());
+}
+
+Result<void> write_kept_program(const fs::path& file, const KeptProgram& kept) {
+  std::error_code failed;
+  fs::create_directories(file.parent_path(), failed);
+  const fs::path draft = file.string() + ".new";
+  int problem = failed ? failed.value() : write_through(draft, json_of(kept));
+  if (problem == 0 && std::rename(draft.c_str(), file.c_str()) != 0) problem = errno;
+  if (problem == 0) {
+    sync_folder(file.parent_path());
+    return {};
+  }
+  std::error_code not_there;
+  fs::remove(draft, not_there);
+  return Error{file.string() + " cannot be written: " + std::strerror(problem)};
+}
+
+}  // namespace galilean::robot

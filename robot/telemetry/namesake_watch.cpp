@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robot/telemetry/namesake_watch.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "core/wire/messages.h"
+#include "core/wire/topic_names.h"
+
+namespace galilean::robot {
+namespace {
+
+constexpr Duration kLookAgain = std::chrono::milliseconds(10);
+/// More than two robots tell between two looks.
+constexpr int kStatesKept = 64;
+
+}  // namespace
+
+NamesakeWatch::NamesakeWatch(wire::Participant& participant, const std::string& robot)
+    : participant_(participant),
+      robot_(robot),
+      states_(participant, wire::robot_topic(robot, "state"), msg::RobotState::kRosType,
+              kStatesKept) {}
+
+int NamesakeWatch::count(Time now) {
+  states_.take([&](const wire::Received& received) {
+    const auto known = writers_.find(received.writer);
+    if (known != writers_.end()) {
+      known->second.heard = now;
+    } else if (const auto sender = states_.sender(received)) {
+      writers_[received.writer] = {*sender == wire::kReplayName, now};
+    }
+  });
+  std::erase_if(writers_,
+                [&](const auto& writer) { return now - writer.second.heard > kHeardFor; });
+  return static_cast<int>(
+      std::ranges::count_if(writers_, [](const auto& writer) { return !writer.second.is_replay; }));
+}
+
+Result<void> NamesakeWatch::expect_none(const Clock& clock, const std::function<bool()>& is_over) {
+  const Time end = clock.now() + kAcquaintance;
+  for (Time now = clock.now(); now < end && !is_over(); now = clock.now()) {
+    if (count(now) > 0)
+      return Error{"a robot named " + robot_ + " lives in DDS domain " +
+                   std::to_string(participant_.domain()) +
+                   " already, and two robots of one name obey and tell as one; end that one, or "
+                   "start this one with another --name or --domain"};
+    std::this_thread::sleep_for(kLookAgain);
+  }
+  return {};
+}
+
+}  // namespace galilean::robot

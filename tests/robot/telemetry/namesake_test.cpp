@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two robots of one name obey and tell as one: somebody must hear of it.
+#include "robot/telemetry/namesake_watch.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/robot/telemetry/telemetry_robot.h"
+
+namespace galilean::robot {
+namespace {
+
+using testing::HasSubstr;
+
+std::unique_ptr<wire::Participant> joined(const std::string& name) {
+  return wire::Participant::join(name, kDomain).value();
+}
+
+/// Looks until `done` is true, for at most 10 s. Returns whether it became true.
+bool looks_until(const std::function<bool()>& done) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (!done() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  return done();
+}
+
+msg::RobotState state_of(const std::string& robot) {
+  msg::RobotState state;
+  state.robot = robot;
+  return state;
+}
+
+TEST(NamesakeWatch, CountsThoseThatTellTheirStateUntilTheyAreSilent) {
+  const auto own = joined("twin");
+  const auto other = joined("twin");
+  SteppedClock clock;
+  NamesakeWatch watch(*own, "twin");
+  EXPECT_EQ(watch.count(clock.now()), 0);
+  wire::Writer<msg::RobotState> told(*other, wire::robot_topic("twin", "state"));
+  ASSERT_TRUE(looks_until([&] { return told.readers() == 1; }));
+  EXPECT_EQ(watch.count(clock.now()), 0) << "it has told nothing";
+  ASSERT_TRUE(told.write(state_of("twin")));
+  EXPECT_TRUE(looks_until([&] { return watch.count(clock.now()) == 1; }));
+  clock.advance(NamesakeWatch::kHeardFor);
+  EXPECT_EQ(watch.count(clock.now()), 1);
+  clock.advance(std::chrono::milliseconds(1));
+  EXPECT_EQ(watch.count(clock.now()), 0);
+}
+
+TEST(NamesakeWatch, AReplayIsNoRobot) {
+  const auto own = joined("played");
+  const auto replay = joined(wire::kReplayName);
+  const auto robot = joined("played");
+  SteppedClock clock;
+  NamesakeWatch watch(*own, "played");
+  wire::Writer<msg::RobotState> played(*replay, wire::robot_topic("played", "state"));
+  wire::Writer<msg::RobotState> told(*robot, wire::robot_topic("played", "state"));
+  ASSERT_TRUE(looks_until([&] { return played.readers() == 1 && told.readers() == 1; }));
+  ASSERT_TRUE(played.write(state_of("played")));
+  ASSERT_TRUE(told.write(state_of("played")));
+  EXPECT_TRUE(looks_until([&] { return watch.count(clock.now()) > 0; }));
+  ASSERT_TRUE(played.write(state_of("played")));
+  EXPECT_EQ(watch.count(clock.now()), 1);
+}
+
+TEST(NamesakeWatch, WhoWouldBeTheSecondIsToldBeforeItBegins) {
+  const auto own = joined("second");
+  const auto other = joined("second");
+  wire::Writer<msg::RobotState> told(*other, wire::robot_topic("second", "state"));
+  ASSERT_TRUE(told.write(state_of("second")));
+  const SteadyClock clock;
+  NamesakeWatch watch(*own, "second");
+  const auto alone = watch.expect_none(clock, [] { return false; });
+  ASSERT_FALSE(alone);
+  EXPECT_THAT(alone.error().message, HasSubstr("a robot named second lives in DDS domain"));
+  EXPECT_THAT(alone.error().message, HasSubstr("--name"));
+}
+
+TEST(NamesakeWatch, WhoIsToldToEndDoesNotWait) {
+  const auto own = joined("ended");
+  NamesakeWatch watch(*own, "ended");
+  const SteppedClock stands_still;
+  EXPECT_TRUE(watch.expect_none(stands_still, [] { return true; }));
+}
+
+bool has_namesake(TelemetryRobot& robot) {
+  const auto problems = robot.telemetry->problems().all();
+  return std::ranges::any_of(problems,
+                             [](const Problem& problem) { return problem.subject == "name"; });
+}
+
+TEST(NamesakeAlarm, BothRobotsSaySoAndTheNewcomerIsHeld) {
+  TelemetryRobot first("double");
+  ASSERT_TRUE(first.robot.load(kWaits));
+  first.robot.tick(static_cast<int>(NamesakeAlarm::kNewcomer / std::chrono::milliseconds(50)) + 1);
+  TelemetryRobot second("double");
+  ASSERT_TRUE(second.robot.load(kWaits));
+  auto states = first.mailbox<msg::RobotState>("state");
+  // Each tick waits until it was told: the robots' clocks must not run away from DDS.
+  for (int i = 0; i < 400 && !(has_namesake(first) && has_namesake(second)); ++i) {
+    first.robot.tick();
+    second.robot.tick();
+    const std::uint64_t tick = first.robot.executive->last_tick().number;
+    ASSERT_TRUE(states.wait_for([&](const auto& each) { return each.tick + 2 > tick; }));
+  }
+  EXPECT_TRUE(has_namesake(first));
+  EXPECT_TRUE(has_namesake(second));
+  EXPECT_TRUE(second.robot.executive->held_after_fault());
+  EXPECT_FALSE(first.robot.executive->held()) << "an operator may rely on it";
+}
+
+}  // namespace
+}  // namespace galilean::robot

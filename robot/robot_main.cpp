@@ -10,6 +10,7 @@
 #include "bhdl/check.h"
 #include "core/broken_pipe.h"
 #include "core/termination.h"
+#include "core/wire/refusals.h"
 #include "robot/components.h"
 #include "robot/control_loop.h"
 #include "robot/devices/frame_sources.h"
@@ -68,6 +69,8 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
   if (!camera) return refuse(camera.error().message);
   const auto participant = wire::Participant::join(options.name, options.domain);
   if (!participant) return refuse(participant.error().message);
+  participant.value()->refusals().tell_with(
+      [](const std::string& sentence) { log_warning(sentence); });
 
   const SteadyClock clock;
   RobotDevices devices(line, *camera.value(), settings);

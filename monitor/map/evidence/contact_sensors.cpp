@@ -38,6 +38,13 @@ std::uint32_t mask_of(double index) {
   return index > kLastBit ? 0 : std::uint32_t{1} << static_cast<unsigned>(index);
 }
 
+/// Returns the value of a bits variable; 0 if it is none that such a variable can have.
+std::uint32_t bits_of(const msg::Variable& variable) {
+  constexpr double kMost = 4294967295.0;
+  const double value = variable.values.front();
+  return value >= 0 && value <= kMost ? static_cast<std::uint32_t>(value) : 0;
+}
+
 bool has_one_of(const std::vector<std::string>& list, const std::set<std::string>& names) {
   return std::ranges::any_of(list, [&](const auto& name) { return names.contains(name); });
 }
@@ -87,7 +94,7 @@ void ContactSensors::update(const msg::Variables& variables, Time now) {
     if (variable.type != msg::Variable_Constants::BITS || !variable.valid ||
         variable.values.empty())
       continue;
-    const auto bits = static_cast<std::uint32_t>(variable.values.front());
+    const std::uint32_t bits = bits_of(variable);
     const auto is_set = [&](const SensorBits& sensor) {
       return sensor.variable == variable.name && (bits & sensor.mask) != 0;
     };

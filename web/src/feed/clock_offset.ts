@@ -24,7 +24,7 @@ export class ClockOffset {
   #back: { since_ms: number; least_ms: number; newestSent_ms: number } | undefined;
 
   /** When the monitor received a message, on the page's clock; never later than `arrived_ms`. */
-  received_ms(sent_ms: number, arrived_ms: number, steady_ms: number = performance.now()): number {
+  received_ms(sent_ms: number, arrived_ms: number, steady_ms = performance.now()): number {
     this.#followPageClock(arrived_ms - steady_ms);
     this.#followDrift(steady_ms);
     this.#followMonitorClock(sent_ms, arrived_ms - sent_ms, steady_ms);

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/visible_text.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -55,8 +57,8 @@ void intake_metrics(std::ostream& out, const Intake& intake) {
   constexpr const char* kRefused = "galilean_refused_messages_total";
   family(out, kRefused, "counter", "Messages from DDS that were not taken, and why.");
   for (const auto& each : intake.refused)
-    out << kRefused << "{topic=\"" << escaped(each.topic) << "\",reason=\"" << escaped(each.reason)
-        << "\"} " << each.messages << '\n';
+    out << kRefused << "{topic=\"" << escaped(visible(each.topic)) << "\",reason=\""
+        << escaped(each.reason) << "\"} " << each.messages << '\n';
   metric(out, "galilean_topics", "gauge", "Topics known.", intake.channels.size());
   metric(out, "galilean_topics_not_read_total", "counter", "Topics beyond those that are read.",
          intake.topics_not_read);

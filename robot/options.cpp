@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/options.h"
 
-#include <algorithm>
 #include <iostream>
 
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "core/wire/robot_name.h"
 #include "robot/executive/probation.h"
 
 namespace galilean::robot {
 namespace {
 
-/// Refuses names that ROS 2 does not allow in topics, because the robot's name is part of its
-/// topics' names.
 Result<void> check_name(const std::string& name) {
-  const auto is_allowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-  };
-  const bool good = !name.empty() && name.size() <= 64 && !(name[0] >= '0' && name[0] <= '9') &&
-                    std::ranges::all_of(name, is_allowed);
-  if (good) return {};
+  if (msg::is_robot_name(name)) return {};
   return Error{
       "a robot's name consists of 1 to 64 letters, digits and _, and does not begin with a digit"};
 }

@@ -11,6 +11,7 @@
 #include "core/broken_pipe.h"
 #include "core/state_folder.h"
 #include "core/termination.h"
+#include "core/wire/refusals.h"
 #include "robot/components.h"
 #include "robot/control_loop.h"
 #include "robot/devices/frame_sources.h"
@@ -102,6 +103,8 @@ int work(const Options& options, const Registry& components, bhdl::Program given
          Termination& termination) {
   const auto participant = wire::Participant::join(options.name, options.domain);
   if (!participant) return refuse(participant.error().message);
+  participant.value()->refusals().tell_with(
+      [](const std::string& sentence) { log_warning(sentence); });
   if (const auto alone = expect_no_namesake(*participant.value(), options.name, termination);
       !alone)
     return refuse(alone.error().message);

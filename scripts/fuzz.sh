@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=${1:-600}
-fuzzers=(check format diff language_server expect mcap recover schemas)
+fuzzers=(check format diff language_server expect messages mcap recover schemas)
 dir=build/fuzz
 
 mkdir -p "$dir/findings"

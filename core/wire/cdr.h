@@ -6,6 +6,7 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -46,6 +47,24 @@ class CdrReader {
     if (size == 0 || !has(size)) return;
     to.assign(reinterpret_cast<const char*>(bytes_.data() + at_), size - 1);
     at_ += size;
+  }
+  /// Reads a string without a copy. It is valid as long as the bytes.
+  void read(std::string_view& to) {
+    std::uint32_t size = 0;
+    read(size);
+    to = {};
+    if (size == 0 || !has(size)) return;
+    to = {reinterpret_cast<const char*>(bytes_.data() + at_), size - 1};
+    at_ += size;
+  }
+  /// Leaves out `count` numbers, each of `size` bytes.
+  void skip(std::size_t count, std::size_t size) {
+    if (count == 0) return;
+    align(size);
+    if (has(0) && (bytes_.size() - at_) / size >= count)
+      at_ += count * size;
+    else
+      ok_ = false;
   }
   template <class T>
   void read(std::vector<T>& to) {

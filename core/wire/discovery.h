@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -26,6 +27,14 @@ class Discovery {
   ~Discovery();
   /// Returns the publications that are known now.
   [[nodiscard]] std::vector<Publication> publications() const;
+  /// Publications that were not returned before.
+  struct Fresh {
+    std::vector<Publication> publications;
+    bool are_more = false;  ///< others wait, or may wait: call `take_new` again
+  };
+  /// Returns at most `most` of the publications that are new since the last call; at the first call
+  /// all are new. Its work is bounded, however many there are.
+  [[nodiscard]] Fresh take_new(std::size_t most);
   /// Sets the callback that a thread of Cyclone calls whenever the publications change. Requires:
   /// it is set once, right after construction.
   void on_change(std::function<void()> callback);

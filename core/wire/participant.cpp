@@ -6,14 +6,18 @@
 
 #include <dds/dds.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <deque>
 #include <map>
 #include <mutex>
 #include <sstream>
+#include <utility>
 
 #include "core/wire/announced.h"
 #include "core/wire/lending.h"
 #include "core/wire/qos.h"
+#include "core/wire/refusals.h"
 #include "core/wire/schemas.h"
 
 namespace galilean::wire {
@@ -70,6 +74,7 @@ struct Participant::State {
   Entity participant;
   std::mutex mutex;
   std::map<std::string, Entity> topics;
+  Refusals refusals;
 };
 
 Participant::Participant(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -113,6 +118,10 @@ std::uint32_t Participant::domain() const noexcept {
   return state_->number;
 }
 
+Refusals& Participant::refusals() const noexcept {
+  return state_->refusals;
+}
+
 std::int32_t Participant::topic(const std::string& name, const std::string& ros_type) {
   const std::lock_guard lock(state_->mutex);
   if (const auto found = state_->topics.find(name); found != state_->topics.end())
@@ -130,28 +139,40 @@ std::int32_t Participant::topic(const std::string& name, const std::string& ros_
 }
 
 struct Discovery::State {
+  static constexpr int kAtOnce = 64;
+
   std::function<void()> changed;
   mutable std::mutex mutex;
   mutable std::map<dds_instance_handle_t, Publication> known;
+  mutable std::deque<Publication> fresh;  ///< not yet returned by `take_new`
+  bool is_followed = false;               ///< `take_new` was called
   Entity reader;  // last member, so that it is destroyed first: its thread calls `changed`
 
   void update() const {
-    constexpr int kAtOnce = 64;
-    void* samples[kAtOnce] = {};
-    dds_sample_info_t infos[kAtOnce];
-    for (int count; (count = dds_take(reader.handle(), samples, infos, kAtOnce, kAtOnce)) > 0;) {
-      for (int i = 0; i < count; ++i)
-        note(*static_cast<dds_builtintopic_endpoint_t*>(samples[i]), infos[i]);
-      dds_return_loan(reader.handle(), samples, count);
+    while (take_some() > 0) {
     }
   }
+  /// Returns how many changes it took, at most kAtOnce.
+  int take_some() const {
+    void* samples[kAtOnce] = {};
+    dds_sample_info_t infos[kAtOnce];
+    const int count = dds_take(reader.handle(), samples, infos, kAtOnce, kAtOnce);
+    if (count <= 0) return 0;
+    for (int i = 0; i < count; ++i)
+      note(*static_cast<dds_builtintopic_endpoint_t*>(samples[i]), infos[i]);
+    dds_return_loan(reader.handle(), samples, count);
+    return count;
+  }
   void note(const dds_builtintopic_endpoint_t& endpoint, const dds_sample_info_t& info) const {
-    if (info.instance_state != DDS_ALIVE_INSTANCE_STATE)
+    if (info.instance_state != DDS_ALIVE_INSTANCE_STATE) {
       known.erase(info.instance_handle);
-    else if (info.valid_data)
-      known[info.instance_handle] = {endpoint.topic_name, endpoint.type_name,
-                                     hexadecimal(endpoint.key),
-                                     hexadecimal(endpoint.participant_key)};
+    } else if (info.valid_data) {
+      const Publication publication{endpoint.topic_name, endpoint.type_name,
+                                    hexadecimal(endpoint.key),
+                                    hexadecimal(endpoint.participant_key)};
+      const bool is_new = known.insert_or_assign(info.instance_handle, publication).second;
+      if (is_new && is_followed) fresh.push_back(publication);
+    }
   }
 };
 
@@ -170,6 +191,22 @@ std::vector<Publication> Discovery::publications() const {
   state_->update();
   std::vector<Publication> result;
   for (const auto& [handle, publication] : state_->known) result.push_back(publication);
+  return result;
+}
+
+Discovery::Fresh Discovery::take_new(std::size_t most) {
+  const std::lock_guard lock(state_->mutex);
+  auto& fresh = state_->fresh;
+  if (!std::exchange(state_->is_followed, true))
+    for (const auto& [handle, publication] : state_->known) fresh.push_back(publication);
+  bool may_wait = true;
+  for (std::size_t taken = 0; may_wait && taken < most && fresh.size() < most;
+       taken += State::kAtOnce)
+    may_wait = state_->take_some() == State::kAtOnce;
+  const auto end = fresh.begin() + static_cast<std::ptrdiff_t>(std::min(most, fresh.size()));
+  Fresh result{{fresh.begin(), end}, may_wait};
+  fresh.erase(fresh.begin(), end);
+  result.are_more = may_wait || !fresh.empty();
   return result;
 }
 

@@ -9,6 +9,8 @@
 
 namespace galilean::wire {
 
+class Refusals;
+
 /// The name with which the monitor joins the domain. Robots recognise the monitor by it.
 inline constexpr const char* kMonitorName = "monitor";
 /// The name with which a replay joins. Whatever it writes comes from a recording.
@@ -35,6 +37,8 @@ class Participant {
   /// throws std::runtime_error if Cyclone refuses the topic, or if `ros_type` is not one of the
   /// messages.
   [[nodiscard]] std::int32_t topic(const std::string& name, const std::string& ros_type);
+  /// Returns the account of the messages that this process received and did not take.
+  [[nodiscard]] Refusals& refusals() const noexcept;
 
  private:
   struct State;

@@ -12,6 +12,7 @@
 #include "core/wire/participant.h"
 #include "core/wire/qos.h"
 #include "core/wire/reader.h"
+#include "core/wire/refusals.h"
 #include "core/wire/untyped_topic.h"
 
 namespace galilean::wire {
@@ -49,7 +50,8 @@ std::optional<std::string> participant_name(dds_entity_t member, dds_instance_ha
 }  // namespace
 
 Reader::Reader(Participant& participant, const std::string& topic, const std::string& ros_type,
-               int depth) {
+               int depth)
+    : topic_(topic), refusals_(&participant.refusals()), bounds_(bounds_of(ros_type)) {
   const auto qos = make_qos(delivery_of(ros_type));
   if (depth > 0) dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, depth);
   entity_ =
@@ -60,7 +62,7 @@ Reader::Reader(Participant& participant, const std::string& topic, const std::st
 
 Reader::Reader(Participant& participant, const UntypedTopic& topic, const EndpointQos& asked,
                int depth)
-    : untyped_topic_(make_untyped_topic(participant, topic)) {
+    : topic_(topic.name), untyped_topic_(make_untyped_topic(participant, topic)) {
   const auto qos = make_reader_qos(asked, depth);
   entity_ = Entity(
       checked(dds_create_reader(participant.handle(), untyped_topic_.handle(), qos.get(), nullptr),
@@ -71,7 +73,24 @@ Reader::~Reader() {
   if (callback_) dds_set_listener(entity_.handle(), nullptr);
 }
 
+bool Reader::admits(Received& received) const {
+  if (!bounds_) return true;
+  msg::CdrChecker checker(received.cdr);
+  bounds_(checker);
+  received.robot = checker.robot();
+  if (checker.good()) return true;
+  refusals_->note(topic_, checker.fault());
+  return false;
+}
+
 void Reader::take(const std::function<void(const Received&)>& receive) {
+  take_unchecked([&](const Received& received) {
+    Received checked = received;
+    if (admits(checked)) receive(checked);
+  });
+}
+
+void Reader::take_unchecked(const std::function<void(const Received&)>& receive) {
   constexpr int kAtOnce = 32;
   ddsi_serdata* samples[kAtOnce] = {};
   dds_sample_info_t infos[kAtOnce];

@@ -7,12 +7,15 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
+#include "core/wire/bounds.h"
 #include "core/wire/entity.h"
 
 namespace galilean::wire {
 
 class Participant;
+class Refusals;
 struct EndpointQos;
 struct UntypedTopic;
 
@@ -24,9 +27,15 @@ struct Received {
   /// The writer's number of the message, from 1, of which none is used twice; 0: unknown, as on
   /// all topics that are not untyped.
   std::uint64_t sequence = 0;
+  /// The robot that the message says it is of. It is empty if it names none, and on untyped topics.
+  std::string_view robot = {};
 };
 
 /// Receives the messages of one topic as bytes. msg::decode_cdr turns them into structs.
+///
+/// This is the one door for messages: `take` hands none over that is outside of its type's bounds
+/// (core/wire/idl/*.bounds). The participant's Refusals count those. The bytes of untyped topics
+/// are handed over as they are, for recorders and tools that show what was sent.
 class Reader {
  public:
   /// `depth` is how many messages of each writer are kept between two calls of `take`. With 0 it is
@@ -38,8 +47,10 @@ class Reader {
   /// std::runtime_error if Cyclone refuses the topic.
   Reader(Participant& participant, const UntypedTopic& topic, const EndpointQos& asked, int depth);
   ~Reader();
-  /// Calls `receive` for each message that came since the last call, in the calling thread.
+  /// Calls `receive` for each valid message that came since the last call, in the calling thread.
   void take(const std::function<void(const Received&)>& receive);
+  /// Does the same with all messages, valid or not, for those who only pass the bytes on.
+  void take_unchecked(const std::function<void(const Received&)>& receive);
   /// Sets the callback that Cyclone calls, on a thread of its own, when there is a message to take.
   /// Requires: no callback was set before.
   void on_data(std::function<void()> callback);
@@ -53,7 +64,13 @@ class Reader {
   [[nodiscard]] std::optional<std::string> sender(const Received& received) const;
 
  private:
-  Entity untyped_topic_;  // nothing for others, whose topic the participant owns
+  /// Returns whether the message is within its bounds, and counts it if not. Sets its robot.
+  [[nodiscard]] bool admits(Received& received) const;
+
+  std::string topic_;
+  Refusals* refusals_ = nullptr;  ///< of the participant, which outlives this
+  Bounds bounds_ = nullptr;       ///< nullptr: the topic is untyped
+  Entity untyped_topic_;          // nothing for others, whose topic the participant owns
   Entity entity_;
   std::unique_ptr<std::function<void()>> callback_;
 };

@@ -5,7 +5,8 @@
 #include <exception>
 #include <utility>
 
-#include "core/wire/reader.h"
+#include "core/visible_text.h"
+#include "core/wire/refusals.h"
 #include "core/wire/ros_time.h"
 
 namespace galilean::monitor {
@@ -27,6 +28,8 @@ struct Ingest::Source {
   bool rests = false;
   std::unique_ptr<wire::Reader> reader;
   std::map<std::uint64_t, bool> replays = {};  ///< by writer: whether a replay has it
+  std::uint64_t messages = 0;
+  Time newest{};  ///< when the newest of `messages` came
 
   [[nodiscard]] bool is_replayed(const wire::Received& received);
 };
@@ -74,27 +77,84 @@ void Ingest::poll() {
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     Source& source = *sources_[i];
     if (!source.reader || source.rests || !source.has_data.exchange(false)) continue;
-    source.reader->take([&](const wire::Received& received) {
-      callbacks_.message({source.channel, wire::wall_clock_ns(), received.sent_ns,
-                          std::make_shared<const std::vector<std::uint8_t>>(received.cdr.begin(),
-                                                                            received.cdr.end()),
-                          source.is_replayed(received)});
-    });
+    take(source);
   }
 }
 
-void Ingest::discover() {
-  for (const auto& publication : discovery_->publications()) {
-    const auto* schema = wire::find_schema_by_dds_type(publication.dds_type);
-    if (!schema || !publication.topic.starts_with("rt/") || by_topic_.contains(publication.topic))
-      continue;
-    auto& source = *sources_.emplace_back(std::make_unique<Source>());
-    source.channel = {static_cast<std::uint32_t>(sources_.size()), publication.topic, schema,
-                      wire::delivery_of(schema->ros_type)};
-    by_topic_[publication.topic] = &source;
-    if (callbacks_.channel) callbacks_.channel(source.channel);
-    if (read_at_once_(source.channel)) open(source);
+void Ingest::take(Source& source) {
+  source.reader->take([&](const wire::Received& received) {
+    if (!follows(received)) return;
+    ++source.messages;
+    source.newest = clock_.now();
+    callbacks_.message({source.channel, wire::wall_clock_ns(), received.sent_ns,
+                        std::make_shared<const std::vector<std::uint8_t>>(received.cdr.begin(),
+                                                                          received.cdr.end()),
+                        source.is_replayed(received)});
+  });
+}
+
+// Only a valid message brings its robot here, so that a name that is only announced takes no place.
+bool Ingest::follows(const wire::Received& received) {
+  if (received.robot.empty() || robots_.contains(received.robot)) return true;
+  if (robots_.size() < kMostRobots) {
+    robots_.emplace(received.robot);
+    return true;
   }
+  if (beyond_.empty())
+    beyond_ = "more than " + std::to_string(kMostRobots) + " robots are not followed, such as " +
+              std::string(received.robot);
+  participant_.refusals().note(wire::Refusals::kOthers, beyond_);
+  return false;
+}
+
+void Ingest::discover() {
+  const auto fresh = discovery_->take_new(kMostNewTopics);
+  for (const auto& publication : fresh.publications) add(publication);
+  if (!fresh.are_more) return;
+  // The rest waits for the next turn, so that what else the thread has to do comes between.
+  signals_->topics_changed = true;
+  signals_->raise();
+}
+
+bool Ingest::has_room_for(const wire::Publication& publication) {
+  auto& of_process = topics_of_[publication.participant];
+  if (sources_.size() < kMostTopics && of_process < kMostTopicsOfProcess) {
+    ++of_process;
+    return true;
+  }
+  if (topics_not_read_++ == 0 && callbacks_.problem)
+    callbacks_.problem(visible(publication.topic) +
+                       " and further topics are not read, because there are too many: at most " +
+                       std::to_string(kMostTopics) + " are, and " +
+                       std::to_string(kMostTopicsOfProcess) + " of one process");
+  return false;
+}
+
+void Ingest::add(const wire::Publication& publication) {
+  const auto* schema = wire::find_schema_by_dds_type(publication.dds_type);
+  if (!schema || !publication.topic.starts_with("rt/") || by_topic_.contains(publication.topic) ||
+      !has_room_for(publication))
+    return;
+  auto& source = *sources_.emplace_back(std::make_unique<Source>());
+  source.channel = {static_cast<std::uint32_t>(sources_.size()), publication.topic, schema,
+                    wire::delivery_of(schema->ros_type)};
+  by_topic_[publication.topic] = &source;
+  if (callbacks_.channel) callbacks_.channel(source.channel);
+  if (read_at_once_(source.channel)) open(source);
+}
+
+Intake Ingest::intake() const {
+  Intake intake{.channels = {},
+                .refused = participant_.refusals().counts(),
+                .topics_not_read = topics_not_read_};
+  const Time now = clock_.now();
+  for (const auto& source : sources_) {
+    ChannelIntake& channel = intake.channels.emplace_back();
+    channel.topic = source->channel.topic;
+    channel.messages = source->messages;
+    if (source->messages > 0) channel.age_s = to_seconds(now - source->newest);
+  }
+  return intake;
 }
 
 void Ingest::open(Source& source) try {

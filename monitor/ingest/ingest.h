@@ -4,12 +4,16 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "core/clock.h"
 #include "core/wire/discovery.h"
 #include "core/wire/participant.h"
+#include "core/wire/reader.h"
 #include "monitor/ingest/channel.h"
+#include "monitor/ingest/intake.h"
 
 namespace galilean::monitor {
 
@@ -17,11 +21,21 @@ namespace galilean::monitor {
 /// markers are costly to make, and robots make them only for readers. These are therefore read only
 /// while a client wants them.
 ///
+/// Whoever writes to DDS can name any robots and topics. Ingest therefore takes the messages of the
+/// first kMostRobots robots that sent a valid one, and reads so many topics, of all and of each
+/// process. It counts what is beyond, names the first of it, and ignores it. One call of `poll`
+/// takes in at most kMostNewTopics topics, so that a flood of them does not hold the thread.
+///
 /// For use by one thread, which also runs the callbacks. Cyclone's threads only call `wake`, at
 /// most once between two calls of `poll`. `wake` must make the owner's thread call `poll`: it posts
 /// to an io_context or notifies a condition variable.
 class Ingest {
  public:
+  static constexpr std::size_t kMostRobots = 256;
+  static constexpr std::size_t kMostTopics = 6144;
+  static constexpr std::size_t kMostTopicsOfProcess = 2048;
+  static constexpr std::size_t kMostNewTopics = 64;
+
   using Wake = std::function<void()>;
   using ReadAtOnce = std::function<bool(const Channel&)>;
 
@@ -48,6 +62,9 @@ class Ingest {
   /// the newest, which the first `poll` after that takes. An unknown id is ignored.
   void rest(std::uint32_t channel_id, bool rests);
 
+  /// Returns how it stands with what comes in.
+  [[nodiscard]] Intake intake() const;
+
   /// Returns false for pictures and markers.
   [[nodiscard]] static bool all_but_costly(const Channel& channel);
 
@@ -56,7 +73,13 @@ class Ingest {
   struct Source;
 
   void discover();
+  void add(const wire::Publication& publication);
   void open(Source& source);
+  void take(Source& source);
+  /// Returns whether there is room for a topic of this process, and notes it.
+  [[nodiscard]] bool has_room_for(const wire::Publication& publication);
+  /// Returns whether the message is of a robot that is followed, or of none.
+  [[nodiscard]] bool follows(const wire::Received& received);
 
   wire::Participant& participant_;
   Callbacks callbacks_;
@@ -64,6 +87,11 @@ class Ingest {
   std::shared_ptr<Signals> signals_;
   std::vector<std::unique_ptr<Source>> sources_;  ///< at index channel id - 1
   std::map<std::string, Source*> by_topic_;
+  std::map<std::string, std::size_t> topics_of_;  ///< how many are read, by their first process
+  std::size_t topics_not_read_ = 0;
+  std::set<std::string, std::less<>> robots_;  ///< that are followed
+  std::string beyond_;  ///< why messages of further robots are refused; it names the first
+  SteadyClock clock_;
   std::unique_ptr<wire::Discovery> discovery_;
 };
 

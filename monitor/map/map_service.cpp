@@ -76,6 +76,7 @@ void MapService::run() {
     try {
       const Time began = clock_.now();
       take_in(*arrived);
+      if (ending_) return;
       if (slice % kSlicesAPeriod != 0) continue;
       publish(clock_.now(), slice % kSlicesAGrid == 0);
       update_s_ = to_seconds(clock_.now() - began);
@@ -88,12 +89,15 @@ void MapService::run() {
 std::optional<std::vector<MapService::Arrived>> MapService::arrived_until(
     std::chrono::steady_clock::time_point end) {
   std::unique_lock lock(mutex_);
-  if (ended_.wait_until(lock, end, [this] { return ending_; })) return std::nullopt;
+  if (ended_.wait_until(lock, end, [this] { return ending_.load(); })) return std::nullopt;
   return std::exchange(waiting_, {});
 }
 
 void MapService::take_in(const std::vector<Arrived>& arrived) {
-  for (const auto& [handler, cdr, at] : arrived) handler(map_, *cdr, at);
+  for (const auto& [handler, cdr, at] : arrived) {
+    if (ending_) return;  // Whoever ends the service does not wait for what has piled up.
+    handler(map_, *cdr, at);
+  }
 }
 
 void MapService::publish(Time now, bool with_grid) {

@@ -79,8 +79,8 @@ class MapService {
   std::condition_variable ended_;
   std::vector<Arrived> waiting_;
   Newest newest_;
-  bool ending_ = false;
 
+  std::atomic<bool> ending_ = false;
   std::atomic<double> update_s_ = 0;
   std::thread thread_;
 };

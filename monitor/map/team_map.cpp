@@ -16,11 +16,24 @@ namespace {
 
 constexpr double kAlignEvery_s = 0.5;
 constexpr double kTouchDeviation_m = 0.05;
+/// An odometer that tells of more than this is broken.
+constexpr double kFarthestOdometer_m = 1e6;
+constexpr double kMostTurned_rad = 1e6;
+/// So many objects of a frame are taken in, which is what a robot tells at most. Whatever a frame
+/// costs grows with this.
+constexpr std::size_t kMostSightings = 96;
+
+/// Numbers that are not finite fail these comparisons.
+bool is_plausible_odometry(const Pose2& in_odom) {
+  return std::abs(in_odom.position_m.x()) <= kFarthestOdometer_m &&
+         std::abs(in_odom.position_m.y()) <= kFarthestOdometer_m &&
+         std::abs(in_odom.heading_rad) <= kMostTurned_rad;
+}
 
 }  // namespace
 
 bool TeamMap::predict(const std::string& robot, const Pose2& in_odom, Time now) {
-  if (!in_odom.position_m.allFinite() || !std::isfinite(in_odom.heading_rad)) return false;
+  if (!is_plausible_odometry(in_odom)) return false;
   RobotGroup& group = groups_.join(robot, in_odom);
   if (group.poses.contains(robot))
     group.landmarks.inflate_near(
@@ -37,6 +50,11 @@ void TeamMap::add(const msg::RobotState& state, Time now) {
 }
 
 void TeamMap::add(const msg::Sightings& frame, Time now) {
+  if (frame.items.size() > kMostSightings) {
+    msg::Sightings shorter = frame;
+    shorter.items.resize(kMostSightings);
+    return add(shorter, now);
+  }
   if (!predict(frame.robot, {{frame.x_m, frame.y_m}, frame.heading_rad}, now)) return;
   RobotGroup& group = groups_.of(frame.robot);
   const msg::Sightings on_floor = without_carried(frame);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/wire/ros_time.h"
+#include "core/wire/topic_names.h"
 #include "monitor/background/guarded.h"
 #include "monitor/pushes/history/push_messages.h"
 
@@ -16,12 +17,21 @@ namespace {
 constexpr std::size_t kMostOpen = 64;
 constexpr auto kWatchEach = std::chrono::milliseconds(50);
 
+/// Returns the push with this machine's time, if its sender's clock is ahead. The time is for
+/// people: the order of pushes is that in which they come.
+msg::ProgramPush not_of_the_future(msg::ProgramPush push) {
+  const std::int64_t now_ns = wire::wall_clock_ns();
+  if (wire::since_epoch_ns(push.stamp) > now_ns) push.stamp = wire::ros_time(now_ns);
+  return push;
+}
+
 }  // namespace
 
 PushDesk::PushDesk(const PushExecutor::Parts& parts, const Clock& clock,
                    wire::Participant& participant)
     : parts_(parts),
       clock_(clock),
+      refusals_(participant.refusals()),
       executor_(parts, participant,
                 [this](const std::string& id, const PushResult& result) { take(id, result); }),
       timer_(parts.io) {
@@ -132,8 +142,23 @@ void PushDesk::watch(Open& open) {
   advance(open);
 }
 
-void PushDesk::note(const msg::ProgramPush& message) {
-  if (find(message.id)) return;
+// Each record waits for the disk. The monitor must not be held by a flood of them, nor at its end.
+bool PushDesk::has_room_for_others() {
+  constexpr std::size_t kMost = 32;
+  constexpr Duration kWithin = std::chrono::seconds(10);
+  const Time now = clock_.now();
+  while (!others_.empty() && now - others_.front() > kWithin) others_.pop_front();
+  if (others_.size() >= kMost) return false;
+  others_.push_back(now);
+  return true;
+}
+
+void PushDesk::note(const msg::ProgramPush& told) {
+  if (find(told.id)) return;
+  if (!has_room_for_others())
+    return refusals_.note(wire::kProgramPushTopic,
+                          "more pushes than others make by hand are not recorded");
+  const msg::ProgramPush message = not_of_the_future(told);
   const auto targets = targets_of(message.targets, parts_.team);
   if (message.targets.empty()) parts_.team.note_push(message.hash);
   advance(*keep(Push::of_others(message, targets, clock_.now()), nullptr));

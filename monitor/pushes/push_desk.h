@@ -12,6 +12,7 @@
 #include "core/clock.h"
 #include "core/wire/messages.h"
 #include "core/wire/participant.h"
+#include "core/wire/refusals.h"
 #include "monitor/pushes/push.h"
 #include "monitor/pushes/push_executor.h"
 #include "monitor/pushes/push_order.h"
@@ -59,10 +60,14 @@ class PushDesk {
   void advance(Open& open);
   void watch();
   void watch(Open& open);
+  /// Returns whether another push of others may be recorded now, and notes it.
+  [[nodiscard]] bool has_room_for_others();
 
   PushExecutor::Parts parts_;
   const Clock& clock_;
+  wire::Refusals& refusals_;
   PushExecutor executor_;
+  std::deque<Time> others_;   ///< when the newest pushes of others came
   std::deque<OpenPtr> open_;  ///< the newest last; old ones that are over are dropped
   boost::asio::steady_timer timer_;
 };

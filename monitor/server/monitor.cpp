@@ -9,6 +9,7 @@
 
 #include "bhdl/program/catalog_file.h"
 #include "core/installation.h"
+#include "core/wire/refusals.h"
 #include "core/wire/ros_time.h"
 #include "monitor/access/token_watch.h"
 #include "monitor/background/guarded.h"
@@ -105,6 +106,7 @@ struct Monitor::Parts {
   HttpServer server;
   Ingest ingest;
   wire::Graph graph;
+  Time graph_due{};  ///< when the graph may be told again
   std::uint16_t port = 0;
   std::string new_operator_token;
   std::string fingerprint;
@@ -128,6 +130,7 @@ struct Monitor::Parts {
   void tell_regularly();
   void look_at_tokens();
   void look_at_tokens_regularly();
+  void tell_graph();
 };
 
 Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
@@ -170,6 +173,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
       graph(*participant) {
   operations.offer(hub);
   api.set_counts([this] { return server.counts(); });
+  api.set_intake([this] { return ingest.intake(); });
   signals.async_wait([this](boost::system::error_code error, int) {
     if (!error) io.stop();
   });
@@ -209,7 +213,7 @@ void Monitor::Parts::tell_regularly() {
   (void)guarded("telling the clients", [this] {
     hub.send_time(wire::wall_clock_ns());
     hub.send_parameters(team_parameters(team));
-    if (hub.graph_is_watched()) hub.send_graph(connection_graph(graph.topics()));
+    tell_graph();
   });
   tell_timer.expires_after(kTellPeriod);
   tell_timer.async_wait([this](boost::system::error_code error) {
@@ -253,6 +257,16 @@ void Monitor::Parts::look_at_tokens_regularly() {
   });
 }
 
+// A domain of countless endpoints makes the graph dear. It takes no more than a tenth of the time.
+void Monitor::Parts::tell_graph() {
+  constexpr int kRestFor = 9;
+  const Time began = clock.now();
+  if (!hub.graph_is_watched() || began < graph_due) return;
+  hub.send_graph(connection_graph(graph.topics()));
+  const Time ended = clock.now();
+  graph_due = ended + kRestFor * (ended - began);
+}
+
 Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) try {
   auto tokens = open_tokens(options.data_folder);
   if (!tokens) return tokens.error();
@@ -260,6 +274,9 @@ Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) tr
   if (!participant) return participant.error();
   auto history = open_history(options, participant.value()->domain());
   if (!history) return history.error();
+  participant.value()->refusals().tell_with([](const std::string& sentence) {
+    std::clog << "galilean-monitor: " + sentence + "\n" << std::flush;
+  });
   auto blocks = std::make_unique<Parts>(options, std::move(participant).value(),
                                         std::move(history).value(), tokens.value());
   if (tokens.value().are_new) blocks->new_operator_token = tokens.value().operator_;

@@ -8,7 +8,11 @@
 namespace galilean::monitor {
 
 void Simulations::note(msg::SimulationState state, Time now) {
+  constexpr std::size_t kMost = 64;  // Anybody can name simulations that are not there.
   const std::string name = state.simulation;
+  if (heard_.size() >= kMost && !heard_.contains(name))
+    std::erase_if(heard_, [&](const auto& each) { return now - each.second.at > kSilentAfter; });
+  if (heard_.size() >= kMost && !heard_.contains(name)) return;
   heard_[name] = {std::move(state), now};
 }
 

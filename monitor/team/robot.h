@@ -25,6 +25,7 @@ struct Robot {
   std::optional<Time> replay_heard;  ///< when the last one that a replay sent came
   std::optional<msg::RobotState> state;
   Time state_received{};
+  double clock_ahead_s = 0;  ///< its state's stamp, less the time at which this machine received it
   std::optional<msg::Program> program;
   std::optional<msg::Catalog> catalog;
   msg::Variables variables;
@@ -50,6 +51,7 @@ struct RobotStatus {
   bool has_state = false;  ///< it has sent its state; without, nothing is known up to `overruns`
   std::string state;
   double in_state_s = 0;
+  double clock_ahead_s = 0;  ///< of its clock before this machine's; 0 where that is little
   std::string program_name;
   std::string program_hash;
   bool drifting = false;  ///< its program differs from the team's program

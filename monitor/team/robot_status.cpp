@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include "core/wire/messages.h"
 #include "core/wire/ros_time.h"
@@ -65,6 +67,11 @@ RobotStatus Team::status(const Robot& robot, const std::string& team_hash) const
                         to_seconds(clock_.now() - robot.state_received);
     status.drifting =
         !status.out_of_service && !status.replayed && status.program_hash != team_hash;
+  }
+  if (robot.clock_ahead_s > kClockAhead_s) {
+    status.clock_ahead_s = robot.clock_ahead_s;
+    status.problems.push_back("its clock is " + std::to_string(std::llround(robot.clock_ahead_s)) +
+                              " s ahead of this machine's; set the clock of one of them");
   }
   if (!silent(robot)) status.break_reason = break_reason(robot, since_breaks(robot));
   for (const auto& variable : robot.variables.items) {

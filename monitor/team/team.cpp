@@ -5,6 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "core/wire/ros_time.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -20,9 +22,27 @@ bool note_as(Team& team, const Message& message) {
   return true;
 }
 
+/// Returns how far the stamp of a state is ahead of this machine's clock. A stamp of a recording
+/// says nothing of that.
+double ahead_s(const msg::RobotState& state, const Message& message) {
+  if (message.replayed || message.received_ns <= 0) return 0;
+  return static_cast<double>(wire::since_epoch_ns(state.stamp) - message.received_ns) * 1e-9;
+}
+
+bool note_state(Team& team, const Message& message) {
+  msg::RobotState state;
+  if (!msg::decode_cdr(*message.cdr, state)) return false;
+  const std::string robot = state.robot;
+  const double clock_ahead_s = ahead_s(state, message);
+  team.note(std::move(state));
+  team.note_clock(robot, clock_ahead_s);
+  if (message.replayed) team.note_replay(robot);
+  return true;
+}
+
 using Note = bool (*)(Team&, const Message&);
 constexpr std::array<std::pair<std::string_view, Note>, 8> kNotes{{
-    {msg::RobotState::kRosType, note_as<msg::RobotState>},
+    {msg::RobotState::kRosType, note_state},
     {msg::Transition::kRosType, note_as<msg::Transition>},
     {msg::Variables::kRosType, note_as<msg::Variables>},
     {msg::Program::kRosType, note_as<msg::Program>},
@@ -99,6 +119,7 @@ void Team::note(const msg::Score& score) {
 
 void Team::note(const msg::ObjectMap& map) {
   for (const auto& told : map.robots) {
+    if (robots_.size() >= kMostRobots) return;
     const auto [place, is_new] = robots_.try_emplace(told.name);
     if (!is_new) continue;
     place->second.name = told.name;

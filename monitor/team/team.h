@@ -20,6 +20,10 @@ namespace galilean::monitor {
 class Team {
  public:
   static constexpr Duration kDefaultSilentAfter = std::chrono::seconds(2);
+  /// A robot's clock that is more than this ahead is a problem that is told.
+  static constexpr double kClockAhead_s = 5;
+  /// Robots that only another monitor tells of are not added beyond so many.
+  static constexpr std::size_t kMostRobots = 256;
 
   /// A robot counts as silent if its last message is older than `silent_after`.
   /// Requires: `clock` outlives this.
@@ -42,6 +46,11 @@ class Team {
   void note(const msg::ObjectMap& map);
   /// Notes that a replay sent a message of the robot, which was noted.
   void note_replay(const std::string& robot) { robots_[robot].replay_heard = clock_.now(); }
+  /// Notes how far a live robot's clock is ahead of this machine's. Order in time goes by what is
+  /// received, never by stamps, so that it does no harm but to those who read the stamps.
+  void note_clock(const std::string& robot, double ahead_s) {
+    robots_[robot].clock_ahead_s = ahead_s;
+  }
   /// Notes the hash of a program that was pushed to the whole team.
   void note_push(const std::string& hash) { pushed_hash_ = hash; }
 

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/json_text.h"
+#include "core/wire/refusals.h"
 #include "sim/control/truth.h"
 
 namespace galilean::sim {
@@ -30,6 +31,9 @@ Result<std::unique_ptr<LiveContest>> LiveContest::make(const Scenario& scenario,
   if (!folder) return folder.error();
   auto participant = wire::Participant::join("sim", options.domain);
   if (!participant) return participant.error();
+  participant.value()->refusals().tell_with([](const std::string& sentence) {
+    std::cerr << "galilean-sim: " + sentence + "\n" << std::flush;
+  });
   std::unique_ptr<LiveContest> contest(new LiveContest(scenario, std::move(world).value(),
                                                        std::move(folder).value(),
                                                        std::move(participant).value(), options));

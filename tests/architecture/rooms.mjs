@@ -88,7 +88,7 @@ export const rooms = {
     'server/lsp': ['background', 'team', 'server/text', 'server/websocket'],
     'server/replay': ['background', 'mcap', 'playback', 'record', 'recordings', 'server/text', 'server/websocket', 'server/foxglove'],
     'server/http': ['access', 'background', 'compression', 'server/text', 'server/websocket', 'server/foxglove', 'server/lsp', 'server/replay', 'server/tls'],
-    'server/api': ['background', 'coverage', 'map', 'map/export', 'programs', 'pushes', 'pushes/history', 'mcap', 'record', 'recordings', 'team', 'server/text', 'server/foxglove', 'server/http', 'simulation'],
+    'server/api': ['background', 'coverage', 'ingest', 'map', 'map/export', 'programs', 'pushes', 'pushes/history', 'mcap', 'record', 'recordings', 'team', 'server/text', 'server/foxglove', 'server/http', 'simulation'],
     server: ['access', 'tls', 'background', 'ingest', 'map', 'programs', 'pushes', 'recordings', 'team', 'server/foxglove', 'server/api', 'simulation'],
     record: ['mcap', 'wire'],
     playback: ['mcap', 'record'],

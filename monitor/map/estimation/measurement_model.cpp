@@ -18,11 +18,19 @@ constexpr double kRobotShape_m = 0.2;
 /// The least range in Jacobians, because those of range and azimuth grow without bound at range 0.
 constexpr double kNearest_m = 0.05;
 
+/// Nothing that a camera sees is further away, nor less known.
+constexpr double kFarthestSighting_m = 1e6;
+constexpr double kLargestVariance_m2 = 1e9;
+
+/// Numbers that are not finite fail the comparisons.
 bool is_sound(const msg::Sighting& sighting) {
-  const bool finite = std::isfinite(sighting.x_m) && std::isfinite(sighting.y_m) &&
-                      std::isfinite(sighting.variance_xx) && std::isfinite(sighting.variance_xy) &&
-                      std::isfinite(sighting.variance_yy) && std::isfinite(sighting.range_m);
-  return finite && sighting.variance_xx >= 0 && sighting.variance_yy >= 0 &&
+  const bool plausible = std::abs(sighting.x_m) <= kFarthestSighting_m &&
+                         std::abs(sighting.y_m) <= kFarthestSighting_m &&
+                         std::abs(sighting.variance_xx) <= kLargestVariance_m2 &&
+                         std::abs(sighting.variance_xy) <= kLargestVariance_m2 &&
+                         std::abs(sighting.variance_yy) <= kLargestVariance_m2 &&
+                         std::isfinite(sighting.range_m);
+  return plausible && sighting.variance_xx >= 0 && sighting.variance_yy >= 0 &&
          sighting.variance_xx * sighting.variance_yy >=
              sighting.variance_xy * sighting.variance_xy &&
          !sighting.object_class.empty();

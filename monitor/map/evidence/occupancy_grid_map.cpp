@@ -86,7 +86,9 @@ void OccupancyGridMap::add_robot(const Gaussian2& robot, double heading_rad) {
 void OccupancyGridMap::add_view(const View& view) {
   const double sure = share_within(kHalfWidth_m, std::max(kLeastDeviation_m, view.deviation_m));
   const auto seen = seen_in(view);
-  for (double off_rad = -view.angle_rad / 2; off_rad <= view.angle_rad / 2; off_rad += kRay_rad)
+  // No camera sees more than all around it. An angle that is no number shows nothing.
+  const double half_rad = std::min(view.angle_rad / 2, kPi);
+  for (double off_rad = -half_rad; off_rad <= half_rad; off_rad += kRay_rad)
     add_line_of_sight(view.from_m, view.heading_rad + off_rad, nearest_at(seen, off_rad), sure);
 }
 

@@ -7,10 +7,17 @@
 namespace galilean::monitor {
 namespace {
 
+/// Numbers that are not finite fail the comparisons.
+bool is_plausible_place(const msg::Variable& place) {
+  constexpr double kFarthest_m = 1e6;
+  return std::abs(place.values[0]) <= kFarthest_m && std::abs(place.values[1]) <= kFarthest_m &&
+         place.certainty >= 0;
+}
+
 bool is_obstacle(const msg::Variable& variable) {
   return variable.type == msg::Variable_Constants::LOCATE && variable.valid &&
          variable.object_class == "obstacle" && variable.values.size() >= 2 &&
-         std::isfinite(variable.values[0]) && std::isfinite(variable.values[1]);
+         is_plausible_place(variable);
 }
 
 }  // namespace

@@ -33,7 +33,9 @@ using Candidates = std::vector<Candidate>;
 
 Candidates candidates_within(double max_rad, double deviation_rad) {
   Candidates candidates;
-  for (int i = -static_cast<int>(max_rad / kStep_rad); i * kStep_rad <= max_rad; ++i) {
+  // A width that is no number leaves the candidate that turns nothing.
+  const double width_rad = max_rad >= 0 ? std::min(max_rad, kPi) : 0.0;
+  for (int i = -static_cast<int>(width_rad / kStep_rad); i * kStep_rad <= width_rad; ++i) {
     const double deviations = i * kStep_rad / deviation_rad;
     candidates.push_back({i * kStep_rad, -0.5 * std::min(1.0, deviations * deviations)});
   }

@@ -61,7 +61,7 @@ Result<void> History::set_progress(const std::string& push_id, const Progress& p
 
 Result<std::vector<PushRecord>> History::pushes(int most) const {
   return sql::attempt([&] {
-    auto found = rows::select_pushes(database_, "ORDER BY pushed_ns DESC LIMIT ?");
+    auto found = rows::select_pushes(database_, "ORDER BY sequence DESC LIMIT ?");
     found.bind(static_cast<std::int64_t>(most));
     return rows::records_of(database_, found);
   });
@@ -78,7 +78,7 @@ Result<std::optional<PushRecord>> History::push(const std::string& id) const {
 Result<std::optional<PushRecord>> History::last_push_of(const std::string& hash) const {
   return sql::attempt([&] {
     auto found =
-        rows::select_pushes(database_, "WHERE push.hash = ? ORDER BY pushed_ns DESC LIMIT 1");
+        rows::select_pushes(database_, "WHERE push.hash = ? ORDER BY sequence DESC LIMIT 1");
     found.bind(hash);
     return rows::record_of(database_, found);
   });

@@ -18,8 +18,9 @@ namespace galilean::monitor {
 
 /// Keeps every push for ever: its program, author, time, targets, progress and replies. A change
 /// survives kill -9 and power loss once the call has returned (SQLite, write-ahead log, synchronous
-/// FULL). A program's text is stored once, under its hash. Only one thread may use the history at a
-/// time. Errors of all calls: the disk cannot be read or written.
+/// FULL). What is newer goes by the order in which the history was told, never by a clock. A
+/// program's text is stored once, under its hash. Only one thread may use the history at a time.
+/// Errors of all calls: the disk cannot be read or written.
 class History {
  public:
   /// Opens the history. Makes the folder and the file if they are missing. A push that was still

@@ -26,6 +26,16 @@ constexpr const char* kSchema = R"(
   CREATE TABLE IF NOT EXISTS progress(
     push_id TEXT PRIMARY KEY REFERENCES push(id), state TEXT NOT NULL, steps TEXT NOT NULL,
     trial TEXT NOT NULL) WITHOUT ROWID;
+  CREATE TABLE IF NOT EXISTS push_sequence(
+    sequence INTEGER PRIMARY KEY AUTOINCREMENT, push_id TEXT NOT NULL UNIQUE REFERENCES push(id));
+)";
+
+/// Numbers the pushes that an earlier release wrote. Nothing is known of their order but their
+/// time.
+constexpr const char* kNumberThePast = R"(
+  INSERT OR IGNORE INTO push_sequence(push_id)
+    SELECT id FROM push WHERE id NOT IN (SELECT push_id FROM push_sequence)
+    ORDER BY pushed_ns, id;
 )";
 
 std::string steps_text(const std::vector<Step>& steps) {
@@ -80,6 +90,7 @@ std::vector<RobotReply> replies_to(sqlite3* database, const std::string& push_id
 
 void create_tables(sqlite3* database) {
   sql::execute(database, kSchema);
+  sql::execute(database, kNumberThePast);
   sql::Statement(database, "UPDATE progress SET state = ? WHERE state = ?")
       .bind(to_text(PushState::kInterrupted))
       .bind(to_text(PushState::kRunning))
@@ -103,6 +114,9 @@ void put_push(sqlite3* database, const msg::ProgramPush& push) {
       .bind(push.author)
       .bind(push.hash)
       .bind(json_text(push.targets))
+      .run();
+  sql::Statement(database, "INSERT OR IGNORE INTO push_sequence(push_id) VALUES(?)")
+      .bind(push.id)
       .run();
 }
 
@@ -130,6 +144,7 @@ sql::Statement select_pushes(sqlite3* database, const std::string& condition) {
   return {database,
           "SELECT id, pushed_ns, author, path, push.hash, targets, state, steps, trial FROM push "
           "JOIN program_file ON program_file.hash = push.hash AND position = 0 "
+          "JOIN push_sequence ON push_sequence.push_id = push.id "
           "LEFT JOIN progress ON progress.push_id = push.id " +
               condition};
 }

@@ -19,6 +19,8 @@ namespace galilean::monitor::rows {
 void create_tables(sqlite3* database);
 
 void put_files(sqlite3* database, const msg::ProgramPush& push);
+/// Gives the push the next number of the monitor's own sequence, which is the order of pushes. A
+/// sender's stamp is of a clock that nobody vouches for, and is kept for people.
 void put_push(sqlite3* database, const msg::ProgramPush& push);
 void put_progress(sqlite3* database, const std::string& push_id, const Progress& progress);
 void put_reply(sqlite3* database, const std::string& push_id, const RobotReply& reply);

@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "core/json_text.h"
+#include "core/wire/ros_time.h"
 #include "monitor/pushes/history/json.h"
+#include "monitor/server/api/intake_json.h"
 #include "monitor/server/api/metrics.h"
 #include "monitor/server/api/team_json.h"
 #include "monitor/server/http/http_caching.h"
@@ -48,7 +50,7 @@ void Api::add_routes() {
   get("/metrics", [this](auto&, auto& respond) {
     respond(text_response(
         metrics_text(parts_.team, parts_.hub.counts(), counts_ ? counts_() : HttpServer::Counts{},
-                     parts_.map.update_s()),
+                     intake_ ? intake_() : Intake{}, parts_.map.update_s()),
         "text/plain; version=0.0.4; charset=utf-8"));
   });
   get("/api/status", [this](auto& request, auto& respond) { status(request.right, respond); });
@@ -193,11 +195,16 @@ void Api::status(Right right, const Respond& respond) const {
   auto robots = nlohmann::json::array();
   for (const auto& robot : parts_.team.statuses()) robots.push_back(to_json(robot));
   const auto& score = parts_.team.score();
+  const Intake intake = intake_ ? intake_() : Intake{};
   respond(json_response({{"name", "galilean-monitor"},
                          {"version", GALILEAN_VERSION},
                          {"scenario", score ? score->scenario : ""},
                          {"may_steer", right == Right::kOperate},
                          {"program_hash", parts_.team.program_hash()},
+                         {"now_ns", wire::wall_clock_ns()},
+                         {"channels", channels_json(intake)},
+                         {"refused_messages", refused_json(intake)},
+                         {"topics_not_read", intake.topics_not_read},
                          {"robots", std::move(robots)},
                          {"score", score_json(parts_.team)}}));
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "monitor/ingest/intake.h"
 #include "monitor/map/map_service.h"
 #include "monitor/recordings/recording_list.h"
 #include "monitor/server/api/coverage_desk.h"
@@ -46,6 +47,8 @@ class Api {
   /// Sets where /metrics gets its counts. It is not a constructor's argument because the server
   /// that counts is made after the API.
   void set_counts(std::function<HttpServer::Counts()> counts) { counts_ = std::move(counts); }
+  /// Sets where the API gets how messages come in, for the same reason.
+  void set_intake(std::function<Intake()> intake) { intake_ = std::move(intake); }
 
  private:
   using Handler = std::function<void(const HttpRequest&, const Respond&)>;
@@ -80,6 +83,7 @@ class Api {
   Parts parts_;
   std::vector<Route> routes_;
   std::function<HttpServer::Counts()> counts_;
+  std::function<Intake()> intake_;
 };
 
 }  // namespace galilean::monitor

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/visible_text.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -20,7 +22,7 @@ void metric(std::ostream& out, const std::string& name, const char* type, const 
   out << name << ' ' << value << '\n';
 }
 
-/// Returns a robot's name, escaped for a label's value.
+/// Returns a text that others chose, escaped for a label's value.
 std::string escaped(const std::string& name) {
   std::string result;
   for (const char letter : name) {
@@ -51,10 +53,22 @@ void process_metrics(std::ostream& out) {
          resident_pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
 }
 
+void intake_metrics(std::ostream& out, const Intake& intake) {
+  constexpr const char* kRefused = "galilean_refused_messages_total";
+  family(out, kRefused, "counter", "Messages from DDS that were not taken, and why.");
+  for (const auto& each : intake.refused)
+    out << kRefused << "{topic=\"" << escaped(visible(each.topic)) << "\",reason=\""
+        << escaped(each.reason) << "\"} " << each.messages << '\n';
+  metric(out, "galilean_topics", "gauge", "Topics known.", intake.channels.size());
+  metric(out, "galilean_topics_not_read_total", "counter", "Topics beyond those that are read.",
+         intake.topics_not_read);
+}
+
 }  // namespace
 
 std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocket,
-                         const HttpServer::Counts& http, double map_update_s) {
+                         const HttpServer::Counts& http, const Intake& intake,
+                         double map_update_s) {
   std::ostringstream out;
   process_metrics(out);
   metric(out, "galilean_map_update_seconds", "gauge", "Duration of the last map update.",
@@ -74,6 +88,10 @@ std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocke
                [](const R& robot) { return robot.overruns; });
   robot_metric(out, robots, "drifting", "gauge", "1 while it runs another program than the team.",
                [](const R& robot) { return robot.drifting ? 1 : 0; });
+  robot_metric(out, robots, "clock_ahead_seconds", "gauge",
+               "Of its clock before the monitor's; 0 where that is little.",
+               [](const R& robot) { return robot.clock_ahead_s; });
+  intake_metrics(out, intake);
   if (const auto& score = team.score()) {
     metric(out, "galilean_deposited", "gauge", "Pieces thrown away.", score->deposited);
     metric(out, "galilean_collisions", "gauge", "Collisions that the referee saw.",

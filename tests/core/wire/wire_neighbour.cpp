@@ -29,7 +29,8 @@ class Neighbourhood {
         readers_.try_emplace(publication.topic, participant_, publication.topic, kType);
     std::size_t count = 0;
     for (auto& [topic, neighbour] : readers_) {
-      neighbour.reader.take([&heard = neighbour.heard](const wire::Received&) { heard = true; });
+      neighbour.reader.take_unchecked(
+          [&heard = neighbour.heard](const wire::Received&) { heard = true; });
       count += neighbour.heard;
     }
     return count;

@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <deque>
+#include <limits>
+#include <set>
 
 #include "core/wire/discovery.h"
 #include "core/wire/graph.h"
 #include "core/wire/messages.h"
 #include "core/wire/participant.h"
 #include "core/wire/reader.h"
+#include "core/wire/refusals.h"
 #include "core/wire/ros_time.h"
 #include "core/wire/schemas.h"
 #include "core/wire/topic_names.h"
@@ -76,11 +80,59 @@ TEST(Wire, AReaderTakesOnAfterItsReceiverThrew) {
   EXPECT_EQ(got, std::vector{state_of("io", 2)});
 }
 
+TEST(Wire, AReaderHandsOverNoMessageThatIsOutsideOfItsBounds) {
+  const auto robot = join("io");
+  Writer<msg::RobotState> writer(*robot, "rt/bounded/state");
+  const auto monitor = join("monitor");
+  std::vector<std::string> told;
+  monitor->refusals().tell_with([&](const std::string& sentence) { told.push_back(sentence); });
+  Reader reader(*monitor, "rt/bounded/state", kStateType);
+  auto broken = state_of("io", 1);
+  broken.x_m = std::numeric_limits<double>::infinity();
+  ASSERT_TRUE(writer.write(broken));
+  std::size_t got = 0;
+  ASSERT_TRUE(wait_until([&] {
+    reader.take([&](const Received&) { ++got; });
+    return !monitor->refusals().counts().empty();
+  }));
+  EXPECT_EQ(got, 0U);
+  EXPECT_EQ(monitor->refusals().counts()[0].topic, "rt/bounded/state");
+  EXPECT_EQ(told.size(), 1U);
+  ASSERT_TRUE(writer.write(state_of("io", 2)));
+  std::string from;
+  ASSERT_TRUE(wait_until([&] {
+    reader.take([&](const Received& received) { from = received.robot; });
+    return !from.empty();
+  }));
+  EXPECT_EQ(from, "io");
+}
+
+TEST(Wire, DiscoveryTellsWhatIsNewInPortions) {
+  const auto robot = join("io");
+  std::deque<Writer<msg::RobotState>> writers;
+  constexpr std::size_t kWriters = 20;
+  for (std::size_t i = 0; i < kWriters; ++i)
+    writers.emplace_back(*robot, "rt/portion_" + std::to_string(i) + "/state");
+  const auto monitor = join("monitor");
+  Discovery discovery(*monitor);
+  std::set<std::string> topics;
+  ASSERT_TRUE(wait_until([&] {
+    const auto fresh = discovery.take_new(3);
+    EXPECT_LE(fresh.publications.size(), 3U);
+    for (const auto& publication : fresh.publications) {
+      if (!publication.topic.starts_with("rt/portion_")) continue;
+      EXPECT_TRUE(topics.insert(publication.topic).second) << publication.topic;
+    }
+    return topics.size() == kWriters;
+  }));
+}
+
 TEST(Wire, ALateJoinerLearnsTheTransitionsBefore) {
   const auto robot = join("io");
   Writer<msg::Transition> writer(*robot, robot_topic("io", "transition"));
   for (std::uint64_t number = 1; number <= 70; ++number) {
     msg::Transition transition;
+    transition.robot = "io";
     transition.number = number;
     ASSERT_TRUE(writer.write(transition));
   }
@@ -121,7 +173,7 @@ TEST(Wire, TellsWhichProcessSentAMessageByWhatThatAnnounced) {
     const auto other = join(name);
     Writer<msg::RobotState> writer(*other, "rt/signed/state");
     ASSERT_TRUE(wait_until([&] { return writer.readers() == 1; }));
-    ASSERT_TRUE(writer.write(state_of("someone else", 1)));
+    ASSERT_TRUE(writer.write(state_of("someone_else", 1)));
     std::optional<std::string> sender;
     ASSERT_TRUE(wait_until([&] {
       reader.take([&](const Received& received) { sender = reader.sender(received); });

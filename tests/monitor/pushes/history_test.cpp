@@ -156,6 +156,43 @@ TEST_F(HistoryTest, WhatItReturnedFromSurvivesKill9AtAnyInstant) {
   }
 }
 
+TEST_F(HistoryTest, TheNewestPushIsTheOneThatCameLastWhateverItsSendersClockSays) {
+  auto an_hour_ahead = push(1), later = push(4);  // Both are of one program.
+  an_hour_ahead.stamp.sec += 3600;
+  {
+    auto history = History::open(file);
+    ASSERT_TRUE(history);
+    ASSERT_TRUE(history.value()->add(an_hour_ahead));
+    ASSERT_TRUE(history.value()->add(later));
+    EXPECT_EQ(history.value()->last_push_of(later.hash).value()->id, "4");
+  }
+  auto history = History::open(file);
+  ASSERT_TRUE(history);
+  const auto found = history.value()->pushes(10);
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found.value().size(), 2U);
+  EXPECT_EQ(found.value()[0].id, "4");
+  EXPECT_EQ(history.value()->last_push_of(later.hash).value()->id, "4");
+}
+
+TEST_F(HistoryTest, PushesOfAReleaseThatDidNotNumberThemKeepTheirOrder) {
+  {
+    auto history = History::open(file);
+    ASSERT_TRUE(history);
+    for (const int number : {2, 1, 3}) ASSERT_TRUE(history.value()->add(push(number)));
+  }
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+  sql::execute(database, "DELETE FROM push_sequence");
+  sqlite3_close(database);
+  auto history = History::open(file);
+  ASSERT_TRUE(history);
+  ASSERT_TRUE(history.value()->add(push(0)));
+  std::string ids;
+  for (const auto& record : history.value()->pushes(10).value()) ids += record.id;
+  EXPECT_EQ(ids, "0321");
+}
+
 TEST_F(HistoryTest, RemembersHowFarAPushCameAndThatItWasInterrupted) {
   {
     auto history = History::open(file);

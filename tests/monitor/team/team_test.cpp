@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "tests/core/wire/cdr_bytes.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -131,6 +133,17 @@ TEST_F(TeamTest, DamagedBytesAreTold) {
   EXPECT_TRUE(team.robots().empty());
 }
 
+TEST_F(TeamTest, AMonitorThatTellsOfCountlessRobotsAddsOnlySoMany) {
+  msg::ObjectMap map;
+  map.robots.resize(20'000);
+  for (std::size_t i = 0; i < map.robots.size(); ++i)
+    map.robots[i].name = "invented_" + std::to_string(i);
+  team.note(map);
+  EXPECT_EQ(team.robots().size(), Team::kMostRobots);
+  team.note(state_of("io", "a"));
+  EXPECT_EQ(status("io").health, Health::kWell) << "Ingest bounds those that send messages";
+}
+
 /// Receives a state of io, as the wire brings it.
 class ReplayedTeamTest : public TeamTest {
  protected:
@@ -151,6 +164,42 @@ class ReplayedTeamTest : public TeamTest {
   Channel channel{1, "rt/io/state", wire::find_schema_by_ros_type(msg::RobotState::kRosType),
                   wire::Delivery::kState};
 };
+
+/// Receives a state of io with a stamp of 3600 s.
+class RobotClockTest : public TeamTest {
+ protected:
+  void receive_at(std::int64_t received_s, bool replayed = false) {
+    constexpr std::int64_t kSecond_ns = 1'000'000'000;
+    msg::CdrBytes bytes;
+    bytes.stamp(3600).put(std::string_view("io"));
+    auto cdr = bytes.bytes();
+    cdr.resize(400);
+    const auto payload = std::make_shared<const std::vector<std::uint8_t>>(std::move(cdr));
+    ASSERT_TRUE(team.receive({channel, received_s * kSecond_ns, 0, payload, replayed}));
+  }
+
+  Channel channel{1, "rt/io/state", wire::find_schema_by_ros_type(msg::RobotState::kRosType),
+                  wire::Delivery::kState};
+};
+
+TEST_F(RobotClockTest, ThatIsAheadIsAProblemUntilItIsSet) {
+  receive_at(10);
+  EXPECT_DOUBLE_EQ(status("io").clock_ahead_s, 3590);
+  ASSERT_EQ(status("io").problems.size(), 1U);
+  EXPECT_EQ(status("io").problems[0],
+            "its clock is 3590 s ahead of this machine's; set the clock of one of them");
+  EXPECT_EQ(status("io").health, Health::kTroubled);
+  receive_at(3598);
+  EXPECT_DOUBLE_EQ(status("io").clock_ahead_s, 0);
+  EXPECT_TRUE(status("io").problems.empty());
+  receive_at(7200);
+  EXPECT_TRUE(status("io").problems.empty()) << "what is behind may be late";
+}
+
+TEST_F(RobotClockTest, OfARecordingSaysNothing) {
+  receive_at(10, true);
+  EXPECT_TRUE(status("io").problems.empty());
+}
 
 TEST_F(ReplayedTeamTest, ARobotThatAReplaySendsIsReplayedUntilItComesToLife) {
   receive_state(true);

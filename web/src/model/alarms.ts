@@ -32,6 +32,8 @@ export interface Alarm {
   readonly advice: string;
 }
 
+/** A robot's clock that is further ahead than this is told. */
+const CLOCK_AHEAD_MS = 5000;
 /** The alarm of a tick that began late stands for so long. */
 const OVERRUN_ALARM_MS = 20_000;
 /** The alarm of a push that a robot did not take stands for so long, unless the robot answers another before. */
@@ -95,8 +97,13 @@ function ofRobot(robot: Robot, team: Team, { shares, underWay }: Programs, now_m
   const drift = !isPlayed && drifts(robot, shares, underWay)
     ? [of("drift", `${robot.name} runs ${state?.program_name}, another program than the team.`, "Push the team's program to it, or leave it as a trial.", state?.program_hash)]
     : [];
-  const problems = (state?.problems ?? []).map((problem) => of("problem", `${robot.name}: ${problem}`, "", problem));
+  const problems = [...(state?.problems ?? []), ...(isPlayed ? [] : clockProblem(robot))].map((problem) => of("problem", `${robot.name}: ${problem}`, "", problem));
   return [...found.map((alarm) => ({ ...alarm, robot: robot.name, key: `${alarm.kind} ${robot.name}` })), ...drift, ...problems];
+}
+
+/** Of a robot whose clock is ahead: nothing goes by its stamps, but whoever reads them is misled. */
+function clockProblem({ clock_offset_ms = 0 }: Robot): string[] {
+  return clock_offset_ms < -CLOCK_AHEAD_MS ? [`its clock is ${Math.round(-clock_offset_ms / 1000)} s ahead`] : [];
 }
 
 const inService = (team: Team): Robot[] => [...team.robots.values()].filter(({ name, state }) => !state?.value.out_of_service && !team.replayed.has(name));

@@ -6,7 +6,7 @@ import { Latest } from "../lib/latest";
 /** The programs that the monitor knows: those that ship, and all that were pushed. */
 export class Library {
   shipped = $state.raw<readonly api.ProgramEntry[]>([]);
-  /** Every push, the newest first. */
+  /** Every push, the newest first, as the monitor took them: senders' clocks say nothing of that. */
   history = $state.raw<readonly api.PushedProgram[]>([]);
   /** Programs that were pushed before, the newest first, each once. */
   readonly pushed: api.PushedProgram[] = $derived(eachOnce(this.history));
@@ -28,12 +28,8 @@ export class Library {
   }
 
   async #listPushed(): Promise<void> {
-    await this.#histories.take(api.listPushed(), (all) => (this.history = newestFirst(all)));
+    await this.#histories.take(api.listPushed(), (all) => (this.history = all));
   }
-}
-
-function newestFirst(pushes: readonly api.PushedProgram[]): api.PushedProgram[] {
-  return [...pushes].sort((a, b) => b.pushed_ns - a.pushed_ns);
 }
 
 function eachOnce(pushes: readonly api.PushedProgram[]): api.PushedProgram[] {

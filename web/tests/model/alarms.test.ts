@@ -18,6 +18,12 @@ describe("alarms", () => {
     const found = alarms(told(messages), T0_MS);
     expect(found.map(({ words }) => words)).toEqual(["io: frame_grabber: no picture for 2 s", "ganymede is silent."]);
   });
+  it("tell of a robot whose clock is ahead, unless a recording plays it", () => {
+    const ahead: Told[] = [["/io/state", state({ stamp: time(T0_MS + 3_600_000) }), T0_MS]];
+    expect(alarms(told(ahead), T0_MS).map(({ words }) => words)).toEqual(["io: its clock is 3600 s ahead"]);
+    expect(kinds([...ahead, [REPLAYED, ["io"], 0]], T0_MS)).toEqual([]);
+    expect(kinds([["/io/state", state({ stamp: time(T0_MS + 2000) }), T0_MS]], T0_MS)).toEqual([]);
+  });
   it("tell of ticks that began late, for a while", () => {
     const late: Told[] = [["/io/state", state({ overruns: 1 }), T0_MS], ["/io/state", state({ overruns: 2 }), T0_MS + 100]];
     expect(kinds(late, T0_MS + 1000)).toEqual(["io overrun"]);

@@ -20,6 +20,10 @@ constexpr auto kPublishPeriod = std::chrono::milliseconds(100);
 /// the rest of that time is dropped.
 constexpr auto kMostBehind = std::chrono::milliseconds(250);
 
+BootMemory boot_memory(const LiveOptions& options, const std::string& robot) {
+  return options.boards.empty() ? BootMemory() : BootMemory(options.boards / (robot + ".boots"));
+}
+
 }  // namespace
 
 Result<std::unique_ptr<LiveContest>> LiveContest::make(const Scenario& scenario,
@@ -35,6 +39,8 @@ Result<std::unique_ptr<LiveContest>> LiveContest::make(const Scenario& scenario,
                                                        std::move(participant).value(), options));
   for (auto& robot : contest->robots_)
     if (const auto plugged = robot->plug_in(); !plugged) return plugged.error();
+  for (const auto& robot : contest->robots_)
+    if (!robot->problem().empty()) std::cerr << "galilean-sim: " << robot->problem() << "\n";
   return contest;
 }
 
@@ -53,8 +59,9 @@ LiveContest::LiveContest(const Scenario& scenario, std::unique_ptr<World> world,
       picture_steps_(static_cast<std::uint64_t>(
           std::lround(static_cast<double>(kStepsASecond) / scenario.camera.rate_hz))) {
   for (std::size_t i = 0; i < options.robots; ++i)
-    robots_.push_back(std::make_unique<LiveRobot>(
-        *world_, i, folder_.path().string(), "/galilean-" + options.run + "-" + robot_name(i)));
+    robots_.push_back(std::make_unique<LiveRobot>(*world_, i, folder_.path().string(),
+                                                  "/galilean-" + options.run + "-" + robot_name(i),
+                                                  boot_memory(options, robot_name(i))));
 }
 
 std::string LiveContest::ready_line() const {

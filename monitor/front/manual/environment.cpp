@@ -21,10 +21,11 @@ constexpr std::array kVariables{
                         "--domain", ""},
     EnvironmentVariable{"XDG_STATE_HOME",
                         "The folder in which the folder galilean keeps the monitor's tokens and "
-                        "its history of pushes. Without it that is ~/.local/state.",
-                        "--data,--token-file,--monitor", "demo"},
+                        "its history of pushes, and how often simulated boards were started. "
+                        "Without it that is ~/.local/state.",
+                        "--data,--token-file,--monitor,--live", "demo"},
     EnvironmentVariable{"HOME", "Your own folder, which ~ stands for.",
-                        "--data,--token-file,--monitor", "demo"},
+                        "--data,--token-file,--monitor,--live", "demo"},
     EnvironmentVariable{"USER",
                         "The author of pushes and orders, as others see it. Without it that is the "
                         "account's name.",

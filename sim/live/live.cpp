@@ -17,8 +17,9 @@ constexpr auto kStep = std::chrono::milliseconds(10);
 constexpr std::uint64_t kStepsASecond = 100;
 constexpr auto kPublishPeriod = std::chrono::milliseconds(100);
 /// The longest delay that the simulator catches up. If the machine was busy or asleep for longer,
-/// the rest of that time is dropped.
-constexpr auto kMostBehind = std::chrono::milliseconds(250);
+/// the rest of that time is dropped. While it catches up, no new commands can come from the robots:
+/// a longer time would let the boards' stop timers (110 ms) run out.
+constexpr auto kMostBehind = std::chrono::milliseconds(60);
 
 BootMemory boot_memory(const LiveOptions& options, const std::string& robot) {
   return options.boards.empty() ? BootMemory() : BootMemory(options.boards / (robot + ".boots"));

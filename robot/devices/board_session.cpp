@@ -34,7 +34,7 @@ bool BoardSession::pump(Time now) {
   repeat_unconfirmed();
   send_motion();
   outbox_.flush([this](auto bytes) { return line_.write(bytes); });
-  await_confirmation();
+  confirmation_.note_written(outbox_.last_command(), now);
   return status_came_;
 }
 
@@ -51,8 +51,7 @@ void BoardSession::greet() {
   // What was ordered in the session before must not move the robot in this one.
   motion_.reset();
   outbox_.drop_commands();
-  awaited_.reset();
-  confirmed_.reset();
+  confirmation_.reset();
   parameters_sent_as_.reset();
   last_heard_ = last_repeat_ = now_;
   outbox_.put(firmware::Hello{});
@@ -123,30 +122,14 @@ void BoardSession::handle_status(const firmware::Frame& frame) {
   if (!ready()) return;
   if (boot_.differs(status.boot_count, status.uptime_ms)) return greet();
   boot_.note(status.boot_count, status.uptime_ms);
-  note_confirmed(status.last_command);
+  confirmation_.note_accepted(status.last_command);
   status_ = status;
   status_came_ = true;
 }
 
-void BoardSession::note_confirmed(std::uint16_t last_command) {
-  if (!awaited_ || !outbox_.last_command()) return;
-  // Sequences wrap around. The command that the board took last may be a later one.
-  const auto later = static_cast<std::uint16_t>(last_command - *awaited_);
-  const auto latest = static_cast<std::uint16_t>(*outbox_.last_command() - *awaited_);
-  if (later > latest) return;
-  confirmed_ = last_command;
-  awaited_.reset();
-}
-
-void BoardSession::await_confirmation() {
-  if (awaited_ || !outbox_.last_command() || outbox_.last_command() == confirmed_) return;
-  awaited_ = outbox_.last_command();
-  awaited_since_ = now_;
-}
-
 void BoardSession::watch_silence() {
   const bool silent = now_ - last_heard_ > timeout_;
-  if (ready() && (silent || unconfirmed_for(kTakenWithin))) greet();
+  if (ready() && (silent || confirmation_.missing_for(kTakenWithin, now_))) greet();
 }
 
 void BoardSession::repeat_unconfirmed() {
@@ -163,7 +146,7 @@ void BoardSession::repeat_unconfirmed() {
 void BoardSession::repeat_commands() {
   if (grip_closed_ && *grip_closed_ != closes(status_.gripper_state)) grip(*grip_closed_);
   const bool active = (status_.flags & firmware::status_flag::kMotorsActive) != 0;
-  if (stopping_ && (active || awaited_)) stop();
+  if (stopping_ && (active || confirmation_.missing())) stop();
 }
 
 void BoardSession::drive(const firmware::Drive& command, Time now) {
@@ -178,7 +161,8 @@ void BoardSession::keep_moving(Time now) {
 }
 
 void BoardSession::send_motion() {
-  if (!ready() || !motion_ || unconfirmed_for(kConfirmedWithin)) return;
+  const bool blocked = confirmation_.missing_for(kConfirmedWithin, now_);
+  if (!ready() || !motion_ || blocked) return;
   const bool wanted = now_ - motion_ordered_ <= order_lasts_;
   const bool due = !motion_->sent || now_ - motion_sent_ >= kDrivePause;
   if (!wanted || !due) return;

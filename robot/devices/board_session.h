@@ -8,6 +8,7 @@
 #include "core/clock.h"
 #include "robot/devices/boot_record.h"
 #include "robot/devices/byte_stream.h"
+#include "robot/devices/command_confirmation.h"
 #include "robot/devices/command_outbox.h"
 #include "robot/firmware/messages.h"
 #include "robot/firmware/protocol.h"
@@ -72,11 +73,6 @@ class BoardSession {
   void repeat_unconfirmed();
   void repeat_commands();
   void send_motion();
-  void note_confirmed(std::uint16_t last_command);
-  void await_confirmation();
-  [[nodiscard]] bool unconfirmed_for(Duration duration) const {
-    return awaited_ && now_ - awaited_since_ > duration;
-  }
 
   ByteStream& line_;
   Duration timeout_;
@@ -101,9 +97,7 @@ class BoardSession {
   std::optional<Motion> motion_;  ///< the movement that is wanted
   Time motion_ordered_{};
   Time motion_sent_{};
-  std::optional<std::uint16_t> awaited_;  ///< the command that the board is to confirm next
-  Time awaited_since_{};
-  std::optional<std::uint16_t> confirmed_;
+  CommandConfirmation confirmation_;
 
   firmware::Status status_;
   bool status_came_ = false;

@@ -14,9 +14,11 @@ class RobotDevices final : public DeviceTuner {
  public:
   /// `settings` are those of the first program. Requires: line and source outlive this object.
   /// `tune` applies each later program's settings, except for the devices' names and the line's
-  /// speed, in which the programs of one robot do not differ (see OpenedDevices).
-  RobotDevices(ByteStream& line, FrameSource& camera, const DeviceSettings& settings)
-      : link_(line, settings.comm_port),
+  /// speed, in which the programs of one robot do not differ (see OpenedDevices). `tick_period` is
+  /// that of the control loop.
+  RobotDevices(ByteStream& line, FrameSource& camera, const DeviceSettings& settings,
+               Duration tick_period = MicrocontrollerLink::kTickPeriod)
+      : link_(line, settings.comm_port, tick_period),
         drive_(link_, settings.motor_drive),
         grabber_(camera, settings.frame_grabber) {}
 

@@ -121,7 +121,7 @@ int work(const Options& options, const Registry& components, bhdl::Program given
   if (!camera) return refuse(camera.error().message);
 
   const SteadyClock clock;
-  RobotDevices devices(line, *camera.value(), settings);
+  RobotDevices devices(line, *camera.value(), settings, from_seconds(1 / options.rate_hz));
   SnapshotTap tap;
   ImageTap images(components.catalog());
   InputsTap inputs;

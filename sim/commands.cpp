@@ -3,6 +3,8 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -91,6 +93,15 @@ Result<std::vector<DeviceFault>> parse_faults(const Options& options) {
   return faults;
 }
 
+/// Returns where the boards' boot counts are kept, or nothing where a user has no folder.
+std::filesystem::path boards_folder() {
+  if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state)
+    return std::filesystem::path(state) / "galilean" / "boards";
+  const char* home = std::getenv("HOME");
+  if (!home || !*home) return {};
+  return std::filesystem::path(home) / ".local" / "state" / "galilean" / "boards";
+}
+
 int run_live(const Options& options, const Scenario& scenario) {
   auto faults = parse_faults(options);
   if (!faults) return complain(faults.error(), kBadInput);
@@ -101,7 +112,7 @@ int run_live(const Options& options, const Scenario& scenario) {
     std::signal(number, [](int) { ending = true; });
   auto contest =
       LiveContest::make(timed, {options.robots, options.seed, options.run, options.autostart_s,
-                                options.domain, std::move(faults).value()});
+                                options.domain, std::move(faults).value(), boards_folder()});
   if (!contest) return complain(contest.error(), kBadInput);
   std::cout << contest.value()->ready_line() << std::endl;
   contest.value()->run(ending);

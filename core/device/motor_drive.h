@@ -5,8 +5,8 @@
 
 namespace galilean {
 
-/// One movement of the robot. The wheels stop by themselves when a limit is reached, or when no
-/// more commands come.
+/// One movement of the robot. The wheels stop by themselves when a limit is reached, or soon after
+/// neither a command nor its renewal comes.
 struct DriveCommand {
   double speed_mps = 0;         ///< forward positive
   double turn_rate_radps = 0;   ///< counter-clockwise positive
@@ -18,6 +18,9 @@ struct DriveCommand {
 class MotorDrive : public Device {
  public:
   virtual void drive(const DriveCommand& command) noexcept = 0;
+  /// Renews the movement that was ordered last. Its limits count on. Motors that stop by themselves
+  /// need it, or another command, in every tick.
+  virtual void keep_moving() noexcept {}
   virtual void stop() noexcept = 0;
   /// Returns a speed that the program sets in its motor_drive. Schemas drive with the first and
   /// turn with the second.

@@ -10,12 +10,12 @@ namespace {
 
 constexpr const char* kContest = "contest";
 constexpr const char* kParts =
-    "camera, serial_line, left_wheel, right_wheel, or bumper_0 (front) to bumper_7, "
+    "camera, serial_line, board, left_wheel, right_wheel, or bumper_0 (front) to bumper_7, "
     "counter-clockwise";
 
 std::vector<std::string> parts() {
   constexpr int kBumpers = 8;
-  std::vector<std::string> names{"camera", "serial_line", "left_wheel", "right_wheel"};
+  std::vector<std::string> names{"camera", "serial_line", "board", "left_wheel", "right_wheel"};
   for (int i = 0; i < kBumpers; ++i) names.push_back("bumper_" + std::to_string(i));
   return names;
 }

@@ -7,6 +7,8 @@ namespace galilean::robot {
 namespace {
 
 constexpr Duration kRepeat = std::chrono::milliseconds(100);
+/// A board that confirms no command for so long does not read them, although it may send.
+constexpr Duration kTakenWithin = std::chrono::milliseconds(500);
 
 bool closes(std::uint8_t gripper_state) {
   const auto state = static_cast<firmware::GripperState>(gripper_state);
@@ -15,7 +17,8 @@ bool closes(std::uint8_t gripper_state) {
 
 }  // namespace
 
-BoardSession::BoardSession(ByteStream& line, Duration timeout) : line_(line), timeout_(timeout) {}
+BoardSession::BoardSession(ByteStream& line, Duration timeout, Duration order_lasts)
+    : line_(line), timeout_(timeout), order_lasts_(order_lasts) {}
 
 bool BoardSession::pump(Time now) {
   now_ = now;
@@ -29,22 +32,29 @@ bool BoardSession::pump(Time now) {
   receive();
   watch_silence();
   repeat_unconfirmed();
-  transmitter_.flush([this](auto bytes) { return line_.write(bytes); });
+  send_motion();
+  outbox_.flush([this](auto bytes) { return line_.write(bytes); });
+  confirmation_.note_written(outbox_.last_command(), now);
   return status_came_;
 }
 
 void BoardSession::close_session() {
   stage_ = Stage::kClosed;
   decoder_.restart();
-  transmitter_.clear();
+  outbox_.clear();
+  motion_.reset();
 }
 
 void BoardSession::greet() {
   stage_ = Stage::kGreeting;
   stopping_ = false;
+  // What was ordered in the session before must not move the robot in this one.
+  motion_.reset();
+  outbox_.drop_commands();
+  confirmation_.reset();
   parameters_sent_as_.reset();
   last_heard_ = last_repeat_ = now_;
-  transmitter_.send(firmware::Hello{});
+  outbox_.put(firmware::Hello{});
 }
 
 void BoardSession::receive() {
@@ -91,7 +101,7 @@ void BoardSession::configure(const firmware::Parameters& parameters) {
 
 void BoardSession::send_parameters() {
   last_repeat_ = now_;
-  if (parameters_) parameters_sent_as_ = transmitter_.send(*parameters_);
+  if (parameters_) parameters_sent_as_ = outbox_.put(*parameters_);
 }
 
 void BoardSession::handle_acknowledgement(const firmware::Frame& frame) {
@@ -112,19 +122,21 @@ void BoardSession::handle_status(const firmware::Frame& frame) {
   if (!ready()) return;
   if (boot_.differs(status.boot_count, status.uptime_ms)) return greet();
   boot_.note(status.boot_count, status.uptime_ms);
+  confirmation_.note_accepted(status.last_command);
   status_ = status;
   status_came_ = true;
 }
 
 void BoardSession::watch_silence() {
-  if (ready() && now_ - last_heard_ > timeout_) greet();
+  const bool silent = now_ - last_heard_ > timeout_;
+  if (ready() && (silent || confirmation_.missing_for(kTakenWithin, now_))) greet();
 }
 
 void BoardSession::repeat_unconfirmed() {
   if (now_ - last_repeat_ < kRepeat) return;
   last_repeat_ = now_;
   if (stage_ == Stage::kGreeting || stage_ == Stage::kWrongVersion)
-    transmitter_.send(firmware::Hello{});
+    outbox_.put(firmware::Hello{});
   else if (stage_ == Stage::kConfiguring || parameters_sent_as_)
     send_parameters();
   else if (ready())
@@ -133,24 +145,42 @@ void BoardSession::repeat_unconfirmed() {
 
 void BoardSession::repeat_commands() {
   if (grip_closed_ && *grip_closed_ != closes(status_.gripper_state)) grip(*grip_closed_);
-  if (stopping_ && (status_.flags & firmware::status_flag::kMotorsActive)) stop();
+  const bool active = (status_.flags & firmware::status_flag::kMotorsActive) != 0;
+  if (stopping_ && (active || confirmation_.missing())) stop();
 }
 
-void BoardSession::drive(const firmware::Drive& command) {
+void BoardSession::drive(const firmware::Drive& command, Time now) {
   if (!ready()) return;
   stopping_ = false;
-  transmitter_.send(command);
+  motion_ = Motion{command, outbox_.take_sequence(), false};
+  motion_ordered_ = now;
+}
+
+void BoardSession::keep_moving(Time now) {
+  motion_ordered_ = now;
+}
+
+void BoardSession::send_motion() {
+  const bool blocked = confirmation_.missing_for(kConfirmedWithin, now_);
+  if (!ready() || !motion_ || blocked) return;
+  const bool wanted = now_ - motion_ordered_ <= order_lasts_;
+  const bool due = !motion_->sent || now_ - motion_sent_ >= kDrivePause;
+  if (!wanted || !due) return;
+  outbox_.put_again(motion_->command, motion_->sequence);
+  motion_->sent = true;
+  motion_sent_ = now_;
 }
 
 void BoardSession::stop() {
+  motion_.reset();
   if (!ready()) return;
   stopping_ = true;
-  transmitter_.send(firmware::Stop{});
+  outbox_.put(firmware::Stop{});
 }
 
 void BoardSession::grip(bool close) {
   grip_closed_ = close;
-  if (ready()) transmitter_.send(firmware::Gripper{static_cast<std::uint8_t>(close)});
+  if (ready()) outbox_.put(firmware::Gripper{static_cast<std::uint8_t>(close)});
 }
 
 std::string BoardSession::problem() const {

@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/devices/microcontroller_link.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "robot/firmware/hardware.h"
 
 namespace galilean::robot {
+namespace {
 
-MicrocontrollerLink::MicrocontrollerLink(ByteStream& line, const CommPortSettings& settings)
+constexpr Duration kShortestOrder = std::chrono::milliseconds(60);
+
+}  // namespace
+
+MicrocontrollerLink::MicrocontrollerLink(ByteStream& line, const CommPortSettings& settings,
+                                         Duration tick_period)
     : timeout_(from_seconds(settings.timeout_s)),
+      order_lasts_(std::max(kShortestOrder, tick_period * 6 / 5)),
       line_name_(line.name()),
-      session_(line, timeout_),
+      session_(line, timeout_, order_lasts_),
       problem_("The serial line " + line_name_ + " was not opened yet.") {}
 
 void MicrocontrollerLink::pump(Time now) {
@@ -19,7 +27,8 @@ void MicrocontrollerLink::pump(Time now) {
     counts_per_m_ = setup_.reading().ticks_per_m * firmware::kCountsPerTick;
     session_.configure(setup_.reading().parameters);
   }
-  forward_orders();
+  forward_orders(now);
+  last_pump_ = now;
   const bool status_came = session_.pump(now);
   if (status_came || session_.ready() != newest_.ready) publish_report(now, status_came);
   note_problem(session_.problem());
@@ -32,13 +41,21 @@ void MicrocontrollerLink::fail(const std::string& why) {
                "), which is tried again: check it, or name another one in comm_port.");
 }
 
-void MicrocontrollerLink::forward_orders() {
+void MicrocontrollerLink::forward_orders(Time now) {
   if (gripper_.take()) session_.grip(gripper_.reading() == GripperCommand::kClose);
   if (!order_.take()) return;
-  if (order_.reading().stop)
+  const Order& order = order_.reading();
+  // A process that stood still finds what it ordered before that. It is ordered again if it is
+  // still wanted.
+  const bool stood_still = now - last_pump_ > order_lasts_;
+  if (order.stop) {
     session_.stop();
-  else
-    session_.drive(order_.reading().drive);
+  } else if (order.number == forwarded_) {
+    session_.keep_moving(now);
+  } else if (!stood_still) {
+    forwarded_ = order.number;
+    session_.drive(order.drive, now);
+  }
 }
 
 void MicrocontrollerLink::publish_report(Time now, bool status_came) {
@@ -89,11 +106,17 @@ void MicrocontrollerLink::command_gripper(GripperCommand command) noexcept {
 }
 
 void MicrocontrollerLink::drive(const firmware::Drive& command) noexcept {
-  order_.publish(Order{false, command});
+  ordered_ = {false, command, ordered_.number + 1};
+  order_.publish(ordered_);
+}
+
+void MicrocontrollerLink::keep_moving() noexcept {
+  if (!ordered_.stop) order_.publish(ordered_);
 }
 
 void MicrocontrollerLink::stop() noexcept {
-  order_.publish(Order{});
+  ordered_ = {true, {}, ordered_.number + 1};
+  order_.publish(ordered_);
 }
 
 void MicrocontrollerLink::configure(const MotorSetup& setup) noexcept {

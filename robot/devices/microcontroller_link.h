@@ -26,7 +26,12 @@ struct MotorSetup {
 /// the other.
 class MicrocontrollerLink final : public CommPort {
  public:
-  MicrocontrollerLink(ByteStream& line, const CommPortSettings& settings);
+  static constexpr Duration kTickPeriod = std::chrono::milliseconds(50);
+
+  /// `tick_period` is that of the control loop: an order of a movement lasts little longer unless
+  /// it is renewed.
+  MicrocontrollerLink(ByteStream& line, const CommPortSettings& settings,
+                      Duration tick_period = kTickPeriod);
 
   /// I/O side: reads and writes the line. Requires: it is called every few milliseconds.
   void pump(Time now);
@@ -42,6 +47,8 @@ class MicrocontrollerLink final : public CommPort {
   /// Orders a movement, for motor_drive. Only the newest order of a tick reaches the board, and no
   /// order does while the board is away.
   void drive(const firmware::Drive& command) noexcept;
+  /// Renews the movement that was ordered last, if nothing has stopped it.
+  void keep_moving() noexcept;
   void stop() noexcept;
   void configure(const MotorSetup& setup) noexcept;
   /// Sets after how much silence the line counts as lost, for another program.
@@ -51,22 +58,27 @@ class MicrocontrollerLink final : public CommPort {
   struct Order {
     bool stop = true;
     firmware::Drive drive;
+    std::uint32_t number = 0;  ///< an order that is renewed keeps it
   };
   struct Report {
     bool ready = false;
     ControllerStatus status;
   };
 
-  void forward_orders();
+  void forward_orders(Time now);
   void publish_report(Time now, bool status_came);
   void note_problem(std::string problem);
 
   Duration timeout_;
+  Duration order_lasts_;
   std::string line_name_;
   BoardSession session_;
   Odometer odometer_;
   double counts_per_m_ = 0;
   Report newest_;
+  Time last_pump_{};
+  std::uint32_t forwarded_ = 0;  ///< number of the order that the session was given last
+  Order ordered_;                ///< by the control loop
 
   Latest<Duration> new_timeout_;
   Latest<MotorSetup> setup_;

@@ -25,6 +25,7 @@ class WheelDrive final : public MotorDrive {
   [[nodiscard]] bool healthy() const noexcept override { return link_.healthy(); }
   [[nodiscard]] std::string problem() const override;
   void drive(const DriveCommand& command) noexcept override;
+  void keep_moving() noexcept override { link_.keep_moving(); }
   void stop() noexcept override { link_.stop(); }
   [[nodiscard]] double forward_speed_mps() const noexcept override {
     return motion_.forward_speed_mps;

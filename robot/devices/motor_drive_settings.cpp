@@ -33,7 +33,7 @@ void describe_motion(Declaration<S>& is) {
             "slope of the velocity profile; 10 takes ten seconds to get to 100 ticks/s")
       .range(1, 100000);
   is.number(&S::timeout_s, "timeout", unit::kSecond, 0.5,
-            "the board stops the motors when no command came for so long")
+            "how long a command lasts: the motors stop when no schema drove for so long")
       .range(0.02, 120);
 }
 

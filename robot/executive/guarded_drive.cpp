@@ -29,8 +29,9 @@ void GuardedDrive::stop() noexcept {
 }
 
 void GuardedDrive::finish(bool state_changed) noexcept {
+  if (!driving_ || commanded_) return;
   const bool abandoned = state_changed || now_ - last_command_ >= timeout_;
-  if (driving_ && !commanded_ && abandoned) stop();
+  abandoned ? stop() : motors_.keep_moving();
 }
 
 }  // namespace galilean::robot

@@ -18,7 +18,8 @@ struct MotionOrders {
 /// Passes the commands of the schemas on to the motors, and stops the motors when no schema may
 /// drive or none does. That is the case while somebody or a fault holds the robot or a device is
 /// missing, when the program enters a state whose schemas do not drive, and when no schema has
-/// driven for the timeout.
+/// driven for the timeout. Within the timeout it renews the last command in every tick, because the
+/// board stops the motors soon after it hears nothing.
 class GuardedDrive final : public MotorDrive {
  public:
   explicit GuardedDrive(MotorDrive& motors) : motors_(motors) {}

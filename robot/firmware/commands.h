@@ -45,7 +45,7 @@ struct Parameters {
   float forward_velocity_ticks_s = 0;  ///< the fastest speed of a wheel
   float turning_velocity_ticks_s = 0;  ///< the fastest speed of a wheel in an in-place turn
   float acceleration_ticks_s2 = 0;
-  std::uint32_t timeout_ms = 0;  ///< the motors stop when no Drive came for this time
+  std::uint32_t timeout_ms = 0;  ///< how long a Drive lasts unless a new one comes
 
   template <class Self, class Io>
   static constexpr void fields(Self& m, Io& io) {
@@ -57,7 +57,9 @@ struct Parameters {
   }
 };
 
-/// Robot to board: replaces the motion under way. Speeds ramp from their present values.
+/// Robot to board: replaces the motion under way. Speeds ramp from their present values. The same
+/// Drive with the same sequence, sent again, goes on with its motion. The motors stop when neither
+/// came for DriveTrain::kStopTimer_ms.
 struct Drive {
   static constexpr auto kType = MessageType::kDrive;
   std::int16_t left_speed_counts_s = 0;   ///< forward positive; 16 counts are a tick
@@ -72,7 +74,7 @@ struct Drive {
   }
 };
 
-/// Robot to board: cuts both motors at once, without a ramp.
+/// Robot to board: brakes both motors at once, without a ramp.
 struct Stop {
   static constexpr auto kType = MessageType::kStop;
 

@@ -72,6 +72,8 @@ Result Controller::obey(const Frame& frame) {
 Result Controller::greet(const Frame& frame) {
   Hello hello;
   if (!unpack(frame, hello)) return Result::kMalformed;
+  // What an earlier session ordered must not move the robot in this one.
+  stop_motion();
   transmitter_.send(HelloReply{kProtocolVersion, kFirmwareVersion, identity_.boot_count, now_ms_,
                                identity_.name});
   return hello.version == kProtocolVersion ? Result::kAccepted : Result::kWrongVersion;
@@ -87,15 +89,26 @@ Result Controller::drive(const Frame& frame) {
   Drive command;
   if (!unpack(frame, command)) return Result::kMalformed;
   if (!drive_train_.configured()) return Result::kNoParameters;
-  drive_train_.drive(command, now_ms_);
+  // The same Drive once more goes on with its motion: the limits do not begin anew.
+  if (motion_ == frame.sequence) {
+    drive_train_.keep_driving(now_ms_);
+  } else {
+    drive_train_.drive(command, now_ms_);
+    motion_ = frame.sequence;
+  }
   return Result::kAccepted;
 }
 
 Result Controller::stop(const Frame& frame) {
   Stop command;
   if (!unpack(frame, command)) return Result::kMalformed;
-  drive_train_.cut();
+  stop_motion();
   return Result::kAccepted;
+}
+
+void Controller::stop_motion() {
+  drive_train_.brake();
+  motion_.reset();
 }
 
 Result Controller::grip(const Frame& frame) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "robot/firmware/drive_train.h"
 #include "robot/firmware/gripper_servo.h"
@@ -14,7 +15,7 @@
 
 namespace galilean::robot::firmware {
 
-inline constexpr std::array<std::uint8_t, 3> kFirmwareVersion{1, 0, 0};
+inline constexpr std::array<std::uint8_t, 3> kFirmwareVersion{2, 0, 0};
 
 /// The microcontroller's program. A board's main loop, or the simulator, makes one on power-up and
 /// calls `update` at least every `kPeriod_ms`, with the milliseconds since then.
@@ -46,6 +47,7 @@ class Controller {
   Result configure(const Frame& frame);
   Result drive(const Frame& frame);
   Result stop(const Frame& frame);
+  void stop_motion();
   Result grip(const Frame& frame);
   Result report(const Frame& frame);
   void control();
@@ -62,6 +64,7 @@ class Controller {
   Outputs outputs_;
   std::uint16_t switches_on_ = 0;
   std::uint16_t last_command_ = 0;
+  std::optional<std::uint16_t> motion_;  ///< sequence of the newest Drive, until it is stopped
   std::uint32_t now_ms_ = 0;
   std::uint32_t last_control_ms_ = 0;
   std::uint32_t last_status_ms_ = 0;

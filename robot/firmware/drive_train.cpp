@@ -79,13 +79,13 @@ void DriveTrain::drive(const Drive& command, std::uint32_t now_ms) {
   const float acceleration = parameters_.acceleration_ticks_s2 * kCountsPerTick;
   left_.aim(left, acceleration, static_cast<float>(command.left_limit_counts));
   right_.aim(right, acceleration, static_cast<float>(command.right_limit_counts));
-  last_drive_ms_ = now_ms;
+  last_drive_ms_ = last_heard_ms_ = now_ms;
   stopped_by_timeout_ = false;
 }
 
-void DriveTrain::cut() {
-  left_.cut();
-  right_.cut();
+void DriveTrain::brake() {
+  left_.brake();
+  right_.brake();
 }
 
 void DriveTrain::step(const Inputs& inputs, std::uint32_t now_ms, float dt_s, Outputs& outputs) {
@@ -104,8 +104,11 @@ void DriveTrain::step(const Inputs& inputs, std::uint32_t now_ms, float dt_s, Ou
 }
 
 void DriveTrain::watch(std::uint32_t now_ms) {
-  if (!active() || now_ms - last_drive_ms_ < parameters_.timeout_ms) return;
-  cut();
+  const bool driving = left_.driving() || right_.driving();
+  const bool heard = now_ms - last_heard_ms_ < kStopTimer_ms;
+  const bool lasts = now_ms - last_drive_ms_ < parameters_.timeout_ms;
+  if (!driving || (heard && lasts)) return;
+  brake();
   stopped_by_timeout_ = true;
 }
 

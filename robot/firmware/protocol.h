@@ -10,7 +10,7 @@ namespace galilean::robot::firmware {
 
 /// It is raised whenever a message changes its meaning or its bytes. Both ends must have the same
 /// version.
-inline constexpr std::uint8_t kProtocolVersion = 1;
+inline constexpr std::uint8_t kProtocolVersion = 2;
 
 inline constexpr std::size_t kMaxPayload = 64;
 /// Type, sequence and CRC around the payload.

@@ -49,7 +49,7 @@ struct Acknowledgement {
 enum class GripperState : std::uint8_t { kOpen = 0, kClosing = 1, kClosed = 2, kOpening = 3 };
 
 namespace status_flag {
-inline constexpr std::uint8_t kStoppedByTimeout = 1 << 0;  ///< until the next Drive
+inline constexpr std::uint8_t kStoppedByTimeout = 1 << 0;  ///< by a timer, until Drive
 inline constexpr std::uint8_t kParametersReceived = 1 << 1;
 inline constexpr std::uint8_t kMotorsActive = 1 << 2;
 inline constexpr std::uint8_t kBeamBroken = 1 << 3;

@@ -18,11 +18,15 @@ class Speedometer {
   /// than that of the sample before.
   void sample(std::int32_t counts, std::uint32_t now_ms);
   float speed_counts_s() const { return speed_; }
-  /// Returns how fast that speed changed with the last sample.
+  /// Returns the speed over the newest samples that span kRecent_ms: coarser, but with less delay.
+  /// One count in that time is 125 counts/s.
+  float recent_speed_counts_s() const;
+  /// Returns how fast the speed of the whole window changed with the last sample.
   float change_counts_s2() const { return change_; }
 
  private:
   static constexpr std::size_t kSamples = 10;
+  static constexpr std::uint32_t kRecent_ms = 8;
 
   struct Sample {
     std::int32_t counts = 0;

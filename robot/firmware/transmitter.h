@@ -26,8 +26,6 @@ class Transmitter {
   void flush(Line&& line) {
     if (length_ > 0) drop_first(line(std::span<const std::uint8_t>(waiting_).first(length_)));
   }
-  /// Drops what waits, because the line was lost.
-  void clear() { length_ = 0; }
 
  private:
   void queue(std::span<const std::uint8_t> frame);

@@ -13,6 +13,9 @@ constexpr float kSettling_s = 0.15f;
 /// At rest the dead zone is added in proportion to the output, up to this output. The full dead
 /// zone would make the motor chatter.
 constexpr float kSoftening_pwm = 40;
+/// How many times the power that holds a speed is used to brake from it. A higher factor makes the
+/// loop swing where it runs every 10 ms.
+constexpr float kBrakingFactor = 4;
 
 float offset(const DeadZone& zone, float wanted, float output) {
   if (wanted > 0) return zone.forward_pwm;
@@ -21,27 +24,41 @@ float offset(const DeadZone& zone, float wanted, float output) {
   return share * (output < 0 ? zone.reverse_pwm : zone.forward_pwm);
 }
 
+std::int16_t whole_pwm(float pwm) {
+  return static_cast<std::int16_t>(std::clamp(pwm, -float{kFullPwm}, float{kFullPwm}));
+}
+
 }  // namespace
 
 void Wheel::set(const WheelGains& gains) {
   pid_.set(gains.pid, kFullPwm);
   feedforward_ = gains.feedforward;
+  braking_gain_ = std::max(kBrakingFactor * gains.feedforward, gains.pid.proportional);
 }
 
 void Wheel::aim(float speed_counts_s, float acceleration_counts_s2, float limit_counts) {
-  if (!active_) profile_.start_from(measured_counts_s());
+  if (!driving()) profile_.start_from(speedometer_.recent_speed_counts_s());
   profile_.aim(speed_counts_s, acceleration_counts_s2, limit_counts);
-  if (!profile_.resting()) active_ = true;
+  if (!profile_.resting()) motion_ = Motion::kDriving;
+}
+
+void Wheel::brake() {
+  if (!driving()) return;
+  cut();
+  braked_s_ = 0;
+  braking_from_counts_s_ = speedometer_.recent_speed_counts_s();
+  motion_ = Motion::kBraking;
 }
 
 void Wheel::cut() {
   profile_.cut();
   pid_.reset();
-  active_ = false;
+  motion_ = Motion::kNone;
 }
 
 std::int16_t Wheel::step(const DeadZone& dead_zone, float dt_s) {
-  if (!active_) return 0;
+  if (motion_ == Motion::kNone) return 0;
+  if (motion_ == Motion::kBraking) return braking_pwm(dead_zone, dt_s);
   const float wanted = profile_.step(dt_s);
   if (settled(dt_s)) {
     cut();
@@ -49,8 +66,19 @@ std::int16_t Wheel::step(const DeadZone& dead_zone, float dt_s) {
   }
   const Measured measured{speedometer_.speed_counts_s(), speedometer_.change_counts_s2()};
   const float output = feedforward_ * wanted + pid_.step(wanted, measured, dt_s);
-  const float pwm = output + offset(dead_zone, wanted, output);
-  return static_cast<std::int16_t>(std::clamp(pwm, -float{kFullPwm}, float{kFullPwm}));
+  return whole_pwm(output + offset(dead_zone, wanted, output));
+}
+
+std::int16_t Wheel::braking_pwm(const DeadZone& dead_zone, float dt_s) {
+  const float speed = speedometer_.recent_speed_counts_s();
+  braked_s_ += dt_s;
+  const bool stands = speed * braking_from_counts_s_ <= 0;
+  if (stands || braked_s_ > kLongestBraking_s) {
+    cut();
+    return 0;
+  }
+  const float against = speed > 0 ? dead_zone.reverse_pwm : dead_zone.forward_pwm;
+  return whole_pwm(against - braking_gain_ * speed);
 }
 
 bool Wheel::settled(float dt_s) {

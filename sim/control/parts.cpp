@@ -13,9 +13,10 @@ constexpr int kBumpers = 8;
 constexpr const char* kDead = "dead";
 constexpr const char* kStuck = "stuck";
 
-constexpr std::array<std::pair<const char*, bool BrokenParts::*>, 4> kWholeParts{
+constexpr std::array<std::pair<const char*, bool BrokenParts::*>, 5> kWholeParts{
     {{"camera", &BrokenParts::camera},
      {"serial_line", &BrokenParts::serial_line},
+     {"board", &BrokenParts::board},
      {"left_wheel", &BrokenParts::left_wheel},
      {"right_wheel", &BrokenParts::right_wheel}}};
 
@@ -37,8 +38,9 @@ bool BrokenParts::*whole_part(const std::string& part) {
 }
 
 Error unknown_part(const std::string& part) {
-  return {"there is no part '" + part +
-          "': expected camera, serial_line, left_wheel, right_wheel, or bumper_0 to bumper_7"};
+  return {
+      "there is no part '" + part +
+      "': expected camera, serial_line, board, left_wheel, right_wheel, or bumper_0 to bumper_7"};
 }
 
 void set(std::uint8_t& bits, std::uint8_t bit, bool on) {

@@ -2,6 +2,8 @@
 #include "sim/devices/simulated_board.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace galilean::sim {
 namespace {
@@ -16,9 +18,32 @@ robot::firmware::Controller::Identity identity_of(const std::string& name, std::
 
 }  // namespace
 
-SimulatedBoard::SimulatedBoard(RobotBody& body, robot::ByteStream& line,
-                               const std::string& robot_name, std::uint16_t boot_count)
-    : body_(body), line_(line), firmware_(*this, identity_of(robot_name, boot_count)) {}
+SimulatedBoard::SimulatedBoard(RobotBody& body, robot::ByteStream& line, std::string robot_name,
+                               BootMemory memory)
+    : body_(body), line_(line), robot_name_(std::move(robot_name)), memory_(std::move(memory)) {
+  power_up();
+}
+
+void SimulatedBoard::power_up() {
+  powered_up_ms_ = now_ms_;
+  robot::firmware::Hardware& pins = *this;
+  firmware_.emplace(pins, identity_of(robot_name_, memory_.count_start()));
+}
+
+void SimulatedBoard::set_power(bool on) {
+  if (on == firmware_.has_value()) return;
+  if (on) return power_up();
+  firmware_.reset();
+  body_.apply({});
+}
+
+void SimulatedBoard::update(std::uint32_t now_ms) {
+  now_ms_ = now_ms;
+  if (firmware_) return firmware_->update(now_ms - powered_up_ms_);
+  std::array<std::uint8_t, 512> lost;
+  while (line_.read(lost) > 0) {
+  }
+}
 
 std::size_t SimulatedBoard::receive(std::span<std::uint8_t> bytes) {
   const std::size_t count = line_.read(bytes);

@@ -65,6 +65,7 @@ void HeadlessRobot::run_board(Time now) {
     line_.connect(line_connected_);
   }
   link_.pump(now);
+  board_.set_power(!body_.broken().board);
   board_.update(static_cast<std::uint32_t>(now.time_since_epoch() / std::chrono::milliseconds(1)));
 }
 

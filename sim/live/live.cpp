@@ -18,8 +18,13 @@ constexpr auto kStep = std::chrono::milliseconds(10);
 constexpr std::uint64_t kStepsASecond = 100;
 constexpr auto kPublishPeriod = std::chrono::milliseconds(100);
 /// The longest delay that the simulator catches up. If the machine was busy or asleep for longer,
-/// the rest of that time is dropped.
-constexpr auto kMostBehind = std::chrono::milliseconds(250);
+/// the rest of that time is dropped. While it catches up, no new commands can come from the robots:
+/// a longer time would let the boards' stop timers (110 ms) run out.
+constexpr auto kMostBehind = std::chrono::milliseconds(60);
+
+BootMemory boot_memory(const LiveOptions& options, const std::string& robot) {
+  return options.boards.empty() ? BootMemory() : BootMemory(options.boards / (robot + ".boots"));
+}
 
 }  // namespace
 
@@ -39,6 +44,8 @@ Result<std::unique_ptr<LiveContest>> LiveContest::make(const Scenario& scenario,
                                                        std::move(participant).value(), options));
   for (auto& robot : contest->robots_)
     if (const auto plugged = robot->plug_in(); !plugged) return plugged.error();
+  for (const auto& robot : contest->robots_)
+    if (!robot->problem().empty()) std::cerr << "galilean-sim: " << robot->problem() << "\n";
   return contest;
 }
 
@@ -57,8 +64,9 @@ LiveContest::LiveContest(const Scenario& scenario, std::unique_ptr<World> world,
       picture_steps_(static_cast<std::uint64_t>(
           std::lround(static_cast<double>(kStepsASecond) / scenario.camera.rate_hz))) {
   for (std::size_t i = 0; i < options.robots; ++i)
-    robots_.push_back(std::make_unique<LiveRobot>(
-        *world_, i, folder_.path().string(), "/galilean-" + options.run + "-" + robot_name(i)));
+    robots_.push_back(std::make_unique<LiveRobot>(*world_, i, folder_.path().string(),
+                                                  "/galilean-" + options.run + "-" + robot_name(i),
+                                                  boot_memory(options, robot_name(i))));
 }
 
 std::string LiveContest::ready_line() const {

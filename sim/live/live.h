@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,7 @@ struct LiveOptions {
                                       ///< never
   int domain = -1;                    ///< DDS; -1: as ROS_DOMAIN_ID says
   std::vector<DeviceFault> faults;
+  std::filesystem::path boards;  ///< folder of the boards' boot counts; empty: they are not kept
 };
 
 /// The world in real time, for robots in processes of their own. Robots may end and come back:

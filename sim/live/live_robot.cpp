@@ -2,16 +2,18 @@
 #include "sim/live/live_robot.h"
 
 #include <array>
+#include <utility>
 
 namespace galilean::sim {
 
-LiveRobot::LiveRobot(World& world, std::size_t index, const std::string& folder, std::string ring)
+LiveRobot::LiveRobot(World& world, std::size_t index, const std::string& folder, std::string ring,
+                     BootMemory memory)
     : name_(robot_name(index)),
       index_(index),
       body_(world.robot(index)),
       ring_name_(std::move(ring)),
       line_(folder + "/" + name_ + ".serial"),
-      board_(world.robot(index), line_, name_) {}
+      board_(world.robot(index), line_, name_, std::move(memory)) {}
 
 Result<void> LiveRobot::plug_in() {
   if (auto line = line_.plug_in(); !line) return line;
@@ -28,6 +30,7 @@ Result<void> LiveRobot::open_ring() {
 
 Result<void> LiveRobot::apply_faults(const std::vector<DeviceFault>& faults, double now_s) {
   const BrokenParts& broken = body_.broken();
+  board_.set_power(!broken.board);
   if (broken.serial_line || is_faulty(faults, FaultyDevice::kSerial, name_, now_s))
     line_.unplug();
   else if (auto line = line_.plug_in(); !line)

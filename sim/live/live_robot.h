@@ -19,12 +19,14 @@ namespace galilean::sim {
 class LiveRobot {
  public:
   /// `folder` is where the serial line's link, `<robot>.serial`, is made. `ring` is the name of the
-  /// shared memory.
-  LiveRobot(World& world, std::size_t index, const std::string& folder, std::string ring);
+  /// shared memory. `memory` counts the board's starts.
+  LiveRobot(World& world, std::size_t index, const std::string& folder, std::string ring,
+            BootMemory memory);
   /// Plugs in both devices: the serial line and the camera.
   Result<void> plug_in();
 
-  /// Unplugs the devices that are faulty at `now_s` or that are broken, and plugs in the others.
+  /// Unplugs the devices that are faulty at `now_s` or that are broken, and plugs in the others. A
+  /// broken board has no power.
   /// Each call tries again to plug in a device that could not be plugged in before.
   Result<void> apply_faults(const std::vector<DeviceFault>& faults, double now_s);
   void run_board(std::uint32_t now_ms) { board_.update(now_ms); }
@@ -38,6 +40,8 @@ class LiveRobot {
   [[nodiscard]] const std::string& ring_name() const noexcept { return ring_name_; }
   /// Returns whether the board heard from a robot since power-up.
   [[nodiscard]] bool connected() const noexcept { return board_.heard(); }
+  /// Returns what went wrong with the board's memory, or an empty text.
+  [[nodiscard]] const std::string& problem() const noexcept { return board_.problem(); }
 
  private:
   Result<void> open_ring();

@@ -4,7 +4,7 @@ import { readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { connect, readerOf } from './foxglove_client.mjs';
 import { objections } from './openapi.mjs';
-import { eventually, freshDomain, galilean, getJson, programs, scratchFolder, startTeam } from './tools.mjs';
+import { eventually, freshDomain, galilean, getJson, processesIn, programs, scratchFolder, startTeam } from './tools.mjs';
 
 function contest(...options) {
   const { status, stdout, stderr } = galilean(['sim', '--headless', '--scenario', 'office', '--json', ...options]);
@@ -92,6 +92,11 @@ test('an instructor pauses, moves and breaks while a team runs, and all of it is
   done('mend', 'io', 'camera');
   await eventually(quiet);
 
+  done('break', 'io', 'board');
+  await eventually(async () => (await problems()).some((sentence) => /microcontroller/.test(sentence)));
+  done('mend', 'io', 'board');
+  await eventually(quiet);
+
   const refused = said('move', 'io', '0', '0');
   assert.equal(refused.status, 1);
   assert.match(refused.stderr, /^galilean sim ctl: io cannot stand at .*a wall\n$/);
@@ -118,6 +123,34 @@ test('an instructor pauses, moves and breaks while a team runs, and all of it is
   assert.equal((await team.stop()).code, 0);
   const { stdout } = galilean(['log', 'info', 'taught.mcap'], { cwd });
   assert.match(stdout, /\/simulation\/event/);
+});
+
+test('a robot whose program is frozen is braked by its board, and drives on when it is thawed', { timeout: 300_000 }, async (t) => {
+  let robot;
+  t.after(() => robot && process.kill(robot.pid, 'SIGCONT'));  // before the team is ended
+  const { domain } = await startTeam(t, ['--robots', '1']);
+  const look = () => {
+    const { status, stdout, stderr } = galilean(['sim', 'ctl', 'truth'], { domain });
+    assert.equal(status, 0, stderr);
+    const { step, bodies } = JSON.parse(stdout);
+    return { step, ...bodies.find(({ name }) => name === 'io') };
+  };
+  const after = (begin, seconds) => eventually(async () => {
+    const seen = look();
+    return seen.step >= begin.step + seconds * 100 && seen;
+  });
+  const travelled = (from, to) => Math.hypot(to.x_m - from.x_m, to.y_m - from.y_m);
+  const drives = async () => {
+    const from = look();
+    return travelled(from, await after(from, 0.3)) > 0.02;
+  };
+  await eventually(drives);
+  robot = processesIn(domain).find(({ command }) => /galilean-robot .*--name io/.test(command));
+  process.kill(robot.pid, 'SIGSTOP');
+  const stands = await after(look(), 0.5);
+  assert.ok(travelled(stands, await after(stands, 1)) < 0.002);
+  process.kill(robot.pid, 'SIGCONT');
+  await eventually(drives);
 });
 
 test('where no simulation runs, an order says so', () => {

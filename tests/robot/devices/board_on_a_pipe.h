@@ -21,11 +21,11 @@ class BoardOnAPipe {
 
   BoardOnAPipe() { power_up(); }
 
-  /// Restarts the board: encoders, parameters and time begin anew.
-  void power_up() {
+  /// Restarts the board: encoders and parameters begin anew, and its time at `uptime_ms`.
+  void power_up(std::uint32_t uptime_ms = 0) {
     bench_ = {};
     controller_.emplace(bench_, firmware::Controller::Identity{{'i', 'o'}, ++boots_});
-    board_ms_ = 0;
+    board_ms_ = uptime_ms;
   }
   void run(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
@@ -41,11 +41,26 @@ class BoardOnAPipe {
       if (board_runs) step_board();
     }
   }
+  /// Runs the board alone: the robot's process is stopped.
+  void stand_still(int milliseconds) {
+    for (int i = 0; i < milliseconds; ++i) {
+      now_ += std::chrono::milliseconds(1);
+      step_board();
+    }
+  }
   /// Runs with a command each tick, as a control loop does.
   void keep_driving(const DriveCommand& command, int milliseconds) {
     for (int i = 0; i < milliseconds; i += kTick_ms) {
       drive.drive(command);
       run(kTick_ms);
+    }
+  }
+  /// Runs with one command, which is renewed each tick.
+  void drive_once(const DriveCommand& command, int milliseconds) {
+    drive.drive(command);
+    for (int i = 0; i < milliseconds; i += kTick_ms) {
+      run(kTick_ms);
+      drive.keep_moving();
     }
   }
   firmware::BenchBoard& bench() { return bench_; }
@@ -55,11 +70,12 @@ class BoardOnAPipe {
   MotorDriveSettings settings;
   WheelDrive drive{link, settings};
   bool board_runs = true;
+  bool board_reads = true;  ///< false: the line to the board is blocked; what it says gets through
 
  private:
   void step_board() {
     std::array<std::uint8_t, 256> bytes;
-    const auto count = pipe.board_end().read(bytes);
+    const auto count = board_reads ? pipe.board_end().read(bytes) : 0;
     bench_.to_board.insert(bench_.to_board.end(), bytes.begin(),
                            bytes.begin() + static_cast<std::ptrdiff_t>(count));
     controller_->update(++board_ms_);

@@ -29,8 +29,7 @@ TEST_F(Motors, ADistanceEndsWhereItShould) {
   MotorDriveSettings patient;
   patient.timeout_s = 30;
   robot.drive.configure(patient);
-  robot.drive.drive({.speed_mps = -0.2, .distance_limit_m = 0.5});
-  robot.run(5000);
+  robot.drive_once({.speed_mps = -0.2, .distance_limit_m = 0.5}, 5000);
   EXPECT_NEAR(left_m(), -0.5, 0.004);
   EXPECT_NEAR(right_m(), -0.5, 0.004);
 }
@@ -39,8 +38,7 @@ TEST_F(Motors, AnAngleIsCounterClockwiseAndEndsWhereItShould) {
   MotorDriveSettings patient;
   patient.timeout_s = 30;
   robot.drive.configure(patient);
-  robot.drive.drive({.turn_rate_radps = 1, .angle_limit_rad = kPi / 2});
-  robot.run(4000);
+  robot.drive_once({.turn_rate_radps = 1, .angle_limit_rad = kPi / 2}, 4000);
   EXPECT_NEAR((right_m() - left_m()) / 2 / 0.185, kPi / 2, 0.03);
   EXPECT_NEAR(right_m() + left_m(), 0, 0.004);
 }
@@ -49,13 +47,37 @@ TEST_F(Motors, OnACurveTheFirstLimitEndsBothWheels) {
   MotorDriveSettings patient;
   patient.timeout_s = 30;
   robot.drive.configure(patient);
-  robot.drive.drive({.speed_mps = 0.15,
-                     .turn_rate_radps = -0.3,
-                     .distance_limit_m = 0.45,
-                     .angle_limit_rad = 100});
-  robot.run(6000);
+  const DriveCommand curve{
+      .speed_mps = 0.15, .turn_rate_radps = -0.3, .distance_limit_m = 0.45, .angle_limit_rad = 100};
+  robot.drive_once(curve, 6000);
   EXPECT_NEAR((left_m() + right_m()) / 2, 0.45, 0.004);
   EXPECT_NEAR((right_m() - left_m()) / 2 / 0.185, -0.9, 0.03);
+}
+
+TEST_F(Motors, ACommandLastsForItsTimeoutWhereItIsRenewedAndNoLonger) {
+  robot.drive_once({.speed_mps = 0.3}, 480);
+  EXPECT_GT(robot.bench().outputs.left_pwm, 0);
+  robot.drive.keep_moving();
+  for (int i = 0; i < 10; ++i) {
+    robot.run(BoardOnAPipe::kTick_ms);
+    robot.drive.keep_moving();
+  }
+  EXPECT_EQ(robot.bench().outputs.left_pwm, 0);
+}
+
+TEST_F(Motors, NoOldCommandIsRenewedAfterAStopOrALostLine) {
+  robot.keep_driving({.speed_mps = 0.3}, 500);
+  robot.drive.stop();
+  robot.run(200);
+  robot.drive_once({.speed_mps = 0.3}, 100);
+  robot.pipe.connect(false);
+  robot.run(300);
+  robot.pipe.connect(true);
+  for (int i = 0; i < 20; ++i) {
+    robot.run(BoardOnAPipe::kTick_ms);
+    robot.drive.keep_moving();
+    ASSERT_EQ(robot.bench().outputs.left_pwm, 0) << i;
+  }
 }
 
 TEST_F(Motors, ACommandThatIsNoNumberStops) {

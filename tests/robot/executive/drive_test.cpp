@@ -149,7 +149,9 @@ TEST(Drive, WhenNobodyDrivesAnyMoreTheLastCommandEndsWithItsTimeout) {
   EXPECT_TRUE(robot.drive.moving);
   robot.tick(6);
   EXPECT_TRUE(robot.drive.moving) << "0.35 s after the command";
+  EXPECT_EQ(robot.drive.renewals, 7) << "the board stops motors of which it hears nothing";
   robot.tick();
+  EXPECT_EQ(robot.drive.renewals, 7);
   EXPECT_FALSE(robot.drive.moving) << "0.4 s after the command";
 }
 

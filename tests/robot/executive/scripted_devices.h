@@ -42,6 +42,7 @@ class ScriptedDrive final : public MotorDrive {
     moving = command.speed_mps != 0 || command.turn_rate_radps != 0;
     ++commands;
   }
+  void keep_moving() noexcept override { ++renewals; }
   void stop() noexcept override {
     last = {};
     moving = false;
@@ -53,6 +54,7 @@ class ScriptedDrive final : public MotorDrive {
   DriveCommand last;
   bool moving = false;
   int commands = 0;
+  int renewals = 0;
   std::atomic<bool> answers = true;
 };
 

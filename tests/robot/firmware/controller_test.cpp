@@ -19,11 +19,17 @@ class ControllerOnTheBench : public testing::Test {
  protected:
   template <class Message>
   std::uint16_t send(const Message& message) {
+    ++sequence_;
+    send_again(message);
+    return sequence_;
+  }
+  /// Sends it with the sequence of the message before.
+  template <class Message>
+  void send_again(const Message& message) {
     std::array<std::uint8_t, kMaxEncoded> bytes;
-    const auto size = encode_message(message, ++sequence_, bytes);
+    const auto size = encode_message(message, sequence_, bytes);
     board_.to_board.insert(board_.to_board.end(), bytes.begin(),
                            bytes.begin() + static_cast<std::ptrdiff_t>(size));
-    return sequence_;
   }
   void run(std::uint32_t milliseconds) {
     for (std::uint32_t i = 0; i < milliseconds; ++i) {
@@ -37,6 +43,14 @@ class ControllerOnTheBench : public testing::Test {
     for (std::uint32_t i = 0; i < milliseconds; i += 20) {
       send(drive);
       run(20);
+    }
+  }
+  /// Sends one `drive`, and the same again and again, as a robot does between two commands.
+  void drive_once(const Drive& drive, std::uint32_t milliseconds) {
+    send(drive);
+    for (std::uint32_t i = 0; i < milliseconds; i += 20) {
+      run(20);
+      send_again(drive);
     }
   }
   void listen() {
@@ -218,8 +232,7 @@ TEST_F(ControllerOnTheBench, StopsAtTheTravelLimit) {
   Parameters patient = bench_parameters(kTimeout_ms);
   patient.timeout_ms = 10000;
   send(patient);
-  send(Drive{kSpeed, kSpeed, 1600, 1600});
-  run(4000);
+  drive_once({kSpeed, kSpeed, 1600, 1600}, 4000);
   EXPECT_NEAR(status_->left_encoder_counts, 1600, 10);
   EXPECT_NEAR(status_->right_encoder_counts, 1600, 10);
   EXPECT_FALSE(flag(status_flag::kMotorsActive));
@@ -245,12 +258,91 @@ TEST_F(ControllerOnTheBench, WheelsStandAndStayWhenCommandsCease) {
   EXPECT_NEAR(board_.left.counts(), stood_at, 2);
 }
 
+TEST_F(ControllerOnTheBench, WheelsAreBrakedSoonAfterTheLastCommand) {
+  for (const auto speed : {kSpeed, static_cast<std::int16_t>(-kSpeed)}) {
+    configure();
+    keep_driving({speed, speed, 0, 0}, 1000);
+    const int forward = speed > 0 ? 1 : -1;
+    run(DriveTrain::kStopTimer_ms - 20);
+    EXPECT_GT(board_.outputs.left_pwm * forward, 0);
+    run(4);
+    EXPECT_LT(board_.outputs.left_pwm * forward, 0) << "it does not brake";
+    EXPECT_LT(board_.outputs.right_pwm * forward, 0) << "it does not brake";
+    run(100);
+    EXPECT_NEAR(board_.left.speed_counts_s(), 0, 0.05 * kSpeed);
+    EXPECT_EQ(board_.outputs.left_pwm, 0);
+    EXPECT_EQ(board_.outputs.right_pwm, 0);
+    EXPECT_TRUE(flag(status_flag::kStoppedByTimeout));
+    run(1000);
+  }
+}
+
+TEST_F(ControllerOnTheBench, OneLostCommandAtTwentyHertzIsNotFelt) {
+  configure();
+  keep_driving({kSpeed, kSpeed, 0, 0}, 1000);
+  for (int i = 0; i < 100; ++i) {
+    send(Drive{kSpeed, kSpeed, 0, 0});
+    for (int ms = 0; ms < (i % 3 == 0 ? 100 : 50); ++ms) {
+      run(1);
+      ASSERT_GT(board_.outputs.left_pwm, 0) << i << ", " << ms << " ms";
+    }
+  }
+}
+
+TEST_F(ControllerOnTheBench, ADriveLastsNoLongerThanItsTimeoutHoweverOftenItIsSent) {
+  configure();
+  drive_once({kSpeed, kSpeed, 0, 0}, kTimeout_ms - 20);
+  EXPECT_GT(board_.outputs.left_pwm, 0);
+  EXPECT_FALSE(flag(status_flag::kStoppedByTimeout));
+  for (int i = 0; i < 20; ++i) {
+    send_again(Drive{kSpeed, kSpeed, 0, 0});
+    run(20);
+  }
+  EXPECT_TRUE(flag(status_flag::kStoppedByTimeout));
+  EXPECT_EQ(board_.outputs.left_pwm, 0);
+}
+
+TEST_F(ControllerOnTheBench, ADriveThatWasStoppedIsNotRevivedByTheSameOnceMore) {
+  configure();
+  keep_driving({kSpeed, kSpeed, 0, 0}, 500);
+  run(DriveTrain::kStopTimer_ms + 200);
+  for (int i = 0; i < 10; ++i) {
+    send_again(Drive{kSpeed, kSpeed, 0, 0});
+    run(20);
+    ASSERT_EQ(board_.outputs.left_pwm, 0);
+  }
+}
+
+TEST_F(ControllerOnTheBench, ANewSessionBrakes) {
+  configure();
+  keep_driving({kSpeed, kSpeed, 0, 0}, 500);
+  send(Drive{kSpeed, kSpeed, 0, 0});
+  send(Hello{});
+  run(3);
+  EXPECT_LT(board_.outputs.left_pwm, 0);
+  run(300);
+  EXPECT_EQ(board_.outputs.left_pwm, 0);
+  EXPECT_NEAR(board_.left.speed_counts_s(), 0, 5);
+}
+
+// A wheel whose encoder still counts when it stands must not be powered for ever.
+TEST_F(ControllerOnTheBench, BrakingEndsHoweverLongTheWheelIsTurned) {
+  configure();
+  keep_driving({kSpeed, kSpeed, 0, 0}, 500);
+  board_.left.dead_zone_pwm = board_.right.dead_zone_pwm = 2 * kFullPwm;
+  board_.left.lag_s = board_.right.lag_s = 100;  // it coasts on, whatever the PWM is
+  send(Stop{});
+  run(100);
+  EXPECT_LT(board_.outputs.left_pwm, 0);
+  run(200);
+  EXPECT_EQ(board_.outputs.left_pwm, 0);
+}
+
 TEST_F(ControllerOnTheBench, OtherMessagesDoNotKeepTheMotorsRunning) {
   configure();
   keep_driving({kSpeed, kSpeed, 0, 0}, 500);
   for (int i = 0; i < 50; ++i) {
     send(StatusRequest{});
-    send(Hello{});
     send(Gripper{1});
     send(bench_parameters(kTimeout_ms));
     run(20);
@@ -268,13 +360,17 @@ TEST_F(ControllerOnTheBench, DrivesOnWithTheNextCommandAfterATimeout) {
   EXPECT_NEAR(board_.left.speed_counts_s(), kSpeed, 0.05 * kSpeed);
 }
 
-TEST_F(ControllerOnTheBench, StopCutsThePowerAtOnce) {
+TEST_F(ControllerOnTheBench, StopBrakesAtOnce) {
   configure();
   keep_driving({kSpeed, kSpeed, 0, 0}, 1000);
   send(Stop{});
   run(3);
+  EXPECT_LT(board_.outputs.left_pwm, 0);
+  EXPECT_LT(board_.outputs.right_pwm, 0);
+  run(100);
   EXPECT_EQ(board_.outputs.left_pwm, 0);
   EXPECT_EQ(board_.outputs.right_pwm, 0);
+  EXPECT_NEAR(board_.left.speed_counts_s(), 0, 0.05 * kSpeed);
   run(1000);
   EXPECT_NEAR(board_.left.speed_counts_s(), 0, 1);
 }
@@ -282,7 +378,7 @@ TEST_F(ControllerOnTheBench, StopCutsThePowerAtOnce) {
 TEST_F(ControllerOnTheBench, TheStopTimerOutlivesTheMillisecondCountersWrap) {
   BenchBoard board;
   Controller controller(board, {});
-  std::uint32_t now_ms = std::numeric_limits<std::uint32_t>::max() - 100;
+  std::uint32_t now_ms = std::numeric_limits<std::uint32_t>::max() - 60;
   const auto put = [&](const auto& message) {
     std::array<std::uint8_t, kMaxEncoded> bytes;
     const auto size = encode_message(message, 1, bytes);
@@ -291,9 +387,9 @@ TEST_F(ControllerOnTheBench, TheStopTimerOutlivesTheMillisecondCountersWrap) {
   };
   put(bench_parameters(kTimeout_ms));
   put(Drive{kSpeed, kSpeed, 0, 0});
-  for (int i = 0; i < 250; ++i) controller.update(now_ms++), board.step(0.001);
-  EXPECT_GT(board.outputs.left_pwm, 0);
   for (int i = 0; i < 100; ++i) controller.update(now_ms++), board.step(0.001);
+  EXPECT_GT(board.outputs.left_pwm, 0);
+  for (int i = 0; i < 150; ++i) controller.update(now_ms++), board.step(0.001);
   EXPECT_EQ(board.outputs.left_pwm, 0);
 }
 

@@ -114,6 +114,36 @@ TEST(Wheel, CutGivesNoPowerWhateverTheLoopWanted) {
   EXPECT_NEAR(bench.motor.speed_counts_s(), 0, 1);
 }
 
+TEST(Wheel, BrakesBothWaysWithoutTurningBackHoweverLongItsStepsAre) {
+  for (const std::uint32_t step_ms : {1u, 2u, 5u, 10u})
+    for (const float speed : {kSpeed_counts_s, -kSpeed_counts_s}) {
+      Bench bench;
+      bench.wheel.aim(speed, kSlope, 0);
+      bench.run(2);
+      bench.wheel.brake();
+      for (std::uint32_t ms = 0; ms < 150; ms += step_ms) {
+        bench.step(step_ms);
+        ASSERT_GT(bench.motor.speed_counts_s() * speed, -0.05f * speed * speed) << step_ms;
+      }
+      EXPECT_NEAR(bench.motor.speed_counts_s(), 0, 0.05 * kSpeed_counts_s) << step_ms;
+      EXPECT_EQ(bench.pwm, 0);
+      EXPECT_FALSE(bench.wheel.active());
+    }
+}
+
+TEST(Wheel, IsNotPoweredToBrakeWhereItStands) {
+  Bench bench;
+  bench.wheel.brake();
+  bench.run(kStep_s);
+  EXPECT_EQ(bench.pwm, 0);
+  bench.motor.blocked = true;
+  bench.wheel.aim(kSpeed_counts_s, kSlope, 0);
+  bench.run(0.5);
+  bench.wheel.brake();
+  bench.run(kStep_s);
+  EXPECT_EQ(bench.pwm, 0);
+}
+
 TEST(Wheel, HoldsItsSpeedThroughUnevenSteps) {
   std::mt19937 random(5);
   Bench bench;
@@ -199,6 +229,21 @@ TEST(Speedometer, KnowsHowFastItsSpeedChangesHoweverLongItsStepsAre) {
     if (i < 10) continue;  // few counts resolve no change
     ASSERT_NEAR(speedometer.change_counts_s2(), kChange_counts_s2, 0.03 * kChange_counts_s2) << i;
   }
+}
+
+TEST(Speedometer, TellsARecentSpeedThatLagsLess) {
+  Speedometer speedometer;
+  std::uint32_t now_ms = 0;
+  std::int32_t counts = 0;
+  for (int i = 0; i < 20; ++i) speedometer.sample(counts += 8, now_ms += kStep_ms);
+  EXPECT_NEAR(speedometer.recent_speed_counts_s(), 4000, 0.01);
+  for (int i = 0; i < 4; ++i) speedometer.sample(counts, now_ms += kStep_ms);
+  EXPECT_EQ(speedometer.recent_speed_counts_s(), 0);
+  EXPECT_GT(speedometer.speed_counts_s(), 2000);
+  speedometer.sample(counts + 50, now_ms + 10);
+  EXPECT_NEAR(speedometer.recent_speed_counts_s(), 5000, 0.01);
+  speedometer.reset(7, 1000);
+  EXPECT_EQ(speedometer.recent_speed_counts_s(), 0);
 }
 
 TEST(Speedometer, CountsAcrossTheEndOfTheirRange) {

@@ -217,6 +217,10 @@ TEST_F(InstructorTest, BreaksAndMendsBumpersAndWheels) {
   ASSERT_EQ(faults.size(), 3U);
   EXPECT_EQ(faults[0].part, "camera");
   EXPECT_EQ(faults[2].fault, "stuck");
+  done(on_part("break", "board"));
+  EXPECT_TRUE(world->robot(0).broken().board);
+  done(on_part("mend", "board"));
+  EXPECT_FALSE(world->robot(0).broken().board);
 }
 
 TEST_F(InstructorTest, RefusesPartsAndFaultsThatThereAreNot) {

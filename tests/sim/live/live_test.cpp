@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
 
 #include "core/wire/participant.h"
@@ -16,6 +17,7 @@
 #include "robot/devices/motor_drive.h"
 #include "robot/devices/serial_port.h"
 #include "tests/free_domain.h"
+#include "tests/temporary_folder.h"
 
 namespace galilean::sim {
 namespace {
@@ -96,6 +98,22 @@ TEST(Live, ARobotConnectsSeesIsStartedAndComesBackAfterItsDeath) {
   Robot reborn(devices);
   EXPECT_TRUE(reborn.wait_until([&] { return reborn.link.healthy(); })) << reborn.link.problem();
   EXPECT_TRUE(reborn.wait_until([&] { return reborn.frames >= 1; }));
+}
+
+TEST(Live, ARobotThatOutlivesTheSimulatorKnowsThatItsBoardBeganAnew) {
+  const TemporaryFolder boards;
+  const LiveOptions options{
+      .robots = 1, .run = own_run("outlived"), .domain = kDomain, .boards = boards.path()};
+  std::optional<Simulator> simulator;
+  simulator.emplace(options);
+  Robot robot(simulator->ready()["robots"][0]);
+  for (std::uint32_t epoch = 0; epoch < 3; ++epoch) {
+    EXPECT_TRUE(robot.wait_until([&] { return robot.link.healthy(); })) << robot.link.problem();
+    EXPECT_EQ(robot.link.status().epoch, epoch);
+    simulator.reset();
+    EXPECT_TRUE(robot.wait_until([&] { return !robot.link.healthy(); }));
+    simulator.emplace(options);
+  }
 }
 
 TEST(Live, UnpluggedDevicesComeBack) {

@@ -16,6 +16,45 @@ TEST(RobotBody, DeadZonesHoldTheMotorsAndAreWiderInATurn) {
   EXPECT_GT(world->robot(0).inputs().left_encoder_counts, 100);
 }
 
+// By hand for a straight run: m = 4.5 + 2 · 0.6 kg, K = 2 · 12 N · 0.81 / 0.6 m/s, dry friction
+// 2 · 12 N · 0.19, so that a short takes m/K · ln(1 + K v / friction) = 0.20 s, and a step more here.
+TEST(RobotBody, AShortBrakesAndPowerBackwardsBrakesHarder) {
+  const struct {
+    std::int16_t pwm;
+    double seconds;
+    double metres;
+  } cases[] = {{0, 0.21, 0.028}, {-1000, 0.06, 0.009}};
+  for (const auto& expected : cases) {
+    const auto world = world_of(bare_floor());
+    run(*world, {606, 606, 0}, 2);
+    const auto begin = world->robot(0).inputs().left_encoder_counts;
+    double stopped_s = 0;
+    std::int32_t counts = begin;
+    for (int i = 0; i < 100; ++i) {
+      const std::int32_t before = counts;
+      run(*world, {expected.pwm, expected.pwm, 0}, World::kStep_s);
+      counts = world->robot(0).inputs().left_encoder_counts;
+      if (counts <= before) break;
+      stopped_s += World::kStep_s;
+    }
+    EXPECT_NEAR(stopped_s, expected.seconds, 0.03) << expected.pwm;
+    EXPECT_NEAR((counts - begin) / Treads::kCountsPerMetre, expected.metres, 0.004) << expected.pwm;
+  }
+}
+
+TEST(RobotBody, StandsWhereDryFrictionStoppedIt) {
+  const auto world = world_of(bare_floor());
+  run(*world, {606, -606, 0}, 2);
+  run(*world, {0, 0, 0}, 0.5);
+  const auto stood_at = world->robot(0).inputs();
+  const double heading_rad = world->robot(0).pose().heading_rad;
+  run(*world, {150, -150, 0}, 1);
+  run(*world, {0, 0, 0}, 1);
+  EXPECT_EQ(world->robot(0).inputs().left_encoder_counts, stood_at.left_encoder_counts);
+  EXPECT_EQ(world->robot(0).inputs().right_encoder_counts, stood_at.right_encoder_counts);
+  EXPECT_NEAR(world->robot(0).pose().heading_rad, heading_rad, 1e-4);
+}
+
 TEST(RobotBody, EncodersCountTheWayWhereNothingSlips) {
   const auto world = world_of(bare_floor());
   run(*world, {500, 500, 0}, 2);

@@ -10,6 +10,7 @@ const BUMPERS = ["front", "front left", "left", "back left", "back", "back right
 export const PARTS: readonly (readonly [part: string, words: string])[] = [
   ["camera", "camera"],
   ["serial_line", "serial line"],
+  ["board", "board"],
   ["left_wheel", "left wheel"],
   ["right_wheel", "right wheel"],
   ...BUMPERS.map((where, i) => [`bumper_${i}`, `${where} bumper`] as const),

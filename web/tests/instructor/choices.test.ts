@@ -6,7 +6,7 @@ const body = (name: string, kind: string, heading_rad = 0) => ({ name, kind, x_m
 
 describe("parts that break", () => {
   it("are those that the simulation knows", () => {
-    expect(PARTS.map(([part]) => part)).toEqual(["camera", "serial_line", "left_wheel", "right_wheel", ...Array.from({ length: 8 }, (_, i) => `bumper_${i}`)]);
+    expect(PARTS.map(([part]) => part)).toEqual(["camera", "serial_line", "board", "left_wheel", "right_wheel", ...Array.from({ length: 8 }, (_, i) => `bumper_${i}`)]);
   });
   it("are stuck only where they are bumpers", () => {
     expect(faultsOf("bumper_3")).toEqual(["dead", "stuck"]);

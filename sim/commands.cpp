@@ -12,6 +12,7 @@
 #include "core/broken_pipe.h"
 #include "core/installation.h"
 #include "core/json_text.h"
+#include "core/state_folder.h"
 #include "core/written_files.h"
 #include "robot/components.h"
 #include "sim/headless/headless.h"
@@ -93,15 +94,6 @@ Result<std::vector<DeviceFault>> parse_faults(const Options& options) {
   return faults;
 }
 
-/// Returns where the boards' boot counts are kept, or nothing where a user has no folder.
-std::filesystem::path boards_folder() {
-  if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state)
-    return std::filesystem::path(state) / "galilean" / "boards";
-  const char* home = std::getenv("HOME");
-  if (!home || !*home) return {};
-  return std::filesystem::path(home) / ".local" / "state" / "galilean" / "boards";
-}
-
 int run_live(const Options& options, const Scenario& scenario) {
   auto faults = parse_faults(options);
   if (!faults) return complain(faults.error(), kBadInput);
@@ -110,9 +102,9 @@ int run_live(const Options& options, const Scenario& scenario) {
   ignore_broken_pipes();
   for (const int number : {SIGINT, SIGTERM, SIGHUP})
     std::signal(number, [](int) { ending = true; });
-  auto contest =
-      LiveContest::make(timed, {options.robots, options.seed, options.run, options.autostart_s,
-                                options.domain, std::move(faults).value(), boards_folder()});
+  auto contest = LiveContest::make(
+      timed, {options.robots, options.seed, options.run, options.autostart_s, options.domain,
+              std::move(faults).value(), state_folder() / "boards"});
   if (!contest) return complain(contest.error(), kBadInput);
   std::cout << contest.value()->ready_line() << std::endl;
   contest.value()->run(ending);

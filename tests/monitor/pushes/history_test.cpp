@@ -189,7 +189,8 @@ TEST_F(HistoryTest, PushesOfAReleaseThatDidNotNumberThemKeepTheirOrder) {
   ASSERT_TRUE(history);
   ASSERT_TRUE(history.value()->add(push(0)));
   std::string ids;
-  for (const auto& record : history.value()->pushes(10).value()) ids += record.id;
+  const auto kept = history.value()->pushes(10).value();
+  for (const auto& record : kept) ids += record.id;
   EXPECT_EQ(ids, "0321");
 }
 

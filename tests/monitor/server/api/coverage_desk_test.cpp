@@ -55,11 +55,11 @@ TEST_F(CoverageDeskTest, TellsWhatTheWholeRecordingExercised) {
   write("run.mcap", recording_of_fetch());
   const auto answer = answer_about("run.mcap");
   ASSERT_EQ(answer.status, 200) << *answer.body;
-  const auto json = json_of(answer);
-  EXPECT_EQ(json["name"], "run.mcap");
-  EXPECT_THAT(json["uncounted"], IsEmpty());
-  ASSERT_EQ(json["programs"].size(), 1U);
-  const auto& program = json["programs"][0];
+  const auto told = json_of(answer);
+  EXPECT_EQ(told["name"], "run.mcap");
+  EXPECT_THAT(told["uncounted"], IsEmpty());
+  ASSERT_EQ(told["programs"].size(), 1U);
+  const auto& program = told["programs"][0];
   EXPECT_EQ(program["hash"], "3f2a");
   EXPECT_EQ(program["states"][1]["entered"], 1);
   EXPECT_EQ(program["states"][2]["visited"], false);
@@ -86,8 +86,8 @@ TEST_F(CoverageDeskTest, SaysWhatIsMissing) {
   auto bytes = recording_of_fetch();
   expect::damage_chunk_at(0, bytes);
   write("damaged.mcap", bytes);
-  const auto json = json_of(answer_about("damaged.mcap"));
-  EXPECT_THAT(json["uncounted"].get<std::vector<std::string>>(), Contains(HasSubstr("lost")));
+  const auto told = json_of(answer_about("damaged.mcap"));
+  EXPECT_THAT(told["uncounted"].get<std::vector<std::string>>(), Contains(HasSubstr("lost")));
   bytes = recording_of_fetch();
   bytes.resize(bytes.size() - 8);
   write("cut.mcap", bytes);

@@ -26,6 +26,7 @@ SimulatedBoard::SimulatedBoard(RobotBody& body, robot::ByteStream& line, std::st
 
 void SimulatedBoard::power_up() {
   powered_up_ms_ = now_ms_;
+  at_power_up_ = body_.inputs();
   robot::firmware::Hardware& pins = *this;
   firmware_.emplace(pins, identity_of(robot_name_, memory_.count_start()));
 }
@@ -43,6 +44,14 @@ void SimulatedBoard::update(std::uint32_t now_ms) {
   std::array<std::uint8_t, 512> lost;
   while (line_.read(lost) > 0) {
   }
+}
+
+/// A board counts in memory that it loses with its power, and begins at 0.
+robot::firmware::Inputs SimulatedBoard::read() {
+  auto inputs = body_.inputs();
+  inputs.left_encoder_counts -= at_power_up_.left_encoder_counts;
+  inputs.right_encoder_counts -= at_power_up_.right_encoder_counts;
+  return inputs;
 }
 
 std::size_t SimulatedBoard::receive(std::span<std::uint8_t> bytes) {

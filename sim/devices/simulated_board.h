@@ -33,7 +33,7 @@ class SimulatedBoard final : private robot::firmware::Hardware {
 
  private:
   void power_up();
-  robot::firmware::Inputs read() override { return body_.inputs(); }
+  robot::firmware::Inputs read() override;
   void write(const robot::firmware::Outputs& outputs) override { body_.apply(outputs); }
   std::size_t receive(std::span<std::uint8_t> bytes) override;
   std::size_t send(std::span<const std::uint8_t> bytes) override { return line_.write(bytes); }
@@ -45,6 +45,7 @@ class SimulatedBoard final : private robot::firmware::Hardware {
   bool heard_ = false;
   std::uint32_t now_ms_ = 0;
   std::uint32_t powered_up_ms_ = 0;
+  robot::firmware::Inputs at_power_up_;
   std::optional<robot::firmware::Controller> firmware_;  ///< none: it has no power
 };
 

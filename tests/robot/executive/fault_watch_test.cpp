@@ -7,19 +7,22 @@
 namespace galilean::robot {
 namespace {
 
-/// Drives in its only state; bumper 1 means nothing to it.
-std::string driving_text(const std::string& devices = "") {
-  return devices + R"(
+/// Drives in its only state, and looks if `looks`; bumper 1 means nothing to it.
+std::string driving_text(bool looks = false) {
+  return std::string(R"(
+variables: image: name: "red" end
+perceptual_schemas: look: name: "look" red_variable: "red" end end
 motor_schemas: ahead: name: "ahead" speed: 0.2 end end
-states: state: name: "go" motor_schemas: "ahead" end end end
+states: state: name: "go" )") +
+         (looks ? "perceptual_schemas: \"look\" end " : "") + R"(motor_schemas: "ahead" end end end
 )";
 }
 
 /// A robot that drives, and is held after faults.
 struct HoldingRobot : TestRobot {
-  explicit HoldingRobot(const std::string& devices = "", bool holds = true)
+  explicit HoldingRobot(bool looks = false, bool holds = true)
       : TestRobot(1, {}, {}, test_components(), holds) {
-    EXPECT_TRUE(load(driving_text(devices)));
+    EXPECT_TRUE(load(driving_text(looks)));
     tick(2);
   }
   /// Loses the device for 30 ticks of 50 ms, and then has it back for three.
@@ -33,7 +36,7 @@ struct HoldingRobot : TestRobot {
 };
 
 TEST(FaultWatch, ARobotThatNothingEverAskedToHoldGoesOnByItself) {
-  HoldingRobot robot("", false);
+  HoldingRobot robot(false, false);
   robot.lose(robot.port.answers);
   EXPECT_TRUE(robot.drive.moving);
   EXPECT_EQ(robot.events.fault, FaultReport{});
@@ -75,7 +78,7 @@ TEST(FaultWatch, EveryDeviceThatTheProgramUsesCounts) {
   HoldingRobot driven;
   driven.lose(driven.drive.answers);
   EXPECT_EQ(driven.events.fault.cause, FaultCause::kMotorDrive);
-  HoldingRobot seeing("input_devices: frame_grabber: end end");
+  HoldingRobot seeing(true);
   seeing.lose(seeing.camera.answers);
   EXPECT_EQ(seeing.events.fault.cause, FaultCause::kCamera);
   EXPECT_FALSE(seeing.drive.moving);

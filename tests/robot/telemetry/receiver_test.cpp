@@ -351,7 +351,7 @@ TEST_F(ReceiverTest, ObeysOperators) {
   EXPECT_TRUE(io.tick_until([&] { return io.robot.drive.moving; }));
 }
 
-TEST_F(ReceiverTest, ADecommissionedRobotStandsStillWhoeverResumesUntilItIsCommissioned) {
+TEST_F(ReceiverTest, ADecommissionedRobotStandsUntilItIsCommissioned) {
   io.robot.press(2);
   io.robot.tick();
   ASSERT_TRUE(io.robot.drive.moving);

@@ -68,6 +68,15 @@ class CdrReader {
   template <class M>
   requires std::is_class_v<M>
   void read(M& to) { decode(*this, to); }
+  /// Reads a field that was appended to its message in a later release. It is left as it is if the
+  /// message ends before it. Up to three bytes of padding may stand there.
+  template <class M>
+  void read_appended(M& to) {
+    constexpr std::size_t kWord = 4;
+    align(kWord);
+    if (ok_ && at_ >= bytes_.size()) return;
+    read(to);
+  }
 
  private:
   void align(std::size_t size) { at_ = 4 + (at_ - 4 + size - 1) / size * size; }

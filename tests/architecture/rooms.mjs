@@ -12,8 +12,10 @@ export const rooms = {
     schema: ['.'],
     catalog: ['.', 'variable', 'device', 'schema'],
     command_line: ['.'],
+    signing: ['.'],
     wire: ['.'],
     'wire/types': ['.', 'wire'],
+    orders: ['.', 'signing', 'wire'],
     'wire/generate': [],
   },
   bhdl: {

@@ -21,6 +21,7 @@ struct Options {
   double probation_s = 10;
   int most_transitions_per_s = 10;
   std::vector<std::string> accept_swaps_from;  ///< empty: only the monitor's
+  std::string trust_file;  ///< the public keys whose orders move the robot; empty: anybody's do
   std::string log_level = "info";
   bool print_catalog = false;
 };

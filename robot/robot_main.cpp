@@ -49,9 +49,18 @@ std::optional<bhdl::Program> read_program(const std::string& file, const Catalog
   return std::move(checked.program);
 }
 
+/// Where a signature proves who sent a program, the sender's name proves nothing more.
 AcceptedSenders accepted_senders(const Options& options) {
-  return options.accept_swaps_from.empty() ? AcceptedSenders()
-                                           : AcceptedSenders(options.accept_swaps_from);
+  if (!options.accept_swaps_from.empty()) return AcceptedSenders(options.accept_swaps_from);
+  return options.trust_file.empty() ? AcceptedSenders() : AcceptedSenders({AcceptedSenders::kAny});
+}
+
+/// Returns nothing if no file is named. Errors: it cannot be read, or names no key.
+Result<std::optional<TrustedKeys>> trusted_keys(const Options& options) {
+  if (options.trust_file.empty()) return std::optional<TrustedKeys>();
+  auto keys = TrustedKeys::load(options.trust_file);
+  if (!keys) return keys.error();
+  return std::optional<TrustedKeys>(std::move(keys).value());
 }
 
 int refuse(const std::string& reason) {
@@ -66,6 +75,8 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
   SerialPort line(options.serial.value_or(settings.comm_port.device), settings.comm_port.baud);
   const auto camera = make_frame_source(options.camera.value_or(settings.frame_grabber.device));
   if (!camera) return refuse(camera.error().message);
+  const auto trust = trusted_keys(options);
+  if (!trust) return refuse(trust.error().message);
   const auto participant = wire::Participant::join(options.name, options.domain);
   if (!participant) return refuse(participant.error().message);
 
@@ -102,7 +113,8 @@ int work(const Options& options, const Registry& components, bhdl::Program progr
                        .devices = devices.devices(),
                        .catalog = components.catalog(),
                        .clock = clock,
-                       .accepted_senders = accepted_senders(options)},
+                       .accepted_senders = accepted_senders(options),
+                       .trust = trust.value()},
                       images, inputs);
   {
     // The watch is made before the loop: if it cannot be made, nothing has moved yet.

@@ -4,7 +4,9 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 
+#include "core/signing/trusted_keys.h"
 #include "core/worker.h"
 #include "robot/executive/executive.h"
 #include "robot/executive/snapshot.h"
@@ -28,6 +30,7 @@ struct TelemetrySource {
   const Catalog& catalog;
   const Clock& clock;
   AcceptedSenders accepted_senders{};
+  std::optional<TrustedKeys> trust{};  ///< who may move the robot; none: anybody
 };
 
 /// Publishes what the robot does. It uses a thread of its own, so that a stalled network delays

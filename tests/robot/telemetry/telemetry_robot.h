@@ -17,7 +17,8 @@ inline const int kDomain = free_domain();
 /// that a test does not hear the robot of the test before.
 class TelemetryRobot {
  public:
-  explicit TelemetryRobot(std::string robot_name, const Registry& components = test_components())
+  explicit TelemetryRobot(std::string robot_name, const Registry& components = test_components(),
+                          std::optional<TrustedKeys> trust = std::nullopt)
       : name(std::move(robot_name)),
         participant(join(name)),
         other(join(wire::kMonitorName)),
@@ -30,7 +31,9 @@ class TelemetryRobot {
                                   .tap = tap,
                                   .devices = {robot.port, robot.drive, robot.camera},
                                   .catalog = components.catalog(),
-                                  .clock = robot.clock},
+                                  .clock = robot.clock,
+                                  .accepted_senders = AcceptedSenders(senders_of(trust)),
+                                  .trust = std::move(trust)},
                   images, inputs) {
     ++living_;
   }
@@ -85,6 +88,10 @@ class TelemetryRobot {
   std::optional<Telemetry> telemetry;
 
  private:
+  /// Where orders are signed, programs are taken from anybody who signs them.
+  static std::vector<std::string> senders_of(const std::optional<TrustedKeys>& trust) {
+    return {trust ? AcceptedSenders::kAny : wire::kMonitorName};
+  }
   static std::unique_ptr<wire::Participant> join(const std::string& who) {
     auto joined = wire::Participant::join(who, kDomain);
     if (!joined) throw std::runtime_error(joined.error().message);

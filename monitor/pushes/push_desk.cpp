@@ -132,10 +132,14 @@ void PushDesk::watch(Open& open) {
   advance(open);
 }
 
-void PushDesk::note(const msg::ProgramPush& message) {
-  if (find(message.id)) return;
+void PushDesk::note(const msg::ProgramPush& announced) {
+  if (find(announced.id)) return;
+  msg::ProgramPush message = announced;
+  message.hash = hash_of_files(announced);
   const auto targets = targets_of(message.targets, parts_.team);
-  if (message.targets.empty()) parts_.team.note_push(message.hash);
+  // Robots refuse a push that announces a wrong hash.
+  const bool can_run = message.hash == announced.hash;
+  if (message.targets.empty() && can_run) parts_.team.note_push(message.hash);
   advance(*keep(Push::of_others(message, targets, clock_.now()), nullptr));
 }
 

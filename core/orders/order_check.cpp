@@ -38,6 +38,13 @@ Outcome check_times(const msg::Signature& signature, const CheckTimes& times) {
 
 }  // namespace
 
+std::string with_advice(const OrderRefusal& refusal) {
+  if (refusal.kind != Kind::kUntrusted) return refusal.why;
+  return refusal.why +
+         "; sign it with --key FILE, or add what 'galilean keys' prints to the file of the robot's "
+         "--trust";
+}
+
 Outcome OrderCheck::accept(const msg::Signature& signature, const Bytes& bytes,
                            const CheckTimes& times) {
   const TrustedKeys::Trusted* signer = trusted_.find(signature.key_id);

@@ -24,6 +24,9 @@ struct OrderRefusal {
   std::string why;  ///< it stands behind "was refused: "
 };
 
+/// Returns why, and what to do, for the one who gave the order.
+[[nodiscard]] std::string with_advice(const OrderRefusal& refusal);
+
 /// The time of a machine that checks orders.
 struct CheckTimes {
   std::int64_t now_ns;     ///< since the Unix epoch, UTC

@@ -78,7 +78,7 @@ void BreakDesk::refuse(const std::string& order_id, const OrderRefusal& refusal)
   // it.
   if (refusal.kind == OrderRefusal::Kind::kReplayed) return;
   const std::lock_guard lock(mutex_);
-  keep_answer(order_id, refusal.why);
+  keep_answer(order_id, with_advice(refusal));
 }
 
 Result<void> BreakDesk::carry_out(const msg::BreakOrder& order) {

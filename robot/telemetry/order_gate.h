@@ -69,7 +69,7 @@ class OrderGate {
   [[nodiscard]] static Times machine_times();
   void note(std::string what, std::string why, Origin origin);
   void tell(const Refused& refused);
-  void tell_unnamed(std::uint64_t count);
+  void tell_unnamed(std::uint64_t number);
   [[nodiscard]] std::string name_of(const Origin& origin);
   void count(const std::string& sender, const std::string& sentence, std::uint64_t more);
   void forget_old();

@@ -110,9 +110,9 @@ template <class M>
 Result<void, OrderRefusal> ProgramReceiver::handle_from(const OrderGate::Origin& origin,
                                                         const std::string& topic,
                                                         const M& message) {
-  if (auto admitted = gate_.admit(message, topic, what_is(message), origin); !admitted)
-    return admitted;
   using Kind = OrderRefusal::Kind;
+  if (const auto admitted = gate_.admit(message, topic, what_is(message), origin); !admitted)
+    return OrderRefusal{admitted.error().kind, with_advice(admitted.error())};
   const auto sender = origin.sender();
   const auto name = sender ? std::optional(sender->name) : std::nullopt;
   if (const auto accepted = source_.accepted_senders.accept(name); !accepted)

@@ -49,8 +49,9 @@ class Telemetry {
                    {.event = [this](const Event& event) { listen(event); },
                     .round =
                         [this](const Snapshot& newest) {
-                          breaks_.on_round(newest);
+                          // First the names: who is answered may leave at once.
                           gate_.on_round();
+                          breaks_.on_round(newest);
                         }}) {}
 
   /// Returns where other threads enter their problems, so that these are published too.

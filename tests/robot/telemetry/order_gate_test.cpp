@@ -13,7 +13,6 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
-using Kind = OrderRefusal::Kind;
 
 constexpr const char* kCommands = "rt/team/command";
 constexpr std::int64_t kNow_ns = 1'800'000'000'000'000'000;

@@ -10,6 +10,7 @@
 #include "bhdl/program/catalog_file.h"
 #include "core/installation.h"
 #include "core/wire/ros_time.h"
+#include "monitor/access/operator_key.h"
 #include "monitor/background/guarded.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/recordings/upload.h"
@@ -88,7 +89,7 @@ struct Monitor::Parts {
   std::string new_operator_token;
 
   Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-        std::unique_ptr<History> opened, Tokens tokens);
+        std::unique_ptr<History> opened, Tokens tokens, const std::shared_ptr<OrderSigner>& signer);
   ~Parts() {
     playbacks.finish();
     coverage.stop();
@@ -106,7 +107,8 @@ struct Monitor::Parts {
 };
 
 Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-                      std::unique_ptr<History> opened, Tokens tokens)
+                      std::unique_ptr<History> opened, Tokens tokens,
+                      const std::shared_ptr<OrderSigner>& signer)
     : participant(std::move(joined)),
       history(std::move(opened)),
       team(clock, options.map.silent_after),
@@ -120,9 +122,9 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
       trials(io, team,
              options.simulator.empty() ? program_folder() / "galilean-sim" : options.simulator,
              options.data_folder / "trials"),
-      desk({io, worker, team, library, *history, trials}, clock, *participant),
+      desk({io, worker, team, library, *history, trials, signer}, clock, *participant),
       simulations(io, worker, clock, *participant),
-      operations(worker, team, library, desk, *participant),
+      operations(worker, team, library, desk, *participant, signer),
       api({page,
            team,
            library,
@@ -195,10 +197,13 @@ Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) tr
   if (!history) return history.error();
   auto tokens = open_tokens(options.data_folder);
   if (!tokens) return tokens.error();
+  auto key = open_operator_key(options.data_folder);
+  if (!key) return key.error();
   auto participant = wire::Participant::join(wire::kMonitorName, options.domain);
   if (!participant) return participant.error();
   auto blocks = std::make_unique<Parts>(options, std::move(participant).value(),
-                                        std::move(history).value(), tokens.value());
+                                        std::move(history).value(), tokens.value(),
+                                        std::make_shared<OrderSigner>(std::move(key).value()));
   if (tokens.value().are_new) blocks->new_operator_token = tokens.value().operator_;
   const auto port = blocks->server.listen(options.address, options.port);
   if (!port) return port.error();

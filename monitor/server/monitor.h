@@ -20,7 +20,7 @@ struct MonitorOptions {
   int domain = -1;            ///< the DDS domain; negative: that of ROS_DOMAIN_ID, else 0
   std::filesystem::path page_folder;
   std::filesystem::path library_folder;
-  std::filesystem::path data_folder;  ///< keeps the tokens, the history of pushes and trials' files
+  std::filesystem::path data_folder;  ///< keeps tokens, key, history of pushes and trials' files
   std::filesystem::path recordings_folder;  ///< empty: "recordings" in the data folder
   std::filesystem::path catalog_file;
   std::filesystem::path simulator;  ///< galilean-sim's path; empty: the one beside this program

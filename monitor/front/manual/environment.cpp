@@ -20,11 +20,12 @@ constexpr std::array kVariables{
     EnvironmentVariable{"CYCLONEDDS_URI", "Settings of Cyclone DDS, in addition to Galilean's.",
                         "--domain", ""},
     EnvironmentVariable{"XDG_STATE_HOME",
-                        "The folder in which the folder galilean keeps the monitor's tokens and "
-                        "its history of pushes. Without it that is ~/.local/state.",
-                        "--data,--token-file,--monitor", "demo"},
+                        "The folder in which the folder galilean keeps the monitor's tokens, "
+                        "the operator's key and the history of pushes. Without it that is "
+                        "~/.local/state.",
+                        "--data,--token-file,--monitor,--key", "demo"},
     EnvironmentVariable{"HOME", "Your own folder, which ~ stands for.",
-                        "--data,--token-file,--monitor", "demo"},
+                        "--data,--token-file,--monitor,--key", "demo"},
     EnvironmentVariable{"USER",
                         "The author of pushes and orders, as others see it. Without it that is the "
                         "account's name.",

@@ -56,7 +56,7 @@ void Steering::say(Operator::Word word, const std::string& robot, bool to_all) {
   if (word == Operator::Word::kResume) end_stop_of(robot, to_all);
   const std::string id =
       voice_.say(word, to_all ? std::vector<std::string>{} : std::vector<std::string>{robot});
-  // Of all words robots refuse a step alone.
+  // Robots answer a step. Of other words they answer refusals alone.
   if (word == Operator::Word::kStep && !id.empty())
     answers_.expect(id, "", to_all ? heard() : std::vector<std::string>{robot}, clock_.now());
   notices_.tell_of_now((id.empty() ? "could not tell " : "told ") +

@@ -153,14 +153,17 @@ bool PushDesk::has_room_for_others() {
   return true;
 }
 
-void PushDesk::note(const msg::ProgramPush& told) {
-  if (find(told.id)) return;
+void PushDesk::note(const msg::ProgramPush& announced) {
+  if (find(announced.id)) return;
   if (!has_room_for_others())
     return refusals_.note(wire::kProgramPushTopic,
                           "more pushes than others make by hand are not recorded");
-  const msg::ProgramPush message = not_of_the_future(told);
+  msg::ProgramPush message = not_of_the_future(announced);
+  message.hash = hash_of_files(announced);
   const auto targets = targets_of(message.targets, parts_.team);
-  if (message.targets.empty()) parts_.team.note_push(message.hash);
+  // Robots refuse a push that announces a wrong hash.
+  const bool can_run = message.hash == announced.hash;
+  if (message.targets.empty() && can_run) parts_.team.note_push(message.hash);
   advance(*keep(Push::of_others(message, targets, clock_.now()), nullptr));
 }
 

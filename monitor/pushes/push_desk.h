@@ -42,7 +42,7 @@ class PushDesk {
   void describe(const std::string& id, Finish finish);
 
   /// Takes in a message that DDS brought.
-  void note(const msg::ProgramPush& push);
+  void note(const msg::ProgramPush& announced);
   void note(const msg::ProgramReply& reply);
 
  private:

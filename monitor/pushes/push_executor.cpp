@@ -21,8 +21,8 @@ void log_failure(const Result<void>& outcome) {
 PushExecutor::PushExecutor(const Parts& parts, wire::Participant& participant, Report report)
     : parts_(parts),
       report_(std::move(report)),
-      pushes_(participant, wire::kProgramPushTopic),
-      rollbacks_(participant, wire::kProgramRollbackTopic),
+      pushes_(participant, wire::kProgramPushTopic, parts.signer),
+      rollbacks_(participant, wire::kProgramRollbackTopic, parts.signer),
       progress_(participant, wire::kPushProgressTopic) {}
 
 Result<void> PushExecutor::carry_out(const std::string& push_id, PushRequest request) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "core/orders/signed_writer.h"
 #include "core/result.h"
 #include "core/wire/messages.h"
 #include "core/wire/participant.h"
@@ -32,6 +33,7 @@ class PushExecutor {
     const ProgramLibrary& library;
     History& history;  ///< only the worker's thread uses it
     const TrialRoom& trials;
+    std::shared_ptr<OrderSigner> signer = nullptr;  ///< signs the programs; null: nobody does
   };
   /// Reports the result of a request. It is called on the io_context's thread, and never from
   /// within `carry_out`.
@@ -57,8 +59,8 @@ class PushExecutor {
 
   Parts parts_;
   Report report_;
-  wire::Writer<msg::ProgramPush> pushes_;
-  wire::Writer<msg::ProgramRollback> rollbacks_;
+  SignedWriter<msg::ProgramPush> pushes_;
+  SignedWriter<msg::ProgramRollback> rollbacks_;
   wire::Writer<msg::PushProgress> progress_;
   std::map<std::string, std::unique_ptr<Trial>> trials_;  ///< under way, by their pushes' ids
 };

@@ -11,6 +11,7 @@
 #include "core/installation.h"
 #include "core/wire/refusals.h"
 #include "core/wire/ros_time.h"
+#include "monitor/access/operator_key.h"
 #include "monitor/access/token_watch.h"
 #include "monitor/background/guarded.h"
 #include "monitor/ingest/ingest.h"
@@ -112,7 +113,8 @@ struct Monitor::Parts {
   std::string fingerprint;
 
   Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-        std::unique_ptr<History> opened, const Tokens& tokens);
+        std::unique_ptr<History> opened, const Tokens& tokens,
+        const std::shared_ptr<OrderSigner>& signer);
   ~Parts() {
     playbacks.finish();
     coverage.stop();
@@ -134,7 +136,8 @@ struct Monitor::Parts {
 };
 
 Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-                      std::unique_ptr<History> opened, const Tokens& tokens)
+                      std::unique_ptr<History> opened, const Tokens& tokens,
+                      const std::shared_ptr<OrderSigner>& signer)
     : participant(std::move(joined)),
       history(std::move(opened)),
       team(clock, options.map.silent_after),
@@ -149,9 +152,9 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
       trials(io, team,
              options.simulator.empty() ? program_folder() / "galilean-sim" : options.simulator,
              options.data_folder / "trials"),
-      desk({io, worker, team, library, *history, trials}, clock, *participant),
+      desk({io, worker, team, library, *history, trials, signer}, clock, *participant),
       simulations(io, worker, clock, *participant),
-      operations(worker, team, library, desk, *participant),
+      operations(worker, team, library, desk, *participant, signer),
       api({page,
            team,
            library,
@@ -270,6 +273,8 @@ void Monitor::Parts::tell_graph() {
 Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) try {
   auto tokens = open_tokens(options.data_folder);
   if (!tokens) return tokens.error();
+  auto key = open_operator_key(options.data_folder);
+  if (!key) return key.error();
   auto participant = wire::Participant::join(wire::kMonitorName, options.domain);
   if (!participant) return participant.error();
   auto history = open_history(options, participant.value()->domain());
@@ -278,7 +283,8 @@ Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) tr
     std::clog << "galilean-monitor: " + sentence + "\n" << std::flush;
   });
   auto blocks = std::make_unique<Parts>(options, std::move(participant).value(),
-                                        std::move(history).value(), tokens.value());
+                                        std::move(history).value(), tokens.value(),
+                                        std::make_shared<OrderSigner>(std::move(key).value()));
   if (tokens.value().are_new) blocks->new_operator_token = tokens.value().operator_;
   if (options.tls)
     if (const auto begun = blocks->begin_tls(options); !begun) return begun.error();

@@ -10,6 +10,7 @@
 #include "core/wire/topic_names.h"
 #include "robot/executive/turn.h"
 #include "robot/log/log.h"
+#include "robot/telemetry/order_words.h"
 #include "robot/telemetry/targets.h"
 
 namespace galilean::robot {
@@ -64,8 +65,10 @@ ProbationRules rules_of(const msg::ProgramPush& push, ProbationRules rules) {
 
 }  // namespace
 
-ProgramReceiver::ProgramReceiver(const TelemetrySource& source, Worker::Report report)
+ProgramReceiver::ProgramReceiver(const TelemetrySource& source, OrderGate& gate,
+                                 Worker::Report report)
     : source_(source),
+      gate_(gate),
       vocabulary_(source.catalog),
       ledger_(source.executive),
       replies_(source.participant, wire::robot_topic(source.robot, "program_reply")),
@@ -87,28 +90,39 @@ void ProgramReceiver::wait_and_take(const std::stop_token& stop) {
     if (!wake_.wait(lock, stop, [this] { return std::exchange(arrived_, false); })) return;
   }
   // Pushes are taken first, because the rollback of a push that is cancelled at once follows it.
-  take_from<msg::ProgramPush>(pushes_);
-  take_from<msg::ProgramRollback>(rollbacks_);
+  take_from<msg::ProgramPush>(pushes_, wire::kProgramPushTopic);
+  take_from<msg::ProgramRollback>(rollbacks_, wire::kProgramRollbackTopic);
 }
 
 template <class M>
-void ProgramReceiver::take_from(wire::Reader& reader) {
-  reader.take([this, &reader](const wire::Received& received) {
+void ProgramReceiver::take_from(wire::Reader& reader, const std::string& topic) {
+  reader.take([this, &reader, &topic](const wire::Received& received) {
     M message;
     if (!msg::decode_cdr(received.cdr, message)) return;
     if (!is_meant(source_.robot, message.targets)) return;
     if (message.targets.empty() && !source_.executive.in_service()) return;
-    if (const auto done = handle_from(reader.sender(received), message); !done)
-      reject({message.id, message.hash, {}}, done.error().message);
+    const OrderGate::Origin origin{
+        received.writer, [&reader, writer = received.writer] { return reader.sender(writer); }};
+    const auto done = handle_from(origin, topic, message);
+    // The first answer to a push is the true one. Whoever sends it again must not change it.
+    if (!done && done.error().kind != OrderRefusal::Kind::kReplayed)
+      reject({message.id, message.hash, {}}, done.error().why);
   });
 }
 
 template <class M>
-Result<void> ProgramReceiver::handle_from(const std::optional<std::string>& sender,
-                                          const M& message) {
-  if (auto accepted = source_.accepted_senders.accept(sender); !accepted) return accepted;
+Result<void, OrderRefusal> ProgramReceiver::handle_from(const OrderGate::Origin& origin,
+                                                        const std::string& topic,
+                                                        const M& message) {
+  using Kind = OrderRefusal::Kind;
+  if (const auto admitted = gate_.admit(message, topic, what_is(message), origin); !admitted)
+    return OrderRefusal{admitted.error().kind, with_advice(admitted.error())};
+  const auto sender = origin.sender();
+  const auto name = sender ? std::optional(sender->name) : std::nullopt;
+  if (const auto accepted = source_.accepted_senders.accept(name); !accepted)
+    return OrderRefusal{Kind::kUntrusted, accepted.error().message};
   if (const auto done = attempt([&] { handle(message); }); !done)
-    return Error{"this robot could not handle it: " + done.error().message};
+    return OrderRefusal{Kind::kBroken, "this robot could not handle it: " + done.error().message};
   return {};
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/private_file.h"
 #include "monitor/pushes/history/history_rows.h"
+#include "monitor/pushes/history/push_messages.h"
 #include "monitor/pushes/history/sql.h"
 
 namespace galilean::monitor {
@@ -41,7 +42,9 @@ History::~History() {
   sqlite3_close(database_);
 }
 
-Result<void> History::add(const msg::ProgramPush& push, const Progress& progress) {
+Result<void> History::add(const msg::ProgramPush& announced, const Progress& progress) {
+  msg::ProgramPush push = announced;
+  push.hash = hash_of_files(announced);
   return sql::attempt([&] {
     sql::Transaction transaction(database_);
     rows::put_files(database_, push);

@@ -30,7 +30,9 @@ class History {
   History(const History&) = delete;
   History& operator=(const History&) = delete;
 
-  [[nodiscard]] Result<void> add(const msg::ProgramPush& push, const Progress& progress = {});
+  /// Keeps the program under the hash of its files, whatever hash `announced` names: anybody on DDS
+  /// could announce that of another program.
+  [[nodiscard]] Result<void> add(const msg::ProgramPush& announced, const Progress& progress = {});
   [[nodiscard]] Result<void> set_progress(const std::string& push_id, const Progress& progress);
   [[nodiscard]] Result<void> add_reply(const std::string& push_id, const RobotReply& reply);
 
@@ -42,7 +44,7 @@ class History {
   [[nodiscard]] Result<std::optional<PushRecord>> last_push_of(const std::string& hash) const;
   /// Returns the files of the program with this hash, the main file first. The beginning of the
   /// hash is enough if no other hash begins with it. Returns nothing if no program fits, or more
-  /// than one.
+  /// than one. Errors: its text was recorded under a wrong hash, by an earlier release.
   [[nodiscard]] Result<std::optional<std::vector<bhdl::SourceFile>>> program(
       const std::string& hash) const;
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "bhdl/source/sha256.h"
 #include "core/json_text.h"
 #include "core/wire/ros_time.h"
 #include "monitor/pushes/history/words.h"
@@ -183,6 +184,10 @@ std::optional<std::vector<bhdl::SourceFile>> files_of(sqlite3* database, const s
     files.push_back({rows.text(0), rows.text(1)});
   }
   if (files.empty()) return std::nullopt;
+  if (bhdl::program_hash(files) != found)
+    throw std::runtime_error("the text of program " + found +
+                             " was recorded under a wrong hash, and is another program's: push the "
+                             "program from its file");
   return files;
 }
 

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "bhdl/source/sha256.h"
 #include "core/wire/ros_time.h"
 #include "monitor/pushes/history/words.h"
 
@@ -29,6 +30,12 @@ msg::ProgramPush make_push(const bhdl::Program& program, const std::string& auth
   push.hash = program.hash;
   for (const auto& file : program.files) push.files.push_back({file.path, file.text});
   return push;
+}
+
+std::string hash_of_files(const msg::ProgramPush& push) {
+  std::vector<bhdl::SourceFile> files;
+  for (const auto& file : push.files) files.push_back({file.path, file.text});
+  return bhdl::program_hash(files);
 }
 
 msg::PushProgress progress_message(const PushRecord& push) {

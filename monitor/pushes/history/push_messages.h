@@ -18,6 +18,9 @@ namespace galilean::monitor {
 [[nodiscard]] msg::ProgramPush make_push(const bhdl::Program& program, const std::string& author,
                                          const std::vector<std::string>& targets,
                                          const std::string& replaces_hash = {});
+/// Returns the hash of the files that the push brings, as programs are called by it. The push
+/// itself may announce another one.
+[[nodiscard]] std::string hash_of_files(const msg::ProgramPush& push);
 /// Returns the message that says how far a push is, stamped now.
 [[nodiscard]] msg::PushProgress progress_message(const PushRecord& push);
 

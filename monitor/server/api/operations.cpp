@@ -90,13 +90,14 @@ Outcome refused(const RequestFields& fields) {
 }  // namespace
 
 Operations::Operations(Worker& worker, const Team& team, const ProgramLibrary& library,
-                       PushDesk& desk, wire::Participant& participant)
+                       PushDesk& desk, wire::Participant& participant,
+                       const std::shared_ptr<OrderSigner>& signer)
     : worker_(worker),
       team_(team),
       library_(library),
       desk_(desk),
-      commands_(participant, wire::kCommandTopic),
-      break_orders_(participant, wire::kBreakOrderTopic) {}
+      commands_(participant, wire::kCommandTopic, signer),
+      break_orders_(participant, wire::kBreakOrderTopic, signer) {}
 
 void Operations::check(const nlohmann::json& request, Finish finish) {
   RequestFields fields(request);
@@ -161,7 +162,7 @@ void Operations::order_breaks(const nlohmann::json& request, Finish finish) {
 }
 
 template <class M>
-void Operations::send(wire::Writer<M>& writer, M message, Finish finish) {
+void Operations::send(SignedWriter<M>& writer, M message, Finish finish) {
   for (const auto& target : message.targets)
     if (!team_.find(target)) return finish({404, {}, "There is no robot '" + target + "'."});
   message.id = new_id();

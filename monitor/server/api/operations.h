@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/orders/signed_writer.h"
 #include "monitor/programs/library.h"
 #include "monitor/pushes/push_desk.h"
 #include "monitor/server/api/outcome.h"
@@ -17,8 +19,9 @@ namespace galilean::monitor {
 /// use on the io_context's thread, where `finish` is called, too.
 class Operations {
  public:
+  /// `signer` signs the orders; null: nobody does.
   Operations(Worker& worker, const Team& team, const ProgramLibrary& library, PushDesk& desk,
-             wire::Participant& participant);
+             wire::Participant& participant, const std::shared_ptr<OrderSigner>& signer = nullptr);
 
   void check(const nlohmann::json& request, Finish finish);
   void push(const nlohmann::json& request, Finish finish);
@@ -34,14 +37,14 @@ class Operations {
   /// Gives the message its id and stamp, and sends it. Finishes with 404 if it is for a robot that
   /// nobody has heard.
   template <class M>
-  void send(wire::Writer<M>& writer, M message, Finish finish);
+  void send(SignedWriter<M>& writer, M message, Finish finish);
 
   Worker& worker_;
   const Team& team_;
   const ProgramLibrary& library_;
   PushDesk& desk_;
-  wire::Writer<msg::Command> commands_;
-  wire::Writer<msg::BreakOrder> break_orders_;
+  SignedWriter<msg::Command> commands_;
+  SignedWriter<msg::BreakOrder> break_orders_;
 };
 
 }  // namespace galilean::monitor

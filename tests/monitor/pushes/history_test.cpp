@@ -14,6 +14,7 @@
 #include "core/wire/messages.h"
 #include "core/wire/ros_time.h"
 #include "monitor/pushes/history/history_folder.h"
+#include "monitor/pushes/history/push_messages.h"
 #include "monitor/pushes/history/sql.h"
 #include "tests/temporary_folder.h"
 
@@ -27,9 +28,9 @@ msg::ProgramPush push(int number) {
   result.id = std::to_string(number);
   result.stamp = wire::ros_time(1'000'000'000LL * number);
   result.author = "operator";
-  result.hash = "hash" + std::to_string(number % 3);
   result.targets = {"io", "ganymede"};
   result.files = {{"main.bhdl", "text " + std::to_string(number % 3)}, {"parts.bhdl", "parts"}};
+  result.hash = hash_of_files(result);
   return result;
 }
 
@@ -84,8 +85,8 @@ TEST_F(HistoryTest, RemembersWhoPushedWhatToWhomAndWhatBecameOfIt) {
   EXPECT_EQ(records[0].replies[0].status, ReplyStatus::kRolledBack);
   EXPECT_EQ(records[0].replies[0].reply.message, "overran its ticks");
   EXPECT_EQ(records[0].replies[0].latency_ms, 12.5);
-  EXPECT_EQ(history.value()->program("hash2").value()->at(0).text, "text 2");
-  EXPECT_FALSE(history.value()->program("hash9").value());
+  EXPECT_EQ(history.value()->program(push(2).hash).value()->at(0).text, "text 2");
+  EXPECT_FALSE(history.value()->program("9999").value());
 }
 
 /// Adds pushes, their outcome and their end, and tells each number once all has returned.
@@ -216,7 +217,7 @@ TEST_F(HistoryTest, RemembersHowFarAPushCameAndThatItWasInterrupted) {
   EXPECT_EQ(cancelled->progress.steps[1].state, StepState::kCancelled);
   EXPECT_EQ(cancelled->progress.steps[1].detail, "cancelled by balch");
   EXPECT_EQ(cancelled->progress.trial, (nlohmann::json{{"runs", 8}}));
-  EXPECT_EQ(history.value()->last_push_of("hash2").value()->id, "2");
+  EXPECT_EQ(history.value()->last_push_of(push(2).hash).value()->id, "2");
   EXPECT_FALSE(history.value()->push("3").value());
 }
 
@@ -269,16 +270,43 @@ TEST_F(HistoryTest, AFileThatBreaksIsAnErrorOfTheCallAndNoException) {
   EXPECT_FALSE(history.value()->add_reply("1", {.robot = "io"}));
   EXPECT_FALSE(history.value()->pushes(10));
   EXPECT_FALSE(history.value()->push("1"));
-  EXPECT_FALSE(history.value()->last_push_of("hash1"));
+  EXPECT_FALSE(history.value()->last_push_of(push(1).hash));
 }
 
 TEST_F(HistoryTest, TheBeginningOfAHashWillDoWhereItIsTheOnlyOne) {
   auto history = History::open(file);
   EXPECT_TRUE(history.value()->add(push(1)));
-  EXPECT_TRUE(history.value()->program("ha").value());
+  EXPECT_TRUE(history.value()->program("").value());
+  EXPECT_TRUE(history.value()->program(push(1).hash.substr(0, 32)).value());
   EXPECT_TRUE(history.value()->add(push(2)));
-  EXPECT_FALSE(history.value()->program("ha").value()) << "hash1 or hash2?";
-  EXPECT_TRUE(history.value()->program("hash2").value());
+  EXPECT_FALSE(history.value()->program("").value()) << "which of the two?";
+  EXPECT_TRUE(history.value()->program(push(2).hash.substr(0, 32)).value());
+}
+
+TEST_F(HistoryTest, APushThatAnnouncesAnothersHashDoesNotTakeItsPlace) {
+  auto history = History::open(file);
+  ASSERT_TRUE(history);
+  auto forged = push(2);
+  forged.id = "forged";
+  forged.hash = push(1).hash;
+  EXPECT_TRUE(history.value()->add(forged));
+  EXPECT_FALSE(history.value()->program(push(1).hash).value());
+  EXPECT_TRUE(history.value()->add(push(1)));
+  EXPECT_EQ(history.value()->program(push(1).hash).value()->at(0).text, "text 1");
+  EXPECT_EQ(history.value()->push("forged").value()->hash, push(2).hash);
+  EXPECT_EQ(history.value()->last_push_of(push(1).hash).value()->id, "1");
+}
+
+TEST_F(HistoryTest, ATextUnderAWrongHashIsToldAndNotGiven) {
+  auto history = History::open(file);
+  EXPECT_TRUE(history.value()->add(push(1)));
+  sqlite3* other = nullptr;
+  sqlite3_open(file.c_str(), &other);
+  sql::execute(other, "UPDATE program_file SET text = 'another' WHERE position = 0;");
+  sqlite3_close(other);
+  const auto found = history.value()->program(push(1).hash);
+  ASSERT_FALSE(found);
+  EXPECT_NE(found.error().message.find("recorded under a wrong hash"), std::string::npos);
 }
 
 TEST_F(HistoryTest, AFolderThatCannotBeWrittenIsAnErrorThatSaysWhatToDo) {

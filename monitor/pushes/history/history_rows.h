@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,17 +14,24 @@
 
 namespace galilean::monitor::rows {
 
-// Reads and writes the history's tables. All functions throw std::runtime_error if the disk cannot
-// be read or written.
+// Reads and writes the history's tables of pushes. They hold what the chain tells last, so that it
+// is found fast: whoever changes one adds to the chain. All functions throw std::runtime_error if
+// the disk cannot be read or written.
 
-/// Makes the tables if they are missing. Marks pushes that were still running as interrupted.
+/// Makes the tables if they are missing.
 void create_tables(sqlite3* database);
 
+/// Stores a text under the hash that it has, whatever hash `push` announces.
 void put_files(sqlite3* database, const msg::ProgramPush& push);
-void put_push(sqlite3* database, const msg::ProgramPush& push);
+/// Returns false if there is a push of this id, which is left as it is.
+[[nodiscard]] bool put_push(sqlite3* database, const msg::ProgramPush& push);
 void put_progress(sqlite3* database, const std::string& push_id, const Progress& progress);
 void put_reply(sqlite3* database, const std::string& push_id, const RobotReply& reply);
 
+/// Changes the state alone, whatever else the row holds.
+void set_state(sqlite3* database, const std::string& push_id, PushState state);
+/// Returns the ids of the pushes in this state.
+[[nodiscard]] std::vector<std::string> in_state(sqlite3* database, PushState state);
 /// Returns a query for pushes that ends with `condition`. The caller binds its parameters.
 [[nodiscard]] sql::Statement select_pushes(sqlite3* database, const std::string& condition);
 [[nodiscard]] std::vector<PushRecord> records_of(sqlite3* database, sql::Statement& rows);
@@ -30,8 +39,19 @@ void put_reply(sqlite3* database, const std::string& push_id, const RobotReply& 
 [[nodiscard]] std::optional<PushRecord> record_of(sqlite3* database, sql::Statement& rows);
 
 /// Returns the files of the program whose hash begins with `hash`; nothing if none does, or
-/// several.
+/// several. Throws if they have another hash.
 [[nodiscard]] std::optional<std::vector<bhdl::SourceFile>> files_of(sqlite3* database,
                                                                     const std::string& hash);
+
+/// A row of a table as the chain holds it.
+struct Told {
+  std::string subject;  ///< the push's id
+  std::string robot;    ///< of a reply; else empty
+  nlohmann::json content;
+};
+/// Returns the rows of kind chain::kPush, kReply or kProgress of a push; without an id, those of
+/// all pushes, in the order of their ids.
+[[nodiscard]] std::vector<Told> told(sqlite3* database, const char* kind,
+                                     const std::optional<std::string>& push_id = {});
 
 }  // namespace galilean::monitor::rows

@@ -69,6 +69,7 @@ struct Monitor::Parts {
   asio::steady_timer tell_timer{io};
   SendRounds rounds{io};
   Worker worker{io};
+  Worker order_worker{io};
   Worker language_worker{io};
   Worker recording_worker{io};
   Worker transfer_worker{io};
@@ -79,6 +80,8 @@ struct Monitor::Parts {
   TrialRoom trials;
   PushDesk desk;
   SimulationDesk simulations;
+  OrderLog orders;
+  HistoryWatch history_watch;
   Operations operations;
   Api api;
   HttpServer server;
@@ -95,6 +98,7 @@ struct Monitor::Parts {
     coverage_worker.finish();
     recording_worker.finish();
     transfer_worker.finish();
+    order_worker.finish();
     worker.finish();
     language_worker.finish();
     hub.forget_demand();
@@ -102,6 +106,7 @@ struct Monitor::Parts {
 
   [[nodiscard]] Ingest::Callbacks callbacks();
   void receive(const Message& message);
+  void keep_order(const Message& message);
   void tell_regularly();
 };
 
@@ -122,7 +127,9 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
              options.data_folder / "trials"),
       desk({io, worker, team, library, *history, trials}, clock, *participant),
       simulations(io, worker, clock, *participant),
-      operations(worker, team, library, desk, *participant),
+      orders({io, worker, team, *history, clock}),
+      history_watch({io, worker, order_worker, *history, clock}, *participant),
+      operations({worker, order_worker, team, library, desk, orders}, *participant),
       api({page,
            team,
            library,
@@ -133,6 +140,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
            simulations,
            worker,
            *history,
+           history_watch,
            {recordings, recording_list, recording_worker, coverage}}),
       server(io, {Guard(options.address, options.allowed_origins),
                   Access(std::move(tokens), is_loopback(options.address)),
@@ -176,12 +184,27 @@ void Monitor::Parts::receive(const Message& message) {
   decode_for<msg::ProgramPush>(message, [this](const auto& push) { desk.note(push); });
   decode_for<msg::SimulationState>(message, [this](const auto& state) { simulations.note(state); });
   decode_for<msg::SimulationEvent>(message, [this](const auto& event) { simulations.note(event); });
+  if (!message.replayed) keep_order(message);
+}
+
+/// Keeps an order, or what became of one, whoever gave it: through this monitor or past it.
+void Monitor::Parts::keep_order(const Message& message) {
+  const auto note = [this](const auto& told) { orders.note(told); };
+  decode_for<msg::Command>(message, note);
+  decode_for<msg::BreakOrder>(message, note);
+  decode_for<msg::ProgramRollback>(message, note);
+  decode_for<msg::SimulationOrder>(message, note);
+  decode_for<msg::Breaks>(message, note);
+  decode_for<msg::ProgramReply>(message, note);
+  decode_for<msg::SimulationEvent>(message, note);
 }
 
 void Monitor::Parts::tell_regularly() {
   (void)guarded("telling the clients", [this] {
     hub.send_time(wire::wall_clock_ns());
-    hub.send_parameters(team_parameters(team));
+    auto parameters = team_parameters(team);
+    parameters["/team.history_problem"] = history_watch.problem();
+    hub.send_parameters(std::move(parameters));
     if (hub.graph_is_watched()) hub.send_graph(connection_graph(graph.topics()));
   });
   tell_timer.expires_after(kTellPeriod);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "monitor/pushes/history_watch.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/http/http_server.h"
 #include "monitor/team/team.h"
@@ -12,6 +13,7 @@ namespace galilean::monitor {
 /// Returns the metrics in Prometheus' text format 0.0.4. `map_update_s` is how long the map's last
 /// update took.
 [[nodiscard]] std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocket,
-                                       const HttpServer::Counts& http, double map_update_s);
+                                       const HttpServer::Counts& http, double map_update_s,
+                                       const HistoryWatch& history);
 
 }  // namespace galilean::monitor

@@ -8,6 +8,7 @@
 #include "core/wire/ros_time.h"
 #include "core/wire/topic_names.h"
 #include "monitor/background/guarded.h"
+#include "monitor/team/history_status.h"
 
 namespace galilean::monitor {
 namespace {
@@ -88,7 +89,7 @@ void HistoryWatch::tell() {
   message.header.stamp = wire::ros_time(wire::wall_clock_ns());
   auto& status = message.status.emplace_back();
   status.level = now.empty() ? kGoodLevel : kErrorLevel;
-  status.name = "galilean-monitor: history";
+  status.name = kHistoryStatusName;
   status.message = now.empty() ? "The history can be written." : now;
   status.hardware_id = "galilean-monitor";
   parts_.sender.run([this, message] { (void)diagnostics_.write(message); });

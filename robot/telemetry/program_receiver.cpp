@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/program_receiver.h"
 
+#include <optional>
 #include <utility>
 
 #include "bhdl/source/sha256.h"
@@ -128,6 +129,8 @@ void ProgramReceiver::wait_until_runs(const std::string& hash) const {
 }
 
 void ProgramReceiver::handle(const msg::ProgramPush& message) {
+  // Whoever sends a push twice means one: what has been pushed since then runs on.
+  if (answer_again(message)) return;
   PushLedger::Push push{message.id, message.hash, {}};
   auto files = files_of(message);
   if (const auto admitted = admit(message, files); !admitted)
@@ -187,9 +190,34 @@ void ProgramReceiver::reject(const PushLedger::Push& push, std::string why,
 void ProgramReceiver::send(msg::ProgramReply reply) {
   reply.stamp = WallTime::now();
   reply.robot = source_.robot;
+  remember(reply);
   if (!replies_.write(reply))
     log_warning("the answer to push " + reply.id +
                 " could not be sent, because DDS did not accept it");
+}
+
+void ProgramReceiver::remember(const msg::ProgramReply& reply) {
+  constexpr std::size_t kMostRemembered = 64;
+  const std::lock_guard lock(answered_mutex_);
+  std::erase_if(answered_, [&](const msg::ProgramReply& known) {
+    return known.id == reply.id && known.hash == reply.hash;
+  });
+  answered_.push_back(reply);
+  if (answered_.size() > kMostRemembered) answered_.pop_front();
+}
+
+bool ProgramReceiver::answer_again(const msg::ProgramPush& push) {
+  std::optional<msg::ProgramReply> answer;
+  {
+    const std::lock_guard lock(answered_mutex_);
+    for (const auto& known : answered_)
+      if (known.id == push.id && known.hash == push.hash) answer = known;
+  }
+  if (!answer) return false;
+  if (!replies_.write(*answer))
+    log_warning("the answer to push " + push.id +
+                " could not be sent again, because DDS did not accept it");
+  return true;
 }
 
 }  // namespace galilean::robot

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <deque>
 #include <mutex>
 
 #include "bhdl/check.h"
@@ -44,11 +45,16 @@ class ProgramReceiver {
   void reject(const PushLedger::Push& push, std::string why,
               std::vector<msg::Diagnostic> diagnostics = {});
   void send(msg::ProgramReply reply);
+  /// Answers a push that came before as it was answered last. Returns false if it is a new one.
+  [[nodiscard]] bool answer_again(const msg::ProgramPush& push);
+  void remember(const msg::ProgramReply& reply);
 
   TelemetrySource source_;
   const bhdl::Vocabulary vocabulary_;
   PushLedger ledger_;
   wire::Writer<msg::ProgramReply> replies_;
+  std::mutex answered_mutex_;
+  std::deque<msg::ProgramReply> answered_;  ///< the newest reply to each of the newest pushes
   std::mutex mutex_;
   std::condition_variable_any wake_;
   bool arrived_ = true;

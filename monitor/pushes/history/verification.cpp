@@ -185,8 +185,9 @@ Result<Verification> verify_history(const std::filesystem::path& file) {
 
 std::string in_words(const Verification& verification) {
   if (!verification.broken)
-    return "The history is whole: " + std::to_string(verification.rows) +
-           " rows, the last one with the hash " + verification.head + ".";
+    return "The history is whole: " + std::to_string(verification.rows) + " rows" +
+           (verification.head.empty() ? "" : ", the last one with the hash " + verification.head) +
+           ".";
   const auto& row = *verification.broken;
   const std::string which = row.number == 0
                                 ? "One row that the chain does not know"

@@ -9,6 +9,7 @@
 #include "bhdl/source/sha256.h"
 #include "monitor/pushes/history/chain.h"
 #include "monitor/pushes/history/history_rows.h"
+#include "monitor/pushes/history/told_rows.h"
 
 namespace galilean::monitor {
 namespace {

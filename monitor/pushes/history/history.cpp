@@ -14,6 +14,7 @@
 #include "monitor/pushes/history/order_rows.h"
 #include "monitor/pushes/history/sql.h"
 #include "monitor/pushes/history/told_later.h"
+#include "monitor/pushes/history/told_rows.h"
 
 namespace galilean::monitor {
 namespace {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,16 +41,5 @@ void set_state(sqlite3* database, const std::string& push_id, PushState state);
 /// several. Throws if they have another hash.
 [[nodiscard]] std::optional<std::vector<bhdl::SourceFile>> files_of(sqlite3* database,
                                                                     const std::string& hash);
-
-/// A row of a table as the chain holds it.
-struct Told {
-  std::string subject;  ///< the push's id
-  std::string robot;    ///< of a reply; else empty
-  nlohmann::json content;
-};
-/// Returns the rows of kind chain::kPush, kReply or kProgress of a push; without an id, those of
-/// all pushes, in the order of their ids.
-[[nodiscard]] std::vector<Told> told(sqlite3* database, const char* kind,
-                                     const std::optional<std::string>& push_id = {});
 
 }  // namespace galilean::monitor::rows

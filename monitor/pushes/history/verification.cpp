@@ -14,6 +14,7 @@
 #include "core/json_text.h"
 #include "monitor/pushes/history/chain.h"
 #include "monitor/pushes/history/history_rows.h"
+#include "monitor/pushes/history/told_rows.h"
 
 namespace galilean::monitor {
 namespace {

@@ -34,8 +34,8 @@ class DashboardModel {
   [[nodiscard]] const std::deque<msg::ProgramReply>& replies() const noexcept { return replies_; }
   /// Returns the name of the program that a push brought, or an empty string.
   [[nodiscard]] std::string pushed_name(const std::string& push_id) const;
-  /// Returns what the monitor tells to be wrong with its history; empty if nothing is, or if it told
-  /// nothing in the last 5 s.
+  /// Returns what the monitor tells to be wrong with its history; empty if nothing is, or if it
+  /// told nothing in the last 5 s.
   [[nodiscard]] std::string history_problem() const;
   /// Returns the map's objects; nullptr if no message with them came in the last 5 s.
   [[nodiscard]] const msg::ObjectMap* objects() const noexcept;

@@ -14,8 +14,9 @@ namespace galilean::monitor {
 namespace {
 
 constexpr auto kLookAtDiskEach = std::chrono::milliseconds(500);
-/// A disk that has not answered for so long is told of.
-constexpr Duration kDiskPatience = std::chrono::milliseconds(900);
+/// A disk that has not answered for so long is told of. Checks of programs, which the same thread
+/// does, take less.
+constexpr Duration kDiskPatience = std::chrono::seconds(3);
 constexpr std::uint8_t kGoodLevel = 0, kErrorLevel = 2;
 
 }  // namespace

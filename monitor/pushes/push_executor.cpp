@@ -91,10 +91,21 @@ const Trial* PushExecutor::trial(const std::string& push_id) const {
 
 Result<void> PushExecutor::carry_out(const std::string& push_id, SendProgram request) {
   if (request.is_for_team) parts_.team.note_push(request.push.hash);
+  // What is sent must be known after this process was killed, so that what the robots tell of it
+  // then is understood.
   parts_.worker.run(
-      [this, push = std::move(request.push)] { return pushes_.write(push); },
-      [this, push_id](bool taken) {
-        if (!taken) report_(push_id, SendFailed{});
+      [this, push_id, request = std::move(request)]() -> Result<bool> {
+        if (const auto kept =
+                parts_.history.add_sending(push_id, request.progress, request.awaited);
+            !kept)
+          return kept.error();
+        return pushes_.write(request.push);
+      },
+      [this, push_id](const Result<bool>& sent) {
+        if (!sent)
+          report_(push_id, RequestFailed{sent.error().message + "; the program was not sent"});
+        else if (!sent.value())
+          report_(push_id, SendFailed{});
       },
       [this, push_id](const std::string& why) { report_(push_id, RequestFailed{why}); });
   return {};
@@ -132,10 +143,14 @@ Result<void> PushExecutor::carry_out(const std::string& push_id, RecordReply req
 Result<void> PushExecutor::carry_out(const std::string& push_id, TellProgress request) {
   parts_.worker.run([this, push_id, message = progress_message(request.push),
                      progress = std::move(request.push.progress)] {
-    (void)progress_.write(message);
     log_failure(parts_.history.set_progress(push_id, progress));
+    (void)progress_.write(message);
   });
   return {};
+}
+
+void PushExecutor::publish(const PushRecord& push) {
+  parts_.worker.run([this, message = progress_message(push)] { (void)progress_.write(message); });
 }
 
 }  // namespace galilean::monitor

@@ -43,6 +43,8 @@ class PushExecutor {
 
   /// Begins a request of a push, whose result is then reported. Errors: it could not be begun.
   [[nodiscard]] Result<void> carry_out(const std::string& push_id, PushRequest request);
+  /// Publishes how far a push is that the history holds.
+  void publish(const PushRecord& push);
   /// Returns the push's trial; null if none is under way.
   [[nodiscard]] const Trial* trial(const std::string& push_id) const;
 

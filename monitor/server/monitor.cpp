@@ -92,6 +92,7 @@ struct Monitor::Parts {
   TokenWatch token_watch;
   SendRounds rounds{io};
   Worker worker{io};
+  Worker order_worker{io};
   Worker language_worker{io};
   Worker recording_worker{io};
   Worker transfer_worker{io};
@@ -102,6 +103,8 @@ struct Monitor::Parts {
   TrialRoom trials;
   PushDesk desk;
   SimulationDesk simulations;
+  OrderLog orders;
+  HistoryWatch history_watch;
   Operations operations;
   Api api;
   HttpServer server;
@@ -121,6 +124,7 @@ struct Monitor::Parts {
     coverage_worker.finish();
     recording_worker.finish();
     transfer_worker.finish();
+    order_worker.finish();
     worker.finish();
     language_worker.finish();
     hub.forget_demand();
@@ -129,6 +133,7 @@ struct Monitor::Parts {
   [[nodiscard]] Ingest::Callbacks callbacks();
   void receive(const Message& message);
   [[nodiscard]] Result<void> begin_tls(const MonitorOptions& options);
+  void keep_order(const Message& message);
   void tell_regularly();
   void look_at_tokens();
   void look_at_tokens_regularly();
@@ -154,7 +159,9 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
              options.data_folder / "trials"),
       desk({io, worker, team, library, *history, trials, signer}, clock, *participant),
       simulations(io, worker, clock, *participant),
-      operations(worker, team, library, desk, *participant, signer),
+      orders({io, worker, team, *history, clock}),
+      history_watch({io, worker, order_worker, *history, clock}, *participant),
+      operations({worker, order_worker, team, library, desk, orders}, *participant, signer),
       api({page,
            team,
            library,
@@ -165,6 +172,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
            simulations,
            worker,
            *history,
+           history_watch,
            {recordings, recording_list, recording_worker, coverage}}),
       server(io, {Guard(options.address, options.allowed_origins, options.tls ? "https" : "http"),
                   Access(tokens, is_loopback(options.address)),
@@ -210,12 +218,27 @@ void Monitor::Parts::receive(const Message& message) {
   decode_for<msg::ProgramPush>(message, [this](const auto& push) { desk.note(push); });
   decode_for<msg::SimulationState>(message, [this](const auto& state) { simulations.note(state); });
   decode_for<msg::SimulationEvent>(message, [this](const auto& event) { simulations.note(event); });
+  if (!message.replayed) keep_order(message);
+}
+
+/// Keeps an order, or what became of one, whoever gave it: through this monitor or past it.
+void Monitor::Parts::keep_order(const Message& message) {
+  const auto note = [this](const auto& told) { orders.note(told); };
+  decode_for<msg::Command>(message, note);
+  decode_for<msg::BreakOrder>(message, note);
+  decode_for<msg::ProgramRollback>(message, note);
+  decode_for<msg::SimulationOrder>(message, note);
+  decode_for<msg::Breaks>(message, note);
+  decode_for<msg::ProgramReply>(message, note);
+  decode_for<msg::SimulationEvent>(message, note);
 }
 
 void Monitor::Parts::tell_regularly() {
   (void)guarded("telling the clients", [this] {
     hub.send_time(wire::wall_clock_ns());
-    hub.send_parameters(team_parameters(team));
+    auto parameters = team_parameters(team);
+    parameters["/team.history_problem"] = history_watch.problem();
+    hub.send_parameters(std::move(parameters));
     tell_graph();
   });
   tell_timer.expires_after(kTellPeriod);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/program_receiver.h"
 
+#include <optional>
 #include <utility>
 
 #include "bhdl/source/sha256.h"
@@ -104,9 +105,7 @@ void ProgramReceiver::take_from(wire::Reader& reader, const std::string& topic) 
     const OrderGate::Origin origin{
         received.writer, [&reader, writer = received.writer] { return reader.sender(writer); }};
     const auto done = handle_from(origin, topic, message);
-    // The first answer to a push is the true one. Whoever sends it again must not change it.
-    if (!done && done.error().kind != OrderRefusal::Kind::kReplayed)
-      reject({message.id, message.hash, {}}, done.error().why);
+    if (!done) refuse({message.id, message.hash, {}}, done.error());
   });
 }
 
@@ -147,6 +146,8 @@ void ProgramReceiver::wait_until_runs(const std::string& hash) const {
 }
 
 void ProgramReceiver::handle(const msg::ProgramPush& message) {
+  // Whoever sends a push twice means one: what has been pushed since then runs on.
+  if (answer_again(message)) return;
   PushLedger::Push push{message.id, message.hash, {}};
   auto files = files_of(message);
   if (const auto admitted = admit(message, files); !admitted)
@@ -200,24 +201,70 @@ void ProgramReceiver::on_event(const Event& event) {
   for (auto& reply : ledger_.answers(event)) send(std::move(reply));
 }
 
-void ProgramReceiver::reject(const PushLedger::Push& push, std::string why,
-                             std::vector<msg::Diagnostic> diagnostics) {
+msg::ProgramReply ProgramReceiver::rejection(const PushLedger::Push& push, std::string why,
+                                             std::vector<msg::Diagnostic> diagnostics) const {
   log_warning("program " + std::string(cut_text(push.hash, kShownOfHash)) +
               " was rejected: " + why);
-  send({.id = push.id,
-        .hash = push.hash,
-        .running_hash = ledger_.running_hash(),
-        .status = status::REJECTED,
-        .message = std::move(why),
-        .diagnostics = std::move(diagnostics)});
+  return {.id = push.id,
+          .hash = push.hash,
+          .running_hash = ledger_.running_hash(),
+          .status = status::REJECTED,
+          .message = std::move(why),
+          .diagnostics = std::move(diagnostics)};
+}
+
+void ProgramReceiver::reject(const PushLedger::Push& push, std::string why,
+                             std::vector<msg::Diagnostic> diagnostics) {
+  send(rejection(push, std::move(why), std::move(diagnostics)));
+}
+
+void ProgramReceiver::refuse(const PushLedger::Push& push, const OrderRefusal& refusal) {
+  // The first answer to a push is the true one. Whoever sends it again must not change it.
+  if (refusal.kind == OrderRefusal::Kind::kReplayed) return;
+  // It is not remembered: a stranger who sends a push first must not spoil the true one's answer.
+  write(stamped(rejection(push, refusal.why, {})));
 }
 
 void ProgramReceiver::send(msg::ProgramReply reply) {
+  reply = stamped(std::move(reply));
+  remember(reply);
+  write(reply);
+}
+
+msg::ProgramReply ProgramReceiver::stamped(msg::ProgramReply reply) const {
   reply.stamp = WallTime::now();
   reply.robot = source_.robot;
+  return reply;
+}
+
+void ProgramReceiver::write(const msg::ProgramReply& reply) {
   if (!replies_.write(reply))
     log_warning("the answer to push " + reply.id +
                 " could not be sent, because DDS did not accept it");
+}
+
+void ProgramReceiver::remember(const msg::ProgramReply& reply) {
+  constexpr std::size_t kMostRemembered = 64;
+  const std::lock_guard lock(answered_mutex_);
+  std::erase_if(answered_, [&](const msg::ProgramReply& known) {
+    return known.id == reply.id && known.hash == reply.hash;
+  });
+  answered_.push_back(reply);
+  if (answered_.size() > kMostRemembered) answered_.pop_front();
+}
+
+bool ProgramReceiver::answer_again(const msg::ProgramPush& push) {
+  std::optional<msg::ProgramReply> answer;
+  {
+    const std::lock_guard lock(answered_mutex_);
+    for (const auto& known : answered_)
+      if (known.id == push.id && known.hash == push.hash) answer = known;
+  }
+  if (!answer) return false;
+  if (!replies_.write(*answer))
+    log_warning("the answer to push " + push.id +
+                " could not be sent again, because DDS did not accept it");
+  return true;
 }
 
 }  // namespace galilean::robot

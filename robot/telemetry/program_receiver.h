@@ -2,6 +2,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <deque>
 #include <mutex>
 
 #include "bhdl/check.h"
@@ -46,13 +47,25 @@ class ProgramReceiver {
   void keep_proven(const Event& event) const;
   void reject(const PushLedger::Push& push, std::string why,
               std::vector<msg::Diagnostic> diagnostics = {});
+  /// Answers a message that was not handled.
+  void refuse(const PushLedger::Push& push, const OrderRefusal& refusal);
+  [[nodiscard]] msg::ProgramReply rejection(const PushLedger::Push& push, std::string why,
+                                            std::vector<msg::Diagnostic> diagnostics) const;
   void send(msg::ProgramReply reply);
+  /// Returns the reply as this robot's of now.
+  [[nodiscard]] msg::ProgramReply stamped(msg::ProgramReply reply) const;
+  void write(const msg::ProgramReply& reply);
+  /// Answers a push that came before as it was answered last. Returns false if it is a new one.
+  [[nodiscard]] bool answer_again(const msg::ProgramPush& push);
+  void remember(const msg::ProgramReply& reply);
 
   TelemetrySource source_;
   OrderGate& gate_;
   const bhdl::Vocabulary vocabulary_;
   PushLedger ledger_;
   wire::Writer<msg::ProgramReply> replies_;
+  std::mutex answered_mutex_;
+  std::deque<msg::ProgramReply> answered_;  ///< the newest reply to each of the newest pushes
   std::mutex mutex_;
   std::condition_variable_any wake_;
   bool arrived_ = true;

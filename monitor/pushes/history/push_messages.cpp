@@ -18,6 +18,12 @@ std::string new_id() {
   return id;
 }
 
+std::string hash_of_files(const msg::ProgramPush& push) {
+  std::vector<bhdl::SourceFile> files;
+  for (const auto& file : push.files) files.push_back({file.path, file.text});
+  return files.empty() ? std::string() : bhdl::program_hash(files);
+}
+
 msg::ProgramPush make_push(const bhdl::Program& program, const std::string& author,
                            const std::vector<std::string>& targets,
                            const std::string& replaces_hash) {
@@ -30,12 +36,6 @@ msg::ProgramPush make_push(const bhdl::Program& program, const std::string& auth
   push.hash = program.hash;
   for (const auto& file : program.files) push.files.push_back({file.path, file.text});
   return push;
-}
-
-std::string hash_of_files(const msg::ProgramPush& push) {
-  std::vector<bhdl::SourceFile> files;
-  for (const auto& file : push.files) files.push_back({file.path, file.text});
-  return bhdl::program_hash(files);
 }
 
 msg::PushProgress progress_message(const PushRecord& push) {

@@ -14,13 +14,13 @@ namespace galilean::monitor {
 /// Returns a random id for a push or a command, which no other has.
 [[nodiscard]] std::string new_id();
 
+/// Returns the hash that the push's files have, whatever hash it announces; empty if it has none.
+[[nodiscard]] std::string hash_of_files(const msg::ProgramPush& push);
+
 /// Returns the message that pushes a checked program, with a new id.
 [[nodiscard]] msg::ProgramPush make_push(const bhdl::Program& program, const std::string& author,
                                          const std::vector<std::string>& targets,
                                          const std::string& replaces_hash = {});
-/// Returns the hash of the files that the push brings, as programs are called by it. The push
-/// itself may announce another one.
-[[nodiscard]] std::string hash_of_files(const msg::ProgramPush& push);
 /// Returns the message that says how far a push is, stamped now.
 [[nodiscard]] msg::PushProgress progress_message(const PushRecord& push);
 

@@ -50,7 +50,7 @@ void Api::add_routes() {
   get("/metrics", [this](auto&, auto& respond) {
     respond(text_response(
         metrics_text(parts_.team, parts_.hub.counts(), counts_ ? counts_() : HttpServer::Counts{},
-                     intake_ ? intake_() : Intake{}, parts_.map.update_s()),
+                     intake_ ? intake_() : Intake{}, parts_.map.update_s(), parts_.history_watch),
         "text/plain; version=0.0.4; charset=utf-8"));
   });
   get("/api/status", [this](auto& request, auto& respond) { status(request.right, respond); });
@@ -62,6 +62,7 @@ void Api::add_routes() {
   get("/api/programs/",
       [this](auto& request, auto& respond) { program(rest(request, "/api/programs/"), respond); });
   get("/api/pushes", [this](auto&, auto& respond) { pushes(respond); });
+  get("/api/orders", [this](auto&, auto& respond) { orders(respond); });
   get("/api/pushes/", [this](auto& request, auto& respond) {
     parts_.desk.describe(
         rest(request, "/api/pushes/"),
@@ -153,13 +154,28 @@ void Api::program(const std::string& name, const Respond& respond) const {
 void Api::pushes(const Respond& respond) {
   constexpr int kMost = 200;
   parts_.worker.run([this] { return parts_.history.pushes(kMost); },
+                    [this, respond](const auto& records) {
+                      if (!records)
+                        return respond(problem(503, "The monitor cannot do this now: " +
+                                                        records.error().message + "."));
+                      auto list = nlohmann::json::array();
+                      for (const auto& record : records.value()) list.push_back(to_json(record));
+                      respond(json_response({{"pushes", std::move(list)},
+                                             {"problem", parts_.history_watch.problem()}}));
+                    },
+                    unable(finish_of(respond)));
+}
+
+void Api::orders(const Respond& respond) {
+  constexpr int kMost = 500;
+  parts_.worker.run([this] { return parts_.history.orders(kMost); },
                     [respond](const auto& records) {
                       if (!records)
                         return respond(problem(503, "The monitor cannot do this now: " +
                                                         records.error().message + "."));
                       auto list = nlohmann::json::array();
                       for (const auto& record : records.value()) list.push_back(to_json(record));
-                      respond(json_response({{"pushes", std::move(list)}}));
+                      respond(json_response({{"orders", std::move(list)}}));
                     },
                     unable(finish_of(respond)));
 }
@@ -205,6 +221,7 @@ void Api::status(Right right, const Respond& respond) const {
                          {"channels", channels_json(intake)},
                          {"refused_messages", refused_json(intake)},
                          {"topics_not_read", intake.topics_not_read},
+                         {"history_problem", parts_.history_watch.problem()},
                          {"robots", std::move(robots)},
                          {"score", score_json(parts_.team)}}));
 }

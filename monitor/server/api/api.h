@@ -6,6 +6,7 @@
 
 #include "monitor/ingest/intake.h"
 #include "monitor/map/map_service.h"
+#include "monitor/pushes/history_watch.h"
 #include "monitor/recordings/recording_list.h"
 #include "monitor/server/api/coverage_desk.h"
 #include "monitor/server/api/operations.h"
@@ -37,6 +38,7 @@ class Api {
     SimulationDesk& simulations;
     Worker& worker;
     History& history;  ///< used on the worker only
+    const HistoryWatch& history_watch;
     Recordings recordings;
   };
 
@@ -73,6 +75,7 @@ class Api {
   void programs(const Respond& respond) const;
   void program(const std::string& name, const Respond& respond) const;
   void pushes(const Respond& respond);
+  void orders(const Respond& respond);
   void cancel_push(const HttpRequest& request, const Respond& respond);
   void pushed_program(const std::string& hash, const Respond& respond);
   void list_recordings(const Respond& respond);

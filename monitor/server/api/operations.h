@@ -7,6 +7,7 @@
 
 #include "core/orders/signed_writer.h"
 #include "monitor/programs/library.h"
+#include "monitor/pushes/order_log.h"
 #include "monitor/pushes/push_desk.h"
 #include "monitor/server/api/outcome.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
@@ -19,9 +20,18 @@ namespace galilean::monitor {
 /// use on the io_context's thread, where `finish` is called, too.
 class Operations {
  public:
+  struct Parts {
+    Worker& worker;
+    Worker& order_worker;  ///< sends what moves robots, and so never waits for the disk
+    const Team& team;
+    const ProgramLibrary& library;
+    PushDesk& desk;
+    OrderLog& orders;
+  };
+
   /// `signer` signs the orders; null: nobody does.
-  Operations(Worker& worker, const Team& team, const ProgramLibrary& library, PushDesk& desk,
-             wire::Participant& participant, const std::shared_ptr<OrderSigner>& signer = nullptr);
+  Operations(const Parts& parts, wire::Participant& participant,
+             const std::shared_ptr<OrderSigner>& signer = nullptr);
 
   void check(const nlohmann::json& request, Finish finish);
   void push(const nlohmann::json& request, Finish finish);
@@ -34,15 +44,13 @@ class Operations {
   void offer(foxglove::Hub& hub);
 
  private:
-  /// Gives the message its id and stamp, and sends it. Finishes with 404 if it is for a robot that
-  /// nobody has heard.
+  /// Gives the message its id and stamp, and sends it; then has it kept, and finishes. An order
+  /// that cannot be kept is sent all the same, and the answer says so. Finishes with 404 if it is
+  /// for a robot that nobody has heard.
   template <class M>
   void send(SignedWriter<M>& writer, M message, Finish finish);
 
-  Worker& worker_;
-  const Team& team_;
-  const ProgramLibrary& library_;
-  PushDesk& desk_;
+  Parts parts_;
   SignedWriter<msg::Command> commands_;
   SignedWriter<msg::BreakOrder> break_orders_;
 };

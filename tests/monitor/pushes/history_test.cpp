@@ -184,7 +184,8 @@ TEST_F(HistoryTest, PushesOfAReleaseThatDidNotNumberThemKeepTheirOrder) {
   }
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
-  sql::execute(database, "DELETE FROM push_sequence");
+  sql::execute(database, "DELETE FROM push_sequence; DELETE FROM chain;");
+  sql::execute(database, "DELETE FROM sqlite_sequence");
   sqlite3_close(database);
   auto history = History::open(file);
   ASSERT_TRUE(history);
@@ -193,6 +194,7 @@ TEST_F(HistoryTest, PushesOfAReleaseThatDidNotNumberThemKeepTheirOrder) {
   const auto kept = history.value()->pushes(10).value();
   for (const auto& record : kept) ids += record.id;
   EXPECT_EQ(ids, "0321");
+  EXPECT_FALSE(history.value()->verify().value().broken);
 }
 
 TEST_F(HistoryTest, RemembersHowFarAPushCameAndThatItWasInterrupted) {
@@ -306,7 +308,65 @@ TEST_F(HistoryTest, ATextUnderAWrongHashIsToldAndNotGiven) {
   sqlite3_close(other);
   const auto found = history.value()->program(push(1).hash);
   ASSERT_FALSE(found);
-  EXPECT_NE(found.error().message.find("recorded under a wrong hash"), std::string::npos);
+  EXPECT_NE(found.error().message.find("is another program's"), std::string::npos);
+  EXPECT_TRUE(history.value()->add(push(2)));
+  EXPECT_FALSE(history.value()->program("").value()) << "which of the two?";
+  EXPECT_TRUE(history.value()->program(push(2).hash.substr(0, 12)).value());
+}
+
+TEST_F(HistoryTest, ATextIsKeptUnderItsOwnHashWhateverAPushAnnounces) {
+  auto history = History::open(file);
+  EXPECT_TRUE(history.value()->add(push(1)));
+  auto forged = push(2);
+  forged.hash = push(1).hash;
+  forged.files.push_back({"more.bhdl", "more"});
+  EXPECT_TRUE(history.value()->add(forged));
+  const auto files = history.value()->program(push(1).hash).value();
+  ASSERT_TRUE(files);
+  ASSERT_EQ(files->size(), 2U) << "what was there is as it was";
+  EXPECT_EQ(files->at(0).text, "text 1");
+  EXPECT_EQ(history.value()->program(hash_of_files(forged)).value()->at(0).text, "text 2");
+  EXPECT_EQ(history.value()->push("2").value()->hash, hash_of_files(forged));
+  EXPECT_EQ(history.value()->last_push_of(push(1).hash).value()->id, "1");
+}
+
+TEST_F(HistoryTest, APushThatComesTwiceIsKeptAsItWas) {
+  auto history = History::open(file);
+  EXPECT_TRUE(history.value()->add(push(1), {.state = PushState::kDone}));
+  auto again = push(1);
+  again.author = "another";
+  EXPECT_TRUE(history.value()->add(again, {.state = PushState::kForeign}));
+  EXPECT_EQ(history.value()->push("1").value()->author, "operator");
+  EXPECT_EQ(history.value()->push("1").value()->progress.state, PushState::kDone);
+}
+
+TEST_F(HistoryTest, RemembersOrdersWithWhatBecameOfThem) {
+  auto history = History::open(file, {.now_ns = [] { return std::int64_t{9}; }});
+  const OrderRecord hold{.id = "a",
+                         .ordered_ns = 5,
+                         .author = "balch",
+                         .kind = "hold",
+                         .targets = {"io"},
+                         .detail = {},
+                         .outcomes = {}};
+  EXPECT_TRUE(history.value()->add_order(hold));
+  EXPECT_TRUE(history.value()->add_order(hold)) << "it comes twice, and is kept once";
+  auto second = hold;
+  second.id = "b";
+  second.kind = "resume";
+  EXPECT_TRUE(history.value()->add_order(second));
+  EXPECT_TRUE(history.value()->add_outcome("a", {.of = "io", .outcome = "is held"}));
+  const auto orders = history.value()->orders(10).value();
+  ASSERT_EQ(orders.size(), 2U);
+  EXPECT_EQ(orders[0].kind, "resume") << "the newest first";
+  EXPECT_EQ(orders[1].author, "balch");
+  EXPECT_EQ(orders[1].ordered_ns, 5);
+  EXPECT_EQ(orders[1].targets, std::vector<std::string>{"io"});
+  ASSERT_EQ(orders[1].outcomes.size(), 1U);
+  EXPECT_EQ(orders[1].outcomes[0].outcome, "is held");
+  EXPECT_EQ(orders[1].outcomes[0].told_ns, 9);
+  EXPECT_EQ(history.value()->orders(1).value().size(), 1U);
+  EXPECT_FALSE(history.value()->verify().value().broken);
 }
 
 TEST_F(HistoryTest, AFolderThatCannotBeWrittenIsAnErrorThatSaysWhatToDo) {

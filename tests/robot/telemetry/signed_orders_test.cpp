@@ -122,6 +122,20 @@ TEST_F(SignedOrdersTest, OnlyAPushThatIsSignedRuns) {
   }));
 }
 
+TEST_F(SignedOrdersTest, AStrangerWhoSendsAPushFirstDoesNotSpoilItsAnswer) {
+  auto push = io.push(std::string(kWaits) + "\n");
+  io.send(push);
+  ASSERT_TRUE(replies.wait_for(
+      [](const msg::ProgramReply& reply) { return reply.status == status::REJECTED; }));
+  signer.sign(push, wire::kProgramPushTopic);
+  io.send(push);
+  EXPECT_TRUE(io.tick_until([&] {
+    return std::ranges::any_of(replies.all(), [](const msg::ProgramReply& reply) {
+      return reply.status == status::RUNNING;
+    });
+  }));
+}
+
 TEST_F(SignedOrdersTest, AnybodySetsABreakPointAndOnlyATrustedKeyRemovesIt) {
   const auto told_of = [&](const std::string& id) {
     return breaks.wait_for([&](const msg::Breaks& each) {

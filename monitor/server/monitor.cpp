@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/monitor.h"
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -16,6 +17,8 @@
 #include "monitor/server/api/api.h"
 #include "monitor/server/api/team_parameters.h"
 #include "monitor/server/foxglove/domain_graph.h"
+#include "monitor/server/limits/descriptors.h"
+#include "monitor/server/limits/server_limits.h"
 
 namespace galilean::monitor {
 namespace {
@@ -41,6 +44,14 @@ std::filesystem::path recordings_folder(const MonitorOptions& options) {
                                            : options.recordings_folder;
 }
 
+/// Returns the limits where so many file descriptors may be open.
+ServerLimits limits_for(std::size_t descriptors) {
+  ServerLimits limits;
+  const auto left = descriptors - kOwnDescriptors - limits.reserved_connections;
+  limits.connections = std::min(limits.connections, left);
+  return limits;
+}
+
 template <class M, class Take>
 void decode_for(const Message& message, Take take) {
   if (message.channel.schema->ros_type != M::kRosType) return;
@@ -53,6 +64,7 @@ void decode_for(const Message& message, Take take) {
 // The members are destroyed in the reverse order. The io_context destroys the sessions, and these
 // use the hub, so the hub must stand before it.
 struct Monitor::Parts {
+  ServerLimits limits;
   std::unique_ptr<wire::Participant> participant;
   std::unique_ptr<History> history;
   SteadyClock clock;
@@ -72,7 +84,12 @@ struct Monitor::Parts {
   Worker language_worker{io};
   Worker recording_worker{io};
   Worker transfer_worker{io};
-  Worker coverage_worker{io};
+  Worker coverage_worker{io, 1, limits.waiting_coverages};
+  /// Stop, hold and the other commands. It has no other jobs, so that nothing delays them.
+  Worker command_worker{io, 1, limits.waiting_commands};
+  /// What operators push, so that nobody without a token keeps it waiting.
+  Worker push_checks{io, 1, limits.waiting_checks};
+  Worker checks{io, limits.check_threads, limits.waiting_checks, Worker::Priority::kLow};
   CoverageDesk coverage{recordings, coverage_worker};
   LanguageServerContext language;
   MapService map;
@@ -87,15 +104,20 @@ struct Monitor::Parts {
   std::uint16_t port = 0;
   std::string new_operator_token;
 
-  Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-        std::unique_ptr<History> opened, Tokens tokens);
+  Parts(const MonitorOptions& options, const ServerLimits& limits,
+        std::unique_ptr<wire::Participant> joined, std::unique_ptr<History> opened, Tokens tokens);
   ~Parts() {
     playbacks.finish();
+    checks.drop_waiting();
+    push_checks.drop_waiting();
     coverage.stop();
     coverage_worker.finish();
     recording_worker.finish();
     transfer_worker.finish();
     worker.finish();
+    command_worker.finish();
+    checks.finish();
+    push_checks.finish();
     language_worker.finish();
     hub.forget_demand();
   }
@@ -105,9 +127,11 @@ struct Monitor::Parts {
   void tell_regularly();
 };
 
-Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-                      std::unique_ptr<History> opened, Tokens tokens)
-    : participant(std::move(joined)),
+Monitor::Parts::Parts(const MonitorOptions& options, const ServerLimits& bounds,
+                      std::unique_ptr<wire::Participant> joined, std::unique_ptr<History> opened,
+                      Tokens tokens)
+    : limits(bounds),
+      participant(std::move(joined)),
       history(std::move(opened)),
       team(clock, options.map.silent_after),
       library(library_folder(options), catalog_or_none(options.catalog_file)),
@@ -120,9 +144,9 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
       trials(io, team,
              options.simulator.empty() ? program_folder() / "galilean-sim" : options.simulator,
              options.data_folder / "trials"),
-      desk({io, worker, team, library, *history, trials}, clock, *participant),
+      desk({io, worker, push_checks, team, library, *history, trials}, clock, *participant),
       simulations(io, worker, clock, *participant),
-      operations(worker, team, library, desk, *participant),
+      operations(command_worker, checks, team, library, desk, *hub.limit_counts(), *participant),
       api({page,
            team,
            library,
@@ -132,16 +156,22 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
            desk,
            simulations,
            worker,
+           checks,
+           push_checks,
            *history,
-           {recordings, recording_list, recording_worker, coverage}}),
+           {recordings, recording_list, recording_worker, coverage},
+           *hub.limit_counts(),
+           limits}),
       server(io, {Guard(options.address, options.allowed_origins),
                   Access(std::move(tokens), is_loopback(options.address)),
                   [this](const HttpRequest& request, const Respond& respond) {
                     api.answer(request, respond);
                   },
-                  hub, rounds, language, replay, transfer_worker}),
+                  hub, rounds, language, replay, transfer_worker,
+                  [this](const std::string& path) { return api.most_body_bytes(path); }, limits}),
       ingest(*participant, callbacks(), [this] { asio::post(io, [this] { ingest.poll(); }); }),
       graph(*participant) {
+  hub.limit(limits);
   operations.offer(hub);
   api.set_counts([this] { return server.counts(); });
   signals.async_wait([this](boost::system::error_code error, int) {
@@ -191,14 +221,18 @@ void Monitor::Parts::tell_regularly() {
 }
 
 Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) try {
+  // This comes first, because DDS fails where it cannot say so if it has too few.
+  const auto descriptors = raise_descriptor_limit();
+  if (!descriptors) return descriptors.error();
   auto history = History::open(options.data_folder / "history.sqlite");
   if (!history) return history.error();
   auto tokens = open_tokens(options.data_folder);
   if (!tokens) return tokens.error();
   auto participant = wire::Participant::join(wire::kMonitorName, options.domain);
   if (!participant) return participant.error();
-  auto blocks = std::make_unique<Parts>(options, std::move(participant).value(),
-                                        std::move(history).value(), tokens.value());
+  auto blocks = std::make_unique<Parts>(options, limits_for(descriptors.value()),
+                                        std::move(participant).value(), std::move(history).value(),
+                                        tokens.value());
   if (tokens.value().are_new) blocks->new_operator_token = tokens.value().operator_;
   const auto port = blocks->server.listen(options.address, options.port);
   if (!port) return port.error();

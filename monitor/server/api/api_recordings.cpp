@@ -50,7 +50,7 @@ void Api::list_recordings(const Respond& respond) {
         respond(json_response({{"folder", parts_.recordings.folder.path().string()},
                                {"recordings", std::move(list)}}));
       },
-      unable(finish_of(respond)));
+      failed(finish_of(respond)));
 }
 
 void Api::send_recording(const HttpRequest& request, const Respond& respond) {
@@ -62,7 +62,7 @@ void Api::send_recording(const HttpRequest& request, const Respond& respond) {
         respond(opened ? recording_response(opened.value(), request)
                        : recording_problem(opened.error()));
       },
-      unable(finish_of(respond)));
+      failed(finish_of(respond)));
 }
 
 // The request is GET /api/recordings/NAME/coverage.

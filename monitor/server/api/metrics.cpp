@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "monitor/background/guarded.h"
+
 namespace galilean::monitor {
 namespace {
 
@@ -51,10 +53,24 @@ void process_metrics(std::ostream& out) {
          resident_pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
 }
 
+void limit_metrics(std::ostream& out, const LimitCounts& counts) {
+  family(out, "galilean_limit_reached_total", "counter",
+         "How often clients reached a limit; MONITOR.md lists the limits.");
+  for (std::size_t each = 0; each < kLimitCount; ++each) {
+    const auto limit = static_cast<Limit>(each);
+    out << "galilean_limit_reached_total{limit=\"" << LimitCounts::name(limit) << "\"} "
+        << counts.count(limit) << '\n';
+  }
+  metric(out, "galilean_out_of_memory_total", "counter",
+         "Requests and other works that failed because no memory was left.",
+         memory_failures.load());
+}
+
 }  // namespace
 
 std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocket,
-                         const HttpServer::Counts& http, double map_update_s) {
+                         const HttpServer::Counts& http, const LimitCounts& limit_counts,
+                         double map_update_s) {
   std::ostringstream out;
   process_metrics(out);
   metric(out, "galilean_map_update_seconds", "gauge", "Duration of the last map update.",
@@ -94,6 +110,14 @@ std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocke
   metric(out, "galilean_http_requests_total", "counter", "Requests.", http.requests);
   metric(out, "galilean_http_refused_total", "counter", "Requests with a wrong Host or Origin.",
          http.refused);
+  metric(out, "galilean_http_malformed_total", "counter", "Requests that are no strict HTTP.",
+         http.malformed);
+  metric(out, "galilean_connections", "gauge", "Connections open, WebSockets included.",
+         http.all_connections);
+  metric(out, "galilean_connections_closed_total", "counter",
+         "Connections that waited for a request and were closed to make room.",
+         http.closed_for_others);
+  limit_metrics(out, limit_counts);
   return out.str();
 }
 

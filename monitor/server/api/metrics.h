@@ -5,6 +5,7 @@
 
 #include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/http/http_server.h"
+#include "monitor/server/limits/limit_counts.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {
@@ -12,6 +13,7 @@ namespace galilean::monitor {
 /// Returns the metrics in Prometheus' text format 0.0.4. `map_update_s` is how long the map's last
 /// update took.
 [[nodiscard]] std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocket,
-                                       const HttpServer::Counts& http, double map_update_s);
+                                       const HttpServer::Counts& http,
+                                       const LimitCounts& limit_counts, double map_update_s);
 
 }  // namespace galilean::monitor

@@ -83,12 +83,15 @@ Outcome refused(const RequestFields& fields) {
 
 }  // namespace
 
-Operations::Operations(Worker& worker, const Team& team, const ProgramLibrary& library,
-                       PushDesk& desk, wire::Participant& participant)
-    : worker_(worker),
+Operations::Operations(Worker& commands, Worker& checks, const Team& team,
+                       const ProgramLibrary& library, PushDesk& desk, LimitCounts& limit_counts,
+                       wire::Participant& participant)
+    : command_worker_(commands),
+      checks_(checks),
       team_(team),
       library_(library),
       desk_(desk),
+      limit_counts_(limit_counts),
       commands_(participant, wire::kCommandTopic),
       break_orders_(participant, wire::kBreakOrderTopic) {}
 
@@ -107,12 +110,16 @@ void Operations::check(const nlohmann::json& request, Finish finish) {
   } else {
     for (const auto& [each, robot] : team_.robots()) targets.push_back(target_of(robot));
   }
-  worker_.run([files = std::move(files), targets = std::move(targets), against = std::move(against),
-               &library = library_] { return checked(files, targets, against, library); },
-              [finish](nlohmann::json json) {
-                finish({200, std::move(json)});
-              },
-              unable(finish));
+  const bool is_taken = checks_.offer(
+      [files = std::move(files), targets = std::move(targets), against = std::move(against),
+       &library = library_] { return checked(files, targets, against, library); },
+      [finish](nlohmann::json json) {
+        finish({200, std::move(json)});
+      },
+      failed(finish));
+  if (is_taken) return;
+  limit_counts_.reached(Limit::kChecks);
+  finish(busy());
 }
 
 void Operations::push(const nlohmann::json& request, Finish finish) {
@@ -160,12 +167,16 @@ void Operations::send(wire::Writer<M>& writer, M message, Finish finish) {
     if (!team_.find(target)) return finish({404, {}, "There is no robot '" + target + "'."});
   message.id = new_id();
   message.stamp = wire::ros_time(wire::wall_clock_ns());
-  worker_.run([&writer, message] { return writer.write(message); },
-              [finish, id = message.id](bool taken) {
-                finish(taken ? Outcome{200, {{"id", id}}}
-                             : Outcome{503, {}, "DDS did not accept the order; try again."});
-              },
-              unable(finish));
+  const bool is_taken = command_worker_.offer(
+      [&writer, message] { return writer.write(message); },
+      [finish, id = message.id](bool taken) {
+        finish(taken ? Outcome{200, {{"id", id}}}
+                     : Outcome{503, {}, "DDS did not accept the order; try again."});
+      },
+      failed(finish));
+  if (is_taken) return;
+  limit_counts_.reached(Limit::kCommands);
+  finish(busy());
 }
 
 }  // namespace galilean::monitor

@@ -8,6 +8,7 @@
 #include "monitor/pushes/push_desk.h"
 #include "monitor/server/api/outcome.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
+#include "monitor/server/limits/limit_counts.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {
@@ -17,8 +18,11 @@ namespace galilean::monitor {
 /// use on the io_context's thread, where `finish` is called, too.
 class Operations {
  public:
-  Operations(Worker& worker, const Team& team, const ProgramLibrary& library, PushDesk& desk,
-             wire::Participant& participant);
+  /// Commands and orders about break points go to DDS on `commands`, which does nothing else, so
+  /// that a command never waits for a check, a push, a file or a map. Programs are checked on
+  /// `checks`.
+  Operations(Worker& commands, Worker& checks, const Team& team, const ProgramLibrary& library,
+             PushDesk& desk, LimitCounts& limit_counts, wire::Participant& participant);
 
   void check(const nlohmann::json& request, Finish finish);
   void push(const nlohmann::json& request, Finish finish);
@@ -32,14 +36,16 @@ class Operations {
 
  private:
   /// Gives the message its id and stamp, and sends it. Finishes with 404 if it is for a robot that
-  /// nobody has heard.
+  /// nobody has heard, and with 503 if DDS does not take messages as fast as they are ordered.
   template <class M>
   void send(wire::Writer<M>& writer, M message, Finish finish);
 
-  Worker& worker_;
+  Worker& command_worker_;
+  Worker& checks_;
   const Team& team_;
   const ProgramLibrary& library_;
   PushDesk& desk_;
+  LimitCounts& limit_counts_;
   wire::Writer<msg::Command> commands_;
   wire::Writer<msg::BreakOrder> break_orders_;
 };

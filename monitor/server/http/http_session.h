@@ -5,9 +5,10 @@
 
 namespace galilean::monitor {
 
-/// Serves one connection until it closes or becomes a WebSocket. The session owns itself until
-/// then.
+/// Serves one connection, which has `place` among all, until it closes or becomes a WebSocket. The
+/// session owns itself until then.
 void serve_http(boost::asio::ip::tcp::socket socket,
-                std::shared_ptr<HttpServer::ServerContext> context);
+                std::shared_ptr<HttpServer::ServerContext> context,
+                std::shared_ptr<Connections::Place> place);
 
 }  // namespace galilean::monitor

@@ -12,14 +12,16 @@ using Upgrade = WebSocket::Upgrade;
 using error_code = boost::system::error_code;
 
 /// Room for a push of the largest program, escaped as JSON.
-constexpr std::size_t kMostMessageBytes = 16 << 20;
+constexpr std::size_t kMostMessageBytes = std::size_t{9} << 20;
 
 class WebSocketSession final : public foxglove::Link,
                                public std::enable_shared_from_this<WebSocketSession> {
  public:
   WebSocketSession(boost::asio::ip::tcp::socket socket, foxglove::Hub& hub, SendRounds& rounds,
-                   Right right)
-      : socket_(std::move(socket), rounds, kMostMessageBytes), hub_(hub), right_(right) {}
+                   Right right, std::shared_ptr<Connections::Place> place)
+      : socket_(std::move(socket), rounds, kMostMessageBytes, std::move(place)),
+        hub_(hub),
+        right_(right) {}
 
   void start(const Upgrade& upgrade) {
     const auto subprotocol = foxglove::subprotocol_for(upgrade);
@@ -86,8 +88,10 @@ class WebSocketSession final : public foxglove::Link,
 }  // namespace
 
 void serve_websocket(boost::asio::ip::tcp::socket socket, const Upgrade& upgrade,
-                     foxglove::Hub& hub, SendRounds& rounds, Right right) {
-  std::make_shared<WebSocketSession>(std::move(socket), hub, rounds, right)->start(upgrade);
+                     foxglove::Hub& hub, SendRounds& rounds, Right right,
+                     std::shared_ptr<Connections::Place> place) {
+  std::make_shared<WebSocketSession>(std::move(socket), hub, rounds, right, std::move(place))
+      ->start(upgrade);
 }
 
 }  // namespace galilean::monitor

@@ -12,6 +12,7 @@ namespace galilean::monitor {
 /// Serves one WebSocket of Foxglove's protocol until it closes. `right` decides whether the client
 /// may call services. The session owns itself until then. `hub` and `rounds` must outlive it.
 void serve_websocket(boost::asio::ip::tcp::socket socket, const WebSocket::Upgrade& upgrade,
-                     foxglove::Hub& hub, SendRounds& rounds, Right right);
+                     foxglove::Hub& hub, SendRounds& rounds, Right right,
+                     std::shared_ptr<Connections::Place> place = nullptr);
 
 }  // namespace galilean::monitor

@@ -25,6 +25,7 @@ struct LanguageServerContext {
 /// (`?robot=io`), else against that of the first robot that is not silent and has published one.
 /// The session owns itself until then. `rounds` and `context` must outlive it.
 void serve_language(boost::asio::ip::tcp::socket socket, const WebSocket::Upgrade& upgrade,
-                    SendRounds& rounds, LanguageServerContext& context);
+                    SendRounds& rounds, LanguageServerContext& context,
+                    std::shared_ptr<Connections::Place> place = nullptr);
 
 }  // namespace galilean::monitor

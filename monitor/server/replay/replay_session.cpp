@@ -20,7 +20,7 @@ namespace {
 
 using boost::system::error_code;
 
-constexpr std::size_t kMostOrderBytes = 1 << 20;
+constexpr std::size_t kMostOrderBytes = std::size_t{512} << 10;
 constexpr std::uint32_t kTimeLane = 0;
 /// What a close frame can hold besides its code.
 constexpr std::size_t kLongestReason = 123;
@@ -47,9 +47,10 @@ std::string shortened(std::string text) {
 
 class ReplaySession final : public std::enable_shared_from_this<ReplaySession> {
  public:
-  ReplaySession(boost::asio::ip::tcp::socket socket, SendRounds& rounds, ReplayContext& context)
+  ReplaySession(boost::asio::ip::tcp::socket socket, SendRounds& rounds, ReplayContext& context,
+                std::shared_ptr<Connections::Place> place)
       : executor_(socket.get_executor()),
-        socket_(std::move(socket), rounds, kMostOrderBytes),
+        socket_(std::move(socket), rounds, kMostOrderBytes, std::move(place)),
         context_(context) {}
   ~ReplaySession() {
     if (line_) line_->leave();
@@ -133,7 +134,7 @@ class ReplaySession final : public std::enable_shared_from_this<ReplaySession> {
   }
 
   void receive_text(std::string_view text) {
-    const auto json = read_untrusted_json(text);
+    const auto json = read_untrusted_json(text, ServerLimits().message);
     if (!json) return object(json.error().message);
     RequestFields fields(json.value());
     const auto op = fields.text("op");
@@ -212,8 +213,10 @@ class ReplaySession final : public std::enable_shared_from_this<ReplaySession> {
 }  // namespace
 
 void serve_replay(boost::asio::ip::tcp::socket socket, const WebSocket::Upgrade& upgrade,
-                  SendRounds& rounds, ReplayContext& context) {
-  std::make_shared<ReplaySession>(std::move(socket), rounds, context)->start(upgrade);
+                  SendRounds& rounds, ReplayContext& context,
+                  std::shared_ptr<Connections::Place> place) {
+  std::make_shared<ReplaySession>(std::move(socket), rounds, context, std::move(place))
+      ->start(upgrade);
 }
 
 }  // namespace galilean::monitor

@@ -18,6 +18,7 @@ struct ReplayContext {
 /// Plays the recording that the query names (`?recording=office.mcap&at=90`) over one WebSocket,
 /// until it closes. The session owns itself until then. `rounds` and `context` must outlive it.
 void serve_replay(boost::asio::ip::tcp::socket socket, const WebSocket::Upgrade& upgrade,
-                  SendRounds& rounds, ReplayContext& context);
+                  SendRounds& rounds, ReplayContext& context,
+                  std::shared_ptr<Connections::Place> place = nullptr);
 
 }  // namespace galilean::monitor

@@ -59,6 +59,7 @@ HttpServer::Counts HttpServer::counts() const {
 void HttpServer::accept() {
   acceptor_.async_accept([this](error_code error, tcp::socket socket) {
     if (error == boost::asio::error::operation_aborted) return;
+    if (error == boost::asio::error::connection_aborted) return accept();  // by the client
     if (error) return recover();
     (void)guarded("a new connection", [&] { serve(std::move(socket)); });
     accept();
@@ -75,7 +76,8 @@ void HttpServer::serve(tcp::socket socket) {
 
 void HttpServer::recover() {
   context_->limit_counts->reached(Limit::kDescriptors);
-  if (!context_->connections->close_waiting() && reserve_.give()) {
+  if (context_->connections->close_waiting()) return accept();
+  if (reserve_.give()) {
     // Nothing can be closed, so the next client is turned away, in place of waiting for ever.
     error_code none_waits;
     acceptor_.non_blocking(true, none_waits);

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "monitor/server/limits/limit_counts.h"
 #include "monitor/server/limits/server_limits.h"

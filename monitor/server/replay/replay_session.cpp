@@ -11,6 +11,7 @@
 #include "monitor/server/foxglove/foxglove_messages.h"
 #include "monitor/server/foxglove/ids.h"
 #include "monitor/server/foxglove/subprotocol.h"
+#include "monitor/server/limits/server_limits.h"
 #include "monitor/server/replay/viewer_playback.h"
 #include "monitor/server/text/request_fields.h"
 #include "monitor/server/text/url_text.h"
@@ -154,7 +155,7 @@ class ReplaySession final : public std::enable_shared_from_this<ReplaySession> {
       if (id && channel_id)
         order(Subscribe{*id, *channel_id});
       else
-        object("A subscription must have a number \"id\" and a number \"channelId\".");
+        return object("A subscription must have a number \"id\" and a number \"channelId\".");
     }
   }
 
@@ -163,7 +164,7 @@ class ReplaySession final : public std::enable_shared_from_this<ReplaySession> {
       if (const auto id = foxglove::id_of(item))
         order(Unsubscribe{*id});
       else
-        object("A subscription's id must be a number.");
+        return object("A subscription's id must be a number.");
     }
   }
 

@@ -82,7 +82,7 @@ struct Monitor::Parts {
   SendRounds rounds{io};
   Worker worker{io};
   Worker language_worker{io};
-  Worker recording_worker{io};
+  Worker recording_worker{io, 1, limits.waiting_recordings};
   Worker transfer_worker{io};
   Worker coverage_worker{io, 1, limits.waiting_coverages};
   /// Stop, hold and the other commands. It has no other jobs, so that nothing delays them.

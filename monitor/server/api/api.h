@@ -84,6 +84,7 @@ class Api {
   void cancel_push(const HttpRequest& request, nlohmann::json body, const Respond& respond);
   void pushed_program(const std::string& hash, const Respond& respond);
   void list_recordings(const Respond& respond);
+  void refuse_recording(const Respond& respond) const;
   void send_recording(const HttpRequest& request, const Respond& respond);
   void send_coverage(const HttpRequest& request, const Respond& respond);
   void status(Right right, const Respond& respond) const;

@@ -41,7 +41,7 @@ void Api::add_recording_routes() {
 }
 
 void Api::list_recordings(const Respond& respond) {
-  parts_.recordings.worker.run(
+  const bool is_taken = parts_.recordings.worker.offer(
       [this] { return parts_.recordings.list.list(); },
       [this, respond](const Result<std::vector<ListedRecording>>& listed) {
         if (!listed) return respond(problem(503, listed.error().message));
@@ -51,10 +51,11 @@ void Api::list_recordings(const Respond& respond) {
                                {"recordings", std::move(list)}}));
       },
       failed(finish_of(respond)));
+  if (!is_taken) refuse_recording(respond);
 }
 
 void Api::send_recording(const HttpRequest& request, const Respond& respond) {
-  parts_.recordings.worker.run(
+  const bool is_taken = parts_.recordings.worker.offer(
       [this, name = request.path.substr(Guard::kSharedPath.size())] {
         return parts_.recordings.folder.open(name);
       },
@@ -63,6 +64,12 @@ void Api::send_recording(const HttpRequest& request, const Respond& respond) {
                        : recording_problem(opened.error()));
       },
       failed(finish_of(respond)));
+  if (!is_taken) refuse_recording(respond);
+}
+
+void Api::refuse_recording(const Respond& respond) const {
+  parts_.limit_counts.reached(Limit::kRecordings);
+  finish_of(respond)(busy());
 }
 
 // The request is GET /api/recordings/NAME/coverage.

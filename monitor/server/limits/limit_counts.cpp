@@ -28,6 +28,8 @@ constexpr std::array<LimitWords, kLimitCount> kLimitWords{{
      "As many bytes of requests' bodies are being read as the monitor keeps, so a request was "
      "refused."},
     {"checks", "As many checks wait as the monitor keeps, so a request was refused."},
+    {"recordings",
+     "As many requests for recordings wait as the monitor keeps, so a request was refused."},
     {"commands", "As many commands wait for DDS as the monitor keeps, so a command was refused."},
     {"pings", "A WebSocket sent more pings a second than the monitor answers, and was closed."},
     {"message", "A client's message was longer than the monitor reads, and was refused."},

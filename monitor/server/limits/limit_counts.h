@@ -18,6 +18,7 @@ enum class Limit : std::uint8_t {
   kBody,
   kBodies,
   kChecks,
+  kRecordings,
   kCommands,
   kPings,
   kMessage,
@@ -25,7 +26,7 @@ enum class Limit : std::uint8_t {
   kCalls,
   kWaitingEvents,
 };
-inline constexpr std::size_t kLimitCount = 13;
+inline constexpr std::size_t kLimitCount = 14;
 
 /// Counts how often each limit was reached, and writes to stderr when one is for the first time.
 /// May be used from any thread.

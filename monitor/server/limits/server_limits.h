@@ -30,8 +30,9 @@ struct ServerLimits {
 
   // Jobs that wait for a thread.
   std::size_t check_threads = 2;
-  std::size_t waiting_checks = 32;     ///< programs to read or to check, and maps to draw
-  std::size_t waiting_coverages = 16;  ///< recordings to count
+  std::size_t waiting_checks = 32;      ///< programs to read or to check, and maps to draw
+  std::size_t waiting_coverages = 16;   ///< recordings to count
+  std::size_t waiting_recordings = 64;  ///< jobs on the folder of recordings: lists and openings
   std::size_t waiting_commands = 1000;
 
   // Requests' bodies, by their kinds.

@@ -67,6 +67,7 @@ test('commands pass by checks, stalled clients and floods', async (t) => {
   t.after(() => ending.abort());
   const checks = Array.from({ length: 50 }, () => fetch(`${url}/api/check`, { method: 'POST', body, signal: ending.signal })
     .then(async (answer) => ({ status: answer.status, after: answer.headers.get('retry-after'), text: await answer.text() }), () => null));
+  for (let i = 0; i < 840; ++i) raw(t, url); // with those below, a thousand
   for (let i = 0; i < 100; ++i) raw(t, url, 'POST /api/check HTTP/1.1\r\nHost: localhost\r\nContent-Length: 1000\r\n\r\n{');
   let floods = true;
   const flooding = Array.from({ length: 10 }, async () => {

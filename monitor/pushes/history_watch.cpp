@@ -14,8 +14,7 @@ namespace galilean::monitor {
 namespace {
 
 constexpr auto kLookAtDiskEach = std::chrono::milliseconds(500);
-/// A disk that has not answered for so long is told of. Checks of programs, which the same thread
-/// does, take less.
+/// A disk that has not answered for so long is told of. What else the same thread does takes less.
 constexpr Duration kDiskPatience = std::chrono::seconds(3);
 constexpr std::uint8_t kGoodLevel = 0, kErrorLevel = 2;
 

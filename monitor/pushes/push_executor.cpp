@@ -31,7 +31,7 @@ Result<void> PushExecutor::carry_out(const std::string& push_id, PushRequest req
 
 Result<void> PushExecutor::carry_out(const std::string& push_id, CheckProgram request) {
   const auto asked = std::make_shared<const CheckProgram>(std::move(request));
-  parts_.worker.run(
+  const bool is_taken = parts_.checks.offer(
       [asked, &library = parts_.library] {
         return check_for(asked->files, asked->robots, library);
       },
@@ -46,6 +46,11 @@ Result<void> PushExecutor::carry_out(const std::string& push_id, CheckProgram re
       [this, push_id](const std::string& why) {
         report_(push_id, RequestFailed{why + "; nothing was pushed"});
       });
+  if (is_taken) return {};
+  boost::asio::post(parts_.io, [this, push_id] {
+    report_(push_id, RequestFailed{"more programs wait to be checked than the monitor keeps; "
+                                   "push again in a moment; nothing was pushed"});
+  });
   return {};
 }
 

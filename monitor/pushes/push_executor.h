@@ -22,13 +22,15 @@ namespace galilean::monitor {
 
 /// Carries out the requests of pushes: checks, trials, DDS writes, and records in the history.
 ///
-/// Lives on the io_context's thread. Checks, the disk and DDS writes happen on the worker's thread,
-/// one after another, in the order of the requests.
+/// Lives on the io_context's thread. The disk and DDS writes happen on the worker's thread, one
+/// after another, in the order of the requests. Checks take long, and happen on threads of their
+/// own.
 class PushExecutor {
  public:
   struct Parts {
     boost::asio::io_context& io;
     Worker& worker;
+    Worker& checks;  ///< checks programs; may refuse one because too many wait
     Team& team;
     const ProgramLibrary& library;
     History& history;  ///< only the worker's thread uses it

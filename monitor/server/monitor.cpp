@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/monitor.h"
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -20,6 +21,8 @@
 #include "monitor/server/api/api.h"
 #include "monitor/server/api/team_parameters.h"
 #include "monitor/server/foxglove/domain_graph.h"
+#include "monitor/server/limits/descriptors.h"
+#include "monitor/server/limits/server_limits.h"
 
 namespace galilean::monitor {
 namespace {
@@ -62,6 +65,17 @@ std::filesystem::path recordings_folder(const MonitorOptions& options) {
                                            : options.recordings_folder;
 }
 
+/// Returns the limits where so many file descriptors may be open. A connection with TLS takes two
+/// more than one without: the ends of the pair between its relay and its session.
+ServerLimits limits_for(std::size_t descriptors, bool tls) {
+  const std::size_t each = tls ? 3 : 1;
+  ServerLimits limits;
+  if (tls) limits.reserved_connections /= each;
+  const auto left = (descriptors - kOwnDescriptors) / each - limits.reserved_connections;
+  limits.connections = std::min(limits.connections, left);
+  return limits;
+}
+
 template <class M, class Take>
 void decode_for(const Message& message, Take take) {
   if (message.channel.schema->ros_type != M::kRosType) return;
@@ -74,6 +88,7 @@ void decode_for(const Message& message, Take take) {
 // The members are destroyed in the reverse order. The io_context destroys the sessions, and these
 // use the hub, so the hub must stand before it.
 struct Monitor::Parts {
+  ServerLimits limits;
   std::unique_ptr<wire::Participant> participant;
   std::unique_ptr<History> history;
   SteadyClock clock;
@@ -92,11 +107,16 @@ struct Monitor::Parts {
   TokenWatch token_watch;
   SendRounds rounds{io};
   Worker worker{io};
-  Worker order_worker{io};
+  Worker telling_worker{io};  ///< tells of the history's disk, and so never waits for it
   Worker language_worker{io};
-  Worker recording_worker{io};
+  Worker recording_worker{io, 1, limits.waiting_recordings};
   Worker transfer_worker{io};
-  Worker coverage_worker{io};
+  Worker coverage_worker{io, 1, limits.waiting_coverages};
+  /// Stop, hold and the other commands. It has no other jobs, so that nothing delays them.
+  Worker command_worker{io, 1, limits.waiting_commands};
+  /// What operators push, so that nobody without a token keeps it waiting.
+  Worker push_checks{io, 1, limits.waiting_checks};
+  Worker checks{io, limits.check_threads, limits.waiting_checks, Worker::Priority::kLow};
   CoverageDesk coverage{recordings, coverage_worker};
   LanguageServerContext language;
   MapService map;
@@ -115,17 +135,22 @@ struct Monitor::Parts {
   std::string new_operator_token;
   std::string fingerprint;
 
-  Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-        std::unique_ptr<History> opened, const Tokens& tokens,
-        const std::shared_ptr<OrderSigner>& signer);
+  Parts(const MonitorOptions& options, const ServerLimits& limits,
+        std::unique_ptr<wire::Participant> joined, std::unique_ptr<History> opened,
+        const Tokens& tokens, const std::shared_ptr<OrderSigner>& signer);
   ~Parts() {
     playbacks.finish();
+    checks.drop_waiting();
+    push_checks.drop_waiting();
     coverage.stop();
     coverage_worker.finish();
     recording_worker.finish();
     transfer_worker.finish();
-    order_worker.finish();
+    telling_worker.finish();
     worker.finish();
+    command_worker.finish();
+    checks.finish();
+    push_checks.finish();
     language_worker.finish();
     hub.forget_demand();
   }
@@ -140,10 +165,11 @@ struct Monitor::Parts {
   void tell_graph();
 };
 
-Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-                      std::unique_ptr<History> opened, const Tokens& tokens,
-                      const std::shared_ptr<OrderSigner>& signer)
-    : participant(std::move(joined)),
+Monitor::Parts::Parts(const MonitorOptions& options, const ServerLimits& bounds,
+                      std::unique_ptr<wire::Participant> joined, std::unique_ptr<History> opened,
+                      const Tokens& tokens, const std::shared_ptr<OrderSigner>& signer)
+    : limits(bounds),
+      participant(std::move(joined)),
       history(std::move(opened)),
       team(clock, options.map.silent_after),
       library(library_folder(options), catalog_or_none(options.catalog_file)),
@@ -157,11 +183,12 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
       trials(io, team,
              options.simulator.empty() ? program_folder() / "galilean-sim" : options.simulator,
              options.data_folder / "trials"),
-      desk({io, worker, team, library, *history, trials, signer}, clock, *participant),
+      desk({io, worker, push_checks, team, library, *history, trials, signer}, clock, *participant),
       simulations(io, worker, clock, *participant),
       orders({io, worker, team, *history, clock}),
-      history_watch({io, worker, order_worker, *history, clock}, *participant),
-      operations({worker, order_worker, team, library, desk, orders}, *participant, signer),
+      history_watch({io, worker, telling_worker, *history, clock}, *participant),
+      operations({command_worker, checks, team, library, desk, orders, *hub.limit_counts()},
+                 *participant, signer),
       api({page,
            team,
            library,
@@ -171,17 +198,23 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
            desk,
            simulations,
            worker,
+           checks,
+           push_checks,
            *history,
            history_watch,
-           {recordings, recording_list, recording_worker, coverage}}),
+           {recordings, recording_list, recording_worker, coverage},
+           *hub.limit_counts(),
+           limits}),
       server(io, {Guard(options.address, options.allowed_origins, options.tls ? "https" : "http"),
                   Access(tokens, is_loopback(options.address)),
                   [this](const HttpRequest& request, const Respond& respond) {
                     api.answer(request, respond);
                   },
-                  hub, rounds, language, replay, transfer_worker}),
+                  hub, rounds, language, replay, transfer_worker,
+                  [this](const std::string& path) { return api.most_body_bytes(path); }, limits}),
       ingest(*participant, callbacks(), [this] { asio::post(io, [this] { ingest.poll(); }); }),
       graph(*participant) {
+  hub.limit(limits);
   operations.offer(hub);
   api.set_counts([this] { return server.counts(); });
   api.set_intake([this] { return ingest.intake(); });
@@ -294,6 +327,9 @@ void Monitor::Parts::tell_graph() {
 }
 
 Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) try {
+  // This comes first, because DDS fails where it cannot say so if it has too few.
+  const auto descriptors = raise_descriptor_limit();
+  if (!descriptors) return descriptors.error();
   auto tokens = open_tokens(options.data_folder);
   if (!tokens) return tokens.error();
   auto key = open_operator_key(options.data_folder);
@@ -305,8 +341,9 @@ Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) tr
   participant.value()->refusals().tell_with([](const std::string& sentence) {
     std::clog << "galilean-monitor: " + sentence + "\n" << std::flush;
   });
-  auto blocks = std::make_unique<Parts>(options, std::move(participant).value(),
-                                        std::move(history).value(), tokens.value(),
+  auto blocks = std::make_unique<Parts>(options, limits_for(descriptors.value(), options.tls),
+                                        std::move(participant).value(), std::move(history).value(),
+                                        tokens.value(),
                                         std::make_shared<OrderSigner>(std::move(key).value()));
   if (tokens.value().are_new) blocks->new_operator_token = tokens.value().operator_;
   if (options.tls)

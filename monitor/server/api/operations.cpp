@@ -125,13 +125,16 @@ void Operations::check(const nlohmann::json& request, Finish finish) {
   } else {
     for (const auto& [each, robot] : parts_.team.robots()) targets.push_back(target_of(robot));
   }
-  parts_.worker.run(
+  const bool is_taken = parts_.checks.offer(
       [files = std::move(files), targets = std::move(targets), against = std::move(against),
        &library = parts_.library] { return checked(files, targets, against, library); },
       [finish](nlohmann::json json) {
         finish({200, std::move(json)});
       },
-      unable(finish));
+      failed(finish));
+  if (is_taken) return;
+  parts_.limit_counts.reached(Limit::kChecks);
+  finish(busy());
 }
 
 void Operations::push(const nlohmann::json& request, Finish finish) {
@@ -179,19 +182,25 @@ void Operations::send(SignedWriter<M>& writer, M message, Finish finish) {
     if (!parts_.team.find(target)) return finish({404, {}, "There is no robot '" + target + "'."});
   message.id = new_id();
   message.stamp = wire::ros_time(wire::wall_clock_ns());
-  parts_.order_worker.run([&writer, message] { return writer.write(message); },
-                          [this, message, finish](bool taken) {
-                            if (!taken)
-                              return finish({503, {}, "DDS did not accept the order; try again."});
-                            parts_.orders.note(message,
-                                               [finish, id = message.id](const Result<void>& kept) {
-                                                 nlohmann::json answer{{"id", id}};
-                                                 if (!kept)
-                                                   answer["not_kept"] = kept.error().message;
-                                                 finish({200, std::move(answer)});
-                                               });
-                          },
-                          unable(finish));
+  const bool is_taken = parts_.commands.offer(
+      [&writer, message] { return writer.write(message); },
+      [this, message, finish](bool taken) {
+        if (!taken) return finish({503, {}, "DDS did not accept the order; try again."});
+        keep(message, finish);
+      },
+      failed(finish));
+  if (is_taken) return;
+  parts_.limit_counts.reached(Limit::kCommands);
+  finish(busy());
+}
+
+template <class M>
+void Operations::keep(const M& message, const Finish& finish) {
+  parts_.orders.note(message, [finish, id = message.id](const Result<void>& kept) {
+    nlohmann::json answer{{"id", id}};
+    if (!kept) answer["not_kept"] = kept.error().message;
+    finish({200, std::move(answer)});
+  });
 }
 
 }  // namespace galilean::monitor

@@ -11,6 +11,7 @@
 #include "monitor/pushes/push_desk.h"
 #include "monitor/server/api/outcome.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
+#include "monitor/server/limits/limit_counts.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {
@@ -21,12 +22,14 @@ namespace galilean::monitor {
 class Operations {
  public:
   struct Parts {
-    Worker& worker;
-    Worker& order_worker;  ///< sends what moves robots, and so never waits for the disk
+    Worker& commands;  ///< sends what moves robots, and does nothing else, so that a command never
+                       ///< waits for a check, a push, a file, a map or the disk
+    Worker& checks;    ///< checks programs
     const Team& team;
     const ProgramLibrary& library;
     PushDesk& desk;
     OrderLog& orders;
+    LimitCounts& limit_counts;
   };
 
   /// `signer` signs the orders; null: nobody does.
@@ -46,9 +49,14 @@ class Operations {
  private:
   /// Gives the message its id and stamp, and sends it; then has it kept, and finishes. An order
   /// that cannot be kept is sent all the same, and the answer says so. Finishes with 404 if it is
-  /// for a robot that nobody has heard.
+  /// for a robot that nobody has heard, and with 503 if DDS does not take messages as fast as they
+  /// are ordered.
   template <class M>
   void send(SignedWriter<M>& writer, M message, Finish finish);
+
+  /// Has an order kept that was sent, and finishes.
+  template <class M>
+  void keep(const M& message, const Finish& finish);
 
   Parts parts_;
   SignedWriter<msg::Command> commands_;

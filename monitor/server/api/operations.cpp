@@ -182,6 +182,7 @@ void Operations::send(SignedWriter<M>& writer, M message, Finish finish) {
     if (!parts_.team.find(target)) return finish({404, {}, "There is no robot '" + target + "'."});
   message.id = new_id();
   message.stamp = wire::ros_time(wire::wall_clock_ns());
+  parts_.orders.expect(message.id);
   const bool is_taken = parts_.commands.offer(
       [&writer, message] { return writer.write(message); },
       [this, message, finish](bool taken) {

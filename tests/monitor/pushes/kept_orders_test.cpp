@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What was acknowledged is kept, and what is kept agrees with what robots run: over HTTP, to robots
 // that are scripted but speak real DDS.
+#include "core/wire/participant.h"
+#include "core/wire/topic_names.h"
+#include "core/wire/writer.h"
 #include "monitor/pushes/history/history.h"
 #include "monitor/pushes/history/push_messages.h"
 #include "tests/monitor/scripted_robot.h"
@@ -96,6 +99,35 @@ TEST_F(KeptOrdersTest, EveryOrderIsKeptWithWhoWhenAndWhatBecameOfIt) {
   ASSERT_TRUE(becomes_true([&] { return kept(cleared)["outcomes"].size() == 1; }));
   EXPECT_THAT(kept(cleared)["outcomes"][0]["outcome"].get<std::string>(),
               HasSubstr("did not confirm it"));
+}
+
+TEST_F(KeptOrdersTest, AFloodOfOrdersOfOthersIsCountedAndDoesNotFillTheHistory) {
+  const auto stranger = wire::Participant::join("stranger", test_domain());
+  ASSERT_TRUE(stranger);
+  wire::Writer<msg::Command> commands(*stranger.value(), wire::kCommandTopic);
+  int number = 0;
+  const auto is_counted = [&] {
+    for (int i = 0; i < 20; ++i) {
+      msg::Command command;
+      command.id = "flood " + std::to_string(++number);
+      command.author = "stranger";
+      command.kind = msg::Command_Constants::HOLD;
+      command.targets = {"nobody"};
+      EXPECT_TRUE(commands.write(command));
+    }
+    return get("/api/status").body.find("more orders than others give by hand") !=
+           std::string::npos;
+  };
+  ASSERT_TRUE(becomes_true(is_counted, std::chrono::seconds(20)));
+  EXPECT_LE(get("/api/orders").as_json()["orders"].size(), 200U);
+
+  ScriptedRobot io("io", test_domain(), catalog);
+  wait_for_robots(1);
+  const auto own =
+      post("/api/command", {{"kind", "hold"}, {"author", "balch"}, {"targets", {"io"}}});
+  ASSERT_EQ(own.status, 200U) << own.body;
+  EXPECT_FALSE(own.as_json().contains("not_kept"));
+  EXPECT_EQ(get("/api/orders").as_json()["orders"][0]["author"], "balch") << "one's own is kept";
 }
 
 TEST_F(KeptOrdersTest, TheHistoryIsVerifiedAndItsDiskIsWatched) {

@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "core/private_file.h"
 #include "core/regular_file.h"
 #include "core/signing/key_files.h"
 #include "core/signing/openssl.h"
@@ -130,7 +131,8 @@ Result<SigningKey> load_or_make_key(const fs::path& file, const std::string& nam
   if (!fs::exists(file, unknown)) {
     const auto made = SigningKey::make();
     if (!made) return made.error();
-    fs::create_directories(file.parent_path(), unknown);
+    // What fails is said when the key is written.
+    (void)make_private_folder(file.parent_path());
     if (const auto saved = made.value().save(file, name); !saved) return saved.error();
   }
   auto key = SigningKey::load(file);

@@ -113,6 +113,8 @@ TEST(SigningKey, AKeyThatIsThereIsNeverReplaced) {
   const auto file = folder / "new" / "operator.key";
   const auto first = load_or_make_key(file, "anna");
   ASSERT_TRUE(first) << first.error().message;
+  EXPECT_EQ(std::filesystem::status(file.parent_path()).permissions(),
+            std::filesystem::perms::owner_all);
   ASSERT_TRUE(new_key().save(file, "ben"));
   const auto second = load_or_make_key(file, "ben");
   ASSERT_TRUE(second) << second.error().message;

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/json_text.h"
 
+#include <optional>
+
 namespace galilean {
 namespace {
 
-/// Returns whether brackets outside strings nest deeper than kDeepestJson. The answer is exact
-/// where the text is JSON. It is found before parsing, because the parser would build a value for
-/// every bracket of a hostile text.
-bool nests_too_deep(std::string_view text) {
+/// Returns what of `limits` or of kDeepestJson the text exceeds, as a clause behind "JSON"; nothing
+/// if it exceeds none. The depth is exact where the text is JSON, and an empty container counts as
+/// two values at most. It is found before parsing and without recursion, because the parser would
+/// build a value for every bracket of a hostile text.
+std::optional<std::string> excess_of(std::string_view text, const JsonLimits& limits) {
+  if (text.size() > limits.bytes) return "has more than " + std::to_string(limits.bytes) + " bytes";
   int depth = 0;
+  std::size_t values = 1;
   bool in_string = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char at = text[i];
@@ -16,27 +21,33 @@ bool nests_too_deep(std::string_view text) {
       in_string = !in_string;
     else if (in_string && at == '\\')
       ++i;
-    else if (!in_string && (at == '[' || at == '{') && ++depth > kDeepestJson)
-      return true;
-    else if (!in_string && (at == ']' || at == '}'))
+    else if (in_string)
+      continue;
+    else if (at == '[' || at == '{')
+      ++depth, ++values;
+    else if (at == ']' || at == '}')
       --depth;
+    else if (at == ',')
+      ++values;
+    if (depth > kDeepestJson)
+      return "nests deeper than " + std::to_string(kDeepestJson) + " levels";
+    if (values > limits.values)
+      return "holds more than " + std::to_string(limits.values) + " values";
   }
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace
 
-Result<nlohmann::json> read_untrusted_json(std::string_view text) {
-  if (nests_too_deep(text))
-    return Error{"This JSON nests deeper than " + std::to_string(kDeepestJson) + " levels."};
+Result<nlohmann::json> read_untrusted_json(std::string_view text, const JsonLimits& limits) {
+  if (const auto excess = excess_of(text, limits)) return Error{"This JSON " + *excess + "."};
   auto json = nlohmann::json::parse(text, nullptr, false);
   if (json.is_discarded()) return Error{"This is not JSON in UTF-8."};
   return json;
 }
 
 Result<nlohmann::json> read_json(std::string_view text) try {
-  if (nests_too_deep(text))
-    return Error{"the JSON nests deeper than " + std::to_string(kDeepestJson) + " levels"};
+  if (const auto excess = excess_of(text, {})) return Error{"the JSON " + *excess};
   return nlohmann::json::parse(text);
 } catch (const nlohmann::json::parse_error& error) {
   return Error{"no JSON at byte " + std::to_string(error.byte)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -9,15 +10,22 @@
 
 namespace galilean {
 
-/// How deep read_untrusted_json lets JSON nest. Copying and printing JSON recurse into it: text
-/// that nests a million levels deep would exhaust the stack. The project's own messages are
-/// flatter.
-inline constexpr int kDeepestJson = 64;
+/// How deep JSON may nest that is read. Copying and printing JSON recurse into it: text that nests
+/// a million levels deep would exhaust the stack. The project's own messages are flatter.
+inline constexpr int kDeepestJson = 32;
+
+/// How much JSON is read. Text beyond it is refused before anything is made of it, because a value
+/// takes many times the memory and the time of the two bytes that it may be written with.
+struct JsonLimits {
+  std::size_t bytes = std::size_t{64} << 20;  ///< of the text
+  std::size_t values = 1'000'000;             ///< in all, of which containers are some
+};
 
 /// Reads JSON that came from outside. Any text may be given. The result is safe to copy, compare
-/// and print. Errors: the text is not JSON in UTF-8, or it nests deeper than kDeepestJson. The
-/// error is one sentence.
-[[nodiscard]] Result<nlohmann::json> read_untrusted_json(std::string_view text);
+/// and print. Errors: the text is not JSON in UTF-8, it nests deeper than kDeepestJson, or it
+/// exceeds `limits`. The error is one sentence.
+[[nodiscard]] Result<nlohmann::json> read_untrusted_json(std::string_view text,
+                                                         const JsonLimits& limits = {});
 
 /// Reads JSON of a file or of a program's output. Errors: as read_untrusted_json; the error is a
 /// clause without a full stop that names the byte, so that the file's name can stand before it.

@@ -139,9 +139,11 @@ int main(int argc, char** argv) {
   app.option("--catalog", options.catalog_file,
              "JSON file of the components, used where no robot is asked for them")
       .names_file(".json");
-  const auto data = app.option("--data", options.data_folder,
-                               "folder that keeps the history of pushes and the tokens")
-                        .names_folder();
+  const auto data =
+      app.option(
+             "--data", options.data_folder,
+             "folder that keeps the history of pushes, the tokens and the key that signs orders")
+          .names_folder();
   app.option("--recordings", options.recordings_folder,
              "folder of the recordings that the page plays, and that are put there")
       .names_folder();

@@ -83,6 +83,10 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
              "which processes may send programs over DDS: 'any', or the names of DDS participants, "
              "such as monitor,swap [monitor]")
       .divided_by(',');
+  app.option("--trust", options.trust_file,
+             "obey only those whose public keys are in this file, a line each, as 'galilean keys' "
+             "prints it; anybody may still stop the robot")
+      .names_file();
   app.option("--log-level", options.log_level, "the least severe messages that are logged")
       .one_of({"debug", "info", "warning", "error", "off"})
       .show_default();

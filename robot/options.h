@@ -24,6 +24,7 @@ struct Options {
   bool fresh = false;              ///< begins with bhdl_file, whatever ran before
   bool keeps_nothing = false;      ///< for the next start, and knows nothing of the one before
   std::vector<std::string> accept_swaps_from;  ///< empty: only the monitor's
+  std::string trust_file;  ///< the public keys whose orders move the robot; empty: anybody's do
   std::string log_level = "info";
   bool print_catalog = false;
 };

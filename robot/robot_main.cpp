@@ -55,9 +55,18 @@ std::optional<bhdl::Program> read_program(const std::string& file, const Catalog
   return std::move(checked.program);
 }
 
+/// Where a signature proves who sent a program, the sender's name proves nothing more.
 AcceptedSenders accepted_senders(const Options& options) {
-  return options.accept_swaps_from.empty() ? AcceptedSenders()
-                                           : AcceptedSenders(options.accept_swaps_from);
+  if (!options.accept_swaps_from.empty()) return AcceptedSenders(options.accept_swaps_from);
+  return options.trust_file.empty() ? AcceptedSenders() : AcceptedSenders({AcceptedSenders::kAny});
+}
+
+/// Returns nothing if no file is named. Errors: it cannot be read, or names no key.
+Result<std::optional<TrustedKeys>> trusted_keys(const Options& options) {
+  if (options.trust_file.empty()) return std::optional<TrustedKeys>();
+  auto keys = TrustedKeys::load(options.trust_file);
+  if (!keys) return keys.error();
+  return std::optional<TrustedKeys>(std::move(keys).value());
 }
 
 OpenedDevices opened_devices(const Options& options, const DeviceSettings& settings) {
@@ -101,6 +110,8 @@ int refuse(const std::string& reason) {
 /// Runs the robot until a signal comes. Threads end in the reverse order of their start.
 int work(const Options& options, const Registry& components, bhdl::Program given,
          Termination& termination) {
+  const auto trust = trusted_keys(options);
+  if (!trust) return refuse(trust.error().message);
   const auto participant = wire::Participant::join(options.name, options.domain);
   if (!participant) return refuse(participant.error().message);
   participant.value()->refusals().tell_with(
@@ -161,7 +172,8 @@ int work(const Options& options, const Registry& components, bhdl::Program given
        .clock = clock,
        .accepted_senders = accepted_senders(options),
        .keep = [&](const bhdl::Program& proven,
-                   bool pushed) { keeper.keep(proven, pushed || proven.hash == pushed_hash); }},
+                   bool pushed) { keeper.keep(proven, pushed || proven.hash == pushed_hash); },
+       .trust = trust.value()},
       images, inputs);
   const auto tell_kept = [&](const std::string& problem) {
     telemetry.problems().note("restart", problem);

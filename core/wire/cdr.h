@@ -87,6 +87,18 @@ class CdrReader {
   template <class M>
   requires std::is_class_v<M>
   void read(M& to) { decode(*this, to); }
+  /// Returns whether the message ends here. Up to three bytes of padding may stand at its end.
+  [[nodiscard]] bool ends() {
+    constexpr std::size_t kWord = 4;
+    align(kWord);
+    return ok_ && at_ >= bytes_.size();
+  }
+  /// Reads a field that was appended to its message in a later release. It is left as it is if the
+  /// message ends before it.
+  template <class M>
+  void read_appended(M& to) {
+    if (!ends()) read(to);
+  }
 
  private:
   void align(std::size_t size) { at_ = 4 + (at_ - 4 + size - 1) / size * size; }

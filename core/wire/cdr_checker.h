@@ -36,6 +36,9 @@ class CdrChecker {
     const auto number = static_cast<double>(value);
     require(number >= low && number <= high, fault);
   }
+  /// Returns whether the message ends here, as those of earlier releases do before a field that was
+  /// appended to them.
+  [[nodiscard]] bool ends() { return good() && from_.ends(); }
   /// Leaves out numbers of `size` bytes that may be any.
   void skip(std::size_t count, std::size_t size) { from_.skip(count, size); }
   void text(std::size_t most_bytes, std::string_view fault) {

@@ -5,6 +5,7 @@
 #include "core/wire/messages.h"
 
 #include <dds/dds.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -44,6 +45,17 @@ std::string configuration() {
       "<Internal><WriterLingerDuration>0 s</WriterLingerDuration></Internal></Domain>";
   if (const char* own = std::getenv("CYCLONEDDS_URI"); own && *own) xml += std::string(",") + own;
   return xml;
+}
+
+/// Errors: so few file descriptors may be open that Cyclone would end the process where it opens
+/// its sockets.
+Result<void> require_descriptors() {
+  constexpr rlim_t kFewest = 64;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= kFewest) return {};
+  return Error{"only " + std::to_string(limit.rlim_cur) +
+               " files and connections may be open at once, and DDS needs " +
+               std::to_string(kFewest) + "; raise it with 'ulimit -n 1024'"};
 }
 
 Result<dds_domainid_t> domain_id(int domain) {
@@ -88,6 +100,7 @@ Participant::~Participant() {
 Result<std::unique_ptr<Participant>> Participant::join(const std::string& name, int domain) {
   const auto id = domain_id(domain);
   if (!id) return id.error();
+  if (const auto enough = require_descriptors(); !enough) return enough.error();
   auto state = std::make_unique<State>();
   state->number = id.value();
   // Cyclone refuses this if the process made the domain before. That domain then serves.

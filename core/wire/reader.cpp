@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/wire/address.h"
 #include "core/wire/announced.h"
 #include "core/wire/delivery.h"
 #include "core/wire/endpoints.h"
@@ -34,17 +35,30 @@ struct TakenSamples {
   }
 };
 
-/// Returns the name that discovery knows for the participant, in the domain of `member`.
-std::optional<std::string> participant_name(dds_entity_t member, dds_instance_handle_t who) {
+/// Cyclone lists here where it hears a participant.
+constexpr const char* kAddressesProperty = "__NetworkAddresses";
+
+/// Returns the participant's address without a port, or an empty text if there is none.
+std::string announced_address(const dds_qos_t* qos) {
+  char* locators = nullptr;
+  if (!dds_qget_prop(qos, kAddressesProperty, &locators) || !locators) return {};
+  const std::string list = locators;
+  dds_free(locators);
+  return address_in(list);
+}
+
+/// Returns what discovery knows of the participant, in the domain of `member`.
+std::optional<Sender> participant_of(dds_entity_t member, dds_instance_handle_t who) {
   const Entity participants(
       dds_create_reader(member, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, nullptr, nullptr));
   void* sample = nullptr;
   dds_sample_info_t info;
   if (dds_read_instance(participants.handle(), &sample, &info, 1, 1, who) != 1) return std::nullopt;
-  auto name = announced_name(static_cast<dds_builtintopic_participant_t*>(sample)->qos);
+  const dds_qos_t* qos = static_cast<dds_builtintopic_participant_t*>(sample)->qos;
+  Sender sender{announced_name(qos), announced_address(qos)};
   dds_return_loan(participants.handle(), &sample, 1);
-  if (name.empty()) return std::nullopt;
-  return name;
+  if (sender.name.empty()) return std::nullopt;
+  return sender;
 }
 
 }  // namespace
@@ -118,11 +132,11 @@ void Reader::on_data(std::function<void()> callback) {
   dds_delete_listener(listener);
 }
 
-std::optional<std::string> Reader::sender(const Received& received) const {
-  const Endpoint writer(dds_get_matched_publication_data(entity_.handle(), received.writer));
-  if (!writer) return std::nullopt;
-  return participant_name(dds_get_participant(entity_.handle()),
-                          writer->participant_instance_handle);
+std::optional<Sender> Reader::sender(std::uint64_t writer) const {
+  const Endpoint endpoint(dds_get_matched_publication_data(entity_.handle(), writer));
+  if (!endpoint) return std::nullopt;
+  return participant_of(dds_get_participant(entity_.handle()),
+                        endpoint->participant_instance_handle);
 }
 
 bool Reader::matches(std::uint64_t writer) const {

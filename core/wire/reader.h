@@ -31,6 +31,16 @@ struct Received {
   std::string_view robot = {};
 };
 
+/// A process that sends, as discovery knows it. It announces its name to the whole domain: that is
+/// not a field of the message, and without DDS security nothing proves that it is true.
+struct Sender {
+  std::string name;  ///< with which it joined the domain
+  std::string
+      address;  ///< where it is heard, such as "192.168.1.7"; empty: in this process, or unknown
+
+  bool operator==(const Sender&) const = default;
+};
+
 /// Receives the messages of one topic as bytes. msg::decode_cdr turns them into structs.
 ///
 /// This is the one door for messages: `take` hands none over that is outside of its type's bounds
@@ -58,10 +68,9 @@ class Reader {
   [[nodiscard]] int writers() const;
   /// Returns whether this writer is matched now. `writer` is EndpointInfo::handle.
   [[nodiscard]] bool matches(std::uint64_t writer) const;
-  /// Returns the name with which the writer's process joined the domain, or nothing if the writer
-  /// has left or announced no name. The process announces this name to the whole domain. It is not
-  /// a field of the message. Without DDS security nothing proves that it is true.
-  [[nodiscard]] std::optional<std::string> sender(const Received& received) const;
+  /// Returns the writer's process, or nothing if the writer has left or announced no name. `writer`
+  /// is Received::writer. Requires: the caller is no callback of on_data(), because this asks DDS.
+  [[nodiscard]] std::optional<Sender> sender(std::uint64_t writer) const;
 
  private:
   /// Returns whether the message is within its bounds, and counts it if not. Sets its robot.

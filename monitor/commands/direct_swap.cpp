@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <utility>
 
 #include "bhdl/program/catalog_file.h"
 #include "core/command_line/exit_code.h"
 #include "core/json_text.h"
+#include "core/orders/signed_writer.h"
 #include "core/wire/topic_names.h"
-#include "core/wire/writer.h"
+#include "monitor/access/operator_key.h"
 #include "monitor/commands/push_session.h"
 #include "monitor/commands/team_listener.h"
 #include "monitor/pushes/history/json.h"
@@ -55,7 +57,7 @@ int tell_replies(const Replies& replies, const msg::ProgramPush& message,
 }
 
 /// Sends the message, waits for the replies and prints them. Returns the exit code.
-int converse(TeamListener& listener, wire::Writer<msg::ProgramPush>& writer,
+int converse(TeamListener& listener, SignedWriter<msg::ProgramPush>& writer,
              const msg::ProgramPush& message, const std::vector<std::string>& robots,
              const DirectSwapOptions& options) {
   Replies replies(message.id, robots, listener.now());
@@ -73,11 +75,14 @@ int converse(TeamListener& listener, wire::Writer<msg::ProgramPush>& writer,
 }  // namespace
 
 int swap_directly(const DirectSwapOptions& options) {
+  auto signer = find_signer(options.key_file);
+  if (!signer) return fail(signer.error().message);
   const auto installed = bhdl::load_catalog(bhdl::default_catalog_path());
   auto joined = TeamListener::join("swap", options.domain);
   if (!joined) return fail(joined.error().message);
   TeamListener& listener = *joined.value();
-  wire::Writer<msg::ProgramPush> writer(listener.participant(), wire::kProgramPushTopic);
+  SignedWriter<msg::ProgramPush> writer(listener.participant(), wire::kProgramPushTopic,
+                                        std::move(signer).value());
   const auto robots = listener.find(options.push.robots, kDiscovery);
   if (!robots) return fail(robots.error().message);
 

@@ -12,6 +12,7 @@ struct DirectSwapOptions {
   std::string file;
   double timeout_s = 2;  ///< time that robots have to answer
   int domain = -1;
+  std::string key_file;  ///< of the key that signs the push; empty: the operator's, if there is one
 };
 
 /// Pushes a program over DDS without a monitor, and so without a trial and a canary. Prints the

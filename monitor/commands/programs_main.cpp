@@ -12,6 +12,7 @@
 #include "monitor/access/tokens.h"
 #include "monitor/commands/push_session.h"
 #include "monitor/pushes/history/json.h"
+#include "monitor/pushes/history/verification.h"
 #include "monitor/pushes/history/words.h"
 
 namespace {
@@ -25,6 +26,7 @@ using Files = std::vector<bhdl::SourceFile>;
 constexpr const char* kCommand = "galilean programs";
 // As diff does: what differs is no failure of the command.
 constexpr int kDiffer = 1, kNotCompared = 2;
+constexpr int kBroken = 1, kUnreadable = 3;
 
 int fail(const std::string& why, int exit_code = galilean::kFailed) {
   std::cerr << kCommand << ": " << why << std::endl;
@@ -68,6 +70,13 @@ void tell_empty(const std::string& url) {
             << "histories/domain-N-port-P in it.\n";
 }
 
+/// Returns the push's state, and when it was told if that was later.
+std::string state_words(const json& push) {
+  const auto word = push.value("state", "");
+  if (push_state_of(word) != PushState::kToldLater) return word;
+  return "confirmed (told later, " + clock_text(push.value("told_ns", std::int64_t{})) + ") ";
+}
+
 int list(const MonitorClient& monitor, const std::string& url, bool as_json) {
   const auto answer = monitor.get("/api/pushes");
   if (!answer) return fail(answer.error().message);
@@ -80,9 +89,42 @@ int list(const MonitorClient& monitor, const std::string& url, bool as_json) {
               << visible(push.value("hash", "").substr(0, 12)) << "  " << std::left << std::setw(24)
               << visible(push.value("program", "")) << ' ' << std::setw(10)
               << visible(push.value("author", "")) << ' ' << std::setw(12)
-              << visible(push.value("state", "")) << "to " << joined(push["targets"]) << ": "
+              << visible(state_words(push)) << "to " << joined(push["targets"]) << ": "
               << outcomes(push) << '\n';
   return EXIT_SUCCESS;
+}
+
+/// Returns what became of an order, such as "io is held, ganymede was silent for 2 s".
+std::string order_outcomes(const json& order) {
+  std::string text;
+  for (const auto& each : order.value("outcomes", json::array()))
+    text += (text.empty() ? "" : ", ") +
+            visible(each.value("of", "") + " " + each.value("outcome", ""));
+  return text.empty() ? "no outcome is known" : text;
+}
+
+int list_orders(const MonitorClient& monitor, bool as_json) {
+  const auto answer = monitor.get("/api/orders");
+  if (!answer) return fail(answer.error().message);
+  if (!answer.value().ok()) return fail(answer.value().detail());
+  if (as_json) return std::cout << json_text(answer.value().json, 1) << std::endl, EXIT_SUCCESS;
+  for (const auto& order : answer.value().json.value("orders", json::array()))
+    std::cout << clock_text(order.value("ordered_ns", std::int64_t{})) << "  " << std::left
+              << std::setw(20) << visible(order.value("kind", "")) << ' ' << std::setw(12)
+              << visible(order.value("author", "")) << "to "
+              << joined(order.value("targets", json::array()))
+              << (order.value("detail", "").empty() ? "" : " (")
+              << visible(order.value("detail", ""))
+              << (order.value("detail", "").empty() ? "" : ")") << ": " << order_outcomes(order)
+              << '\n';
+  return EXIT_SUCCESS;
+}
+
+int verify(const std::filesystem::path& data_folder) {
+  const auto found = verify_history(data_folder / "history.sqlite");
+  if (!found) return fail(found.error().message, kUnreadable);
+  std::cout << visible(in_words(found.value())) << std::endl;
+  return found.value().broken ? kBroken : EXIT_SUCCESS;
 }
 
 galilean::Result<Files> pushed(const MonitorClient& monitor, const std::string& hash) {
@@ -160,12 +202,23 @@ int main(int argc, char** argv) {
   Comparison comparison;
   std::string hash;
   bool list_as_json = false;
-  galilean::CommandLine app("Lists, shows, compares and restores pushed programs.", kCommand);
+  std::filesystem::path data_folder = default_data_folder();
+  galilean::CommandLine app(
+      "Lists, shows, compares and restores pushed programs, and verifies their history.", kCommand);
   app.require_command();
   app.share_options();
   add_monitor_option(app, options);
   auto listing = app.command("list", "list the last pushes, with their times, authors and results");
   listing.flag("--json", list_as_json, "as JSON");
+  auto orders = app.command(
+      "orders", "list the last orders that are no pushes: hold, stop, breaks, the instructor's");
+  orders.flag("--json", list_as_json, "as JSON");
+  auto verifying =
+      app.command("verify", "check that no row of the history was changed or taken away");
+  verifying.option("--data", data_folder, "the folder that has the monitor's history.sqlite")
+      .names_folder();
+  verifying.describe_exit(kBroken, "A row was changed or taken away; the first one is printed.");
+  verifying.describe_exit(kUnreadable, "The history cannot be read.");
   auto showing = app.command("show", "print a program's text");
   showing.option("hash", hash, "the program's hash, or the beginning of it").required();
   auto comparing = app.command("diff", "print what program B does differently from program A");
@@ -184,10 +237,12 @@ int main(int argc, char** argv) {
   if (const auto code = app.parse(argc, argv)) return *code;
   if (const auto targets = check_targets(options); restoring.chosen() && !targets)
     return app.refuse(targets.error().message);
+  if (verifying.chosen()) return verify(data_folder);
   const auto monitor = MonitorClient::at(options.monitor, options.token_file, options.trust);
   if (!monitor)
     return fail(monitor.error().message, comparing.chosen() ? kNotCompared : galilean::kFailed);
   if (listing.chosen()) return list(monitor.value(), options.monitor, list_as_json);
+  if (orders.chosen()) return list_orders(monitor.value(), list_as_json);
   if (showing.chosen()) return show(monitor.value(), hash);
   if (comparing.chosen()) return diff(monitor.value(), comparison);
   return restore(monitor.value(), hash, options);

@@ -7,6 +7,7 @@
 #include "core/command_line/domain_option.h"
 #include "core/command_line/seconds_of.h"
 #include "core/json_text.h"
+#include "monitor/access/operator_key.h"
 #include "monitor/commands/direct_swap.h"
 #include "monitor/commands/push_session.h"
 
@@ -50,14 +51,15 @@ int main(int argc, char** argv) {
   add_push_options(app, options.push);
   add_monitor_option(app, options.push);
   const auto directly = app.flag("--direct", direct,
-                                 "over DDS, without a monitor: to robots that were started with "
-                                 "--accept-swaps-from naming this program");
+                                 "over DDS, without a monitor: to robots that trust the key, or "
+                                 "were started with --accept-swaps-from naming this program");
   for (const auto* other :
        {"--try", "--try-only", "--canary", "--probation", "--monitor", "--token-file"})
     app.find(other).excludes(directly);
   galilean::add_seconds_option(app, "--timeout", options.timeout_s,
                                "how long to wait for answers, such as 5s (with --direct)");
   galilean::add_domain_option(app, options.domain, "with --direct");
+  add_key_option(app, options.key_file, "with --direct");
   if (const auto code = app.parse(argc, argv)) return *code;
   if (const auto targets = check_targets(options.push); !targets)
     return app.refuse(targets.error().message);

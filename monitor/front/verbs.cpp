@@ -41,6 +41,7 @@ constexpr std::array kVerbs{
     Verb{"step", "galilean-break", "step", "Let robots go on to their next change of state"},
     Verb{"decommission", "galilean-command", "decommission", "Take robots out of service"},
     Verb{"commission", "galilean-command", "commission", "Let robots serve again"},
+    Verb{"keys", "galilean-keys", "", "Print the public key that robots are to trust"},
     Verb{"doctor", "galilean-doctor", "", "Check whether this machine has what Galilean needs"},
     Verb{"manual", "galilean-manual", "manual", "Print a verb's manual page"},
     Verb{"completion", "galilean-manual", "completion", "Print a shell's completion of all this"},

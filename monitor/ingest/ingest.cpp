@@ -40,10 +40,10 @@ bool Ingest::Source::is_replayed(const wire::Received& received) {
   constexpr std::size_t kMostWriters = 64;
   if (const auto known = replays.find(received.writer); known != replays.end())
     return known->second;
-  const auto sender = reader->sender(received);
+  const auto sender = reader->sender(received.writer);
   if (!sender) return false;
   if (replays.size() >= kMostWriters) replays.clear();
-  return replays[received.writer] = *sender == wire::kReplayName;
+  return replays[received.writer] = sender->name == wire::kReplayName;
 }
 
 Ingest::Ingest(wire::Participant& participant, Callbacks callbacks, Wake wake,

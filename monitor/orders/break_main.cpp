@@ -5,9 +5,12 @@
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <memory>
+#include <utility>
 
 #include "core/command_line/exit_code.h"
 #include "core/visible_text.h"
+#include "monitor/access/operator_key.h"
 #include "monitor/orders/break_options.h"
 #include "monitor/orders/break_orders.h"
 #include "monitor/orders/break_words.h"
@@ -58,9 +61,16 @@ std::string with_unknown_states(std::string effect, const msg::BreakOrder& order
   return effect;
 }
 
-Result<int> give(OrderSession& session, msg::BreakOrder order, const Addressees& whom,
+/// Who gives the order, to whom.
+struct Giver {
+  const Addressees& whom;
+  std::shared_ptr<OrderSigner> signer;  ///< null: there is no key
+};
+
+Result<int> give(OrderSession& session, msg::BreakOrder order, const Giver& giver,
                  std::size_t there) {
-  BreakOrders orders(session.participant());
+  BreakOrders orders(session.participant(), giver.signer);
+  const Addressees& whom = giver.whom;
   order.targets = whom.robots;
   session.wait(OrderSession::kHear, [&] { return orders.listeners() >= static_cast<int>(there); });
   const Time given = session.now();
@@ -71,8 +81,9 @@ Result<int> give(OrderSession& session, msg::BreakOrder order, const Addressees&
   });
 }
 
-Result<int> step(OrderSession& session, const Addressees& whom, std::size_t there) {
-  Operator speaker(session.participant());
+Result<int> step(OrderSession& session, const Giver& giver, std::size_t there) {
+  Operator speaker(session.participant(), giver.signer);
+  const Addressees& whom = giver.whom;
   session.wait(OrderSession::kHear, [&] { return speaker.listeners() >= static_cast<int>(there); });
   const Time given = session.now();
   if (!speaker.say(Operator::Word::kStep, whom.robots))
@@ -116,14 +127,23 @@ Result<int> run(const Addressees& whom, const Talk& talk) try {
 }
 
 Result<int> run_break(const BreakOptions& options, const msg::BreakOrder& order) {
+  if (options.list)
+    return run(options.whom,
+               [&](OrderSession& session, std::size_t) { return list(session, options.whom); });
+  auto signer = find_signer(options.key_file);
+  if (!signer) return signer.error();
+  const Giver giver{options.whom, std::move(signer).value()};
   return run(options.whom, [&](OrderSession& session, std::size_t there) {
-    return options.list ? list(session, options.whom) : give(session, order, options.whom, there);
+    return give(session, order, giver, there);
   });
 }
 
-Result<int> run_step(const Addressees& whom) {
+Result<int> run_step(const Addressees& whom, const std::string& key_file) {
+  auto signer = find_signer(key_file);
+  if (!signer) return signer.error();
+  const Giver giver{whom, std::move(signer).value()};
   return run(whom,
-             [&](OrderSession& session, std::size_t there) { return step(session, whom, there); });
+             [&](OrderSession& session, std::size_t there) { return step(session, giver, there); });
 }
 
 }  // namespace
@@ -131,18 +151,20 @@ Result<int> run_step(const Addressees& whom) {
 int main(int argc, char** argv) {
   BreakOptions options;
   Addressees stepping;
+  std::string step_key_file;
   CommandLine app("Stops robots between states, and lets them go on step by step.", "galilean");
   app.require_command();
   auto breaking = app.command("break", "Make robots stop, or wait, where their state changes");
   add_break_options(breaking, options);
   auto stepped = app.command("step", "Let robots go on until their next change of state");
   add_addressees(stepped, stepping);
+  add_key_option(stepped, step_key_file);
   if (const auto code = app.parse(argc, argv)) return *code;
   const bool breaks = breaking.chosen();
   const auto order = breaks && !options.list ? order_of(options) : msg::BreakOrder{};
   if (!order) return app.refuse(order.error().message);
   if (const auto named = check_named(stepping); !breaks && !named)
     return app.refuse(named.error().message);
-  const auto code = breaks ? run_break(options, order.value()) : run_step(stepping);
+  const auto code = breaks ? run_break(options, order.value()) : run_step(stepping, step_key_file);
   return code ? code.value() : fail(app, code.error().message);
 }

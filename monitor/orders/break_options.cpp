@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/orders/break_options.h"
 
+#include "monitor/access/operator_key.h"
 #include "monitor/orders/break_words.h"
 
 namespace galilean::monitor {
@@ -38,6 +39,7 @@ Result<msg::BreakOrder> order_in(const BreakOptions& options) {
 void add_break_options(CommandLine& line, BreakOptions& options) {
   auto places = line.option("place", options.places, kPlaces);
   add_addressees(line, options.whom);
+  add_key_option(line, options.key_file);
   auto stop_team =
       line.flag("--stop-team", options.stop_team, "Stop the whole team, and not this robot alone");
   auto lock =

@@ -14,6 +14,7 @@ namespace galilean::monitor {
 /// The options of `galilean break`.
 struct BreakOptions {
   Addressees whom;
+  std::string key_file;  ///< empty: the operator's key, if there is one
   std::vector<std::string> places;
   std::string let_through;
   bool stop_team = false;

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <memory>
+#include <utility>
 
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
 #include "core/command_line/exit_code.h"
 #include "core/visible_text.h"
+#include "monitor/access/operator_key.h"
 #include "monitor/orders/command_round.h"
 
 namespace {
@@ -23,10 +26,22 @@ int fail(const CommandLine& app, const std::string& why) {
   return kFailed;
 }
 
-int run(const CommandLine& app, Word word, const Addressees& whom) try {
+/// Robots take these from anybody, so that a key that is broken is in nobody's way.
+bool needs_no_key(Word word) {
+  return word == Word::kHold || word == Word::kDecommission;
+}
+
+int run(const CommandLine& app, Word word, const Addressees& whom,
+        const std::string& key_file) try {
+  std::shared_ptr<OrderSigner> signer;
+  if (!needs_no_key(word)) {
+    auto found = find_signer(key_file);
+    if (!found) return fail(app, found.error().message);
+    signer = std::move(found).value();
+  }
   const auto session = OrderSession::join("command", whom.domain);
   if (!session) return fail(app, session.error().message);
-  CommandRound round(*session.value(), word, whom);
+  CommandRound round(*session.value(), word, whom, std::move(signer));
   if (word == Word::kHold && !round.say_at_once())
     std::cerr << app.typed() << ": DDS did not accept the command, which is sent again\n";
   const auto outcomes = round.run();
@@ -45,29 +60,40 @@ int run(const CommandLine& app, Word word, const Addressees& whom) try {
   return verb;
 }
 
+[[nodiscard]] CommandLine add_signed(CommandLine& app, const char* name, const char* help,
+                                     Addressees& whom, std::string& key_file) {
+  auto verb = add(app, name, help, whom);
+  add_key_option(verb, key_file);
+  return verb;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   Addressees whom;
+  std::string key_file;
   CommandLine app("Gives robots an operator's command.", "galilean");
   app.require_command();
   const std::pair<CommandLine, Word> words[] = {
       {add(app, "hold", "Stand still until resumed", whom), Word::kHold},
-      {add(app, "resume", "Go on after a hold, or from a break point", whom), Word::kResume},
-      {add(app, "start", "Push a bumper, which the start state waits for", whom), Word::kStart},
+      {add_signed(app, "resume", "Go on after a hold, or from a break point", whom, key_file),
+       Word::kResume},
+      {add_signed(app, "start", "Push a bumper, which the start state waits for", whom, key_file),
+       Word::kStart},
       {add(app, "decommission", "Stand still until commissioned, whoever resumes", whom),
        Word::kDecommission},
-      {add(app, "commission", "Serve again after having been decommissioned", whom),
+      {add_signed(app, "commission", "Serve again after having been decommissioned", whom,
+                  key_file),
        Word::kCommission}};
   auto stopping = app.command("stop", "Every robot stands still, at once, until resumed");
   add_domain_option(stopping, whom.domain);
   if (const auto code = app.parse(argc, argv)) return *code;
   if (stopping.chosen()) {
     whom.team = true;
-    return run(app, Word::kHold, whom);
+    return run(app, Word::kHold, whom, key_file);
   }
   if (const auto named = check_named(whom); !named) return app.refuse(named.error().message);
   for (const auto& [line, word] : words)
-    if (line.chosen()) return run(app, word, whom);
+    if (line.chosen()) return run(app, word, whom, key_file);
   return kWrongUsage;
 }

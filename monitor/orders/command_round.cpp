@@ -33,7 +33,7 @@ Result<std::vector<CommandOutcome>> CommandRound::run() {
   robots_ = session_.everyone(whom_);
   note_before();
   session_.wait(OrderSession::kAnswer, [&] {
-    if (all_obeyed()) return true;
+    if (all_done()) return true;
     tell_again();
     return false;
   });
@@ -46,13 +46,20 @@ void CommandRound::note_before() {
   for (const auto& robot : robots_) before_.try_emplace(robot, report_of(robot));
 }
 
-bool CommandRound::all_obeyed() {
+bool CommandRound::all_done() {
   for (const auto& robot : robots_)
     if (auto now = report_of(robot); !obeyed_.contains(robot) &&
                                      session_.has_told_since(robot, said_) &&
                                      complied(word_, before_[robot], now))
       obeyed_[robot] = std::move(now);
-  return std::ranges::all_of(robots_, [&](const auto& robot) { return obeyed_.contains(robot); });
+  return std::ranges::all_of(robots_, [&](const auto& robot) {
+    return obeyed_.contains(robot) || !refusal_of(robot).empty();
+  });
+}
+
+std::string CommandRound::refusal_of(const std::string& robot) const {
+  const msg::BreakAnswer* answer = session_.answer_of(robot, speaker_.last_id());
+  return answer ? answer->refused : "";
 }
 
 /// A robot that hangs may come back at any time. Nothing but a hold is said twice: a second push of
@@ -77,6 +84,7 @@ RobotReport CommandRound::report_of(const std::string& robot) const {
 CommandOutcome CommandRound::outcome(const std::string& robot) {
   if (const auto obeyed = obeyed_.find(robot); obeyed != obeyed_.end())
     return {robot, outcome_of(word_, before_[robot], obeyed->second), true};
+  if (const auto why = refusal_of(robot); !why.empty()) return {robot, "refused: " + why, false};
   if (!session_.has_told_since(robot, said_)) return {robot, session_.silence_of(robot), false};
   return {robot, outcome_of(word_, before_[robot], report_of(robot)),
           word_ == Operator::Word::kStart};

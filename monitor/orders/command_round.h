@@ -2,7 +2,9 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/result.h"
@@ -23,21 +25,29 @@ struct CommandOutcome {
 /// by a state of its own that is received after the command.
 class CommandRound {
  public:
-  /// Requires: `session` and `whom` outlive this.
-  CommandRound(OrderSession& session, Operator::Word word, const Addressees& whom)
-      : session_(session), speaker_(session.participant()), word_(word), whom_(whom) {}
+  /// Requires: `session` and `whom` outlive this. `signer` signs the command; null: nobody does.
+  CommandRound(OrderSession& session, Operator::Word word, const Addressees& whom,
+               std::shared_ptr<OrderSigner> signer = nullptr)
+      : session_(session),
+        speaker_(session.participant(), std::move(signer)),
+        word_(word),
+        whom_(whom) {}
 
   /// Tells whoever listens before it is known who is there. Returns false if DDS did not accept it.
   [[nodiscard]] bool say_at_once();
-  /// Gives the command, and waits until all robots obeyed, for at most OrderSession::kAnswer. Who
-  /// is to stand still is told again all that time. Returns the outcome for each robot that is
-  /// named or known. Errors: none of them is there, or DDS did not accept the command.
+  /// Gives the command, and waits until all robots obeyed or refused, for at most
+  /// OrderSession::kAnswer. Who is to stand still is told again all that time. Returns the outcome
+  /// for each robot that is named or known. Errors: none of them is there, or DDS did not accept
+  /// the command.
   [[nodiscard]] Result<std::vector<CommandOutcome>> run();
 
  private:
   void note_before();
-  /// Returns whether all robots have obeyed. One that has is done, whoever commands it later.
-  [[nodiscard]] bool all_obeyed();
+  /// Returns whether all robots have obeyed or refused. One that has is done, whoever commands it
+  /// later.
+  [[nodiscard]] bool all_done();
+  /// Returns why the robot refused the last command, or an empty text if it did not.
+  [[nodiscard]] std::string refusal_of(const std::string& robot) const;
   void tell_again();
   [[nodiscard]] RobotReport report_of(const std::string& robot) const;
   [[nodiscard]] CommandOutcome outcome(const std::string& robot);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/orders/signed_writer.h"
 #include "core/wire/messages.h"
 #include "core/wire/participant.h"
 #include "core/wire/topic_names.h"
-#include "core/wire/writer.h"
 
 namespace galilean::monitor {
 
@@ -16,7 +18,9 @@ class Operator {
  public:
   enum class Word { kHold, kResume, kStep, kStart, kDecommission, kCommission };
 
-  explicit Operator(wire::Participant& participant) : writer_(participant, wire::kCommandTopic) {}
+  /// `signer` signs the commands; null: nobody does.
+  explicit Operator(wire::Participant& participant, std::shared_ptr<OrderSigner> signer = nullptr)
+      : writer_(participant, wire::kCommandTopic, std::move(signer)) {}
 
   /// Returns the number of readers of the command topic, which is the number of robots that listen.
   [[nodiscard]] int listeners() const { return writer_.readers(); }
@@ -27,7 +31,7 @@ class Operator {
   [[nodiscard]] const std::string& last_id() const noexcept { return last_id_; }
 
  private:
-  wire::Writer<msg::Command> writer_;
+  SignedWriter<msg::Command> writer_;
   unsigned long said_ = 0;
   std::string last_id_;
 };

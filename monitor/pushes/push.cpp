@@ -21,7 +21,13 @@ Push Push::of_others(const msg::ProgramPush& message, const OrderTargets& target
   Push push(PushContent(message), targets);
   push.is_answered_ = true;
   push.finish_step({}, now);
-  push.requests_ = {RecordPush{message, {.state = PushState::kForeign}}};
+  Progress progress{.state = PushState::kForeign};
+  const auto hash = push.record().hash;
+  if (hash != message.hash)
+    progress.steps = {{StepKind::kCheck, StepState::kFailed,
+                       "it announces the hash " + message.hash + ", but its files have " +
+                           (hash.empty() ? "none" : hash) + "; robots refuse it"}};
+  push.requests_ = {RecordPush{message, std::move(progress)}};
   return push;
 }
 
@@ -48,11 +54,16 @@ void Push::begin(StepKind kind, Time now) {
       return requests_.push_back(content_.trial(rollout_.plan().awaited));
     case StepKind::kCanary:
       rollout_.begin_canary(now);
-      return requests_.push_back(content_.to_canary());
+      return send(content_.to_canary());
     case StepKind::kRest:
       rollout_.begin_rest(now);
-      return requests_.push_back(content_.to_rest(rollout_.rest()));
+      return send(content_.to_rest(rollout_.rest()));
   }
+}
+
+void Push::send(SendProgram program) {
+  program.progress = progress();
+  requests_.push_back(std::move(program));
 }
 
 void Push::finish_step(const std::string& detail, Time now) {

@@ -79,6 +79,7 @@ class Push {
   void handle(const RequestFailed& failed, Time now);
   void begin_next(Time now);
   void begin(StepKind kind, Time now);
+  void send(SendProgram program);
   void finish_step(const std::string& detail, Time now);
   void end(StepState how, const std::string& detail);
   void judge_canary(Time now) {
@@ -91,7 +92,7 @@ class Push {
   void answer(PushAnswer answer) {
     if (!std::exchange(is_answered_, true)) answer_.emplace(std::move(answer));
   }
-  [[nodiscard]] Progress progress() const { return {steps_.state(), steps_.all(), trial_}; }
+  [[nodiscard]] Progress progress() const { return {steps_.state(), steps_.all(), trial_, 0}; }
 
   PushContent content_;
   Rollout rollout_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/wire/ros_time.h"
+#include "monitor/pushes/history/push_messages.h"
 
 namespace galilean::monitor {
 namespace {
@@ -21,7 +22,8 @@ PushContent::PushContent(const msg::ProgramPush& message)
     : order_{.files = {}, .targets = message.targets, .author = message.author},
       identity_{.id = message.id, .pushed_ns = wire::since_epoch_ns(message.stamp)},
       is_ours_(false) {
-  message_.hash = message.hash;
+  // Whatever it announces: what its files have is what a robot can be asked to run.
+  message_.hash = hash_of_files(message);
   if (!message.files.empty()) message_.files.push_back({message.files.front().path, {}});
 }
 
@@ -71,7 +73,8 @@ TryProgram PushContent::trial(std::vector<std::string> robots) const {
 
 SendProgram PushContent::sending(std::vector<std::string> robots) const {
   SendProgram send{.push = message_};
-  send.push.targets = std::move(robots);
+  send.push.targets = robots;
+  send.awaited = std::move(robots);
   return send;
 }
 
@@ -82,7 +85,8 @@ SendProgram PushContent::to_canary() const {
 SendProgram PushContent::to_rest(std::vector<std::string> rest) const {
   // A canary runs the program already. Without a canary, the targets are sent as they were ordered:
   // an empty list reaches robots, too, that this monitor does not hear.
-  auto send = sending(order_.canary.empty() ? order_.targets : std::move(rest));
+  auto send = sending(std::move(rest));
+  if (order_.canary.empty()) send.push.targets = order_.targets;
   send.is_for_team = order_.targets.empty();
   return send;
 }

@@ -6,13 +6,16 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/clock.h"
 #include "core/wire/messages.h"
 #include "core/wire/participant.h"
 #include "core/wire/refusals.h"
+#include "monitor/pushes/late_replies.h"
 #include "monitor/pushes/push.h"
 #include "monitor/pushes/push_executor.h"
 #include "monitor/pushes/push_order.h"
@@ -33,6 +36,8 @@ class PushDesk {
 
   /// Begins a push, and calls `finish` when each robot has replied or kReplyTimeout is over. A
   /// push with a trial or a canary takes longer: `finish` is called as soon as it is recorded.
+  /// An order with the id of an earlier one begins nothing, and gets the earlier one's answer. No
+  /// answer is given before what it tells is in the history.
   /// Errors: the order is refused, or this machine cannot carry it out.
   void order(PushOrder order, Finish finish);
   /// Cancels a push. Errors: no such push is under way (kNotFound), or it is too late (kConflict).
@@ -42,20 +47,30 @@ class PushDesk {
   void describe(const std::string& id, Finish finish);
 
   /// Takes in a message that DDS brought.
-  void note(const msg::ProgramPush& push);
+  void note(const msg::ProgramPush& announced);
   void note(const msg::ProgramReply& reply);
 
  private:
   struct Open {
     Push push;
-    Finish finish;  ///< null if nobody waits for the answer, or no longer
+    std::vector<Finish> finish;             ///< of those who wait for the answer
+    std::optional<PushAnswer> answer = {};  ///< the one that was given
+    bool is_told_over = false;              ///< it is over, and LateReplies knows it
   };
   using OpenPtr = std::shared_ptr<Open>;
 
   [[nodiscard]] OpenPtr find(const std::string& id) const;
   [[nodiscard]] OpenPtr under_way_to(const std::vector<std::string>& targets) const;
-  OpenPtr keep(Push push, Finish finish);
-  void refuse_stale(const PushOrder& order, const Stale& stale, Finish finish);
+  OpenPtr keep(Push push, std::vector<Finish> finish);
+  /// Answers an order as the earlier one of the same id. Returns false if none is remembered.
+  [[nodiscard]] bool answer_again(const std::string& id, const Finish& finish);
+  void begin(PushOrder order, const Finish& finish);
+  void refuse(const std::string& id, const Refusal& refusal, const Finish& finish);
+  void refuse_stale(const PushOrder& order, const Stale& stale, const Finish& finish);
+  void refuse_under_way(const PushOrder& order, const PushRecord& other,
+                        const std::string& running_hash, const Finish& finish);
+  void after_writes(const std::function<void()>& then);
+  void give(Open& open, const PushAnswer& answer);
   void take(const std::string& id, const PushResult& result);
   void advance(Open& open);
   void watch();
@@ -67,7 +82,9 @@ class PushDesk {
   const Clock& clock_;
   wire::Refusals& refusals_;
   PushExecutor executor_;
-  std::deque<Time> others_;   ///< when the newest pushes of others came
+  std::deque<Time> others_;  ///< when the newest pushes of others came
+  LateReplies late_;
+  std::deque<std::pair<std::string, Refusal>> refused_;  ///< the newest refusals, by orders' ids
   std::deque<OpenPtr> open_;  ///< the newest last; old ones that are over are dropped
   boost::asio::steady_timer timer_;
 };

@@ -21,8 +21,8 @@ void log_failure(const Result<void>& outcome) {
 PushExecutor::PushExecutor(const Parts& parts, wire::Participant& participant, Report report)
     : parts_(parts),
       report_(std::move(report)),
-      pushes_(participant, wire::kProgramPushTopic),
-      rollbacks_(participant, wire::kProgramRollbackTopic),
+      pushes_(participant, wire::kProgramPushTopic, parts.signer),
+      rollbacks_(participant, wire::kProgramRollbackTopic, parts.signer),
       progress_(participant, wire::kPushProgressTopic) {}
 
 Result<void> PushExecutor::carry_out(const std::string& push_id, PushRequest request) {
@@ -31,7 +31,7 @@ Result<void> PushExecutor::carry_out(const std::string& push_id, PushRequest req
 
 Result<void> PushExecutor::carry_out(const std::string& push_id, CheckProgram request) {
   const auto asked = std::make_shared<const CheckProgram>(std::move(request));
-  parts_.worker.run(
+  const bool is_taken = parts_.checks.offer(
       [asked, &library = parts_.library] {
         return check_for(asked->files, asked->robots, library);
       },
@@ -46,6 +46,11 @@ Result<void> PushExecutor::carry_out(const std::string& push_id, CheckProgram re
       [this, push_id](const std::string& why) {
         report_(push_id, RequestFailed{why + "; nothing was pushed"});
       });
+  if (is_taken) return {};
+  boost::asio::post(parts_.io, [this, push_id] {
+    report_(push_id, RequestFailed{"more programs wait to be checked than the monitor keeps; "
+                                   "push again in a moment; nothing was pushed"});
+  });
   return {};
 }
 
@@ -91,10 +96,21 @@ const Trial* PushExecutor::trial(const std::string& push_id) const {
 
 Result<void> PushExecutor::carry_out(const std::string& push_id, SendProgram request) {
   if (request.is_for_team) parts_.team.note_push(request.push.hash);
+  // What is sent must be known after this process was killed, so that what the robots tell of it
+  // then is understood.
   parts_.worker.run(
-      [this, push = std::move(request.push)] { return pushes_.write(push); },
-      [this, push_id](bool taken) {
-        if (!taken) report_(push_id, SendFailed{});
+      [this, push_id, request = std::move(request)]() -> Result<bool> {
+        if (const auto kept =
+                parts_.history.add_sending(push_id, request.progress, request.awaited);
+            !kept)
+          return kept.error();
+        return pushes_.write(request.push);
+      },
+      [this, push_id](const Result<bool>& sent) {
+        if (!sent)
+          report_(push_id, RequestFailed{sent.error().message + "; the program was not sent"});
+        else if (!sent.value())
+          report_(push_id, SendFailed{});
       },
       [this, push_id](const std::string& why) { report_(push_id, RequestFailed{why}); });
   return {};
@@ -132,10 +148,14 @@ Result<void> PushExecutor::carry_out(const std::string& push_id, RecordReply req
 Result<void> PushExecutor::carry_out(const std::string& push_id, TellProgress request) {
   parts_.worker.run([this, push_id, message = progress_message(request.push),
                      progress = std::move(request.push.progress)] {
-    (void)progress_.write(message);
     log_failure(parts_.history.set_progress(push_id, progress));
+    (void)progress_.write(message);
   });
   return {};
+}
+
+void PushExecutor::publish(const PushRecord& push) {
+  parts_.worker.run([this, message = progress_message(push)] { (void)progress_.write(message); });
 }
 
 }  // namespace galilean::monitor

@@ -61,6 +61,13 @@ Result<void, Refusal> require_targets(const PushOrder& order, const OrderTargets
   return {};
 }
 
+std::string runs_now(const PushOrder& order, const OrderTargets& targets, const Team& team) {
+  if (order.targets.empty()) return team.program_hash();
+  for (const auto& target : targets.awaited)
+    if (const Robot* robot = team.find(target.robot)) return robot->running_hash();
+  return {};
+}
+
 std::optional<Stale> stale(const PushOrder& order, const OrderTargets& targets, const Team& team) {
   if (order.replaces.empty()) return std::nullopt;
   if (order.targets.empty()) {
@@ -71,8 +78,8 @@ std::optional<Stale> stale(const PushOrder& order, const OrderTargets& targets, 
   }
   for (const auto& target : targets.awaited) {
     const Robot* robot = team.find(target.robot);
-    if (robot && robot->state && robot->state->program_hash != order.replaces)
-      return Stale{target.robot, robot->state->program_hash};
+    if (robot && robot->state && robot->running_hash() != order.replaces)
+      return Stale{target.robot, robot->running_hash()};
   }
   return std::nullopt;
 }
@@ -81,7 +88,7 @@ std::string replaced_by_each(const std::string& replaces, const std::vector<Targ
                              const Team& team) {
   const bool all_run_it = std::ranges::all_of(robots, [&](const Target& target) {
     const Robot* robot = team.find(target.robot);
-    return robot && robot->state && robot->state->program_hash == replaces;
+    return robot && robot->state && robot->running_hash() == replaces;
   });
   return all_run_it ? replaces : std::string();
 }

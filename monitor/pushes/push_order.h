@@ -36,6 +36,8 @@ struct PushOrder {
   TrialOptions trial = {};
   std::string canary = {};                 ///< the robot that runs it first; empty: all at once
   std::optional<Duration> probation = {};  ///< of each robot; the rest waits for the canary's
+  /// The push's id, if who orders it has given one: so that an order that comes twice is one push.
+  std::string id = {};
 };
 
 /// The identity of a push.
@@ -62,6 +64,10 @@ struct OrderTargets {
 [[nodiscard]] Result<void, Refusal> require_targets(const PushOrder& order,
                                                     const OrderTargets& targets, const Team& team);
 
+/// Returns the hash of the program that the order's robots run; empty if it is not known. The
+/// team's is the one that it is meant to run.
+[[nodiscard]] std::string runs_now(const PushOrder& order, const OrderTargets& targets,
+                                   const Team& team);
 /// Returns the program that runs, if it is not the one that the order is to replace.
 [[nodiscard]] std::optional<Stale> stale(const PushOrder& order, const OrderTargets& targets,
                                          const Team& team);

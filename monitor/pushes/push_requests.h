@@ -36,10 +36,13 @@ struct TryProgram {
 };
 /// End the trial, because the push has ended before it.
 struct EndTrial {};
-/// Send the program to the robots that the message names. → SendFailed, if it fails
+/// Write into the history which robots are to run the program, then send it to those that the
+/// message names. → SendFailed or RequestFailed, if it fails
 struct SendProgram {
   msg::ProgramPush push;
-  bool is_for_team = false;  ///< the team is meant to run this program from now on
+  std::vector<std::string> awaited = {};  ///< the robots that must reply
+  Progress progress = {};                 ///< how far the push is with it
+  bool is_for_team = false;               ///< the team is meant to run this program from now on
 };
 /// Order a robot to go back from the program to the one that it ran before.
 struct RollBack {
@@ -53,7 +56,7 @@ struct RollBack {
 struct RecordReply {
   RobotReply reply;
 };
-/// Publish how far the push is, and write it into the history.
+/// Write into the history how far the push is, and publish it.
 struct TellProgress {
   PushRecord push;
 };

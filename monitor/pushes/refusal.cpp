@@ -35,6 +35,13 @@ std::string program_words(const PushRecord& push) {
   return push.program + (push.hash.empty() ? "" : " (" + short_hash(push.hash) + ")");
 }
 
+/// Returns which program runs, and who pushed it. `by` is the push that brought it.
+std::string origin(const std::string& hash, const std::optional<PushRecord>& by) {
+  return by ? program_words(*by) + ", which " + by->author + " pushed at " +
+                  clock_time(by->pushed_ns)
+            : short_hash(hash) + ", which was not pushed through this monitor";
+}
+
 }  // namespace
 
 Refusal not_found(std::string message) {
@@ -53,24 +60,26 @@ Refusal cannot_now(const std::string& why) {
   return unavailable("The monitor cannot do this now: " + why + ".");
 }
 
-Refusal under_way(const PushRecord& other) {
+Refusal under_way(const PushRecord& other, const std::string& running_hash,
+                  const std::optional<PushRecord>& by) {
   auto refusal =
       conflict(other.author + " is pushing " + program_words(other) + " to " + audience(other) +
-               " since " + clock_time(other.pushed_ns) + "; wait for its end, or cancel it.");
+               " since " + clock_time(other.pushed_ns) + "; wait for its end, or cancel it." +
+               (running_hash.empty() ? "" : " Now runs " + origin(running_hash, by) + "."));
   refusal.pushed = other;
+  if (!running_hash.empty()) refusal.running_hash = running_hash;
+  refusal.running_pushed = by;
   return refusal;
 }
 
 Refusal replaced_meanwhile(const std::string& replaces, const Stale& stale,
                            const std::optional<PushRecord>& by) {
   const std::string who = stale.robot.empty() ? "the team" : stale.robot;
-  const std::string from =
-      by ? program_words(*by) + ", which " + by->author + " pushed at " + clock_time(by->pushed_ns)
-         : short_hash(stale.hash) + ", which was not pushed through this monitor";
   auto refusal = conflict("It is to replace " + short_hash(replaces) + ", but " + who + " runs " +
-                          from + "; look at it before you replace it.");
+                          origin(stale.hash, by) + "; look at it before you replace it.");
   refusal.running_hash = stale.hash;
   refusal.pushed = by;
+  refusal.running_pushed = by;
   return refusal;
 }
 
@@ -93,6 +102,7 @@ nlohmann::json to_json(const Refusal& refusal) {
   auto json = nlohmann::json::object();
   if (refusal.running_hash) json["running_hash"] = *refusal.running_hash;
   if (refusal.pushed) json["pushed"] = to_json(*refusal.pushed);
+  if (refusal.running_pushed) json["running_pushed"] = to_json(*refusal.running_pushed);
   if (refusal.check) {
     json["robot"] = refusal.check->refused_by;
     json["diagnostics"] = refusal.check->result.diagnostics;

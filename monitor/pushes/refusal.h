@@ -28,9 +28,10 @@ struct Refusal {
   Reason reason = Reason::kConflict;
   std::string message;  ///< one sentence
 
-  std::optional<PushRecord> pushed = {};         ///< the push that is the reason
-  std::optional<std::string> running_hash = {};  ///< the program that runs instead
-  std::optional<TargetCheck> check = {};         ///< the check that found errors
+  std::optional<PushRecord> pushed = {};          ///< the push that is the reason
+  std::optional<std::string> running_hash = {};   ///< the program that runs instead
+  std::optional<PushRecord> running_pushed = {};  ///< the push that brought it; none is known
+  std::optional<TargetCheck> check = {};          ///< the check that found errors
 };
 
 /// The answer to an order, or to a question about a push.
@@ -42,8 +43,10 @@ using PushAnswer = Result<PushRecord, Refusal>;
 /// Returns the refusal of what this machine cannot do now. `why` is a clause.
 [[nodiscard]] Refusal cannot_now(const std::string& why);
 
-/// Returns the refusal of an order while `other` is under way to the same robots.
-[[nodiscard]] Refusal under_way(const PushRecord& other);
+/// Returns the refusal of an order while `other` is under way to the same robots. `running_hash` is
+/// the program that runs meanwhile, and `by` the push that brought it, as far as they are known.
+[[nodiscard]] Refusal under_way(const PushRecord& other, const std::string& running_hash,
+                                const std::optional<PushRecord>& by);
 /// Returns the refusal of an order to replace a program that no longer runs. `by` is the push that
 /// brought the program that runs; none if this monitor knows of none.
 [[nodiscard]] Refusal replaced_meanwhile(const std::string& replaces, const Stale& stale,
@@ -53,7 +56,8 @@ using PushAnswer = Result<PushRecord, Refusal>;
 /// Returns the refusal to cancel `push`, which can no longer be cancelled.
 [[nodiscard]] Refusal too_late(const PushRecord& push);
 
-/// Returns {pushed, running_hash, robot, diagnostics}, without what the refusal does not have.
+/// Returns {pushed, running_hash, running_pushed, robot, diagnostics}, without what the refusal
+/// does not have.
 [[nodiscard]] nlohmann::json to_json(const Refusal& refusal);
 
 }  // namespace galilean::monitor

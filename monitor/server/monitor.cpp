@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/monitor.h"
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -11,6 +12,7 @@
 #include "core/installation.h"
 #include "core/wire/refusals.h"
 #include "core/wire/ros_time.h"
+#include "monitor/access/operator_key.h"
 #include "monitor/access/token_watch.h"
 #include "monitor/background/guarded.h"
 #include "monitor/ingest/ingest.h"
@@ -19,6 +21,8 @@
 #include "monitor/server/api/api.h"
 #include "monitor/server/api/team_parameters.h"
 #include "monitor/server/foxglove/domain_graph.h"
+#include "monitor/server/limits/descriptors.h"
+#include "monitor/server/limits/server_limits.h"
 
 namespace galilean::monitor {
 namespace {
@@ -61,6 +65,17 @@ std::filesystem::path recordings_folder(const MonitorOptions& options) {
                                            : options.recordings_folder;
 }
 
+/// Returns the limits where so many file descriptors may be open. A connection with TLS takes two
+/// more than one without: the ends of the pair between its relay and its session.
+ServerLimits limits_for(std::size_t descriptors, bool tls) {
+  const std::size_t each = tls ? 3 : 1;
+  ServerLimits limits;
+  if (tls) limits.reserved_connections /= each;
+  const auto left = (descriptors - kOwnDescriptors) / each - limits.reserved_connections;
+  limits.connections = std::min(limits.connections, left);
+  return limits;
+}
+
 template <class M, class Take>
 void decode_for(const Message& message, Take take) {
   if (message.channel.schema->ros_type != M::kRosType) return;
@@ -73,6 +88,7 @@ void decode_for(const Message& message, Take take) {
 // The members are destroyed in the reverse order. The io_context destroys the sessions, and these
 // use the hub, so the hub must stand before it.
 struct Monitor::Parts {
+  ServerLimits limits;
   std::unique_ptr<wire::Participant> participant;
   std::unique_ptr<History> history;
   SteadyClock clock;
@@ -91,16 +107,24 @@ struct Monitor::Parts {
   TokenWatch token_watch;
   SendRounds rounds{io};
   Worker worker{io};
+  Worker telling_worker{io};  ///< tells of the history's disk, and so never waits for it
   Worker language_worker{io};
-  Worker recording_worker{io};
+  Worker recording_worker{io, 1, limits.waiting_recordings};
   Worker transfer_worker{io};
-  Worker coverage_worker{io};
+  Worker coverage_worker{io, 1, limits.waiting_coverages};
+  /// Stop, hold and the other commands. It has no other jobs, so that nothing delays them.
+  Worker command_worker{io, 1, limits.waiting_commands};
+  /// What operators push, so that nobody without a token keeps it waiting.
+  Worker push_checks{io, 1, limits.waiting_checks};
+  Worker checks{io, limits.check_threads, limits.waiting_checks, Worker::Priority::kLow};
   CoverageDesk coverage{recordings, coverage_worker};
   LanguageServerContext language;
   MapService map;
   TrialRoom trials;
   PushDesk desk;
   SimulationDesk simulations;
+  OrderLog orders;
+  HistoryWatch history_watch;
   Operations operations;
   Api api;
   HttpServer server;
@@ -111,15 +135,22 @@ struct Monitor::Parts {
   std::string new_operator_token;
   std::string fingerprint;
 
-  Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-        std::unique_ptr<History> opened, const Tokens& tokens);
+  Parts(const MonitorOptions& options, const ServerLimits& limits,
+        std::unique_ptr<wire::Participant> joined, std::unique_ptr<History> opened,
+        const Tokens& tokens, const std::shared_ptr<OrderSigner>& signer);
   ~Parts() {
     playbacks.finish();
+    checks.drop_waiting();
+    push_checks.drop_waiting();
     coverage.stop();
     coverage_worker.finish();
     recording_worker.finish();
     transfer_worker.finish();
+    telling_worker.finish();
     worker.finish();
+    command_worker.finish();
+    checks.finish();
+    push_checks.finish();
     language_worker.finish();
     hub.forget_demand();
   }
@@ -127,15 +158,18 @@ struct Monitor::Parts {
   [[nodiscard]] Ingest::Callbacks callbacks();
   void receive(const Message& message);
   [[nodiscard]] Result<void> begin_tls(const MonitorOptions& options);
+  void keep_order(const Message& message);
   void tell_regularly();
   void look_at_tokens();
   void look_at_tokens_regularly();
   void tell_graph();
 };
 
-Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Participant> joined,
-                      std::unique_ptr<History> opened, const Tokens& tokens)
-    : participant(std::move(joined)),
+Monitor::Parts::Parts(const MonitorOptions& options, const ServerLimits& bounds,
+                      std::unique_ptr<wire::Participant> joined, std::unique_ptr<History> opened,
+                      const Tokens& tokens, const std::shared_ptr<OrderSigner>& signer)
+    : limits(bounds),
+      participant(std::move(joined)),
       history(std::move(opened)),
       team(clock, options.map.silent_after),
       library(library_folder(options), catalog_or_none(options.catalog_file)),
@@ -149,9 +183,12 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
       trials(io, team,
              options.simulator.empty() ? program_folder() / "galilean-sim" : options.simulator,
              options.data_folder / "trials"),
-      desk({io, worker, team, library, *history, trials}, clock, *participant),
+      desk({io, worker, push_checks, team, library, *history, trials, signer}, clock, *participant),
       simulations(io, worker, clock, *participant),
-      operations(worker, team, library, desk, *participant),
+      orders({io, worker, team, *history, clock, participant->refusals()}),
+      history_watch({io, worker, telling_worker, *history, clock}, *participant),
+      operations({command_worker, checks, team, library, desk, orders, *hub.limit_counts()},
+                 *participant, signer),
       api({page,
            team,
            library,
@@ -161,16 +198,23 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
            desk,
            simulations,
            worker,
+           checks,
+           push_checks,
            *history,
-           {recordings, recording_list, recording_worker, coverage}}),
+           history_watch,
+           {recordings, recording_list, recording_worker, coverage},
+           *hub.limit_counts(),
+           limits}),
       server(io, {Guard(options.address, options.allowed_origins, options.tls ? "https" : "http"),
                   Access(tokens, is_loopback(options.address)),
                   [this](const HttpRequest& request, const Respond& respond) {
                     api.answer(request, respond);
                   },
-                  hub, rounds, language, replay, transfer_worker}),
+                  hub, rounds, language, replay, transfer_worker,
+                  [this](const std::string& path) { return api.most_body_bytes(path); }, limits}),
       ingest(*participant, callbacks(), [this] { asio::post(io, [this] { ingest.poll(); }); }),
       graph(*participant) {
+  hub.limit(limits);
   operations.offer(hub);
   api.set_counts([this] { return server.counts(); });
   api.set_intake([this] { return ingest.intake(); });
@@ -207,12 +251,27 @@ void Monitor::Parts::receive(const Message& message) {
   decode_for<msg::ProgramPush>(message, [this](const auto& push) { desk.note(push); });
   decode_for<msg::SimulationState>(message, [this](const auto& state) { simulations.note(state); });
   decode_for<msg::SimulationEvent>(message, [this](const auto& event) { simulations.note(event); });
+  if (!message.replayed) keep_order(message);
+}
+
+/// Keeps an order, or what became of one, whoever gave it: through this monitor or past it.
+void Monitor::Parts::keep_order(const Message& message) {
+  const auto note = [this](const auto& told) { orders.note(told); };
+  decode_for<msg::Command>(message, note);
+  decode_for<msg::BreakOrder>(message, note);
+  decode_for<msg::ProgramRollback>(message, note);
+  decode_for<msg::SimulationOrder>(message, note);
+  decode_for<msg::Breaks>(message, note);
+  decode_for<msg::ProgramReply>(message, note);
+  decode_for<msg::SimulationEvent>(message, note);
 }
 
 void Monitor::Parts::tell_regularly() {
   (void)guarded("telling the clients", [this] {
     hub.send_time(wire::wall_clock_ns());
-    hub.send_parameters(team_parameters(team));
+    auto parameters = team_parameters(team);
+    parameters["/team.history_problem"] = history_watch.problem();
+    hub.send_parameters(std::move(parameters));
     tell_graph();
   });
   tell_timer.expires_after(kTellPeriod);
@@ -268,8 +327,13 @@ void Monitor::Parts::tell_graph() {
 }
 
 Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) try {
+  // This comes first, because DDS fails where it cannot say so if it has too few.
+  const auto descriptors = raise_descriptor_limit();
+  if (!descriptors) return descriptors.error();
   auto tokens = open_tokens(options.data_folder);
   if (!tokens) return tokens.error();
+  auto key = open_operator_key(options.data_folder);
+  if (!key) return key.error();
   auto participant = wire::Participant::join(wire::kMonitorName, options.domain);
   if (!participant) return participant.error();
   auto history = open_history(options, participant.value()->domain());
@@ -277,8 +341,10 @@ Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) tr
   participant.value()->refusals().tell_with([](const std::string& sentence) {
     std::clog << "galilean-monitor: " + sentence + "\n" << std::flush;
   });
-  auto blocks = std::make_unique<Parts>(options, std::move(participant).value(),
-                                        std::move(history).value(), tokens.value());
+  auto blocks = std::make_unique<Parts>(options, limits_for(descriptors.value(), options.tls),
+                                        std::move(participant).value(), std::move(history).value(),
+                                        tokens.value(),
+                                        std::make_shared<OrderSigner>(std::move(key).value()));
   if (tokens.value().are_new) blocks->new_operator_token = tokens.value().operator_;
   if (options.tls)
     if (const auto begun = blocks->begin_tls(options); !begun) return begun.error();

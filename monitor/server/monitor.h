@@ -21,7 +21,7 @@ struct MonitorOptions {
   int domain = -1;            ///< the DDS domain; negative: that of ROS_DOMAIN_ID, else 0
   std::filesystem::path page_folder;
   std::filesystem::path library_folder;
-  std::filesystem::path data_folder;  ///< keeps the tokens, the history of pushes and trials' files
+  std::filesystem::path data_folder;  ///< keeps tokens, key, history of pushes and trials' files
   bool shares_data_folder = false;    ///< other monitors use it, too: the history is kept in a
                                       ///< folder within it, by domain and port
   std::filesystem::path recordings_folder;  ///< empty: "recordings" in the data folder

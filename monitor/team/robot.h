@@ -33,6 +33,11 @@ struct Robot {
   std::deque<msg::Transition> transitions;  ///< the newest ones, by number, the oldest first
   std::optional<msg::Breaks> breaks;
   Time breaks_received{};
+  /// The newest reply to a push: it tells of a swap before the next state does.
+  std::optional<msg::ProgramReply> program_reply;
+
+  /// Returns the hash of the program that it runs, as it told last; empty if it has sent no state.
+  [[nodiscard]] std::string running_hash() const;
 };
 
 enum class Health {

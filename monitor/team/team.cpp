@@ -18,7 +18,7 @@ bool note_as(Team& team, const Message& message) {
   if constexpr (requires { decoded.robot; })
     if (message.replayed) replayed = decoded.robot;
   team.note(std::move(decoded));
-  if (!replayed.empty()) team.note_replay(replayed);
+  if (!replayed.empty() && team.find(replayed)) team.note_replay(replayed);
   return true;
 }
 
@@ -41,13 +41,14 @@ bool note_state(Team& team, const Message& message) {
 }
 
 using Note = bool (*)(Team&, const Message&);
-constexpr std::array<std::pair<std::string_view, Note>, 8> kNotes{{
+constexpr std::array<std::pair<std::string_view, Note>, 9> kNotes{{
     {msg::RobotState::kRosType, note_state},
     {msg::Transition::kRosType, note_as<msg::Transition>},
     {msg::Variables::kRosType, note_as<msg::Variables>},
     {msg::Program::kRosType, note_as<msg::Program>},
     {msg::Catalog::kRosType, note_as<msg::Catalog>},
     {msg::Breaks::kRosType, note_as<msg::Breaks>},
+    {msg::ProgramReply::kRosType, note_as<msg::ProgramReply>},
     {msg::Score::kRosType, note_as<msg::Score>},
     {msg::ObjectMap::kRosType, note_as<msg::ObjectMap>},
 }};
@@ -59,6 +60,13 @@ Duration plausible_age(float age_s) {
 }
 
 }  // namespace
+
+std::string Robot::running_hash() const {
+  if (!state) return {};
+  const bool reply_is_newer = program_reply && wire::since_epoch_ns(program_reply->stamp) >
+                                                   wire::since_epoch_ns(state->stamp);
+  return reply_is_newer ? program_reply->running_hash : state->program_hash;
+}
 
 bool Team::receive(const Message& message) {
   for (const auto& [type, note_it] : kNotes)
@@ -112,6 +120,14 @@ void Team::note(const msg::Breaks& breaks) {
   robot.breaks_received = robot.heard;
 }
 
+void Team::note(const msg::ProgramReply& reply) {
+  const auto found = robots_.find(reply.robot);
+  if (found == robots_.end() || reply.running_hash.empty()) return;
+  auto& known = found->second.program_reply;
+  if (!known || wire::since_epoch_ns(reply.stamp) >= wire::since_epoch_ns(known->stamp))
+    known = reply;
+}
+
 void Team::note(const msg::Score& score) {
   score_ = score;
   tally_.note(score);
@@ -156,8 +172,8 @@ std::vector<std::string> Team::replayed() const {
 std::map<std::string, int> Team::votes(bool of_recordings) const {
   std::map<std::string, int> votes;
   for (const auto& [name, robot] : robots_)
-    if (robot.state && !robot.state->program_hash.empty() && replayed(robot) == of_recordings)
-      ++votes[robot.state->program_hash];
+    if (const auto hash = robot.running_hash(); !hash.empty() && replayed(robot) == of_recordings)
+      ++votes[hash];
   return votes;
 }
 

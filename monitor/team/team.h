@@ -40,6 +40,9 @@ class Team {
   void note(const msg::Program& program);
   void note(const msg::Catalog& catalog);
   void note(const msg::Breaks& breaks);
+  /// Notes which program a robot runs after the reply. It does not count as heard by that, because
+  /// a late joiner gets old replies, too.
+  void note(const msg::ProgramReply& reply);
   void note(const msg::Score& score);
   /// Adds the robots that a monitor knows and that have sent nothing here. They are as old as it
   /// tells, and have no state.

@@ -7,6 +7,7 @@
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
 #include "core/termination.h"
+#include "monitor/access/operator_key.h"
 #include "monitor/commands/push_options.h"
 #include "monitor/orders/break_orders.h"
 #include "monitor/top/dashboard.h"
@@ -27,6 +28,7 @@ struct Options {
   bool ascii = false;
   bool no_mouse = false;
   std::string robot;
+  std::string key_file;
   PushOptions push;
 };
 
@@ -101,8 +103,10 @@ int run(const Options& options) try {
   if (!participant) return std::cerr << "galilean-top: " << participant.error().message << '\n', 1;
   top::DashboardFeed feed(*participant.value(), clock);
   if (options.once) return top::print_once(feed, signals.termination, clock, options.robot);
-  Operator speaker(*participant.value());
-  BreakOrders orders(*participant.value());
+  const auto signer = find_signer(options.key_file);
+  if (!signer) return std::cerr << "galilean-top: " << signer.error().message << '\n', 1;
+  Operator speaker(*participant.value(), signer.value());
+  BreakOrders orders(*participant.value(), signer.value());
   return run_dashboard(feed, signals, clock, voice_of(speaker, orders), options);
 } catch (const std::exception& error) {
   return std::cerr << "galilean-top: " << error.what() << '\n', 1;
@@ -122,6 +126,7 @@ int main(int argc, char** argv) {
   app.flag("--no-mouse", options.no_mouse, "Leave the mouse to the terminal, which selects text");
   app.option("--robot", options.robot, "The robot to show first").not_empty();
   add_monitor_option(app, options.push);
+  add_key_option(app, options.key_file);
   app.describe_exit(kUnusable, "The command line is wrong, or there is no terminal to use.");
   if (const auto code = app.parse(argc, argv)) return *code;
   return run(options);

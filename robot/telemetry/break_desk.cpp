@@ -63,11 +63,24 @@ void BreakDesk::obey(const msg::BreakOrder& order) {
 
 /// Notes the answer to an order. Requires: mutex_ is locked.
 void BreakDesk::answer(const std::string& id, const std::string& what, const Result<void>& done) {
+  keep_answer(id, done ? "" : done.error().message);
+  log_info(done ? what : what + ": refused: " + done.error().message);
+}
+
+/// Requires: mutex_ is locked.
+void BreakDesk::keep_answer(const std::string& id, const std::string& refused) {
   ++told_.orders;
   auto& answers = told_.answers;
-  answers.push_back({id, done ? "" : done.error().message});
+  answers.push_back({id, refused});
   if (answers.size() > kAnswersKept) answers.erase(answers.begin());
-  log_info(done ? what : what + ": refused: " + done.error().message);
+}
+
+void BreakDesk::refuse(const std::string& order_id, const OrderRefusal& refusal) {
+  // The first answer to the order is the true one. Whoever sends the order again must not change
+  // it.
+  if (refusal.kind == OrderRefusal::Kind::kReplayed) return;
+  const std::lock_guard lock(mutex_);
+  keep_answer(order_id, with_advice(refusal));
 }
 
 Result<void> BreakDesk::carry_out(const msg::BreakOrder& order) {

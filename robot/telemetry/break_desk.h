@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/orders/order_check.h"
 #include "core/result.h"
 #include "core/wire/messages.h"
 #include "robot/executive/executive.h"
@@ -22,8 +23,9 @@ class BreakDesk {
 
   struct Told {
     std::uint64_t orders = 0;  ///< how many were given: another number means that something changed
-    /// To the newest orders about break points and steps, the oldest first. An answer stays for
-    /// some orders more, because several operators may give theirs between two messages.
+    /// To the newest orders about break points, steps and refused commands, the oldest first. An
+    /// answer stays for some orders more, because several operators may give theirs between two
+    /// messages.
     std::vector<msg::BreakAnswer> answers;
     std::string stepped_by;   ///< who ordered the newest step
     msg::TeamStop team_stop;  ///< of Hold::kTeam: what stopped the team
@@ -39,6 +41,8 @@ class BreakDesk {
   void resume(const msg::Command& command);
   void step(const msg::Command& command);
   void obey(const msg::BreakOrder& order);
+  /// Answers an order that is not carried out. One that was sent again is not answered again.
+  void refuse(const std::string& order_id, const OrderRefusal& refusal);
 
   [[nodiscard]] Told told() const;
   /// Returns Told::orders, without a copy of the texts.
@@ -47,6 +51,7 @@ class BreakDesk {
  private:
   [[nodiscard]] Result<void> begin_step();
   void answer(const std::string& id, const std::string& what, const Result<void>& done);
+  void keep_answer(const std::string& id, const std::string& refused);
   [[nodiscard]] Result<void> carry_out(const msg::BreakOrder& order);
   [[nodiscard]] Result<void> set(const msg::BreakOrder& order);
 

@@ -1,19 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/command_receiver.h"
 
+#include <utility>
+
 #include "core/device/comm_port.h"
 #include "core/wire/topic_names.h"
 #include "robot/log/log.h"
+#include "robot/telemetry/order_words.h"
 
 namespace galilean::robot {
 
-CommandReceiver::CommandReceiver(const TelemetrySource& source, BreakDesk& desk,
+CommandReceiver::CommandReceiver(const TelemetrySource& source, BreakDesk& desk, OrderGate& gate,
                                  const Worker::Report& report)
     : executive_(source.executive),
       desk_(desk),
+      gate_(gate),
       commands_(
           source.participant, wire::kCommandTopic, source.robot,
+          [this](const msg::Command& command, OrderGate::Origin origin) {
+            return admit(command, std::move(origin));
+          },
           [this](const msg::Command& command) { obey(command); }, report) {}
+
+bool CommandReceiver::admit(const msg::Command& command, OrderGate::Origin origin) {
+  if (!can_move(command)) return true;
+  const auto admitted =
+      gate_.admit(command, wire::kCommandTopic, what_is(command), std::move(origin));
+  if (!admitted) desk_.refuse(command.id, admitted.error());
+  return admitted.ok();
+}
 
 void CommandReceiver::push_bumper(const msg::Command& command) {
   const std::string which = std::to_string(command.argument);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "robot/telemetry/break_desk.h"
+#include "robot/telemetry/order_gate.h"
 #include "robot/telemetry/order_reader.h"
 #include "robot/telemetry/publisher.h"
 
@@ -11,16 +12,19 @@ namespace galilean::robot {
 /// decommission. A command takes effect in the next tick.
 class CommandReceiver {
  public:
-  /// Requires: `desk` outlives this.
+  /// Requires: `desk` and `gate` outlive this.
   /// Errors: throws std::runtime_error if DDS refuses the topic.
-  CommandReceiver(const TelemetrySource& source, BreakDesk& desk, const Worker::Report& report);
+  CommandReceiver(const TelemetrySource& source, BreakDesk& desk, OrderGate& gate,
+                  const Worker::Report& report);
 
  private:
+  [[nodiscard]] bool admit(const msg::Command& command, OrderGate::Origin origin);
   void obey(const msg::Command& command);
   void push_bumper(const msg::Command& command);
 
   Executive& executive_;
   BreakDesk& desk_;
+  OrderGate& gate_;
   OrderReader<msg::Command> commands_;
 };
 

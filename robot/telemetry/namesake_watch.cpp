@@ -27,8 +27,8 @@ int NamesakeWatch::count(Time now) {
     const auto known = writers_.find(received.writer);
     if (known != writers_.end()) {
       known->second.heard = now;
-    } else if (const auto sender = states_.sender(received)) {
-      writers_[received.writer] = {*sender == wire::kReplayName, now};
+    } else if (const auto sender = states_.sender(received.writer)) {
+      writers_[received.writer] = {sender->name == wire::kReplayName, now};
     }
   });
   std::erase_if(writers_,

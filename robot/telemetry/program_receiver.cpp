@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/program_receiver.h"
 
+#include <optional>
 #include <utility>
 
 #include "bhdl/source/sha256.h"
@@ -10,6 +11,7 @@
 #include "core/wire/topic_names.h"
 #include "robot/executive/turn.h"
 #include "robot/log/log.h"
+#include "robot/telemetry/order_words.h"
 #include "robot/telemetry/targets.h"
 
 namespace galilean::robot {
@@ -64,8 +66,10 @@ ProbationRules rules_of(const msg::ProgramPush& push, ProbationRules rules) {
 
 }  // namespace
 
-ProgramReceiver::ProgramReceiver(const TelemetrySource& source, Worker::Report report)
+ProgramReceiver::ProgramReceiver(const TelemetrySource& source, OrderGate& gate,
+                                 Worker::Report report)
     : source_(source),
+      gate_(gate),
       vocabulary_(source.catalog),
       ledger_(source.executive),
       replies_(source.participant, wire::robot_topic(source.robot, "program_reply")),
@@ -87,28 +91,37 @@ void ProgramReceiver::wait_and_take(const std::stop_token& stop) {
     if (!wake_.wait(lock, stop, [this] { return std::exchange(arrived_, false); })) return;
   }
   // Pushes are taken first, because the rollback of a push that is cancelled at once follows it.
-  take_from<msg::ProgramPush>(pushes_);
-  take_from<msg::ProgramRollback>(rollbacks_);
+  take_from<msg::ProgramPush>(pushes_, wire::kProgramPushTopic);
+  take_from<msg::ProgramRollback>(rollbacks_, wire::kProgramRollbackTopic);
 }
 
 template <class M>
-void ProgramReceiver::take_from(wire::Reader& reader) {
-  reader.take([this, &reader](const wire::Received& received) {
+void ProgramReceiver::take_from(wire::Reader& reader, const std::string& topic) {
+  reader.take([this, &reader, &topic](const wire::Received& received) {
     M message;
     if (!msg::decode_cdr(received.cdr, message)) return;
     if (!is_meant(source_.robot, message.targets)) return;
     if (message.targets.empty() && !source_.executive.in_service()) return;
-    if (const auto done = handle_from(reader.sender(received), message); !done)
-      reject({message.id, message.hash, {}}, done.error().message);
+    const OrderGate::Origin origin{
+        received.writer, [&reader, writer = received.writer] { return reader.sender(writer); }};
+    const auto done = handle_from(origin, topic, message);
+    if (!done) refuse({message.id, message.hash, {}}, done.error());
   });
 }
 
 template <class M>
-Result<void> ProgramReceiver::handle_from(const std::optional<std::string>& sender,
-                                          const M& message) {
-  if (auto accepted = source_.accepted_senders.accept(sender); !accepted) return accepted;
+Result<void, OrderRefusal> ProgramReceiver::handle_from(const OrderGate::Origin& origin,
+                                                        const std::string& topic,
+                                                        const M& message) {
+  using Kind = OrderRefusal::Kind;
+  if (const auto admitted = gate_.admit(message, topic, what_is(message), origin); !admitted)
+    return OrderRefusal{admitted.error().kind, with_advice(admitted.error())};
+  const auto sender = origin.sender();
+  const auto name = sender ? std::optional(sender->name) : std::nullopt;
+  if (const auto accepted = source_.accepted_senders.accept(name); !accepted)
+    return OrderRefusal{Kind::kUntrusted, accepted.error().message};
   if (const auto done = attempt([&] { handle(message); }); !done)
-    return Error{"this robot could not handle it: " + done.error().message};
+    return OrderRefusal{Kind::kBroken, "this robot could not handle it: " + done.error().message};
   return {};
 }
 
@@ -133,6 +146,8 @@ void ProgramReceiver::wait_until_runs(const std::string& hash) const {
 }
 
 void ProgramReceiver::handle(const msg::ProgramPush& message) {
+  // Whoever sends a push twice means one: what has been pushed since then runs on.
+  if (answer_again(message)) return;
   PushLedger::Push push{message.id, message.hash, {}};
   auto files = files_of(message);
   if (const auto admitted = admit(message, files); !admitted)
@@ -186,24 +201,70 @@ void ProgramReceiver::on_event(const Event& event) {
   for (auto& reply : ledger_.answers(event)) send(std::move(reply));
 }
 
-void ProgramReceiver::reject(const PushLedger::Push& push, std::string why,
-                             std::vector<msg::Diagnostic> diagnostics) {
+msg::ProgramReply ProgramReceiver::rejection(const PushLedger::Push& push, std::string why,
+                                             std::vector<msg::Diagnostic> diagnostics) const {
   log_warning("program " + std::string(cut_text(push.hash, kShownOfHash)) +
               " was rejected: " + why);
-  send({.id = push.id,
-        .hash = push.hash,
-        .running_hash = ledger_.running_hash(),
-        .status = status::REJECTED,
-        .message = std::move(why),
-        .diagnostics = std::move(diagnostics)});
+  return {.id = push.id,
+          .hash = push.hash,
+          .running_hash = ledger_.running_hash(),
+          .status = status::REJECTED,
+          .message = std::move(why),
+          .diagnostics = std::move(diagnostics)};
+}
+
+void ProgramReceiver::reject(const PushLedger::Push& push, std::string why,
+                             std::vector<msg::Diagnostic> diagnostics) {
+  send(rejection(push, std::move(why), std::move(diagnostics)));
+}
+
+void ProgramReceiver::refuse(const PushLedger::Push& push, const OrderRefusal& refusal) {
+  // The first answer to a push is the true one. Whoever sends it again must not change it.
+  if (refusal.kind == OrderRefusal::Kind::kReplayed) return;
+  // It is not remembered: a stranger who sends a push first must not spoil the true one's answer.
+  write(stamped(rejection(push, refusal.why, {})));
 }
 
 void ProgramReceiver::send(msg::ProgramReply reply) {
+  reply = stamped(std::move(reply));
+  remember(reply);
+  write(reply);
+}
+
+msg::ProgramReply ProgramReceiver::stamped(msg::ProgramReply reply) const {
   reply.stamp = WallTime::now();
   reply.robot = source_.robot;
+  return reply;
+}
+
+void ProgramReceiver::write(const msg::ProgramReply& reply) {
   if (!replies_.write(reply))
     log_warning("the answer to push " + reply.id +
                 " could not be sent, because DDS did not accept it");
+}
+
+void ProgramReceiver::remember(const msg::ProgramReply& reply) {
+  constexpr std::size_t kMostRemembered = 64;
+  const std::lock_guard lock(answered_mutex_);
+  std::erase_if(answered_, [&](const msg::ProgramReply& known) {
+    return known.id == reply.id && known.hash == reply.hash;
+  });
+  answered_.push_back(reply);
+  if (answered_.size() > kMostRemembered) answered_.pop_front();
+}
+
+bool ProgramReceiver::answer_again(const msg::ProgramPush& push) {
+  std::optional<msg::ProgramReply> answer;
+  {
+    const std::lock_guard lock(answered_mutex_);
+    for (const auto& known : answered_)
+      if (known.id == push.id && known.hash == push.hash) answer = known;
+  }
+  if (!answer) return false;
+  if (!replies_.write(*answer))
+    log_warning("the answer to push " + push.id +
+                " could not be sent again, because DDS did not accept it");
+  return true;
 }
 
 }  // namespace galilean::robot

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <condition_variable>
+#include <deque>
 #include <mutex>
 
 #include "bhdl/check.h"
 #include "core/wire/reader.h"
 #include "core/wire/writer.h"
 #include "core/worker.h"
+#include "robot/telemetry/order_gate.h"
 #include "robot/telemetry/publisher.h"
 #include "robot/telemetry/push_ledger.h"
 
@@ -19,8 +21,8 @@ namespace galilean::robot {
 /// answered with the reason and every diagnostic.
 class ProgramReceiver {
  public:
-  /// Errors: throws std::runtime_error if DDS refuses a topic.
-  ProgramReceiver(const TelemetrySource& source, Worker::Report report);
+  /// Requires: `gate` outlives this. Errors: throws std::runtime_error if DDS refuses a topic.
+  ProgramReceiver(const TelemetrySource& source, OrderGate& gate, Worker::Report report);
 
   /// Publisher's thread: answers the pushes of programs that began to run, proved themselves or
   /// failed.
@@ -29,11 +31,12 @@ class ProgramReceiver {
  private:
   void wait_and_take(const std::stop_token& stop);
   template <class M>
-  void take_from(wire::Reader& reader);
-  /// Handles the message if its sender is accepted. Errors: it is not, or handling it threw.
+  void take_from(wire::Reader& reader, const std::string& topic);
+  /// Handles the message if it is admitted and its sender is accepted. Errors: it is not, or
+  /// handling it threw.
   template <class M>
-  [[nodiscard]] Result<void> handle_from(const std::optional<std::string>& sender,
-                                         const M& message);
+  [[nodiscard]] Result<void, OrderRefusal> handle_from(const OrderGate::Origin& origin,
+                                                       const std::string& topic, const M& message);
   void handle(const msg::ProgramPush& push);
   void handle(const msg::ProgramRollback& order);
   void wait_until_runs(const std::string& hash) const;
@@ -44,12 +47,25 @@ class ProgramReceiver {
   void keep_proven(const Event& event) const;
   void reject(const PushLedger::Push& push, std::string why,
               std::vector<msg::Diagnostic> diagnostics = {});
+  /// Answers a message that was not handled.
+  void refuse(const PushLedger::Push& push, const OrderRefusal& refusal);
+  [[nodiscard]] msg::ProgramReply rejection(const PushLedger::Push& push, std::string why,
+                                            std::vector<msg::Diagnostic> diagnostics) const;
   void send(msg::ProgramReply reply);
+  /// Returns the reply as this robot's of now.
+  [[nodiscard]] msg::ProgramReply stamped(msg::ProgramReply reply) const;
+  void write(const msg::ProgramReply& reply);
+  /// Answers a push that came before as it was answered last. Returns false if it is a new one.
+  [[nodiscard]] bool answer_again(const msg::ProgramPush& push);
+  void remember(const msg::ProgramReply& reply);
 
   TelemetrySource source_;
+  OrderGate& gate_;
   const bhdl::Vocabulary vocabulary_;
   PushLedger ledger_;
   wire::Writer<msg::ProgramReply> replies_;
+  std::mutex answered_mutex_;
+  std::deque<msg::ProgramReply> answered_;  ///< the newest reply to each of the newest pushes
   std::mutex mutex_;
   std::condition_variable_any wake_;
   bool arrived_ = true;

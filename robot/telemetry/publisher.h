@@ -4,7 +4,9 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 
+#include "core/signing/trusted_keys.h"
 #include "core/worker.h"
 #include "robot/executive/executive.h"
 #include "robot/executive/snapshot.h"
@@ -31,6 +33,7 @@ struct TelemetrySource {
   /// Is called outside the control loop with each program that has proven itself in place of
   /// another, and whether a push brought it. It must not wait. May be null.
   std::function<void(const bhdl::Program& program, bool pushed)> keep = nullptr;
+  std::optional<TrustedKeys> trust{};  ///< who may move the robot; none: anybody
 };
 
 /// Publishes what the robot does. It uses a thread of its own, so that a stalled network delays

@@ -37,17 +37,47 @@ TEST(JsonText, NestingIsLimitedWhereverItIs) {
   const std::string one_more = nested(kDeepestJson + 1), far = nested(1'000'000);
   for (const auto& text : {one_more, "[1,2," + one_more + "]", far, "{\"a\":" + far + "}",
                            "[[]," + far + ",{\"b\":" + far + "}]", std::string(1'000'000, '[')})
-    EXPECT_THAT(read_untrusted_json(text).error().message, HasSubstr("deeper than 64"))
+    EXPECT_THAT(read_untrusted_json(text).error().message, HasSubstr("deeper than 32"))
         << text.substr(0, 20);
   EXPECT_TRUE(read_untrusted_json("\"" + std::string(1000, '[') + "\"")) << "within a string";
   EXPECT_TRUE(read_untrusted_json(R"(["\"", ")" + std::string(100, '[') + R"(\"\\"])"));
+}
+
+/// Returns a list of so many empty lists: two values for three bytes, as excess_of counts.
+std::string empty_lists(std::size_t count) {
+  std::string text = "[[]";
+  for (std::size_t i = 1; i < count; ++i) text += ",[]";
+  return text + "]";
+}
+
+TEST(JsonText, ValuesAreLimitedHoweverTheyAreWritten) {
+  const JsonLimits limits{.bytes = 1'000'000, .values = 1000};
+  for (const auto& text :
+       {empty_lists(1000), "{\"a\":" + empty_lists(1000) + "}", std::string(2000, ','),
+        "[" + empty_lists(400) + "," + empty_lists(400) + "]"})
+    EXPECT_THAT(read_untrusted_json(text, limits).error().message,
+                HasSubstr("more than 1000 values"))
+        << text.substr(0, 20);
+  EXPECT_TRUE(read_untrusted_json(empty_lists(400), limits));
+  EXPECT_TRUE(read_untrusted_json("\"" + std::string(2000, ',') + "\"", limits));
+  EXPECT_THAT(read_untrusted_json(empty_lists(4'000'000)).error().message,
+              HasSubstr("more than 1000000 values"));
+  EXPECT_EQ(read_json(empty_lists(4'000'000)).error().message,
+            "the JSON holds more than 1000000 values");
+}
+
+TEST(JsonText, BytesAreLimited) {
+  const JsonLimits limits{.bytes = 8, .values = 1000};
+  EXPECT_TRUE(read_untrusted_json("\"123456\"", limits));
+  EXPECT_EQ(read_untrusted_json("\"1234567\"", limits).error().message,
+            "This JSON has more than 8 bytes.");
 }
 
 TEST(JsonText, AFileThatIsNoneIsToldByItsByte) {
   EXPECT_EQ(read_json(R"({"a": 1})").value(), (json{{"a", 1}}));
   EXPECT_EQ(read_json("[1,]").error().message, "no JSON at byte 4");
   EXPECT_EQ(read_json("").error().message, "no JSON at byte 1");
-  EXPECT_EQ(read_json(nested(1'000'000)).error().message, "the JSON nests deeper than 64 levels");
+  EXPECT_EQ(read_json(nested(1'000'000)).error().message, "the JSON nests deeper than 32 levels");
 }
 
 TEST(JsonText, AnythingCanBePrinted) {

@@ -93,3 +93,15 @@ test('programs list says that nothing was pushed, and where that would be', asyn
   assert.match(stderr, /history\.sqlite/);
   assert.deepEqual(JSON.parse(galilean(['programs', 'list', '--json', ...options]).stdout).pushes, []);
 });
+
+test('programs orders lists none and programs verify finds a new history whole, and none where there is none', async (t) => {
+  const { url, cwd } = await startMonitor(t);
+  const orders = galilean(['programs', 'orders', '--monitor', url, '--token-file', `${cwd}/operator.token`]);
+  assert.deepEqual([orders.status, orders.stdout], [0, '']);
+  const whole = galilean(['programs', 'verify', '--data', cwd]);
+  assert.equal(whole.status, 0, whole.stderr);
+  assert.match(whole.stdout, /^The history is whole: 0 rows/);
+  const none = galilean(['programs', 'verify', '--data', `${cwd}/nowhere`]);
+  assert.equal(none.status, 3);
+  assert.match(none.stderr, /^galilean programs: the history cannot be read.*nowhere/);
+});

@@ -39,7 +39,7 @@ test('the server answers as it is described', async (t) => {
   };
 
   await t.test('what can be read', async () => {
-    for (const path of ['/healthz', '/metrics', '/api/status', '/api/team', '/api/programs', '/api/pushes', '/api/strategies', '/api/map.png', '/api/map.yaml', '/api/map.3Dscene'])
+    for (const path of ['/healthz', '/metrics', '/api/status', '/api/team', '/api/programs', '/api/pushes', '/api/orders', '/api/strategies', '/api/map.png', '/api/map.yaml', '/api/map.3Dscene'])
       await ask('GET', path, { status: 200 });
     await ask('GET', '/api/programs/{name}', { status: 200, name: 'office_cleanup.bhdl' });
     await ask('GET', '/api/programs/{name}', { status: 404, name: 'nothing.bhdl' });

@@ -119,6 +119,7 @@ void ScriptedRobot::run_program(msg::Program program) {
 void ScriptedRobot::reply(const std::string& id, const std::string& hash, std::uint8_t status,
                           const std::string& message) {
   msg::ProgramReply reply;
+  reply.stamp = wire::ros_time(wire::wall_clock_ns());
   reply.id = id;
   reply.robot = name_;
   reply.hash = hash;
@@ -141,6 +142,16 @@ void ScriptedRobot::take_command(const msg::Command& command) {
 void ScriptedRobot::refuse_pushes(const std::string& why) {
   const std::lock_guard lock(mutex_);
   refusal_ = why;
+}
+
+void ScriptedRobot::run_silently(const std::string& hash) {
+  const std::lock_guard lock(mutex_);
+  state_.program_hash = running_.hash = hash;
+}
+
+void ScriptedRobot::confirm(const std::string& push_id, const std::string& hash) {
+  const std::lock_guard lock(mutex_);
+  reply(push_id, hash, msg::ProgramReply_Constants::CONFIRMED);
 }
 
 std::string ScriptedRobot::running_hash() {

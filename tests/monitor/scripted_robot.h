@@ -24,6 +24,10 @@ class ScriptedRobot {
 
   /// From now on refuses pushes with this reason.
   void refuse_pushes(const std::string& why);
+  /// From now on runs a program that it was sent before, and tells so in its state alone.
+  void run_silently(const std::string& hash);
+  /// Answers a push as one whose answer was long on its way.
+  void confirm(const std::string& push_id, const std::string& hash);
   [[nodiscard]] std::string running_hash();
   [[nodiscard]] bool held();
   [[nodiscard]] bool out_of_service();

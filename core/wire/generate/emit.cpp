@@ -71,7 +71,12 @@ void emit_struct(std::ostream& out, const Struct& type) {
   out << "  static constexpr const char* kRosType = \"" << ros_name(full_name(type)) << "\";\n";
   out << "  bool operator==(const " << type.name << "&) const = default;\n};\n";
   out << "inline void decode(CdrReader& from, " << type.name << "& to) {\n";
-  for (const auto& field : type.fields) out << "  from.read(to." << field.name << ");\n";
+  for (const auto& field : type.fields)
+    out << "  from." << (is_appended(field) ? "read_appended" : "read") << "(to." << field.name
+        << ");\n";
+  out << "}\n";
+  out << "inline void encode(CdrWriter& to, const " << type.name << "& from) {\n";
+  for (const auto& field : type.fields) out << "  to.write(from." << field.name << ");\n";
   out << "}\n\n";
 }
 
@@ -147,7 +152,8 @@ std::string emit_structs(const std::vector<File>& files) {
   std::ostringstream out;
   out << "#pragma once\n\n#include <array>\n#include <cstdint>\n#include <string>\n#include "
          "<vector>\n\n"
-         "#include \"core/wire/cdr.h\"\n#include \"core/wire/constants.h\"\n\nnamespace "
+         "#include \"core/wire/cdr.h\"\n#include \"core/wire/cdr_writer.h\"\n"
+         "#include \"core/wire/constants.h\"\n\nnamespace "
          "galilean::msg {\n\n";
   for (const auto& file : files) {
     emit_constants(out, file.constants);

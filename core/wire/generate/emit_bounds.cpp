@@ -85,6 +85,7 @@ void emit_field(std::ostream& out, const Struct& type, const Field& field,
                 const FieldBounds& bounds) {
   const std::string place = type.name + "." + field.name;
   if (field.sequence) return emit_sequence(out, field, bounds, place);
+  if (is_appended(field)) out << "  if (at.ends()) return;\n";
   const int count = field.array_size ? field.array_size : 1;
   if (is_unchecked(field, bounds))
     out << "  at.skip(" << count << ", " << basic_type(field.type)->size << ");\n";

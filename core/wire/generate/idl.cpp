@@ -192,4 +192,8 @@ File parse(const std::string& name, const std::string& text) {
   return file;
 }
 
+bool is_appended(const Field& field) {
+  return field.type == "galilean_msgs::msg::Signature";
+}
+
 }  // namespace galilean::idl

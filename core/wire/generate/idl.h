@@ -48,4 +48,8 @@ struct Basic {
 /// Returns nullptr if `type` names a struct or a string.
 [[nodiscard]] const Basic* basic_type(std::string_view type);
 
+/// Returns whether recordings of earlier releases have messages without this field, which is the
+/// last one of its struct.
+[[nodiscard]] bool is_appended(const Field& field);
+
 }  // namespace galilean::idl

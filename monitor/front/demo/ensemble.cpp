@@ -12,6 +12,7 @@
 #include "core/installation.h"
 #include "core/json_text.h"
 #include "core/private_file.h"
+#include "monitor/access/operator_key.h"
 #include "monitor/access/tokens.h"
 #include "monitor/front/demo/namesakes.h"
 #include "monitor/front/demo/program_check.h"
@@ -61,6 +62,9 @@ Result<void> Ensemble::start() {
     if (auto read = check_.read_expectations(); !read) return read;
   }
   if (auto checked = check_program(options_.bhdl); !checked) return checked;
+  // The monitor signs with this key, and so do commands in other terminals of the same user.
+  const auto key = monitor::open_operator_key(monitor::default_data_folder());
+  if (!key) return key.error();
   if (auto started = start_simulator(); !started) return started;
   // After the first process was started, which would inherit what belongs to DDS.
   auto namesakes = Namesakes::look(options_.domain);
@@ -111,6 +115,8 @@ Result<void> Ensemble::start_robots(const std::string& ready_line) try {
   const auto& ready = read.value();
   lines_ = ready.value("folder", std::string());
   const std::string program = find_file(options_.bhdl, "programs", ".bhdl").string();
+  const std::string trusted =
+      public_key_file(monitor::operator_key_file(monitor::default_data_folder())).string();
   std::uint64_t seed = options_.seed * 1000;
   for (const auto& robot : ready.at("robots")) {
     const auto name = robot.at("name").get<std::string>();
@@ -126,7 +132,7 @@ Result<void> Ensemble::start_robots(const std::string& ready_line) try {
                                      // whose machine may be too busy to tick for a second.
                                      "--resume-by-itself",
                                      // A demo begins anew, also after one that was killed.
-                                     "--keep-nothing"};
+                                     "--keep-nothing", "--trust", trusted};
     if (options_.watch) command.push_back("--watch");
     if (auto added = add(name, std::move(command), false); !added) return added;
   }

@@ -19,14 +19,14 @@ constexpr std::array kVariables{
                         "--domain", ""},
     EnvironmentVariable{"CYCLONEDDS_URI", "Settings of Cyclone DDS, in addition to Galilean's.",
                         "--domain", ""},
-    EnvironmentVariable{
-        "XDG_STATE_HOME",
-        "The folder in which the folder galilean keeps the monitor's tokens and "
-        "its history of pushes, what robots need for a start after a crash, and how "
-        "often simulated boards were started. Without it that is ~/.local/state.",
-        "--data,--token-file,--monitor,--live", "demo,robot"},
+    EnvironmentVariable{"XDG_STATE_HOME",
+                        "The folder in which the folder galilean keeps the monitor's tokens, the "
+                        "operator's key and the history of pushes, what robots need for a start "
+                        "after a crash, and how often simulated boards were started. Without it "
+                        "that is ~/.local/state.",
+                        "--data,--token-file,--monitor,--live,--key", "demo,robot"},
     EnvironmentVariable{"HOME", "Your own folder, which ~ stands for.",
-                        "--data,--token-file,--monitor,--live", "demo,robot"},
+                        "--data,--token-file,--monitor,--live,--key", "demo,robot"},
     EnvironmentVariable{"USER",
                         "The author of pushes and orders, as others see it. Without it that is the "
                         "account's name.",

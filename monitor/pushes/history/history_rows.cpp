@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "bhdl/source/sha256.h"
 #include "core/json_text.h"
 #include "core/wire/ros_time.h"
+#include "monitor/pushes/history/push_messages.h"
 #include "monitor/pushes/history/words.h"
 
 namespace galilean::monitor::rows {
@@ -28,6 +30,8 @@ constexpr const char* kSchema = R"(
     trial TEXT NOT NULL) WITHOUT ROWID;
   CREATE TABLE IF NOT EXISTS push_sequence(
     sequence INTEGER PRIMARY KEY AUTOINCREMENT, push_id TEXT NOT NULL UNIQUE REFERENCES push(id));
+  CREATE TABLE IF NOT EXISTS told_later(
+    push_id TEXT PRIMARY KEY REFERENCES push(id), told_ns INTEGER NOT NULL) WITHOUT ROWID;
 )";
 
 /// Numbers the pushes that an earlier release wrote. Nothing is known of their order but their
@@ -62,10 +66,13 @@ std::vector<Step> steps_of(const std::string& text) {
   return steps;
 }
 
-Progress progress_of(const std::string& state, const std::string& steps, const std::string& trial) {
-  Progress progress{.state = push_state_of(state).value_or(PushState::kForeign),
-                    .steps = steps_of(steps)};
-  if (auto figures = read_json(trial)) progress.trial = std::move(figures).value();
+/// Reads the columns that begin with `first`: state, steps, trial and told_ns.
+Progress progress_of(const sql::Statement& row, int first) {
+  Progress progress{.state = push_state_of(row.text(first)).value_or(PushState::kForeign),
+                    .steps = steps_of(row.text(first + 1)),
+                    .trial = nullptr,
+                    .told_ns = row.integer(first + 3)};
+  if (auto figures = read_json(row.text(first + 2))) progress.trial = std::move(figures).value();
   return progress;
 }
 
@@ -91,33 +98,32 @@ std::vector<RobotReply> replies_to(sqlite3* database, const std::string& push_id
 void create_tables(sqlite3* database) {
   sql::execute(database, kSchema);
   sql::execute(database, kNumberThePast);
-  sql::Statement(database, "UPDATE progress SET state = ? WHERE state = ?")
-      .bind(to_text(PushState::kInterrupted))
-      .bind(to_text(PushState::kRunning))
-      .run();
 }
 
 void put_files(sqlite3* database, const msg::ProgramPush& push) {
+  const auto hash = hash_of_files(push);
   for (std::size_t i = 0; i < push.files.size(); ++i)
     sql::Statement(database, "INSERT OR IGNORE INTO program_file VALUES(?, ?, ?, ?)")
-        .bind(push.hash)
+        .bind(hash)
         .bind(static_cast<std::int64_t>(i))
         .bind(push.files[i].path)
         .bind(push.files[i].text)
         .run();
 }
 
-void put_push(sqlite3* database, const msg::ProgramPush& push) {
+bool put_push(sqlite3* database, const msg::ProgramPush& push) {
   sql::Statement(database, "INSERT OR IGNORE INTO push VALUES(?, ?, ?, ?, ?)")
       .bind(push.id)
       .bind(wire::since_epoch_ns(push.stamp))
       .bind(push.author)
-      .bind(push.hash)
+      .bind(hash_of_files(push))
       .bind(json_text(push.targets))
       .run();
+  if (sqlite3_changes(database) == 0) return false;
   sql::Statement(database, "INSERT OR IGNORE INTO push_sequence(push_id) VALUES(?)")
       .bind(push.id)
       .run();
+  return true;
 }
 
 void put_progress(sqlite3* database, const std::string& push_id, const Progress& progress) {
@@ -126,6 +132,11 @@ void put_progress(sqlite3* database, const std::string& push_id, const Progress&
       .bind(to_text(progress.state))
       .bind(steps_text(progress.steps))
       .bind(progress.trial.is_null() ? std::string() : json_text(progress.trial))
+      .run();
+  if (progress.told_ns == 0) return;
+  sql::Statement(database, "INSERT OR REPLACE INTO told_later VALUES(?, ?)")
+      .bind(push_id)
+      .bind(progress.told_ns)
       .run();
 }
 
@@ -140,12 +151,29 @@ void put_reply(sqlite3* database, const std::string& push_id, const RobotReply& 
       .run();
 }
 
+void set_state(sqlite3* database, const std::string& push_id, PushState state) {
+  sql::Statement(database, "UPDATE progress SET state = ? WHERE push_id = ?")
+      .bind(to_text(state))
+      .bind(push_id)
+      .run();
+}
+
+std::vector<std::string> in_state(sqlite3* database, PushState state) {
+  sql::Statement rows(database, "SELECT push_id FROM progress WHERE state = ?");
+  rows.bind(to_text(state));
+  std::vector<std::string> ids;
+  while (rows.step()) ids.push_back(rows.text(0));
+  return ids;
+}
+
 sql::Statement select_pushes(sqlite3* database, const std::string& condition) {
   return {database,
-          "SELECT id, pushed_ns, author, path, push.hash, targets, state, steps, trial FROM push "
-          "JOIN program_file ON program_file.hash = push.hash AND position = 0 "
+          "SELECT id, pushed_ns, author, path, push.hash, targets, state, steps, trial, told_ns "
+          "FROM push "
           "JOIN push_sequence ON push_sequence.push_id = push.id "
-          "LEFT JOIN progress ON progress.push_id = push.id " +
+          "LEFT JOIN program_file ON program_file.hash = push.hash AND position = 0 "
+          "LEFT JOIN progress ON progress.push_id = push.id "
+          "LEFT JOIN told_later ON told_later.push_id = push.id " +
               condition};
 }
 
@@ -158,7 +186,7 @@ std::vector<PushRecord> records_of(sqlite3* database, sql::Statement& rows) {
                        .program = rows.text(3),
                        .hash = rows.text(4),
                        .targets = stored(rows.text(5)).get<std::vector<std::string>>(),
-                       .progress = progress_of(rows.text(6), rows.text(7), rows.text(8)),
+                       .progress = progress_of(rows, 6),
                        .replies = replies_to(database, rows.text(0))});
   return records;
 }
@@ -183,6 +211,11 @@ std::optional<std::vector<bhdl::SourceFile>> files_of(sqlite3* database, const s
     files.push_back({rows.text(0), rows.text(1)});
   }
   if (files.empty()) return std::nullopt;
+  if (bhdl::program_hash(files) != found)
+    throw std::runtime_error(
+        "the history of pushes: the text that is kept as " + found +
+        " is another program's: push the program from its file; `galilean programs "
+        "verify` tells more");
   return files;
 }
 

@@ -50,9 +50,23 @@ nlohmann::json to_json(const PushRecord& record) {
           {"hash", record.hash},
           {"targets", record.targets},
           {"state", to_text(record.progress.state)},
+          {"told_ns", record.progress.told_ns},
           {"steps", std::move(steps)},
           {"trial", record.progress.trial},
           {"replies", to_json(record.replies)}};
+}
+
+nlohmann::json to_json(const OrderRecord& order) {
+  auto outcomes = nlohmann::json::array();
+  for (const auto& each : order.outcomes)
+    outcomes.push_back({{"of", each.of}, {"outcome", each.outcome}, {"told_ns", each.told_ns}});
+  return {{"id", order.id},
+          {"ordered_ns", order.ordered_ns},
+          {"author", order.author},
+          {"kind", order.kind},
+          {"targets", order.targets},
+          {"detail", order.detail},
+          {"outcomes", std::move(outcomes)}};
 }
 
 nlohmann::json to_json(const bhdl::CheckResult& check) {

@@ -7,6 +7,7 @@
 
 #include "bhdl/check.h"
 #include "core/result.h"
+#include "monitor/pushes/history/order_record.h"
 #include "monitor/pushes/history/push_record.h"
 
 namespace galilean::monitor {
@@ -17,8 +18,10 @@ namespace galilean::monitor {
 [[nodiscard]] nlohmann::json to_json(const std::vector<RobotReply>& replies);
 /// {name, state, detail}
 [[nodiscard]] nlohmann::json to_json(const Step& step);
-/// {id, pushed_ns, author, program, hash, targets, state, steps, trial, replies}
+/// {id, pushed_ns, author, program, hash, targets, state, told_ns, steps, trial, replies}
 [[nodiscard]] nlohmann::json to_json(const PushRecord& record);
+/// {id, ordered_ns, author, kind, targets, detail, outcomes: [{of, outcome, told_ns}]}
+[[nodiscard]] nlohmann::json to_json(const OrderRecord& order);
 /// {ok, hash, diagnostics, machine}
 [[nodiscard]] nlohmann::json to_json(const bhdl::CheckResult& check);
 [[nodiscard]] nlohmann::json to_json(const std::vector<bhdl::SourceFile>& files);

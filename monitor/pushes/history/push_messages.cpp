@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "bhdl/source/sha256.h"
 #include "core/wire/ros_time.h"
 #include "monitor/pushes/history/words.h"
 
@@ -15,6 +16,12 @@ std::string new_id() {
   for (int word = 0; word < 4; ++word)
     for (unsigned bits = entropy(), i = 0; i < 8; ++i, bits >>= 4) id += kDigits[bits & 15];
   return id;
+}
+
+std::string hash_of_files(const msg::ProgramPush& push) {
+  std::vector<bhdl::SourceFile> files;
+  for (const auto& file : push.files) files.push_back({file.path, file.text});
+  return files.empty() ? std::string() : bhdl::program_hash(files);
 }
 
 msg::ProgramPush make_push(const bhdl::Program& program, const std::string& author,

@@ -14,6 +14,9 @@ namespace galilean::monitor {
 /// Returns a random id for a push or a command, which no other has.
 [[nodiscard]] std::string new_id();
 
+/// Returns the hash that the push's files have, whatever hash it announces; empty if it has none.
+[[nodiscard]] std::string hash_of_files(const msg::ProgramPush& push);
+
 /// Returns the message that pushes a checked program, with a new id.
 [[nodiscard]] msg::ProgramPush make_push(const bhdl::Program& program, const std::string& author,
                                          const std::vector<std::string>& targets,

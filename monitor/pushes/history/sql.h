@@ -14,8 +14,20 @@
 
 namespace galilean::monitor::sql {
 
+/// What SQLite refused.
+struct Failure : std::runtime_error {
+  Failure(const std::string& what, int result) : std::runtime_error(what), code(result) {}
+  int code;  ///< SQLite's primary result code
+  /// Returns whether the disk is full, or fails.
+  [[nodiscard]] bool is_of_disk() const noexcept {
+    return code == SQLITE_FULL || code == SQLITE_IOERR;
+  }
+};
+
 [[noreturn]] inline void fail(sqlite3* database) {
-  throw std::runtime_error(std::string("the history of pushes: ") + sqlite3_errmsg(database));
+  constexpr int kPrimary = 0xff;
+  throw Failure(std::string("the history of pushes: ") + sqlite3_errmsg(database),
+                sqlite3_errcode(database) & kPrimary);
 }
 
 /// Runs `job`. Returns what it returns, or what it threw.
@@ -109,6 +121,18 @@ class Transaction {
  private:
   sqlite3* database_;
   bool open_ = true;
+};
+
+/// A transaction that reads. What others write while it lives is not seen.
+class Snapshot {
+ public:
+  explicit Snapshot(sqlite3* database) : database_(database) { execute(database_, "BEGIN"); }
+  ~Snapshot() { sqlite3_exec(database_, "ROLLBACK", nullptr, nullptr, nullptr); }
+  Snapshot(const Snapshot&) = delete;
+  Snapshot& operator=(const Snapshot&) = delete;
+
+ private:
+  sqlite3* database_;
 };
 
 }  // namespace galilean::monitor::sql

@@ -31,6 +31,7 @@ enum class PushState : std::uint8_t {
   kFailed,
   kCancelled,
   kInterrupted,  ///< its monitor ended before the push did
+  kToldLater,    ///< it was interrupted or failed, and then its robots told that they run it
   kForeign       ///< made without this monitor, which does not know how it ended
 };
 
@@ -39,6 +40,8 @@ struct Progress {
   PushState state = PushState::kRunning;
   std::vector<Step> steps = {};
   nlohmann::json trial = nullptr;  ///< the trial's figures; null while there are none
+  /// When the robots' word came that made it kToldLater, since the Unix epoch; 0: none did.
+  std::int64_t told_ns = 0;
 };
 
 }  // namespace galilean::monitor

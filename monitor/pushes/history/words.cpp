@@ -22,11 +22,12 @@ constexpr Words<StepState, 6> kStepStates{{{StepState::kWaiting, "waiting"},
                                            {StepState::kCancelled, "cancelled"},
                                            {StepState::kLeftOut, "left_out"}}};
 
-constexpr Words<PushState, 6> kPushStates{{{PushState::kRunning, "running"},
+constexpr Words<PushState, 7> kPushStates{{{PushState::kRunning, "running"},
                                            {PushState::kDone, "done"},
                                            {PushState::kFailed, "failed"},
                                            {PushState::kCancelled, "cancelled"},
                                            {PushState::kInterrupted, "interrupted"},
+                                           {PushState::kToldLater, "told_later"},
                                            {PushState::kForeign, ""}}};
 
 constexpr Words<ReplyStatus, 7> kReplyStatuses{{{ReplyStatus::kNoAnswer, "no_answer"},

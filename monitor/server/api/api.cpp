@@ -23,6 +23,16 @@ bool is_reading(const HttpRequest& request) {
   return request.method == "GET" || request.method == "HEAD";
 }
 
+/// So much JSON is read within a millisecond. More is read on another thread.
+constexpr std::size_t kReadAtOnce_bytes = std::size_t{64} << 10;
+
+/// Returns what a handler of JSON may still want of a request.
+HttpRequest without_body(const HttpRequest& request) {
+  HttpRequest kept{.method = request.method, .path = request.path};
+  kept.right = request.right;
+  return kept;
+}
+
 /// A browser asks so before a page of another site may post, or ask for a part of a file.
 HttpResponse what_other_pages_may(const std::string& path) {
   const bool is_file = path.starts_with(Guard::kSharedPath);
@@ -50,7 +60,8 @@ void Api::add_routes() {
   get("/metrics", [this](auto&, auto& respond) {
     respond(text_response(
         metrics_text(parts_.team, parts_.hub.counts(), counts_ ? counts_() : HttpServer::Counts{},
-                     intake_ ? intake_() : Intake{}, parts_.map.update_s()),
+                     intake_ ? intake_() : Intake{}, parts_.limit_counts, parts_.map.update_s(),
+                     parts_.history_watch),
         "text/plain; version=0.0.4; charset=utf-8"));
   });
   get("/api/status", [this](auto& request, auto& respond) { status(request.right, respond); });
@@ -62,6 +73,7 @@ void Api::add_routes() {
   get("/api/programs/",
       [this](auto& request, auto& respond) { program(rest(request, "/api/programs/"), respond); });
   get("/api/pushes", [this](auto&, auto& respond) { pushes(respond); });
+  get("/api/orders", [this](auto&, auto& respond) { orders(respond); });
   get("/api/pushes/", [this](auto& request, auto& respond) {
     parts_.desk.describe(
         rest(request, "/api/pushes/"),
@@ -73,16 +85,46 @@ void Api::add_routes() {
   add_map_routes();
   add_simulation_routes();
   add_recording_routes();
-  post("/api/check", Right::kRead, operation(&Operations::check));
-  post("/api/push", Right::kOperate, operation(&Operations::push));
-  post("/api/pushes/", Right::kOperate,
-       [this](auto& request, auto& respond) { cancel_push(request, respond); });
-  post("/api/command", Right::kOperate, operation(&Operations::command));
-  post("/api/breaks", Right::kOperate, operation(&Operations::order_breaks));
+  const auto& limits = parts_.limits;
+  post("/api/check", Right::kRead, limits.program, operation(&Operations::check));
+  post("/api/push", Right::kOperate, limits.program, operation(&Operations::push));
+  post("/api/pushes/", Right::kOperate, limits.command,
+       [this](auto& request, auto& body, auto& respond) { cancel_push(request, body, respond); });
+  post("/api/command", Right::kOperate, limits.command, operation(&Operations::command));
+  post("/api/breaks", Right::kOperate, limits.breaks, operation(&Operations::order_breaks));
 }
 
-void Api::post(std::string path, Right needs, Handler handler) {
-  routes_.push_back({"POST", std::move(path), needs, std::move(handler)});
+void Api::post(std::string path, Right needs, const JsonLimits& limits, JsonHandler handler) {
+  const auto handle = [handler = std::move(handler)](const HttpRequest& request,
+                                                     const Result<nlohmann::json>& body,
+                                                     const Respond& respond) {
+    if (!body) return respond(problem(400, body.error().message));
+    handler(request, body.value(), respond);
+  };
+  routes_.push_back(
+      {"POST", std::move(path), needs,
+       [this, handle, limits, needs](const HttpRequest& request, const Respond& respond) {
+         if (request.body.empty()) return handle(request, nlohmann::json::object(), respond);
+         if (request.body.size() <= kReadAtOnce_bytes)
+           return handle(request, read_untrusted_json(request.body, limits), respond);
+         Worker& reader = needs == Right::kOperate ? parts_.push_checks : parts_.checks;
+         const bool is_taken = reader.offer(
+             [body = request.body, limits] { return read_untrusted_json(body, limits); },
+             [handle, respond, kept = without_body(request)](const Result<nlohmann::json>& body) {
+               handle(kept, body, respond);
+             },
+             failed(finish_of(respond)));
+         if (is_taken) return;
+         parts_.limit_counts.reached(Limit::kChecks);
+         finish_of(respond)(busy());
+       },
+       limits.bytes});
+}
+
+std::size_t Api::most_body_bytes(const std::string& path) const {
+  std::size_t most = parts_.limits.command.bytes;
+  for (const Route* route : routes_to(path)) most = std::max(most, route->most_body_bytes);
+  return most;
 }
 
 void Api::answer(const HttpRequest& request, const Respond& respond) {
@@ -129,11 +171,9 @@ Finish Api::finish_of(const Respond& respond) {
   };
 }
 
-Api::Handler Api::operation(void (Operations::*operate)(const nlohmann::json&, Finish)) {
-  return [this, operate](const HttpRequest& request, const Respond& respond) {
-    const auto body = read_untrusted_json(request.body);
-    if (!body) return respond(problem(400, body.error().message));
-    (parts_.operations.*operate)(body.value(), finish_of(respond));
+Api::JsonHandler Api::operation(void (Operations::*operate)(const nlohmann::json&, Finish)) {
+  return [this, operate](const HttpRequest&, const nlohmann::json& body, const Respond& respond) {
+    (parts_.operations.*operate)(body, finish_of(respond));
   };
 }
 
@@ -153,27 +193,40 @@ void Api::program(const std::string& name, const Respond& respond) const {
 void Api::pushes(const Respond& respond) {
   constexpr int kMost = 200;
   parts_.worker.run([this] { return parts_.history.pushes(kMost); },
+                    [this, respond](const auto& records) {
+                      if (!records)
+                        return respond(problem(503, "The monitor cannot do this now: " +
+                                                        records.error().message + "."));
+                      auto list = nlohmann::json::array();
+                      for (const auto& record : records.value()) list.push_back(to_json(record));
+                      respond(json_response({{"pushes", std::move(list)},
+                                             {"problem", parts_.history_watch.problem()}}));
+                    },
+                    failed(finish_of(respond)));
+}
+
+void Api::orders(const Respond& respond) {
+  constexpr int kMost = 500;
+  parts_.worker.run([this] { return parts_.history.orders(kMost); },
                     [respond](const auto& records) {
                       if (!records)
                         return respond(problem(503, "The monitor cannot do this now: " +
                                                         records.error().message + "."));
                       auto list = nlohmann::json::array();
                       for (const auto& record : records.value()) list.push_back(to_json(record));
-                      respond(json_response({{"pushes", std::move(list)}}));
+                      respond(json_response({{"orders", std::move(list)}}));
                     },
-                    unable(finish_of(respond)));
+                    failed(finish_of(respond)));
 }
 
 // The request is POST /api/pushes/ID/cancel. Its body may name an author.
-void Api::cancel_push(const HttpRequest& request, const Respond& respond) {
+void Api::cancel_push(const HttpRequest& request, nlohmann::json body, const Respond& respond) {
   constexpr std::string_view kVerb = "/cancel";
   auto id = rest(request, "/api/pushes/");
   if (!id.ends_with(kVerb)) return respond(problem(404, "There is no " + request.path + "."));
   id.resize(id.size() - kVerb.size());
-  auto body = read_untrusted_json(request.body.empty() ? "{}" : request.body);
-  if (!body) return respond(problem(400, body.error().message));
-  if (body.value().is_object()) body.value()["id"] = id;
-  parts_.operations.cancel_push(body.value(), finish_of(respond));
+  if (body.is_object()) body["id"] = id;
+  parts_.operations.cancel_push(body, finish_of(respond));
 }
 
 void Api::pushed_program(const std::string& hash, const Respond& respond) {
@@ -188,7 +241,7 @@ void Api::pushed_program(const std::string& hash, const Respond& respond) {
                                      "started with comes back by its file: push that."));
                       respond(json_response({{"hash", hash}, {"files", to_json(*files)}}));
                     },
-                    unable(finish_of(respond)));
+                    failed(finish_of(respond)));
 }
 
 void Api::status(Right right, const Respond& respond) const {
@@ -205,6 +258,7 @@ void Api::status(Right right, const Respond& respond) const {
                          {"channels", channels_json(intake)},
                          {"refused_messages", refused_json(intake)},
                          {"topics_not_read", intake.topics_not_read},
+                         {"history_problem", parts_.history_watch.problem()},
                          {"robots", std::move(robots)},
                          {"score", score_json(parts_.team)}}));
 }

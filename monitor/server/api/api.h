@@ -6,6 +6,7 @@
 
 #include "monitor/ingest/intake.h"
 #include "monitor/map/map_service.h"
+#include "monitor/pushes/history_watch.h"
 #include "monitor/recordings/recording_list.h"
 #include "monitor/server/api/coverage_desk.h"
 #include "monitor/server/api/operations.h"
@@ -36,8 +37,13 @@ class Api {
     PushDesk& desk;
     SimulationDesk& simulations;
     Worker& worker;
-    History& history;  ///< used on the worker only
+    Worker& checks;  ///< reads and checks what takes long; may refuse it because too much waits
+    Worker& push_checks;  ///< the same for requests that need the operator's token
+    History& history;     ///< used on the worker only
+    const HistoryWatch& history_watch;
     Recordings recordings;
+    LimitCounts& limit_counts;
+    ServerLimits limits = {};
   };
 
   explicit Api(Parts blocks);
@@ -49,23 +55,30 @@ class Api {
   void set_counts(std::function<HttpServer::Counts()> counts) { counts_ = std::move(counts); }
   /// Sets where the API gets how messages come in, for the same reason.
   void set_intake(std::function<Intake()> intake) { intake_ = std::move(intake); }
+  /// Returns how long a body may be that is sent to `path`, of any method but PUT [bytes].
+  [[nodiscard]] std::size_t most_body_bytes(const std::string& path) const;
 
  private:
   using Handler = std::function<void(const HttpRequest&, const Respond&)>;
+  using JsonHandler =
+      std::function<void(const HttpRequest&, const nlohmann::json& body, const Respond&)>;
   struct Route {
     std::string method;
     std::string path;  ///< ends with '/' if the rest of the request's path is an argument
     Right needs;
     Handler handler;
+    std::size_t most_body_bytes = 0;
   };
 
   void add_routes();
   void add_map_routes();
   void add_simulation_routes();
   void add_recording_routes();
-  void post(std::string path, Right needs, Handler handler);
+  /// Adds a route whose handler gets the request's body as JSON that keeps within `limits`. This is
+  /// the only way by which a handler gets JSON. No body counts as {}.
+  void post(std::string path, Right needs, const JsonLimits& limits, JsonHandler handler);
   [[nodiscard]] static Finish finish_of(const Respond& respond);
-  [[nodiscard]] Handler operation(void (Operations::*operate)(const nlohmann::json&, Finish));
+  [[nodiscard]] JsonHandler operation(void (Operations::*operate)(const nlohmann::json&, Finish));
   [[nodiscard]] std::vector<const Route*> routes_to(const std::string& path) const;
   [[nodiscard]] static bool takes(const Route& route, const std::string& method);
   [[nodiscard]] static HttpResponse not_allowed(const HttpRequest& request,
@@ -73,9 +86,11 @@ class Api {
   void programs(const Respond& respond) const;
   void program(const std::string& name, const Respond& respond) const;
   void pushes(const Respond& respond);
-  void cancel_push(const HttpRequest& request, const Respond& respond);
+  void orders(const Respond& respond);
+  void cancel_push(const HttpRequest& request, nlohmann::json body, const Respond& respond);
   void pushed_program(const std::string& hash, const Respond& respond);
   void list_recordings(const Respond& respond);
+  void refuse_recording(const Respond& respond) const;
   void send_recording(const HttpRequest& request, const Respond& respond);
   void send_coverage(const HttpRequest& request, const Respond& respond);
   void status(Right right, const Respond& respond) const;

@@ -11,7 +11,7 @@ void Api::add_map_routes() {
     routes_.push_back(
         {"GET", std::move(path), Right::kRead,
          [this, type = std::move(type), render](auto&, auto& respond) {
-           parts_.worker.run(
+           const bool is_taken = parts_.checks.offer(
                [this, render] {
                  const auto newest = parts_.map.newest();
                  return newest ? render(*newest) : std::string();
@@ -20,7 +20,10 @@ void Api::add_map_routes() {
                  if (!file.empty()) return respond(text_response(std::move(file), type));
                  respond(problem(404, "There is no map yet, because no robot has sent its pose."));
                },
-               unable(finish_of(respond)));
+               failed(finish_of(respond)));
+           if (is_taken) return;
+           parts_.limit_counts.reached(Limit::kChecks);
+           finish_of(respond)(busy());
          }});
   };
   serve("/api/map.png", "image/png", [](const Newest& map) { return map_png(map.grid); });

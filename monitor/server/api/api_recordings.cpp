@@ -41,7 +41,7 @@ void Api::add_recording_routes() {
 }
 
 void Api::list_recordings(const Respond& respond) {
-  parts_.recordings.worker.run(
+  const bool is_taken = parts_.recordings.worker.offer(
       [this] { return parts_.recordings.list.list(); },
       [this, respond](const Result<std::vector<ListedRecording>>& listed) {
         if (!listed) return respond(problem(503, listed.error().message));
@@ -50,11 +50,12 @@ void Api::list_recordings(const Respond& respond) {
         respond(json_response({{"folder", parts_.recordings.folder.path().string()},
                                {"recordings", std::move(list)}}));
       },
-      unable(finish_of(respond)));
+      failed(finish_of(respond)));
+  if (!is_taken) refuse_recording(respond);
 }
 
 void Api::send_recording(const HttpRequest& request, const Respond& respond) {
-  parts_.recordings.worker.run(
+  const bool is_taken = parts_.recordings.worker.offer(
       [this, name = request.path.substr(Guard::kSharedPath.size())] {
         return parts_.recordings.folder.open(name);
       },
@@ -62,7 +63,13 @@ void Api::send_recording(const HttpRequest& request, const Respond& respond) {
         respond(opened ? recording_response(opened.value(), request)
                        : recording_problem(opened.error()));
       },
-      unable(finish_of(respond)));
+      failed(finish_of(respond)));
+  if (!is_taken) refuse_recording(respond);
+}
+
+void Api::refuse_recording(const Respond& respond) const {
+  parts_.limit_counts.reached(Limit::kRecordings);
+  finish_of(respond)(busy());
 }
 
 // The request is GET /api/recordings/NAME/coverage.

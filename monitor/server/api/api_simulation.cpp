@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/json_text.h"
 #include "monitor/server/api/api.h"
 #include "monitor/server/text/request_fields.h"
 #include "monitor/simulation/simulation_json.h"
@@ -54,16 +53,15 @@ Outcome outcome_of(const SimulationDesk::Answer& answer) {
 }  // namespace
 
 void Api::add_simulation_routes() {
-  post("/api/simulation/orders", Right::kOperate, [this](auto& request, auto& respond) {
-    const auto body = read_untrusted_json(request.body);
-    if (!body) return respond(problem(400, body.error().message));
-    RequestFields fields(body.value());
-    auto order = simulation_order(fields);
-    if (!fields.ok()) return respond(problem(400, fields.objection()));
-    parts_.simulations.order(std::move(order), [finish = finish_of(respond)](const auto& answer) {
-      finish(outcome_of(answer));
-    });
-  });
+  post("/api/simulation/orders", Right::kOperate, parts_.limits.command,
+       [this](auto&, auto& body, auto& respond) {
+         RequestFields fields(body);
+         auto order = simulation_order(fields);
+         if (!fields.ok()) return respond(problem(400, fields.objection()));
+         parts_.simulations.order(
+             std::move(order),
+             [finish = finish_of(respond)](const auto& answer) { finish(outcome_of(answer)); });
+       });
 }
 
 }  // namespace galilean::monitor

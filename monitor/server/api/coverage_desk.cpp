@@ -13,11 +13,16 @@ void CoverageDesk::ask(const std::string& name, const Respond& respond) {
   auto& waiting = waiting_[name];
   waiting.push_back(respond);
   if (waiting.size() > 1) return;
-  worker_.run([this, name] { return count(name); },
-              [this, name](const HttpResponse& response) { tell(name, response); },
-              [this, name](const std::string& why) {
-                tell(name, problem(503, "The recording cannot be counted now: " + why + "."));
-              });
+  const bool is_taken = worker_.offer(
+      [this, name] { return count(name); },
+      [this, name](const HttpResponse& response) { tell(name, response); },
+      [this, name](const std::string& why) {
+        tell(name, problem(500, "The monitor failed to count the recording: " + why + "."));
+      });
+  if (!is_taken)
+    tell(name, problem(503,
+                       "More recordings wait to be counted than the monitor keeps; ask again in a "
+                       "moment."));
 }
 
 HttpResponse CoverageDesk::count(const std::string& name) {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/visible_text.h"
+#include "monitor/background/guarded.h"
 
 namespace galilean::monitor {
 namespace {
@@ -64,11 +65,40 @@ void intake_metrics(std::ostream& out, const Intake& intake) {
          intake.topics_not_read);
 }
 
+void history_metrics(std::ostream& out, const HistoryWatch& history) {
+  metric(out, "galilean_history_disk_well", "gauge",
+         "1 while the history's disk has room and can be written.", history.is_disk_well() ? 1 : 0);
+  metric(out, "galilean_history_disk_available_bytes", "gauge", "Room left on the history's disk.",
+         history.disk().available_bytes);
+  metric(out, "galilean_history_reserve", "gauge",
+         "1 while room on the disk is kept back for the history.",
+         history.disk().has_reserve ? 1 : 0);
+  const auto& found = history.verification();
+  if (!found) return;
+  metric(out, "galilean_history_whole", "gauge",
+         "1 if no row of the history had been changed or taken away when the monitor started.",
+         found->broken ? 0 : 1);
+}
+
+void limit_metrics(std::ostream& out, const LimitCounts& counts) {
+  family(out, "galilean_limit_reached_total", "counter",
+         "How often clients reached a limit; MONITOR.md lists the limits.");
+  for (std::size_t each = 0; each < kLimitCount; ++each) {
+    const auto limit = static_cast<Limit>(each);
+    out << "galilean_limit_reached_total{limit=\"" << LimitCounts::name(limit) << "\"} "
+        << counts.count(limit) << '\n';
+  }
+  metric(out, "galilean_out_of_memory_total", "counter",
+         "Requests and other works that failed because no memory was left.",
+         memory_failures.load());
+}
+
 }  // namespace
 
 std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocket,
                          const HttpServer::Counts& http, const Intake& intake,
-                         double map_update_s) {
+                         const LimitCounts& limit_counts, double map_update_s,
+                         const HistoryWatch& history) {
   std::ostringstream out;
   process_metrics(out);
   metric(out, "galilean_map_update_seconds", "gauge", "Duration of the last map update.",
@@ -118,6 +148,15 @@ std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocke
          "Requests answered with 429, after too many wrong tokens.", http.held_off);
   metric(out, "galilean_websocket_revoked_total", "counter",
          "Clients closed because their token was revoked or expired.", http.revoked);
+  history_metrics(out, history);
+  metric(out, "galilean_http_malformed_total", "counter", "Requests that are no strict HTTP.",
+         http.malformed);
+  metric(out, "galilean_connections", "gauge", "Connections open, WebSockets included.",
+         http.all_connections);
+  metric(out, "galilean_connections_closed_total", "counter",
+         "Connections that waited for a request and were closed to make room.",
+         http.closed_for_others);
+  limit_metrics(out, limit_counts);
   return out.str();
 }
 

@@ -4,8 +4,10 @@
 #include <string>
 
 #include "monitor/ingest/intake.h"
+#include "monitor/pushes/history_watch.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/http/http_server.h"
+#include "monitor/server/limits/limit_counts.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {
@@ -14,6 +16,7 @@ namespace galilean::monitor {
 /// update took.
 [[nodiscard]] std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocket,
                                        const HttpServer::Counts& http, const Intake& intake,
-                                       double map_update_s);
+                                       const LimitCounts& limit_counts, double map_update_s,
+                                       const HistoryWatch& history);
 
 }  // namespace galilean::monitor

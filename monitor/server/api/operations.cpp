@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/api/operations.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include "bhdl/diff/diff.h"
 #include "core/device/comm_port.h"
 #include "core/wire/messages.h"
@@ -65,6 +68,15 @@ TrialOptions trial_field(RequestFields& request) {
   return trial;
 }
 
+/// Returns whether a client may give a push this id. A short one may be another client's, too.
+bool is_id(const std::string& text) {
+  constexpr std::size_t kShortest = 8, kLongest = 64;
+  const auto is_of_id = [](unsigned char letter) {
+    return std::isalnum(letter) != 0 || letter == '-' || letter == '_';
+  };
+  return text.size() >= kShortest && text.size() <= kLongest && std::ranges::all_of(text, is_of_id);
+}
+
 PushOrder order_of(RequestFields& fields) {
   PushOrder order{.files = files_field(fields),
                   .targets = fields.names("targets"),
@@ -73,6 +85,9 @@ PushOrder order_of(RequestFields& fields) {
                   .trial = trial_field(fields),
                   .canary = fields.text("canary")};
   constexpr double kLongest_s = 3600;
+  order.id = fields.text("id");
+  if (!order.id.empty() && !is_id(order.id))
+    fields.refuse("'id' must be 8 to 64 letters, digits, '-' and '_'.");
   if (fields.find("probation_s"))
     order.probation = from_seconds(fields.number("probation_s", 0, 0, kLongest_s));
   return order;
@@ -89,14 +104,11 @@ Outcome refused(const RequestFields& fields) {
 
 }  // namespace
 
-Operations::Operations(Worker& worker, const Team& team, const ProgramLibrary& library,
-                       PushDesk& desk, wire::Participant& participant)
-    : worker_(worker),
-      team_(team),
-      library_(library),
-      desk_(desk),
-      commands_(participant, wire::kCommandTopic),
-      break_orders_(participant, wire::kBreakOrderTopic) {}
+Operations::Operations(const Parts& parts, wire::Participant& participant,
+                       const std::shared_ptr<OrderSigner>& signer)
+    : parts_(parts),
+      commands_(participant, wire::kCommandTopic, signer),
+      break_orders_(participant, wire::kBreakOrderTopic, signer) {}
 
 void Operations::check(const nlohmann::json& request, Finish finish) {
   RequestFields fields(request);
@@ -107,25 +119,29 @@ void Operations::check(const nlohmann::json& request, Finish finish) {
   if (!fields.ok()) return finish(refused(fields));
   std::vector<Target> targets;
   if (!name.empty()) {
-    const Robot* robot = team_.find(name);
+    const Robot* robot = parts_.team.find(name);
     if (!robot) return finish({404, {}, "There is no robot '" + name + "'."});
     targets.push_back(target_of(*robot));
   } else {
-    for (const auto& [each, robot] : team_.robots()) targets.push_back(target_of(robot));
+    for (const auto& [each, robot] : parts_.team.robots()) targets.push_back(target_of(robot));
   }
-  worker_.run([files = std::move(files), targets = std::move(targets), against = std::move(against),
-               &library = library_] { return checked(files, targets, against, library); },
-              [finish](nlohmann::json json) {
-                finish({200, std::move(json)});
-              },
-              unable(finish));
+  const bool is_taken = parts_.checks.offer(
+      [files = std::move(files), targets = std::move(targets), against = std::move(against),
+       &library = parts_.library] { return checked(files, targets, against, library); },
+      [finish](nlohmann::json json) {
+        finish({200, std::move(json)});
+      },
+      failed(finish));
+  if (is_taken) return;
+  parts_.limit_counts.reached(Limit::kChecks);
+  finish(busy());
 }
 
 void Operations::push(const nlohmann::json& request, Finish finish) {
   RequestFields fields(request);
   auto order = order_of(fields);
   if (!fields.ok()) return finish(refused(fields));
-  desk_.order(std::move(order), [finish = std::move(finish)](const PushAnswer& answer) {
+  parts_.desk.order(std::move(order), [finish = std::move(finish)](const PushAnswer& answer) {
     finish(outcome_of_order(answer));
   });
 }
@@ -134,7 +150,7 @@ void Operations::cancel_push(const nlohmann::json& request, Finish finish) {
   RequestFields fields(request);
   const auto id = fields.text("id"), author = fields.text("author", "an operator");
   if (!fields.ok()) return finish(refused(fields));
-  desk_.cancel(id, author, [finish = std::move(finish)](const PushAnswer& answer) {
+  parts_.desk.cancel(id, author, [finish = std::move(finish)](const PushAnswer& answer) {
     finish(outcome_of(answer));
   });
 }
@@ -161,17 +177,31 @@ void Operations::order_breaks(const nlohmann::json& request, Finish finish) {
 }
 
 template <class M>
-void Operations::send(wire::Writer<M>& writer, M message, Finish finish) {
+void Operations::send(SignedWriter<M>& writer, M message, Finish finish) {
   for (const auto& target : message.targets)
-    if (!team_.find(target)) return finish({404, {}, "There is no robot '" + target + "'."});
+    if (!parts_.team.find(target)) return finish({404, {}, "There is no robot '" + target + "'."});
   message.id = new_id();
   message.stamp = wire::ros_time(wire::wall_clock_ns());
-  worker_.run([&writer, message] { return writer.write(message); },
-              [finish, id = message.id](bool taken) {
-                finish(taken ? Outcome{200, {{"id", id}}}
-                             : Outcome{503, {}, "DDS did not accept the order; try again."});
-              },
-              unable(finish));
+  parts_.orders.expect(message.id);
+  const bool is_taken = parts_.commands.offer(
+      [&writer, message] { return writer.write(message); },
+      [this, message, finish](bool taken) {
+        if (!taken) return finish({503, {}, "DDS did not accept the order; try again."});
+        keep(message, finish);
+      },
+      failed(finish));
+  if (is_taken) return;
+  parts_.limit_counts.reached(Limit::kCommands);
+  finish(busy());
+}
+
+template <class M>
+void Operations::keep(const M& message, const Finish& finish) {
+  parts_.orders.note(message, [finish, id = message.id](const Result<void>& kept) {
+    nlohmann::json answer{{"id", id}};
+    if (!kept) answer["not_kept"] = kept.error().message;
+    finish({200, std::move(answer)});
+  });
 }
 
 }  // namespace galilean::monitor

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/orders/signed_writer.h"
 #include "monitor/programs/library.h"
+#include "monitor/pushes/order_log.h"
 #include "monitor/pushes/push_desk.h"
 #include "monitor/server/api/outcome.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
+#include "monitor/server/limits/limit_counts.h"
 #include "monitor/team/team.h"
 
 namespace galilean::monitor {
@@ -17,8 +21,20 @@ namespace galilean::monitor {
 /// use on the io_context's thread, where `finish` is called, too.
 class Operations {
  public:
-  Operations(Worker& worker, const Team& team, const ProgramLibrary& library, PushDesk& desk,
-             wire::Participant& participant);
+  struct Parts {
+    Worker& commands;  ///< sends what moves robots, and does nothing else, so that a command never
+                       ///< waits for a check, a push, a file, a map or the disk
+    Worker& checks;    ///< checks programs
+    const Team& team;
+    const ProgramLibrary& library;
+    PushDesk& desk;
+    OrderLog& orders;
+    LimitCounts& limit_counts;
+  };
+
+  /// `signer` signs the orders; null: nobody does.
+  Operations(const Parts& parts, wire::Participant& participant,
+             const std::shared_ptr<OrderSigner>& signer = nullptr);
 
   void check(const nlohmann::json& request, Finish finish);
   void push(const nlohmann::json& request, Finish finish);
@@ -31,17 +47,20 @@ class Operations {
   void offer(foxglove::Hub& hub);
 
  private:
-  /// Gives the message its id and stamp, and sends it. Finishes with 404 if it is for a robot that
-  /// nobody has heard.
+  /// Gives the message its id and stamp, and sends it; then has it kept, and finishes. An order
+  /// that cannot be kept is sent all the same, and the answer says so. Finishes with 404 if it is
+  /// for a robot that nobody has heard, and with 503 if DDS does not take messages as fast as they
+  /// are ordered.
   template <class M>
-  void send(wire::Writer<M>& writer, M message, Finish finish);
+  void send(SignedWriter<M>& writer, M message, Finish finish);
 
-  Worker& worker_;
-  const Team& team_;
-  const ProgramLibrary& library_;
-  PushDesk& desk_;
-  wire::Writer<msg::Command> commands_;
-  wire::Writer<msg::BreakOrder> break_orders_;
+  /// Has an order kept that was sent, and finishes.
+  template <class M>
+  void keep(const M& message, const Finish& finish);
+
+  Parts parts_;
+  SignedWriter<msg::Command> commands_;
+  SignedWriter<msg::BreakOrder> break_orders_;
 };
 
 }  // namespace galilean::monitor

@@ -19,11 +19,17 @@ struct Outcome {
 };
 using Finish = std::function<void(Outcome)>;
 
-/// Returns a failure handler for a Worker's job. It finishes with 503 and the reason.
-[[nodiscard]] inline std::function<void(const std::string& why)> unable(Finish finish) {
+/// Returns a failure handler for a Worker's job, which failed by a fault of the monitor's own. It
+/// finishes with 500 and the reason.
+[[nodiscard]] inline std::function<void(const std::string& why)> failed(Finish finish) {
   return [finish = std::move(finish)](const std::string& why) {
-    finish({503, {}, "The monitor cannot do this now: " + why + "."});
+    finish({500, {}, "The monitor failed at this request: " + why + "."});
   };
+}
+/// Returns the outcome of a request for which there is no room among those that wait.
+[[nodiscard]] inline Outcome busy() {
+  return {
+      503, {}, "More requests of this kind wait than the monitor keeps; ask again in a moment."};
 }
 
 [[nodiscard]] Outcome outcome_of(const Refusal& refusal);

@@ -29,6 +29,7 @@ void Operations::offer(foxglove::Hub& hub) {
                    object({{"files", files},
                            {"targets", names},
                            {"author", text},
+                           {"id", text},
                            {"replaces", text},
                            {"try", {{"type", "boolean"}}},
                            {"canary", text},

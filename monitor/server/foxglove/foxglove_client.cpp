@@ -29,6 +29,16 @@ std::size_t lane_depth(wire::Delivery delivery) {
   return 1;
 }
 
+/// A service call that waits for its answer. It is counted for as long as somebody may answer it.
+struct OpenCall {
+  explicit OpenCall(std::shared_ptr<std::size_t> count) : waiting(std::move(count)) { ++*waiting; }
+  ~OpenCall() { --*waiting; }
+  OpenCall(const OpenCall&) = delete;
+  OpenCall& operator=(const OpenCall&) = delete;
+  std::shared_ptr<std::size_t> waiting;
+  bool is_answered = false;
+};
+
 }  // namespace
 
 using Request = RequestFields&;
@@ -63,7 +73,8 @@ Hub::Client::~Client() {
 }
 
 void Hub::Client::receive_text(std::string_view text) {
-  const auto request = read_untrusted_json(text);
+  if (text.size() > hub_.limits_.message.bytes) hub_.limit_counts_->reached(Limit::kMessage);
+  const auto request = read_untrusted_json(text, hub_.limits_.message);
   if (!request) return refuse(request.error().message);
   RequestFields fields(request.value());
   const auto op = fields.text("op");
@@ -87,34 +98,46 @@ void Hub::Client::receive_binary(std::span<const std::uint8_t> bytes) {
 }
 
 void Hub::Client::subscribe(RequestFields& request) {
+  std::string first;
+  std::size_t refused = 0;
   for (const auto& item : request.list("subscriptions")) {
     const auto id = id_of(item, "id");
     const auto channel_id = id_of(item, "channelId");
-    if (id && channel_id)
-      subscribe_one(*id, *channel_id);
-    else
-      refuse("A subscription must have a number \"id\" and a number \"channelId\".");
+    Result<void> done =
+        Error{"A subscription must have a number \"id\" and a number \"channelId\"."};
+    if (id && channel_id) done = subscribe_one(*id, *channel_id);
+    if (!done && ++refused == 1) first = done.error().message;
   }
+  tell_first(StatusLevel::kError, first, refused);
 }
 
-void Hub::Client::subscribe_one(std::uint32_t subscription_id, std::uint32_t channel_id) {
+Result<void> Hub::Client::subscribe_one(std::uint32_t subscription_id, std::uint32_t channel_id) {
   Topic* topic = hub_.find(channel_id);
-  if (!topic) return refuse("There is no channel " + std::to_string(channel_id) + ".");
+  if (!topic) return Error{"There is no channel " + std::to_string(channel_id) + "."};
+  if (channel_of_.size() >= hub_.limits_.subscriptions) {
+    hub_.limit_counts_->reached(Limit::kSubscriptions);
+    return Error{"A client has at most " + std::to_string(hub_.limits_.subscriptions) +
+                 " subscriptions."};
+  }
   if (!channel_of_.emplace(subscription_id, channel_id).second)
-    return refuse("Subscription id " + std::to_string(subscription_id) + " is in use already.");
-  topic->subscribers.push_back({this, subscription_id});
+    return Error{"Subscription id " + std::to_string(subscription_id) + " is in use already."};
+  topic->subscribers.emplace(this, subscription_id);
   if (topic->subscribers.size() == 1 && hub_.demand_) hub_.demand_(channel_id, true);
   for (const auto& message : topic->kept) deliver(subscription_id, message);
+  return {};
 }
 
 void Hub::Client::unsubscribe(RequestFields& request) {
+  std::string first;
+  std::size_t unknown = 0;
   for (const auto& item : request.list("subscriptionIds")) {
     const auto id = id_of(item);
     if (id && channel_of_.contains(*id))
       unsubscribe_one(*id);
-    else
-      tell(status(StatusLevel::kWarning, "There is no subscription " + json_text(item) + "."));
+    else if (++unknown == 1)
+      first = "There is no subscription " + json_text(item) + ".";
   }
+  tell_first(StatusLevel::kWarning, first, unknown);
 }
 
 void Hub::Client::unsubscribe_one(std::uint32_t subscription_id) {
@@ -122,10 +145,15 @@ void Hub::Client::unsubscribe_one(std::uint32_t subscription_id) {
   channel_of_.erase(subscription_id);
   outbox_->close_lane(subscription_id);
   auto& subscribers = hub_.find(channel_id)->subscribers;
-  std::erase_if(subscribers, [&](const Subscriber& subscriber) {
-    return subscriber.client == this && subscriber.subscription_id == subscription_id;
-  });
+  subscribers.erase({this, subscription_id});
   if (subscribers.empty() && hub_.demand_) hub_.demand_(channel_id, false);
+}
+
+void Hub::Client::tell_first(StatusLevel level, const std::string& first, std::size_t count) {
+  if (count == 0) return;
+  const auto more =
+      count == 1 ? "" : " The same request has " + std::to_string(count - 1) + " more such faults.";
+  tell(status(level, first + more));
 }
 
 void Hub::Client::call(const ServiceCall& call) {
@@ -137,12 +165,19 @@ void Hub::Client::call(const ServiceCall& call) {
   if (!may_call_) return answer(service_id, call_id, Error{missing_right(Right::kOperate)});
   if (call.encoding != "json")
     return answer(service_id, call_id, Error{"A service call must be encoded as json."});
-  const auto request = read_untrusted_json(call.request);
+  if (*waiting_calls_ >= hub_.limits_.waiting_calls) {
+    hub_.limit_counts_->reached(Limit::kCalls);
+    return answer(service_id, call_id,
+                  Error{"More service calls wait for an answer than the monitor keeps; wait for "
+                        "one."});
+  }
+  const auto request = read_untrusted_json(call.request, hub_.limits_.program);
   if (!request) return answer(service_id, call_id, request.error());
-  const auto once = [this, alive = alive_, service_id, call_id,
-                     answered = std::make_shared<bool>()](const Result<nlohmann::json>& result) {
-    if (*alive && !std::exchange(*answered, true)) answer(service_id, call_id, result);
-  };
+  const auto once =
+      [this, alive = alive_, service_id, call_id,
+       open = std::make_shared<OpenCall>(waiting_calls_)](const Result<nlohmann::json>& result) {
+        if (*alive && !std::exchange(open->is_answered, true)) answer(service_id, call_id, result);
+      };
   const auto called =
       guarded("a service call", [&] { hub_.handlers_[service_id - 1](request.value(), once); });
   if (!called) once(Error{"The monitor cannot do this now: " + called.error().message + "."});
@@ -172,6 +207,7 @@ void Hub::Client::push(Frame frame) {
   if (outbox_->push(std::move(frame))) return link_.flush();
   dismissed_ = true;
   ++hub_.past_.dismissed;
+  hub_.limit_counts_->reached(Limit::kWaitingEvents);
   outbox_->clear();
   link_.close("too slow: more events waited for this client than the server keeps");
 }

@@ -10,10 +10,13 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/result.h"
 #include "monitor/server/foxglove/foxglove_messages.h"
+#include "monitor/server/limits/limit_counts.h"
+#include "monitor/server/limits/server_limits.h"
 #include "monitor/server/websocket/outbox.h"
 
 namespace galilean::monitor {
@@ -70,6 +73,12 @@ class Hub {
   /// Sends the graph's changes to the clients that subscribed to it. The hub adds its services.
   void send_graph(ConnectionGraph now);
   [[nodiscard]] bool graph_is_watched() const;
+  /// Sets what each client may ask for.
+  void limit(const ServerLimits& limits) { limits_ = limits; }
+  /// Returns what counts the limits that clients reach.
+  [[nodiscard]] const std::shared_ptr<LimitCounts>& limit_counts() const noexcept {
+    return limit_counts_;
+  }
   /// Stops calling Demand. Call it if clients outlive the object that Demand uses.
   void forget_demand() { demand_ = nullptr; }
 
@@ -88,14 +97,11 @@ class Hub {
   [[nodiscard]] Counts counts() const;
 
  private:
-  struct Subscriber {
-    Client* client;
-    std::uint32_t subscription_id;
-  };
+  using Subscriber = std::pair<Client*, std::uint32_t>;  ///< with the subscription's id
   struct Topic {
     const Channel* channel;
-    std::vector<Subscriber> subscribers;
-    std::deque<Message> kept;  ///< sent to clients that subscribe later
+    std::set<Subscriber> subscribers;  ///< in order, so that one of very many is found at once
+    std::deque<Message> kept;          ///< sent to clients that subscribe later
   };
 
   [[nodiscard]] Topic* find(std::uint32_t channel_id);
@@ -110,6 +116,8 @@ class Hub {
   SetParameter set_parameter_;
   ConnectionGraph graph_;
   std::vector<Client*> clients_;
+  ServerLimits limits_;
+  std::shared_ptr<LimitCounts> limit_counts_ = std::make_shared<LimitCounts>();
   Counts past_;
 };
 
@@ -135,9 +143,12 @@ class Hub::Client {
   static const std::map<std::string, void (*)(Client&, RequestFields& request)> kOperations;
 
   void subscribe(RequestFields& request);
-  void subscribe_one(std::uint32_t subscription_id, std::uint32_t channel_id);
+  /// Errors: there is no such channel, the id is in use, or it has as many as it may.
+  [[nodiscard]] Result<void> subscribe_one(std::uint32_t subscription_id, std::uint32_t channel_id);
   void unsubscribe(RequestFields& request);
   void unsubscribe_one(std::uint32_t subscription_id);
+  /// Tells the first of what is wrong with the items of one request, and how many more there are.
+  void tell_first(StatusLevel level, const std::string& first, std::size_t count);
   void get_parameters(RequestFields& request);
   void set_parameters(RequestFields& request);
   void set_parameter(const Parameter& wanted);
@@ -161,6 +172,8 @@ class Hub::Client {
   std::set<std::string> watched_parameters_;
   bool watches_graph_ = false;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< late answers find it false
+  /// How many service calls have no answer yet.
+  std::shared_ptr<std::size_t> waiting_calls_ = std::make_shared<std::size_t>(0);
 };
 
 }  // namespace galilean::monitor::foxglove

@@ -20,8 +20,10 @@ constexpr auto kLongestRest = std::chrono::seconds(10);
 
 void HttpConnection::respond(HttpResponse response) {
   awaits_answer_ = false;
-  // What is left of the request's body would be taken for the next request.
-  leaves_body_ = stream_parser_ && !stream_parser_->is_done();
+  // What is left of the request's body would be taken for the next request. Of one that was refused
+  // before it was read, an unknown rest is left.
+  const bool is_read = parser_ ? parser_->is_done() : false;
+  leaves_body_ = stream_parser_ ? !stream_parser_->is_done() : !is_read;
   if (leaves_body_) keep_alive_ = false;
   outgoing_ = std::move(response.stream);
   body_ = response.body ? std::move(response.body) : std::make_shared<const std::string>();
@@ -63,11 +65,14 @@ void HttpConnection::write_field(std::string_view name, std::string_view value) 
 void HttpConnection::go_on() {
   outgoing_.reset();
   stream_parser_.reset();
+  parser_.reset();
+  let_body_go();
   piece_ = {};
   if (keep_alive_) return read();
   error_code ignored;
   stream_.socket().shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
   if (!leaves_body_) return;
+  wait_for_others();
   stream_.expires_after(kLongestRest);
   pass_over_rest();
 }

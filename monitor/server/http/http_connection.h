@@ -14,6 +14,9 @@
 
 namespace galilean::monitor {
 
+/// What a connection keeps of what it has read and not used yet: a request's head at most.
+inline constexpr std::size_t kMostBufferedBytes = std::size_t{64} << 10;
+
 /// Reads the requests of one connection and answers them, until it closes or becomes a WebSocket.
 /// Where the method is PUT, the body is given away piece by piece. Answers may be read from a file
 /// while they are sent. Own it by a shared_ptr; it owns itself while anything is under way.
@@ -21,7 +24,8 @@ class HttpConnection final : public IncomingBody,
                              public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(boost::asio::ip::tcp::socket socket,
-                 std::shared_ptr<HttpServer::ServerContext> context, std::string address);
+                 std::shared_ptr<HttpServer::ServerContext> context, std::string address,
+                 std::shared_ptr<Connections::Place> place);
   ~HttpConnection() override;
 
   /// Reads the next request.
@@ -38,9 +42,16 @@ class HttpConnection final : public IncomingBody,
 
   // Reading, and who answers: http_session.cpp.
   void fail(error_code error);
+  void read_head();
+  void take_head(std::size_t bytes);
+  void refuse(int status, const std::string& why);
+  [[nodiscard]] bool keep_body(std::uint64_t bytes);
+  void let_body_go();
+  void wait_for_others();
   template <class Work>
   void attempt(Work work);
   void read_body();
+  [[nodiscard]] std::size_t most_body_bytes() const;
   void receive();
   template <class Body>
   [[nodiscard]] std::optional<HttpRequest> begin(const Request<Body>& message);
@@ -71,7 +82,8 @@ class HttpConnection final : public IncomingBody,
 
   boost::beast::tcp_stream stream_;
   std::shared_ptr<HttpServer::ServerContext> context_;
-  boost::beast::flat_buffer buffer_;
+  std::shared_ptr<Connections::Place> place_;
+  boost::beast::flat_buffer buffer_{kMostBufferedBytes};
   std::optional<Parser<boost::beast::http::empty_body>> head_parser_;
   std::optional<Parser<boost::beast::http::string_body>> parser_;
   std::optional<Parser<boost::beast::http::buffer_body>> stream_parser_;  ///< where it is a PUT
@@ -83,11 +95,13 @@ class HttpConnection final : public IncomingBody,
   std::string address_;               ///< the client's
   std::string digest_;                ///< of the token that the last request sent; else empty
   Right token_right_ = Right::kNone;  ///< what that token gave
+  std::string body_path_;             ///< which says how long the body may be
   unsigned version_ = 11;
   std::uint64_t handled_ = 0;  ///< requests that the handler got
   bool awaits_answer_ = false;
   bool awaits_continue_ = false;  ///< the client sends its body when it is told to
   bool leaves_body_ = false;      ///< whether a part of the request's body was not read
+  std::size_t kept_bytes_ = 0;    ///< of the body, as the server counts long ones
   bool keep_alive_ = false;
   bool head_only_ = false;
 };

@@ -8,6 +8,10 @@
 
 namespace galilean::monitor {
 namespace http = boost::beast::http;
+namespace {
+constexpr int kRetryAfter_s = 2;
+}
+
 HttpResponse text_response(std::string text, std::string content_type, int status) {
   return {
       status, std::move(content_type), std::make_shared<const std::string>(std::move(text)), {}};
@@ -21,7 +25,9 @@ HttpResponse problem(int status, const std::string& detail, const nlohmann::json
   const auto title = http::obsolete_reason(static_cast<http::status>(status));
   nlohmann::json json{{"title", std::string(title)}, {"status", status}, {"detail", detail}};
   if (more.is_object()) json.update(more);
-  return text_response(json_text(json), "application/problem+json", status);
+  auto response = text_response(json_text(json), "application/problem+json", status);
+  if (status == 503) response.headers.emplace_back("Retry-After", std::to_string(kRetryAfter_s));
+  return response;
 }
 
 HttpResponse problem(int status, const std::string& detail) {

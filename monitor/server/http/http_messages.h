@@ -70,6 +70,7 @@ using HttpHandler = std::function<void(const HttpRequest&, Respond)>;
 [[nodiscard]] HttpResponse text_response(std::string text, std::string content_type,
                                          int status = 200);
 /// Returns an error as problem+json (RFC 9457): {title, status, detail} and the members of `more`.
+/// A 503 says in Retry-After when to ask again.
 [[nodiscard]] HttpResponse problem(int status, const std::string& detail);
 [[nodiscard]] HttpResponse problem(int status, const std::string& detail,
                                    const nlohmann::json& more);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/http/http_server.h"
 
-#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <utility>
 
 #include "monitor/background/guarded.h"
 #include "monitor/server/http/http_session.h"
@@ -10,10 +11,15 @@ namespace galilean::monitor {
 namespace {
 using boost::asio::ip::tcp;
 using error_code = boost::system::error_code;
+
+constexpr auto kPauseWithoutDescriptors = std::chrono::milliseconds(100);
 }  // namespace
 
 HttpServer::HttpServer(boost::asio::io_context& io, ServerContext context)
-    : acceptor_(io), context_(std::make_shared<ServerContext>(std::move(context))) {}
+    : acceptor_(io), pause_(io), context_(std::make_shared<ServerContext>(std::move(context))) {
+  context_->limit_counts = context_->hub.limit_counts();
+  context_->connections = std::make_shared<Connections>(context_->limits, context_->limit_counts);
+}
 
 Result<std::uint16_t> HttpServer::listen(const std::string& address, std::uint16_t port) {
   error_code error;
@@ -44,6 +50,8 @@ void HttpServer::close() {
 
 HttpServer::Counts HttpServer::counts() const {
   Counts counts = context_->counts;
+  counts.all_connections = context_->connections->open();
+  counts.closed_for_others = context_->connections->closed_for_others();
   counts.replays = context_->replay.playbacks.running();
   counts.revoked = context_->sockets.ended();
   return counts;
@@ -57,32 +65,45 @@ void HttpServer::end_withdrawn() {
   context_->sockets.end_withdrawn(context_->access);
 }
 
+/// A connection has its place before it speaks TLS, so that those who only shake hands count, too.
 void HttpServer::welcome(tcp::socket socket) {
-  if (tls_)
-    return tls_->enter(std::move(socket),
-                       [context = context_](tcp::socket inner, const std::string& address) {
-                         if (context->counts.connections < kMostConnections)
-                           serve_http(std::move(inner), context, address);
-                       });
-  error_code ignored;
-  const auto address = socket.remote_endpoint(ignored).address().to_string();
-  serve_http(std::move(socket), context_, address);
+  error_code gone;
+  const auto client = socket.remote_endpoint(gone).address();
+  if (gone) return;
+  auto place = context_->connections->admit(client.to_string(), client.is_loopback());
+  if (!place) return;
+  if (!tls_) return serve_http(std::move(socket), context_, client.to_string(), std::move(place));
+  tls_->enter(std::move(socket),
+              [context = context_, place](tcp::socket inner, const std::string& address) {
+                serve_http(std::move(inner), context, address, place);
+              });
 }
 
 void HttpServer::accept() {
   acceptor_.async_accept([this](error_code error, tcp::socket socket) {
     if (error == boost::asio::error::operation_aborted) return;
-    if (error) {  // mostly because no file descriptor is free; so wait until one is
-      auto pause = std::make_shared<boost::asio::steady_timer>(acceptor_.get_executor(),
-                                                               std::chrono::milliseconds(100));
-      pause->async_wait([this, pause](error_code) {
-        if (acceptor_.is_open()) accept();
-      });
-      return;
-    }
-    if (context_->counts.connections < kMostConnections)
-      (void)guarded("a new connection", [&] { welcome(std::move(socket)); });
+    if (error == boost::asio::error::connection_aborted) return accept();  // by the client
+    if (error) return recover();
+    (void)guarded("a new connection", [&] { welcome(std::move(socket)); });
     accept();
+  });
+}
+
+void HttpServer::recover() {
+  context_->limit_counts->reached(Limit::kDescriptors);
+  if (context_->connections->close_waiting()) return accept();
+  if (reserve_.give()) {
+    // Nothing can be closed, so the next client is turned away, in place of waiting for ever.
+    error_code none_waits;
+    acceptor_.non_blocking(true, none_waits);
+    tcp::socket turned_away(acceptor_.get_executor());
+    acceptor_.accept(turned_away, none_waits);
+    turned_away.close(none_waits);
+    reserve_.take();
+  }
+  pause_.expires_after(kPauseWithoutDescriptors);
+  pause_.async_wait([this](error_code error) {
+    if (!error && acceptor_.is_open()) accept();
   });
 }
 

@@ -3,8 +3,10 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +18,8 @@
 #include "monitor/server/http/guard.h"
 #include "monitor/server/http/http_messages.h"
 #include "monitor/server/http/open_sockets.h"
+#include "monitor/server/limits/connections.h"
+#include "monitor/server/limits/descriptors.h"
 #include "monitor/server/lsp/language_session.h"
 #include "monitor/server/replay/replay_session.h"
 #include "monitor/server/tls/tls_door.h"
@@ -25,14 +29,15 @@ namespace galilean::monitor {
 
 /// Serves HTTP/1.1 on one address and port. GET /ws becomes a WebSocket of the hub, GET /lsp one of
 /// the language server, GET /replay one of a recording. Everything runs on the io_context's one
-/// thread. HTTP connections are limited in number, and requests in size and in the time that they
-/// take to arrive; WebSockets do not count as HTTP connections.
+/// thread. Connections, of which WebSockets are some, are limited in number, and requests in size
+/// and in the time that they take to arrive.
 class HttpServer {
  public:
-  static constexpr std::size_t kMostConnections = 1024;
-
   struct Counts {
-    std::size_t connections = 0;  ///< open HTTP connections
+    std::size_t connections = 0;          ///< open HTTP connections
+    std::size_t all_connections = 0;      ///< the same, and WebSockets
+    std::uint64_t closed_for_others = 0;  ///< connections that were closed to make room
+    std::uint64_t malformed = 0;          ///< requests that are no HTTP as RFC 9112 has it
     std::uint64_t requests = 0;
     std::uint64_t refused = 0;       ///< requests that the guard refused
     std::size_t replays = 0;         ///< recordings that are played to a viewer now
@@ -50,10 +55,17 @@ class HttpServer {
     LanguageServerContext& language;
     ReplayContext& replay;
     Worker& transfers;  ///< reads files while they are sent
+    /// Returns how long a body may be that is sent to a path, of any method but PUT [bytes]; none:
+    /// as long as a program.
+    std::function<std::size_t(const std::string& path)> most_body_bytes = {};
+    ServerLimits limits = {};
     Counts counts = {};
     GuessLimit guesses = {};
     OpenSockets sockets = {};
     SteadyClock clock = {};
+    std::size_t bodies_bytes = 0;                    ///< of the long bodies that are kept now
+    std::shared_ptr<LimitCounts> limit_counts = {};  ///< the server takes the hub's
+    std::shared_ptr<Connections> connections = {};   ///< the server makes it
   };
 
   HttpServer(boost::asio::io_context& io, ServerContext context);
@@ -76,8 +88,12 @@ class HttpServer {
  private:
   void accept();
   void welcome(boost::asio::ip::tcp::socket socket);
+  /// Makes a descriptor free after none was, and goes on after a pause.
+  void recover();
 
   boost::asio::ip::tcp::acceptor acceptor_;
+  boost::asio::steady_timer pause_;
+  ReserveDescriptor reserve_;
   std::shared_ptr<ServerContext> context_;
   std::shared_ptr<TlsDoor> tls_;  ///< null where plain HTTP is spoken
 };

@@ -5,9 +5,10 @@
 
 namespace galilean::monitor {
 
-/// Serves one connection until it closes or becomes a WebSocket. The session owns itself until
-/// then. `address` is the client's.
+/// Serves one connection, which has `place` among all, until it closes or becomes a WebSocket. The
+/// session owns itself until then. `address` is the client's.
 void serve_http(boost::asio::ip::tcp::socket socket,
-                std::shared_ptr<HttpServer::ServerContext> context, std::string address);
+                std::shared_ptr<HttpServer::ServerContext> context, std::string address,
+                std::shared_ptr<Connections::Place> place);
 
 }  // namespace galilean::monitor

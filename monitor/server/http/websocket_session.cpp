@@ -12,15 +12,17 @@ using Upgrade = WebSocket::Upgrade;
 using error_code = boost::system::error_code;
 
 /// Room for a push of the largest program, escaped as JSON.
-constexpr std::size_t kMostMessageBytes = 16 << 20;
+constexpr std::size_t kMostMessageBytes = std::size_t{9} << 20;
 
 class WebSocketSession final : public foxglove::Link,
                                public Revocable,
                                public std::enable_shared_from_this<WebSocketSession> {
  public:
   WebSocketSession(boost::asio::ip::tcp::socket socket, foxglove::Hub& hub, SendRounds& rounds,
-                   Right right)
-      : socket_(std::move(socket), rounds, kMostMessageBytes), hub_(hub), right_(right) {}
+                   Right right, std::shared_ptr<Connections::Place> place)
+      : socket_(std::move(socket), rounds, kMostMessageBytes, std::move(place)),
+        hub_(hub),
+        right_(right) {}
 
   void start(const Upgrade& upgrade) {
     const auto subprotocol = foxglove::subprotocol_for(upgrade);
@@ -95,8 +97,10 @@ class WebSocketSession final : public foxglove::Link,
 
 std::weak_ptr<Revocable> serve_websocket(boost::asio::ip::tcp::socket socket,
                                          const Upgrade& upgrade, foxglove::Hub& hub,
-                                         SendRounds& rounds, Right right) {
-  const auto session = std::make_shared<WebSocketSession>(std::move(socket), hub, rounds, right);
+                                         SendRounds& rounds, Right right,
+                                         std::shared_ptr<Connections::Place> place) {
+  const auto session =
+      std::make_shared<WebSocketSession>(std::move(socket), hub, rounds, right, std::move(place));
   session->start(upgrade);
   return session;
 }

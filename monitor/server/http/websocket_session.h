@@ -16,6 +16,7 @@ namespace galilean::monitor {
 /// must outlive it.
 std::weak_ptr<Revocable> serve_websocket(boost::asio::ip::tcp::socket socket,
                                          const WebSocket::Upgrade& upgrade, foxglove::Hub& hub,
-                                         SendRounds& rounds, Right right);
+                                         SendRounds& rounds, Right right,
+                                         std::shared_ptr<Connections::Place> place = nullptr);
 
 }  // namespace galilean::monitor

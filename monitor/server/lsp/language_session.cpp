@@ -13,6 +13,7 @@ using error_code = boost::system::error_code;
 
 constexpr std::size_t kMostMessageBytes = 32 << 20;
 constexpr std::size_t kMostWaiting = 64;  ///< messages that are read but not handled yet
+constexpr std::size_t kMostWaitingBytes = std::size_t{4} << 20;  ///< of them, or one longer one
 constexpr std::size_t kMostUnsentBytes = 64 << 20;
 
 /// Returns a robot's catalog as JSON, or an empty string if no robot has published one.
@@ -28,8 +29,9 @@ class LanguageSession final : public Revocable,
                               public std::enable_shared_from_this<LanguageSession> {
  public:
   LanguageSession(boost::asio::ip::tcp::socket socket, SendRounds& rounds,
-                  LanguageServerContext& context)
-      : socket_(std::move(socket), rounds, kMostMessageBytes), context_(context) {}
+                  LanguageServerContext& context, std::shared_ptr<Connections::Place> place)
+      : socket_(std::move(socket), rounds, kMostMessageBytes, std::move(place)),
+        context_(context) {}
 
   void start(const WebSocket::Upgrade& upgrade) {
     const std::string_view target(upgrade.target().data(), upgrade.target().size());
@@ -71,19 +73,25 @@ class LanguageSession final : public Revocable,
       if (error) return self->end();
       const auto message = self->socket_.message();
       self->waiting_.emplace_back(message.begin(), message.end());
-      if (self->waiting_.size() < kMostWaiting) self->read();
+      self->waiting_bytes_ += message.size();
+      if (self->has_room()) self->read();
       self->take_turn();
     });
+  }
+
+  [[nodiscard]] bool has_room() const {
+    return waiting_.size() < kMostWaiting && waiting_bytes_ < kMostWaitingBytes;
   }
 
   void take_turn() {
     if (busy_ || closed_) return;
     if (!waiting_.empty()) {
+      waiting_bytes_ -= waiting_.front().size();
       run([self = shared_from_this(), message = std::move(waiting_.front())] {
         return self->server_->receive(message);
       });
       waiting_.pop_front();
-      if (!reading_) read();
+      if (!reading_ && has_room()) read();
     } else if (has_work_) {
       run([self = shared_from_this()] { return self->server_->work(); });
     }
@@ -137,12 +145,14 @@ class LanguageSession final : public Revocable,
   void end() {
     closed_ = true;
     waiting_.clear();
+    waiting_bytes_ = 0;
   }
 
   WebSocket socket_;
   LanguageServerContext& context_;
   std::unique_ptr<bhdl::lsp::Server> server_;  ///< used on the worker only
   std::deque<std::string> waiting_;
+  std::size_t waiting_bytes_ = 0;
   std::deque<std::string> unsent_;
   std::size_t unsent_bytes_ = 0;
   bool reading_ = false;
@@ -155,8 +165,10 @@ class LanguageSession final : public Revocable,
 
 std::weak_ptr<Revocable> serve_language(boost::asio::ip::tcp::socket socket,
                                         const WebSocket::Upgrade& upgrade, SendRounds& rounds,
-                                        LanguageServerContext& context) {
-  const auto session = std::make_shared<LanguageSession>(std::move(socket), rounds, context);
+                                        LanguageServerContext& context,
+                                        std::shared_ptr<Connections::Place> place) {
+  const auto session =
+      std::make_shared<LanguageSession>(std::move(socket), rounds, context, std::move(place));
   session->start(upgrade);
   return session;
 }

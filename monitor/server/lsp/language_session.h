@@ -28,6 +28,7 @@ struct LanguageServerContext {
 /// The session, which is returned, owns itself until then. `rounds` and `context` must outlive it.
 std::weak_ptr<Revocable> serve_language(boost::asio::ip::tcp::socket socket,
                                         const WebSocket::Upgrade& upgrade, SendRounds& rounds,
-                                        LanguageServerContext& context);
+                                        LanguageServerContext& context,
+                                        std::shared_ptr<Connections::Place> place = nullptr);
 
 }  // namespace galilean::monitor

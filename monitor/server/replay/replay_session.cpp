@@ -12,6 +12,7 @@
 #include "monitor/server/foxglove/foxglove_messages.h"
 #include "monitor/server/foxglove/ids.h"
 #include "monitor/server/foxglove/subprotocol.h"
+#include "monitor/server/limits/server_limits.h"
 #include "monitor/server/replay/viewer_playback.h"
 #include "monitor/server/text/request_fields.h"
 #include "monitor/server/text/url_text.h"
@@ -21,7 +22,7 @@ namespace {
 
 using boost::system::error_code;
 
-constexpr std::size_t kMostOrderBytes = 1 << 20;
+constexpr std::size_t kMostOrderBytes = std::size_t{512} << 10;
 constexpr std::uint32_t kTimeLane = 0;
 /// What a close frame can hold besides its code.
 constexpr std::size_t kLongestReason = 123;
@@ -39,9 +40,10 @@ Result<Duration> read_seconds(const std::string& text) {
 
 class ReplaySession final : public Revocable, public std::enable_shared_from_this<ReplaySession> {
  public:
-  ReplaySession(boost::asio::ip::tcp::socket socket, SendRounds& rounds, ReplayContext& context)
+  ReplaySession(boost::asio::ip::tcp::socket socket, SendRounds& rounds, ReplayContext& context,
+                std::shared_ptr<Connections::Place> place)
       : executor_(socket.get_executor()),
-        socket_(std::move(socket), rounds, kMostOrderBytes),
+        socket_(std::move(socket), rounds, kMostOrderBytes, std::move(place)),
         context_(context) {}
   ~ReplaySession() override {
     if (line_) line_->leave();
@@ -132,7 +134,7 @@ class ReplaySession final : public Revocable, public std::enable_shared_from_thi
   }
 
   void receive_text(std::string_view text) {
-    const auto json = read_untrusted_json(text);
+    const auto json = read_untrusted_json(text, ServerLimits().message);
     if (!json) return object(json.error().message);
     RequestFields fields(json.value());
     const auto op = fields.text("op");
@@ -153,7 +155,7 @@ class ReplaySession final : public Revocable, public std::enable_shared_from_thi
       if (id && channel_id)
         order(Subscribe{*id, *channel_id});
       else
-        object("A subscription must have a number \"id\" and a number \"channelId\".");
+        return object("A subscription must have a number \"id\" and a number \"channelId\".");
     }
   }
 
@@ -162,7 +164,7 @@ class ReplaySession final : public Revocable, public std::enable_shared_from_thi
       if (const auto id = foxglove::id_of(item))
         order(Unsubscribe{*id});
       else
-        object("A subscription's id must be a number.");
+        return object("A subscription's id must be a number.");
     }
   }
 
@@ -215,8 +217,10 @@ class ReplaySession final : public Revocable, public std::enable_shared_from_thi
 
 std::weak_ptr<Revocable> serve_replay(boost::asio::ip::tcp::socket socket,
                                       const WebSocket::Upgrade& upgrade, SendRounds& rounds,
-                                      ReplayContext& context) {
-  const auto session = std::make_shared<ReplaySession>(std::move(socket), rounds, context);
+                                      ReplayContext& context,
+                                      std::shared_ptr<Connections::Place> place) {
+  const auto session =
+      std::make_shared<ReplaySession>(std::move(socket), rounds, context, std::move(place));
   session->start(upgrade);
   return session;
 }

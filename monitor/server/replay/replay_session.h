@@ -22,6 +22,7 @@ struct ReplayContext {
 /// must outlive it.
 std::weak_ptr<Revocable> serve_replay(boost::asio::ip::tcp::socket socket,
                                       const WebSocket::Upgrade& upgrade, SendRounds& rounds,
-                                      ReplayContext& context);
+                                      ReplayContext& context,
+                                      std::shared_ptr<Connections::Place> place = nullptr);
 
 }  // namespace galilean::monitor

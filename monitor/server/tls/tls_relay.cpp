@@ -84,7 +84,7 @@ void TlsRelay::admit() {
   place_.reset();
   read_client();
   read_session();
-  std::exchange(admit_, {})(std::move(for_session), address_);
+  admit_(std::move(for_session), address_);
 }
 
 /// Returns false if the process has no more descriptors. Asio's sockets for TCP read and write any

@@ -23,7 +23,9 @@ class TlsRelay : public std::enable_shared_from_this<TlsRelay> {
   using tcp = boost::asio::ip::tcp;
   using Admit = std::function<void(tcp::socket socket, const std::string& address)>;
 
-  /// `place` is given back when the handshake is over.
+  /// `place` is given back when the handshake is over. `admit` is kept as long as the relay lives,
+  /// so that what it holds, such as the connection's place among all, is free when the client is
+  /// gone, and not only when the session is.
   TlsRelay(tcp::socket client, boost::asio::ssl::context& context, std::shared_ptr<void> place,
            Admit admit);
 

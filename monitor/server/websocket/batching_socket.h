@@ -48,6 +48,10 @@ class BatchingSocket {
   /// Closes the socket. A write in flight would otherwise keep the connection open after its
   /// session is gone.
   void close() { state_->close(); }
+  /// Closes the socket soon, but not from inside this call.
+  void close_later() {
+    boost::asio::post(get_executor(), [state = state_] { state->close(); });
+  }
 
   template <class Buffers, class Handler>
   auto async_read_some(const Buffers& buffers, Handler&& handler) {

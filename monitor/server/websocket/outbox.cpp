@@ -13,8 +13,8 @@ bool Outbox::push(Frame frame) {
 }
 
 void Outbox::offer(std::uint32_t lane, Frame frame, std::size_t depth) {
-  auto& waiting = lanes_[lane];
-  if (waiting.empty()) turns_.push_back(lane);
+  auto& [waiting, turn] = lanes_[lane];
+  if (waiting.empty()) turn = turns_.insert(turns_.end(), lane);
   if (waiting.size() >= depth) {
     waiting.pop_front();
     ++superseded_;
@@ -23,8 +23,10 @@ void Outbox::offer(std::uint32_t lane, Frame frame, std::size_t depth) {
 }
 
 void Outbox::close_lane(std::uint32_t lane) {
-  lanes_.erase(lane);
-  std::erase(turns_, lane);
+  const auto found = lanes_.find(lane);
+  if (found == lanes_.end()) return;
+  if (!found->second.waiting.empty()) turns_.erase(found->second.turn);
+  lanes_.erase(found);
 }
 
 void Outbox::clear() {
@@ -43,12 +45,13 @@ std::vector<Frame> Outbox::take(std::size_t most) {
   }
   if (tell_taken_ && queued_bytes_ < queued_before) tell_taken_(queued_before - queued_bytes_);
   while (taken.size() < most && !turns_.empty()) {
-    const auto lane = turns_.front();
-    turns_.pop_front();
-    auto& waiting = lanes_[lane];
+    auto& [waiting, turn] = lanes_[turns_.front()];
     taken.push_back(std::move(waiting.front()));
     waiting.pop_front();
-    if (!waiting.empty()) turns_.push_back(lane);
+    if (waiting.empty())
+      turns_.erase(turn);
+    else
+      turns_.splice(turns_.end(), turns_, turn);
   }
   return taken;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <list>
 #include <unordered_map>
 #include <vector>
 
@@ -42,8 +43,13 @@ class Outbox {
  private:
   std::deque<Frame> queue_;
   std::size_t queued_bytes_ = 0;
-  std::unordered_map<std::uint32_t, std::deque<Frame>> lanes_;
-  std::deque<std::uint32_t> turns_;  ///< the lanes that hold frames, each once, in sending order
+  using Turns = std::list<std::uint32_t>;
+  struct Lane {
+    std::deque<Frame> waiting;
+    Turns::iterator turn;  ///< its place in turns_, while a frame waits
+  };
+  std::unordered_map<std::uint32_t, Lane> lanes_;
+  Turns turns_;  ///< the lanes that hold frames, each once, in sending order
   std::uint64_t superseded_ = 0;
   std::function<void(std::size_t)> tell_taken_;
 };

@@ -20,11 +20,28 @@ struct WebSocket::Stream {
 };
 
 WebSocket::WebSocket(boost::asio::ip::tcp::socket socket, SendRounds& rounds,
-                     std::size_t most_message_bytes)
-    : stream_(new Stream{websocket::stream<BatchingSocket>(std::move(socket), rounds)}) {
+                     std::size_t most_message_bytes, std::shared_ptr<Connections::Place> place)
+    : place_(std::move(place)),
+      stream_(new Stream{websocket::stream<BatchingSocket>(std::move(socket), rounds)}) {
   stream_->beast.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
   stream_->beast.read_message_max(most_message_bytes);
   stream_->beast.text(true);
+  stream_->beast.control_callback([this](websocket::frame_type kind, beast::string_view) {
+    if (kind == websocket::frame_type::ping) count_ping();
+  });
+}
+
+void WebSocket::count_ping() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - second_began_ >= std::chrono::seconds(1)) {
+    second_began_ = now;
+    pings_ = 0;
+  }
+  const std::size_t most = place_ ? place_->limits().pings_per_s : ServerLimits().pings_per_s;
+  if (++pings_ != most + 1) return;
+  if (place_) place_->limit_counts().reached(Limit::kPings);
+  // Beast is reading, and calls this meanwhile.
+  stream_->beast.next_layer().close_later();
 }
 
 WebSocket::~WebSocket() {

@@ -4,6 +4,8 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/string_body.hpp>
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -11,6 +13,7 @@
 #include <string>
 #include <string_view>
 
+#include "monitor/server/limits/connections.h"
 #include "monitor/server/websocket/outbox.h"
 #include "monitor/server/websocket/send_rounds.h"
 
@@ -28,9 +31,11 @@ class WebSocket {
   using Upgrade = boost::beast::http::request<boost::beast::http::string_body>;
   using Then = std::function<void(boost::system::error_code)>;
 
-  /// `rounds` must outlive it. A message of more than `most_message_bytes` ends the connection.
-  WebSocket(boost::asio::ip::tcp::socket socket, SendRounds& rounds,
-            std::size_t most_message_bytes);
+  /// `rounds` must outlive it. A message of more than `most_message_bytes` ends the connection, and
+  /// so do more pings within a second than the limits of `place` allow, because Beast answers each.
+  /// `place` is the connection's among all; a null pointer: it is not counted.
+  WebSocket(boost::asio::ip::tcp::socket socket, SendRounds& rounds, std::size_t most_message_bytes,
+            std::shared_ptr<Connections::Place> place = nullptr);
   /// Closes the connection, even if something is being written.
   ~WebSocket();
   WebSocket(const WebSocket&) = delete;
@@ -59,7 +64,12 @@ class WebSocket {
   void cut();
 
  private:
+  void count_ping();
+
   struct Stream;
+  std::shared_ptr<Connections::Place> place_;
+  std::chrono::steady_clock::time_point second_began_{};
+  std::size_t pings_ = 0;  ///< since then
   std::unique_ptr<Stream> stream_;
 };
 

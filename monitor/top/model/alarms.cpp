@@ -52,6 +52,14 @@ void find_failed_pushes(const DashboardModel& model, std::vector<Alarm>& alarms)
   }
 }
 
+/// Whoever steers must know at once that pushes may be refused, or that what was kept was changed.
+void find_history_problem(const DashboardModel& model, std::vector<Alarm>& alarms) {
+  auto words = model.history_problem();
+  if (words.empty()) return;
+  if (words.ends_with('.')) words.pop_back();
+  alarms.push_back({"history", AlarmKind::kProblem, "monitor", std::move(words)});
+}
+
 }  // namespace
 
 void AlarmFinder::remember(Memory& memory, const msg::RobotState& state, Time now) const {
@@ -105,6 +113,7 @@ std::vector<Alarm> AlarmFinder::find(const DashboardModel& model, Time now) {
   }
   find_misplaced(model, alarms);
   find_failed_pushes(model, alarms);
+  find_history_problem(model, alarms);
   return alarms;
 }
 

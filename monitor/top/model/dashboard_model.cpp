@@ -6,6 +6,7 @@
 
 #include "core/wire/messages.h"
 #include "core/wire/topic_names.h"
+#include "monitor/team/history_status.h"
 
 namespace galilean::monitor::top {
 namespace {
@@ -15,11 +16,12 @@ constexpr Duration kStaleAfter = std::chrono::seconds(5);
 /// A reply that was sent so long before it was received is an old one, which DDS keeps for those
 /// who join later.
 constexpr std::int64_t kOldReply_ns = 10'000'000'000;
-constexpr std::array<std::string_view, 12> kShown{
-    msg::RobotState::kRosType,   msg::Transition::kRosType,    msg::Variables::kRosType,
-    msg::Program::kRosType,      msg::Catalog::kRosType,       msg::Score::kRosType,
-    msg::ObjectMap::kRosType,    msg::OccupancyGrid::kRosType, msg::Sightings::kRosType,
-    msg::PushProgress::kRosType, msg::ProgramReply::kRosType,  msg::Breaks::kRosType};
+constexpr std::array<std::string_view, 13> kShown{
+    msg::RobotState::kRosType,     msg::Transition::kRosType,    msg::Variables::kRosType,
+    msg::Program::kRosType,        msg::Catalog::kRosType,       msg::Score::kRosType,
+    msg::ObjectMap::kRosType,      msg::OccupancyGrid::kRosType, msg::Sightings::kRosType,
+    msg::PushProgress::kRosType,   msg::ProgramReply::kRosType,  msg::Breaks::kRosType,
+    msg::DiagnosticArray::kRosType};
 }  // namespace
 
 template <class M>
@@ -42,6 +44,8 @@ void DashboardModel::receive(const Message& message) {
     note_reply(message);
   else if (type == msg::PushProgress::kRosType)
     note_push(message);
+  else if (type == msg::DiagnosticArray::kRosType)
+    note_diagnostics(message);
   else
     team_.receive(message);
   if (identities_.count() < team_.robots().size())
@@ -67,6 +71,18 @@ void DashboardModel::note_reply(const Message& message) {
   if (!msg::decode_cdr(*message.cdr, reply)) return;
   replies_.push_back(std::move(reply));
   if (replies_.size() > kRepliesKept) replies_.pop_front();
+}
+
+void DashboardModel::note_diagnostics(const Message& message) {
+  msg::DiagnosticArray array;
+  if (!msg::decode_cdr(*message.cdr, array)) return;
+  if (auto problem = monitor::history_problem(array))
+    history_problem_ = Heard<std::string>{std::move(*problem), clock_.now()};
+}
+
+std::string DashboardModel::history_problem() const {
+  if (!history_problem_ || clock_.now() - history_problem_->received > kStaleAfter) return {};
+  return history_problem_->message;
 }
 
 void DashboardModel::note_push(const Message& message) {

@@ -34,6 +34,9 @@ class DashboardModel {
   [[nodiscard]] const std::deque<msg::ProgramReply>& replies() const noexcept { return replies_; }
   /// Returns the name of the program that a push brought, or an empty string.
   [[nodiscard]] std::string pushed_name(const std::string& push_id) const;
+  /// Returns what the monitor tells to be wrong with its history; empty if nothing is, or if it
+  /// told nothing in the last 5 s.
+  [[nodiscard]] std::string history_problem() const;
   /// Returns the map's objects; nullptr if no message with them came in the last 5 s.
   [[nodiscard]] const msg::ObjectMap* objects() const noexcept;
   [[nodiscard]] Time objects_received() const noexcept {
@@ -57,12 +60,14 @@ class DashboardModel {
   void note_floor(const Message& message);
   void note_reply(const Message& message);
   void note_push(const Message& message);
+  void note_diagnostics(const Message& message);
 
   const Clock& clock_;
   Team team_;
   Identities identities_;
   std::deque<msg::ProgramReply> replies_;
   std::map<std::string, std::string> pushed_names_;  ///< by the push's id
+  std::optional<Heard<std::string>> history_problem_;
   std::optional<Heard<msg::ObjectMap>> objects_;
   std::shared_ptr<const Floor> floor_;
   std::map<std::string, std::optional<Heard<msg::Sightings>>> sightings_;  ///< by topic

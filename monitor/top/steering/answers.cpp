@@ -32,6 +32,10 @@ void Answers::expect(const std::string& id, const std::string& effect,
   open_.push_back({id, effect, std::move(robots), now});
 }
 
+void Answers::expect_refusals(const std::string& id, std::vector<std::string> robots, Time now) {
+  open_.push_back({id, "", std::move(robots), now, true});
+}
+
 std::string Answers::take(const Team& team, Time now) {
   std::string told;
   for (auto& order : open_) {
@@ -45,7 +49,7 @@ std::string Answers::take(const Team& team, Time now) {
       return true;
     });
     if (order.robots.empty() || now - order.sent < kMost) continue;
-    add(joined(order.robots) + " did not answer", told);
+    if (!order.silence_is_consent) add(joined(order.robots) + " did not answer", told);
     order.robots.clear();
   }
   std::erase_if(open_, [](const Open& order) { return order.robots.empty(); });

@@ -9,8 +9,8 @@
 
 namespace galilean::monitor::top {
 
-/// Waits for robots' answers to the orders that they may refuse: steps, and orders about break
-/// points.
+/// Waits for robots' answers to the orders that they may refuse: steps, orders about break points,
+/// and commands that a robot takes only from those whom it trusts.
 class Answers {
  public:
   static constexpr Duration kMost = std::chrono::seconds(2);
@@ -19,6 +19,8 @@ class Answers {
   /// does to a robot that carries it out, such as "stops on entering grab"; empty: that shows.
   void expect(const std::string& id, const std::string& effect, std::vector<std::string> robots,
               Time now);
+  /// Waits for refusals of an order that was sent now, to which a robot says nothing if it obeys.
+  void expect_refusals(const std::string& id, std::vector<std::string> robots, Time now);
   /// Returns what came of the orders since the last call, in a sentence: who did what, who refused
   /// and why, and who has not answered in time. Returns an empty string if nothing did.
   [[nodiscard]] std::string take(const Team& team, Time now);
@@ -28,6 +30,7 @@ class Answers {
     std::string id, effect;
     std::vector<std::string> robots;  ///< those that have not answered
     Time sent;
+    bool silence_is_consent = false;
   };
 
   std::vector<Open> open_;  ///< the oldest first

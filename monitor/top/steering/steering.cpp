@@ -56,11 +56,20 @@ void Steering::say(Operator::Word word, const std::string& robot, bool to_all) {
   if (word == Operator::Word::kResume) end_stop_of(robot, to_all);
   const std::string id =
       voice_.say(word, to_all ? std::vector<std::string>{} : std::vector<std::string>{robot});
-  // Of all words robots refuse a step alone.
-  if (word == Operator::Word::kStep && !id.empty())
-    answers_.expect(id, "", to_all ? heard() : std::vector<std::string>{robot}, clock_.now());
+  if (!id.empty()) expect_answers(word, id, to_all ? heard() : std::vector<std::string>{robot});
   notices_.tell_of_now((id.empty() ? "could not tell " : "told ") +
                        (to_all ? "all robots" : robot) + " to " + words_of(word));
+}
+
+/// Robots answer a step. Of other words they answer refusals alone, and they refuse none that stops
+/// them.
+void Steering::expect_answers(Operator::Word word, const std::string& id,
+                              std::vector<std::string> robots) {
+  const bool stops = word == Operator::Word::kHold || word == Operator::Word::kDecommission;
+  if (word == Operator::Word::kStep)
+    answers_.expect(id, "", std::move(robots), clock_.now());
+  else if (!stops)
+    answers_.expect_refusals(id, std::move(robots), clock_.now());
 }
 
 void Steering::order_breaks(const std::string& robot, const std::string& order,

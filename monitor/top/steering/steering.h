@@ -44,6 +44,7 @@ class Steering {
 
  private:
   void tell_stop_again();
+  void expect_answers(Operator::Word word, const std::string& id, std::vector<std::string> robots);
   /// Returns the robots that are heard and that no recording plays.
   [[nodiscard]] std::vector<std::string> heard() const;
   /// Takes those that are resumed out of the order to stop.

@@ -174,12 +174,13 @@ TEST(Wire, TellsWhichProcessSentAMessageByWhatThatAnnounced) {
     Writer<msg::RobotState> writer(*other, "rt/signed/state");
     ASSERT_TRUE(wait_until([&] { return writer.readers() == 1; }));
     ASSERT_TRUE(writer.write(state_of("someone_else", 1)));
-    std::optional<std::string> sender;
+    std::optional<Sender> sender;
     ASSERT_TRUE(wait_until([&] {
-      reader.take([&](const Received& received) { sender = reader.sender(received); });
+      reader.take([&](const Received& received) { sender = reader.sender(received.writer); });
       return sender.has_value();
     }));
-    EXPECT_EQ(sender, name);
+    EXPECT_EQ(sender->name, name);
+    EXPECT_EQ(sender->address, "");  // it is in this process
   }
 }
 
@@ -197,7 +198,7 @@ TEST(Wire, ASenderThatHasLeftIsNobody) {
   ASSERT_TRUE(wait_until([&] {
     reader.take([&](const Received& received) {
       taken = true;
-      EXPECT_EQ(reader.sender(received), std::nullopt);
+      EXPECT_EQ(reader.sender(received.writer), std::nullopt);
     });
     return taken;
   }));

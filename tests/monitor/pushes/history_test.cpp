@@ -14,6 +14,7 @@
 #include "core/wire/messages.h"
 #include "core/wire/ros_time.h"
 #include "monitor/pushes/history/history_folder.h"
+#include "monitor/pushes/history/push_messages.h"
 #include "monitor/pushes/history/sql.h"
 #include "tests/temporary_folder.h"
 
@@ -27,9 +28,9 @@ msg::ProgramPush push(int number) {
   result.id = std::to_string(number);
   result.stamp = wire::ros_time(1'000'000'000LL * number);
   result.author = "operator";
-  result.hash = "hash" + std::to_string(number % 3);
   result.targets = {"io", "ganymede"};
   result.files = {{"main.bhdl", "text " + std::to_string(number % 3)}, {"parts.bhdl", "parts"}};
+  result.hash = hash_of_files(result);
   return result;
 }
 
@@ -84,8 +85,8 @@ TEST_F(HistoryTest, RemembersWhoPushedWhatToWhomAndWhatBecameOfIt) {
   EXPECT_EQ(records[0].replies[0].status, ReplyStatus::kRolledBack);
   EXPECT_EQ(records[0].replies[0].reply.message, "overran its ticks");
   EXPECT_EQ(records[0].replies[0].latency_ms, 12.5);
-  EXPECT_EQ(history.value()->program("hash2").value()->at(0).text, "text 2");
-  EXPECT_FALSE(history.value()->program("hash9").value());
+  EXPECT_EQ(history.value()->program(push(2).hash).value()->at(0).text, "text 2");
+  EXPECT_FALSE(history.value()->program("9999").value());
 }
 
 /// Adds pushes, their outcome and their end, and tells each number once all has returned.
@@ -183,7 +184,8 @@ TEST_F(HistoryTest, PushesOfAReleaseThatDidNotNumberThemKeepTheirOrder) {
   }
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
-  sql::execute(database, "DELETE FROM push_sequence");
+  sql::execute(database, "DELETE FROM push_sequence; DELETE FROM chain;");
+  sql::execute(database, "DELETE FROM sqlite_sequence");
   sqlite3_close(database);
   auto history = History::open(file);
   ASSERT_TRUE(history);
@@ -192,6 +194,7 @@ TEST_F(HistoryTest, PushesOfAReleaseThatDidNotNumberThemKeepTheirOrder) {
   const auto kept = history.value()->pushes(10).value();
   for (const auto& record : kept) ids += record.id;
   EXPECT_EQ(ids, "0321");
+  EXPECT_FALSE(history.value()->verify().value().broken);
 }
 
 TEST_F(HistoryTest, RemembersHowFarAPushCameAndThatItWasInterrupted) {
@@ -216,7 +219,7 @@ TEST_F(HistoryTest, RemembersHowFarAPushCameAndThatItWasInterrupted) {
   EXPECT_EQ(cancelled->progress.steps[1].state, StepState::kCancelled);
   EXPECT_EQ(cancelled->progress.steps[1].detail, "cancelled by balch");
   EXPECT_EQ(cancelled->progress.trial, (nlohmann::json{{"runs", 8}}));
-  EXPECT_EQ(history.value()->last_push_of("hash2").value()->id, "2");
+  EXPECT_EQ(history.value()->last_push_of(push(2).hash).value()->id, "2");
   EXPECT_FALSE(history.value()->push("3").value());
 }
 
@@ -269,16 +272,101 @@ TEST_F(HistoryTest, AFileThatBreaksIsAnErrorOfTheCallAndNoException) {
   EXPECT_FALSE(history.value()->add_reply("1", {.robot = "io"}));
   EXPECT_FALSE(history.value()->pushes(10));
   EXPECT_FALSE(history.value()->push("1"));
-  EXPECT_FALSE(history.value()->last_push_of("hash1"));
+  EXPECT_FALSE(history.value()->last_push_of(push(1).hash));
 }
 
 TEST_F(HistoryTest, TheBeginningOfAHashWillDoWhereItIsTheOnlyOne) {
   auto history = History::open(file);
   EXPECT_TRUE(history.value()->add(push(1)));
-  EXPECT_TRUE(history.value()->program("ha").value());
+  EXPECT_TRUE(history.value()->program("").value());
+  EXPECT_TRUE(history.value()->program(push(1).hash.substr(0, 32)).value());
   EXPECT_TRUE(history.value()->add(push(2)));
-  EXPECT_FALSE(history.value()->program("ha").value()) << "hash1 or hash2?";
-  EXPECT_TRUE(history.value()->program("hash2").value());
+  EXPECT_FALSE(history.value()->program("").value()) << "which of the two?";
+  EXPECT_TRUE(history.value()->program(push(2).hash.substr(0, 32)).value());
+}
+
+TEST_F(HistoryTest, APushThatAnnouncesAnothersHashDoesNotTakeItsPlace) {
+  auto history = History::open(file);
+  ASSERT_TRUE(history);
+  auto forged = push(2);
+  forged.id = "forged";
+  forged.hash = push(1).hash;
+  EXPECT_TRUE(history.value()->add(forged));
+  EXPECT_FALSE(history.value()->program(push(1).hash).value());
+  EXPECT_TRUE(history.value()->add(push(1)));
+  EXPECT_EQ(history.value()->program(push(1).hash).value()->at(0).text, "text 1");
+  EXPECT_EQ(history.value()->push("forged").value()->hash, push(2).hash);
+  EXPECT_EQ(history.value()->last_push_of(push(1).hash).value()->id, "1");
+}
+
+TEST_F(HistoryTest, ATextUnderAWrongHashIsToldAndNotGiven) {
+  auto history = History::open(file);
+  EXPECT_TRUE(history.value()->add(push(1)));
+  sqlite3* other = nullptr;
+  sqlite3_open(file.c_str(), &other);
+  sql::execute(other, "UPDATE program_file SET text = 'another' WHERE position = 0;");
+  sqlite3_close(other);
+  const auto found = history.value()->program(push(1).hash);
+  ASSERT_FALSE(found);
+  EXPECT_NE(found.error().message.find("is another program's"), std::string::npos);
+  EXPECT_TRUE(history.value()->add(push(2)));
+  EXPECT_FALSE(history.value()->program("").value()) << "which of the two?";
+  EXPECT_TRUE(history.value()->program(push(2).hash.substr(0, 12)).value());
+}
+
+TEST_F(HistoryTest, ATextIsKeptUnderItsOwnHashWhateverAPushAnnounces) {
+  auto history = History::open(file);
+  EXPECT_TRUE(history.value()->add(push(1)));
+  auto forged = push(2);
+  forged.hash = push(1).hash;
+  forged.files.push_back({"more.bhdl", "more"});
+  EXPECT_TRUE(history.value()->add(forged));
+  const auto files = history.value()->program(push(1).hash).value();
+  ASSERT_TRUE(files);
+  ASSERT_EQ(files->size(), 2U) << "what was there is as it was";
+  EXPECT_EQ(files->at(0).text, "text 1");
+  EXPECT_EQ(history.value()->program(hash_of_files(forged)).value()->at(0).text, "text 2");
+  EXPECT_EQ(history.value()->push("2").value()->hash, hash_of_files(forged));
+  EXPECT_EQ(history.value()->last_push_of(push(1).hash).value()->id, "1");
+}
+
+TEST_F(HistoryTest, APushThatComesTwiceIsKeptAsItWas) {
+  auto history = History::open(file);
+  EXPECT_TRUE(history.value()->add(push(1), {.state = PushState::kDone}));
+  auto again = push(1);
+  again.author = "another";
+  EXPECT_TRUE(history.value()->add(again, {.state = PushState::kForeign}));
+  EXPECT_EQ(history.value()->push("1").value()->author, "operator");
+  EXPECT_EQ(history.value()->push("1").value()->progress.state, PushState::kDone);
+}
+
+TEST_F(HistoryTest, RemembersOrdersWithWhatBecameOfThem) {
+  auto history = History::open(file, {.now_ns = [] { return std::int64_t{9}; }});
+  const OrderRecord hold{.id = "a",
+                         .ordered_ns = 5,
+                         .author = "balch",
+                         .kind = "hold",
+                         .targets = {"io"},
+                         .detail = {},
+                         .outcomes = {}};
+  EXPECT_TRUE(history.value()->add_order(hold));
+  EXPECT_TRUE(history.value()->add_order(hold)) << "it comes twice, and is kept once";
+  auto second = hold;
+  second.id = "b";
+  second.kind = "resume";
+  EXPECT_TRUE(history.value()->add_order(second));
+  EXPECT_TRUE(history.value()->add_outcome("a", {.of = "io", .outcome = "is held"}));
+  const auto orders = history.value()->orders(10).value();
+  ASSERT_EQ(orders.size(), 2U);
+  EXPECT_EQ(orders[0].kind, "resume") << "the newest first";
+  EXPECT_EQ(orders[1].author, "balch");
+  EXPECT_EQ(orders[1].ordered_ns, 5);
+  EXPECT_EQ(orders[1].targets, std::vector<std::string>{"io"});
+  ASSERT_EQ(orders[1].outcomes.size(), 1U);
+  EXPECT_EQ(orders[1].outcomes[0].outcome, "is held");
+  EXPECT_EQ(orders[1].outcomes[0].told_ns, 9);
+  EXPECT_EQ(history.value()->orders(1).value().size(), 1U);
+  EXPECT_FALSE(history.value()->verify().value().broken);
 }
 
 TEST_F(HistoryTest, AFolderThatCannotBeWrittenIsAnErrorThatSaysWhatToDo) {

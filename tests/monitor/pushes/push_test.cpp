@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "monitor/pushes/history/push_messages.h"
 #include "tests/monitor/pushes/push_fixture.h"
 
 namespace galilean::monitor {
@@ -392,7 +393,11 @@ TEST(Push, OthersPushesAreAnsweredForAndCannotBeCancelled) {
   auto requests = requests_of(push);
   ASSERT_EQ(requests.size(), 1U) << "it is neither checked nor sent, and nobody is told";
   EXPECT_EQ(std::get<RecordPush>(requests[0]).progress.state, PushState::kForeign);
-  EXPECT_EQ(std::get<RecordPush>(requests[0]).push.files[0].text, "text");
+  const auto& recorded = std::get<RecordPush>(requests[0]);
+  EXPECT_EQ(recorded.push.files[0].text, "text");
+  EXPECT_EQ(push.record().hash, hash_of_files(message)) << "whatever hash it announces";
+  ASSERT_EQ(recorded.progress.steps.size(), 1U);
+  EXPECT_THAT(recorded.progress.steps[0].detail, testing::HasSubstr("it announces the hash new"));
   push.take_reply(said("io", kRunning), Time{});
   EXPECT_THAT(words_of(push), ElementsAre("record reply of io"));
   EXPECT_FALSE(push.cancel("balch"));

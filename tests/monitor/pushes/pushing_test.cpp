@@ -119,6 +119,9 @@ TEST_F(PushingTest, WhileOnePushesTheOtherIsToldWhoAndWhat) {
   EXPECT_THAT(second.as_json()["detail"].get<std::string>(),
               HasSubstr("balch is pushing pushed.bhdl ("));
   EXPECT_EQ(second.as_json()["pushed"]["id"], push["id"]);
+  EXPECT_EQ(second.as_json()["running_hash"], "first");
+  EXPECT_THAT(second.as_json()["detail"].get<std::string>(),
+              HasSubstr("Now runs first, which was not pushed through this monitor."));
 
   const std::string cancel = "/api/pushes/" + push["id"].get<std::string>() + "/cancel";
   const auto cancelled = post(cancel, {{"author", "collins"}});

@@ -33,6 +33,7 @@ TEST(Words, OfPushes) {
   expect_word(PushState::kFailed, "failed", push_state_of);
   expect_word(PushState::kCancelled, "cancelled", push_state_of);
   expect_word(PushState::kInterrupted, "interrupted", push_state_of);
+  expect_word(PushState::kToldLater, "told_later", push_state_of);
   expect_word(PushState::kForeign, "", push_state_of);
 }
 

@@ -3,9 +3,12 @@
 // are served on.
 #include <gmock/gmock.h>
 
+#include <array>
 #include <boost/asio/read.hpp>
 #include <boost/asio/read_until.hpp>
 #include <boost/asio/write.hpp>
+#include <future>
+#include <new>
 #include <stdexcept>
 #include <thread>
 
@@ -35,6 +38,99 @@ TEST(FailingJob, WhatItThrowsGoesToWhoWaitsOnTheOwnersThread) {
   EXPECT_TRUE(told.empty()) << "nothing is told on the worker's thread";
   io.run();
   EXPECT_EQ(told, (std::vector<std::string>{"the disk is full", "3", "no", "5"}));
+}
+
+/// Tells which thread destroys it.
+class Session {
+ public:
+  explicit Session(std::thread::id& destroyed_on) : destroyed_on_(destroyed_on) {}
+  ~Session() { destroyed_on_ = std::this_thread::get_id(); }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+ private:
+  std::thread::id& destroyed_on_;
+};
+
+TEST(FailingJob, ItsSessionIsFreedOnTheOwnersThread) {
+  asio::io_context io{1};
+  Worker worker(io);
+  int answers = 0;
+  std::array<std::thread::id, 3> destroyed_on;
+  const auto tell = [&](const std::string&) { ++answers; };
+  {
+    // What is captured from a constant is constant, so that moving the job copies it.
+    const auto first = std::make_shared<Session>(destroyed_on[0]);
+    const auto second = std::make_shared<Session>(destroyed_on[1]);
+    const auto third = std::make_shared<Session>(destroyed_on[2]);
+    worker.run([first]() -> int { throw std::runtime_error("no"); }, [](int) {}, tell);
+    worker.run([] { return 1; }, [second, &answers](int) { ++answers; }, tell);
+    worker.run([third] { throw std::runtime_error("nobody waits"); });
+  }
+  worker.finish();
+  io.run();
+  EXPECT_EQ(answers, 2);
+  for (const auto& thread : destroyed_on) EXPECT_EQ(thread, std::this_thread::get_id());
+}
+
+TEST(FailingJob, WhateverItThrowsIsAnswered) {
+  asio::io_context io{1};
+  Worker worker(io);
+  std::vector<std::string> told;
+  const auto tell = [&](const std::string& text) { told.push_back(text); };
+  worker.run([]() -> int { throw 3; }, [](int) {}, tell);
+  worker.run([]() -> int { throw std::bad_alloc(); }, [](int) {}, tell);
+  worker.finish();
+  io.run();
+  EXPECT_EQ(told, (std::vector<std::string>{"an unknown fault", "out of memory"}));
+  EXPECT_GE(memory_failures.load(), 1U);
+}
+
+TEST(BoundedWorker, RefusesWhatIsMoreThanMayWait) {
+  asio::io_context io{1};
+  Worker worker(io, 1, 2);
+  std::promise<void> may_end, has_begun;
+  int done = 0;
+  const auto count = [&](int) { ++done; };
+  const auto fail = [](const std::string&) {};
+  ASSERT_TRUE(worker.offer(
+      [&] {
+        has_begun.set_value();
+        may_end.get_future().wait();
+        return 0;
+      },
+      count, fail));
+  has_begun.get_future().wait();
+  EXPECT_TRUE(worker.offer([] { return 1; }, count, fail));
+  EXPECT_TRUE(worker.offer([] { return 2; }, count, fail));
+  EXPECT_EQ(worker.waiting(), 2U);
+  EXPECT_FALSE(worker.offer([] { return 3; }, count, fail));
+  worker.run([] { return 4; }, count, fail);  // the monitor's own jobs are always taken
+  may_end.set_value();
+  worker.finish();
+  io.run();
+  EXPECT_EQ(done, 4);
+}
+
+TEST(BoundedWorker, DropsWhatHasNotBegunWhereItIsToldTo) {
+  asio::io_context io{1};
+  std::thread::id destroyed_on;
+  bool has_run = false;
+  {
+    Worker worker(io);
+    std::promise<void> has_begun, may_end;
+    worker.run([&] {
+      has_begun.set_value();
+      may_end.get_future().wait();
+    });
+    has_begun.get_future().wait();
+    worker.run([session = std::make_shared<Session>(destroyed_on), &has_run] { has_run = true; });
+    worker.drop_waiting();
+    may_end.set_value();
+    worker.finish();
+  }
+  EXPECT_FALSE(has_run);
+  EXPECT_EQ(destroyed_on, std::this_thread::get_id());
 }
 
 class Link final : public foxglove::Link {

@@ -98,6 +98,17 @@ TEST_F(Breaking, ARefusalIsToldAndSoIsSilence) {
   EXPECT_THAT(screen(), HasSubstr("callisto did not answer"));
 }
 
+TEST_F(Breaking, ARefusalOfACommandIsToldAndSilenceIsConsent) {
+  press("s");
+  EXPECT_EQ(said.back(), "start callisto");
+  answer("nobody signed it");
+  EXPECT_THAT(screen(), HasSubstr("callisto refused: nobody signed it"));
+  press("s");
+  clock.advance(seconds(3));
+  dashboard.update();
+  EXPECT_THAT(screen(), Not(HasSubstr("did not answer")));
+}
+
 TEST_F(Breaking, TheTeamIsSteppedAndWhoRefusesIsNamed) {
   press("N");
   EXPECT_EQ(said, Said{"step"});

@@ -328,6 +328,29 @@ TEST_F(ReceiverTest, WhatRunsAlreadyRunsOn) {
   EXPECT_EQ(io.robot.events.count(Event::Kind::kSwapped), 0);
 }
 
+TEST_F(ReceiverTest, APushThatComesTwiceDoesNothingAndGetsTheFirstOnesAnswer) {
+  const auto first = io.push(renamed(kWaits, "\"go\"", "\"move\""));
+  io.send(first);
+  let_it_swap();
+  auto second = io.push(renamed(kWaits, "\"go\"", "\"run\""));
+  second.id = "the second";
+  io.send(second);
+  let_it_swap();
+  ASSERT_EQ(running_hash(), second.hash);
+  const auto answers = [&] {
+    return std::ranges::count_if(replies.all(), [&](const msg::ProgramReply& reply) {
+      return reply.id == first.id && reply.status > status::RECEIVED;
+    });
+  };
+  ASSERT_TRUE(io.tick_until([&] { return answers() >= 1; }));
+  const auto before = answers();
+  io.send(first);
+  EXPECT_TRUE(io.tick_until([&] { return answers() > before; }));
+  io.robot.tick(3);
+  EXPECT_EQ(running_hash(), second.hash);
+  EXPECT_EQ(io.robot.events.count(Event::Kind::kSwapped), 2);
+}
+
 TEST_F(ReceiverTest, AnothersPushAndCommandAreNoneOfItsBusiness) {
   auto push = io.push(renamed(kWaits, "\"go\"", "\"move\""));
   push.targets = {"ganymede"};

@@ -17,7 +17,8 @@ inline const int kDomain = free_domain();
 /// that a test does not hear the robot of the test before.
 class TelemetryRobot {
  public:
-  explicit TelemetryRobot(std::string robot_name, const Registry& components = test_components())
+  explicit TelemetryRobot(std::string robot_name, const Registry& components = test_components(),
+                          std::optional<TrustedKeys> trust = std::nullopt)
       : name(std::move(robot_name)),
         participant(join(name)),
         other(join(wire::kMonitorName)),
@@ -31,11 +32,13 @@ class TelemetryRobot {
                                   .devices = {robot.port, robot.drive, robot.camera},
                                   .catalog = components.catalog(),
                                   .clock = robot.clock,
+                                  .accepted_senders = AcceptedSenders(senders_of(trust)),
                                   .keep =
                                       [this](const bhdl::Program& program, bool pushed) {
                                         const std::lock_guard lock(kept_mutex_);
                                         kept_.emplace_back(program.hash, pushed);
-                                      }},
+                                      },
+                                  .trust = std::move(trust)},
                   images, inputs) {
     ++living_;
   }
@@ -103,6 +106,10 @@ class TelemetryRobot {
   std::optional<Telemetry> telemetry;
 
  private:
+  /// Where orders are signed, programs are taken from anybody who signs them.
+  static std::vector<std::string> senders_of(const std::optional<TrustedKeys>& trust) {
+    return {trust ? AcceptedSenders::kAny : wire::kMonitorName};
+  }
   static std::unique_ptr<wire::Participant> join(const std::string& who) {
     auto joined = wire::Participant::join(who, kDomain);
     if (!joined) throw std::runtime_error(joined.error().message);

@@ -81,6 +81,8 @@ export interface PushedProgram {
   targets: string[];
   state?: string;
   steps?: PushStep[];
+  /** When its robots told that they run it, if that was after it had ended; else 0. */
+  told_ns?: number;
 }
 
 /** What the monitor objects to; of a program, with every place. */

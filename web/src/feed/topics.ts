@@ -16,6 +16,11 @@ export const teamTopics = [
 
 /** No topic but a parameter of the monitor: the names of the robots that a recording plays in the domain. */
 export const REPLAYED = "/team.replayed";
+/** A parameter, too: what is wrong with the monitor's history or its disk, in one sentence; empty where nothing is. */
+export const HISTORY_PROBLEM = "/team.history_problem";
+/** The parameters that the page follows. */
+export const parameters = [REPLAYED, HISTORY_PROBLEM] as const;
+export type FollowedParameter = (typeof parameters)[number];
 
 export type RobotTopic = (typeof robotTopics | typeof watchedTopics)[number];
 export type TeamTopic = (typeof teamTopics)[number];

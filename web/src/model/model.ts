@@ -143,6 +143,8 @@ export interface Team {
   readonly robots: ReadonlyMap<string, Robot>;
   /** The names of those that a recording plays among the live ones: they are not there, and take no orders. */
   readonly replayed: ReadonlySet<string>;
+  /** What is wrong with the monitor's history, in one sentence; empty or not there where nothing is known to be. */
+  readonly history_problem?: string;
   /** With the map's own time, which its objects' `last_seen` keeps. */
   readonly objects?: Stamped<readonly MapObject[]> & { readonly stamp: Time };
   readonly grid?: OccupancyGrid;

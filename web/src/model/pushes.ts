@@ -35,9 +35,12 @@ export function withPush(pushes: readonly Push[], { id, author, files, hash, tar
 
 const OPEN = new Set(["", "running", "interrupted"]);
 
-/** The pushes with how far one of them has come; what is over stays so. */
+/** How a push that was interrupted or failed ends once its robots have told that they run it. */
+export const TOLD_LATER = "told_later";
+
+/** The pushes with how far one of them has come; what is over stays so, unless its robots told later that they run it. */
 export function withProgress(pushes: readonly Push[], id: string, { state, steps }: Pick<Push, "state" | "steps">): readonly Push[] {
-  return pushes.map((push) => (push.id === id && OPEN.has(push.state) ? { ...push, state, steps } : push));
+  return pushes.map((push) => (push.id === id && (OPEN.has(push.state) || state === TOLD_LATER) ? { ...push, state, steps } : push));
 }
 
 /**

@@ -2,7 +2,7 @@
 import { catalogOf } from "../bhdl/catalog";
 import type * as wire from "../feed/messages";
 import type { News } from "../feed/portions";
-import { REPLAYED, type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
+import { type FollowedParameter, HISTORY_PROBLEM, REPLAYED, type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
 import { withSeenState, withTransitionCounted } from "./coverage";
 import { contestBegan_ms, withEvents } from "./events";
 import { type Gap, withJoined } from "./gaps";
@@ -104,8 +104,9 @@ function withObjects(team: Team, message: wire.ObjectMap, received_ms: number): 
   return { ...team, robots, objects: { value: message.objects, received_ms, stamp: message.stamp } };
 }
 
-const ofTeam: { [K in TeamTopic | typeof REPLAYED]: Reduce<Team, never> } = {
+const ofTeam: { [K in TeamTopic | FollowedParameter]: Reduce<Team, never> } = {
   [REPLAYED]: (team, names: readonly string[]) => ({ ...team, replayed: new Set(names) }),
+  [HISTORY_PROBLEM]: (team, history_problem: string) => ({ ...team, history_problem }),
   "/team/objects": withObjects,
   "/team/map": (team, grid: wire.OccupancyGrid) => ({ ...team, grid }),
   "/team/program_push": (team, push: wire.ProgramPush, received_ms) => ({

@@ -49,12 +49,13 @@ describe("the feed", () => {
     listener.connect();
     await until(() => played.asked.some(({ op }) => op === "getParameters"));
     expect(played.asked.filter(({ op }) => op.includes("arameter"))).toEqual([
-      { op: "subscribeParameterUpdates", parameterNames: ["/team.replayed"] },
-      { op: "getParameters", parameterNames: ["/team.replayed"] },
+      { op: "subscribeParameterUpdates", parameterNames: ["/team.replayed", "/team.history_problem"] },
+      { op: "getParameters", parameterNames: ["/team.replayed", "/team.history_problem"] },
     ]);
     for (const value of [["io"], []]) played.tell({ op: "parameterValues", parameters: [{ name: "/team.replayed", value }, { name: "/io.held", value: true }] });
-    await until(() => names.length === 2);
-    expect(names).toEqual([["/team.replayed", ["io"], 0], ["/team.replayed", [], 0]]);
+    played.tell({ op: "parameterValues", parameters: [{ name: "/team.history_problem", value: "The disk is full." }] });
+    await until(() => names.length === 3);
+    expect(names).toEqual([["/team.replayed", ["io"], 0], ["/team.replayed", [], 0], ["/team.history_problem", "The disk is full.", 0]]);
     listener.disconnect();
     played.close();
     expect(monitor.asked.some(({ op }) => op.includes("arameter"))).toBe(false);

@@ -63,6 +63,12 @@ describe("a push", () => {
     expect(team.pushes[0]).toMatchObject({ state: "failed", name: "sit_and_spin.bhdl" });
     expect(team.pushes[0]?.steps[1]?.state).toBe("failed");
   });
+  it("that failed is confirmed when its robots tell later that they run it", () => {
+    const progress = (state: string) => ({ stamp: { sec: 0, nsec: 0 }, id: "p1", author: "balch", program: "a.bhdl", hash: "bbbb", targets: [], state, steps: [] });
+    const states = ["running", "failed", "told_later", "running"].map((state, i): [string, unknown, number] => ["/team/push_progress", progress(state), T0_MS + i]);
+    expect(told(states.slice(0, 2)).pushes[0]?.state).toBe("failed");
+    expect(told(states).pushes[0]?.state).toBe("told_later");
+  });
   it("is interrupted on a new connection, until the monitor says again that it runs", () => {
     const progress = (state: string) => ({ stamp: { sec: 0, nsec: 0 }, id: "p1", author: "balch", program: "a.bhdl", hash: "bbbb", targets: [], state, steps: [] });
     const before = told([["/team/push_progress", progress("running"), T0_MS]]);

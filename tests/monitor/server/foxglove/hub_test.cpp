@@ -172,6 +172,79 @@ TEST_F(HubTest, NonsenseIsAnsweredNotObeyed) {
   EXPECT_EQ(hub.counts().subscriptions, 0U);
 }
 
+/// Returns the operation `op` on a list of `items`, each made of the numbers from 0 to `count` - 1.
+std::string request_for(const char* op, const char* list, std::uint32_t count,
+                        bool is_subscribing) {
+  auto items = json::array();
+  for (std::uint32_t id = 0; id < count; ++id)
+    items.push_back(is_subscribing ? json{{"id", id}, {"channelId", 1}} : json(id));
+  return json{{"op", op}, {list, std::move(items)}}.dump();
+}
+
+TEST_F(HubTest, VeryManySubscriptionsGoInOneRequestAndTheFaultsAreToldInOneSentence) {
+  ServerLimits limits;
+  limits.subscriptions = 100'000;
+  limits.message = {};
+  hub.limit(limits);
+  (void)sent();
+  client->receive_text(request_for("subscribe", "subscriptions", 100'000, true));
+  EXPECT_EQ(hub.counts().subscriptions, 100'000U);
+  send(state, 1);
+  // This is linear: were each id looked for among all others, it would take half a minute.
+  const auto all = request_for("unsubscribe", "subscriptionIds", 100'000, false);
+  client->receive_text(all);
+  EXPECT_EQ(hub.counts().subscriptions, 0U);
+  EXPECT_TRUE(sent().empty()) << "what waited for a subscription that is over is dropped";
+  client->receive_text(all);
+  const auto frames = sent();
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_EQ(json::parse(text(frames[0]))["message"],
+            "There is no subscription 0. The same request has 99999 more such faults.");
+}
+
+TEST_F(HubTest, WhatAClientMayAskForIsBounded) {
+  ServerLimits limits;
+  limits.subscriptions = 10;
+  limits.message = {.bytes = 2000, .values = 100};
+  hub.limit(limits);
+  (void)sent();
+  client->receive_text(request_for("subscribe", "subscriptions", 12, true));
+  EXPECT_EQ(hub.counts().subscriptions, 10U);
+  auto frames = sent();
+  ASSERT_EQ(frames.size(), 1U);
+  EXPECT_THAT(text(frames[0]), HasSubstr("at most 10 subscriptions. The same request has 1 more"));
+  EXPECT_EQ(hub.limit_counts()->count(Limit::kSubscriptions), 2U);
+  client->receive_text(request_for("unsubscribe", "subscriptionIds", 200, false));
+  EXPECT_EQ(hub.counts().subscriptions, 10U) << "a request with too many values does nothing";
+  client->receive_text(std::string(2001, ' '));
+  frames = sent();
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_THAT(text(frames[0]), HasSubstr("more than 100 values"));
+  EXPECT_THAT(text(frames[1]), HasSubstr("more than 2000 bytes"));
+  EXPECT_EQ(hub.limit_counts()->count(Limit::kMessage), 1U);
+}
+
+TEST_F(HubTest, CallsThatWaitForAnAnswerAreBounded) {
+  ServerLimits limits;
+  limits.waiting_calls = 2;
+  Hub busy("monitor", [](std::uint32_t, bool) {});
+  busy.limit(limits);
+  std::vector<Hub::Answer> waiting;
+  busy.add_service({"/wait", "t/T", json::object(), json::object()},
+                   [&](const json&, const Hub::Answer& answer) { waiting.push_back(answer); });
+  FakeLink its_link;
+  const auto caller = busy.connect(its_link, true);
+  const std::vector<std::uint8_t> call{2, 1, 0, 0, 0,   7,   0,   0,   0,
+                                       4, 0, 0, 0, 'j', 's', 'o', 'n', '3'};
+  for (int i = 0; i < 3; ++i) caller->receive_binary(call);
+  EXPECT_EQ(waiting.size(), 2U);
+  EXPECT_EQ(busy.limit_counts()->count(Limit::kCalls), 1U);
+  waiting.front()(json(1));
+  waiting.erase(waiting.begin());
+  caller->receive_binary(call);
+  EXPECT_EQ(waiting.size(), 2U) << "an answer makes room for the next call";
+}
+
 TEST_F(HubTest, AServiceIsCalledByItsIdAndAnswersItsCall) {
   hub.add_service({"/echo", "test/Echo", json::object(), json::object()},
                   [](const json& request, const Hub::Answer& answer) {

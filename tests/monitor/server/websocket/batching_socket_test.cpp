@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "monitor/server/websocket/frame.h"
 
@@ -40,6 +42,31 @@ TEST(BatchingSocketTest, ItsOutboxMayGoBeforeTheRoundThatWasToSendIt) {
   boost::system::error_code error;
   (void)connection.there.read_some(asio::buffer(&byte, 1), error);
   EXPECT_EQ(error, asio::error::eof);
+}
+
+/// Counts how often it sends, and joins the next round when it is told to.
+struct CountingSender final : SendRounds::Sender {
+  void send_waiting() override { ++*sent; }
+  explicit CountingSender(int& count) : sent(&count) {}
+  int* sent;
+};
+
+TEST(SendRoundsTest, EachIsSentToOnceAndOthersHaveTheirTurnInBetween) {
+  asio::io_context io{1};
+  SendRounds rounds(io);
+  int sent = 0, sent_at_others_turn = -1;
+  std::vector<std::shared_ptr<CountingSender>> senders;
+  for (std::size_t i = 0; i < 4 * SendRounds::kAtOnce; ++i)
+    senders.push_back(std::make_shared<CountingSender>(sent));
+  for (const auto& sender : senders) rounds.add(sender);
+  for (const auto& sender : senders) rounds.add(sender);  // is in the round already
+  while (sent == 0) io.run_one();
+  EXPECT_EQ(sent, static_cast<int>(SendRounds::kAtOnce));
+  asio::post(io, [&] { sent_at_others_turn = sent; });
+  rounds.add(senders.front());  // was sent to, and comes again in the next round
+  io.run();
+  EXPECT_LT(sent_at_others_turn, static_cast<int>(senders.size()));
+  EXPECT_EQ(sent, static_cast<int>(senders.size()) + 1);
 }
 
 /// A socket whose client does not read yet, and that was asked to write more than the kernel holds.

@@ -125,6 +125,31 @@ TEST_F(Finder, ASilentRobotIsAnAlarm) {
   EXPECT_THAT(found(), ElementsAre("io is silent"));
 }
 
+TEST_F(Finder, WhatTheMonitorTellsOfItsHistoryIsAnAlarmWhileItTellsSo) {
+  const auto tell_of_history = [this](std::uint8_t level, const std::string& name) {
+    tell("rt/diagnostics", msg::DiagnosticArray::kRosType,
+         Bytes()
+             .number<std::int32_t>(0)
+             .number<std::uint32_t>(0)
+             .text("")
+             .number<std::uint32_t>(1)
+             .number(level)
+             .text(name)
+             .text("The history is in danger.")
+             .text("")
+             .number<std::uint32_t>(0));
+  };
+  tell_of_history(2, "another program");
+  EXPECT_TRUE(found().empty());
+  tell_of_history(2, "galilean-monitor: history");
+  EXPECT_THAT(found(), ElementsAre("The history is in danger"));
+  tell_of_history(0, "galilean-monitor: history");
+  EXPECT_TRUE(found().empty());
+  tell_of_history(2, "galilean-monitor: history");
+  clock.advance(seconds(6));
+  EXPECT_TRUE(found().empty()) << "the monitor has ended";
+}
+
 TEST_F(Finder, ARecordingThatHasEndedIsNoAlarm) {
   replayed = true;
   tell_of({.x_m = 0, .program_hash = "another"});

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/pushes/history_watch.h"
+
+#include <cmath>
+#include <iostream>
+#include <utility>
+
+#include "core/wire/ros_time.h"
+#include "core/wire/topic_names.h"
+#include "monitor/background/guarded.h"
+#include "monitor/team/history_status.h"
+
+namespace galilean::monitor {
+namespace {
+
+constexpr auto kLookAtDiskEach = std::chrono::milliseconds(500);
+/// A disk that has not answered for so long is told of. What else the same thread does takes less.
+constexpr Duration kDiskPatience = std::chrono::seconds(3);
+constexpr std::uint8_t kGoodLevel = 0, kErrorLevel = 2;
+
+}  // namespace
+
+HistoryWatch::HistoryWatch(const Parts& parts, wire::Participant& participant)
+    : parts_(parts),
+      diagnostics_(participant, wire::kDiagnosticsTopic),
+      timer_(parts.io),
+      looked_(parts.clock.now()) {
+  verify();
+  look();
+}
+
+void HistoryWatch::verify() {
+  const auto failed = [this](const std::string& why) { unreadable_ = why; };
+  parts_.worker.run([this] { return parts_.history.verify(); },
+                    [this, failed](Result<Verification> found) {
+                      if (!found) return failed(found.error().message);
+                      verification_ = std::move(found).value();
+                      if (verification_->broken)
+                        std::clog << "galilean-monitor: " << in_words(*verification_) << std::endl;
+                    },
+                    failed);
+}
+
+void HistoryWatch::look() {
+  if (!std::exchange(is_looking_, true))
+    parts_.worker.run([this] { return parts_.history.check_disk(); },
+                      [this](History::Disk disk) {
+                        disk_ = std::move(disk);
+                        looked_ = parts_.clock.now();
+                        is_looking_ = false;
+                      },
+                      [this](const std::string& why) {
+                        disk_.problem = why;
+                        is_looking_ = false;
+                      });
+  (void)guarded("telling of the history", [this] { tell(); });
+  timer_.expires_after(kLookAtDiskEach);
+  timer_.async_wait([this](boost::system::error_code error) {
+    if (!error) look();
+  });
+}
+
+std::string HistoryWatch::disk_problem() const {
+  const double waiting_s = to_seconds(parts_.clock.now() - looked_);
+  if (is_looking_ && waiting_s > to_seconds(kDiskPatience))
+    return "the disk of the history has not answered for " +
+           std::to_string(std::lround(std::ceil(waiting_s))) + " s";
+  return disk_.problem;
+}
+
+std::string HistoryWatch::problem() const {
+  if (const auto disk = disk_problem(); !disk.empty())
+    return "The history of pushes is in danger: " + disk + ".";
+  if (!unreadable_.empty()) return "The history of pushes cannot be read: " + unreadable_ + ".";
+  if (verification_ && verification_->broken) return in_words(*verification_);
+  return {};
+}
+
+void HistoryWatch::tell() {
+  const auto now = problem();
+  if (now != told_problem_) {
+    const bool is_logged = verification_ && now == in_words(*verification_);
+    if (!is_logged)
+      std::clog << "galilean-monitor: " << (now.empty() ? "The history can be written again." : now)
+                << std::endl;
+    told_problem_ = now;
+  }
+  msg::DiagnosticArray message;
+  message.header.stamp = wire::ros_time(wire::wall_clock_ns());
+  auto& status = message.status.emplace_back();
+  status.level = now.empty() ? kGoodLevel : kErrorLevel;
+  status.name = kHistoryStatusName;
+  status.message = now.empty() ? "The history can be written." : now;
+  status.hardware_id = "galilean-monitor";
+  parts_.sender.run([this, message] { (void)diagnostics_.write(message); });
+}
+
+}  // namespace galilean::monitor

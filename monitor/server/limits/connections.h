@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "monitor/server/limits/limit_counts.h"
+#include "monitor/server/limits/server_limits.h"
+
+namespace galilean::monitor {
+
+/// Counts the open connections, HTTP and WebSockets alike, and says who may open another. Where it
+/// is full, the connection that has waited longest for a request is closed for the new one. Where
+/// none waits, a few places are left that are reserved for an operator. For use on the io_context's
+/// thread.
+class Connections : public std::enable_shared_from_this<Connections> {
+ public:
+  /// One open connection. It is counted for as long as it lives.
+  class Place {
+   public:
+    Place(std::shared_ptr<Connections> all, std::string address, bool is_reserved);
+    ~Place();
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+
+    /// The connection waits for a request from now on. `close` is called at most once, to make room
+    /// for another connection.
+    void wait(std::function<void()> close);
+    /// The connection serves a request from now on, and is not closed for another.
+    void serve();
+    /// Returns whether only an operator's requests may be answered on it.
+    [[nodiscard]] bool is_reserved() const noexcept { return is_reserved_; }
+    /// Counts what this connection reaches.
+    [[nodiscard]] LimitCounts& limit_counts() const noexcept { return *all_->counts_; }
+    [[nodiscard]] const ServerLimits& limits() const noexcept { return all_->limits_; }
+
+   private:
+    friend class Connections;
+    std::shared_ptr<Connections> all_;
+    std::string address_;
+    bool is_reserved_;
+    bool waits_ = false;
+    std::list<Place*>::iterator turn_;  ///< in waiting_, while it waits
+    std::function<void()> close_;
+  };
+
+  Connections(const ServerLimits& limits, std::shared_ptr<LimitCounts> counts)
+      : limits_(limits), counts_(std::move(counts)) {}
+
+  /// Returns the place of a new connection from `address`; null if it must be closed at once.
+  [[nodiscard]] std::shared_ptr<Place> admit(const std::string& address, bool is_loopback);
+  /// Closes the connection that has waited longest for a request, so that what it takes is free.
+  /// Returns whether there was one.
+  bool close_waiting();
+  [[nodiscard]] std::size_t open() const noexcept { return open_; }
+  /// Returns how many connections were closed while they waited, to make room.
+  [[nodiscard]] std::uint64_t closed_for_others() const noexcept { return closed_for_others_; }
+
+ private:
+  [[nodiscard]] bool make_room(const std::string* address, bool is_reserved);
+
+  ServerLimits limits_;
+  std::shared_ptr<LimitCounts> counts_;
+  std::size_t open_ = 0;      ///< the reserved ones included
+  std::size_t reserved_ = 0;  ///< of them
+  std::uint64_t closed_for_others_ = 0;
+  std::map<std::string, std::size_t> open_of_;  ///< by address, without the reserved ones
+  std::list<Place*> waiting_;                   ///< the one that has waited longest first
+};
+
+}  // namespace galilean::monitor

@@ -16,28 +16,17 @@
 #include <unistd.h>
 
 #include <array>
-#include <chrono>
-#include <deque>
 #include <iostream>
-#include <random>
 #include <sstream>
 #include <string>
-#include <vector>
+#include <utility>
 
-#include "robot/firmware/messages.h"
+#include "tests/faults/board_reports.h"
+#include "tests/faults/mutated_direction.h"
 
 namespace {
 
-using namespace galilean::robot::firmware;
-using Bytes = std::vector<std::uint8_t>;
-using Clock = std::chrono::steady_clock;
-constexpr auto kBetweenHalves = std::chrono::milliseconds(4);
-constexpr auto kBooting = std::chrono::milliseconds(300);
-
-double wall_ms() {
-  using namespace std::chrono;
-  return duration<double, std::milli>(system_clock::now().time_since_epoch()).count();
-}
+using namespace galilean::faults;
 
 termios raw_line() {
   termios raw{};
@@ -45,107 +34,6 @@ termios raw_line() {
   cfsetspeed(&raw, B115200);
   return raw;
 }
-
-/// What is done to the bytes of both directions.
-struct Mode {
-  std::string name = "pass";
-  unsigned per_mille = 0;
-};
-
-/// One direction of the line. Pieces that wait are written when they are due.
-class Direction {
- public:
-  void take(Bytes piece, const Mode& mode) {
-    if (mode.name == "cut" || mode.name == "unplug") return;
-    if (mode.name == "drop") std::erase_if(piece, [&](auto) { return hits(mode.per_mille); });
-    if (mode.name == "garble")
-      for (auto& byte : piece)
-        if (hits(mode.per_mille)) byte ^= static_cast<std::uint8_t>(1U << (random_() % 8));
-    const auto now = Clock::now();
-    const auto middle = static_cast<std::ptrdiff_t>(mode.name == "halve" ? piece.size() / 2 : 0);
-    if (middle > 0) waiting_.push_back({now, Bytes(piece.begin(), piece.begin() + middle)});
-    const auto due = middle > 0 ? now + kBetweenHalves : now;
-    waiting_.push_back({due, Bytes(piece.begin() + middle, piece.end())});
-  }
-  /// Writes what is due to `file`. What that does not take is lost, as on a line that nobody reads.
-  void pass_on(int file) {
-    for (; !waiting_.empty() && waiting_.front().due <= Clock::now(); waiting_.pop_front()) {
-      const Bytes& bytes = waiting_.front().bytes;
-      if (file >= 0 && write(file, bytes.data(), bytes.size()) < 0) continue;
-    }
-  }
-
- private:
-  struct Piece {
-    Clock::time_point due;
-    Bytes bytes;
-  };
-  bool hits(unsigned per_mille) { return random_() % 1000 < per_mille; }
-
-  std::deque<Piece> waiting_;
-  std::minstd_rand random_{1};
-};
-
-/// Tells what a board reports, and lets it seem to have been restarted.
-class Reports {
- public:
-  void restart() {
-    ++boots_;
-    silent_until_ = Clock::now() + kBooting;
-    is_first_ = true;
-  }
-  /// Returns what the robot is to hear instead of `bytes`.
-  Bytes heard(const Bytes& bytes) {
-    Bytes frames;
-    for (const auto byte : bytes)
-      if (decoder_.push(byte)) add(decoder_.frame(), frames);
-    if (Clock::now() < silent_until_) return {};
-    return boots_ > 0 ? frames : bytes;
-  }
-
- private:
-  void add(const Frame& frame, Bytes& frames) {
-    std::array<std::uint8_t, kMaxEncoded> encoded{};
-    std::size_t size = 0;
-    Status status;
-    HelloReply reply;
-    if (frame.type == static_cast<std::uint8_t>(MessageType::kStatus) && unpack(frame, status)) {
-      tell(status);
-      size = encode_message(since_boot(status), frame.sequence, encoded);
-    } else if (frame.type == static_cast<std::uint8_t>(MessageType::kHelloReply) &&
-               unpack(frame, reply)) {
-      reply.boot_count = static_cast<std::uint16_t>(reply.boot_count + boots_);
-      reply.uptime_ms -= first_.uptime_ms;
-      size = encode_message(reply, frame.sequence, encoded);
-    } else {
-      size = encode(frame, encoded);
-    }
-    frames.insert(frames.end(), encoded.begin(),
-                  encoded.begin() + static_cast<std::ptrdiff_t>(size));
-  }
-  Status since_boot(Status status) {
-    if (is_first_ && boots_ > 0) first_ = status;
-    is_first_ = false;
-    status.boot_count = static_cast<std::uint16_t>(status.boot_count + boots_);
-    status.uptime_ms -= first_.uptime_ms;
-    status.left_encoder_counts -= first_.left_encoder_counts;
-    status.right_encoder_counts -= first_.right_encoder_counts;
-    return status;
-  }
-  static void tell(const Status& status) {
-    std::ostringstream line;
-    line << std::fixed << "{\"at_ms\":" << wall_ms() << ",\"left\":" << status.left_speed_counts_s
-         << ",\"right\":" << status.right_speed_counts_s << ",\"flags\":" << int{status.flags}
-         << ",\"rejected\":" << status.rejected_frames << "}\n";
-    std::cout << line.str() << std::flush;
-  }
-
-  FrameDecoder decoder_;
-  unsigned boots_ = 0;
-  bool is_first_ = false;
-  Status first_;  ///< after the newest restart
-  Clock::time_point silent_until_{};
-};
 
 /// The robot's end of the line.
 class RobotEnd {
@@ -237,9 +125,9 @@ class Mutator {
   int board_;
   RobotEnd& robot_;
   Mode mode_;
-  Reports reports_;
-  Direction to_robot_;
-  Direction to_board_;
+  BoardReports reports_;
+  MutatedDirection to_robot_;
+  MutatedDirection to_board_;
   std::string given_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Disks that are full, or fail.
-import { spawn } from 'node:child_process';
-import { mkdirSync } from 'node:fs';
+import { spawn, spawnSync } from 'node:child_process';
+import { mkdirSync, statSync } from 'node:fs';
 import { constants } from 'node:os';
 import { join } from 'node:path';
 import { freshDomain, scratchFolder } from '../../end_to_end/tools.mjs';
@@ -15,7 +15,7 @@ import { anotherPush, startSmallTeam } from '../stages/small_team.mjs';
 import { secondsUntil, until } from '../table.mjs';
 
 const { EIO, ENOSPC } = constants.errno;
-const RECORDERS = 5, RECORDERS_DISK_kB = 1500;
+const RECORDERS = 5, RECORDERS_DISK_kB = 1500, KILLED_AT_BYTES = 1_000_000;
 
 async function setUp(scope) {
   const shims = {};
@@ -77,6 +77,20 @@ function recordUntilFull(scope, domain) {
   return within(new Promise((resolve) => child.on('close', () => resolve(said))), () => `a recorder's disk to be full: ${said.stderr}`);
 }
 
+/** A recorder that is killed while it writes, and how many seconds of its recording are lost at the end. */
+async function recordUntilKilled(scope, domain) {
+  const cwd = scratchFolder(scope), file = join(cwd, 'run.mcap');
+  const recorder = start(program('galilean-record'), ['--out', file, '--domain', domain, '--picture-rate', '0', '--min-free', '0']);
+  scope.after(() => recorder.kill('SIGKILL'));
+  await until(() => statSync(file, { throwIfNoEntry: false })?.size > KILLED_AT_BYTES, 'the recorder to write', 30);
+  recorder.kill('SIGKILL');
+  const killed_ms = Date.now();
+  await recorder.ended;
+  const { stdout, stderr } = spawnSync(program('galilean-log'), ['info', file, '--json'], { encoding: 'utf8' });
+  if (!stdout) throw new Error(`the recording cannot be read: ${stderr}`);
+  return (killed_ms - Number(JSON.parse(stdout).end_ns) / 1e6) / 1000;
+}
+
 /** How many seconds of a recording are lost at its end. */
 function lostAtTheEnd({ stdout, stderr }) {
   const end = stdout.indexOf('\n');
@@ -87,6 +101,19 @@ function lostAtTheEnd({ stdout, stderr }) {
   return (Number(ended_ns) - Number(info.end_ns)) / 1e9;
 }
 
+const talk = (stage) => {
+  stage.talker = start(testTool('wire_talker'), ['io', stage.recorders_domain]);
+};
+const endTalk = (stage) => {
+  stage.talker.stdin.end();
+  stage.talker.kill('SIGKILL');
+  return stage.talker.ended;
+};
+const recordings = (record) => (stage) => {
+  talk(stage);
+  return Promise.all(Array.from({ length: RECORDERS }, () => record(stage.scope, stage.recorders_domain)));
+};
+
 const PUSH = { unit: 's', limit: 5, measure: pushOnce, mend: settle };
 
 export const group = {
@@ -96,16 +123,16 @@ export const group = {
     {
       fault: "The recorder's disk is full", promised: 'It says so and ends with 1, and all but the last 3 s can be read',
       unit: 's', limit: 3, needs: noSmallDisk,
-      make: async (stage) => {
-        stage.talker = start(testTool('wire_talker'), ['io', stage.recorders_domain]);
-        return Promise.all(Array.from({ length: RECORDERS }, () => recordUntilFull(stage.scope, stage.recorders_domain)));
-      },
+      make: recordings(recordUntilFull),
       measure: (stage, recorded) => recorded.map(lostAtTheEnd),
-      mend: (stage) => {
-        stage.talker.stdin.end();
-        stage.talker.kill('SIGKILL');
-        return stage.talker.ended;
-      },
+      mend: endTalk,
+    },
+    {
+      fault: 'The recorder is killed', promised: 'All but the last 3 s can be read',
+      unit: 's', limit: 3,
+      make: recordings(recordUntilKilled),
+      measure: (stage, lost_s) => lost_s,
+      mend: endTalk,
     },
     {
       fault: "The disk with the monitor's history is full", promised: 'A push is answered within 5 s: kept, or refused with no robot changed',

@@ -6,7 +6,7 @@ import { secondsUntil } from '../table.mjs';
 
 /** For how long a line is bad, or somebody is away. */
 const WATCHED_S = 1;
-const AGAIN_S = 3;
+const AGAIN_S = 2.5;
 
 /** A fault of each line, and a second of it. Returns by robot when it began. */
 const spoil = (order) => (stage) => stage.each(({ board }) => board.order(order));

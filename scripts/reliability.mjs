@@ -24,7 +24,7 @@ let interrupted = false;
 process.on('SIGINT', () => {
   if (interrupted) process.exit(1);
   interrupted = true;
-  console.log('Ending after the fault that is being tried; once more Ctrl-C ends at once.');
+  console.log('Ending. What is being tried now does not count. Once more Ctrl-C ends at once.');
 });
 
 /** Tries the row in parts, between which it can be interrupted. */
@@ -32,6 +32,7 @@ async function tryOften(row, stage) {
   const all = { times: 0, worst: null, broken: [] };
   while (all.times < times && all.broken.length < BROKEN_ENOUGH && !interrupted) {
     const one = await tryRow(row, stage, Math.min(TIMES, times - all.times));
+    if (interrupted) break; // Ctrl-C in a terminal ends the programs that are tried, too
     all.times += one.times;
     all.worst = one.worst === null ? all.worst : Math.max(all.worst ?? 0, one.worst);
     all.broken.push(...one.broken);

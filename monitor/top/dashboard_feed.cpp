@@ -29,7 +29,8 @@ DashboardFeed::DashboardFeed(wire::Participant& participant, const Clock& clock)
                [this](const Message& message) {
                  model_.receive(message);
                  history_.note(message);
-               }},
+               },
+           .forgotten = [this](const std::string& robot) { model_.forget(robot); }},
           [this] { wake_.ring(); },
           [](const Channel& channel) {
             return DashboardModel::shows(channel.schema->ros_type) && !is<msg::Sightings>(channel);

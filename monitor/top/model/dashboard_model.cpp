@@ -48,6 +48,12 @@ void DashboardModel::receive(const Message& message) {
     for (const auto& [name, robot] : team_.robots()) identities_.meet(name);
 }
 
+void DashboardModel::forget(const std::string& robot) {
+  team_.forget(robot);
+  identities_.forget(robot);
+  sightings_.erase(wire::robot_topic(robot, "sightings"));
+}
+
 bool DashboardModel::shows(std::string_view ros_type) noexcept {
   return std::ranges::find(kShown, ros_type) != kShown.end();
 }

@@ -28,6 +28,9 @@ class DashboardModel {
   /// Handles a message of any type. Ignores messages that it does not show or cannot decode.
   void receive(const Message& message);
 
+  /// Forgets a robot that is gone. Its letter may be given to another one.
+  void forget(const std::string& robot);
+
   [[nodiscard]] const Team& team() const noexcept { return team_; }
   [[nodiscard]] const Identities& identities() const noexcept { return identities_; }
   /// Returns the robots' answers to pushes since this was made, the oldest first.

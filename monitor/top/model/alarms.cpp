@@ -105,6 +105,8 @@ std::vector<Alarm> AlarmFinder::find(const DashboardModel& model, Time now) {
   }
   find_misplaced(model, alarms);
   find_failed_pushes(model, alarms);
+  for (auto& each : model.refusals().ongoing(now))
+    alarms.push_back({each.key, AlarmKind::kRefused, each.sender, each.words});
   return alarms;
 }
 

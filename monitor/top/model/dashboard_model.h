@@ -12,6 +12,7 @@
 #include "monitor/team/team.h"
 #include "monitor/top/model/floor.h"
 #include "monitor/top/model/identity.h"
+#include "monitor/top/model/refusal_watch.h"
 
 namespace galilean::monitor::top {
 
@@ -28,10 +29,13 @@ class DashboardModel {
   /// Handles a message of any type. Ignores messages that it does not show or cannot decode.
   void receive(const Message& message);
 
+  /// Takes in what this process did not take in from DDS so far.
+  void note(const Intake& intake) { refusals_.look(intake, clock_.now()); }
   /// Forgets a robot that is gone. Its letter may be given to another one.
   void forget(const std::string& robot);
 
   [[nodiscard]] const Team& team() const noexcept { return team_; }
+  [[nodiscard]] const RefusalWatch& refusals() const noexcept { return refusals_; }
   [[nodiscard]] const Identities& identities() const noexcept { return identities_; }
   /// Returns the robots' answers to pushes since this was made, the oldest first.
   [[nodiscard]] const std::deque<msg::ProgramReply>& replies() const noexcept { return replies_; }
@@ -64,6 +68,7 @@ class DashboardModel {
   const Clock& clock_;
   Team team_;
   Identities identities_;
+  RefusalWatch refusals_;
   std::deque<msg::ProgramReply> replies_;
   std::map<std::string, std::string> pushed_names_;  ///< by the push's id
   std::optional<Heard<msg::ObjectMap>> objects_;

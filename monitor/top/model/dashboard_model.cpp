@@ -77,7 +77,12 @@ void DashboardModel::note_reply(const Message& message) {
 
 void DashboardModel::note_push(const Message& message) {
   msg::PushProgress push;
-  if (msg::decode_cdr(*message.cdr, push)) pushed_names_[push.id] = push.program;
+  if (!msg::decode_cdr(*message.cdr, push)) return;
+  if (!pushed_names_.contains(push.id)) pushes_.push_back(push.id);
+  pushed_names_[push.id] = push.program;
+  if (pushes_.size() <= kPushedNamesKept) return;
+  pushed_names_.erase(pushes_.front());
+  pushes_.pop_front();
 }
 
 std::string DashboardModel::pushed_name(const std::string& push_id) const {

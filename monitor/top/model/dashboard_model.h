@@ -21,6 +21,7 @@ namespace galilean::monitor::top {
 class DashboardModel {
  public:
   static constexpr std::size_t kRepliesKept = 128;
+  static constexpr std::size_t kPushedNamesKept = 128;
 
   explicit DashboardModel(const Clock& clock) : clock_(clock), team_(clock) {}
 
@@ -39,7 +40,8 @@ class DashboardModel {
   [[nodiscard]] const Identities& identities() const noexcept { return identities_; }
   /// Returns the robots' answers to pushes since this was made, the oldest first.
   [[nodiscard]] const std::deque<msg::ProgramReply>& replies() const noexcept { return replies_; }
-  /// Returns the name of the program that a push brought, or an empty string.
+  /// Returns the name of the program that a push brought, or an empty string. Those of the newest
+  /// kPushedNamesKept pushes are known.
   [[nodiscard]] std::string pushed_name(const std::string& push_id) const;
   /// Returns the map's objects; nullptr if no message with them came in the last 5 s.
   [[nodiscard]] const msg::ObjectMap* objects() const noexcept;
@@ -71,6 +73,7 @@ class DashboardModel {
   RefusalWatch refusals_;
   std::deque<msg::ProgramReply> replies_;
   std::map<std::string, std::string> pushed_names_;  ///< by the push's id
+  std::deque<std::string> pushes_;                   ///< their ids, the oldest first
   std::optional<Heard<msg::ObjectMap>> objects_;
   std::shared_ptr<const Floor> floor_;
   std::map<std::string, std::optional<Heard<msg::Sightings>>> sightings_;  ///< by topic

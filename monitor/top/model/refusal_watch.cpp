@@ -18,7 +18,7 @@ std::string sender_of(const std::string& topic) {
   return visible(topic.substr(begin, topic.find('/', begin) - begin));
 }
 
-std::string words_of(const wire::Refusals::Count& refused) {
+std::string refusal_words(const wire::Refusals::Count& refused) {
   const bool is_named = refused.topic.starts_with(kTopicRoot);
   const std::string place =
       is_named ? " on " + visible(refused.topic.substr(kTopicRoot.size() - 1)) : std::string();
@@ -38,7 +38,7 @@ void RefusalWatch::note(OngoingRefusal refusal, std::uint64_t count, Time now) {
 void RefusalWatch::look(const Intake& intake, Time now) {
   for (const auto& refused : intake.refused)
     note({"refused " + refused.topic + " " + refused.reason, sender_of(refused.topic),
-          words_of(refused)},
+          refusal_words(refused)},
          refused.messages, now);
   if (const auto topics = intake.topics_not_read; topics > 0)
     note({"refused topics", wire::Refusals::kOthers,

@@ -168,7 +168,12 @@ void PushDesk::note(const msg::ProgramReply& reply) {
   const auto open =
       std::ranges::find_if(open_, [&](const auto& each) { return each->push.is_meant_by(reply); });
   if (open == open_.end()) return;
+  const auto dropped = (*open)->push.replies_dropped();
   (*open)->push.take_reply(reply, clock_.now());
+  if ((*open)->push.replies_dropped() != dropped)
+    refusals_.note(wire::Refusals::kOthers,
+                   "of the robots that reply to a push and were not asked, the newest " +
+                       std::to_string(Replies::kMostUnasked) + " are kept");
   advance(**open);
 }
 

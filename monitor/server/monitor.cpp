@@ -9,6 +9,7 @@
 
 #include "bhdl/program/catalog_file.h"
 #include "core/installation.h"
+#include "core/visible_text.h"
 #include "core/wire/refusals.h"
 #include "core/wire/ros_time.h"
 #include "monitor/access/token_watch.h"
@@ -126,6 +127,7 @@ struct Monitor::Parts {
 
   [[nodiscard]] Ingest::Callbacks callbacks();
   void receive(const Message& message);
+  void forget(const std::string& robot);
   [[nodiscard]] Result<void> begin_tls(const MonitorOptions& options);
   void tell_regularly();
   void look_at_tokens();
@@ -187,15 +189,15 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
 
 Ingest::Callbacks Monitor::Parts::callbacks() {
   // An exception from one topic or message must not keep the next ones from being handled.
-  return {[this](const Channel& channel) {
-            (void)guarded(channel.topic, [&] { hub.add_channel(channel); });
-          },
-          [this](const Message& message) {
-            (void)guarded(message.channel.topic, [&] { receive(message); });
-          },
-          [](const std::string& problem) {
-            std::clog << "galilean-monitor: " << problem << std::endl;
-          }};
+  return {
+      [this](const Channel& channel) {
+        (void)guarded(channel.topic, [&] { hub.add_channel(channel); });
+      },
+      [this](const Message& message) {
+        (void)guarded(message.channel.topic, [&] { receive(message); });
+      },
+      [](const std::string& problem) { std::clog << "galilean-monitor: " << problem << std::endl; },
+      [this](const std::string& robot) { (void)guarded(robot, [&] { forget(robot); }); }};
 }
 
 void Monitor::Parts::receive(const Message& message) {
@@ -207,6 +209,15 @@ void Monitor::Parts::receive(const Message& message) {
   decode_for<msg::ProgramPush>(message, [this](const auto& push) { desk.note(push); });
   decode_for<msg::SimulationState>(message, [this](const auto& state) { simulations.note(state); });
   decode_for<msg::SimulationEvent>(message, [this](const auto& event) { simulations.note(event); });
+}
+
+void Monitor::Parts::forget(const std::string& robot) {
+  std::clog
+      << "galilean-monitor: " << visible(robot)
+      << " is forgotten: it was silent for more than an hour, and another robot needs its place"
+      << std::endl;
+  team.forget(robot);
+  map.forget(robot);
 }
 
 void Monitor::Parts::tell_regularly() {

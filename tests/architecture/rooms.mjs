@@ -128,7 +128,7 @@ export const rooms = {
     wire: [],
     front: [],
     'front/demo': ['access', 'ingest', 'expect/problems', 'front'],
-    'front/doctor': ['front'],
+    'front/doctor': ['commands', 'front'],
     'front/manual': ['front'],
   },
   web: {

@@ -205,6 +205,7 @@ void Api::status(Right right, const Respond& respond) const {
                          {"channels", channels_json(intake)},
                          {"refused_messages", refused_json(intake)},
                          {"topics_not_read", intake.topics_not_read},
+                         {"robots_forgotten", intake.robots_forgotten},
                          {"robots", std::move(robots)},
                          {"score", score_json(parts_.team)}}));
 }

@@ -202,8 +202,27 @@ export function orderSimulation(simulation: string, what: SimulationOrder): Prom
   return order("/api/simulation/orders", { ...what, simulation, author: "operator" });
 }
 
-/** `may_steer`: whether the token that the page has gives the right to. */
-export function status(): Promise<{ name: string; scenario: string; version: string; may_steer: boolean }> {
+/** Messages on a topic that the monitor did not take, for one reason. */
+export interface RefusedMessages {
+  /** As on DDS, such as rt/io/state; "(others)" for what is not told apart. */
+  readonly topic: string;
+  readonly reason: string;
+  readonly messages: number;
+}
+
+/** Of GET /api/status what the page uses, as docs/openapi.yaml describes it. */
+export interface Status {
+  readonly name: string;
+  readonly scenario: string;
+  readonly version: string;
+  /** Whether the token that the page has gives the right to. */
+  readonly may_steer: boolean;
+  readonly refused_messages: readonly RefusedMessages[];
+  /** Topics beyond those that the monitor reads. */
+  readonly topics_not_read: number;
+}
+
+export function status(): Promise<Status> {
   return call("/api/status");
 }
 

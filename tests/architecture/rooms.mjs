@@ -89,7 +89,7 @@ export const rooms = {
     'server/replay': ['background', 'mcap', 'playback', 'record', 'recordings', 'server/text', 'server/websocket', 'server/foxglove'],
     'server/http': ['access', 'background', 'compression', 'server/text', 'server/websocket', 'server/foxglove', 'server/lsp', 'server/replay', 'server/tls'],
     'server/api': ['background', 'coverage', 'ingest', 'map', 'map/export', 'programs', 'pushes', 'pushes/history', 'mcap', 'record', 'recordings', 'team', 'server/text', 'server/foxglove', 'server/http', 'simulation'],
-    server: ['access', 'tls', 'background', 'ingest', 'map', 'programs', 'pushes', 'recordings', 'team', 'server/foxglove', 'server/api', 'simulation'],
+    server: ['access', 'tls', 'background', 'ingest', 'map', 'programs', 'pushes', 'pushes/history', 'recordings', 'team', 'server/foxglove', 'server/api', 'simulation'],
     record: ['mcap', 'wire'],
     playback: ['mcap', 'record'],
     coverage: ['mcap', 'playback', 'wire'],

@@ -7,6 +7,7 @@
 #include <dds/dds.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <mutex>
 #include <sstream>
@@ -15,6 +16,8 @@
 #include "core/wire/lending.h"
 #include "core/wire/qos.h"
 #include "core/wire/schemas.h"
+#include "core/wire/security.h"
+#include "core/wire/security_log.h"
 
 namespace galilean::wire {
 namespace {
@@ -58,6 +61,19 @@ Result<dds_domainid_t> domain_id(int domain) {
   return static_cast<dds_domainid_t>(number);
 }
 
+/// Errors: DDS Security refuses the keys. The sentence says why.
+Result<Entity> join_secured(dds_domainid_t domain, dds_qos_t& qos,
+                            const std::filesystem::path& keys) {
+  if (const auto secured = add_security(qos, keys); !secured) return secured.error();
+  const JoiningLog log;
+  const dds_entity_t participant = dds_create_participant(domain, &qos, nullptr);
+  if (participant > 0) return Entity(participant);
+  const auto line = log.first_line();
+  return Error{"the keys in " + keys.string() + " do not open DDS domain " +
+               std::to_string(domain) + ": " +
+               (line.empty() ? std::string(dds_strretcode(participant)) : refusal_of(line))};
+}
+
 }  // namespace
 
 Entity::~Entity() {
@@ -83,6 +99,8 @@ Participant::~Participant() {
 Result<std::unique_ptr<Participant>> Participant::join(const std::string& name, int domain) {
   const auto id = domain_id(domain);
   if (!id) return id.error();
+  const auto keys = chosen_keys(name);
+  if (!keys) return keys.error();
   auto state = std::make_unique<State>();
   state->number = id.value();
   // Cyclone refuses this if the process made the domain before. That domain then serves.
@@ -95,6 +113,12 @@ Result<std::unique_ptr<Participant>> Participant::join(const std::string& name, 
 
   Qos qos(dds_create_qos());
   dds_qset_entity_name(qos.get(), name.c_str());
+  if (keys.value()) {
+    auto joined = join_secured(id.value(), *qos, *keys.value());
+    if (!joined) return joined.error();
+    state->participant = std::move(joined).value();
+    return std::unique_ptr<Participant>(new Participant(std::move(state)));
+  }
   const dds_entity_t participant = dds_create_participant(id.value(), qos.get(), nullptr);
   if (participant < 0)
     return Error{"DDS domain " + std::to_string(id.value()) + " cannot be joined (" +
@@ -124,8 +148,8 @@ std::int32_t Participant::topic(const std::string& name, const std::string& ros_
   ros_descriptor.m_typename = schema->dds_type.data();
   const auto qos = make_qos(delivery_of(ros_type));
   Entity entity(
-      checked(dds_create_topic(handle(), &ros_descriptor, name.c_str(), qos.get(), nullptr),
-              "topic " + name));
+      permitted(dds_create_topic(handle(), &ros_descriptor, name.c_str(), qos.get(), nullptr),
+                "use topic", name));
   return state_->topics.emplace(name, std::move(entity)).first->second.handle();
 }
 

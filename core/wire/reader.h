@@ -26,7 +26,8 @@ struct Received {
   std::uint64_t sequence = 0;
 };
 
-/// Receives the messages of one topic as bytes. msg::decode_cdr turns them into structs.
+/// Receives the messages of one topic as bytes. msg::decode_cdr turns them into structs. A topic
+/// that DDS Security does not permit to read is left out, and nothing comes.
 class Reader {
  public:
   /// `depth` is how many messages of each writer are kept between two calls of `take`. With 0 it is

@@ -14,6 +14,7 @@ export const rooms = {
     command_line: ['.'],
     wire: ['.'],
     'wire/types': ['.', 'wire'],
+    'wire/authentication': [],
     'wire/generate': [],
   },
   bhdl: {

@@ -17,8 +17,8 @@ namespace galilean::wire {
 namespace {
 
 /// Returns no entity if DDS Security does not permit it.
-Entity make_writer(Participant& participant, const std::string& topic,
-                   const std::string& ros_type) {
+Entity permitted_writer(Participant& participant, const std::string& topic,
+                        const std::string& ros_type) {
   const auto of = participant.topic(topic, ros_type);
   if (of == 0) return {};
   return Entity(permitted(
@@ -30,7 +30,7 @@ Entity make_writer(Participant& participant, const std::string& topic,
 
 template <class M>
 Writer<M>::Writer(Participant& participant, const std::string& topic)
-    : entity_(make_writer(participant, topic, M::kRosType)) {}
+    : entity_(permitted_writer(participant, topic, M::kRosType)) {}
 
 template <class M>
 bool Writer<M>::write(const M& message) {

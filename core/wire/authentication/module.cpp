@@ -3,47 +3,42 @@
 // list of revoked certificates once, when a program joins. This module reads it every second,
 // refuses who is in it, and has Cyclone forget who was let in before.
 #include <dds/ddsrt/dynlib.h>
-#include <dds/ddsrt/heap.h>
+#include <dds/ddsrt/retcode.h>
 #include <dds/security/dds_security_api_authentication.h>
 #include <dds/security/dds_security_api_err.h>
 
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
-#include <cstring>
-#include <iostream>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <stop_token>
-#include <string>
+#include <optional>
 #include <string_view>
-#include <thread>
 #include <utility>
-#include <vector>
 
-#include "core/wire/authentication/revoked_list.h"
+#include "core/wire/authentication/revocation_guard.h"
 
 // Of dds_security_utils.h, which C++ cannot read.
-extern "C" {
-char* DDS_Security_Property_get_value(const DDS_Security_PropertySeq* properties, const char* name);
-void DDS_Security_Exception_set(DDS_Security_SecurityException* exception, const char* context,
-                                int code, int minor_code, const char* format, ...);
-}
+extern "C" void DDS_Security_Exception_set(DDS_Security_SecurityException* exception,
+                                           const char* context, int code, int minor_code,
+                                           const char* format, ...);
 
 namespace galilean::wire {
 namespace {
 
-constexpr std::chrono::seconds kReadAgain{1};
 constexpr const char* kLibrary = "dds_security_auth";
-constexpr std::string_view kFile = "file:";
 
-/// Returns the path in a property such as "file:/a/b.pem", or an empty text.
-std::string path_in(const DDS_Security_Qos& qos, const char* property) {
-  char* value = DDS_Security_Property_get_value(&qos.property.value, property);
-  std::string text = value ? value : "";
-  ddsrt_free(value);
-  return text.starts_with(kFile) ? text.substr(kFile.size()) : std::string();
+/// Returns the prefix of the member whose certificate is in a message of the handshake. A program
+/// that is not Cyclone's may announce another GUID than that of its certificate.
+std::optional<SubjectPrefix> prefix_in(const DDS_Security_HandshakeMessageToken* message) {
+  if (!message) return {};
+  const auto& properties = message->binary_properties;
+  for (std::uint32_t i = 0; i < properties._length; ++i) {
+    const auto& property = properties._buffer[i];
+    if (property.name && std::string_view(property.name) == "c.id" && property.value._buffer)
+      return prefix_of_certificate({property.value._buffer, property.value._length});
+  }
+  return {};
 }
 
 SubjectPrefix prefix_of(const DDS_Security_GUID_t& guid) {
@@ -51,109 +46,6 @@ SubjectPrefix prefix_of(const DDS_Security_GUID_t& guid) {
   std::copy_n(guid.prefix, prefix.size(), prefix.begin());
   return prefix;
 }
-
-/// What is added to one of Cyclone's instances.
-class RevocationGuard {
- public:
-  explicit RevocationGuard(dds_security_authentication& cyclone)
-      : cyclone_(cyclone), original(cyclone) {}
-
-  /// Learns which files count. Reads the list at once, so that nobody is let in before.
-  void use_files_of(const DDS_Security_Qos& qos) {
-    {
-      const std::lock_guard lock(mutex_);
-      list_file_ = path_in(qos, "org.eclipse.cyclonedds.sec.auth.crl");
-      ca_file_ = path_in(qos, "dds.sec.auth.identity_ca");
-    }
-    read_list();
-  }
-
-  void set_listener(const dds_security_authentication_listener* listener) {
-    watch_ = std::jthread();  // the thread that may still call the old one ends first
-    listener_ = listener;
-    if (listener_) watch_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
-  }
-
-  [[nodiscard]] bool is_revoked(const DDS_Security_GUID_t& guid) {
-    const std::lock_guard lock(mutex_);
-    return revoked_.contains(prefix_of(guid));
-  }
-
-  void note(const DDS_Security_GUID_t& guid, DDS_Security_IdentityHandle handle) {
-    const std::lock_guard lock(mutex_);
-    peers_.push_back({prefix_of(guid), handle});
-  }
-
-  void forget(DDS_Security_IdentityHandle handle) {
-    const std::lock_guard lock(mutex_);
-    const auto gone = std::find_if(peers_.begin(), peers_.end(),
-                                   [&](const Peer& peer) { return peer.handle == handle; });
-    if (gone != peers_.end()) peers_.erase(gone);
-  }
-
- private:
-  struct Peer {
-    SubjectPrefix prefix;
-    DDS_Security_IdentityHandle handle;
-  };
-
-  void watch(const std::stop_token& stop) {
-    std::mutex sleeping;
-    std::condition_variable_any never;
-    while (!stop.stop_requested()) {
-      read_list();
-      expel();
-      std::unique_lock lock(sleeping);
-      never.wait_for(lock, stop, kReadAgain, [] { return false; });
-    }
-  }
-
-  /// Keeps the last list where the new one is not whole, or not from this CA.
-  void read_list() {
-    std::string list_file, ca_file;
-    {
-      const std::lock_guard lock(mutex_);
-      list_file = list_file_;
-      ca_file = ca_file_;
-    }
-    if (list_file.empty()) return;
-    auto read = read_revoked(list_file, ca_file);
-    const std::lock_guard lock(mutex_);
-    if (!read && !told_unreadable_)
-      std::cerr << "galilean: DDS Security: " << list_file
-                << " is not a list of revoked members from this team's identity CA; copy the "
-                   "team's revoked.crl there; until then the last list counts\n";
-    told_unreadable_ = !read;
-    if (read) revoked_ = std::move(*read);
-  }
-
-  /// Has Cyclone forget who is revoked, again and again until Cyclone has returned the handle: a
-  /// participant that is just being let in gets its handle a moment after it was noted.
-  void expel() {
-    std::vector<DDS_Security_IdentityHandle> handles;
-    {
-      const std::lock_guard lock(mutex_);
-      for (const auto& peer : peers_)
-        if (revoked_.contains(peer.prefix)) handles.push_back(peer.handle);
-    }
-    // Cyclone calls this module in the meantime: no lock is held.
-    for (const auto handle : handles) listener_->on_revoke_identity(&cyclone_, handle);
-  }
-
-  dds_security_authentication& cyclone_;
-
- public:
-  const dds_security_authentication original;  ///< Cyclone's functions, before they were replaced
-
- private:
-  const dds_security_authentication_listener* listener_ = nullptr;
-  std::mutex mutex_;
-  std::string list_file_, ca_file_;
-  RevokedMembers revoked_;
-  std::vector<Peer> peers_;
-  bool told_unreadable_ = false;
-  std::jthread watch_;  // last member, so that it ends first
-};
 
 /// One instance of Cyclone's a domain, with what this module adds to it.
 struct Loaded {
@@ -178,6 +70,14 @@ DDS_Security_ValidationResult_t validate_local(
                                                 problem);
 }
 
+DDS_Security_ValidationResult_t refuse(const SubjectPrefix& id,
+                                       DDS_Security_SecurityException* problem) {
+  DDS_Security_Exception_set(
+      problem, "Authentication", DDS_SECURITY_ERR_UNDEFINED_CODE, DDS_SECURITY_VALIDATION_FAILED,
+      "the member %02x%02x%02x%02x%02x%02x is revoked", id[0], id[1], id[2], id[3], id[4], id[5]);
+  return DDS_SECURITY_VALIDATION_FAILED;
+}
+
 DDS_Security_ValidationResult_t validate_remote(
     dds_security_authentication* instance, DDS_Security_IdentityHandle* handle,
     DDS_Security_AuthRequestMessageToken* local_request,
@@ -185,17 +85,60 @@ DDS_Security_ValidationResult_t validate_remote(
     const DDS_Security_IdentityHandle local, const DDS_Security_IdentityToken* token,
     const DDS_Security_GUID_t* guid, DDS_Security_SecurityException* problem) {
   auto& guard = guard_of(instance);
-  if (guid && guard.is_revoked(*guid)) {
-    const auto& id = guid->prefix;
-    DDS_Security_Exception_set(
-        problem, "Authentication", DDS_SECURITY_ERR_UNDEFINED_CODE, DDS_SECURITY_VALIDATION_FAILED,
-        "the member %02x%02x%02x%02x%02x%02x is revoked", id[0], id[1], id[2], id[3], id[4], id[5]);
-    return DDS_SECURITY_VALIDATION_FAILED;
-  }
+  if (guid && guard.is_revoked(prefix_of(*guid))) return refuse(prefix_of(*guid), problem);
   const auto result = guard.original.validate_remote_identity(
       instance, handle, local_request, remote_request, local, token, guid, problem);
-  if (guid && handle && result != DDS_SECURITY_VALIDATION_FAILED) guard.note(*guid, *handle);
+  if (guid && handle && result != DDS_SECURITY_VALIDATION_FAILED)
+    guard.note(prefix_of(*guid), *handle);
   return result;
+}
+
+DDS_Security_ValidationResult_t begin_request(dds_security_authentication* instance,
+                                              DDS_Security_HandshakeHandle* handshake,
+                                              DDS_Security_HandshakeMessageToken* sent,
+                                              const DDS_Security_IdentityHandle own,
+                                              const DDS_Security_IdentityHandle remote,
+                                              const DDS_Security_OctetSeq* data,
+                                              DDS_Security_SecurityException* problem) {
+  auto& guard = guard_of(instance);
+  const auto result =
+      guard.original.begin_handshake_request(instance, handshake, sent, own, remote, data, problem);
+  if (handshake && result != DDS_SECURITY_VALIDATION_FAILED) guard.begin(*handshake, remote);
+  return result;
+}
+
+DDS_Security_ValidationResult_t begin_reply(
+    dds_security_authentication* instance, DDS_Security_HandshakeHandle* handshake,
+    DDS_Security_HandshakeMessageToken* sent, const DDS_Security_HandshakeMessageToken* received,
+    const DDS_Security_IdentityHandle remote, const DDS_Security_IdentityHandle own,
+    const DDS_Security_OctetSeq* data, DDS_Security_SecurityException* problem) {
+  auto& guard = guard_of(instance);
+  const auto prefix = prefix_in(received);
+  if (prefix && guard.is_revoked(*prefix)) return refuse(*prefix, problem);
+  if (prefix) guard.note(*prefix, remote);
+  return guard.original.begin_handshake_reply(instance, handshake, sent, received, remote, own,
+                                              data, problem);
+}
+
+DDS_Security_ValidationResult_t process(dds_security_authentication* instance,
+                                        DDS_Security_HandshakeMessageToken* sent,
+                                        const DDS_Security_HandshakeMessageToken* received,
+                                        const DDS_Security_HandshakeHandle handshake,
+                                        DDS_Security_SecurityException* problem) {
+  auto& guard = guard_of(instance);
+  const auto prefix = prefix_in(received);
+  if (prefix && guard.is_revoked(*prefix)) return refuse(*prefix, problem);
+  const auto remote = guard.partner(handshake);
+  if (prefix && remote != DDS_SECURITY_HANDLE_NIL) guard.note(*prefix, remote);
+  return guard.original.process_handshake(instance, sent, received, handshake, problem);
+}
+
+DDS_Security_boolean return_handshake(dds_security_authentication* instance,
+                                      const DDS_Security_HandshakeHandle handshake,
+                                      DDS_Security_SecurityException* problem) {
+  auto& guard = guard_of(instance);
+  guard.end(handshake);
+  return guard.original.return_handshake_handle(instance, handshake, problem);
 }
 
 DDS_Security_boolean return_identity(dds_security_authentication* instance,
@@ -243,6 +186,10 @@ __attribute__((visibility("default"))) int galilean_init_authentication(const ch
   made.guard = std::make_unique<RevocationGuard>(*cyclone);
   cyclone->validate_local_identity = validate_local;
   cyclone->validate_remote_identity = validate_remote;
+  cyclone->begin_handshake_request = begin_request;
+  cyclone->begin_handshake_reply = begin_reply;
+  cyclone->process_handshake = process;
+  cyclone->return_handshake_handle = return_handshake;
   cyclone->return_identity_handle = return_identity;
   cyclone->set_listener = listen;
   const std::lock_guard lock(loaded_mutex);

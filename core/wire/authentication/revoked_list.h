@@ -2,12 +2,16 @@
 #pragma once
 
 #include <openssl/pem.h>
+#include <openssl/sha.h>
 #include <openssl/x509.h>
 
+#include <array>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 
 #include "core/wire/authentication/subject_prefix.h"
@@ -17,7 +21,8 @@ namespace galilean::wire {
 /// The members that a list of revoked certificates names.
 using RevokedMembers = std::set<SubjectPrefix>;
 
-// Everything here is inline, because the module is linked with none of Galilean's libraries.
+// Everything here is inline, for the module, which is linked with none of Galilean's libraries, and
+// for tests of lists.
 
 template <auto free_it>
 struct FreeWith {
@@ -41,6 +46,22 @@ inline std::optional<SubjectPrefix> prefix_of_serial(const ASN1_INTEGER* serial)
   if (!number || BN_bn2binpad(number.get(), bytes.data(), static_cast<int>(bytes.size())) < 0)
     return {};
   return subject_prefix(bytes);
+}
+
+/// Returns the prefix of the participant whose certificate, in PEM, this is; nothing if it is none.
+inline std::optional<SubjectPrefix> prefix_of_certificate(std::span<const std::uint8_t> pem) {
+  const std::unique_ptr<BIO, FreeWith<BIO_free_all>> bio(
+      BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size())));
+  const std::unique_ptr<X509, FreeWith<X509_free>> certificate(
+      bio ? PEM_read_bio_X509(bio.get(), nullptr, nullptr, nullptr) : nullptr);
+  if (!certificate) return {};
+  unsigned char* encoded = nullptr;
+  const int size = i2d_X509_NAME(X509_get_subject_name(certificate.get()), &encoded);
+  if (size <= 0) return {};
+  std::array<std::uint8_t, SHA256_DIGEST_LENGTH> digest{};
+  SHA256(encoded, static_cast<std::size_t>(size), digest.data());
+  OPENSSL_free(encoded);
+  return subject_prefix(digest);
 }
 
 /// Returns the members that a list names, or nothing if it cannot be read or is not signed by that

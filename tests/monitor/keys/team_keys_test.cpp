@@ -144,6 +144,11 @@ TEST_F(TeamKeysTest, ASerialNumberTellsTheBeginningOfTheMembersGuid) {
   const auto prefix = wire::subject_prefix(digest);
   EXPECT_EQ(wire::prefix_of_serial(X509_get0_serialNumber(certificate.get())), prefix);
   EXPECT_NE(prefix[0] & 0x80, 0);
+  const auto pem = text_of(io.certificate);
+  EXPECT_EQ(
+      wire::prefix_of_certificate({reinterpret_cast<const std::uint8_t*>(pem.data()), pem.size()}),
+      prefix);
+  EXPECT_EQ(wire::prefix_of_certificate({}), std::nullopt);
 }
 
 TEST_F(TeamKeysTest, WhoIsRevokedStandsInEveryMembersList) {

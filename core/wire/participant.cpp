@@ -26,8 +26,9 @@ namespace {
 /// index, which counts from 0 to MaxAutoParticipantIndex. The default of 9 is too low. 119 is the
 /// highest that leaves the ports of the next domain alone (DDSI-RTPS 2.2, 9.6.1). The peer on
 /// loopback finds the processes where there is no multicast. Cyclone's shared-memory mode is off.
-/// Writers do not linger, because LingeringEntity has waited before.
-std::string configuration() {
+/// Writers do not linger, because LingeringEntity has waited before. A secured program sends
+/// messages to each member apart, because a revoked one would go on to hear what goes to a group.
+std::string configuration(bool is_secured) {
   std::ostringstream peers;
   peers << "<Peer address=\"127.0.0.1\"/>";
   if (const char* listed = std::getenv("GALILEAN_PEERS")) {
@@ -36,7 +37,9 @@ std::string configuration() {
       if (!address.empty()) peers << "<Peer address=\"" << address << "\"/>";
   }
   std::string xml =
-      "<Domain id=\"any\"><Discovery><ParticipantIndex>auto</ParticipantIndex>"
+      "<Domain id=\"any\">" +
+      std::string(is_secured ? "<General><AllowMulticast>spdp</AllowMulticast></General>" : "") +
+      "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
       "<MaxAutoParticipantIndex>119</MaxAutoParticipantIndex><Peers>" +
       peers.str() +
       "</Peers></Discovery><SharedMemory><Enable>false</Enable></SharedMemory>"
@@ -104,7 +107,8 @@ Result<std::unique_ptr<Participant>> Participant::join(const std::string& name, 
   auto state = std::make_unique<State>();
   state->number = id.value();
   // Cyclone refuses this if the process made the domain before. That domain then serves.
-  const dds_entity_t made = dds_create_domain(id.value(), configuration().c_str());
+  const dds_entity_t made =
+      dds_create_domain(id.value(), configuration(keys.value().has_value()).c_str());
   if (made > 0)
     state->domain = Entity(made);
   else if (made != DDS_RETCODE_PRECONDITION_NOT_MET)

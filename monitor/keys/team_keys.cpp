@@ -23,6 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kGrantBeginsEarlier_s = 24 * 3600;  // clocks differ
+/// A grant names one certificate alone, whose end counts. Cyclone would delete the participant of a
+/// program that still runs when its own grant ends.
+constexpr std::int64_t kGrantOutlives_s = std::int64_t{20 * 365} * 24 * 3600;
 constexpr std::size_t kLongestMemberName = 64;
 /// What stands where a robot's name would, in topics that are no robot's.
 constexpr std::array<std::string_view, 9> kNoRobots{"team",        "referee", "simulation",
@@ -141,11 +144,12 @@ Result<fs::path> TeamKeys::issue(const std::string& name, MemberRole role, std::
   const auto identity = identities.value().issue(name, expires_s);
   if (!identity) return identity.error();
   const auto begins_s = static_cast<std::int64_t>(std::time(nullptr)) - kGrantBeginsEarlier_s;
-  const auto grant = permissions.value().sign(permissions_xml({.name = name,
-                                                               .subject = identity.value().subject,
-                                                               .rights = rights_of(role, name),
-                                                               .from_s = begins_s,
-                                                               .until_s = expires_s}));
+  const auto grant =
+      permissions.value().sign(permissions_xml({.name = name,
+                                                .subject = identity.value().subject,
+                                                .rights = rights_of(role, name),
+                                                .from_s = begins_s,
+                                                .until_s = expires_s + kGrantOutlives_s}));
   if (!grant) return grant.error();
   // The list first: a certificate that is not in it could not be revoked.
   members.push_back({.name = name,

@@ -55,6 +55,13 @@ function assertHearsNothing(domain, folder) {
   return stderr;
 }
 
+/** What the command says that makes the robot stand still. */
+function hold(domain, env = {}) {
+  const { stdout, stderr } = galilean(['hold', '--robot', 'io'], { domain, env });
+  return stdout + stderr;
+}
+const OBEYED = /^io: stands still/m;
+
 /** The XML in a document that is signed as S/MIME. */
 const textIn = (file) => readFileSync(file, 'utf8').replaceAll('\r\n', '\n').match(/<\?xml[\s\S]*<\/dds>\n/)[0];
 
@@ -74,7 +81,7 @@ test('members hear and command one another; GALILEAN_SECURE is as good as --secu
   const { domain, of } = await startSecured(t);
   assertHears(domain, of('boss'));
   const env = { GALILEAN_SECURE: of('boss') };
-  assert.match(galilean(['hold'], { domain, env }).stdout, /^io: /m);
+  assert.match(hold(domain, env), OBEYED);
   const topics = galilean(['list'], { domain, env });
   assert.match(topics.stdout, /\/io\/state/);
 });
@@ -82,13 +89,13 @@ test('members hear and command one another; GALILEAN_SECURE is as good as --secu
 test('who has no keys, or those of another team, hears nothing and moves nothing', async (t) => {
   const { domain, robot, of } = await startSecured(t);
   assertHearsNothing(domain);
-  assert.doesNotMatch(galilean(['hold'], { domain }).stdout, /^io: /m);
+  assert.doesNotMatch(hold(domain), OBEYED);
 
   const foreign = makeTeam(t, { boss: 'monitor' });
   const said = assertHearsNothing(domain, foreign.of('boss'));
   // The one that is asked first by the other tells: which one that is, their random numbers decide.
   assert.match(robot.output + said, /galilean: DDS Security: /);
-  assert.doesNotMatch(galilean(['hold', '--secure', foreign.of('boss')], { domain }).stdout, /^io: /m);
+  assert.doesNotMatch(hold(domain, { GALILEAN_SECURE: foreign.of('boss') }), OBEYED);
   assertHears(domain, of('boss'));
 });
 
@@ -110,6 +117,20 @@ test('keys that have expired are refused, and renewed ones are not', async (t) =
   assert.match(keys(folder, 'list').stdout, /^late {2}viewer {2}expired/m);
   assert.equal(keys(folder, 'renew', 'late').status, 0);
   assertHears(domain, of('late'));
+});
+
+test('a robot whose keys expire goes on, and the team parts with it', async (t) => {
+  const { folder, of } = makeTeam(t, { boss: 'monitor' });
+  assert.equal(keys(folder, 'add', 'io', '--role', 'robot', '--expires', '15s').status, 0);
+  const domain = freshDomain();
+  const robot = new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', '/dev/null/none',
+    '--camera', 'shm:none', '--secure', of('io')], { domain, cwd: scratchFolder(t) });
+  await robot.line(/comm_port/);
+  assertHears(domain, of('boss'));
+  await robot.line(/the keys of this program have expired/);
+  assertHearsNothing(domain, of('boss'));
+  assert.equal(robot.process.exitCode, null);
+  assert.deepEqual(await robot.stop(), { code: 0, signal: null });
 });
 
 test('a grant that a member signs itself opens nothing', async (t) => {
@@ -137,10 +158,10 @@ test('a grant that a member signs itself opens nothing', async (t) => {
 test('a viewer watches and steers nothing', async (t) => {
   const { domain, of } = await startSecured(t, { anna: 'viewer' });
   assertHears(domain, of('anna'));
-  const { status, stderr } = galilean(['hold', '--secure', of('anna')], { domain });
-  assert.notEqual(status, 0);
-  assert.match(stderr, /does not let this program (write|use topic) rt\/team\/command/);
-  assert.match(galilean(['hold', '--secure', of('boss')], { domain }).stdout, /^io: /m);
+  const said = hold(domain, { GALILEAN_SECURE: of('anna') });
+  assert.doesNotMatch(said, OBEYED);
+  assert.match(said, /does not let this program (write|use topic) rt\/team\/command/);
+  assert.match(hold(domain, { GALILEAN_SECURE: of('boss') }), OBEYED);
 });
 
 test('a robot writes topics of its own name alone', async (t) => {

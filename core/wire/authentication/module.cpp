@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cyclone's authentication, with one question more: is the member revoked? Cyclone 0.10 reads the
 // list of revoked certificates once, when a program joins. This module reads it every second,
-// refuses who is in it, and has Cyclone forget who was let in before.
+// refuses who is in it, and has Cyclone forget who was let in before. It also keeps Cyclone from
+// deleting the participant of a program whose own keys expire.
 #include <dds/ddsrt/dynlib.h>
 #include <dds/ddsrt/retcode.h>
 #include <dds/security/dds_security_api_authentication.h>
@@ -66,8 +67,10 @@ DDS_Security_ValidationResult_t validate_local(
     const DDS_Security_GUID_t* candidate, DDS_Security_SecurityException* problem) {
   auto& guard = guard_of(instance);
   if (qos) guard.use_files_of(*qos);
-  return guard.original.validate_local_identity(instance, handle, adjusted, domain, qos, candidate,
-                                                problem);
+  const auto result = guard.original.validate_local_identity(instance, handle, adjusted, domain,
+                                                             qos, candidate, problem);
+  if (handle && result == DDS_SECURITY_VALIDATION_OK) guard.note_own(*handle);
+  return result;
 }
 
 DDS_Security_ValidationResult_t refuse(const SubjectPrefix& id,
@@ -149,12 +152,27 @@ DDS_Security_boolean return_identity(dds_security_authentication* instance,
   return guard.original.return_identity_handle(instance, handle, problem);
 }
 
+/// Is called by Cyclone's plugin when a certificate expires.
+DDS_Security_boolean expired(const dds_security_authentication* instance,
+                             const DDS_Security_IdentityHandle handle) {
+  RevocationGuard* guard = nullptr;
+  {
+    const std::lock_guard lock(loaded_mutex);
+    const auto found = loaded.find(const_cast<dds_security_authentication*>(instance));
+    if (found == loaded.end()) return true;  // it ends, and waits for this thread
+    guard = found->second.guard.get();
+  }
+  guard->expire(handle);
+  return true;
+}
+constexpr dds_security_authentication_listener kExpiryListener{expired, nullptr};
+
 DDS_Security_boolean listen(dds_security_authentication* instance,
                             const dds_security_authentication_listener* listener,
                             DDS_Security_SecurityException* problem) {
   auto& guard = guard_of(instance);
   guard.set_listener(listener);
-  return guard.original.set_listener(instance, listener, problem);
+  return guard.original.set_listener(instance, listener ? &kExpiryListener : nullptr, problem);
 }
 
 void* function_in(ddsrt_dynlib_t library, const char* name) {
@@ -207,7 +225,7 @@ __attribute__((visibility("default"))) int galilean_finalize_authentication(void
     ended = std::move(found->second);
     loaded.erase(found);
   }
-  ended.guard.reset();  // its thread ends before what it calls
+  ended.guard->set_listener(nullptr);  // its thread ends before what it calls
   const auto finalise =
       reinterpret_cast<Finalise>(function_in(ended.library, "finalize_authentication"));
   const int result = finalise ? finalise(context) : DDS_RETCODE_ERROR;

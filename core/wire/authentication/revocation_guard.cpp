@@ -41,8 +41,32 @@ void RevocationGuard::use_files_of(const DDS_Security_Qos& qos) {
 
 void RevocationGuard::set_listener(const dds_security_authentication_listener* listener) {
   watch_ = std::jthread();  // the thread that may still call the old one ends first
-  listener_ = listener;
-  if (listener_) watch_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
+  {
+    const std::lock_guard lock(mutex_);
+    listener_ = listener;
+  }
+  if (listener) watch_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
+}
+
+void RevocationGuard::note_own(DDS_Security_IdentityHandle handle) {
+  const std::lock_guard lock(mutex_);
+  own_.push_back(handle);
+}
+
+void RevocationGuard::expire(DDS_Security_IdentityHandle handle) {
+  bool is_own = false;
+  const dds_security_authentication_listener* listener = nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    is_own = std::find(own_.begin(), own_.end(), handle) != own_.end();
+    listener = listener_;
+  }
+  if (is_own)
+    std::cerr
+        << "galilean: DDS Security: the keys of this program have expired, and the team parts "
+           "with it; 'galilean team keys renew' renews them: copy them, and start it again\n";
+  else if (listener)
+    listener->on_revoke_identity(&cyclone_, handle);
 }
 
 bool RevocationGuard::is_revoked(const SubjectPrefix& prefix) const {
@@ -61,6 +85,7 @@ void RevocationGuard::note(const SubjectPrefix& prefix, DDS_Security_IdentityHan
 void RevocationGuard::forget(DDS_Security_IdentityHandle handle) {
   const std::lock_guard lock(mutex_);
   std::erase_if(peers_, [&](const Peer& peer) { return peer.handle == handle; });
+  std::erase(own_, handle);
 }
 
 void RevocationGuard::begin(DDS_Security_HandshakeHandle handshake,
@@ -111,13 +136,16 @@ void RevocationGuard::read_list() {
 
 void RevocationGuard::expel() {
   std::vector<DDS_Security_IdentityHandle> handles;
+  const dds_security_authentication_listener* listener = nullptr;
   {
     const std::lock_guard lock(mutex_);
+    listener = listener_;
     for (const auto& peer : peers_)
       if (revoked_.contains(peer.prefix)) handles.push_back(peer.handle);
   }
+  if (!listener) return;
   // Cyclone calls this module in the meantime: no lock is held.
-  for (const auto handle : handles) listener_->on_revoke_identity(&cyclone_, handle);
+  for (const auto handle : handles) listener->on_revoke_identity(&cyclone_, handle);
 }
 
 }  // namespace galilean::wire

@@ -28,6 +28,13 @@ class RevocationGuard {
   /// `listener` ends that.
   void set_listener(const dds_security_authentication_listener* listener);
 
+  /// Notes the handle of this program's own identity.
+  void note_own(DDS_Security_IdentityHandle handle);
+  /// Has Cyclone forget whose certificate has expired, unless it is this program's own: Cyclone
+  /// would delete the participant, with which the program goes on to work, and the others part with
+  /// it by themselves.
+  void expire(DDS_Security_IdentityHandle handle);
+
   [[nodiscard]] bool is_revoked(const SubjectPrefix& prefix) const;
 
   /// Notes whose handle this is. One handle may be noted more than once.
@@ -63,6 +70,7 @@ class RevocationGuard {
   std::string list_file_, ca_file_;
   RevokedMembers revoked_;
   std::vector<Peer> peers_;
+  std::vector<DDS_Security_IdentityHandle> own_;
   std::map<DDS_Security_HandshakeHandle, DDS_Security_IdentityHandle> handshakes_;
   bool told_unreadable_ = false;
   std::jthread watch_;  // last member, so that it ends first

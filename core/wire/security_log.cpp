@@ -61,12 +61,13 @@ constexpr std::array kMeanings{
 
 /// Is called by Cyclone, on any thread.
 void hear(void*, const dds_log_data_t* data) {
+  constexpr std::uint32_t kFailure = DDS_LC_ERROR | DDS_LC_FATAL;
+  if ((data->priority & (kFailure | DDS_LC_WARNING)) == 0) return;
   std::string line(data->message, data->size);
   while (!line.empty() && line.back() == '\n') line.pop_back();
   Heard& all = heard();
   const std::lock_guard lock(all.mutex);
   if (all.is_joining) {
-    constexpr std::uint32_t kFailure = DDS_LC_ERROR | DDS_LC_FATAL;
     if (all.first_line.empty() && (data->priority & kFailure) != 0) all.first_line = line;
     return;
   }

@@ -16,6 +16,7 @@ constexpr std::array kVerbs{
     Verb{"sim ctl", "galilean-sim-ctl", "", "An instructor's orders to a running simulation"},
     Verb{"monitor", "galilean-monitor", "", "The team in a browser, with its map"},
     Verb{"tokens", "galilean-tokens", "", "Who may watch and steer through a monitor"},
+    Verb{"team", "galilean-team", "", "Keys of the team for DDS Security: team keys init"},
     Verb{"top", "galilean-top", "", "The team in a terminal"},
     Verb{"record", "galilean-record", "", "Record all topics as MCAP"},
     Verb{"record pause", "galilean-record-ctl", "pause", "Let a recorder record nothing"},

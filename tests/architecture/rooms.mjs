@@ -62,6 +62,7 @@ export const rooms = {
   monitor: {
     '.': ANY,
     access: [],
+    lease: ['access'],
     tls: [],
     background: [],
     compression: [],

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "monitor/lease/lease_desk.h"
 #include "monitor/map/map_service.h"
 #include "monitor/recordings/recording_list.h"
 #include "monitor/server/api/coverage_desk.h"
@@ -32,6 +33,7 @@ class Api {
     const MapService& map;
     const foxglove::Hub& hub;
     Operations& operations;
+    LeaseDesk& leases;
     PushDesk& desk;
     SimulationDesk& simulations;
     Worker& worker;
@@ -63,6 +65,8 @@ class Api {
   void post(std::string path, Right needs, Handler handler);
   [[nodiscard]] static Finish finish_of(const Respond& respond);
   [[nodiscard]] Handler operation(void (Operations::*operate)(const nlohmann::json&, Finish));
+  [[nodiscard]] Handler operation(void (Operations::*operate)(const nlohmann::json&,
+                                                              const OperatorId&, Finish));
   [[nodiscard]] std::vector<const Route*> routes_to(const std::string& path) const;
   [[nodiscard]] static bool takes(const Route& route, const std::string& method);
   [[nodiscard]] static HttpResponse not_allowed(const HttpRequest& request,
@@ -75,7 +79,7 @@ class Api {
   void list_recordings(const Respond& respond);
   void send_recording(const HttpRequest& request, const Respond& respond);
   void send_coverage(const HttpRequest& request, const Respond& respond);
-  void status(Right right, const Respond& respond) const;
+  void status(const HttpRequest& request, const Respond& respond) const;
 
   Parts parts_;
   std::vector<Route> routes_;

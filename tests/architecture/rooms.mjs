@@ -137,7 +137,7 @@ export const rooms = {
     feed: ['lib'],
     bhdl: ['feed'],
     model: ['lib', 'feed', 'bhdl'],
-    parts: ['lib', 'model'],
+    parts: ['lib', 'feed', 'model'],
     layout: ['lib', 'parts'],
     graph: ['feed'],
     'program/editor': ['lib', 'feed', 'bhdl', 'model'],

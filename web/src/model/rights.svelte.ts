@@ -2,6 +2,7 @@
 // Whether this viewer may steer, as the monitor says; until it has said so, it may. Nobody steers a recording.
 
 import { RECORDED } from "../feed/recording";
+import { leases } from "./leases.svelte";
 import { live } from "./live.svelte";
 
 const HOW_TO_STEER =
@@ -34,10 +35,13 @@ class Rights {
 
 export const rights = new Rights();
 
-/** For a button that steers: where this viewer may not, it looks so, says why and what to do, and does nothing else. */
-export function steers(button: HTMLButtonElement): void {
+/**
+ * For a button that steers: where this viewer may not, it looks so, says why and what to do, and does nothing else. `whom`
+ * names the robots whose leases the order needs; no names mean the team. Left out: it needs none, as a stop.
+ */
+export function steers(button: HTMLButtonElement, whom?: () => readonly string[]): void {
   $effect(() => {
-    const { objection } = rights;
+    const objection = rights.objection ?? (whom && leases.objection(whom()));
     button.setAttribute("aria-disabled", String(objection !== undefined));
     if (objection === undefined) return;
     const { title } = button;

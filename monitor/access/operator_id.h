@@ -11,7 +11,7 @@ namespace galilean::monitor {
 struct OperatorId {
   std::string name;     ///< as it is shown
   std::string account;  ///< the name of the token that was sent: "operator" for operator.token
-  std::string client;   ///< the tab or process; empty if it did not say
+  std::string client;   ///< the tab or process; empty if it did not say, or if several are meant
 
   [[nodiscard]] bool is_same_person(const OperatorId& other) const noexcept {
     return name == other.name && account == other.account;

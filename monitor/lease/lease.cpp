@@ -32,7 +32,8 @@ void Lease::hear(const OperatorId& who, Time now) {
 
 void Lease::steer(const OperatorId& who, Time now, std::vector<LeaseChange>& told) {
   if (state_ != LeaseState::kFree) {
-    holder_.who = who;  // another tab or process of the same person
+    // Tabs or processes share it from now on, so that none of them lets go what another one uses.
+    if (holder_.who.client != who.client) holder_.who.client.clear();
     holder_.heard = now;
     return;
   }
@@ -110,7 +111,6 @@ void Lease::release(const OperatorId& who, Time now, std::vector<LeaseChange>& t
     state_ = LeaseState::kHeld;
     return tell(Kind::kWithdrawn, who, holder_.who, {}, now, told);
   }
-  // Another tab or process of the same person may go on with what this one leaves.
   if (!is_held_by(who) || holder_.who.client != who.client) return;
   const bool is_asked = state_ == LeaseState::kAsked;
   end_holding(now);

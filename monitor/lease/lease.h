@@ -65,6 +65,8 @@ class Lease {
   /// Returns why `who` cannot do this now, in one sentence for them.
   [[nodiscard]] Result<void> check(LeaseDeed deed, const OperatorId& who,
                                    const std::string& reason) const;
+  /// A release ends only what this tab or process alone has used. What several of one person have
+  /// used ends with the silence of all of them.
   /// Requires: check() has no objection.
   void act(LeaseDeed deed, const OperatorId& who, const std::string& reason, Time now,
            std::vector<LeaseChange>& told);

@@ -64,7 +64,14 @@ TEST_F(LeaseDeskTest, OnePersonSteersFromAllTabsAndProcessesAndNothingIsTold) {
   ASSERT_TRUE(steer(kAda, {"io"}));
   ASSERT_TRUE(steer(kAdasTerminal, {"io"}));
   EXPECT_THAT(told(), ElementsAre("io: ada holds it now"));
-  ASSERT_TRUE(act(LeaseDeed::kRelease, kAda)) << "the terminal has it, so this is nothing";
+  ASSERT_TRUE(act(LeaseDeed::kRelease, kAdasTerminal));
+  EXPECT_EQ(holder(), "ada") << "her page may go on with it";
+  pass(9, {kAda});
+  EXPECT_EQ(holder(), "ada");
+  pass(10, {});
+  EXPECT_EQ(holder(), "");
+  ASSERT_TRUE(steer(kAdasTerminal, {"io"}));
+  ASSERT_TRUE(act(LeaseDeed::kRelease, kAda)) << "that is nothing: her page does not hold it";
   EXPECT_EQ(holder(), "ada");
   ASSERT_TRUE(act(LeaseDeed::kRelease, kAdasTerminal));
   EXPECT_EQ(holder(), "");

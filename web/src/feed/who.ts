@@ -27,7 +27,7 @@ export function takeName(tab: Store, browser: Store): string {
   return tab.getItem(NAME) ?? browser.getItem(NAME) ?? "";
 }
 
-const isBrowser = typeof sessionStorage !== "undefined" && typeof localStorage !== "undefined";
+const isBrowser = typeof localStorage !== "undefined" && typeof sessionStorage !== "undefined" && "setItem" in sessionStorage;
 const client = isBrowser ? takeClient(sessionStorage) : "";
 let name = isBrowser ? takeName(sessionStorage, localStorage) : "";
 

@@ -24,6 +24,9 @@ export class Leases {
   /** Whether anybody else steers or wants to. Without them nothing is shown of leases. */
   readonly hasOthers: boolean = $derived(this.all.some(({ holder, asker }) => !isSame(holder, this.#me) || (asker !== null && !isSame(asker, this.#me))));
 
+  /** Whether any robot is held by somebody else. */
+  readonly #hasForeign: boolean = $derived(this.all.some(({ holder }) => !isSame(holder, this.#me)));
+
   /** As the monitor calls this operator; undefined: it may not steer, or is not known yet. */
   get me(): OperatorId | undefined {
     return this.#me;
@@ -47,7 +50,7 @@ export class Leases {
 
   /** Why this operator may not steer these robots, and what to do. No names mean the team. */
   objection(robots: readonly string[]): string | undefined {
-    return live.playback ? undefined : leaseObjection(live.present, robots, this.#me);
+    return this.#hasForeign ? leaseObjection(live.present, robots, this.#me) : undefined;
   }
 
   ask(robot: string): void {

@@ -40,8 +40,9 @@ export const rights = new Rights();
  * names the robots whose leases the order needs; no names mean the team. Left out: it needs none, as a stop.
  */
 export function steers(button: HTMLButtonElement, whom?: () => readonly string[]): void {
+  // It changes seldom, unlike what it is made of: only then is anything drawn.
+  const objection = $derived(rights.objection ?? (whom && leases.objection(whom())));
   $effect(() => {
-    const objection = rights.objection ?? (whom && leases.objection(whom()));
     button.setAttribute("aria-disabled", String(objection !== undefined));
     if (objection === undefined) return;
     const { title } = button;

@@ -72,6 +72,7 @@ template class Writer<msg::Score>;
 template class Writer<msg::SimulationOrder>;
 template class Writer<msg::SimulationEvent>;
 template class Writer<msg::SimulationState>;
+template class Writer<msg::LeaseChange>;
 template class Writer<msg::CompressedImage>;
 template class Writer<msg::Odometry>;
 template class Writer<msg::OccupancyGrid>;

@@ -33,6 +33,7 @@ constexpr std::array kVerbs{
     Verb{"bhdl", "galilean-bhdl", "", "Check, format, compare and draw programs"},
     Verb{"bhdl test", "galilean-bhdl-test", "", "Test the expectations of programs"},
     Verb{"swap", "galilean-swap", "", "Give running robots another program"},
+    Verb{"lease", "galilean-lease", "", "Ask who may steer a robot, and take turns"},
     Verb{"programs", "galilean-programs", "", "List, show, compare or restore pushed programs"},
     Verb{"start", "galilean-command", "start", "Start the contest: push the robots' bumpers"},
     Verb{"stop", "galilean-command", "stop", "Make every robot stand still, at once"},

@@ -60,6 +60,7 @@ std::string with_unknown_states(std::string effect, const msg::BreakOrder& order
 
 Result<int> give(OrderSession& session, msg::BreakOrder order, const Addressees& whom,
                  std::size_t there) {
+  if (const auto may = session.check_leases(whom); order.order != "set" && !may) return may.error();
   BreakOrders orders(session.participant());
   order.targets = whom.robots;
   session.wait(OrderSession::kHear, [&] { return orders.listeners() >= static_cast<int>(there); });
@@ -72,6 +73,7 @@ Result<int> give(OrderSession& session, msg::BreakOrder order, const Addressees&
 }
 
 Result<int> step(OrderSession& session, const Addressees& whom, std::size_t there) {
+  if (const auto may = session.check_leases(whom); !may) return may.error();
   Operator speaker(session.participant());
   session.wait(OrderSession::kHear, [&] { return speaker.listeners() >= static_cast<int>(there); });
   const Time given = session.now();

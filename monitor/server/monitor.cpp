@@ -18,6 +18,8 @@
 #include "monitor/pushes/history/history_folder.h"
 #include "monitor/recordings/upload.h"
 #include "monitor/server/api/api.h"
+#include "monitor/server/api/lease_json.h"
+#include "monitor/server/api/lease_teller.h"
 #include "monitor/server/api/team_parameters.h"
 #include "monitor/server/foxglove/domain_graph.h"
 
@@ -101,6 +103,8 @@ struct Monitor::Parts {
   MapService map;
   TrialRoom trials;
   PushDesk desk;
+  LeaseDesk leases{clock};
+  LeaseTeller lease_teller;
   SimulationDesk simulations;
   Operations operations;
   Api api;
@@ -152,14 +156,16 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
              options.simulator.empty() ? program_folder() / "galilean-sim" : options.simulator,
              options.data_folder / "trials"),
       desk({io, worker, team, library, *history, trials}, clock, *participant),
+      lease_teller(leases, worker, *participant),
       simulations(io, worker, clock, *participant),
-      operations(worker, team, library, desk, *participant),
+      operations(worker, team, library, desk, leases, *participant),
       api({page,
            team,
            library,
            map,
            hub,
            operations,
+           leases,
            desk,
            simulations,
            worker,
@@ -180,7 +186,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, std::unique_ptr<wire::Parti
     if (!error) io.stop();
   });
   hub.on_set_parameter([this](const auto& wanted, auto answer) {
-    set_team_parameter(operations, wanted, std::move(answer));
+    set_team_parameter(operations, wanted, hub.caller(), std::move(answer));
   });
   recording_worker.run([this] { remove_abandoned_uploads(recordings); });
   tell_regularly();
@@ -223,7 +229,8 @@ void Monitor::Parts::forget(const std::string& robot) {
 void Monitor::Parts::tell_regularly() {
   (void)guarded("telling the clients", [this] {
     hub.send_time(wire::wall_clock_ns());
-    hub.send_parameters(team_parameters(team));
+    lease_teller.tell();
+    hub.send_parameters(team_parameters(team, leases));
     tell_graph();
   });
   tell_timer.expires_after(kTellPeriod);

@@ -7,6 +7,7 @@
 #include "core/wire/ros_time.h"
 #include "monitor/pushes/history/json.h"
 #include "monitor/server/api/intake_json.h"
+#include "monitor/server/api/lease_json.h"
 #include "monitor/server/api/metrics.h"
 #include "monitor/server/api/team_json.h"
 #include "monitor/server/http/http_caching.h"
@@ -26,13 +27,14 @@ bool is_reading(const HttpRequest& request) {
 /// A browser asks so before a page of another site may post, or ask for a part of a file.
 HttpResponse what_other_pages_may(const std::string& path) {
   const bool is_file = path.starts_with(Guard::kSharedPath);
-  return {
-      204,
-      {},
-      nullptr,
-      {{"Access-Control-Allow-Methods", is_file ? "GET, HEAD" : "GET, POST, PUT"},
-       {"Access-Control-Allow-Headers", is_file ? "range, if-range, if-none-match, authorization"
-                                                : "content-type, authorization"}}};
+  return {204,
+          {},
+          nullptr,
+          {{"Access-Control-Allow-Methods", is_file ? "GET, HEAD" : "GET, POST, PUT"},
+           {"Access-Control-Allow-Headers",
+            is_file ? "range, if-range, if-none-match, authorization"
+                    : "content-type, authorization, x-galilean-operator, "
+                      "x-galilean-client"}}};
 }
 
 }  // namespace
@@ -53,7 +55,7 @@ void Api::add_routes() {
                      intake_ ? intake_() : Intake{}, parts_.map.update_s()),
         "text/plain; version=0.0.4; charset=utf-8"));
   });
-  get("/api/status", [this](auto& request, auto& respond) { status(request.right, respond); });
+  get("/api/status", [this](auto& request, auto& respond) { status(request, respond); });
   get("/api/team", [this](auto&, auto& respond) { respond(json_response(to_json(parts_.team))); });
   get("/api/strategies", [this](auto&, auto& respond) {
     respond(json_response({{"strategies", strategies_json(parts_.team)}}));
@@ -79,6 +81,7 @@ void Api::add_routes() {
        [this](auto& request, auto& respond) { cancel_push(request, respond); });
   post("/api/command", Right::kOperate, operation(&Operations::command));
   post("/api/breaks", Right::kOperate, operation(&Operations::order_breaks));
+  post("/api/lease", Right::kOperate, operation(&Operations::change_lease));
 }
 
 void Api::post(std::string path, Right needs, Handler handler) {
@@ -93,6 +96,8 @@ void Api::answer(const HttpRequest& request, const Respond& respond) {
       std::ranges::find_if(here, [&](const Route* each) { return takes(*each, request.method); });
   if (route == here.end()) return respond(not_allowed(request, here));
   if (request.right < (*route)->needs) return respond(refusal(request.right, (*route)->needs));
+  // Whatever an operator asks keeps what it holds, so that a page needs no other sign of life.
+  if (request.right == Right::kOperate) parts_.leases.hear(request.who);
   HttpRequest conditions{.method = request.method,
                          .if_none_match = request.if_none_match,
                          .accepts_gzip = request.accepts_gzip};
@@ -137,6 +142,15 @@ Api::Handler Api::operation(void (Operations::*operate)(const nlohmann::json&, F
   };
 }
 
+Api::Handler Api::operation(void (Operations::*operate)(const nlohmann::json&, const OperatorId&,
+                                                        Finish)) {
+  return [this, operate](const HttpRequest& request, const Respond& respond) {
+    const auto body = read_untrusted_json(request.body);
+    if (!body) return respond(problem(400, body.error().message));
+    (parts_.operations.*operate)(body.value(), request.who, finish_of(respond));
+  };
+}
+
 void Api::programs(const Respond& respond) const {
   auto list = nlohmann::json::array();
   for (const auto& entry : parts_.library.list())
@@ -173,7 +187,7 @@ void Api::cancel_push(const HttpRequest& request, const Respond& respond) {
   auto body = read_untrusted_json(request.body.empty() ? "{}" : request.body);
   if (!body) return respond(problem(400, body.error().message));
   if (body.value().is_object()) body.value()["id"] = id;
-  parts_.operations.cancel_push(body.value(), finish_of(respond));
+  parts_.operations.cancel_push(body.value(), request.who, finish_of(respond));
 }
 
 void Api::pushed_program(const std::string& hash, const Respond& respond) {
@@ -191,15 +205,20 @@ void Api::pushed_program(const std::string& hash, const Respond& respond) {
                     unable(finish_of(respond)));
 }
 
-void Api::status(Right right, const Respond& respond) const {
+void Api::status(const HttpRequest& request, const Respond& respond) const {
+  const bool may_steer = request.right == Right::kOperate;
   auto robots = nlohmann::json::array();
-  for (const auto& robot : parts_.team.statuses()) robots.push_back(to_json(robot));
+  for (const auto& robot : parts_.team.statuses()) {
+    robots.push_back(to_json(robot));
+    robots.back()["lease"] = lease_json(parts_.leases, robot.name, request.who);
+  }
   const auto& score = parts_.team.score();
   const Intake intake = intake_ ? intake_() : Intake{};
   respond(json_response({{"name", "galilean-monitor"},
                          {"version", GALILEAN_VERSION},
                          {"scenario", score ? score->scenario : ""},
-                         {"may_steer", right == Right::kOperate},
+                         {"may_steer", may_steer},
+                         {"operator", may_steer ? operator_json(request.who) : nlohmann::json()},
                          {"program_hash", parts_.team.program_hash()},
                          {"now_ns", wire::wall_clock_ns()},
                          {"channels", channels_json(intake)},

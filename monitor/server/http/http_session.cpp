@@ -38,6 +38,9 @@ HttpRequest plain(const http::request_header<>& from) {
   request.if_none_match = from[http::field::if_none_match];
   request.accepts_gzip =
       from[http::field::accept_encoding].find("gzip") != beast::string_view::npos;
+  const auto name = from["X-Galilean-Operator"];
+  request.operator_name = percent_decoded({name.data(), name.size()});
+  request.client = from["X-Galilean-Client"];
   request.range = from[http::field::range];
   request.if_range = from[http::field::if_range];
   return request;
@@ -157,6 +160,7 @@ std::optional<HttpRequest> HttpConnection::begin(const Request<Body>& message) {
     respond(too_many_guesses(*wait));
     return {};
   }
+  request.who = sender_of(request);
   return request;
 }
 
@@ -176,7 +180,8 @@ void HttpConnection::become_websocket(const HttpRequest& request, const TextRequ
   else if (request.path == "/replay")
     session = serve_replay(std::move(socket), message, rounds, context_->replay);
   else
-    session = serve_websocket(std::move(socket), message, context_->hub, rounds, request.right);
+    session = serve_websocket(std::move(socket), message, context_->hub, rounds, request.right,
+                              request.who);
   if (token_right_ != Right::kNone)
     context_->sockets.add(digest_, token_right_, std::move(session));
 }

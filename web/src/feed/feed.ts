@@ -3,7 +3,7 @@ import { type Channel, FoxgloveClient, type MessageData, type Parameter, type Se
 import { ClockOffset } from "./clock_offset";
 import { type Decode, decoderOf } from "./decoder";
 import type { PlaybackLink } from "./playback_link";
-import { isAlwaysWanted, REPLAYED } from "./topics";
+import { isAlwaysWanted, LEASES, REPLAYED } from "./topics";
 
 export type Connection = "connecting" | "live" | "lost";
 /** A message as it came, which is decoded only where somebody looks at it. */
@@ -187,19 +187,19 @@ export class Feed {
 
   /** A parameter has no time of its own, and tells nothing of what else is known. */
   #set({ name, value }: Parameter): void {
-    if (name === REPLAYED) this.events.arrival({ topic: REPLAYED, decode: () => value, received_ms: 0 });
+    if (name === REPLAYED || name === LEASES) this.events.arrival({ topic: name, decode: () => value, received_ms: 0 });
   }
 
-  #askWhoIsReplayed(): void {
-    this.#client?.subscribeParameterUpdates([REPLAYED]);
-    this.#client?.getParameters([REPLAYED]);
+  #askForParameters(): void {
+    this.#client?.subscribeParameterUpdates([REPLAYED, LEASES]);
+    this.#client?.getParameters([REPLAYED, LEASES]);
   }
 
   #begun(info: ServerInfo): void {
     this.#attempt = 0;
     this.#heard = true;
     this.playback?.begun(info as object);
-    if (info.capabilities.includes("parametersSubscribe")) this.#askWhoIsReplayed();
+    if (info.capabilities.includes("parametersSubscribe")) this.#askForParameters();
     this.#watch = setInterval(() => this.#lookWhetherHeard(), DEAF_PERIOD_MS);
     this.events.connection("live", 0);
   }

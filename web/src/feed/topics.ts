@@ -9,6 +9,7 @@ export const teamTopics = [
   "/team/map",
   "/team/program_push",
   "/team/push_progress",
+  "/team/lease_change",
   "/referee/score",
   "/simulation/state",
   "/simulation/event",
@@ -16,6 +17,8 @@ export const teamTopics = [
 
 /** No topic but a parameter of the monitor: the names of the robots that a recording plays in the domain. */
 export const REPLAYED = "/team.replayed";
+/** A parameter as well: the robots that somebody holds, with who does and who asks for them. */
+export const LEASES = "/team.leases";
 
 export type RobotTopic = (typeof robotTopics | typeof watchedTopics)[number];
 export type TeamTopic = (typeof teamTopics)[number];
@@ -31,7 +34,7 @@ export function robotTopicOf(topic: string): { robot: string; kind: string } | u
   return robot && kind && !NOT_ROBOTS.has(robot) ? { robot, kind } : undefined;
 }
 
-const HAPPENINGS = new Set(["transition", "program", "program_reply", "team/program_push", "team/push_progress", "simulation/event"]);
+const HAPPENINGS = new Set(["transition", "program", "program_reply", "team/program_push", "team/push_progress", "team/lease_change", "simulation/event"]);
 
 /** Whether a topic tells of single events, which are worth a frame of their own, rather than how things stand. */
 export function tellsWhatHappens(topic: string): boolean {

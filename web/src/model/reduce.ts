@@ -2,11 +2,12 @@
 import { catalogOf } from "../bhdl/catalog";
 import type * as wire from "../feed/messages";
 import type { News } from "../feed/portions";
-import { REPLAYED, type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
+import { LEASES, REPLAYED, type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
 import { withSeenState, withTransitionCounted } from "./coverage";
 import { contestBegan_ms, withEvents } from "./events";
 import { type Gap, withJoined } from "./gaps";
 import { identityOf } from "./identity";
+import { type Lease, withLeaseChange } from "./lease";
 import type { Robot, Team } from "./model";
 import { withMessages } from "./message_rate";
 import { withMoment, withVariables } from "./moments";
@@ -104,8 +105,10 @@ function withObjects(team: Team, message: wire.ObjectMap, received_ms: number): 
   return { ...team, robots, objects: { value: message.objects, received_ms, stamp: message.stamp } };
 }
 
-const ofTeam: { [K in TeamTopic | typeof REPLAYED]: Reduce<Team, never> } = {
+const ofTeam: { [K in TeamTopic | typeof REPLAYED | typeof LEASES]: Reduce<Team, never> } = {
   [REPLAYED]: (team, names: readonly string[]) => ({ ...team, replayed: new Set(names) }),
+  [LEASES]: (team, leases: readonly Lease[]) => ({ ...team, leases }),
+  "/team/lease_change": withLeaseChange,
   "/team/objects": withObjects,
   "/team/map": (team, grid: wire.OccupancyGrid) => ({ ...team, grid }),
   "/team/program_push": (team, push: wire.ProgramPush, received_ms) => ({

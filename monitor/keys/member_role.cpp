@@ -23,8 +23,9 @@ TopicRights simulator_rights() {
 TopicRights monitor_rights() {
   return {.writes = {wire::kProgramPushTopic, wire::kProgramRollbackTopic, wire::kPushProgressTopic,
                      wire::kCommandTopic, wire::kBreakOrderTopic, wire::kTeamStopTopic,
-                     wire::kObjectsTopic, wire::kMapTopic, wire::kMarkersTopic, wire::kTfTopic,
-                     wire::kSimulationOrderTopic, "rt/recorder/command", "rt/galilean_doctor_*"},
+                     wire::kLeaseChangeTopic, wire::kObjectsTopic, wire::kMapTopic,
+                     wire::kMarkersTopic, wire::kTfTopic, wire::kSimulationOrderTopic,
+                     "rt/recorder/command", "rt/galilean_doctor_*"},
           .reads = {kAnyTopic}};
 }
 
@@ -35,9 +36,9 @@ TopicRights viewer_rights() {
                            "catalog", "odom", "breaks", "program_reply", "compressed"})
     rights.reads.push_back(wire::robot_topic("*", leaf));
   for (const char* shared :
-       {wire::kObjectsTopic, wire::kMapTopic, wire::kMarkersTopic, wire::kPushProgressTopic,
-        wire::kScoreTopic, wire::kSimulationEventTopic, wire::kSimulationStateTopic, wire::kTfTopic,
-        wire::kDiagnosticsTopic, wire::kLogTopic})
+       {wire::kObjectsTopic, wire::kMapTopic, wire::kMarkersTopic, wire::kLeaseChangeTopic,
+        wire::kPushProgressTopic, wire::kScoreTopic, wire::kSimulationEventTopic,
+        wire::kSimulationStateTopic, wire::kTfTopic, wire::kDiagnosticsTopic, wire::kLogTopic})
     rights.reads.emplace_back(shared);
   return rights;
 }

@@ -46,7 +46,8 @@ TEST(MemberRole, ARobotWritesItsOwnTopicsAndReadsOrders) {
 TEST(MemberRole, AMonitorReadsAllAndWritesNoRobotsTopics) {
   const auto rights = rights_of(MemberRole::kMonitor, "monitor");
   EXPECT_THAT(rights.reads, Contains("*"));
-  for (const char* topic : {wire::kCommandTopic, wire::kMapTopic, wire::kSimulationOrderTopic})
+  for (const char* topic :
+       {wire::kCommandTopic, wire::kMapTopic, wire::kSimulationOrderTopic, wire::kLeaseChangeTopic})
     EXPECT_THAT(rights.writes, Contains(std::string(topic)));
   for (const auto& topic : rights.writes) EXPECT_NE(topic.substr(0, 4), "rt/*") << topic;
 }
@@ -55,6 +56,7 @@ TEST(MemberRole, AViewerWritesNothingAndReadsNoOrders) {
   const auto rights = rights_of(MemberRole::kViewer, "anna");
   EXPECT_THAT(rights.writes, IsEmpty());
   EXPECT_THAT(rights.reads, Contains("rt/*/state"));
+  EXPECT_THAT(rights.reads, Contains(std::string(wire::kLeaseChangeTopic)));
   for (const char* topic : {wire::kCommandTopic, wire::kProgramPushTopic, wire::kBreakOrderTopic})
     EXPECT_THAT(rights.reads, Not(Contains(std::string(topic))));
   EXPECT_THAT(rights.reads, Not(Contains("*")));

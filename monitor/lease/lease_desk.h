@@ -40,6 +40,9 @@ class LeaseDesk {
   /// Lets happen what time brings: silence, and questions that were not answered. Call it a few
   /// times a second, so that operators are told.
   void refresh();
+  /// Ends the lease of a robot that the monitor forgets. Nobody is told, as there is nothing left
+  /// to steer.
+  void forget(const std::string& robot) { leases_.erase(robot); }
   /// Returns what changed since the last call, in its order.
   [[nodiscard]] std::vector<LeaseChange> take_changes();
 

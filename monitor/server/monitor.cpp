@@ -224,6 +224,7 @@ void Monitor::Parts::forget(const std::string& robot) {
       << std::endl;
   team.forget(robot);
   map.forget(robot);
+  leases.forget(robot);
 }
 
 void Monitor::Parts::tell_regularly() {

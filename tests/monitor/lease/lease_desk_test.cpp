@@ -182,5 +182,15 @@ TEST_F(LeaseDeskTest, WhatIsDueComesInItsOrderHoweverLateItIsLookedAt) {
                                   "io: ben says nothing any more; nobody holds it now"));
 }
 
+TEST_F(LeaseDeskTest, ARobotThatTheMonitorForgetsIsHeldByNobodyWhenItComesBack) {
+  ASSERT_TRUE(steer(kAda, {"io", "callisto"}));
+  desk_.forget("io");
+  desk_.forget("europa");
+  EXPECT_EQ(desk_.find("io"), nullptr);
+  EXPECT_THAT(desk_.robots_of(kAda), ElementsAre("callisto"));
+  ASSERT_TRUE(steer(kBen, {"io"}));
+  EXPECT_EQ(holder(), "ben");
+}
+
 }  // namespace
 }  // namespace galilean::monitor

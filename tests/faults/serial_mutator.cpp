@@ -6,8 +6,8 @@
 //   cut                  they are lost, and the cable seems to be there
 //   drop N, garble N     of a thousand, N are lost, or have one bit wrong
 //   halve                each piece comes in two halves, 4 ms apart
-//   restart              the board is silent for 300 ms; then it tells another boot, and counts
-//   from 0 unplug               the device is gone, until one of the others is asked for
+//   restart              it is silent for 300 ms, then tells another boot and counts from 0
+//   unplug               the device is gone, until one of the others is asked for
 // It answers each line, and tells each status of the board, as a line of JSON.
 #include <fcntl.h>
 #include <poll.h>

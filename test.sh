@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs what is missing, builds, and runs every test: unit, language, wire, page, end to end, in
-# the browser, under sanitizers, fuzzed, format and lint. Ends with one line: N passed, N failed.
+# the browser, under sanitizers, fuzzed, with faults, format and lint. Ends with one line: N passed, N failed.
 #   ./test.sh [SUITE…]   only these (their names stand behind `run` below)
 set -uo pipefail
 cd "$(dirname "$0")" || exit
@@ -39,7 +39,8 @@ run end-to-end tap scripts/node_tests.sh tests/end_to_end/*.test.mjs
 run browser tap scripts/browser_tests.sh
 run sanitizers gtest scripts/sanitize.sh address,undefined
 run threads gtest scripts/sanitize.sh thread
-run fuzz tap scripts/fuzz.sh 30
+run fuzz tap scripts/fuzz.sh 144  # 10 s each
+run faults tap scripts/node_tests.sh tests/faults/*.test.mjs
 run format status scripts/check_format.sh
 run tidy status scripts/tidy.sh
 

@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # fuzz.sh [SECONDS]: builds the fuzzers with clang and runs them for SECONDS (600) in all, two at a time, each
-# from the corpus in tests/fuzz, the cases and the programs that ship. What breaks one is left in
-# build/fuzz/findings; run the fuzzer with that file to see it again. Reports as TAP does.
+# from its own inputs in tests/fuzz/corpora, or from those in tests/fuzz/corpus, the cases and the programs that
+# ship. An input that takes 10 s or 1 GiB breaks it, too. What breaks one is left in build/fuzz/findings; run the
+# fuzzer with that file to see it again. Reports as TAP does.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=${1:-600}
-fuzzers=(check format diff language_server expect messages mcap recover schemas)
+fuzzers=(check format diff language_server expect messages mcap recover schemas
+  http websocket foxglove serial scenario tokens history)
 dir=build/fuzz
 
 mkdir -p "$dir/findings"
@@ -15,12 +17,25 @@ ninja -C "$dir" fuzzers >"$dir/build.log" 2>&1 || { grep -A20 -E 'FAILED|error' 
 
 passed=0 failed=0
 
+# inputs_of NAME: the folders of its first inputs, a line each.
+inputs_of() {
+  if [ -d "tests/fuzz/corpora/$1" ]; then
+    echo "tests/fuzz/corpora/$1"
+    [ "$1" != scenario ] || echo sim/scenarios
+  else
+    printf '%s\n' tests/fuzz/corpus tests/cases bhdl/programs
+  fi
+}
+
 # fuzz NAME: leaves what it said in NAME.log.
 fuzz() {
+  local inputs dict=tests/fuzz/bhdl.dict
+  mapfile -t inputs < <(inputs_of "$1")
+  [ ! -f "tests/fuzz/$1.dict" ] || dict=tests/fuzz/$1.dict
   mkdir -p "$dir/found/$1"
   "$dir/tests/fuzz/${1}_fuzz" -max_total_time=$((seconds / ${#fuzzers[@]} + 1)) -max_len=20000 \
-    -timeout=10 -rss_limit_mb=1024 -dict=tests/fuzz/bhdl.dict -print_final_stats=1 \
-    -artifact_prefix="$dir/findings/$1-" "$dir/found/$1" tests/fuzz/corpus tests/cases bhdl/programs >"$dir/$1.log" 2>&1
+    -timeout=10 -rss_limit_mb=1024 -dict="$dict" -print_final_stats=1 \
+    -artifact_prefix="$dir/findings/$1-" "$dir/found/$1" "${inputs[@]}" >"$dir/$1.log" 2>&1
 }
 
 # judge NAME PROCESS: waits for its end.

@@ -38,8 +38,9 @@ constexpr auto kMakers =
              msg::Program, msg::ProgramPush, msg::ProgramRollback, msg::ProgramReply,
              msg::PushProgress, msg::Catalog, msg::Command, msg::BreakOrder, msg::TeamStop,
              msg::Breaks, msg::ObjectMap, msg::Score, msg::SimulationOrder, msg::SimulationEvent,
-             msg::SimulationState, msg::CompressedImage, msg::Odometry, msg::OccupancyGrid,
-             msg::TFMessage, msg::MarkerArray, msg::DiagnosticArray, msg::Log, msg::Clock>();
+             msg::SimulationState, msg::LeaseChange, msg::CompressedImage, msg::Odometry,
+             msg::OccupancyGrid, msg::TFMessage, msg::MarkerArray, msg::DiagnosticArray, msg::Log,
+             msg::Clock>();
 
 }  // namespace
 

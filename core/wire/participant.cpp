@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
+#include <filesystem>
 #include <map>
 #include <mutex>
 #include <sstream>
@@ -20,6 +21,8 @@
 #include "core/wire/qos.h"
 #include "core/wire/refusals.h"
 #include "core/wire/schemas.h"
+#include "core/wire/security.h"
+#include "core/wire/security_log.h"
 
 namespace galilean::wire {
 namespace {
@@ -28,8 +31,9 @@ namespace {
 /// index, which counts from 0 to MaxAutoParticipantIndex. The default of 9 is too low. 119 is the
 /// highest that leaves the ports of the next domain alone (DDSI-RTPS 2.2, 9.6.1). The peer on
 /// loopback finds the processes where there is no multicast. Cyclone's shared-memory mode is off.
-/// Writers do not linger, because LingeringEntity has waited before.
-std::string configuration() {
+/// Writers do not linger, because LingeringEntity has waited before. A secured program sends
+/// messages to each member apart, because a revoked one would go on to hear what goes to a group.
+std::string configuration(bool is_secured) {
   std::ostringstream peers;
   peers << "<Peer address=\"127.0.0.1\"/>";
   if (const char* listed = std::getenv("GALILEAN_PEERS")) {
@@ -38,7 +42,9 @@ std::string configuration() {
       if (!address.empty()) peers << "<Peer address=\"" << address << "\"/>";
   }
   std::string xml =
-      "<Domain id=\"any\"><Discovery><ParticipantIndex>auto</ParticipantIndex>"
+      "<Domain id=\"any\">" +
+      std::string(is_secured ? "<General><AllowMulticast>spdp</AllowMulticast></General>" : "") +
+      "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
       "<MaxAutoParticipantIndex>119</MaxAutoParticipantIndex><Peers>" +
       peers.str() +
       "</Peers></Discovery><SharedMemory><Enable>false</Enable></SharedMemory>"
@@ -74,6 +80,19 @@ Result<dds_domainid_t> domain_id(int domain) {
   return static_cast<dds_domainid_t>(number);
 }
 
+/// Errors: DDS Security refuses the keys. The sentence says why.
+Result<Entity> join_secured(dds_domainid_t domain, dds_qos_t& qos,
+                            const std::filesystem::path& keys) {
+  if (const auto secured = add_security(qos, keys); !secured) return secured.error();
+  const JoiningLog log;
+  const dds_entity_t participant = dds_create_participant(domain, &qos, nullptr);
+  if (participant > 0) return Entity(participant);
+  const auto line = log.first_line();
+  return Error{"the keys in " + keys.string() + " do not open DDS domain " +
+               std::to_string(domain) + ": " +
+               (line.empty() ? std::string(dds_strretcode(participant)) : refusal_of(line))};
+}
+
 }  // namespace
 
 Entity::~Entity() {
@@ -101,10 +120,13 @@ Result<std::unique_ptr<Participant>> Participant::join(const std::string& name, 
   const auto id = domain_id(domain);
   if (!id) return id.error();
   if (const auto enough = require_descriptors(); !enough) return enough.error();
+  const auto keys = chosen_keys(name);
+  if (!keys) return keys.error();
   auto state = std::make_unique<State>();
   state->number = id.value();
   // Cyclone refuses this if the process made the domain before. That domain then serves.
-  const dds_entity_t made = dds_create_domain(id.value(), configuration().c_str());
+  const dds_entity_t made =
+      dds_create_domain(id.value(), configuration(keys.value().has_value()).c_str());
   if (made > 0)
     state->domain = Entity(made);
   else if (made != DDS_RETCODE_PRECONDITION_NOT_MET)
@@ -113,6 +135,12 @@ Result<std::unique_ptr<Participant>> Participant::join(const std::string& name, 
 
   Qos qos(dds_create_qos());
   dds_qset_entity_name(qos.get(), name.c_str());
+  if (keys.value()) {
+    auto joined = join_secured(id.value(), *qos, *keys.value());
+    if (!joined) return joined.error();
+    state->participant = std::move(joined).value();
+    return std::unique_ptr<Participant>(new Participant(std::move(state)));
+  }
   const dds_entity_t participant = dds_create_participant(id.value(), qos.get(), nullptr);
   if (participant < 0)
     return Error{"DDS domain " + std::to_string(id.value()) + " cannot be joined (" +
@@ -146,8 +174,8 @@ std::int32_t Participant::topic(const std::string& name, const std::string& ros_
   ros_descriptor.m_typename = schema->dds_type.data();
   const auto qos = make_qos(delivery_of(ros_type));
   Entity entity(
-      checked(dds_create_topic(handle(), &ros_descriptor, name.c_str(), qos.get(), nullptr),
-              "topic " + name));
+      permitted(dds_create_topic(handle(), &ros_descriptor, name.c_str(), qos.get(), nullptr),
+                "use topic", name));
   return state_->topics.emplace(name, std::move(entity)).first->second.handle();
 }
 

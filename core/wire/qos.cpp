@@ -23,6 +23,7 @@ constexpr auto kDeliveries = std::to_array<std::pair<std::string_view, Delivery>
     {"galilean_msgs/msg/ProgramReply", Delivery::kEvent},
     {"galilean_msgs/msg/PushProgress", Delivery::kEvent},
     {"galilean_msgs/msg/SimulationEvent", Delivery::kEvent},
+    {"galilean_msgs/msg/LeaseChange", Delivery::kEvent},
     {"rcl_interfaces/msg/Log", Delivery::kEvent},
     {"galilean_msgs/msg/TickInputs", Delivery::kRecord},
     {"galilean_msgs/msg/ProgramPush", Delivery::kCommand},

@@ -14,6 +14,7 @@
 #include "core/wire/qos.h"
 #include "core/wire/reader.h"
 #include "core/wire/refusals.h"
+#include "core/wire/security.h"
 #include "core/wire/untyped_topic.h"
 
 namespace galilean::wire {
@@ -68,19 +69,20 @@ Reader::Reader(Participant& participant, const std::string& topic, const std::st
     : topic_(topic), refusals_(&participant.refusals()), bounds_(bounds_of(ros_type)) {
   const auto qos = make_qos(delivery_of(ros_type));
   if (depth > 0) dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, depth);
-  entity_ =
-      Entity(checked(dds_create_reader(participant.handle(), participant.topic(topic, ros_type),
-                                       qos.get(), nullptr),
-                     "reader of " + topic));
+  const auto of = participant.topic(topic, ros_type);
+  if (of == 0) return;
+  entity_ = Entity(
+      permitted(dds_create_reader(participant.handle(), of, qos.get(), nullptr), "read", topic));
 }
 
 Reader::Reader(Participant& participant, const UntypedTopic& topic, const EndpointQos& asked,
                int depth)
     : topic_(topic.name), untyped_topic_(make_untyped_topic(participant, topic)) {
+  if (untyped_topic_.handle() == 0) return;
   const auto qos = make_reader_qos(asked, depth);
-  entity_ = Entity(
-      checked(dds_create_reader(participant.handle(), untyped_topic_.handle(), qos.get(), nullptr),
-              "reader of " + topic.name));
+  entity_ = Entity(permitted(
+      dds_create_reader(participant.handle(), untyped_topic_.handle(), qos.get(), nullptr), "read",
+      topic.name));
 }
 
 Reader::~Reader() {
@@ -105,6 +107,7 @@ void Reader::take(const std::function<void(const Received&)>& receive) {
 }
 
 void Reader::take_unchecked(const std::function<void(const Received&)>& receive) {
+  if (entity_.handle() == 0) return;
   constexpr int kAtOnce = 32;
   ddsi_serdata* samples[kAtOnce] = {};
   dds_sample_info_t infos[kAtOnce];

@@ -41,7 +41,8 @@ struct Sender {
   bool operator==(const Sender&) const = default;
 };
 
-/// Receives the messages of one topic as bytes. msg::decode_cdr turns them into structs.
+/// Receives the messages of one topic as bytes. msg::decode_cdr turns them into structs. A topic
+/// that DDS Security does not permit to read is left out, and nothing comes.
 ///
 /// This is the one door for messages: `take` hands none over that is outside of its type's bounds
 /// (core/wire/idl/*.bounds). The participant's Refusals count those. The bytes of untyped topics

@@ -14,6 +14,7 @@ inline constexpr const char* kProgramRollbackTopic = "rt/team/program_rollback";
 inline constexpr const char* kPushProgressTopic = "rt/team/push_progress";
 inline constexpr const char* kCommandTopic = "rt/team/command";
 inline constexpr const char* kBreakOrderTopic = "rt/team/break_order";
+inline constexpr const char* kLeaseChangeTopic = "rt/team/lease_change";
 inline constexpr const char* kTeamStopTopic = "rt/team/team_stop";
 inline constexpr const char* kObjectsTopic = "rt/team/objects";
 inline constexpr const char* kMapTopic = "rt/team/map";

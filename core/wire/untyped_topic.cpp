@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/wire/participant.h"
-#include "core/wire/qos.h"
+#include "core/wire/security.h"
 
 namespace galilean::wire {
 namespace {
@@ -132,7 +132,7 @@ Entity make_untyped_topic(const Participant& participant, const UntypedTopic& to
   const auto handle = dds_create_topic_sertype(participant.handle(), topic.name.c_str(), &type,
                                                nullptr, nullptr, nullptr);
   if (handle < 0) ddsi_sertype_unref(type);
-  return Entity(checked(handle, "topic " + topic.name));
+  return Entity(permitted(handle, "use topic", topic.name));
 }
 
 std::uint64_t sequence_of(const ddsi_serdata& message) noexcept {

@@ -10,19 +10,31 @@
 #include "core/wire/messages.h"
 #include "core/wire/participant.h"
 #include "core/wire/qos.h"
+#include "core/wire/security.h"
 #include "core/wire/writer.h"
 
 namespace galilean::wire {
+namespace {
+
+/// Returns no entity if DDS Security does not permit it.
+Entity permitted_writer(Participant& participant, const std::string& topic,
+                        const std::string& ros_type) {
+  const auto of = participant.topic(topic, ros_type);
+  if (of == 0) return {};
+  return Entity(permitted(
+      dds_create_writer(participant.handle(), of, make_qos(delivery_of(ros_type)).get(), nullptr),
+      "write", topic));
+}
+
+}  // namespace
 
 template <class M>
 Writer<M>::Writer(Participant& participant, const std::string& topic)
-    : entity_(Entity(
-          checked(dds_create_writer(participant.handle(), participant.topic(topic, M::kRosType),
-                                    make_qos(delivery_of(M::kRosType)).get(), nullptr),
-                  "writer of " + topic))) {}
+    : entity_(permitted_writer(participant, topic, M::kRosType)) {}
 
 template <class M>
 bool Writer<M>::write(const M& message) {
+  if (entity_.handle() == 0) return false;
   std::array<std::byte, 16 * 1024> first_room;
   std::pmr::monotonic_buffer_resource arena(first_room.data(), first_room.size());
   typename msg::Lent<M>::type sample;
@@ -60,6 +72,7 @@ template class Writer<msg::Score>;
 template class Writer<msg::SimulationOrder>;
 template class Writer<msg::SimulationEvent>;
 template class Writer<msg::SimulationState>;
+template class Writer<msg::LeaseChange>;
 template class Writer<msg::CompressedImage>;
 template class Writer<msg::Odometry>;
 template class Writer<msg::OccupancyGrid>;

@@ -15,6 +15,7 @@ class Participant;
 template <class M>
 class Writer {
  public:
+  /// A topic that DDS Security does not permit to write is left out: `write` then takes nothing.
   Writer(Participant& participant, const std::string& topic);
   /// Returns false if Cyclone did not take the message in time. The message is then lost.
   [[nodiscard]] bool write(const M& message);

@@ -29,6 +29,16 @@ Right Access::right_by_digest(std::string_view digest) const {
   return right;
 }
 
+std::string Access::account_by_digest(std::string_view digest) const {
+  const auto now_s = now_s_();
+  std::string account;
+  if (is_same_digest(digest, viewer_sha256_)) account = kViewerAccount;
+  if (is_same_digest(digest, operator_sha256_)) account = kOperatorAccount;
+  for (const auto& token : named_)
+    if (is_same_digest(digest, token.sha256) && !token.is_expired(now_s)) account = token.name;
+  return account;
+}
+
 Right Access::right_by_token(std::string_view token) const {
   return token.empty() ? Right::kNone : right_by_digest(digest_of(token));
 }

@@ -12,6 +12,9 @@
 
 namespace galilean::monitor {
 
+/// The names of the tokens that every monitor has. No named token is called so.
+inline constexpr std::string_view kOperatorAccount = "operator", kViewerAccount = "viewer";
+
 /// Decides what the bearer of a token may do. An operator's token gives the right to read and to
 /// steer, a viewer's token the right to read. With `reads_freely`, reading needs no token.
 class Access {
@@ -31,6 +34,9 @@ class Access {
   [[nodiscard]] Right right_by_token(std::string_view token) const;
   /// The same for the digest_of() a token.
   [[nodiscard]] Right right_by_digest(std::string_view digest) const;
+  /// Returns the name of the token with this digest: kOperatorAccount, kViewerAccount or that of a
+  /// named token. It is empty if the token gives no right.
+  [[nodiscard]] std::string account_by_digest(std::string_view digest) const;
   /// Returns the right of somebody without a token.
   [[nodiscard]] Right free_right() const noexcept {
     return reads_freely_ ? Right::kRead : Right::kNone;

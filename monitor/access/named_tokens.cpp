@@ -66,13 +66,26 @@ json json_of(const NamedToken& token) {
   return result;
 }
 
+/// Returns nothing if the value is no whole number that fits. Its conversion would make some time
+/// of a fraction, of true and of a number that is too large.
+std::optional<std::int64_t> seconds_of(const json& value) {
+  if (value.is_number_unsigned() && !std::in_range<std::int64_t>(value.get<std::uint64_t>()))
+    return {};
+  if (!value.is_number_integer()) return {};
+  return value.get<std::int64_t>();
+}
+
 Result<NamedToken> token_of(const json& item) try {
   NamedToken token{.name = item.at("name").get<std::string>(),
                    .right = Right::kRead,
                    .sha256 = item.at("sha256").get<std::string>(),
-                   .made_s = item.at("made_s").get<std::int64_t>(),
+                   .made_s = 0,
                    .expires_s = {}};
-  if (item.contains("expires_s")) token.expires_s = item.at("expires_s").get<std::int64_t>();
+  const auto made_s = seconds_of(item.at("made_s"));
+  if (item.contains("expires_s")) token.expires_s = seconds_of(item.at("expires_s"));
+  if (!made_s || (item.contains("expires_s") && !token.expires_s))
+    return Error{"a time of '" + visible(token.name) + "' is not a whole number of seconds"};
+  token.made_s = *made_s;
   const auto right = right_of_role(item.at("role").get<std::string>());
   if (!right) return Error{"the role of '" + visible(token.name) + "' is not operator or viewer"};
   if (!is_digest(token.sha256))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/commands/monitor_client.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <boost/asio/buffer.hpp>
 #include <boost/beast/http/parser.hpp>
@@ -10,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/account.h"
 #include "core/json_text.h"
 #include "core/visible_text.h"
 #include "monitor/access/access.h"
@@ -40,6 +43,29 @@ bool is_host(std::string_view text) {
   const bool is_ipv6 = text.starts_with('[') && text.ends_with(']') && text.size() > 2;
   if (!is_ipv6) return !text.empty() && text.find_first_of("/:[]") == text.npos;
   return text.substr(1, text.size() - 2).find_first_not_of("0123456789abcdefABCDEF:") == text.npos;
+}
+
+/// Returns a name as a header's field can carry it.
+std::string percent_encoded(const std::string& name) {
+  static constexpr char kDigits[] = "0123456789ABCDEF";
+  std::string text;
+  for (const char character : name) {
+    const auto byte = static_cast<unsigned char>(character);
+    const bool is_plain = byte > ' ' && byte < 0x7f && byte != '%';
+    if (is_plain)
+      text += character;
+    else
+      ((text += '%') += kDigits[byte >> 4]) += kDigits[byte & 15];
+  }
+  return text;
+}
+
+/// Returns the fields by which a monitor and its operators know who asks: the user and the process.
+const std::string& introduction() {
+  static const std::string kFields = "X-Galilean-Operator: " + percent_encoded(user_name()) +
+                                     "\r\nX-Galilean-Client: process-" + std::to_string(getpid()) +
+                                     "\r\n";
+  return kFields;
 }
 
 /// Reads "http[s]://HOST[:PORT][/]" or "HOST:PORT", which is what the monitor's --listen takes.
@@ -115,6 +141,7 @@ std::string MonitorClient::message(const std::string& method, const std::string&
   std::string text = method + " " + path + " HTTP/1.1\r\nHost: " + address_.host + ":" +
                      address_.port + "\r\nContent-Type: application/json\r\nConnection: close\r\n";
   if (!token_.empty()) text += "Authorization: Bearer " + token_ + "\r\n";
+  text += introduction();
   return text + "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
 }
 

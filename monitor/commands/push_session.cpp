@@ -63,7 +63,10 @@ class PushSession {
   int push(const std::vector<bhdl::SourceFile>& files) {
     const auto answer = monitor_.post("/api/push", push_request(files, options_));
     if (!answer) return fail(answer.error().message);
-    if (!answer.value().ok()) return tell_refusal(answer.value());
+    if (!answer.value().ok()) {
+      let_go();
+      return tell_refusal(answer.value());
+    }
     json push = answer.value().json;
     for (show(push); state_of(push) == PushState::kRunning; show(push)) {
       if (is_interrupted()) cancel(push.value("id", ""));
@@ -72,6 +75,7 @@ class PushSession {
       if (!now.value().ok()) return fail(now.value().detail());
       push = now.value().json;
     }
+    let_go();
     return tell_end(push);
   }
 
@@ -80,6 +84,9 @@ class PushSession {
     std::cerr << command_ << ": " << why << std::endl;
     return kFailed;
   }
+
+  /// Ends the leases that this command took, so that the next who steers need not ask.
+  void let_go() const { (void)monitor_.post("/api/lease", {{"do", "release"}}); }
 
   void show(const json& push) {
     if (!options_.json) steps_.print(push);
@@ -112,6 +119,9 @@ class PushSession {
     } else {
       for (const auto& diagnostic : diagnostics) print_diagnostic(diagnostic, std::cerr);
       std::cerr << command_ << ": " << answer.detail() << std::endl;
+      if (answer.json.contains("leases"))
+        std::cerr << "  hint: 'galilean lease ask --robot NAME' asks for it, 'galilean lease take' "
+                     "takes it over\n";
     }
     return kFailed;
   }

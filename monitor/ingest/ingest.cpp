@@ -95,11 +95,11 @@ void Ingest::take(Source& source) {
 
 // Only a valid message brings its robot here, so that a name that is only announced takes no place.
 bool Ingest::follows(const wire::Received& received) {
-  if (received.robot.empty() || robots_.contains(received.robot)) return true;
-  if (robots_.size() < kMostRobots) {
-    robots_.emplace(received.robot);
-    return true;
-  }
+  if (received.robot.empty()) return true;
+  const auto admission = robots_.hear(received.robot, clock_.now());
+  if (!admission.forgotten.empty() && callbacks_.forgotten)
+    callbacks_.forgotten(admission.forgotten);
+  if (admission.is_followed) return true;
   if (beyond_.empty())
     beyond_ = "more than " + std::to_string(kMostRobots) + " robots are not followed, such as " +
               std::string(received.robot);
@@ -146,7 +146,8 @@ void Ingest::add(const wire::Publication& publication) {
 Intake Ingest::intake() const {
   Intake intake{.channels = {},
                 .refused = participant_.refusals().counts(),
-                .topics_not_read = topics_not_read_};
+                .topics_not_read = topics_not_read_,
+                .robots_forgotten = robots_.forgotten()};
   const Time now = clock_.now();
   for (const auto& source : sources_) {
     ChannelIntake& channel = intake.channels.emplace_back();

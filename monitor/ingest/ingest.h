@@ -4,7 +4,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "core/wire/reader.h"
 #include "monitor/ingest/channel.h"
 #include "monitor/ingest/intake.h"
+#include "monitor/ingest/robot_roster.h"
 
 namespace galilean::monitor {
 
@@ -21,17 +21,18 @@ namespace galilean::monitor {
 /// markers are costly to make, and robots make them only for readers. These are therefore read only
 /// while a client wants them.
 ///
-/// Whoever writes to DDS can name any robots and topics. Ingest therefore takes the messages of the
-/// first kMostRobots robots that sent a valid one, and reads so many topics, of all and of each
-/// process. It counts what is beyond, names the first of it, and ignores it. One call of `poll`
-/// takes in at most kMostNewTopics topics, so that a flood of them does not hold the thread.
+/// Whoever writes to DDS can name any robots and topics. Ingest therefore takes the messages of
+/// kMostRobots robots, the first that sent a valid one (RobotRoster says who gives a place up), and
+/// reads so many topics, of all and of each process. It counts what is beyond, names the first of
+/// it, and ignores it. One call of `poll` takes in at most kMostNewTopics topics, so that a flood
+/// of them does not hold the thread.
 ///
 /// For use by one thread, which also runs the callbacks. Cyclone's threads only call `wake`, at
 /// most once between two calls of `poll`. `wake` must make the owner's thread call `poll`: it posts
 /// to an io_context or notifies a condition variable.
 class Ingest {
  public:
-  static constexpr std::size_t kMostRobots = 256;
+  static constexpr std::size_t kMostRobots = RobotRoster::kMost;
   static constexpr std::size_t kMostTopics = 6144;
   static constexpr std::size_t kMostTopicsOfProcess = 2048;
   static constexpr std::size_t kMostNewTopics = 64;
@@ -39,11 +40,14 @@ class Ingest {
   using Wake = std::function<void()>;
   using ReadAtOnce = std::function<bool(const Channel&)>;
 
-  /// Called by `poll` and `want`. `channel` and `problem` may be empty.
+  /// Called by `poll` and `want`. All but `message` may be empty.
   struct Callbacks {
     std::function<void(const Channel&)> channel;  ///< called when a topic is first seen
     std::function<void(const Message&)> message;
     std::function<void(const std::string&)> problem;  ///< says which topic cannot be read, and why
+    /// Called when a robot gave its place to another one, before that one's first message. What
+    /// the robot sent is of no use any more.
+    std::function<void(const std::string& robot)> forgotten = {};
   };
 
   /// `read_at_once` says which topics are always read, without a call of `want`.
@@ -89,7 +93,7 @@ class Ingest {
   std::map<std::string, Source*> by_topic_;
   std::map<std::string, std::size_t> topics_of_;  ///< how many are read, by their first process
   std::size_t topics_not_read_ = 0;
-  std::set<std::string, std::less<>> robots_;  ///< that are followed
+  RobotRoster robots_;
   std::string beyond_;  ///< why messages of further robots are refused; it names the first
   SteadyClock clock_;
   std::unique_ptr<wire::Discovery> discovery_;

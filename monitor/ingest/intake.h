@@ -22,7 +22,8 @@ struct ChannelIntake {
 struct Intake {
   std::vector<ChannelIntake> channels;
   std::vector<wire::Refusals::Count> refused;
-  std::size_t topics_not_read = 0;  ///< beyond the bounds of Ingest
+  std::size_t topics_not_read = 0;   ///< beyond the bounds of Ingest
+  std::size_t robots_forgotten = 0;  ///< that gave their places to others; see RobotRoster
 };
 
 }  // namespace galilean::monitor

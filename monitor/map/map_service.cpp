@@ -32,6 +32,10 @@ constexpr std::array<std::pair<std::string_view, MapService::Handler>, 5> kHandl
     {msg::Program::kRosType, add_as<msg::Program>},
 }};
 
+void forget_named(TeamMap& map, const std::vector<std::uint8_t>& name, Time) {
+  map.forget(std::string(name.begin(), name.end()));
+}
+
 MapService::Handler handler_for(const Message& message) {
   for (const auto& [type, handler] : kHandlers)
     if (type == message.channel.schema->ros_type) return handler;
@@ -65,6 +69,12 @@ void MapService::receive(const Message& message) {
   if (!handler) return;
   const std::lock_guard lock(mutex_);
   if (waiting_.size() < kMostWaiting) waiting_.push_back({handler, message.cdr, clock_.now()});
+}
+
+void MapService::forget(const std::string& robot) {
+  auto name = std::make_shared<const std::vector<std::uint8_t>>(robot.begin(), robot.end());
+  const std::lock_guard lock(mutex_);
+  waiting_.push_back({forget_named, std::move(name), clock_.now()});
 }
 
 void MapService::run() {

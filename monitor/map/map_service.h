@@ -28,7 +28,8 @@ class MapService {
     Duration silent_after = std::chrono::seconds(2);
   };
 
-  /// Decodes a message of one type and adds it to the map.
+  /// Decodes a message of one type and adds it to the map, or has it forget the robot of which the
+  /// bytes are the name.
   using Handler = void (*)(TeamMap&, const std::vector<std::uint8_t>& cdr, Time at);
 
   MapService(wire::Participant& participant, const Clock& clock, const Options& options);
@@ -39,6 +40,8 @@ class MapService {
   /// Takes in a message, and ignores it if it does not concern the map. Any thread may call this.
   /// It never waits for the map. If too many messages wait, the newest are dropped.
   void receive(const Message& message);
+  /// Forgets a robot that is gone, in its turn among the messages. Any thread may call this.
+  void forget(const std::string& robot);
   /// The grid and the objects that were published last.
   struct Newest {
     msg::OccupancyGrid grid;

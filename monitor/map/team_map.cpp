@@ -110,6 +110,21 @@ void TeamMap::add_obstacle(const std::string& robot, const msg::Variable& obstac
   occupancy_.add_touch(robot, obstacle, group.poses, robots_but(robot), now);
 }
 
+void TeamMap::forget(const std::string& robot) {
+  reports_.forget(robot);
+  occupancy_.forget(robot);
+  carried_.forget(robot);
+  if (!groups_.contains(robot)) return;
+  const auto dissolved = groups_.leave(robot);
+  if (!dissolved) return;
+  localizer_.forget(*dissolved);
+  // The next update still reads what was published last, with the groups that it came from.
+  for (auto& landmark : published_)
+    std::erase_if(landmark.sources,
+                  [&](const auto& source) { return source.group == dissolved.get(); });
+  std::erase_if(published_, [](const auto& landmark) { return landmark.sources.empty(); });
+}
+
 void TeamMap::update(Time now) {
   for (const auto& group : groups_.all()) group->landmarks.decay(now);
   align(now);

@@ -37,6 +37,10 @@ class TeamMap {
   void add(const msg::Catalog& catalog, Time now) { reports_.add(catalog, now); }
   void add(const msg::Program& program, Time now) { reports_.add(program, now); }
 
+  /// Forgets a robot that is gone. The floor and the landmarks that it saw stay, but for landmarks
+  /// that only its group knew of which it was the last robot.
+  void forget(const std::string& robot);
+
   /// Lets certainties decay, merges duplicates, shares landmarks between groups, and picks up and
   /// puts down the objects that robots carry. Call it before you ask for the messages.
   void update(Time now);

@@ -69,8 +69,9 @@ struct Giver {
 
 Result<int> give(OrderSession& session, msg::BreakOrder order, const Giver& giver,
                  std::size_t there) {
-  BreakOrders orders(session.participant(), giver.signer);
   const Addressees& whom = giver.whom;
+  if (const auto may = session.check_leases(whom); order.order != "set" && !may) return may.error();
+  BreakOrders orders(session.participant(), giver.signer);
   order.targets = whom.robots;
   session.wait(OrderSession::kHear, [&] { return orders.listeners() >= static_cast<int>(there); });
   const Time given = session.now();
@@ -82,8 +83,9 @@ Result<int> give(OrderSession& session, msg::BreakOrder order, const Giver& give
 }
 
 Result<int> step(OrderSession& session, const Giver& giver, std::size_t there) {
-  Operator speaker(session.participant(), giver.signer);
   const Addressees& whom = giver.whom;
+  if (const auto may = session.check_leases(whom); !may) return may.error();
+  Operator speaker(session.participant(), giver.signer);
   session.wait(OrderSession::kHear, [&] { return speaker.listeners() >= static_cast<int>(there); });
   const Time given = session.now();
   if (!speaker.say(Operator::Word::kStep, whom.robots))

@@ -24,6 +24,8 @@ Result<std::vector<CommandOutcome>> CommandRound::run() {
   const bool is_urgent = word_ == Operator::Word::kHold;
   const auto there = session_.find(whom_, is_urgent ? kFirstListener : OrderSession::kHear);
   if (!there) return there.error();
+  const bool stops = is_urgent || word_ == Operator::Word::kDecommission;
+  if (const auto may = session_.check_leases(whom_); !stops && !may) return may.error();
   robots_ = session_.addressed(whom_);
   note_before();
   session_.wait(OrderSession::kHear,

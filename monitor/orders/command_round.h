@@ -37,8 +37,8 @@ class CommandRound {
   [[nodiscard]] bool say_at_once();
   /// Gives the command, and waits until all robots obeyed or refused, for at most
   /// OrderSession::kAnswer. Who is to stand still is told again all that time. Returns the outcome
-  /// for each robot that is named or known. Errors: none of them is there, or DDS did not accept
-  /// the command.
+  /// for each robot that is named or known. Errors: none of them is there, another operator steers
+  /// one of them and the command does not stop it, or DDS did not accept the command.
   [[nodiscard]] Result<std::vector<CommandOutcome>> run();
 
  private:

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "core/account.h"
 #include "core/command_line/domain_option.h"
 #include "core/visible_text.h"
 #include "core/wire/neighbours.h"
@@ -20,7 +21,8 @@ constexpr const char* kCheck =
 bool is_heard_by_operators(const Channel& channel) {
   const auto type = channel.schema->ros_type;
   return type == msg::RobotState::kRosType || type == msg::Program::kRosType ||
-         type == msg::Breaks::kRosType || type == msg::ObjectMap::kRosType;
+         type == msg::Breaks::kRosType || type == msg::ObjectMap::kRosType ||
+         type == msg::LeaseChange::kRosType;
 }
 
 }  // namespace
@@ -47,13 +49,30 @@ OrderSession::OrderSession(std::unique_ptr<TeamListener> listener)
     : listener_(std::move(listener)),
       endpoints_(std::make_unique<wire::Endpoints>(listener_->participant())),
       joined_(listener_->now()) {
-  listener_->on_message([this](const Message& message) {
-    const auto type = message.channel.schema->ros_type;
-    has_heard_monitor_ |= type == msg::ObjectMap::kRosType && !message.replayed;
-    msg::Breaks breaks;
-    if (type != msg::Breaks::kRosType) return;
-    if (msg::decode_cdr(*message.cdr, breaks)) breaks_[breaks.robot] = std::move(breaks);
-  });
+  listener_->on_message([this](const Message& message) { note(message); });
+}
+
+void OrderSession::note(const Message& message) {
+  const auto type = message.channel.schema->ros_type;
+  has_heard_monitor_ |= type == msg::ObjectMap::kRosType && !message.replayed;
+  if (msg::Breaks breaks; type == msg::Breaks::kRosType && msg::decode_cdr(*message.cdr, breaks))
+    breaks_[breaks.robot] = std::move(breaks);
+  if (msg::LeaseChange change; type == msg::LeaseChange::kRosType && !message.replayed &&
+                               msg::decode_cdr(*message.cdr, change))
+    holders_[change.robot] = change.holder;
+}
+
+Result<void> OrderSession::check_leases(const Addressees& whom) {
+  for (const auto& robot : addressed(whom)) {
+    const auto holder = holders_.find(robot);
+    if (holder == holders_.end() || holder->second.empty() || holder->second == user_name())
+      continue;
+    const std::string name = visible(robot);
+    return Error{"nothing was ordered: " + visible(holder->second) + " steers " + name +
+                 " through the monitor; 'galilean lease ask --robot " + name +
+                 "' asks for it, and 'galilean lease take' takes it over"};
+  }
+  return {};
 }
 
 Result<std::size_t> OrderSession::find(const Addressees& whom, Duration others_within) {

@@ -41,6 +41,9 @@ class OrderSession {
   /// other named ones, for at most `others_within`, or for others of the team. Returns how many of
   /// them are there. Errors: none of them is; the error says who is not.
   [[nodiscard]] Result<std::size_t> find(const Addressees& whom, Duration others_within = kHear);
+  /// Errors: another operator steers one of the robots through a monitor. An order that does not
+  /// stop them is for that operator to give.
+  [[nodiscard]] Result<void> check_leases(const Addressees& whom);
   /// Returns the named robots, or all that are known: those that send their state, those whose
   /// writers are known, and those of which a monitor tells. A robot that a recording plays is none
   /// of the team.
@@ -80,12 +83,14 @@ class OrderSession {
 
  private:
   explicit OrderSession(std::unique_ptr<TeamListener> listener);
+  void note(const Message& message);
 
   std::unique_ptr<TeamListener> listener_;
   std::unique_ptr<wire::Endpoints> endpoints_;
   Time joined_;
   bool has_heard_monitor_ = false;
   std::map<std::string, msg::Breaks> breaks_;
+  std::map<std::string, std::string> holders_;  ///< who steers each robot, as a monitor told last
 };
 
 }  // namespace galilean::monitor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -65,6 +66,10 @@ class Push {
   [[nodiscard]] bool is_ours() const noexcept { return content_.is_ours(); }
   [[nodiscard]] const PushOrder& order() const noexcept { return content_.order(); }
   [[nodiscard]] const std::string& id() const noexcept { return content_.identity().id; }
+  /// Returns how many replies were dropped; see Replies.
+  [[nodiscard]] std::uint64_t replies_dropped() const noexcept {
+    return rollout_.replies_dropped();
+  }
   [[nodiscard]] PushRecord record() const {
     return content_.record(progress(), rollout_.replies());
   }

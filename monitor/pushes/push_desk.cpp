@@ -255,7 +255,12 @@ void PushDesk::note(const msg::ProgramReply& reply) {
       std::ranges::find_if(open_, [&](const auto& each) { return each->push.is_meant_by(reply); });
   if (open == open_.end()) return late_.note(reply);
   const auto found = *open;
+  const auto dropped = found->push.replies_dropped();
   found->push.take_reply(reply, clock_.now());
+  if (found->push.replies_dropped() != dropped)
+    refusals_.note(wire::Refusals::kOthers,
+                   "of the robots that reply to a push and were not asked, the newest " +
+                       std::to_string(Replies::kMostUnasked) + " are kept");
   advance(*found);
   if (found->push.is_over() && reply.id == found->push.id()) late_.note(reply);
 }

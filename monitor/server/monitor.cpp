@@ -10,6 +10,7 @@
 
 #include "bhdl/program/catalog_file.h"
 #include "core/installation.h"
+#include "core/visible_text.h"
 #include "core/wire/refusals.h"
 #include "core/wire/ros_time.h"
 #include "monitor/access/operator_key.h"
@@ -19,6 +20,8 @@
 #include "monitor/pushes/history/history_folder.h"
 #include "monitor/recordings/upload.h"
 #include "monitor/server/api/api.h"
+#include "monitor/server/api/lease_json.h"
+#include "monitor/server/api/lease_teller.h"
 #include "monitor/server/api/team_parameters.h"
 #include "monitor/server/foxglove/domain_graph.h"
 #include "monitor/server/limits/descriptors.h"
@@ -122,6 +125,8 @@ struct Monitor::Parts {
   MapService map;
   TrialRoom trials;
   PushDesk desk;
+  LeaseDesk leases{clock};
+  LeaseTeller lease_teller;
   SimulationDesk simulations;
   OrderLog orders;
   HistoryWatch history_watch;
@@ -157,6 +162,7 @@ struct Monitor::Parts {
 
   [[nodiscard]] Ingest::Callbacks callbacks();
   void receive(const Message& message);
+  void forget(const std::string& robot);
   [[nodiscard]] Result<void> begin_tls(const MonitorOptions& options);
   void keep_order(const Message& message);
   void tell_regularly();
@@ -184,10 +190,11 @@ Monitor::Parts::Parts(const MonitorOptions& options, const ServerLimits& bounds,
              options.simulator.empty() ? program_folder() / "galilean-sim" : options.simulator,
              options.data_folder / "trials"),
       desk({io, worker, push_checks, team, library, *history, trials, signer}, clock, *participant),
+      lease_teller(leases, worker, *participant),
       simulations(io, worker, clock, *participant),
       orders({io, worker, team, *history, clock, participant->refusals()}),
       history_watch({io, worker, telling_worker, *history, clock}, *participant),
-      operations({command_worker, checks, team, library, desk, orders, *hub.limit_counts()},
+      operations({command_worker, checks, team, library, desk, leases, orders, *hub.limit_counts()},
                  *participant, signer),
       api({page,
            team,
@@ -195,6 +202,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, const ServerLimits& bounds,
            map,
            hub,
            operations,
+           leases,
            desk,
            simulations,
            worker,
@@ -222,7 +230,7 @@ Monitor::Parts::Parts(const MonitorOptions& options, const ServerLimits& bounds,
     if (!error) io.stop();
   });
   hub.on_set_parameter([this](const auto& wanted, auto answer) {
-    set_team_parameter(operations, wanted, std::move(answer));
+    set_team_parameter(operations, wanted, hub.caller(), std::move(answer));
   });
   recording_worker.run([this] { remove_abandoned_uploads(recordings); });
   tell_regularly();
@@ -231,15 +239,15 @@ Monitor::Parts::Parts(const MonitorOptions& options, const ServerLimits& bounds,
 
 Ingest::Callbacks Monitor::Parts::callbacks() {
   // An exception from one topic or message must not keep the next ones from being handled.
-  return {[this](const Channel& channel) {
-            (void)guarded(channel.topic, [&] { hub.add_channel(channel); });
-          },
-          [this](const Message& message) {
-            (void)guarded(message.channel.topic, [&] { receive(message); });
-          },
-          [](const std::string& problem) {
-            std::clog << "galilean-monitor: " << problem << std::endl;
-          }};
+  return {
+      [this](const Channel& channel) {
+        (void)guarded(channel.topic, [&] { hub.add_channel(channel); });
+      },
+      [this](const Message& message) {
+        (void)guarded(message.channel.topic, [&] { receive(message); });
+      },
+      [](const std::string& problem) { std::clog << "galilean-monitor: " << problem << std::endl; },
+      [this](const std::string& robot) { (void)guarded(robot, [&] { forget(robot); }); }};
 }
 
 void Monitor::Parts::receive(const Message& message) {
@@ -266,10 +274,21 @@ void Monitor::Parts::keep_order(const Message& message) {
   decode_for<msg::SimulationEvent>(message, note);
 }
 
+void Monitor::Parts::forget(const std::string& robot) {
+  std::clog
+      << "galilean-monitor: " << visible(robot)
+      << " is forgotten: it was silent for more than an hour, and another robot needs its place"
+      << std::endl;
+  team.forget(robot);
+  map.forget(robot);
+  leases.forget(robot);
+}
+
 void Monitor::Parts::tell_regularly() {
   (void)guarded("telling the clients", [this] {
     hub.send_time(wire::wall_clock_ns());
-    auto parameters = team_parameters(team);
+    lease_teller.tell();
+    auto parameters = team_parameters(team, leases);
     parameters["/team.history_problem"] = history_watch.problem();
     hub.send_parameters(std::move(parameters));
     tell_graph();

@@ -7,7 +7,11 @@ namespace galilean::monitor {
 
 void StrategyTally::note(const msg::RobotState& state) {
   if (state.program_hash.empty()) return;
-  running_[state.robot] = {state.program_name, state.program_hash, state.out_of_service};
+  running_[state.robot] = {state.program_name, state.program_hash, state.out_of_service, ++noted_};
+  if (running_.size() <= kMostRobots) return;
+  running_.erase(std::min_element(
+      running_.begin(), running_.end(),
+      [](const auto& a, const auto& b) { return a.second.noted < b.second.noted; }));
 }
 
 void StrategyTally::note(const msg::Score& score) {
@@ -32,6 +36,7 @@ void StrategyTally::credit(const msg::RobotScore& now, const msg::Score& score, 
   const unsigned collisions = now.collisions - std::min(before.collisions, now.collisions);
   if (passed_s <= 0 && deposited == 0 && collisions == 0) return;
   Strategy& strategy = strategy_of(found->second);
+  strategy.last_credited = ++credited_;
   if (!found->second.out_of_service) strategy.robot_seconds += passed_s;
   strategy.deposited += deposited;
   strategy.collisions += collisions;
@@ -41,6 +46,10 @@ void StrategyTally::credit(const msg::RobotScore& now, const msg::Score& score, 
 Strategy& StrategyTally::strategy_of(const Running& running) {
   const auto found = std::ranges::find(strategies_, running.hash, &Strategy::program_hash);
   if (found != strategies_.end()) return *found;
+  if (strategies_.size() >= kMostStrategies) {
+    ++dropped_;
+    strategies_.erase(std::ranges::min_element(strategies_, {}, &Strategy::last_credited));
+  }
   return strategies_.emplace_back(
       Strategy{.program_name = running.name, .program_hash = running.hash});
 }

@@ -76,6 +76,7 @@ bool Team::receive(const Message& message) {
 
 Robot& Team::hear(const std::string& robot) {
   Robot& heard = robots_[robot];
+  forgotten_.erase(robot);
   heard.name = robot;
   heard.heard = clock_.now();
   return heard;
@@ -135,12 +136,30 @@ void Team::note(const msg::Score& score) {
 
 void Team::note(const msg::ObjectMap& map) {
   for (const auto& told : map.robots) {
-    if (robots_.size() >= kMostRobots) return;
-    const auto [place, is_new] = robots_.try_emplace(told.name);
-    if (!is_new) continue;
-    place->second.name = told.name;
-    place->second.heard = clock_.now() - plausible_age(told.age_s);
+    if (robots_.contains(told.name) || forgotten_.contains(told.name) || !has_room_for(told))
+      continue;
+    Robot& robot = robots_[told.name];
+    robot.name = told.name;
+    robot.heard = clock_.now() - plausible_age(told.age_s);
   }
+}
+
+bool Team::has_room_for(const msg::MapRobot& told) {
+  if (robots_.size() < kMostRobots) return true;
+  if (plausible_age(told.age_s) >= RobotRoster::kForgetAfter) return false;
+  const Robot* oldest = nullptr;
+  for (const auto& [name, robot] : robots_)
+    if (!robot.state && (!oldest || robot.heard < oldest->heard)) oldest = &robot;
+  if (!oldest || clock_.now() - oldest->heard < RobotRoster::kForgetAfter) return false;
+  forget(std::string(oldest->name));
+  return robots_.size() < kMostRobots;
+}
+
+void Team::forget(const std::string& robot) {
+  robots_.erase(robot);
+  tally_.forget(robot);
+  if (forgotten_.size() >= kMostRobots) forgotten_.clear();
+  forgotten_.insert(robot);
 }
 
 const Robot* Team::find(std::string_view robot) const noexcept {

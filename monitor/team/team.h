@@ -1,29 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/clock.h"
 #include "monitor/ingest/channel.h"
+#include "monitor/ingest/robot_roster.h"
 #include "monitor/team/robot.h"
 #include "monitor/team/strategies.h"
 
 namespace galilean::monitor {
 
 /// A model of the team: every robot that ever sent a message, by name, and the referee's score. A
-/// robot that falls silent stays, and so does one that fell silent before this began, if a monitor
-/// tells of it. The model depends on the messages and the clock only. For use by one thread.
+/// robot that falls silent stays until `forget` is called for it, and so does one that fell silent
+/// before this began, if a monitor tells of it. The model depends on the messages and the clock
+/// only. For use by one thread.
 class Team {
  public:
   static constexpr Duration kDefaultSilentAfter = std::chrono::seconds(2);
   /// A robot's clock that is more than this ahead is a problem that is told.
   static constexpr double kClockAhead_s = 5;
   /// Robots that only another monitor tells of are not added beyond so many.
-  static constexpr std::size_t kMostRobots = 256;
+  static constexpr std::size_t kMostRobots = RobotRoster::kMost;
 
   /// A robot counts as silent if its last message is older than `silent_after`.
   /// Requires: `clock` outlives this.
@@ -45,8 +49,11 @@ class Team {
   void note(const msg::ProgramReply& reply);
   void note(const msg::Score& score);
   /// Adds the robots that a monitor knows and that have sent nothing here. They are as old as it
-  /// tells, and have no state.
+  /// tells, and have no state. Where there are kMostRobots, one that has no state either and is
+  /// silent for RobotRoster::kForgetAfter gives its place to one that is not.
   void note(const msg::ObjectMap& map);
+  /// Forgets a robot. It is back when it is heard, and not when another monitor still tells of it.
+  void forget(const std::string& robot);
   /// Notes that a replay sent a message of the robot, which was noted.
   void note_replay(const std::string& robot) { robots_[robot].replay_heard = clock_.now(); }
   /// Notes how far a live robot's clock is ahead of this machine's. Order in time goes by what is
@@ -69,6 +76,8 @@ class Team {
   [[nodiscard]] const std::vector<Strategy>& strategies() const noexcept {
     return tally_.strategies();
   }
+  /// Returns how many programs were dropped with their score; see StrategyTally.
+  [[nodiscard]] std::uint64_t strategies_dropped() const noexcept { return tally_.dropped(); }
 
   [[nodiscard]] RobotStatus status(const Robot& robot) const;
   [[nodiscard]] std::vector<RobotStatus> statuses() const;
@@ -94,6 +103,9 @@ class Team {
  private:
   [[nodiscard]] RobotStatus status(const Robot& robot, const std::string& team_hash) const;
   Robot& hear(const std::string& robot);
+  /// Returns whether a robot that another monitor tells of can be added. Forgets one for it if that
+  /// must be.
+  [[nodiscard]] bool has_room_for(const msg::MapRobot& told);
   /// Returns how many robots run each program, by its hash: those that a recording plays, or the
   /// others.
   [[nodiscard]] std::map<std::string, int> votes(bool of_recordings) const;
@@ -101,6 +113,7 @@ class Team {
   const Clock& clock_;
   Duration silent_after_;
   std::map<std::string, Robot, std::less<>> robots_;
+  std::set<std::string, std::less<>> forgotten_;  ///< some of those that were not heard since
   std::optional<msg::Score> score_;
   StrategyTally tally_;
   std::string pushed_hash_;

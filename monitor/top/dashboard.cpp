@@ -28,6 +28,8 @@ void Dashboard::update() {
   board_.update(finder_.find(model_, now), now);
   settle(now);
   steering_.update();
+  if (auto refusal = pusher_.take_lease_refusal(); !refusal.empty())
+    notices_.tell_of_now(std::move(refusal));
 }
 
 void Dashboard::settle(Time now) {

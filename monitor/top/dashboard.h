@@ -40,7 +40,7 @@ class Dashboard {
   [[nodiscard]] const std::string& drawn_robot() const noexcept { return drawn_robot_; }
 
  private:
-  enum class Mode { kTeam, kSheet, kQuestion, kFilter, kFile };
+  enum class Mode { kTeam, kSheet, kQuestion, kFilter, kFile, kReason };
 
   // dashboard_keys.cpp: what a key means.
   void press_letter(char letter);
@@ -90,6 +90,18 @@ class Dashboard {
   void toggle_break_point();
   void open_breaks();
 
+  // dashboard_leases.cpp: who steers.
+  /// Asks for the shown robot, or gives it to who asks for it.
+  void take_turns();
+  /// Begins to take the shown robot over, or refuses it to who asks for it.
+  void insist();
+  void take_over();
+  /// Returns whether no other operator holds the robot, or any robot of the team. Tells if one
+  /// does.
+  bool may_steer(const std::string& robot, bool all);
+  /// Returns who asks for one of this operator's robots, and what answers; mostly empty.
+  [[nodiscard]] std::string asked_for() const;
+
   // dashboard_screen.cpp: how it looks.
   [[nodiscard]] View view();
   [[nodiscard]] Surroundings surroundings() const;
@@ -121,9 +133,10 @@ class Dashboard {
   std::string question_;
   std::function<void()> yes_;
   std::string file_;
-  bool has_typed_ = false;     ///< since the text was asked for
-  bool is_too_small_ = false;  ///< nobody sees what is asked or typed
-  PushWish wish_;              ///< in Mode::kFile: of the program whose file is typed
+  std::string reason_, wanted_robot_;  ///< in Mode::kReason
+  bool has_typed_ = false;             ///< since the text was asked for
+  bool is_too_small_ = false;          ///< nobody sees what is asked or typed
+  PushWish wish_;                      ///< in Mode::kFile: of the program whose file is typed
 };
 
 }  // namespace galilean::monitor::top

@@ -29,7 +29,8 @@ DashboardFeed::DashboardFeed(wire::Participant& participant, const Clock& clock)
                [this](const Message& message) {
                  model_.receive(message);
                  history_.note(message);
-               }},
+               },
+           .forgotten = [this](const std::string& robot) { model_.forget(robot); }},
           [this] { wake_.ring(); },
           [](const Channel& channel) {
             return DashboardModel::shows(channel.schema->ros_type) && !is<msg::Sightings>(channel);
@@ -39,6 +40,15 @@ void DashboardFeed::poll() {
   wake_.clear();
   let_variables_rest();
   ingest_.poll();
+  note_intake();
+}
+
+void DashboardFeed::note_intake() {
+  constexpr Duration kEach = std::chrono::seconds(1);
+  const Time now = clock_.now();
+  if (now < intake_due_) return;
+  intake_due_ = now + kEach;
+  model_.note(ingest_.intake());
 }
 
 void DashboardFeed::let_variables_rest() {

@@ -30,6 +30,8 @@ class DashboardFeed {
 
  private:
   void let_variables_rest();
+  /// Tells the model, once a second, what was not taken.
+  void note_intake();
 
   Wake wake_;
   DashboardModel model_;
@@ -37,7 +39,7 @@ class DashboardFeed {
   const Clock& clock_;
   std::map<std::string, std::uint32_t> sightings_, variables_;  ///< channels by topic
   std::string shown_variables_;                                 ///< the topic of the shown robot
-  Time all_due_{};
+  Time all_due_{}, intake_due_{};
   std::uint32_t looked_through_ = 0;  ///< the channel that is read; 0: none
   Ingest ingest_;
 };

@@ -33,7 +33,7 @@ bool Dashboard::press(const Press& press) {
 }
 
 bool Dashboard::types() const noexcept {
-  return mode_ == Mode::kFilter || mode_ == Mode::kFile;
+  return mode_ == Mode::kFilter || mode_ == Mode::kFile || mode_ == Mode::kReason;
 }
 
 bool Dashboard::stops_all(const Press& press) const noexcept {
@@ -44,6 +44,7 @@ bool Dashboard::stops_all(const Press& press) const noexcept {
 
 std::string& Dashboard::typed() {
   if (mode_ == Mode::kFile) return file_;
+  if (mode_ == Mode::kReason) return reason_;
   return tab_ == Tab::kVariables ? choice_.variable_filter : choice_.robot_filter;
 }
 
@@ -56,6 +57,7 @@ void Dashboard::press_with_text(const Press& press) {
   const Mode mode = mode_;
   if (press.key == Key::kEnter || press.key == Key::kEscape) mode_ = Mode::kTeam;
   if (press.key == Key::kEscape && mode == Mode::kFilter) text.clear();
+  if (press.key == Key::kEnter && mode == Mode::kReason) return take_over();
   if (press.key != Key::kEnter || mode != Mode::kFile || file_.empty()) return;
   wish_.file = file_;
   open(std::make_unique<PushSheet>(pusher_, std::move(wish_)));
@@ -122,6 +124,7 @@ void Dashboard::press_letter(char letter) {
     case 'r':
       return ask_to_resume(to_all);
     case 's':
+      if (!may_steer(shown_robot(), to_all)) return;
       return steering_.say(Operator::Word::kStart, shown_robot(), to_all);
     case 'a':
       return to_all ? acknowledge_shown() : acknowledge_first();
@@ -134,9 +137,12 @@ void Dashboard::press_letter(char letter) {
     case 'd':
       return to_all ? void() : ask_about_service();
     case 'n':
+      if (!may_steer(shown_robot(), to_all)) return;
       return steering_.say(Operator::Word::kStep, shown_robot(), to_all);
     case 'l':
       return go_to({});
+    case 'm':
+      return to_all ? insist() : take_turns();
     case 'p':
       return begin_push(false, to_all);
     case 'u':

@@ -22,7 +22,7 @@ void Dashboard::ask(std::string question, std::function<void()> yes) {
 void Dashboard::ask_to_resume(bool all) {
   // What is asked about is what is told later, whatever is chosen by then.
   const std::string robot = shown_robot();
-  if (robot.empty()) return;
+  if (robot.empty() || !may_steer(robot, all)) return;
   ask("Resume " + (all ? "all robots" : robot) + "?",
       [this, robot, all] { steering_.say(Operator::Word::kResume, robot, all); });
 }
@@ -32,6 +32,7 @@ void Dashboard::ask_about_service() {
   const Robot* known = model_.team().find(robot);
   if (!known || !known->state) return notices_.tell("No robot is heard that could be told.");
   const bool is_out = known->state->out_of_service;
+  if (is_out && !may_steer(robot, false)) return;
   const auto word = is_out ? Operator::Word::kCommission : Operator::Word::kDecommission;
   ask(is_out ? "Commission " + robot + ", so that it serves again?"
              : "Decommission " + robot + ", so that it stands until it is commissioned?",

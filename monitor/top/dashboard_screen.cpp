@@ -6,13 +6,18 @@ namespace galilean::monitor::top {
 View Dashboard::view() {
   const DashboardModel& model = past_ ? past_->model() : model_;
   const Clock& clock = past_ ? past_->clock() : clock_;
-  return make_view(
+  View made = make_view(
       {model, clock, model_.identities(), &curves_, &board_, past_ ? &clock_ : nullptr}, choice_);
+  for (auto& robot : made.robots)
+    if (const auto lease = pusher_.lease(robot.status.name); lease && !lease->is_yours)
+      robot.steered_by = lease->holder;
+  return made;
 }
 
 Surroundings Dashboard::surroundings() const {
   Surroundings around{.tab = tab_, .scrolls = scrolls_};
   around.banner = steering_.stop_report();
+  if (around.banner.empty()) around.banner = asked_for();
   if (!around.banner.empty()) around.banner.insert(0, of_now());
   around.footer = footer();
   if (instant_)
@@ -29,6 +34,8 @@ std::string Dashboard::of_now() const {
 std::string Dashboard::footer() const {
   if (mode_ == Mode::kQuestion) return of_now() + question_ + " y / n   . STOP ALL";
   if (mode_ == Mode::kFile) return "Push which file? " + file_ + "_  Enter, Esc, Ctrl-X STOP ALL";
+  if (mode_ == Mode::kReason)
+    return "Why take " + wanted_robot_ + " over? " + reason_ + "_  Enter, Esc, Ctrl-X STOP ALL";
   if (mode_ == Mode::kFilter)
     return std::string(tab_ == Tab::kVariables ? "Variables" : "Robots") +
            " with: " + (tab_ == Tab::kVariables ? choice_.variable_filter : choice_.robot_filter) +

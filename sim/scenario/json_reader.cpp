@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/visible_text.h"
+
 namespace galilean::sim {
 namespace {
 
@@ -142,7 +144,7 @@ void JsonReader::finish() const {
     if (std::find(known_.begin(), known_.end(), field) != known_.end()) continue;
     std::string expected;
     for (const auto& name : known_) expected += (expected.empty() ? "" : ", ") + name;
-    throw JsonError(path_of(field) + ": unknown field; expected one of " + expected);
+    throw JsonError(path_of(visible(field)) + ": unknown field; expected one of " + expected);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/json_text.h"
+#include "core/visible_text.h"
 #include "sim/scenario/json_reader.h"
 
 namespace galilean::sim {
@@ -52,7 +53,8 @@ PieceKind read_kind(JsonReader& item) {
   const std::string word = item.text("kind");
   const auto found = std::find(kPieceNames.begin(), kPieceNames.end(), word);
   if (found == kPieceNames.end())
-    throw JsonError(item.path_of("kind") + ": expected can, cup or wad, found \"" + word + "\"");
+    throw JsonError(item.path_of("kind") + ": expected can, cup or wad, found \"" + visible(word) +
+                    "\"");
   return static_cast<PieceKind>(found - kPieceNames.begin());
 }
 

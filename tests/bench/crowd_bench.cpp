@@ -42,14 +42,18 @@ struct Lateness {
 
 }  // namespace
 
-/// crowd_bench PORT CLIENTS SECONDS CHANNEL… lets this many clients of a monitor subscribe to the
-/// channels. It prints as JSON how many messages they got, and how late.
+/// crowd_bench PORT CLIENTS[:STALLED] SECONDS CHANNEL… lets this many clients of a monitor
+/// subscribe to the channels. So many of them stop reading at once. It prints as JSON how many
+/// messages the others got, and how late.
 int main(int count, char** arguments) try {
-  if (count < 5) throw std::runtime_error("PORT CLIENTS SECONDS CHANNEL… are missing");
+  if (count < 5) throw std::runtime_error("PORT CLIENTS[:STALLED] SECONDS CHANNEL… are missing");
+  const char* const colon = std::strchr(arguments[2], ':');
+  const auto stalled = static_cast<std::size_t>(colon ? std::atoi(colon + 1) : 0);
   WebSocketCrowd crowd(static_cast<std::uint16_t>(std::atoi(arguments[1])), "/ws",
                        "foxglove.websocket.v1", static_cast<std::size_t>(std::atoi(arguments[2])));
   const auto subscribe = subscription(count - 4, arguments + 4);
   for (std::size_t i = 0; i < crowd.size(); ++i) crowd.send_text(i, subscribe);
+  for (std::size_t i = 0; i < std::min(stalled, crowd.size()); ++i) crowd.stall(i);
 
   // Messages that are kept for late subscribers do not count.
   const auto settled = WebSocketCrowd::Clock::now() + std::chrono::seconds(1);

@@ -49,7 +49,7 @@ class EchoServer {
       boost::beast::flat_buffer buffer;
       boost::beast::http::request<boost::beast::http::string_body> upgrade;
       boost::beast::http::read(socket, buffer, upgrade);
-      serve_websocket(std::move(socket), upgrade, hub_, rounds_, Right::kOperate);
+      serve_websocket(std::move(socket), upgrade, hub_, rounds_, Right::kOperate, {});
       accept();
     });
   }

@@ -102,6 +102,10 @@ void WebSocketCrowd::send(std::size_t client, std::uint8_t first_byte, std::stri
   send_all(clients_[client].socket, frame.append(payload));
 }
 
+void WebSocketCrowd::stall(std::size_t client) {
+  epoll_ctl(epoll_, EPOLL_CTL_DEL, clients_[client].socket, nullptr);
+}
+
 void WebSocketCrowd::read(std::chrono::milliseconds patience, const OnFrame& on_frame) {
   std::array<epoll_event, 128> ready;
   const int count = epoll_wait(epoll_, ready.data(), static_cast<int>(ready.size()),

@@ -40,6 +40,8 @@ class WebSocketCrowd {
   void send_binary(std::size_t client, std::string_view bytes) { send(client, 0x82, bytes); }
   /// Reads what has come. If nothing has come, waits up to `patience` for it.
   void read(std::chrono::milliseconds patience, const OnFrame& on_frame);
+  /// From now on reads nothing of what comes to this client, whose connection stays.
+  void stall(std::size_t client);
   [[nodiscard]] std::size_t size() const noexcept { return clients_.size(); }
 
  private:

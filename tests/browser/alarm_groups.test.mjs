@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { playedTab } from "./tab.mjs";
 
-const tab = playedTab({ ahead: 60, robots: 30, silent: "io,callisto,robot7,robot9,robot20", ailing: "ganymede" });
+const tab = playedTab({ ahead: 60, robots: 30, silent: "io,callisto,robot7,robot9,robot20", ailing: "ganymede", refusing: true });
 const { at, until, untilRow } = tab;
 const group = () => at("alarms").locator("[data-alarm-group=silent]").first();
 
@@ -13,6 +13,12 @@ test("those that are silent are one line that counts and names them, other alarm
   assert.match(await group().innerText(), /5 robots silent: .*io, .*callisto|5 robots silent: (?=.*io)(?=.*callisto)(?=.*robot20)/);
   await at("alarms").locator("[data-alarm=problem][data-robot=ganymede]").waitFor();
   assert.equal(await at("alarms").locator("[data-alarm=silent]").count(), 0);
+});
+
+test("messages that the monitor did not take are an alarm with topic, reason and count", async () => {
+  const refused = at("alarms").locator("[data-alarm=refused][data-robot=stranger]");
+  await refused.waitFor();
+  assert.match(await refused.innerText(), /12 messages on \/stranger\/state were not taken: RobotState\.heading_rad is not a number/);
 });
 
 test("it opens to each of them, and one is seen alone", async () => {

@@ -74,6 +74,11 @@ const endings = [
   ["replay /none.mcap --topic ''", 2], ["hold --robot ''", 2], ["swap /none.bhdl --robot ''", 2], ["demo --allow-origin ''", 2],
   ["log plot /none.mcap a.b --svg ''", 2], ["log rerun /none.mcap --bhdl ''", 2], ["sim --trace ''", 2],
   ['tokens', 2], ['tokens add', 2], ['tokens add anna --expires 0s', 2], ['tokens revoke', 2],
+  ['team', 2], ['team keys', 2], ['team keys add', 2], ['team keys add io', 2], ['team keys add io --role king', 2],
+  ['team keys add io --role robot --expires 0s', 2], ['team keys revoke', 2], ["team keys list --team ''", 2],
+  ['team keys init --team /dev/null/none', 1], ['team keys add io --role robot --team /dev/null/none', 1],
+  ['team keys renew io --team /dev/null/none', 1], ['team keys revoke io --team /dev/null/none', 1], ['team keys list --team /dev/null/none', 1],
+  ['list --secure /dev/null/none', 2], ["list --secure ''", 2], ['list --secure /', 1],
   ['tokens add operator --data /dev/null/none', 1], ['tokens add a/b --data /dev/null/none', 1],
   ['tokens add anna --data /dev/null/none', 1], ['tokens revoke anna --data /dev/null/none', 1],
 ];

@@ -90,6 +90,18 @@ test('the server answers as it is described', async (t) => {
     await ask('POST', '/api/breaks', { status: 400, body: { order: 'set' } });
     await ask('POST', '/api/breaks', { status: 403, body: { order: 'clear' }, bearer: token('viewer') });
     await ask('POST', '/api/breaks', { status: 404, body: { order: 'clear', targets: ['europa'] } });
+    const ben = { 'x-galilean-operator': 'Ben', 'x-galilean-client': 'a tab' };
+    await ask('POST', '/api/lease', { status: 200, body: { do: 'ask', robots: ['io'] } });
+    await ask('POST', '/api/lease', { status: 200, body: { do: 'ask', robots: ['io'] }, headers: ben });
+    assert.equal((await ask('GET', '/api/status', { status: 200 })).robots[0].lease.asker.name, 'Ben');
+    await ask('POST', '/api/lease', { status: 409, body: { do: 'give', robots: ['io'] }, headers: ben });
+    await ask('POST', '/api/lease', { status: 400, body: { do: 'steal', robots: ['io'] } });
+    await ask('POST', '/api/lease', { status: 403, body: { do: 'ask', robots: ['io'] }, bearer: token('viewer') });
+    await ask('POST', '/api/lease', { status: 404, body: { do: 'ask', robots: ['europa'] } });
+    await ask('POST', '/api/command', { status: 409, body: { kind: 'resume' }, headers: ben });
+    await ask('POST', '/api/breaks', { status: 409, body: { order: 'clear' }, headers: ben });
+    await ask('POST', '/api/push', { status: 409, body: program, headers: ben });
+    await ask('POST', '/api/lease', { status: 200, body: { do: 'release' } });
     await ask('POST', '/api/simulation/orders', { status: 400, body: {} });
     await ask('POST', '/api/simulation/orders', { status: 403, body: { order: 'pause' }, bearer: token('viewer') });
     await ask('POST', '/api/simulation/orders', { status: 404, body: { order: 'pause' } });

@@ -18,7 +18,7 @@ test('cmake --install into a DESTDIR gives programs that find their share folder
   const shipped = (name) => existsSync(join(destination, 'usr/share/galilean', name));
   for (const name of ['catalog.json', 'web/index.html', 'programs/office_cleanup.bhdl', 'scenarios/office.json'])
     assert.ok(shipped(name), name);
-  for (const module of ['libgalilean_opencv_source.so', 'libgalilean_png.so'])
+  for (const module of ['libgalilean_opencv_source.so', 'libgalilean_png.so', 'libgalilean_authentication.so'])
     assert.ok(existsSync(join(destination, 'usr/lib/galilean', module)), module);
 
   const below = (name) => existsSync(join(destination, 'usr/share', name));

@@ -20,7 +20,7 @@ describe("the page's stand-in for the monitor", () => {
   const broken = () => [{ path: 'broken.bhdl', text: 'nonsense\n' }];
 
   before(async () => {
-    fixture = await startFixture({ ahead: 20, simulated: true });
+    fixture = await startFixture({ ahead: 20, simulated: true, refusing: true });
     url = fixture.url;
     ({ files } = await ask('GET /api/programs/{name}', 200, undefined, 'sit_and_spin.bhdl'));
   });
@@ -28,9 +28,10 @@ describe("the page's stand-in for the monitor", () => {
   after(() => fixture.stop());
 
   test('tells what it knows', async () => {
-    const { robots, score } = await ask('GET /api/status', 200);
+    const { robots, score, refused_messages } = await ask('GET /api/status', 200);
     assert.deepEqual(robots.map(({ name }) => name), ['io', 'ganymede', 'callisto']);
     assert.equal(score.phase, 'running');
+    assert.deepEqual(refused_messages.map(({ topic, messages }) => [topic, messages]), [['rt/stranger/state', 12]]);
     assert.equal((await ask('GET /api/programs', 200)).programs.length, 2);
     assert.ok((await ask('GET /api/strategies', 200)).strategies.length > 0);
     await ask('GET /api/programs/{name}', 404, undefined, 'none.bhdl');

@@ -27,9 +27,10 @@ int main(int argc, char** argv) {
   galilean::add_domain_option(app, domain);
   if (const auto code = app.parse(argc, argv)) return *code;
   bool well = true;
-  for (const auto& check : {check_programs(), check_page(), check_pseudo_terminals(),
-                            check_shared_memory(), check_port(port), check_loopback(),
-                            check_multicast(), check_dds(domain), check_devices()}) {
+  for (const auto& check :
+       {check_programs(), check_page(), check_pseudo_terminals(), check_shared_memory(),
+        check_port(port), check_loopback(), check_multicast(), check_dds(domain), check_devices(),
+        check_messages(port)}) {
     tell(check);
     well = well && check.ok;
   }

@@ -17,6 +17,12 @@ constexpr std::array kVariables{
                         "Addresses of other machines of the team, with commas between them. They "
                         "are found even where the network carries no multicast.",
                         "--domain", ""},
+    EnvironmentVariable{"GALILEAN_SECURE",
+                        "The folder of this member's keys, for DDS Security, where --secure does "
+                        "not name one; or the team's folder, in which each program takes the "
+                        "member of its own name. Without both, messages are neither encrypted nor "
+                        "signed.",
+                        "--secure", ""},
     EnvironmentVariable{"CYCLONEDDS_URI", "Settings of Cyclone DDS, in addition to Galilean's.",
                         "--domain", ""},
     EnvironmentVariable{"XDG_STATE_HOME",

@@ -60,6 +60,11 @@ void RobotPoses::predict(const std::string& robot, const Pose2& in_odom, bool to
   joint_.transform(moving.block, predicted.mean, predicted.jacobian, predicted.noise);
 }
 
+void RobotPoses::remove(const std::string& robot) {
+  joint_.remove(block(robot));
+  robots_.erase(robot);
+}
+
 Pose2 RobotPoses::pose(const std::string& robot) const {
   const auto mean = joint_.mean(block(robot));
   return {{mean[0], mean[1]}, wrap_angle(mean[2])};

@@ -36,6 +36,8 @@ class RobotPoses {
   [[nodiscard]] JointGaussian::Block block(const std::string& robot) const {
     return robots_.at(robot).block;
   }
+  /// Marginalizes the robot out of the joint distribution.
+  void remove(const std::string& robot);
   [[nodiscard]] Pose2 pose(const std::string& robot) const;
   [[nodiscard]] Gaussian2 position(const std::string& robot) const;
   /// Returns where in the map frame a point of the robot's odom frame is, as uncertain as the

@@ -25,6 +25,8 @@ class CarriedObjects {
   /// Takes in whether `robot` holds an object now. `published` tells which of the groups' landmarks
   /// are one object.
   void update(const std::string& robot, bool holds, const PublishedLandmarks& published, Time now);
+  /// Forgets a robot that is gone, and the object that it carried.
+  void forget(const std::string& robot) { loads_.erase(robot); }
   /// Returns the positions of grippers that hold an object, in the map frame [m].
   [[nodiscard]] std::vector<Vec2> grippers_m() const;
   /// Returns whether an object seen at `in_map_m` is one in these grippers.

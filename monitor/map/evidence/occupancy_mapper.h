@@ -24,6 +24,11 @@ class OccupancyMapper {
   /// robots. Requires: poses.contains(robot).
   void add_touch(const std::string& robot, const msg::Variable& obstacle, const RobotPoses& poses,
                  const std::vector<Gaussian2>& others, Time now);
+  /// Forgets a robot that is gone. What it drew stays.
+  void forget(const std::string& robot) {
+    last_.erase(robot);
+    touches_.forget(robot);
+  }
 
   [[nodiscard]] const OccupancyGridMap& grid() const noexcept { return grid_; }
 

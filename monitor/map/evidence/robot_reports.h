@@ -23,6 +23,8 @@ class RobotReports {
   void add(const msg::Catalog& catalog, Time now);
   void add(const msg::Program& program, Time now);
 
+  void forget(const std::string& robot) { robots_.erase(robot); }
+
   /// Returns the locate variables of the class "obstacle" that were written since the last call, in
   /// the robot's odom frame.
   [[nodiscard]] std::vector<msg::Variable> take_new_obstacles(const msg::Variables& variables);

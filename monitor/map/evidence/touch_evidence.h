@@ -29,6 +29,7 @@ class TouchEvidence {
   /// is new evidence.
   [[nodiscard]] bool is_new(const std::string& robot, const std::string& variable,
                             const Vec2& in_odom_m, Time now);
+  void forget(const std::string& robot) { robots_.erase(robot); }
 
  private:
   struct Touch {

@@ -21,6 +21,8 @@ class GroupLocalizer {
 
   /// Tries one group, another one with each call. Requires: at least one group.
   void localize_next(const PublishedLandmarks& published);
+  /// Forgets what was found of a group that is dissolved.
+  void forget(const RobotGroup& group) { candidates_.erase(&group); }
 
  private:
   void localize(RobotGroup& group, const PublishedLandmarks& published);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "monitor/map/estimation/frames.h"
 
@@ -26,6 +27,18 @@ RobotGroup& RobotGroups::join(const std::string& robot, const Pose2& in_odom) {
   group->is_localized |= origins_.is_set(robot) || group == groups_.front().get();
   group_of_[robot] = group;
   return *group;
+}
+
+std::unique_ptr<RobotGroup> RobotGroups::leave(const std::string& robot) {
+  RobotGroup* group = group_of_.at(robot);
+  group_of_.erase(robot);
+  if (group->poses.contains(robot)) group->poses.remove(robot);
+  if (!group->poses.all().empty() || group == groups_.front().get()) return nullptr;
+  const auto place =
+      std::ranges::find_if(groups_, [&](const auto& each) { return each.get() == group; });
+  auto left = std::move(*place);
+  groups_.erase(place);
+  return left;
 }
 
 std::vector<RobotGroup*> RobotGroups::others_near(const RobotGroup& group, const Vec2& at_m,

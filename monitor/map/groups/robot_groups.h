@@ -35,6 +35,11 @@ class RobotGroups {
   /// odom frame.
   RobotGroup& join(const std::string& robot, const Pose2& in_odom);
 
+  /// Takes a robot out of its group and of the team. Returns the group if nobody is left in it: it
+  /// is none of the team's any more. The first group stays, because its frame is the map's.
+  /// Requires: contains(robot).
+  [[nodiscard]] std::unique_ptr<RobotGroup> leave(const std::string& robot);
+
   /// Returns the other groups that may have landmarks within `within_m` of `at_m` (map frame). None
   /// if `group` is not localized.
   [[nodiscard]] std::vector<RobotGroup*> others_near(const RobotGroup& group, const Vec2& at_m,

@@ -26,9 +26,18 @@ void Replies::list(const std::string& robot) {
   replies_[robot].robot = robot;
 }
 
+void Replies::list_unasked(const std::string& robot) {
+  unasked_.push_back(robot);
+  list(robot);
+  if (unasked_.size() <= kMostUnasked) return;
+  ++dropped_;
+  replies_.erase(unasked_.front());
+  unasked_.pop_front();
+}
+
 bool Replies::note(const msg::ProgramReply& reply, Time now) {
   if (reply.id != push_id_) return false;
-  list(reply.robot);
+  if (!replies_.contains(reply.robot)) list_unasked(reply.robot);
   RobotReply& known = replies_[reply.robot];
   // A robot's statuses come in rising order, so one that is not higher tells nothing new.
   if (reply.status <= known.reply.status) return false;

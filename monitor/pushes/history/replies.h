@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <string>
@@ -46,9 +47,12 @@ inline constexpr Duration kReplyTimeout = std::chrono::seconds(2);
 
 /// The replies to one push, by robot. The class does no input or output: its owner sends the push
 /// and brings the replies. A robot that was not asked but replies is listed, too, because a push to
-/// the team reaches all robots.
+/// the team reaches all robots. Whoever writes to DDS can invent such robots, so the newest
+/// kMostUnasked of them are kept.
 class Replies {
  public:
+  static constexpr std::size_t kMostUnasked = 256;
+
   /// `push_id` is the id of the message. `awaited` are the robots whose replies make the push
   /// complete.
   Replies(std::string push_id, std::vector<std::string> awaited, Time sent);
@@ -63,15 +67,21 @@ class Replies {
   [[nodiscard]] bool settled() const;
   /// Returns one reply for each robot, in the order of their names.
   [[nodiscard]] std::vector<RobotReply> all() const;
+  /// Returns how many robots that were not asked were dropped with their replies, because newer
+  /// ones needed their places.
+  [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_; }
 
  private:
   void list(const std::string& robot);
+  void list_unasked(const std::string& robot);
   [[nodiscard]] bool all_awaited(const std::function<bool(ReplyStatus)>& have) const;
 
   std::string push_id_;
   std::vector<std::string> awaited_;
   Time sent_;
   std::map<std::string, RobotReply> replies_;
+  std::deque<std::string> unasked_;  ///< the oldest first
+  std::uint64_t dropped_ = 0;
 };
 
 }  // namespace galilean::monitor

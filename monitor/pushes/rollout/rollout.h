@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,6 +51,10 @@ class Rollout {
   [[nodiscard]] std::vector<std::string> rest() const;
   /// Returns what each robot that was sent the program has replied, in the order of their names.
   [[nodiscard]] std::vector<RobotReply> replies() const;
+  /// Returns how many replies were dropped; see Replies.
+  [[nodiscard]] std::uint64_t replies_dropped() const noexcept {
+    return rest_ ? rest_->dropped() : 0;
+  }
 
  private:
   [[nodiscard]] std::string shortcomings() const;

@@ -7,6 +7,7 @@
 #include "core/wire/ros_time.h"
 #include "monitor/pushes/history/json.h"
 #include "monitor/server/api/intake_json.h"
+#include "monitor/server/api/lease_json.h"
 #include "monitor/server/api/metrics.h"
 #include "monitor/server/api/team_json.h"
 #include "monitor/server/http/http_caching.h"
@@ -30,19 +31,21 @@ constexpr std::size_t kReadAtOnce_bytes = std::size_t{64} << 10;
 HttpRequest without_body(const HttpRequest& request) {
   HttpRequest kept{.method = request.method, .path = request.path};
   kept.right = request.right;
+  kept.who = request.who;
   return kept;
 }
 
 /// A browser asks so before a page of another site may post, or ask for a part of a file.
 HttpResponse what_other_pages_may(const std::string& path) {
   const bool is_file = path.starts_with(Guard::kSharedPath);
-  return {
-      204,
-      {},
-      nullptr,
-      {{"Access-Control-Allow-Methods", is_file ? "GET, HEAD" : "GET, POST, PUT"},
-       {"Access-Control-Allow-Headers", is_file ? "range, if-range, if-none-match, authorization"
-                                                : "content-type, authorization"}}};
+  return {204,
+          {},
+          nullptr,
+          {{"Access-Control-Allow-Methods", is_file ? "GET, HEAD" : "GET, POST, PUT"},
+           {"Access-Control-Allow-Headers",
+            is_file ? "range, if-range, if-none-match, authorization"
+                    : "content-type, authorization, x-galilean-operator, "
+                      "x-galilean-client"}}};
 }
 
 }  // namespace
@@ -64,7 +67,7 @@ void Api::add_routes() {
                      parts_.history_watch),
         "text/plain; version=0.0.4; charset=utf-8"));
   });
-  get("/api/status", [this](auto& request, auto& respond) { status(request.right, respond); });
+  get("/api/status", [this](auto& request, auto& respond) { status(request, respond); });
   get("/api/team", [this](auto&, auto& respond) { respond(json_response(to_json(parts_.team))); });
   get("/api/strategies", [this](auto&, auto& respond) {
     respond(json_response({{"strategies", strategies_json(parts_.team)}}));
@@ -92,6 +95,7 @@ void Api::add_routes() {
        [this](auto& request, auto& body, auto& respond) { cancel_push(request, body, respond); });
   post("/api/command", Right::kOperate, limits.command, operation(&Operations::command));
   post("/api/breaks", Right::kOperate, limits.breaks, operation(&Operations::order_breaks));
+  post("/api/lease", Right::kOperate, limits.command, operation(&Operations::change_lease));
 }
 
 void Api::post(std::string path, Right needs, const JsonLimits& limits, JsonHandler handler) {
@@ -135,6 +139,8 @@ void Api::answer(const HttpRequest& request, const Respond& respond) {
       std::ranges::find_if(here, [&](const Route* each) { return takes(*each, request.method); });
   if (route == here.end()) return respond(not_allowed(request, here));
   if (request.right < (*route)->needs) return respond(refusal(request.right, (*route)->needs));
+  // Whatever an operator asks keeps what it holds, so that a page needs no other sign of life.
+  if (request.right == Right::kOperate) parts_.leases.hear(request.who);
   HttpRequest conditions{.method = request.method,
                          .if_none_match = request.if_none_match,
                          .accepts_gzip = request.accepts_gzip};
@@ -174,6 +180,14 @@ Finish Api::finish_of(const Respond& respond) {
 Api::JsonHandler Api::operation(void (Operations::*operate)(const nlohmann::json&, Finish)) {
   return [this, operate](const HttpRequest&, const nlohmann::json& body, const Respond& respond) {
     (parts_.operations.*operate)(body, finish_of(respond));
+  };
+}
+
+Api::JsonHandler Api::operation(void (Operations::*operate)(const nlohmann::json&,
+                                                            const OperatorId&, Finish)) {
+  return [this, operate](const HttpRequest& request, const nlohmann::json& body,
+                         const Respond& respond) {
+    (parts_.operations.*operate)(body, request.who, finish_of(respond));
   };
 }
 
@@ -226,7 +240,7 @@ void Api::cancel_push(const HttpRequest& request, nlohmann::json body, const Res
   if (!id.ends_with(kVerb)) return respond(problem(404, "There is no " + request.path + "."));
   id.resize(id.size() - kVerb.size());
   if (body.is_object()) body["id"] = id;
-  parts_.operations.cancel_push(body, finish_of(respond));
+  parts_.operations.cancel_push(body, request.who, finish_of(respond));
 }
 
 void Api::pushed_program(const std::string& hash, const Respond& respond) {
@@ -244,21 +258,27 @@ void Api::pushed_program(const std::string& hash, const Respond& respond) {
                     failed(finish_of(respond)));
 }
 
-void Api::status(Right right, const Respond& respond) const {
+void Api::status(const HttpRequest& request, const Respond& respond) const {
+  const bool may_steer = request.right == Right::kOperate;
   auto robots = nlohmann::json::array();
-  for (const auto& robot : parts_.team.statuses()) robots.push_back(to_json(robot));
+  for (const auto& robot : parts_.team.statuses()) {
+    robots.push_back(to_json(robot));
+    robots.back()["lease"] = lease_json(parts_.leases, robot.name, request.who);
+  }
   const auto& score = parts_.team.score();
   const Intake intake = intake_ ? intake_() : Intake{};
   respond(json_response({{"name", "galilean-monitor"},
                          {"version", GALILEAN_VERSION},
                          {"scenario", score ? score->scenario : ""},
-                         {"may_steer", right == Right::kOperate},
+                         {"may_steer", may_steer},
+                         {"operator", may_steer ? operator_json(request.who) : nlohmann::json()},
                          {"program_hash", parts_.team.program_hash()},
                          {"now_ns", wire::wall_clock_ns()},
                          {"channels", channels_json(intake)},
                          {"refused_messages", refused_json(intake)},
                          {"topics_not_read", intake.topics_not_read},
                          {"history_problem", parts_.history_watch.problem()},
+                         {"robots_forgotten", intake.robots_forgotten},
                          {"robots", std::move(robots)},
                          {"score", score_json(parts_.team)}}));
 }

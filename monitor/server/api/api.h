@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "monitor/ingest/intake.h"
+#include "monitor/lease/lease_desk.h"
 #include "monitor/map/map_service.h"
 #include "monitor/pushes/history_watch.h"
 #include "monitor/recordings/recording_list.h"
@@ -34,6 +35,7 @@ class Api {
     const MapService& map;
     const foxglove::Hub& hub;
     Operations& operations;
+    LeaseDesk& leases;
     PushDesk& desk;
     SimulationDesk& simulations;
     Worker& worker;
@@ -79,6 +81,8 @@ class Api {
   void post(std::string path, Right needs, const JsonLimits& limits, JsonHandler handler);
   [[nodiscard]] static Finish finish_of(const Respond& respond);
   [[nodiscard]] JsonHandler operation(void (Operations::*operate)(const nlohmann::json&, Finish));
+  [[nodiscard]] JsonHandler operation(void (Operations::*operate)(const nlohmann::json&,
+                                                                  const OperatorId&, Finish));
   [[nodiscard]] std::vector<const Route*> routes_to(const std::string& path) const;
   [[nodiscard]] static bool takes(const Route& route, const std::string& method);
   [[nodiscard]] static HttpResponse not_allowed(const HttpRequest& request,
@@ -93,7 +97,7 @@ class Api {
   void refuse_recording(const Respond& respond) const;
   void send_recording(const HttpRequest& request, const Respond& respond);
   void send_coverage(const HttpRequest& request, const Respond& respond);
-  void status(Right right, const Respond& respond) const;
+  void status(const HttpRequest& request, const Respond& respond) const;
 
   Parts parts_;
   std::vector<Route> routes_;

@@ -54,10 +54,15 @@ Outcome outcome_of(const SimulationDesk::Answer& answer) {
 
 void Api::add_simulation_routes() {
   post("/api/simulation/orders", Right::kOperate, parts_.limits.command,
-       [this](auto&, auto& body, auto& respond) {
+       [this](auto& request, auto& body, auto& respond) {
          RequestFields fields(body);
          auto order = simulation_order(fields);
          if (!fields.ok()) return respond(problem(400, fields.objection()));
+         // What is done to a robot needs its lease. Pieces, furniture and the clock have none.
+         if (parts_.team.find(order.subject) &&
+             !parts_.operations.admits(OrderKind::kSteers, request.who, {order.subject},
+                                       finish_of(respond)))
+           return;
          parts_.simulations.order(
              std::move(order),
              [finish = finish_of(respond)](const auto& answer) { finish(outcome_of(answer)); });

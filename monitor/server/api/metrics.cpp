@@ -63,6 +63,9 @@ void intake_metrics(std::ostream& out, const Intake& intake) {
   metric(out, "galilean_topics", "gauge", "Topics known.", intake.channels.size());
   metric(out, "galilean_topics_not_read_total", "counter", "Topics beyond those that are read.",
          intake.topics_not_read);
+  metric(out, "galilean_robots_forgotten_total", "counter",
+         "Robots that were silent for an hour and gave their places to others.",
+         intake.robots_forgotten);
 }
 
 void history_metrics(std::ostream& out, const HistoryWatch& history) {
@@ -104,7 +107,7 @@ std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocke
   metric(out, "galilean_map_update_seconds", "gauge", "Duration of the last map update.",
          map_update_s);
   const auto robots = team.statuses();
-  metric(out, "galilean_robots", "gauge", "Robots ever heard.", robots.size());
+  metric(out, "galilean_robots", "gauge", "Robots that are known.", robots.size());
   using R = RobotStatus;
   robot_metric(out, robots, "silent", "gauge", "1 while nothing is heard of it.",
                [](const R& robot) { return robot.health == Health::kSilent ? 1 : 0; });
@@ -122,6 +125,8 @@ std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocke
                "Of its clock before the monitor's; 0 where that is little.",
                [](const R& robot) { return robot.clock_ahead_s; });
   intake_metrics(out, intake);
+  metric(out, "galilean_strategies_dropped_total", "counter",
+         "Programs whose score was dropped for newer ones.", team.strategies_dropped());
   if (const auto& score = team.score()) {
     metric(out, "galilean_deposited", "gauge", "Pieces thrown away.", score->deposited);
     metric(out, "galilean_collisions", "gauge", "Collisions that the referee saw.",

@@ -98,6 +98,13 @@ std::int32_t argument_of(std::uint8_t kind, RequestFields& fields) {
   return fields.whole_number("argument", 0, 0, ControllerStatus::kBumpers - 1);
 }
 
+/// Returns what a command does. Whatever is not known to stop robots needs their leases.
+OrderKind order_kind(std::uint8_t kind) {
+  namespace kinds = msg::Command_Constants;
+  const bool stops = kind == kinds::HOLD || kind == kinds::DECOMMISSION;
+  return stops ? OrderKind::kStops : OrderKind::kSteers;
+}
+
 Outcome refused(const RequestFields& fields) {
   return {400, {}, fields.objection()};
 }
@@ -137,25 +144,32 @@ void Operations::check(const nlohmann::json& request, Finish finish) {
   finish(busy());
 }
 
-void Operations::push(const nlohmann::json& request, Finish finish) {
+void Operations::push(const nlohmann::json& request, const OperatorId& who, Finish finish) {
   RequestFields fields(request);
   auto order = order_of(fields);
   if (!fields.ok()) return finish(refused(fields));
+  const bool are_known = std::ranges::all_of(order.targets, [this](const std::string& name) {
+    return parts_.team.find(name) != nullptr;
+  });
+  // What the desk refuses anyway needs no lease, and neither does a trial.
+  if (are_known && !order.trial.only && !admits(OrderKind::kSteers, who, order.targets, finish))
+    return;
   parts_.desk.order(std::move(order), [finish = std::move(finish)](const PushAnswer& answer) {
     finish(outcome_of_order(answer));
   });
 }
 
-void Operations::cancel_push(const nlohmann::json& request, Finish finish) {
+void Operations::cancel_push(const nlohmann::json& request, const OperatorId& who, Finish finish) {
   RequestFields fields(request);
   const auto id = fields.text("id"), author = fields.text("author", "an operator");
   if (!fields.ok()) return finish(refused(fields));
+  if (!admits(OrderKind::kStops, who, {}, finish)) return;
   parts_.desk.cancel(id, author, [finish = std::move(finish)](const PushAnswer& answer) {
     finish(outcome_of(answer));
   });
 }
 
-void Operations::command(const nlohmann::json& request, Finish finish) {
+void Operations::command(const nlohmann::json& request, const OperatorId& who, Finish finish) {
   RequestFields fields(request);
   const auto kind = command_kinds().find(fields.text("kind"));
   if (kind == command_kinds().end())
@@ -166,20 +180,23 @@ void Operations::command(const nlohmann::json& request, Finish finish) {
   command.argument = argument_of(kind == command_kinds().end() ? 0 : kind->second, fields);
   if (!fields.ok()) return finish(refused(fields));
   command.kind = kind->second;
-  send(commands_, std::move(command), std::move(finish));
+  send(commands_, std::move(command), order_kind(kind->second), who, std::move(finish));
 }
 
-void Operations::order_breaks(const nlohmann::json& request, Finish finish) {
+void Operations::order_breaks(const nlohmann::json& request, const OperatorId& who, Finish finish) {
   RequestFields fields(request);
   auto order = break_order(fields);
   if (!fields.ok()) return finish(refused(fields));
-  send(break_orders_, std::move(order), std::move(finish));
+  const auto kind = order.order == "set" ? OrderKind::kStops : OrderKind::kSteers;
+  send(break_orders_, std::move(order), kind, who, std::move(finish));
 }
 
 template <class M>
-void Operations::send(SignedWriter<M>& writer, M message, Finish finish) {
+void Operations::send(SignedWriter<M>& writer, M message, OrderKind kind, const OperatorId& who,
+                      Finish finish) {
   for (const auto& target : message.targets)
     if (!parts_.team.find(target)) return finish({404, {}, "There is no robot '" + target + "'."});
+  if (!admits(kind, who, message.targets, finish)) return;
   message.id = new_id();
   message.stamp = wire::ros_time(wire::wall_clock_ns());
   parts_.orders.expect(message.id);

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/api/team_parameters.h"
 
+#include "monitor/server/api/lease_json.h"
+
 namespace galilean::monitor {
 namespace {
 constexpr std::string_view kHeld = ".held";
 }
 
-foxglove::ParameterValues team_parameters(const Team& team) {
+foxglove::ParameterValues team_parameters(const Team& team, const LeaseDesk& leases) {
   foxglove::ParameterValues values{{"/team.program_hash", team.program_hash()},
-                                   {"/team.replayed", team.replayed()}};
+                                   {"/team.replayed", team.replayed()},
+                                   {"/team.leases", held_leases_json(leases)}};
   for (const auto& robot : team.statuses()) {
     const auto prefix = "/" + robot.name + ".";
     values[prefix + "held"] = robot.held;
@@ -19,14 +22,14 @@ foxglove::ParameterValues team_parameters(const Team& team) {
 }
 
 void set_team_parameter(Operations& operations, const foxglove::Parameter& wanted,
-                        foxglove::Hub::Answer answer) {
+                        const OperatorId& who, foxglove::Hub::Answer answer) {
   if (!wanted.name.ends_with(kHeld) || !wanted.value.is_boolean())
     return answer(Error{wanted.name + " cannot be set: /NAME.held can, to true or false."});
   const auto robot = wanted.name.substr(1, wanted.name.size() - 1 - kHeld.size());
   operations.command({{"kind", wanted.value.get<bool>() ? "hold" : "resume"},
                       {"targets", {robot}},
                       {"author", "a Foxglove client"}},
-                     [answer = std::move(answer)](const Outcome& outcome) {
+                     who, [answer = std::move(answer)](const Outcome& outcome) {
                        if (outcome.status < 400) return answer(outcome.json);
                        answer(Error{outcome.detail});
                      });

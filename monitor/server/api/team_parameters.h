@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "monitor/lease/lease_desk.h"
 #include "monitor/server/api/operations.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
 
 namespace galilean::monitor {
 
 /// Returns the team as Foxglove's parameters: each robot's /NAME.held, which clients can set, the
-/// name and hash of each robot's program, the hash of the team's program, and the names of the
-/// robots that a recording plays.
-[[nodiscard]] foxglove::ParameterValues team_parameters(const Team& team);
+/// name and hash of each robot's program, the hash of the team's program, the names of the
+/// robots that a recording plays, and the leases that somebody holds.
+[[nodiscard]] foxglove::ParameterValues team_parameters(const Team& team, const LeaseDesk& leases);
 
-/// Holds or resumes a robot whose /NAME.held is set.
+/// Holds or resumes a robot whose /NAME.held `who` sets.
 /// Errors: `wanted` is another parameter or no boolean, or the command fails.
 void set_team_parameter(Operations& operations, const foxglove::Parameter& wanted,
-                        foxglove::Hub::Answer answer);
+                        const OperatorId& who, foxglove::Hub::Answer answer);
 
 }  // namespace galilean::monitor

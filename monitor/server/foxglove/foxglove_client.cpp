@@ -55,8 +55,8 @@ const std::map<std::string, void (*)(Hub::Client&, Request)> Hub::Client::kOpera
     {"unsubscribeConnectionGraph", [](Client& client, Request) { client.watch_graph(false); }},
 };
 
-Hub::Client::Client(Hub& hub, Link& link, bool may_call)
-    : hub_(hub), link_(link), may_call_(may_call) {
+Hub::Client::Client(Hub& hub, Link& link, bool may_call, OperatorId who)
+    : hub_(hub), link_(link), may_call_(may_call), who_(std::move(who)) {
   hub_.clients_.push_back(this);
   tell(server_info(hub_.server_name_, hub_.session_id_));
   if (!hub_.services_.empty()) tell(advertise_services(hub_.services_));
@@ -178,6 +178,7 @@ void Hub::Client::call(const ServiceCall& call) {
        open = std::make_shared<OpenCall>(waiting_calls_)](const Result<nlohmann::json>& result) {
         if (*alive && !std::exchange(open->is_answered, true)) answer(service_id, call_id, result);
       };
+  hub_.caller_ = who_;
   const auto called =
       guarded("a service call", [&] { hub_.handlers_[service_id - 1](request.value(), once); });
   if (!called) once(Error{"The monitor cannot do this now: " + called.error().message + "."});

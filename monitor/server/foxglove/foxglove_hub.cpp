@@ -68,8 +68,8 @@ bool Hub::graph_is_watched() const {
   return std::ranges::any_of(clients_, [](const Client* client) { return client->watches_graph_; });
 }
 
-std::unique_ptr<Hub::Client> Hub::connect(Link& link, bool may_call) {
-  return std::make_unique<Client>(*this, link, may_call);
+std::unique_ptr<Hub::Client> Hub::connect(Link& link, bool may_call, OperatorId who) {
+  return std::make_unique<Client>(*this, link, may_call, std::move(who));
 }
 
 Hub::Topic* Hub::find(std::uint32_t channel_id) {

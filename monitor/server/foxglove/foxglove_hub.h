@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "monitor/access/operator_id.h"
 #include "monitor/server/foxglove/foxglove_messages.h"
 #include "monitor/server/limits/limit_counts.h"
 #include "monitor/server/limits/server_limits.h"
@@ -83,9 +84,12 @@ class Hub {
   void forget_demand() { demand_ = nullptr; }
 
   /// Returns a client that is served until it is destroyed. `may_call` says whether it may call
-  /// services and set parameters.
+  /// services and set parameters, and `who` does that then.
   /// Requires: `link` and the hub outlive the client.
-  [[nodiscard]] std::unique_ptr<Client> connect(Link& link, bool may_call);
+  [[nodiscard]] std::unique_ptr<Client> connect(Link& link, bool may_call, OperatorId who = {});
+  /// Returns who calls the service or sets the parameter.
+  /// Requires: a Handler or SetParameter is being called.
+  [[nodiscard]] const OperatorId& caller() const noexcept { return caller_; }
 
   struct Counts {
     std::size_t clients = 0;
@@ -114,6 +118,7 @@ class Hub {
   std::map<std::uint32_t, Topic> topics_;
   ParameterValues parameters_;
   SetParameter set_parameter_;
+  OperatorId caller_;
   ConnectionGraph graph_;
   std::vector<Client*> clients_;
   ServerLimits limits_;
@@ -124,7 +129,7 @@ class Hub {
 /// One connected client and its subscriptions.
 class Hub::Client {
  public:
-  Client(Hub& hub, Link& link, bool may_call);
+  Client(Hub& hub, Link& link, bool may_call, OperatorId who);
   ~Client();
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
@@ -166,6 +171,7 @@ class Hub::Client {
   Hub& hub_;
   Link& link_;
   bool may_call_;
+  OperatorId who_;
   std::shared_ptr<Outbox> outbox_ = std::make_shared<Outbox>();
   bool dismissed_ = false;
   std::map<std::uint32_t, std::uint32_t> channel_of_;  ///< by subscription id

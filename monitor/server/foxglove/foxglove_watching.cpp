@@ -44,6 +44,7 @@ void Hub::Client::set_parameter(const Parameter& wanted) {
   if (!may_call_) return refuse(missing_right(Right::kOperate));
   if (!hub_.parameters_.contains(wanted.name) || !hub_.set_parameter_)
     return refuse("There is no parameter \"" + wanted.name + "\".");
+  hub_.caller_ = who_;
   hub_.set_parameter_(wanted, [this, alive = alive_](const Result<nlohmann::json>& result) {
     if (*alive && !result) refuse(result.error().message);
   });

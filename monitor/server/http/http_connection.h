@@ -61,6 +61,7 @@ class HttpConnection final : public IncomingBody,
 
   // What tokens permit: http_rights.cpp.
   [[nodiscard]] Right right_of(const HttpRequest& request);
+  [[nodiscard]] OperatorId sender_of(const HttpRequest& request) const;
   [[nodiscard]] std::optional<Duration> held_off();
   [[nodiscard]] static HttpResponse too_many_guesses(Duration wait);
   [[nodiscard]] bool is_withdrawn() const;

@@ -13,6 +13,7 @@
 
 #include "core/result.h"
 #include "monitor/access/access.h"
+#include "monitor/access/operator_id.h"
 
 namespace galilean::monitor {
 
@@ -47,6 +48,10 @@ struct HttpRequest {
   std::string origin;  ///< empty if none was sent
   std::string token;   ///< the bearer's token; empty if none was sent
   Right right = Right::kNone;
+  /// What the sender says of itself: X-Galilean-Operator, and X-Galilean-Client, which names its
+  /// tab or process. Empty if it was not sent.
+  std::string operator_name, client;
+  OperatorId who;  ///< the sender, as the monitor calls it
   std::string if_none_match;
   bool accepts_gzip = false;
   std::string range, if_range;                ///< empty if none was sent

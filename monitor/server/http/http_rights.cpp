@@ -18,6 +18,12 @@ Right HttpConnection::right_of(const HttpRequest& request) {
                                                  : std::max(token_right_, access.free_right());
 }
 
+/// Requires: right_of(request) was called.
+OperatorId HttpConnection::sender_of(const HttpRequest& request) const {
+  const auto account = digest_.empty() ? "" : context_->access.account_by_digest(digest_);
+  return operator_id(request.operator_name, request.client, account, address_);
+}
+
 /// Returns how long a client must wait whose token is wrong, if it has sent too many such tokens.
 std::optional<Duration> HttpConnection::held_off() {
   if (digest_.empty() || token_right_ != Right::kNone) return {};

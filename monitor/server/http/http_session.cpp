@@ -43,6 +43,9 @@ HttpRequest plain(const http::request_header<>& from) {
   request.if_none_match = from[http::field::if_none_match];
   request.accepts_gzip =
       from[http::field::accept_encoding].find("gzip") != beast::string_view::npos;
+  const auto name = from["X-Galilean-Operator"];
+  request.operator_name = percent_decoded({name.data(), name.size()});
+  request.client = from["X-Galilean-Client"];
   request.range = from[http::field::range];
   request.if_range = from[http::field::if_range];
   return request;
@@ -252,6 +255,7 @@ std::optional<HttpRequest> HttpConnection::begin(const Request<Body>& message) {
            "operators; close others, or ask again in a moment.");
     return {};
   }
+  request.who = sender_of(request);
   return request;
 }
 
@@ -271,8 +275,8 @@ void HttpConnection::become_websocket(const HttpRequest& request, const TextRequ
   else if (request.path == "/replay")
     session = serve_replay(std::move(socket), message, rounds, context_->replay, place_);
   else
-    session =
-        serve_websocket(std::move(socket), message, context_->hub, rounds, request.right, place_);
+    session = serve_websocket(std::move(socket), message, context_->hub, rounds, request.right,
+                              request.who, place_);
   if (token_right_ != Right::kNone)
     context_->sockets.add(digest_, token_right_, std::move(session));
 }

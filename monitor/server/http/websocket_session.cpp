@@ -19,10 +19,11 @@ class WebSocketSession final : public foxglove::Link,
                                public std::enable_shared_from_this<WebSocketSession> {
  public:
   WebSocketSession(boost::asio::ip::tcp::socket socket, foxglove::Hub& hub, SendRounds& rounds,
-                   Right right, std::shared_ptr<Connections::Place> place)
+                   Right right, OperatorId who, std::shared_ptr<Connections::Place> place)
       : socket_(std::move(socket), rounds, kMostMessageBytes, std::move(place)),
         hub_(hub),
-        right_(right) {}
+        right_(right),
+        who_(std::move(who)) {}
 
   void start(const Upgrade& upgrade) {
     const auto subprotocol = foxglove::subprotocol_for(upgrade);
@@ -64,7 +65,7 @@ class WebSocketSession final : public foxglove::Link,
   }
 
   void begin() {
-    client_ = hub_.connect(*this, right_ == Right::kOperate);
+    client_ = hub_.connect(*this, right_ == Right::kOperate, who_);
     socket_.send_from(client_->outbox_while_connected());
     flush();
   }
@@ -89,6 +90,7 @@ class WebSocketSession final : public foxglove::Link,
   WebSocket socket_;
   foxglove::Hub& hub_;
   Right right_;
+  OperatorId who_;
   std::unique_ptr<foxglove::Hub::Client> client_;
   bool closing_ = false;
 };
@@ -97,10 +99,10 @@ class WebSocketSession final : public foxglove::Link,
 
 std::weak_ptr<Revocable> serve_websocket(boost::asio::ip::tcp::socket socket,
                                          const Upgrade& upgrade, foxglove::Hub& hub,
-                                         SendRounds& rounds, Right right,
+                                         SendRounds& rounds, Right right, const OperatorId& who,
                                          std::shared_ptr<Connections::Place> place) {
-  const auto session =
-      std::make_shared<WebSocketSession>(std::move(socket), hub, rounds, right, std::move(place));
+  const auto session = std::make_shared<WebSocketSession>(std::move(socket), hub, rounds, right,
+                                                          who, std::move(place));
   session->start(upgrade);
   return session;
 }

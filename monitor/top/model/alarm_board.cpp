@@ -46,6 +46,9 @@ Words words_of(AlarmKind kind) {
     case AlarmKind::kPush:
       return {"refused or went back from a push", "refused or went back from a push",
               "refused or went back from a push", "refused or went back from a push"};
+    case AlarmKind::kRefused:
+      return {"sends messages that are not taken", "sent messages that were not taken",
+              "send messages that are not taken", "sent messages that were not taken"};
     case AlarmKind::kProblem:
       break;
   }
@@ -58,7 +61,9 @@ std::string group_text(const std::vector<const PostedAlarm*>& group, bool over) 
   const Words words = words_of(group[0]->alarm.kind);
   const char* now = robots.size() == 1 ? words.one : words.several;
   const char* past = robots.size() == 1 ? words.one_past : words.several_past;
-  std::string text = plural(robots.size(), "robot") + " " + (over ? past : now);
+  const bool are_robots = group[0]->alarm.kind != AlarmKind::kRefused;
+  std::string text =
+      plural(robots.size(), are_robots ? "robot" : "sender") + " " + (over ? past : now);
   for (std::size_t i = 0; i < robots.size(); ++i) text += (i == 0 ? ": " : ", ") + robots[i];
   return text;
 }

@@ -107,6 +107,7 @@ void AlarmFinder::find_of(const Robot& robot, const DashboardModel& model, Time 
 std::vector<Alarm> AlarmFinder::find(const DashboardModel& model, Time now) {
   std::vector<Alarm> alarms;
   team_hash_ = model.team().program_hash();
+  std::erase_if(memories_, [&](const auto& each) { return !model.team().find(each.first); });
   for (const auto& [name, robot] : model.team().robots()) {
     if (robot.state) remember(memories_[name], *robot.state, now);
     find_of(robot, model, now, alarms);
@@ -114,6 +115,8 @@ std::vector<Alarm> AlarmFinder::find(const DashboardModel& model, Time now) {
   find_misplaced(model, alarms);
   find_failed_pushes(model, alarms);
   find_history_problem(model, alarms);
+  for (const auto& each : model.refusals().ongoing(now))
+    alarms.push_back({each.key, AlarmKind::kRefused, each.sender, each.words});
   return alarms;
 }
 

@@ -13,13 +13,22 @@
 
 namespace galilean::monitor::top {
 
-enum class AlarmKind : std::uint8_t { kSilent, kLate, kDrift, kStuck, kUncertain, kProblem, kPush };
+enum class AlarmKind : std::uint8_t {
+  kSilent,
+  kLate,
+  kDrift,
+  kStuck,
+  kUncertain,
+  kProblem,
+  kPush,
+  kRefused
+};
 
 /// What an operator must hear of. The page has the same alarms: web/src/model/alarms.ts.
 struct Alarm {
   std::string key;  ///< the same as long as it is the same alarm
   AlarmKind kind = AlarmKind::kProblem;
-  std::string robot;
+  std::string robot;      ///< of messages that were not taken: the name in their topic
   std::string words;      ///< one sentence without its full stop
   std::string past = {};  ///< the words once it is over, before how long it lasted; empty: none
   std::optional<Time> since = {};  ///< none: since it was found

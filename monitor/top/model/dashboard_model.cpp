@@ -52,6 +52,12 @@ void DashboardModel::receive(const Message& message) {
     for (const auto& [name, robot] : team_.robots()) identities_.meet(name);
 }
 
+void DashboardModel::forget(const std::string& robot) {
+  team_.forget(robot);
+  identities_.forget(robot);
+  sightings_.erase(wire::robot_topic(robot, "sightings"));
+}
+
 bool DashboardModel::shows(std::string_view ros_type) noexcept {
   return std::ranges::find(kShown, ros_type) != kShown.end();
 }
@@ -87,7 +93,12 @@ std::string DashboardModel::history_problem() const {
 
 void DashboardModel::note_push(const Message& message) {
   msg::PushProgress push;
-  if (msg::decode_cdr(*message.cdr, push)) pushed_names_[push.id] = push.program;
+  if (!msg::decode_cdr(*message.cdr, push)) return;
+  if (!pushed_names_.contains(push.id)) pushes_.push_back(push.id);
+  pushed_names_[push.id] = push.program;
+  if (pushes_.size() <= kPushedNamesKept) return;
+  pushed_names_.erase(pushes_.front());
+  pushes_.pop_front();
 }
 
 std::string DashboardModel::pushed_name(const std::string& push_id) const {

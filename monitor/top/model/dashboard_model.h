@@ -12,6 +12,7 @@
 #include "monitor/team/team.h"
 #include "monitor/top/model/floor.h"
 #include "monitor/top/model/identity.h"
+#include "monitor/top/model/refusal_watch.h"
 
 namespace galilean::monitor::top {
 
@@ -20,6 +21,7 @@ namespace galilean::monitor::top {
 class DashboardModel {
  public:
   static constexpr std::size_t kRepliesKept = 128;
+  static constexpr std::size_t kPushedNamesKept = 128;
 
   explicit DashboardModel(const Clock& clock) : clock_(clock), team_(clock) {}
 
@@ -28,11 +30,18 @@ class DashboardModel {
   /// Handles a message of any type. Ignores messages that it does not show or cannot decode.
   void receive(const Message& message);
 
+  /// Takes in what this process did not take in from DDS so far.
+  void note(const Intake& intake) { refusals_.look(intake, clock_.now()); }
+  /// Forgets a robot that is gone. Its letter may be given to another one.
+  void forget(const std::string& robot);
+
   [[nodiscard]] const Team& team() const noexcept { return team_; }
+  [[nodiscard]] const RefusalWatch& refusals() const noexcept { return refusals_; }
   [[nodiscard]] const Identities& identities() const noexcept { return identities_; }
   /// Returns the robots' answers to pushes since this was made, the oldest first.
   [[nodiscard]] const std::deque<msg::ProgramReply>& replies() const noexcept { return replies_; }
-  /// Returns the name of the program that a push brought, or an empty string.
+  /// Returns the name of the program that a push brought, or an empty string. Those of the newest
+  /// kPushedNamesKept pushes are known.
   [[nodiscard]] std::string pushed_name(const std::string& push_id) const;
   /// Returns what the monitor tells to be wrong with its history; empty if nothing is, or if it
   /// told nothing in the last 5 s.
@@ -65,9 +74,11 @@ class DashboardModel {
   const Clock& clock_;
   Team team_;
   Identities identities_;
+  RefusalWatch refusals_;
   std::deque<msg::ProgramReply> replies_;
   std::map<std::string, std::string> pushed_names_;  ///< by the push's id
   std::optional<Heard<std::string>> history_problem_;
+  std::deque<std::string> pushes_;                   ///< their ids, the oldest first
   std::optional<Heard<msg::ObjectMap>> objects_;
   std::shared_ptr<const Floor> floor_;
   std::map<std::string, std::optional<Heard<msg::Sightings>>> sightings_;  ///< by topic

@@ -32,7 +32,9 @@ std::string letter_of(const std::string& name, const std::vector<Identity>& othe
   if (!digits.empty() && is_free(first + digits)) return first + digits;
   for (const char letter : digits.empty() ? letters : std::string())
     if (is_free({letter})) return {letter};
-  return first + std::to_string(others.size() + 1);
+  auto number = others.size() + 1;
+  while (!is_free(first + std::to_string(number))) ++number;  // others were forgotten
+  return first + std::to_string(number);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct Identity {
 class Identities {
  public:
   void meet(const std::string& robot);
+  void forget(const std::string& robot) { by_name_.erase(robot); }
   [[nodiscard]] std::size_t count() const noexcept { return by_name_.size(); }
   /// Returns the robot's identity, or "?" if it was never met.
   [[nodiscard]] const Identity& of(const std::string& robot) const;

@@ -20,8 +20,9 @@ struct ShownRobot {
   std::size_t number = 0;  ///< of its colour
   RobotStatus status;
   bool has_unseen_alarm = false;
-  bool is_stopped = false;  ///< by a break point or the end of a step
-  bool waits = false;       ///< at a lock
+  bool is_stopped = false;      ///< by a break point or the end of a step
+  bool waits = false;           ///< at a lock
+  std::string steered_by = {};  ///< another operator's name; empty: nobody else holds it
 };
 /// What break points do where a state is entered or a transition fires.
 enum class BreakMark : std::uint8_t { kNone, kStop, kStopTeam, kLock };

@@ -28,6 +28,7 @@ Sheet help_sheet() {
       "u, U         restore the last good program; asks first",
       "w, W         what was pushed, when and by whom; restores one, asks first",
       "g, G         gains and thresholds of the running program; Enter pushes them",
+      "m, M         another steers it: ask, or take it over; asked: give it, or refuse",
       "q, Ctrl-C    quit; the robots go on. Ctrl-Z: back to the shell, fg: here again",
       "",
       "Pushes, p to g above, need a monitor. Signs of states: ● a break point, where",

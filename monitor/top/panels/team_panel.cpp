@@ -56,6 +56,7 @@ struct Columns {
 std::string flags(const ShownRobot& robot) {
   const RobotStatus& status = robot.status;
   std::string text;
+  if (!robot.steered_by.empty()) text += " (" + robot.steered_by + " steers)";
   if (status.out_of_service) text += " out of service";
   if (status.held) text += robot.is_stopped ? " stopped" : " held";
   if (robot.waits) text += " waits";

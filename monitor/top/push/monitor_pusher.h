@@ -27,6 +27,14 @@ class MonitorPusher : public Pusher {
   [[nodiscard]] PushReport report() const override { return worker_->report(); }
   void list() override { worker_->list(); }
   [[nodiscard]] PastPushes pushes() const override { return worker_->pushes(); }
+  [[nodiscard]] std::optional<ToldLease> lease(const std::string& robot) const override {
+    return worker_->lease(robot);
+  }
+  void change_lease(const std::string& deed, const std::string& robot,
+                    const std::string& reason) override {
+    worker_->change_lease(deed, robot, reason);
+  }
+  [[nodiscard]] std::string take_lease_refusal() override { return worker_->take_lease_refusal(); }
 
  private:
   std::shared_ptr<PushWorker> worker_;  ///< shared with the thread, which may outlive this

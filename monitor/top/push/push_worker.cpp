@@ -2,6 +2,7 @@
 #include "monitor/top/push/push_worker.h"
 
 #include "core/failure.h"
+#include "core/visible_text.h"
 
 namespace galilean::monitor::top {
 namespace {
@@ -9,8 +10,26 @@ namespace {
 using nlohmann::json;
 using Stage = PushReport::Stage;
 
-constexpr auto kAskForRightsEach = std::chrono::seconds(5);
+constexpr auto kAskForRightsEach = std::chrono::seconds(2);
 constexpr auto kLookEach = std::chrono::milliseconds(200);
+
+std::string name_in(const json& lease, const char* member) {
+  const auto found = lease.find(member);
+  return found == lease.end() || !found->is_object() ? "" : visible(found->value("name", ""));
+}
+
+std::map<std::string, ToldLease> leases_in(const json& status) {
+  std::map<std::string, ToldLease> leases;
+  for (const auto& robot : status.value("robots", json::array())) {
+    const auto lease = robot.value("lease", json());
+    if (!lease.is_object()) continue;
+    leases[robot.value("name", "")] = {.holder = name_in(lease, "holder"),
+                                       .asker = name_in(lease, "asker"),
+                                       .is_yours = lease.value("yours", false),
+                                       .is_asked_by_you = lease.value("asked_by_you", false)};
+  }
+  return leases;
+}
 
 }  // namespace
 
@@ -68,6 +87,36 @@ void PushWorker::list() {
 PastPushes PushWorker::pushes() const {
   const std::lock_guard lock(mutex_);
   return pushes_;
+}
+
+std::optional<ToldLease> PushWorker::lease(const std::string& robot) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = leases_.find(robot);
+  if (found == leases_.end()) return {};
+  return found->second;
+}
+
+void PushWorker::change_lease(const std::string& deed, const std::string& robot,
+                              const std::string& reason) {
+  const std::lock_guard lock(mutex_);
+  add([this, body = json{{"do", deed}, {"robots", {robot}}, {"reason", reason}}] {
+    std::string refusal;
+    const auto done = attempt([&] {
+      const auto answer = ask_("/api/lease", body);
+      if (!answer)
+        refusal = answer.error().message;
+      else if (!answer.value().ok())
+        refusal = answer.value().detail();
+    });
+    if (!done) refusal = done.error().message;
+    const std::lock_guard answered(mutex_);
+    lease_refusal_ = std::move(refusal);
+  });
+}
+
+std::string PushWorker::take_lease_refusal() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(lease_refusal_, {});
 }
 
 /// Requires: mutex_ is locked.
@@ -134,8 +183,10 @@ void PushWorker::ask_for_rights() {
     hindrance = status.error().message;
   else if (!status.value().value("may_steer", false))
     hindrance = "the monitor's operator token is needed to push; name its file with --token-file";
+  auto leases = status ? leases_in(status.value()) : std::map<std::string, ToldLease>();
   const std::lock_guard lock(mutex_);
   hindrance_ = std::move(hindrance);
+  leases_ = std::move(leases);
 }
 
 bool PushWorker::is_outdated(std::uint64_t check) const {

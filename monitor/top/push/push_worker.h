@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -44,6 +45,9 @@ class PushWorker {
   [[nodiscard]] PushReport report() const;
   void list();
   [[nodiscard]] PastPushes pushes() const;
+  [[nodiscard]] std::optional<ToldLease> lease(const std::string& robot) const;
+  void change_lease(const std::string& deed, const std::string& robot, const std::string& reason);
+  [[nodiscard]] std::string take_lease_refusal();
 
  private:
   using Job = std::function<void()>;
@@ -59,6 +63,8 @@ class PushWorker {
   };
 
   void add(Job job);
+  /// Asks whether this user may steer, and who steers which robot. It is a word, which keeps what
+  /// this user holds.
   void ask_for_rights();
   void list_now();
   void check_now(const PushWish& wish, std::uint64_t number);
@@ -89,6 +95,8 @@ class PushWorker {
   std::string hindrance_ = "the monitor has not answered yet";
   PushReport report_;
   PastPushes pushes_;
+  std::map<std::string, ToldLease> leases_;  ///< by robot
+  std::string lease_refusal_;
   std::uint64_t newest_check_ = 0;  ///< only the answer of this check counts
   std::optional<Checked> checked_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,7 +61,15 @@ struct PastPushes {
   std::vector<PastPush> pushes;  ///< the newest first
 };
 
-/// Pushes programs. No call waits.
+/// Who steers a robot through the monitor, as it told last.
+struct ToldLease {
+  std::string holder;  ///< the operator's name
+  std::string asker;   ///< who asks the holder for it; empty: nobody
+  bool is_yours = false;
+  bool is_asked_by_you = false;
+};
+
+/// Pushes programs, and takes turns at steering, both through a monitor. No call waits.
 class Pusher {
  public:
   virtual ~Pusher() = default;
@@ -78,6 +87,16 @@ class Pusher {
   /// Asks for the pushes that the monitor remembers.
   virtual void list() = 0;
   [[nodiscard]] virtual PastPushes pushes() const = 0;
+  /// Returns nothing if nobody holds the robot, or if no monitor tells who does.
+  [[nodiscard]] virtual std::optional<ToldLease> lease(const std::string& /*robot*/) const {
+    return {};
+  }
+  /// Asks for a robot's lease, or takes, gives or refuses it: "ask", "take", "give" or "refuse".
+  virtual void change_lease(const std::string& /*deed*/, const std::string& /*robot*/,
+                            const std::string& /*reason*/) {}
+  /// Returns once what the monitor answered to a change of a lease that it refused; else an empty
+  /// text.
+  [[nodiscard]] virtual std::string take_lease_refusal() { return {}; }
 };
 
 }  // namespace galilean::monitor::top

@@ -3,7 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdlib>
+
 #include "core/command_line/domain_option.h"
+#include "core/secure_folder.h"
 
 namespace galilean {
 namespace {
@@ -198,6 +201,22 @@ TEST(CommandLine, ADomainIsOneThatPortsAllow) {
   EXPECT_EQ(read(line, {"--domain", "232"}).code, std::nullopt);
   EXPECT_EQ(domain, 232);
   EXPECT_THAT(read(line, {"--domain", "233"}).errors, HasSubstr("--domain"));
+}
+
+TEST(CommandLine, KeysOfDdsSecurityAreNamedForThisProcessAndThoseThatItStarts) {
+  CommandLine line("A program.", "program");
+  int domain = -1;
+  add_domain_option(line, domain);
+  unsetenv(kSecureVariable);
+  EXPECT_EQ(read(line, {}).code, std::nullopt);
+  EXPECT_EQ(std::getenv(kSecureVariable), nullptr);
+  EXPECT_EQ(read(line, {"--secure", "."}).code, std::nullopt);
+  const char* folder = std::getenv(kSecureVariable);
+  ASSERT_NE(folder, nullptr);
+  EXPECT_EQ(folder[0], '/');
+  unsetenv(kSecureVariable);
+  EXPECT_THAT(read(line, {"--secure", "none/at/all"}).errors, HasSubstr("is no folder"));
+  EXPECT_EQ(std::getenv(kSecureVariable), nullptr);
 }
 
 TEST(CommandLine, TellsWhetherAnOptionWasGiven) {

@@ -58,8 +58,9 @@ const auto kEchoes =
            msg::Program, msg::ProgramPush, msg::ProgramReply, msg::PushProgress, msg::Catalog,
            msg::Command, msg::BreakOrder, msg::TeamStop, msg::Breaks, msg::TickInputs,
            msg::ObjectMap, msg::Score, msg::SimulationOrder, msg::SimulationEvent,
-           msg::SimulationState, msg::CompressedImage, msg::Odometry, msg::OccupancyGrid,
-           msg::TFMessage, msg::MarkerArray, msg::DiagnosticArray, msg::Log, msg::Clock>();
+           msg::SimulationState, msg::LeaseChange, msg::CompressedImage, msg::Odometry,
+           msg::OccupancyGrid, msg::TFMessage, msg::MarkerArray, msg::DiagnosticArray, msg::Log,
+           msg::Clock>();
 
 Bytes from_hex(const std::string& hex) {
   Bytes bytes;

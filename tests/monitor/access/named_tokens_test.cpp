@@ -122,7 +122,13 @@ TEST_F(NamedTokens, ADamagedFileIsAnErrorAndIsNotOverwritten) {
         with("3"), with("{}"),
         with(R"({"name": "a", "role": "admin", "made_s": 1, "sha256": ")" + digest + "\"}"),
         with(R"({"name": "a", "role": "viewer", "made_s": 1, "sha256": "a"})"),
-        with(R"({"name": "a", "role": "viewer", "made_s": "1", "sha256": ")" + digest + "\"}")}) {
+        with(R"({"name": "a", "role": "viewer", "made_s": "1", "sha256": ")" + digest + "\"}"),
+        with(R"({"name": "a", "role": "viewer", "made_s": 1.5, "sha256": ")" + digest + "\"}"),
+        with(R"({"name": "a", "role": "viewer", "made_s": 1, "expires_s": true, "sha256": ")" +
+             digest + "\"}"),
+        with(R"({"name": "a", "role": "viewer", "made_s": 1, "expires_s": 18446744073709551615, )"
+             R"("sha256": ")" +
+             digest + "\"}")}) {
     EXPECT_THAT(objection_to_text(text), HasSubstr("tokens.json is damaged")) << text;
     EXPECT_FALSE(add_named_token(folder.path(), token_named("bert"))) << text;
     EXPECT_EQ(text_of(file), text);

@@ -63,6 +63,32 @@ TEST(CommandRound, ARobotThatOnlyAMonitorKnowsIsNamedWhateverTheTeamIsTold) {
   EXPECT_THAT(lines(Word::kCommission), ElementsAre(unknown, "io: is in service again"));
 }
 
+TEST(CommandRound, WhatAnotherOperatorSteersIsStoppedAndNothingElse) {
+  ScriptedRobot io("io", kRoundDomain, "{}");
+  const auto monitor = wire::Participant::join("monitor", kRoundDomain).value();
+  wire::Writer<msg::LeaseChange> changes(*monitor, wire::kLeaseChangeTopic);
+  msg::LeaseChange change;
+  change.robot = "io";
+  change.holder = "somebody else";
+  ASSERT_TRUE(changes.write(change));
+  const auto session = OrderSession::join("test", kRoundDomain);
+  const Addressees to_io{.robots = {"io"}};
+  ASSERT_TRUE(session.value()->find(to_io));
+  ASSERT_TRUE(session.value()->wait(OrderSession::kHear, [&] {
+    return !session.value()->check_leases(to_io);
+  })) << "the change was not heard";
+  const auto resumed = CommandRound(*session.value(), Word::kResume, to_io).run();
+  ASSERT_FALSE(resumed);
+  EXPECT_THAT(resumed.error().message, HasSubstr("somebody else steers io"));
+  EXPECT_THAT(lines_of_outcomes(CommandRound(*session.value(), Word::kHold, to_io).run().value()),
+              ElementsAre("io: stands still"));
+  change.holder = "";
+  ASSERT_TRUE(changes.write(change));
+  ASSERT_TRUE(session.value()->wait(OrderSession::kHear,
+                                    [&] { return session.value()->check_leases(to_io).ok(); }));
+  EXPECT_TRUE(CommandRound(*session.value(), Word::kResume, to_io).run());
+}
+
 TEST(CommandRound, TheOthersObeyWhereOneThatIsNamedIsNotThere) {
   ScriptedRobot io("io", kRoundDomain, "{}");
   EXPECT_THAT(told_to({.robots = {"io", "europa"}}, Word::kHold),

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace galilean::monitor {
 namespace {
 
@@ -51,6 +53,28 @@ TEST(Replies, ANumberThatIsNotKnownDecidesAndIsNoSuccess) {
   EXPECT_EQ(replies.all()[0].status, ReplyStatus::kUnknown);
   EXPECT_TRUE(replies.complete());
   EXPECT_FALSE(replies.taken_by_all());
+}
+
+TEST(Replies, KeepsThoseOfAllThatWereAskedAndTheNewestOfOthers) {
+  auto replies = asked({"io", "ganymede"});
+  EXPECT_TRUE(replies.note(reply("io", status::RUNNING), Time{}));
+  constexpr std::size_t kStrangers = Replies::kMostUnasked + 7;
+  for (std::size_t i = 0; i < kStrangers; ++i)
+    EXPECT_TRUE(replies.note(reply("stranger_" + std::to_string(i), status::RUNNING), Time{}));
+  const auto all = replies.all();
+  EXPECT_EQ(all.size(), 2 + Replies::kMostUnasked);
+  EXPECT_EQ(replies.dropped(), 7U);
+  const auto has = [&](const std::string& robot) {
+    return std::ranges::find(all, robot, &RobotReply::robot) != all.end();
+  };
+  EXPECT_FALSE(has("stranger_6"));
+  EXPECT_TRUE(has("stranger_7"));
+  EXPECT_TRUE(has("stranger_" + std::to_string(kStrangers - 1)));
+  EXPECT_TRUE(has("ganymede")) << "it was asked, and has not answered";
+  EXPECT_FALSE(replies.complete());
+  EXPECT_TRUE(replies.note(reply("ganymede", status::RUNNING), Time{}));
+  EXPECT_TRUE(replies.complete());
+  EXPECT_EQ(replies.dropped(), 7U);
 }
 
 TEST(Replies, EachSaysWhyItsRobotDoesNotRunTheProgram) {

@@ -77,5 +77,46 @@ TEST(StrategyTally, AClockThatRunsBackBeginsANewContest) {
   EXPECT_TRUE(tally.strategies().empty());
 }
 
+TEST(StrategyTally, KeepsTheProgramsThatWereCreditedMostRecently) {
+  StrategyTally tally;
+  constexpr std::size_t kPrograms = 3 * StrategyTally::kMostStrategies;
+  const auto score_at = [](double elapsed_s) {
+    return sheet(elapsed_s, {{"io", static_cast<unsigned>(elapsed_s), 0}, {"stranger", 0, 0}});
+  };
+  tally.note(runs("io", "wander"));
+  tally.note(score_at(0));
+  for (std::size_t i = 0; i < kPrograms; ++i) {
+    tally.note(runs("stranger", "invented_" + std::to_string(i)));
+    tally.note(score_at(static_cast<double>(i + 1)));
+    EXPECT_LE(tally.strategies().size(), StrategyTally::kMostStrategies);
+  }
+  EXPECT_EQ(tally.dropped(), kPrograms + 1 - StrategyTally::kMostStrategies);
+  const Strategy& wander = tally.strategies().front();
+  EXPECT_EQ(wander.program_hash, "wander") << "it ran all the time";
+  EXPECT_EQ(wander.deposited, kPrograms);
+  EXPECT_EQ(tally.strategies().back().program_hash, "invented_" + std::to_string(kPrograms - 1));
+}
+
+TEST(StrategyTally, KeepsTheProgramsOfTheRobotsThatWereHeardMostRecently) {
+  StrategyTally tally;
+  for (std::size_t i = 0; i < 3 * StrategyTally::kMostRobots; ++i) {
+    tally.note(runs("io", "wander"));
+    tally.note(runs("invented_" + std::to_string(i), "spin"));
+  }
+  tally.note(sheet(0, {{"io", 0, 0}, {"invented_0", 0, 0}}));
+  tally.note(sheet(1, {{"io", 1, 0}, {"invented_0", 1, 0}}));
+  ASSERT_EQ(tally.strategies().size(), 1U) << "nobody knows what invented_0 runs any more";
+  EXPECT_EQ(tally.strategies()[0].program_hash, "wander");
+}
+
+TEST(StrategyTally, ARobotThatIsForgottenIsCreditedNothing) {
+  StrategyTally tally;
+  tally.note(runs("io", "wander"));
+  tally.note(sheet(0, {{"io", 0, 0}}));
+  tally.forget("io");
+  tally.note(sheet(9, {{"io", 1, 0}}));
+  EXPECT_TRUE(tally.strategies().empty());
+}
+
 }  // namespace
 }  // namespace galilean::monitor

@@ -144,6 +144,40 @@ TEST_F(TeamTest, AMonitorThatTellsOfCountlessRobotsAddsOnlySoMany) {
   EXPECT_EQ(status("io").health, Health::kWell) << "Ingest bounds those that send messages";
 }
 
+TEST_F(TeamTest, ARobotThatWasForgottenComesBackWhenItIsHeardAndNotWhenItIsToldOf) {
+  team.note(state_of("io", "a"));
+  clock.advance(2h);
+  team.forget("io");
+  EXPECT_EQ(team.find("io"), nullptr);
+  msg::ObjectMap map;
+  map.robots.resize(1);
+  map.robots[0].name = "io";
+  team.note(map);
+  EXPECT_EQ(team.find("io"), nullptr);
+  team.note(state_of("io", "a"));
+  EXPECT_EQ(status("io").health, Health::kWell);
+}
+
+TEST_F(TeamTest, ARobotThatIsOnlyToldOfAndLongSilentGivesItsPlaceUp) {
+  msg::ObjectMap map;
+  map.robots.resize(Team::kMostRobots);
+  for (std::size_t i = 0; i < map.robots.size(); ++i)
+    map.robots[i].name = "invented_" + std::to_string(i);
+  team.note(map);
+  msg::ObjectMap later;
+  later.robots.resize(2);
+  later.robots[0].name = "europa";
+  later.robots[1].name = "themisto";
+  later.robots[1].age_s = 2 * 3600;
+  team.note(later);
+  EXPECT_EQ(team.find("europa"), nullptr) << "all places are taken";
+  clock.advance(1h);
+  team.note(later);
+  EXPECT_NE(team.find("europa"), nullptr);
+  EXPECT_EQ(team.find("themisto"), nullptr) << "it is silent for longer than the others";
+  EXPECT_EQ(team.robots().size(), Team::kMostRobots);
+}
+
 /// Receives a state of io, as the wire brings it.
 class ReplayedTeamTest : public TeamTest {
  protected:

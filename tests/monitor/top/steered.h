@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <utility>
+
 #include "monitor/top/dashboard.h"
 #include "tests/monitor/top/model/told.h"
 
@@ -23,6 +26,18 @@ class FakePusher : public Pusher {
   [[nodiscard]] PushReport report() const override { return told; }
   void list() override { ++listed; }
   [[nodiscard]] PastPushes pushes() const override { return past; }
+  [[nodiscard]] std::optional<ToldLease> lease(const std::string& robot) const override {
+    const auto found = leases.find(robot);
+    if (found == leases.end()) return {};
+    return found->second;
+  }
+  void change_lease(const std::string& deed, const std::string& robot,
+                    const std::string& reason) override {
+    changed.push_back(deed + " " + robot + (reason.empty() ? "" : ": " + reason));
+  }
+  [[nodiscard]] std::string take_lease_refusal() override {
+    return std::exchange(lease_refusal, {});
+  }
 
   std::string why_not;
   PushReport told;
@@ -31,6 +46,9 @@ class FakePusher : public Pusher {
   int cancelled = 0;
   PastPushes past;
   int listed = 0;
+  std::map<std::string, ToldLease> leases;
+  Said changed;
+  std::string lease_refusal;
 };
 
 /// A dashboard of three robots that is steered by keys. What it says to robots is noted.

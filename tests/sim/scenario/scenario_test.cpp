@@ -50,6 +50,8 @@ TEST(Scenario, ErrorsNameFilePathAndWhatIsExpected) {
               HasSubstr("chairs[1].at: expected a pair [x, y], found 3"));
   EXPECT_THAT(error_of(with(R"("rules": {"duration": 5})")),
               HasSubstr("rules.duration: unknown field; expected one of duration_s, "));
+  EXPECT_THAT(error_of(with(R"("a\nb": 5)")), testing::Not(HasSubstr("\n")))
+      << "an error is one line";
   EXPECT_THAT(error_of(with(R"("pieces": {"placed": [{"kind": "pen", "at": [1, 1]}]})")),
               HasSubstr("pieces.placed[0].kind: expected can, cup or wad, found \"pen\""));
   EXPECT_THAT(error_of(with(R"("baskets": [{"at": [9, 1]}])")),

@@ -5,6 +5,7 @@ import type { Command_Constants, Diagnostic, ProgramReply, PushStep, SourceFile 
 import type { BreakKind, Machine, StateChange } from "./parts";
 import { RECORDED, recording } from "./recording";
 import { credentials } from "./token";
+import { introduction } from "./who";
 
 /** What a robot answers to a push; `latency_ms` where the monitor measured it. */
 export type Reply = Pick<
@@ -103,9 +104,9 @@ interface Problem {
 
 export type CommandKind = Lowercase<keyof typeof Command_Constants>;
 
-async function call<T>(path: string, body?: unknown): Promise<T> {
-  const headers = { ...credentials(), "content-type": "application/json" };
-  const request: RequestInit = body === undefined ? { headers } : { method: "POST", headers, body: JSON.stringify(body) };
+async function call<T>(path: string, body?: unknown, keepalive = false): Promise<T> {
+  const headers = { ...credentials(), ...introduction(), "content-type": "application/json" };
+  const request: RequestInit = body === undefined ? { headers } : { method: "POST", headers, body: JSON.stringify(body), ...(keepalive && { keepalive }) };
   let response: Response;
   try {
     response = await fetch(path, request);
@@ -204,8 +205,37 @@ export function orderSimulation(simulation: string, what: SimulationOrder): Prom
   return order("/api/simulation/orders", { ...what, simulation, author: "operator" });
 }
 
-/** `may_steer`: whether the token that the page has gives the right to. */
-export function status(): Promise<{ name: string; scenario: string; version: string; may_steer: boolean }> {
+export type LeaseDeed = "ask" | "give" | "refuse" | "take" | "release";
+
+/** No `robots`, of a release: all that the page's operator holds or asks for. `leaving`: the page is about to be closed. */
+export function changeLease(deed: LeaseDeed, robots: readonly string[], reason?: string, leaving = false): Promise<unknown> {
+  const body = { do: deed, robots, ...(reason && { reason }) };
+  return recording === undefined ? call("/api/lease", body, leaving) : Promise.reject(new Refusal(RECORDED));
+}
+
+/** Messages on a topic that the monitor did not take, for one reason. */
+export interface RefusedMessages {
+  /** As on DDS, such as rt/io/state; "(others)" for what is not told apart. */
+  readonly topic: string;
+  readonly reason: string;
+  readonly messages: number;
+}
+
+/** Of GET /api/status what the page uses, as docs/openapi.yaml describes it. */
+export interface Status {
+  readonly name: string;
+  readonly scenario: string;
+  readonly version: string;
+  /** Whether the token that the page has gives the right to. */
+  readonly may_steer: boolean;
+  /** Who the page's operator is, if it may steer. */
+  readonly operator?: { name: string; account: string } | null;
+  readonly refused_messages: readonly RefusedMessages[];
+  /** Topics beyond those that the monitor reads. */
+  readonly topics_not_read: number;
+}
+
+export function status(): Promise<Status> {
   return call("/api/status");
 }
 

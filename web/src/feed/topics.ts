@@ -9,6 +9,7 @@ export const teamTopics = [
   "/team/map",
   "/team/program_push",
   "/team/push_progress",
+  "/team/lease_change",
   "/referee/score",
   "/simulation/state",
   "/simulation/event",
@@ -18,8 +19,10 @@ export const teamTopics = [
 export const REPLAYED = "/team.replayed";
 /** A parameter, too: what is wrong with the monitor's history or its disk, in one sentence; empty where nothing is. */
 export const HISTORY_PROBLEM = "/team.history_problem";
+/** A parameter as well: the robots that somebody holds, with who does and who asks for them. */
+export const LEASES = "/team.leases";
 /** The parameters that the page follows. */
-export const parameters = [REPLAYED, HISTORY_PROBLEM] as const;
+export const parameters = [REPLAYED, HISTORY_PROBLEM, LEASES] as const;
 export type FollowedParameter = (typeof parameters)[number];
 
 export type RobotTopic = (typeof robotTopics | typeof watchedTopics)[number];
@@ -36,7 +39,7 @@ export function robotTopicOf(topic: string): { robot: string; kind: string } | u
   return robot && kind && !NOT_ROBOTS.has(robot) ? { robot, kind } : undefined;
 }
 
-const HAPPENINGS = new Set(["transition", "program", "program_reply", "team/program_push", "team/push_progress", "simulation/event"]);
+const HAPPENINGS = new Set(["transition", "program", "program_reply", "team/program_push", "team/push_progress", "team/lease_change", "simulation/event"]);
 
 /** Whether a topic tells of single events, which are worth a frame of their own, rather than how things stand. */
 export function tellsWhatHappens(topic: string): boolean {

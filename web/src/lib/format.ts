@@ -121,3 +121,8 @@ export function fitted(name: string, room_px: number, width: (text: string) => n
 export function plural(count: number, one: string, many = `${one}s`): string {
   return `${signed(count, 0)} ${Math.abs(count) === 1 ? one : many}`;
 }
+
+/** "io", "io and callisto", "io, ganymede and callisto" */
+export function listed(names: readonly string[]): string {
+  return names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names.at(-1)}`;
+}

@@ -2,6 +2,7 @@
 // The alarms that somebody has yet to see, and those that last.
 
 import { type AlarmGroup, groupedAlarms, wordsByRobot } from "./alarm_groups";
+import { intake } from "./intake";
 import { live } from "./live.svelte";
 import { acknowledged, type Alarm, alarms, boardAt, type PostedAlarm, withAlarms } from "./alarms";
 
@@ -23,7 +24,7 @@ class AlarmBoard {
 
   /** Called as time goes on: what is wrong depends on it, too. */
   refresh(): void {
-    this.posted = withAlarms(this.posted, alarms(live.present, live.known_present_ms), live.present_ms);
+    this.posted = withAlarms(this.posted, [...alarms(live.present, live.known_present_ms), ...intake.alarms(live.present_ms)], live.present_ms);
   }
 
   acknowledge(keys?: readonly string[]): void {

@@ -23,7 +23,10 @@ const WORDS: Record<AlarmKind, readonly [now: string, past: string]> = {
   uncertain: ["are not where the map shows them", "were not where the map showed them"],
   problem: ["have problems", "had problems"],
   push: ["did not take a push", "did not take a push"],
+  refused: ["send messages that are not taken", "sent messages that were not taken"],
 };
+/** What has alarms of a kind, where that need not be robots. */
+const NOUNS: Partial<Record<AlarmKind, string>> = { refused: "senders" };
 
 export const robotsOf = ({ posted }: Pick<AlarmGroup, "posted">): string[] => [...new Set(posted.map(({ alarm }) => alarm.robot))];
 
@@ -32,7 +35,7 @@ export function groupWords(group: AlarmGroup, most = Infinity): string {
   const robots = robotsOf(group);
   const left = robots.length > most ? robots.length - most : 0;
   const names = robots.slice(0, robots.length - left).join(", ");
-  return `${robots.length} robots ${WORDS[group.kind][group.over ? 1 : 0]}: ${names}${left > 0 ? ` and ${left} more` : ""}`;
+  return `${robots.length} ${NOUNS[group.kind] ?? "robots"} ${WORDS[group.kind][group.over ? 1 : 0]}: ${names}${left > 0 ? ` and ${left} more` : ""}`;
 }
 
 /** The board in its order, with the alarms of one kind of several robots together; the seen and those that are over stand apart. */

@@ -7,7 +7,7 @@ import type { Stamped } from "./model";
 
 export interface RobotEvent {
   readonly at_ms: number;
-  readonly kind: "held" | "stopped" | "resumed" | "problem" | "well" | "decommissioned" | "commissioned" | "late";
+  readonly kind: "held" | "stopped" | "resumed" | "problem" | "well" | "decommissioned" | "commissioned" | "late" | "lease";
   readonly words: string;
 }
 

@@ -25,6 +25,7 @@ import type { Coverages } from "./coverage";
 import type { RobotEvent } from "./events";
 import type { Gap } from "./gaps";
 import type { Identity } from "./identity";
+import type { Lease } from "./lease";
 import type { MessageRate } from "./message_rate";
 import type { Standing } from "./stillness";
 
@@ -154,6 +155,8 @@ export interface Team {
   /** Where everything really is, where a simulation tells it. */
   readonly simulation?: Stamped<SimulationState>;
   readonly instructions: readonly Instruction[];
+  /** The robots that somebody steers; undefined where the monitor tells nothing of it. */
+  readonly leases?: readonly Lease[];
 }
 
 export const emptyTeam: Team = { robots: new Map(), replayed: new Set(), pushes: [], instructions: [] };

@@ -2,6 +2,7 @@
 // Whether this viewer may steer, as the monitor says; until it has said so, it may. Nobody steers a recording.
 
 import { RECORDED } from "../feed/recording";
+import { leases } from "./leases.svelte";
 import { live } from "./live.svelte";
 
 const HOW_TO_STEER =
@@ -34,10 +35,14 @@ class Rights {
 
 export const rights = new Rights();
 
-/** For a button that steers: where this viewer may not, it looks so, says why and what to do, and does nothing else. */
-export function steers(button: HTMLButtonElement): void {
+/**
+ * For a button that steers: where this viewer may not, it looks so, says why and what to do, and does nothing else. `whom`
+ * names the robots whose leases the order needs; no names mean the team. Left out: it needs none, as a stop.
+ */
+export function steers(button: HTMLButtonElement, whom?: () => readonly string[]): void {
+  // It changes seldom, unlike what it is made of: only then is anything drawn.
+  const objection = $derived(rights.objection ?? (whom && leases.objection(whom())));
   $effect(() => {
-    const { objection } = rights;
     button.setAttribute("aria-disabled", String(objection !== undefined));
     if (objection === undefined) return;
     const { title } = button;

@@ -8,7 +8,7 @@ vi.stubGlobal("fetch", fetched);
 
 it("a page that shows a recording sends no order, whoever gives it, and asks what it likes", async () => {
   const api = await import("../../src/feed/api");
-  const orders = [() => api.command("hold", []), () => api.orderBreaks("clear", []), () => api.push([], []), () => api.cancelPush("1"), () => api.orderSimulation("office", { order: "pause" })];
+  const orders = [() => api.command("hold", []), () => api.orderBreaks("clear", []), () => api.push([], []), () => api.cancelPush("1"), () => api.orderSimulation("office", { order: "pause" }), () => api.changeLease("ask", ["io"])];
   for (const order of orders) await expect(order()).rejects.toThrow("a recording cannot be stopped or steered");
   expect(fetched).not.toHaveBeenCalled();
   await api.listPrograms();

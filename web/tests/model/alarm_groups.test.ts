@@ -16,6 +16,10 @@ it("says how many robots, what they are, and which", () => {
   expect(groupedAlarms([one("stuck", "io", { over_ms: 5000 }), one("stuck", "callisto", { over_ms: 6000 })]).map((group) => groupWords(group))).toEqual(["2 robots did not move: io, callisto"]);
 });
 
+it("does not call a sender of messages that are not taken a robot", () => {
+  expect(groupedAlarms([one("refused", "io"), one("refused", "team")]).map((group) => groupWords(group))).toEqual(["2 senders send messages that are not taken: io, team"]);
+});
+
 it("keeps those that were seen, and those that are over, apart from those that are new", () => {
   const board = [one("silent", "a"), one("silent", "b"), one("silent", "c", { over_ms: 5000 }), one("silent", "d", { seen: true }), one("silent", "e", { seen: true })];
   expect(robotsIn(board)).toEqual([["silent", "a b"], ["silent c", "c"], ["silent seen", "d e"]]);

@@ -36,6 +36,24 @@ TEST(RobotGroups, ALargerTeamIsDividedByNearness) {
   EXPECT_EQ(&join("c", 50), &c) << "it stays where it is";
 }
 
+TEST(RobotGroups, AGroupThatNobodyIsLeftInIsDissolvedButTheFirst) {
+  RobotGroups groups(2);
+  const auto join = [&](const std::string& robot, double x_m) {
+    groups.join(robot, {{x_m, 0}, 0}).poses.predict(robot, {{x_m, 0}, 0}, false, Time(1s));
+  };
+  join("a", 0);
+  join("b", 1);
+  join("c", 30);
+  EXPECT_EQ(groups.leave("a"), nullptr) << "b is left in it";
+  EXPECT_EQ(groups.leave("b"), nullptr) << "it is the first";
+  EXPECT_NE(groups.leave("c"), nullptr);
+  EXPECT_EQ(groups.all().size(), 1U);
+  EXPECT_TRUE(groups.robots().empty());
+  join("d", 2);
+  EXPECT_EQ(&groups.of("d"), groups.all().front().get());
+  EXPECT_EQ(groups.of("d").poses.all().size(), 1U);
+}
+
 /// Two robots, each a group of its own: their estimates share no errors.
 class DividedTeamTest : public testing::Test {
  protected:
@@ -91,6 +109,27 @@ TEST_F(DividedTeamTest, ACanThatTwoGroupsSeeIsOne) {
   ASSERT_EQ(after.size(), 1U);
   EXPECT_EQ(after[0].id, before[0].id);
   EXPECT_EQ(after[0].seen_by, (std::vector<std::string>{"ganymede", "io"}));
+}
+
+TEST_F(DividedTeamTest, ARobotThatIsForgottenLeavesTheMapAndMayComeBack) {
+  map.start_at("io", io);
+  map.start_at("ganymede", ganymede);
+  look(frame("io", io, {{1, 0}}));
+  look(frame("ganymede", ganymede, {{1.03, 0.02}}));
+  map.forget("ganymede");
+  const auto without = published();
+  ASSERT_EQ(without.robots.size(), 1U);
+  EXPECT_EQ(without.robots[0].name, "io");
+  EXPECT_EQ(without.objects.size(), 1U) << "io saw the can, too";
+  EXPECT_EQ(map.transforms(1).transforms.size(), 1U);
+  map.forget("ganymede");
+  look(frame("ganymede", ganymede, {{1.03, 0.02}}));
+  EXPECT_EQ(published().robots.size(), 2U);
+  map.forget("io");
+  map.forget("ganymede");
+  EXPECT_TRUE(published().robots.empty());
+  look(frame("callisto", io, {{1, 0}}));
+  EXPECT_EQ(published().robots.size(), 1U);
 }
 
 TEST_F(DividedTeamTest, TwoCansFifteenCentimetresApartStayTwo) {

@@ -150,6 +150,15 @@ TEST_F(Finder, WhatTheMonitorTellsOfItsHistoryIsAnAlarmWhileItTellsSo) {
   EXPECT_TRUE(found().empty()) << "the monitor has ended";
 }
 
+TEST_F(Finder, ARobotThatIsForgottenIsNoAlarm) {
+  tell_of({.x_m = 0});
+  clock.advance(seconds(3));
+  EXPECT_EQ(found().size(), 1u);
+  model.forget("io");
+  EXPECT_TRUE(found().empty());
+  EXPECT_EQ(model.identities().of("io").letter, "?");
+}
+
 TEST_F(Finder, ARecordingThatHasEndedIsNoAlarm) {
   replayed = true;
   tell_of({.x_m = 0, .program_hash = "another"});

@@ -29,6 +29,18 @@ TEST(Identity, ThePapersRobotsKeepTheirColoursHoweverLateTheyCome) {
   EXPECT_EQ(identities.of("thebe").number, 4u);
 }
 
+TEST(Identity, OneThatComesAfterOthersWereForgottenHasALetterOfItsOwn) {
+  Identities identities;
+  for (const char* name : {"a", "aa", "aaa"}) identities.meet(name);
+  ASSERT_EQ(identities.of("aaa").letter, "A3");
+  identities.forget("aa");
+  EXPECT_EQ(identities.of("aa").letter, "?");
+  EXPECT_EQ(identities.count(), 2u);
+  identities.meet("aaaa");
+  EXPECT_EQ(identities.of("aaaa").letter, "A4") << "the third has A3";
+  EXPECT_EQ(identities.of("aaaa").number, 4u) << "the colour is free again";
+}
+
 TEST(Identity, ARobotKeepsItsIdentity) {
   Identities identities;
   identities.meet("europa");

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "monitor/top/model/refusal_watch.h"
+
+#include <utility>
+
+#include "core/plural.h"
+#include "core/visible_text.h"
+
+namespace galilean::monitor::top {
+namespace {
+
+constexpr std::string_view kTopicRoot = "rt/";
+
+/// Returns "io" of "rt/io/state".
+std::string sender_of(const std::string& topic) {
+  if (!topic.starts_with(kTopicRoot)) return topic;
+  const auto begin = kTopicRoot.size();
+  return visible(topic.substr(begin, topic.find('/', begin) - begin));
+}
+
+std::string refusal_words(const wire::Refusals::Count& refused) {
+  const bool is_named = refused.topic.starts_with(kTopicRoot);
+  const std::string place =
+      is_named ? " on " + visible(refused.topic.substr(kTopicRoot.size() - 1)) : std::string();
+  return plural(refused.messages, "message") + place + agreeing(refused.messages, " was", " were") +
+         " not taken: " + visible(refused.reason);
+}
+
+}  // namespace
+
+void RefusalWatch::note(OngoingRefusal refusal, std::uint64_t count, Time now) {
+  Count& known = counts_[refusal.key];
+  if (known.count != count) known.rose = now;
+  known.count = count;
+  known.refusal = std::move(refusal);
+}
+
+void RefusalWatch::look(const Intake& intake, Time now) {
+  for (const auto& refused : intake.refused)
+    note({"refused " + refused.topic + " " + refused.reason, sender_of(refused.topic),
+          refusal_words(refused)},
+         refused.messages, now);
+  if (const auto topics = intake.topics_not_read; topics > 0)
+    note({"refused topics", wire::Refusals::kOthers,
+          plural(topics, "topic") + agreeing(topics, " is", " are") +
+              " not read, because there are too many"},
+         topics, now);
+}
+
+std::vector<OngoingRefusal> RefusalWatch::ongoing(Time now) const {
+  std::vector<OngoingRefusal> list;
+  for (const auto& [key, each] : counts_)
+    if (now - each.rose < kGoesOn) list.push_back(each.refusal);
+  return list;
+}
+
+}  // namespace galilean::monitor::top

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Programs that are killed or stand still, and what the others say.
+import { setTimeout as sleep } from 'node:timers/promises';
+import { anotherPush, startSmallTeam } from '../stages/small_team.mjs';
+import { secondsUntil, until } from '../table.mjs';
+
+const robotOf = (robots, name) => robots.find((each) => each.name === name);
+/** How long a laptop sleeps: so long the first of ten times, and briefly then. */
+const ASLEEP_S = 30, BRIEFLY_S = 2, LONG_EACH = 10;
+/** What is no older was heard now. */
+const HEARD_S = 0.5;
+/** When in a push the monitor is killed: at any time in it. */
+const killAfter_ms = (number) => (7 * number) % 60;
+
+const killRobots = async (stage) => {
+  for (const robot of stage.robots.values()) robot.process.kill('SIGKILL');
+  for (const robot of stage.robots.values()) await robot.exited;
+};
+
+export const group = {
+  name: 'process',
+  setUp: (scope) => startSmallTeam(scope, { count: 5 }),
+  rows: [
+    {
+      fault: 'Robot programs are killed', promised: 'The operator is told within 3 s that they are silent',
+      unit: 's', limit: 3,
+      make: killRobots,
+      measure: (stage) => Promise.all(stage.names.map((name) =>
+        secondsUntil(async () => robotOf(await stage.monitor.robots(), name).silent, `silence of ${name}`, 20))),
+      mend: async (stage) => {
+        for (const name of stage.names) stage.startRobot(name);
+        await stage.well();
+      },
+    },
+    {
+      fault: 'Robot programs are killed and started again', promised: 'The team is whole again within 6 s',
+      unit: 's', limit: 6,
+      make: async (stage) => {
+        await killRobots(stage);
+        // Then what is heard is of the new ones.
+        await until(async () => (await stage.monitor.robots()).every(({ age_s }) => age_s > 2 * HEARD_S), 'the dead to be quiet');
+        for (const name of stage.names) stage.startRobot(name);
+      },
+      measure: (stage) => Promise.all(stage.names.map((name) => secondsUntil(async () => {
+        const { silent, age_s } = robotOf(await stage.monitor.robots(), name);
+        return !silent && age_s < HEARD_S;
+      }, `${name} to be heard again`, 30))),
+      mend: (stage) => stage.well(),
+    },
+    {
+      fault: 'The monitor is killed in a push, and started again', promised: 'Within 6 s it serves and tells how the push ended, and robots run either program whole',
+      unit: 's', limit: 6,
+      make: async (stage, number) => {
+        const before = (await stage.monitor.ask('/api/pushes')).pushes.length;
+        const sent = stage.monitor.fetch('/api/push', { body: anotherPush() }).catch(() => undefined);
+        await sleep(killAfter_ms(number));
+        await stage.monitor.kill();
+        await sent;
+        return before;
+      },
+      measure: async (stage, before) => {
+        const began_ms = performance.now();
+        await stage.monitor.start();
+        await until(async () => {
+          const { pushes } = await stage.monitor.ask('/api/pushes');
+          if (pushes.length < Math.min(before, 200)) throw new Error(`of ${before} pushes ${pushes.length} are left`);
+          return pushes.every(({ state }) => state !== 'running');
+        }, 'every push to have ended', 30);
+        await stage.well();
+        const took_s = (performance.now() - began_ms) / 1000;
+        for (const { program_name, problems } of await stage.monitor.robots())
+          if (!['first.bhdl', 'pushed.bhdl'].includes(program_name)) throw new Error(`a robot runs '${program_name}': ${problems}`);
+        return took_s;
+      },
+      // All run one program again: what was interrupted may have reached some.
+      mend: async (stage) => {
+        const { id } = await stage.monitor.ask('/api/push', { body: anotherPush() });
+        const { state } = await stage.monitor.ended(id);
+        if (state !== 'done') throw new Error(`a push to all is ${state}`);
+      },
+    },
+    {
+      fault: `The laptop with the monitor sleeps, up to ${ASLEEP_S} s`, promised: 'Within 3 s of waking it tells of the present',
+      unit: 's', limit: 3,
+      make: async (stage, number) => {
+        stage.monitor.process.kill('SIGSTOP');
+        await sleep(1000 * (number % LONG_EACH === 0 ? ASLEEP_S : BRIEFLY_S));
+        stage.monitor.process.kill('SIGCONT');
+      },
+      measure: (stage) => secondsUntil(async () => {
+        const robots = await stage.monitor.robots();
+        return robots.length === stage.names.length && robots.every(({ silent, age_s }) => !silent && age_s < 1);
+      }, 'the monitor to tell of the present', 30),
+      mend: async (stage) => {
+        stage.monitor.process.kill('SIGCONT');
+        await stage.well();
+      },
+    },
+  ],
+};

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Disks and networks of a test's own, in namespaces of Linux: as root, or in a namespace of users.
+import { spawn, spawnSync } from 'node:child_process';
+import { until } from '../table.mjs';
+
+const asRoot = () => (process.getuid() === 0 ? [] : ['--user', '--map-root-user']);
+
+/** The command that runs `command` with a disk of so many kB on `folder`, in the same process. */
+export const onSmallDisk = (folder, size_kB, command) =>
+  ['unshare', ...asRoot(), '--mount', 'bash', '-c', `mount -t tmpfs -o size=${size_kB}k,mode=0700 tmpfs "$0" && exec "$@"`, folder, ...command];
+
+/** Why no such disk can be made; undefined where it can. */
+export function noSmallDisk() {
+  const [command, ...args] = onSmallDisk('/tmp', 100, ['true']);
+  return spawnSync(command, args).status === 0 ? undefined : 'no small disk can be made: it needs unshare, mount, and root or namespaces of users';
+}
+
+/** Makes a chain of rules for what the loopback hears, and says so. */
+const MAKE_NETWORK = `ip link set lo up multicast on && nft add table ip faults &&
+  nft add chain ip faults heard '{ type filter hook input priority 0; }' && echo ready; exec cat`;
+
+/** A network in which only this stage's programs are, whose packets can be lost. Undefined where none can be made. */
+export async function ownNetwork(scope) {
+  const holder = spawn('unshare', [...asRoot(), '--net', 'bash', '-c', MAKE_NETWORK], { stdio: ['pipe', 'pipe', 'ignore'] });
+  let text = '', ended = false;
+  holder.stdout.on('data', (data) => { text += data; });
+  const closed = new Promise((resolve) => holder.on('close', resolve)).then(() => { ended = true; });
+  holder.on('error', () => { ended = true; });
+  holder.stdin.on('error', () => {});
+  scope.after(() => {
+    holder.stdin.end();
+    return ended || closed;
+  });
+  holder.stdin.write('made\n'); // which cat says, once there are rules or there could be none
+  await until(() => ended || text.includes('made'), 'a network of its own');
+  if (ended || !text.includes('ready')) return undefined;
+  const user = asRoot().length > 0 ? [`--user=/proc/${holder.pid}/ns/user`, '--preserve-credentials'] : [];
+  const within = ['nsenter', ...user, `--net=/proc/${holder.pid}/ns/net`, '--'];
+  const rule = (...words) => {
+    const { status, stderr } = spawnSync(within[0], [...within.slice(1), 'nft', ...words], { encoding: 'utf8' });
+    if (status !== 0) throw new Error(`nft ${words.join(' ')}: ${stderr}`);
+  };
+  return {
+    /** What stands before a command that is run in it. */
+    within,
+    /** Loses so many of a hundred packets of DDS; 100 cuts all off from one another. */
+    lose: (percent) => rule('add', 'rule', 'ip', 'faults', 'heard', 'ip', 'protocol', 'udp', 'numgen', 'random', 'mod', '100', '<', String(percent), 'drop'),
+    mend: () => rule('flush', 'chain', 'ip', 'faults', 'heard'),
+  };
+}

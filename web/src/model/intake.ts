@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the monitor did not take of what comes over DDS, as alarms. It counts since it was started, and says nothing of when.
+
+import type { RefusedMessages, Status } from "../feed/api";
+import { plural } from "../lib/format";
+import type { Alarm } from "./alarms";
+
+/** The part of what the monitor tells that is of it. */
+export type IntakeStatus = Pick<Status, "refused_messages" | "topics_not_read">;
+
+/** It goes on where more came so lately. The monitor is asked some times within this. */
+const GOES_ON_MS = 30_000;
+const TOPICS_NOT_READ = "topics";
+
+interface Count {
+  readonly count: number;
+  /** When it was another one last, or was first told. */
+  readonly changed_ms: number;
+}
+
+/** The name that stands first in a topic: the robot's, of those of robots. */
+const senderOf = (topic: string): string => /^rt\/([^/]+)/.exec(topic)?.[1] ?? topic;
+
+function alarmOf(key: string, { topic, reason, messages }: RefusedMessages): Alarm {
+  const isNamed = topic.startsWith("rt/");
+  const name = topic.slice("rt".length);
+  const place = isNamed ? ` on ${name}` : "";
+  return {
+    key: `refused ${key}`,
+    kind: "refused",
+    robot: senderOf(topic),
+    words: `${plural(messages, "message")}${place} ${messages === 1 ? "was" : "were"} not taken: ${reason}.`,
+    timed: true,
+    advice: isNamed ? `Look who writes the topic (galilean info ${name}), and stop or update it.` : "Look who writes them (galilean list), and stop it.",
+  };
+}
+
+function alarmOfTopics(topics: number): Alarm {
+  const words = `${plural(topics, "topic")} ${topics === 1 ? "is" : "are"} not read, because there are too many.`;
+  return { key: `refused ${TOPICS_NOT_READ}`, kind: "refused", robot: "(others)", words, timed: true, advice: "Look who makes them (galilean list), and stop it." };
+}
+
+export class Intake {
+  #status: IntakeStatus = { refused_messages: [], topics_not_read: 0 };
+  #counts: ReadonlyMap<string, Count> = new Map();
+
+  /** Takes in what the monitor said at `now_ms`. A monitor that was started anew counts anew. */
+  told(status: IntakeStatus, now_ms: number): void {
+    const counts = new Map(status.refused_messages.map((refused) => [Intake.#keyOf(refused), refused.messages]));
+    if (status.topics_not_read > 0) counts.set(TOPICS_NOT_READ, status.topics_not_read);
+    this.#counts = new Map([...counts].map(([key, count]) => [key, this.#counted(key, count, now_ms)]));
+    this.#status = status;
+  }
+
+  /** What goes on: more was not taken lately. */
+  alarms(now_ms: number): Alarm[] {
+    const goesOn = (key: string): boolean => now_ms - (this.#counts.get(key)?.changed_ms ?? -Infinity) < GOES_ON_MS;
+    const refused = this.#status.refused_messages.filter((each) => goesOn(Intake.#keyOf(each))).map((each) => alarmOf(Intake.#keyOf(each), each));
+    return goesOn(TOPICS_NOT_READ) ? [...refused, alarmOfTopics(this.#status.topics_not_read)] : refused;
+  }
+
+  static #keyOf({ topic, reason }: RefusedMessages): string {
+    return `${topic} ${reason}`;
+  }
+
+  #counted(key: string, count: number, now_ms: number): Count {
+    const before = this.#counts.get(key);
+    return before?.count === count ? before : { count, changed_ms: now_ms };
+  }
+}
+
+export const intake = new Intake();

@@ -148,9 +148,8 @@ void Operations::push(const nlohmann::json& request, const OperatorId& who, Fini
   RequestFields fields(request);
   auto order = order_of(fields);
   if (!fields.ok()) return finish(refused(fields));
-  const bool are_known = std::ranges::all_of(order.targets, [this](const std::string& name) {
-    return parts_.team.find(name) != nullptr;
-  });
+  const bool are_known = std::ranges::all_of(
+      order.targets, [this](const std::string& name) { return parts_.team.find(name) != nullptr; });
   // What the desk refuses anyway needs no lease, and neither does a trial.
   if (are_known && !order.trial.only && !admits(OrderKind::kSteers, who, order.targets, finish))
     return;

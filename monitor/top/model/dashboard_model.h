@@ -78,7 +78,7 @@ class DashboardModel {
   std::deque<msg::ProgramReply> replies_;
   std::map<std::string, std::string> pushed_names_;  ///< by the push's id
   std::optional<Heard<std::string>> history_problem_;
-  std::deque<std::string> pushes_;                   ///< their ids, the oldest first
+  std::deque<std::string> pushes_;  ///< their ids, the oldest first
   std::optional<Heard<msg::ObjectMap>> objects_;
   std::shared_ptr<const Floor> floor_;
   std::map<std::string, std::optional<Heard<msg::Sightings>>> sightings_;  ///< by topic

@@ -24,8 +24,8 @@ TopicRights monitor_rights() {
   return {.writes = {wire::kProgramPushTopic, wire::kProgramRollbackTopic, wire::kPushProgressTopic,
                      wire::kCommandTopic, wire::kBreakOrderTopic, wire::kTeamStopTopic,
                      wire::kLeaseChangeTopic, wire::kObjectsTopic, wire::kMapTopic,
-                     wire::kMarkersTopic, wire::kTfTopic, wire::kSimulationOrderTopic,
-                     "rt/recorder/command", "rt/galilean_doctor_*"},
+                     wire::kMarkersTopic, wire::kTfTopic, wire::kDiagnosticsTopic,
+                     wire::kSimulationOrderTopic, "rt/recorder/command", "rt/galilean_doctor_*"},
           .reads = {kAnyTopic}};
 }
 

@@ -46,8 +46,8 @@ TEST(MemberRole, ARobotWritesItsOwnTopicsAndReadsOrders) {
 TEST(MemberRole, AMonitorReadsAllAndWritesNoRobotsTopics) {
   const auto rights = rights_of(MemberRole::kMonitor, "monitor");
   EXPECT_THAT(rights.reads, Contains("*"));
-  for (const char* topic :
-       {wire::kCommandTopic, wire::kMapTopic, wire::kSimulationOrderTopic, wire::kLeaseChangeTopic})
+  for (const char* topic : {wire::kCommandTopic, wire::kMapTopic, wire::kSimulationOrderTopic,
+                            wire::kLeaseChangeTopic, wire::kDiagnosticsTopic})
     EXPECT_THAT(rights.writes, Contains(std::string(topic)));
   for (const auto& topic : rights.writes) EXPECT_NE(topic.substr(0, 4), "rt/*") << topic;
 }

@@ -61,6 +61,32 @@ void OrderLog::note(const msg::SimulationOrder& order, const Kept& kept) {
        kept);
 }
 
+void OrderLog::note_refused(const msg::Command& command, const std::vector<std::string>& robots,
+                            const std::string& why) {
+  keep_refused({.order = record_of(command), .topic = wire::kCommandTopic}, robots, why);
+}
+
+void OrderLog::note_refused(const msg::BreakOrder& order, const std::vector<std::string>& robots,
+                            const std::string& why) {
+  keep_refused({.order = record_of(order), .topic = wire::kBreakOrderTopic}, robots, why);
+}
+
+void OrderLog::keep_refused(const Given& given, const std::vector<std::string>& robots,
+                            const std::string& why) {
+  if (!has_room_for(given))
+    return parts_.refusals.note(
+        given.topic,
+        "more orders that are refused than anybody gives by hand are not kept in the history");
+  parts_.worker.run([this, order = given.order, robots, why] {
+    auto kept = parts_.history.add_order(order);
+    for (const auto& robot : robots)
+      if (kept)
+        kept = parts_.history.add_outcome(
+            order.id, {.of = robot, .outcome = "refused: " + why, .told_ns = 0});
+    if (!kept) log_lost_order(kept.error().message);
+  });
+}
+
 void OrderLog::keep(const Given& given, const Kept& kept) {
   const bool is_known = std::ranges::find(newest_, given.order.id) != newest_.end();
   if (!is_known && !kept && !is_own(given.order.id) && !has_room_for(given))

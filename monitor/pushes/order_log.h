@@ -21,7 +21,7 @@ namespace galilean::monitor {
 
 /// Keeps every order that is no push in the history, whoever gives it: who gave it, when, to whom,
 /// and what each robot made of it. A robot that tells nothing within kPatience is kept with that. A
-/// flood of orders that others give is not kept, but counted.
+/// flood of orders that others give, or that are refused, is not kept, but counted.
 ///
 /// Lives on the io_context's thread.
 class OrderLog {
@@ -50,6 +50,12 @@ class OrderLog {
   void note(const msg::BreakOrder& order, const Kept& kept = {});
   void note(const msg::ProgramRollback& order, const Kept& kept = {});
   void note(const msg::SimulationOrder& order, const Kept& kept = {});
+  /// Takes in an order that was refused and so not given. `why` is kept as what became of it at
+  /// each of `robots`. A flood of them is not kept, but counted.
+  void note_refused(const msg::Command& command, const std::vector<std::string>& robots,
+                    const std::string& why);
+  void note_refused(const msg::BreakOrder& order, const std::vector<std::string>& robots,
+                    const std::string& why);
 
   /// Takes in what may tell of an order.
   void note(const msg::Breaks& breaks);
@@ -72,7 +78,9 @@ class OrderLog {
     bool is_to_robots = true;
   };
   void keep(const Given& given, const Kept& kept);
-  /// Returns whether another order of others may be kept now, and notes it.
+  void keep_refused(const Given& given, const std::vector<std::string>& robots,
+                    const std::string& why);
+  /// Returns whether another order of others, or a refused one, may be kept now, and notes it.
   [[nodiscard]] bool has_room_for(const Given& given);
   [[nodiscard]] bool is_own(const std::string& id) const;
   /// Waits for what becomes of an order.
@@ -84,7 +92,7 @@ class OrderLog {
 
   Parts parts_;
   std::deque<Open> open_;
-  std::deque<std::pair<Time, std::size_t>> others_;  ///< the newest orders of others: when, rows
+  std::deque<std::pair<Time, std::size_t>> others_;  ///< the newest of those: when, rows
   std::size_t rows_of_others_ = 0;                   ///< the sum of their rows
   std::deque<std::string> newest_;                   ///< the ids of the newest orders
   std::deque<std::string> own_;                      ///< the ids of the newest that were expected

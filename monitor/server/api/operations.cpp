@@ -195,9 +195,14 @@ void Operations::send(SignedWriter<M>& writer, M message, OrderKind kind, const 
                       Finish finish) {
   for (const auto& target : message.targets)
     if (!parts_.team.find(target)) return finish({404, {}, "There is no robot '" + target + "'."});
-  if (!admits(kind, who, message.targets, finish)) return;
   message.id = new_id();
   message.stamp = wire::ros_time(wire::wall_clock_ns());
+  const auto refuse = [this, &message, &finish](Outcome refusal) {
+    const auto robots = message.targets.empty() ? team_now() : message.targets;
+    parts_.orders.note_refused(message, robots, refusal.detail);
+    finish(std::move(refusal));
+  };
+  if (!admits(kind, who, message.targets, refuse)) return;
   parts_.orders.expect(message.id);
   const bool is_taken = parts_.commands.offer(
       [&writer, message] { return writer.write(message); },

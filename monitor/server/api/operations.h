@@ -61,7 +61,8 @@ class Operations {
   /// Gives the message its id and stamp, and sends it; then has it kept, and finishes. An order
   /// that cannot be kept is sent all the same, and the answer says so. Finishes with 404 if it is
   /// for a robot that nobody has heard, with 409 if `who` may not give it, which is found out
-  /// before it is signed, and with 503 if DDS does not take messages as fast as they are ordered.
+  /// before it is signed and is kept, too, and with 503 if DDS does not take messages as fast as
+  /// they are ordered.
   template <class M>
   void send(SignedWriter<M>& writer, M message, OrderKind kind, const OperatorId& who,
             Finish finish);

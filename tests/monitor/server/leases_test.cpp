@@ -95,6 +95,30 @@ TEST_F(LeasesTest, EveryOrderThatSteersIsRefusedAndNoStopIs) {
   EXPECT_EQ(io_lease("ben")["holder"]["name"], "ada");
 }
 
+TEST_F(LeasesTest, AnOrderThatIsRefusedIsKeptWithTheReasonAndNotGiven) {
+  ASSERT_EQ(resume("ada", {"io"}).status, 200U);
+  ASSERT_EQ(
+      post_as("ben", "/api/command", {{"kind", "resume"}, {"author", "ben"}, {"targets", {"io"}}})
+          .status,
+      409U);
+  ASSERT_EQ(post_as("ben", "/api/breaks", {{"order", "clear"}, {"author", "ben"}}).status, 409U);
+  const auto orders_of_ben = [&] {
+    auto orders = json::array();
+    for (const auto& each : get("/api/orders").as_json()["orders"])
+      if (each["author"] == "ben") orders.push_back(each);
+    return orders;
+  };
+  ASSERT_TRUE(becomes_true([&] { return orders_of_ben().size() == 2; }));
+  const auto kept = orders_of_ben();
+  EXPECT_EQ(kept[0]["kind"], "breaks: clear");
+  EXPECT_EQ(kept[0]["outcomes"].size(), 2U) << "it was for the team";
+  EXPECT_EQ(kept[1]["kind"], "resume");
+  ASSERT_EQ(kept[1]["outcomes"].size(), 1U);
+  EXPECT_EQ(kept[1]["outcomes"][0]["of"], "io");
+  EXPECT_THAT(kept[1]["outcomes"][0]["outcome"].get<std::string>(),
+              HasSubstr("refused: ada holds io."));
+}
+
 TEST_F(LeasesTest, ItIsAskedForGivenRefusedAndTakenOver) {
   ASSERT_EQ(resume("ada", {"io"}).status, 200U);
   ASSERT_EQ(lease("ben", "ask").status, 200U);

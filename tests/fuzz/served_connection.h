@@ -24,7 +24,10 @@ class FuzzedServer {
   explicit FuzzedServer(HttpHandler handler)
       : context_(std::make_shared<HttpServer::ServerContext>(HttpServer::ServerContext{
             Guard("127.0.0.1", {}), Access({"viewer", "operator"}, true), std::move(handler), hub,
-            rounds_, language_, replay_, worker_})) {}
+            rounds_, language_, replay_, worker_})) {
+    context_->limit_counts = hub.limit_counts();
+    context_->connections = std::make_shared<Connections>(context_->limits, context_->limit_counts);
+  }
   ~FuzzedServer() {
     playbacks_.finish();
     worker_.finish();
@@ -51,7 +54,9 @@ class FuzzedServer {
     boost::system::error_code failed;
     server.assign(boost::asio::ip::tcp::v4(), ends[0], failed);
     bhdl::must(!failed, "a socket can be served");
-    serve_http(std::move(server), context_, "127.0.0.1");
+    auto place = context_->connections->admit("127.0.0.1", true);
+    bhdl::must(place != nullptr, "a connection that is over leaves its place to the next one");
+    serve_http(std::move(server), context_, "127.0.0.1", std::move(place));
     return ends[1];
   }
 

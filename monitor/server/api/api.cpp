@@ -95,7 +95,7 @@ void Api::add_routes() {
        [this](auto& request, auto& body, auto& respond) { cancel_push(request, body, respond); });
   post("/api/command", Right::kOperate, limits.command, operation(&Operations::command));
   post("/api/breaks", Right::kOperate, limits.breaks, operation(&Operations::order_breaks));
-  post("/api/lease", Right::kOperate, limits.command, operation(&Operations::change_lease));
+  post("/api/lease", Right::kOperate, limits.breaks, operation(&Operations::change_lease));
 }
 
 void Api::post(std::string path, Right needs, const JsonLimits& limits, JsonHandler handler) {

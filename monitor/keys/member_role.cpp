@@ -8,11 +8,13 @@ namespace {
 
 constexpr const char* kAnyTopic = "*";
 
+/// It reads its own state, too, to find another robot of its name.
 TopicRights robot_rights(const std::string& name) {
-  return {.writes = {wire::robot_topic(name, "*"), wire::kTeamStopTopic, wire::kTfTopic,
-                     wire::kDiagnosticsTopic, wire::kLogTopic},
-          .reads = {wire::kProgramPushTopic, wire::kProgramRollbackTopic, wire::kCommandTopic,
-                    wire::kBreakOrderTopic, wire::kTeamStopTopic}};
+  return {
+      .writes = {wire::robot_topic(name, "*"), wire::kTeamStopTopic, wire::kTfTopic,
+                 wire::kDiagnosticsTopic, wire::kLogTopic},
+      .reads = {wire::kProgramPushTopic, wire::kProgramRollbackTopic, wire::kCommandTopic,
+                wire::kBreakOrderTopic, wire::kTeamStopTopic, wire::robot_topic(name, "state")}};
 }
 
 TopicRights simulator_rights() {

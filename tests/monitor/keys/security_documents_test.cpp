@@ -41,6 +41,7 @@ TEST(MemberRole, ARobotWritesItsOwnTopicsAndReadsOrders) {
   EXPECT_THAT(rights.writes, Not(Contains("*")));
   EXPECT_THAT(rights.reads, Contains(std::string(wire::kCommandTopic)));
   EXPECT_THAT(rights.reads, Contains(std::string(wire::kProgramPushTopic)));
+  EXPECT_THAT(rights.reads, Contains("rt/io/state")) << "another robot of its name may be there";
 }
 
 TEST(MemberRole, AMonitorReadsAllAndWritesNoRobotsTopics) {

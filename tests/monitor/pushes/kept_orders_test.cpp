@@ -71,7 +71,7 @@ TEST_F(KeptOrdersTest, EveryOrderIsKeptWithWhoWhenAndWhatBecameOfIt) {
     return answer.as_json()["id"].get<std::string>();
   };
   const auto kept = [&](const std::string& id) {
-    for (const auto& each : get("/api/orders").as_json()["orders"])
+    for (const auto& each : list_in("/api/orders", "orders"))
       if (each["id"] == id) return each;
     return json();
   };

@@ -106,7 +106,7 @@ TEST_F(LeasesTest, AnOrderThatIsRefusedIsKeptWithTheReasonAndNotGiven) {
   ASSERT_EQ(post_as("ben", "/api/breaks", {{"order", "clear"}, {"author", "ben"}}).status, 409U);
   const auto orders_of_ben = [&] {
     auto orders = json::array();
-    for (const auto& each : get("/api/orders").as_json()["orders"])
+    for (const auto& each : list_in("/api/orders", "orders"))
       if (each["author"] == "ben") orders.push_back(each);
     return orders;
   };

@@ -54,6 +54,11 @@ class ServerFixture : public testing::Test {
   HttpAnswer request(boost::beast::http::verb verb, const std::string& target,
                      const std::string& body = {}, const Headers& headers = {});
   HttpAnswer get(const std::string& target);
+  /// Returns a copy of the member `name` of what `target` answers. To loop over a member of
+  /// as_json() itself would read it after it is gone.
+  nlohmann::json list_in(const std::string& target, const char* name) {
+    return get(target).as_json()[name];
+  }
   /// Posts with the operator's token.
   HttpAnswer post(const std::string& target, const nlohmann::json& body);
   [[nodiscard]] Headers bearer(const std::string& file) const;

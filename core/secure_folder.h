@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 namespace galilean {
@@ -8,6 +9,10 @@ namespace galilean {
 /// The variable of the environment that names the folder with a program's keys for DDS Security.
 /// The option --secure sets it. A program joins without security if it is not set, or empty.
 inline constexpr const char* kSecureVariable = "GALILEAN_SECURE";
+
+/// The highest DDS domain that can be secured. DDS has two more, but Cyclone's access control
+/// refuses documents that name them.
+inline constexpr std::uint32_t kLastSecuredDomain = 230;
 
 /// The folder in a team's folder that has a folder for each member.
 inline constexpr const char* kMembersFolder = "members";

@@ -16,6 +16,7 @@
 #include <sstream>
 #include <utility>
 
+#include "core/secure_folder.h"
 #include "core/wire/announced.h"
 #include "core/wire/lending.h"
 #include "core/wire/qos.h"
@@ -122,6 +123,9 @@ Result<std::unique_ptr<Participant>> Participant::join(const std::string& name, 
   if (const auto enough = require_descriptors(); !enough) return enough.error();
   const auto keys = chosen_keys(name);
   if (!keys) return keys.error();
+  if (keys.value() && id.value() > kLastSecuredDomain)
+    return Error{"DDS domain " + std::to_string(id.value()) +
+                 " cannot be secured; join one from 0 to " + std::to_string(kLastSecuredDomain)};
   auto state = std::make_unique<State>();
   state->number = id.value();
   // Cyclone refuses this if the process made the domain before. That domain then serves.

@@ -25,7 +25,7 @@ class Participant {
  public:
   /// `name` is what other processes see. A negative `domain` means ROS_DOMAIN_ID, or 0 if that is
   /// not set. Errors: there is no such domain, DDS cannot start, the domain cannot be joined, or
-  /// DDS Security refuses the keys.
+  /// DDS Security refuses the keys or cannot secure that domain.
   [[nodiscard]] static Result<std::unique_ptr<Participant>> join(const std::string& name,
                                                                  int domain = -1);
   ~Participant();

@@ -4,8 +4,11 @@
 #include <array>
 #include <ctime>
 #include <sstream>
+#include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/secure_folder.h"
 
 namespace galilean::monitor {
 namespace {
@@ -15,9 +18,11 @@ constexpr const char* kBegin =
     "<dds xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
     "xsi:noNamespaceSchemaLocation=\"https://www.omg.org/spec/DDS-SECURITY/20170901/";
 
-/// Every domain that DDS has.
-constexpr const char* kDomains =
-    "<domains><id_range><min>0</min><max>232</max></id_range></domains>\n";
+/// Returns every domain that can be secured.
+std::string domains() {
+  return "<domains><id_range><min>0</min><max>" + std::to_string(kLastSecuredDomain) +
+         "</max></id_range></domains>\n";
+}
 
 /// Messages are in whatever partition their writers choose. Without topics an element is left out,
 /// because the schema asks for one.
@@ -41,7 +46,7 @@ std::string document_time(std::int64_t since_1970_s) {
 
 std::string governance_xml() {
   return std::string(kBegin) + "omg_shared_ca_governance.xsd\">\n" +
-         "<domain_access_rules><domain_rule>\n" + kDomains +
+         "<domain_access_rules><domain_rule>\n" + domains() +
          "<allow_unauthenticated_participants>false</allow_unauthenticated_participants>\n"
          "<enable_join_access_control>true</enable_join_access_control>\n"
          "<discovery_protection_kind>ENCRYPT</discovery_protection_kind>\n"
@@ -67,7 +72,7 @@ std::string permissions_xml(const Grant& grant) {
       << "<validity><not_before>" << document_time(grant.from_s) << "</not_before><not_after>"
       << document_time(grant.until_s) << "</not_after></validity>\n"
       << "<allow_rule>\n"
-      << kDomains;
+      << domains();
   write_topics(out, "publish", grant.rights.writes);
   write_topics(out, "subscribe", grant.rights.reads);
   out << "</allow_rule>\n<default>DENY</default>\n</grant></permissions>\n</dds>\n";

@@ -8,8 +8,9 @@
 
 namespace galilean::monitor {
 
-/// Returns the governance of a team as XML (DDS Security 1.1, 9.4.1.2): in all domains nobody joins
-/// unauthenticated, topics' names and messages are encrypted, and each packet is signed.
+/// Returns the governance of a team as XML (DDS Security 1.1, 9.4.1.2): in all domains that can be
+/// secured nobody joins unauthenticated, topics' names and messages are encrypted, and each packet
+/// is signed.
 [[nodiscard]] std::string governance_xml();
 
 /// What one member's grant says. Times are seconds since 1970 (UTC).

@@ -61,6 +61,13 @@ TEST_F(SecuredJoin, InATeamsFolderAProgramTakesTheMemberOfItsName) {
   EXPECT_THAT(refusal(folder / "team", "eve"), HasSubstr("has no member 'eve'"));
 }
 
+TEST_F(SecuredJoin, ADomainThatCannotBeSecuredIsRefused) {
+  setenv(kSecureVariable, add("io", MemberRole::kRobot).c_str(), 1);
+  const auto joined = wire::Participant::join("io", 231);
+  ASSERT_FALSE(joined);
+  EXPECT_THAT(joined.error().message, HasSubstr("DDS domain 231 cannot be secured"));
+}
+
 TEST_F(SecuredJoin, AFolderThatIsNotWholeIsRefused) {
   const auto io = add("io", MemberRole::kRobot);
   fs::remove(MemberFiles(io).revoked);

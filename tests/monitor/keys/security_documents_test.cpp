@@ -80,6 +80,13 @@ TEST(SecurityDocuments, WhoWritesNothingHasNoSuchPart) {
   EXPECT_THAT(part(xml, "subscribe"), HasSubstr("<topic>rt/*/state</topic>"));
 }
 
+// Cyclone's access control refuses a document as a whole that names a higher domain.
+TEST(SecurityDocuments, EachIsForAllDomainsThatCanBeSecuredAndNoOther) {
+  for (const auto& xml : {governance_xml(), grant_of(MemberRole::kRobot, "io")})
+    EXPECT_THAT(xml,
+                HasSubstr("<domains><id_range><min>0</min><max>230</max></id_range></domains>"));
+}
+
 TEST(SecurityDocuments, TheGovernanceLetsNobodyInUnauthenticated) {
   EXPECT_THAT(
       governance_xml(),

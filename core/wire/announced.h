@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "core/wire/address.h"
+
 namespace galilean::wire {
 
 [[nodiscard]] inline std::string hexadecimal(std::span<const std::uint8_t> bytes) {
@@ -29,6 +31,16 @@ namespace galilean::wire {
   std::string copy = name;
   dds_free(name);
   return copy;
+}
+
+/// Returns the address that a participant announced, without a port, or an empty text if there is
+/// none. Cyclone lists in that property where it hears the participant.
+[[nodiscard]] inline std::string announced_address(const dds_qos_t* qos) {
+  char* locators = nullptr;
+  if (!dds_qget_prop(qos, "__NetworkAddresses", &locators) || !locators) return {};
+  const std::string list = locators;
+  dds_free(locators);
+  return address_in(list);
 }
 
 }  // namespace galilean::wire

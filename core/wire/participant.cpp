@@ -24,6 +24,7 @@
 #include "core/wire/schemas.h"
 #include "core/wire/security.h"
 #include "core/wire/security_log.h"
+#include "core/wire/unsecured_programs.h"
 
 namespace galilean::wire {
 namespace {
@@ -104,6 +105,7 @@ struct Participant::State {
   dds_domainid_t number = 0;
   Entity domain;
   Entity participant;
+  Entity unsecured;  ///< tells of programs without keys; empty in a program that has none itself
   std::mutex mutex;
   std::map<std::string, Entity> topics;
   Refusals refusals;
@@ -112,6 +114,7 @@ struct Participant::State {
 Participant::Participant(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Participant::~Participant() {
+  state_->unsecured = Entity();
   state_->topics.clear();
   state_->participant = Entity();
   state_->domain = Entity();
@@ -143,6 +146,7 @@ Result<std::unique_ptr<Participant>> Participant::join(const std::string& name, 
     auto joined = join_secured(id.value(), *qos, *keys.value());
     if (!joined) return joined.error();
     state->participant = std::move(joined).value();
+    state->unsecured = tell_of_unsecured_programs(state->participant.handle());
     return std::unique_ptr<Participant>(new Participant(std::move(state)));
   }
   const dds_entity_t participant = dds_create_participant(id.value(), qos.get(), nullptr);

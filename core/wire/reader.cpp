@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "core/wire/address.h"
 #include "core/wire/announced.h"
 #include "core/wire/delivery.h"
 #include "core/wire/endpoints.h"
@@ -35,18 +34,6 @@ struct TakenSamples {
     for (ddsi_serdata* sample : samples) ddsi_serdata_unref(sample);
   }
 };
-
-/// Cyclone lists here where it hears a participant.
-constexpr const char* kAddressesProperty = "__NetworkAddresses";
-
-/// Returns the participant's address without a port, or an empty text if there is none.
-std::string announced_address(const dds_qos_t* qos) {
-  char* locators = nullptr;
-  if (!dds_qget_prop(qos, kAddressesProperty, &locators) || !locators) return {};
-  const std::string list = locators;
-  dds_free(locators);
-  return address_in(list);
-}
 
 /// Returns what discovery knows of the participant, in the domain of `member`.
 std::optional<Sender> participant_of(dds_entity_t member, dds_instance_handle_t who) {

@@ -47,6 +47,9 @@ constexpr std::array kMeanings{
     Meaning{"xpired", "a certificate or grant has expired; 'galilean team keys renew' renews it"},
     Meaning{"not yet valid", "a certificate is not valid yet; check the machine's clock"},
     Meaning{"date_start", "a grant is not valid yet; check the machine's clock"},
+    Meaning{"another identity CA",
+            "the certificate is not from this team's identity CA; ask for keys of this team"},
+    Meaning{"Timed out", "it did not answer in time, or refuses the keys of this program"},
     Meaning{"CRL", "the list of revoked certificates does not belong to this team's identity CA"},
     Meaning{"issuer certificate",
             "the certificate is not from this team's identity CA; ask for keys of this team"},
@@ -55,9 +58,20 @@ constexpr std::array kMeanings{
     Meaning{"trusted", "the certificate is not from this team's identity CA"},
     Meaning{"signature failure", "the certificate is not from this team's identity CA"},
     Meaning{"ubject name", "the grant is for another member than the certificate"},
-    Meaning{"Non secure", "it has no keys; start it with --secure"},
     Meaning{"key values mismatch", "the private key belongs to another certificate"},
 };
+
+/// Requires: the caller holds the lock.
+void tell(Heard& all, const std::string& key, const std::string& sentence) {
+  if (all.told.size() > kMostTold || !all.told.insert(key).second) return;
+  std::cerr << (all.told.size() > kMostTold ? "galilean: Cyclone refuses more than is told here\n"
+                                            : "galilean: DDS Security: " + sentence + '\n');
+}
+
+/// "handshake (…) failed: (5) Failed": the line before it told of whom, and why.
+bool is_told_already(const std::string& line) {
+  return line.starts_with("handshake (") && line.ends_with(" Failed");
+}
 
 /// Is called by Cyclone, on any thread.
 void hear(void*, const dds_log_data_t* data) {
@@ -65,15 +79,15 @@ void hear(void*, const dds_log_data_t* data) {
   if ((data->priority & (kFailure | DDS_LC_WARNING)) == 0) return;
   std::string line(data->message, data->size);
   while (!line.empty() && line.back() == '\n') line.pop_back();
+  line = ended_part(line);
+  if (line.empty() || is_told_already(line)) return;
   Heard& all = heard();
   const std::lock_guard lock(all.mutex);
   if (all.is_joining) {
     if (all.first_line.empty() && (data->priority & kFailure) != 0) all.first_line = line;
     return;
   }
-  if (all.told.size() > kMostTold || !all.told.insert(stranger_of(line)).second) return;
-  std::cerr << (all.told.size() > kMostTold ? "galilean: Cyclone refuses more than is told here\n"
-                                            : "galilean: DDS Security: " + refusal_of(line) + '\n');
+  tell(all, line, refusal_of(line));
 }
 
 }  // namespace
@@ -85,14 +99,25 @@ std::string refusal_of(const std::string& line) {
   return visible(line);
 }
 
-std::string stranger_of(const std::string& line) {
-  constexpr std::string_view kUnsecured = "Non secure remote ";
-  if (!line.starts_with(kUnsecured)) return line;
-  // "writer a:b:c:d is not allowed.": a GUID's first three numbers are its participant's.
-  const auto guid = line.find(' ', kUnsecured.size());
-  const auto entity = line.rfind(':');
-  if (guid == line.npos || entity == line.npos || entity < guid) return line;
-  return std::string(kUnsecured) + line.substr(guid, entity - guid);
+std::string ended_part(const std::string& line) {
+  constexpr std::string_view kBegin = "Non secure remote ", kEnd = " is not allowed.";
+  std::size_t begin = 0;
+  while (std::string_view(line).substr(begin).starts_with(kBegin)) {
+    const auto end = line.find(kEnd, begin);
+    if (end == line.npos) return {};  // Cyclone's buffer was full
+    begin = end + kEnd.size();
+  }
+  return line.substr(begin);
+}
+
+void tell_once(const std::string& sentence) {
+  Heard& all = heard();
+  const std::lock_guard lock(all.mutex);
+  tell(all, sentence, sentence);
+}
+
+void end_unended_line() {
+  dds_log(DDS_LC_WARNING, __FILE__, __LINE__, "end_unended_line", "\n");
 }
 
 void listen_to_cyclone() {

@@ -10,11 +10,20 @@ namespace galilean::wire {
 /// Cyclone's own, which follows in brackets.
 [[nodiscard]] std::string refusal_of(const std::string& line);
 
-/// Returns what is alike in all that Cyclone says of one stranger, so that each is told once.
-[[nodiscard]] std::string stranger_of(const std::string& line);
+/// Returns what remains of a line of Cyclone's without those before it that Cyclone did not end:
+/// "Non secure remote writer 1:2:3:403 is not allowed." That is told by
+/// tell_of_unsecured_programs() with the program's name.
+[[nodiscard]] std::string ended_part(const std::string& line);
 
-/// Takes what Cyclone logs from now on. Each stranger whom it refuses is told once on standard
-/// error, and so is each other line. After some hundred different ones the rest is not told.
+/// Tells a sentence of DDS Security on standard error, if it was not told before.
+void tell_once(const std::string& sentence);
+
+/// Has Cyclone give out what it has logged on this thread and has not ended, which would otherwise
+/// be the beginning of what it logs next.
+void end_unended_line();
+
+/// Takes what Cyclone logs from now on. Each line is told once on standard error, whoever is
+/// refused in it. After some hundred different ones the rest is not told.
 void listen_to_cyclone();
 
 /// Keeps what Cyclone says while this process joins, instead of telling it.

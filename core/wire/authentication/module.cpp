@@ -2,21 +2,25 @@
 // Cyclone's authentication, with one question more: is the member revoked? Cyclone 0.10 reads the
 // list of revoked certificates once, when a program joins. This module reads it every second,
 // refuses who is in it, and has Cyclone forget who was let in before. It also keeps Cyclone from
-// deleting the participant of a program whose own keys expire.
+// deleting the participant of a program whose own keys expire, and refuses programs of other teams
+// before the handshake, of which only one side would learn the reason.
 #include <dds/ddsrt/dynlib.h>
 #include <dds/ddsrt/retcode.h>
 #include <dds/security/dds_security_api_authentication.h>
 #include <dds/security/dds_security_api_err.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
+#include "core/wire/authentication/identity_token.h"
 #include "core/wire/authentication/revocation_guard.h"
 
 // Of dds_security_utils.h, which C++ cannot read.
@@ -81,6 +85,31 @@ DDS_Security_ValidationResult_t refuse(const SubjectPrefix& id,
   return DDS_SECURITY_VALIDATION_FAILED;
 }
 
+/// Refuses whose certificate another CA is said to have signed. The handshake would do so, too, but
+/// the side that begins it would only wait for an answer that never comes.
+DDS_Security_ValidationResult_t refuse_other_team(const DDS_Security_IdentityToken& token,
+                                                  DDS_Security_SecurityException* problem) {
+  constexpr std::size_t kMostShown = 200;
+  const std::string subject(subject_in(token).substr(0, kMostShown));
+  const std::string authority(authority_in(token).substr(0, kMostShown));
+  DDS_Security_Exception_set(problem, "Authentication", DDS_SECURITY_ERR_UNDEFINED_CODE,
+                             DDS_SECURITY_VALIDATION_FAILED,
+                             "another identity CA vouches for the certificate: %s; subject: %s",
+                             authority.c_str(), subject.c_str());
+  return DDS_SECURITY_VALIDATION_FAILED;
+}
+
+/// Is called when this program joins, with what it will announce.
+DDS_Security_boolean tell_identity(dds_security_authentication* instance,
+                                   DDS_Security_IdentityToken* token,
+                                   const DDS_Security_IdentityHandle handle,
+                                   DDS_Security_SecurityException* problem) {
+  auto& guard = guard_of(instance);
+  const auto told = guard.original.get_identity_token(instance, token, handle, problem);
+  if (told && token) guard.note_own_authority(authority_in(*token));
+  return told;
+}
+
 DDS_Security_ValidationResult_t validate_remote(
     dds_security_authentication* instance, DDS_Security_IdentityHandle* handle,
     DDS_Security_AuthRequestMessageToken* local_request,
@@ -89,6 +118,8 @@ DDS_Security_ValidationResult_t validate_remote(
     const DDS_Security_GUID_t* guid, DDS_Security_SecurityException* problem) {
   auto& guard = guard_of(instance);
   if (guid && guard.is_revoked(prefix_of(*guid))) return refuse(prefix_of(*guid), problem);
+  if (token && guard.is_of_another_team(authority_in(*token)))
+    return refuse_other_team(*token, problem);
   const auto result = guard.original.validate_remote_identity(
       instance, handle, local_request, remote_request, local, token, guid, problem);
   if (guid && handle && result != DDS_SECURITY_VALIDATION_FAILED)
@@ -203,6 +234,7 @@ __attribute__((visibility("default"))) int galilean_init_authentication(const ch
   auto* cyclone = static_cast<dds_security_authentication*>(*context);
   made.guard = std::make_unique<RevocationGuard>(*cyclone);
   cyclone->validate_local_identity = validate_local;
+  cyclone->get_identity_token = tell_identity;
   cyclone->validate_remote_identity = validate_remote;
   cyclone->begin_handshake_request = begin_request;
   cyclone->begin_handshake_reply = begin_reply;

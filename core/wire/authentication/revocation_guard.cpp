@@ -69,6 +69,16 @@ void RevocationGuard::expire(DDS_Security_IdentityHandle handle) {
     listener->on_revoke_identity(&cyclone_, handle);
 }
 
+void RevocationGuard::note_own_authority(std::string_view subject) {
+  const std::lock_guard lock(mutex_);
+  own_authority_ = subject;
+}
+
+bool RevocationGuard::is_of_another_team(std::string_view authority) const {
+  const std::lock_guard lock(mutex_);
+  return !authority.empty() && !own_authority_.empty() && authority != own_authority_;
+}
+
 bool RevocationGuard::is_revoked(const SubjectPrefix& prefix) const {
   const std::lock_guard lock(mutex_);
   return revoked_.contains(prefix);

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -34,6 +35,12 @@ class RevocationGuard {
   /// would delete the participant, with which the program goes on to work, and the others part with
   /// it by themselves.
   void expire(DDS_Security_IdentityHandle handle);
+
+  /// Notes the subject of the identity CA that vouches for this program.
+  void note_own_authority(std::string_view subject);
+  /// Returns whether another CA is said to vouch for a program. Nobody may be let in because it
+  /// returns false.
+  [[nodiscard]] bool is_of_another_team(std::string_view authority) const;
 
   [[nodiscard]] bool is_revoked(const SubjectPrefix& prefix) const;
 
@@ -68,6 +75,7 @@ class RevocationGuard {
   const dds_security_authentication_listener* listener_ = nullptr;
   mutable std::mutex mutex_;
   std::string list_file_, ca_file_;
+  std::string own_authority_;
   RevokedMembers revoked_;
   std::vector<Peer> peers_;
   std::vector<DDS_Security_IdentityHandle> own_;

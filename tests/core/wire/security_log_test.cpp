@@ -27,12 +27,34 @@ TEST(SecurityLog, SaysPlainlyWhyAndKeepsWhatCycloneSaid) {
   EXPECT_EQ(refusal_of("something new"), "something new");
 }
 
-TEST(SecurityLog, AnUnsecuredStrangerIsOneHoweverManyTopicsItHas) {
-  const auto writer = stranger_of("Non secure remote writer 1:2:3:403 is not allowed.");
-  EXPECT_EQ(writer, stranger_of("Non secure remote reader 1:2:3:504 is not allowed."));
-  EXPECT_NE(writer, stranger_of("Non secure remote writer 1:2:4:403 is not allowed."));
-  for (const std::string line : {"", "Non secure remote ", "Non secure remote writer", "another"})
-    EXPECT_EQ(stranger_of(line), line);
+TEST(SecurityLog, SaysOfAnotherTeamsProgramWhatItNeeds) {
+  EXPECT_THAT(refusal_of("Validate remote identity failed: another identity CA vouches for the "
+                         "certificate: CN=other; subject: CN=eve(code: 200)"),
+              AllOf(HasSubstr("ask for keys of this team"), HasSubstr("subject: CN=eve")));
+  EXPECT_THAT(refusal_of("handshake (lguid=1:2:3:1c1 rguid=4:5:6:1c1) failed: (4) Timed out"),
+              HasSubstr("refuses the keys of this program"));
+}
+
+// Cyclone does not end such lines, so that what it logs next on that thread stands behind them.
+TEST(SecurityLog, UnendedLinesOfUnsecuredProgramsAreCutOff) {
+  const std::string writer = "Non secure remote writer 1:2:3:403 is not allowed.";
+  const std::string reader = "Non secure remote reader 1:2:3:504 is not allowed.";
+  const std::string next = "Process handshake failed: why(code: 200)";
+  EXPECT_EQ(ended_part(writer), "");
+  EXPECT_EQ(ended_part(writer + reader), "");
+  EXPECT_EQ(ended_part(writer + reader + next), next);
+  EXPECT_EQ(ended_part(writer + "Non secure remote rea(trunc)"), "");
+  for (const auto& line : {std::string(), std::string("another"), next})
+    EXPECT_EQ(ended_part(line), line);
+}
+
+TEST(SecurityLog, TheSameSentenceIsToldOnce) {
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 3; ++i) tell_once("'eve' (192.168.1.7) has no keys");
+  tell_once("'adam' has no keys");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "galilean: DDS Security: 'eve' (192.168.1.7) has no keys\n"
+            "galilean: DDS Security: 'adam' has no keys\n");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ constexpr std::array kMeanings{
     Meaning{"is revoked", "the member is revoked; 'galilean team keys add' makes a new one"},
     Meaning{"xpired", "a certificate or grant has expired; 'galilean team keys renew' renews it"},
     Meaning{"not yet valid", "a certificate is not valid yet; check the machine's clock"},
-    Meaning{"date_start", "a grant is not valid yet; check the machine's clock"},
+    Meaning{"not started yet", "a grant is not valid yet; check the machine's clock"},
     Meaning{"another identity CA",
             "the certificate is not from this team's identity CA; ask for keys of this team"},
     Meaning{"Timed out", "it did not answer in time, or refuses the keys of this program"},

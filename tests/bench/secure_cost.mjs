@@ -4,10 +4,10 @@
 //   node tests/bench/secure_cost.mjs [SECONDS=10] [ROUNDS=3]
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { bench, build, domain, inTurns, output, program, scratchFolder, start } from './server/tools.mjs';
+import { bench, build, domain, inTurns, line, output, program, scratchFolder, start } from './server/tools.mjs';
 
 const [seconds = 10, rounds = 3] = process.argv.slice(2).map(Number);
-const SETTLE_S = 2;
+const SETTLE_S = 3;
 const ticks_a_s = Number(output('getconf', ['CLK_TCK']));
 const sleep = (s) => new Promise((resolve) => setTimeout(resolve, s * 1000));
 
@@ -15,6 +15,12 @@ const sleep = (s) => new Promise((resolve) => setTimeout(resolve, s * 1000));
 function used_s(pid) {
   const fields = readFileSync(`/proc/${pid}/stat`, 'utf8').replace(/^.*\) /s, '').split(' ');
   return (Number(fields[11]) + Number(fields[12])) / ticks_a_s;
+}
+
+/** Throws unless the pictures were asked for nearly all the time: who hears nothing costs nothing. */
+function requireHeard({ state, 'camera/compressed': pictures }) {
+  const expected = state * seconds / (seconds + SETTLE_S);
+  if (pictures < 0.9 * expected) throw new Error(`only ${pictures} of ${Math.round(expected)} pictures were read: the two do not hear each other`);
 }
 
 /** The share of a core that talker and listener take, each with the keys in its folder. */
@@ -27,6 +33,7 @@ async function share(keysOf) {
   await sleep(seconds);
   const after = [talker, listener].map(({ pid }) => used_s(pid));
   talker.stdin.end('.');
+  requireHeard(JSON.parse((await line(talker, /^\{.*\}$/m))[0]));
   await Promise.all([talker.end(), listener.end()]);
   return after.map((each, i) => each - before[i]).reduce((a, b) => a + b) / seconds;
 }

@@ -24,6 +24,12 @@ TEST(SecurityLog, SaysPlainlyWhyAndKeepsWhatCycloneSaid) {
       refusal_of("Failed to parse PKCS7 SMIME document: certificate verify error: unable to "
                  "get local issuer certificate(code: 124)"),
       HasSubstr("not signed by this team's permissions CA"));
+  EXPECT_THAT(refusal_of("Error occurred while validating local permissions: Permissions validity "
+                         "period has not started yet for CN=io (start: 2030-01-01T00:00:00Z)"),
+              HasSubstr("check the machine's clock"));
+  EXPECT_THAT(refusal_of("Error occurred while validating local permissions: Subject name is "
+                         "invalid(code: 140)"),
+              HasSubstr("for another member"));
   EXPECT_EQ(refusal_of("something new"), "something new");
 }
 

@@ -107,6 +107,13 @@ TEST_F(SecuredJoin, AGrantThatAMemberSignedItselfIsRefused) {
   EXPECT_THAT(refusal(eve), HasSubstr("permissions CA"));
 }
 
+TEST_F(SecuredJoin, TheGrantOfAnotherMemberIsRefused) {
+  const MemberFiles eve(add("eve", MemberRole::kViewer));
+  const MemberFiles boss(add("boss", MemberRole::kMonitor));
+  fs::copy_file(boss.grant, eve.grant, fs::copy_options::overwrite_existing);
+  EXPECT_THAT(refusal(keys.member_folder("eve"), "eve"), HasSubstr("for another member"));
+}
+
 TEST_F(SecuredJoin, WhatTheRoleForbidsIsLeftOutAndTheProgramGoesOn) {
   const auto anna = add("anna", MemberRole::kViewer);
   setenv(kSecureVariable, anna.c_str(), 1);

@@ -40,7 +40,7 @@ Result<void> check_member_files(const fs::path& folder) {
   return {};
 }
 
-Result<fs::path> find_authentication_module() {
+Result<fs::path> find_security_module() {
   for (const auto* relative : kModuleFolders)
     if (const auto file = program_folder() / relative / kModule; is_readable(file)) return file;
   return Error{std::string(kModule) +
@@ -68,7 +68,7 @@ Result<std::optional<fs::path>> chosen_keys(const std::string& name) {
 }
 
 Result<void> add_security(dds_qos_t& qos, const fs::path& folder) {
-  const auto module_file = find_authentication_module();
+  const auto module_file = find_security_module();
   if (!module_file) return module_file.error();
   const MemberFiles files(folder);
   const auto set = [&](const char* property, const std::string& value) {
@@ -80,9 +80,9 @@ Result<void> add_security(dds_qos_t& qos, const fs::path& folder) {
   set("dds.sec.auth.library.path", module_file.value().string());
   set("dds.sec.auth.library.init", "galilean_init_authentication");
   set("dds.sec.auth.library.finalize", "galilean_finalize_authentication");
-  set("dds.sec.access.library.path", "dds_security_ac");
-  set("dds.sec.access.library.init", "init_access_control");
-  set("dds.sec.access.library.finalize", "finalize_access_control");
+  set("dds.sec.access.library.path", module_file.value().string());
+  set("dds.sec.access.library.init", "galilean_init_access_control");
+  set("dds.sec.access.library.finalize", "galilean_finalize_access_control");
   set("dds.sec.crypto.library.path", "dds_security_crypto");
   set("dds.sec.crypto.library.init", "init_crypto");
   set("dds.sec.crypto.library.finalize", "finalize_crypto");

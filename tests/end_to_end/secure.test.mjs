@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A team with keys: what members do, and that strangers, and members beyond their role, get nothing.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { cpSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
 import { places } from './help.mjs';
-import { freshDomain, galilean, programs, Running, scratchFolder } from './tools.mjs';
+import { freshDomain, galilean, galileanBinary, programs, Running, scratchFolder } from './tools.mjs';
 
 /** How long a stranger listens: a member has heard its first message after a fraction of that. */
 const LISTENS = '5s';
@@ -172,6 +172,24 @@ test('a viewer watches and steers nothing', async (t) => {
   const said = hold(domain, { GALILEAN_SECURE: of('anna') });
   assert.doesNotMatch(said, OBEYED);
   assert.equal(said.match(/does not let this program (write|use topic) rt\/team\/command/g)?.length, 1, said);
+  assert.match(hold(domain, { GALILEAN_SECURE: of('boss') }), OBEYED);
+});
+
+test('a viewer whose program was changed to obey no role gives no order, and is told', async (t) => {
+  const { domain, robot, of } = await startSecured(t, { eve: 'viewer' });
+  const folder = scratchFolder(t);
+  const changed = (name, ...args) => {
+    cpSync(join(dirname(galileanBinary), name), join(folder, name));
+    const { stdout, stderr } = spawnSync(join(folder, name), args,
+      { env: { ...process.env, ROS_DOMAIN_ID: domain, GALILEAN_SECURE: of('eve') }, encoding: 'utf8', timeout: 60_000 });
+    return stdout + stderr;
+  };
+  cpSync(join(dirname(galileanBinary), '../tests/libdisobedient.so'), join(folder, 'libgalilean_authentication.so'));
+  const said = changed('galilean-command', 'hold', '--robot', 'io');
+  assert.doesNotMatch(said, OBEYED);
+  assert.doesNotMatch(said, /does not let this program/, 'it is no changed program');
+  await robot.line(/DDS Security: the role of the member [0-9a-f]{12} does not let it write rt\/team\/command\n/);
+  assert.equal(told(robot, /write rt\/team\/command/).length, 1, robot.output);
   assert.match(hold(domain, { GALILEAN_SECURE: of('boss') }), OBEYED);
 });
 

@@ -2,12 +2,12 @@
 // A team with keys: what members do, and that strangers, and members beyond their role, get nothing.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
-import { cpSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { setTimeout as delay } from 'node:timers/promises';
 import { places } from './help.mjs';
-import { freshDomain, galilean, galileanBinary, programs, Running, scratchFolder } from './tools.mjs';
+import { eventually, freshDomain, galilean, galileanBinary, programs, Running, scratchFolder, startTeam } from './tools.mjs';
 
 /** How long a stranger listens: a member has heard its first message after a fraction of that. */
 const LISTENS = '5s';
@@ -87,6 +87,26 @@ test('members hear and command one another; GALILEAN_SECURE is as good as --secu
   assert.match(hold(domain, env), OBEYED);
   const topics = galilean(['list'], { domain, env });
   assert.match(topics.stdout, /\/io\/state/);
+});
+
+test('a whole demo runs with keys, and no role lacks what its programs ask for', async (t) => {
+  const { folder, of } = makeTeam(t, { io: 'robot', ganymede: 'robot', demo: 'viewer', sim: 'simulator', monitor: 'monitor', record: 'recorder', boss: 'monitor' });
+  const { team, domain, cwd } = await startTeam(t, ['--robots', '2', '--record', 'run.mcap', '--secure', folder]);
+  for (const wanted of ['io/state.tick > 20', 'ganymede/state.tick > 20']) {
+    const { status, stdout, stderr } = galilean(['wait', wanted, '--timeout', '60s', '--secure', of('boss')], { domain });
+    assert.equal(status, 0, stdout + stderr);
+  }
+  await eventually(() => {
+    const { stdout } = galilean(['list', '--secure', of('boss')], { domain });
+    return ['/io/program', '/referee/score', '/simulation/state', '/team/map'].every((topic) => stdout.includes(topic));
+  });
+  assertHearsNothing(domain);
+  await team.stop();
+
+  const runs = join(cwd, '.galilean');
+  const logs = readdirSync(runs, { recursive: true }).filter((name) => name.endsWith('.log')).map((name) => readFileSync(join(runs, name), 'utf8'));
+  assert.ok(logs.length >= 5, `logs of simulator, robots, monitor and recorder: ${logs.length}`);
+  for (const log of [...logs, team.output]) assert.doesNotMatch(log, /does not let/);
 });
 
 test('who has no keys, or those of another team, hears nothing and moves nothing', async (t) => {

@@ -2,9 +2,11 @@
 #include "monitor/map/landmarks/data_association.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "monitor/map/estimation/frames.h"
+#include "monitor/map/landmarks/joint_compatibility.h"
 
 namespace galilean::monitor {
 namespace {
@@ -15,6 +17,8 @@ using Match = DataAssociation::Match;
 /// one that is seen. It is larger for baskets, because these stand metres apart.
 constexpr double kMaxDeviation_m = 0.25;
 constexpr double kMaxBasketDeviation_m = 0.9;
+/// Up to this standard deviation one piece of trash tells where its observer is.
+constexpr double kClear_m = 0.15;
 /// The best match has a rival if another match's squared Mahalanobis distance is larger by less
 /// than this.
 constexpr double kRivalMargin = 6;
@@ -81,7 +85,7 @@ std::vector<DataAssociation::Match> DataAssociation::matches(
           compatibility_of(joint_, predicted, observation.measurement.in_robot);
       if (compatibility.squared_distance < association_gate() &&
           compatibility.deviation_m < max_deviation_m(landmarks[j], observer))
-        matches.push_back({compatibility.squared_distance, i, j});
+        matches.push_back({compatibility.squared_distance, i, j, compatibility.deviation_m});
     }
   }
   return matches;
@@ -94,14 +98,44 @@ bool DataAssociation::may_be_duplicates(std::size_t a, std::size_t b) const {
 }
 
 std::optional<DataAssociation::Match> DataAssociation::next(
-    const std::vector<Observation>& observations, const std::string& observer) const {
+    const std::vector<Observation>& observations, const std::string& observer, Time now) const {
   std::vector<Match> all = matches(observations, observer);
   if (all.empty()) return std::nullopt;
   const auto duplicates = [this](std::size_t a, std::size_t b) { return may_be_duplicates(a, b); };
   for (Match& match : all) match.is_sure = !has_rival(all, match, duplicates);
-  return *std::ranges::min_element(all, {}, [](const Match& match) {
+  Match& best = *std::ranges::min_element(all, {}, [](const Match& match) {
     return std::pair(!match.is_sure, match.squared_distance);
   });
+  best.is_supported = is_supported(best, all, observations, observer, now);
+  return best;
+}
+
+// What the robot alone added lately has the error of its pose, and so supports any pose.
+bool DataAssociation::is_supported(const Match& match, const std::vector<Match>& all,
+                                   const std::vector<Observation>& observations,
+                                   const std::string& observer, Time now) const {
+  const auto& landmarks = landmarks_.all();
+  if (landmarks[match.landmark].object_class == "basket" || match.deviation_m < kClear_m)
+    return true;
+  const auto robot = robots_.block(observer);
+  const double heading_rad = robots_.pose(observer).heading_rad;
+  const double deviation_rad = std::sqrt(joint_.covariance(robot)(2, 2));
+  const auto seen_m = [&](std::size_t i) { return observations[i].measurement.in_robot.mean_m; };
+  const auto known_m = [&](std::size_t j) -> Vec2 { return joint_.position(landmarks[j].block); };
+  const auto supports = [&](std::size_t observation, std::size_t landmark) {
+    const bool is_other = observation != match.observation && landmark != match.landmark;
+    return is_other && landmarks[landmark].is_confirmed() &&
+           !landmarks[landmark].is_recent_of(observer, now) &&
+           are_jointly_compatible(
+               rotated(seen_m(observation) - seen_m(match.observation), heading_rad),
+               known_m(landmark) - known_m(match.landmark), deviation_rad);
+  };
+  for (std::size_t i = 0; i < observations.size(); ++i)
+    if (const auto& each = observations[i];
+        each.landmark && each.measurement.complete && supports(i, *each.landmark))
+      return true;
+  return std::ranges::any_of(
+      all, [&](const Match& other) { return supports(other.observation, other.landmark); });
 }
 
 void DataAssociation::note(const std::vector<Observation>& observations,

@@ -44,7 +44,7 @@ Viewpoint LandmarkMap::update(const msg::Sightings& frame, Time now) {
 // Matches are taken in one by one, because each correction makes the next prediction better.
 void LandmarkMap::associate(const std::string& robot, std::vector<Observation>& observations,
                             Time now) {
-  while (const auto match = association_.next(observations, robot)) {
+  while (const auto match = association_.next(observations, robot, now)) {
     Observation& observation = observations[match->observation];
     observation.landmark = match->landmark;
     take_in(*match, robot, observation.measurement, now);
@@ -59,7 +59,7 @@ void LandmarkMap::take_in(const DataAssociation::Match& match, const std::string
   const bool moved = landmark.object_class == "trash" && match.squared_distance > kMovedDistance;
   if (moved)
     store_.relocate(landmark, robot, measurement.in_robot);
-  else if (match.is_sure && is_informative(landmark, robot, now))
+  else if (match.is_sure && match.is_supported && is_informative(landmark, robot, now))
     correct_by(joint_, predict_measurement(joint_, robots_.block(robot), landmark.block),
                measurement.in_robot);
 }

@@ -153,6 +153,44 @@ TEST_F(MapTest, ARobotThatTurnedLessThanItsOdometerSaysIsTurnedBack) {
   EXPECT_EQ(published.objects.size(), around.size());
 }
 
+/// A robot that knew trash for long, and then drove a metre back without seeing any: its heading is
+/// known to a tenth of a radian.
+class UncertainRobotTest : public MapTest {
+ protected:
+  void know(const std::vector<std::pair<std::string, Vec2>>& landmarks) {
+    map.start_at("io", io);
+    look(io, landmarks, 150);
+    for (int i = 0; i <= 20; ++i, step()) map.add(at("io", {{-0.05 * i, 0}, 0}), now);
+  }
+  [[nodiscard]] double heading_rad() { return objects().robots.at(0).heading_rad; }
+
+  const Pose2 behind{{-1, 0}, 0};
+};
+
+// It may be another piece.
+TEST_F(UncertainRobotTest, IsNotTurnedByOnePieceBesideAKnownOne) {
+  know({{"trash", {1, 0}}});
+  look(behind, {{"trash", {1, 0.25}}}, 3);
+  EXPECT_NEAR(heading_rad(), 0, 0.01);
+}
+
+TEST_F(UncertainRobotTest, IsTurnedByTwoPiecesThatLieAsKnownOnesDo) {
+  const std::vector<std::pair<std::string, Vec2>> known{{"trash", {1, 0}}, {"trash", {0.6, -0.8}}};
+  know(known);
+  constexpr double kSlip_rad = 0.1;
+  auto counted = known;
+  for (auto& [object_class, at_m] : counted)
+    at_m = behind.position_m + rotated(at_m - behind.position_m, kSlip_rad);
+  look(behind, counted, 3);
+  EXPECT_NEAR(heading_rad(), -kSlip_rad, 0.05);
+}
+
+TEST_F(UncertainRobotTest, IsTurnedByABasketBecauseTheseStandMetresApart) {
+  know({{"basket", {1, 0}}});
+  look(behind, {{"basket", {1, 0.25}}}, 3);
+  EXPECT_LT(heading_rad(), -0.05);
+}
+
 TEST_F(MapTest, AStrangePlaceThatLooksLikeAKnownOneTurnsNobody) {
   map.start_at("io", io);
   const std::vector<std::pair<std::string, Vec2>> known{

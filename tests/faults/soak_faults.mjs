@@ -25,8 +25,9 @@ const signalled = async (demo, words, name, found = processesIn(demo.domain).fil
 };
 
 const pushed = (text, expected) => async (demo, number) => {
-  const { status, detail } = await demo.ask('/api/push', { files: [{ path: 'soak.bhdl', text: `; ${number}\n${text}` }], probation_s: 0, author: 'soak' });
+  const { status, state, detail } = await demo.ask('/api/push', { files: [{ path: 'soak.bhdl', text: `; ${number}\n${text}` }], probation_s: 0, author: 'soak' });
   if (status !== expected) throw new Error(`a push was answered with ${status}: ${detail}`);
+  if (status === 200 && state !== 'done') throw new Error(`a push is ${state}`);
 };
 
 async function wrongTokens(demo) {

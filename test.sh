@@ -40,7 +40,7 @@ run browser tap scripts/browser_tests.sh
 run sanitizers gtest scripts/sanitize.sh address,undefined
 run threads gtest scripts/sanitize.sh thread
 run fuzz tap scripts/fuzz.sh 144  # 10 s each
-run faults tap scripts/node_tests.sh tests/faults/*.test.mjs
+run faults tap scripts/faults.sh tests/faults/*.test.mjs
 run format status scripts/check_format.sh
 run tidy status scripts/tidy.sh
 

@@ -51,6 +51,8 @@ Result<nlohmann::json> read_json(std::string_view text) try {
   return nlohmann::json::parse(text);
 } catch (const nlohmann::json::parse_error& error) {
   return Error{"no JSON at byte " + std::to_string(error.byte)};
+} catch (const nlohmann::json::out_of_range&) {
+  return Error{"the JSON holds a number that is too large"};
 }
 
 std::string json_text(const nlohmann::json& json, int indent) {

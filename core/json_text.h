@@ -28,7 +28,8 @@ struct JsonLimits {
                                                          const JsonLimits& limits = {});
 
 /// Reads JSON of a file or of a program's output. Errors: as read_untrusted_json; the error is a
-/// clause without a full stop that names the byte, so that the file's name can stand before it.
+/// clause without a full stop that says what is wrong, with the byte where the text is not JSON, so
+/// that the file's name can stand before it.
 [[nodiscard]] Result<nlohmann::json> read_json(std::string_view text);
 
 /// Returns the JSON as text: on one line, or with a line a value where `indent` is the number of

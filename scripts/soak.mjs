@@ -2,13 +2,15 @@
 // Runs a demo for hours, and each thirty seconds makes another fault:
 //   node scripts/soak.mjs [--hours 2] [--robots 3] [--every 30]
 // After each fault the team must be well again in time: every robot is heard, is not held, and has no problem. The memory of
-// each process must not grow. The log's last line is the verdict, and the exit code 0 or 1. Ctrl-C ends it well, with a
+// each process must not grow. A recorder counts the messages that are lost. The log ends with an account of the faults, of
+// the memory and of what was lost, and its last line is the verdict; the exit code is 0 or 1. Ctrl-C ends it well, with a
 // verdict on what was until then. It needs the programs and tests that ./test.sh builds.
 import { setTimeout as sleep } from 'node:timers/promises';
 import { parseArgs } from 'node:util';
-import { processesIn, startTeam } from '../tests/end_to_end/tools.mjs';
+import { processesIn, Running, startTeam } from '../tests/end_to_end/tools.mjs';
 import { judgeMemory, memoryOf } from '../tests/faults/memory_line.mjs';
 import { flood, soakFaults } from '../tests/faults/soak_faults.mjs';
+import { countedOf, memoryLine, Outcomes, recordedOf } from '../tests/faults/soak_summary.mjs';
 import { Scope, until } from '../tests/faults/table.mjs';
 
 const { values: asked } = parseArgs({
@@ -20,6 +22,9 @@ if (!(hours > 0 && robots > 0 && every_s >= 10)) {
   process.exit(2);
 }
 
+/** How a recorder ends that has counted losses. */
+const INCOMPLETE = 3;
+const MOST_LOSSES = 20;
 const SAMPLE_MS = 5000, WELL_WITHIN_S = 10, ANSWER_MS = 10_000;
 const MB = 1 << 20;
 const began_ms = performance.now();
@@ -39,7 +44,7 @@ process.on('SIGINT', () => {
 const scope = new Scope();
 /** The demo, and what is asked of its monitor. */
 async function startDemo() {
-  const { team, domain, url, link } = await startTeam(scope, ['--robots', String(robots)]);
+  const { team, domain, cwd, url, link } = await startTeam(scope, ['--robots', String(robots)]);
   const token = /#token=(\w+)/.exec(link)[1];
   const ask = async (path, body, bearer = token) => {
     const answer = await fetch(`${url}${path}`, {
@@ -48,7 +53,11 @@ async function startDemo() {
     return { ...(await answer.json()), status: answer.status };
   };
   const status = async () => (await ask('/api/status')).robots;
-  return { team, domain, port: Number(new URL(url).port), ask, status, names: [] };
+  const metrics = async () =>
+    (await fetch(`${url}/metrics`, { headers: { authorization: `Bearer ${token}` }, signal: AbortSignal.timeout(ANSWER_MS) })).text();
+  // Two files at most, so that the disk lasts as long as the soak.
+  const recorder = new Running(scope, ['record', '--out', 'soak.mcap', '--pictures', 'none', '--split-size', '200MB', '--max-files', '2'], { domain, cwd });
+  return { team, domain, recorder, port: Number(new URL(url).port), ask, status, metrics, names: [] };
 }
 
 /** Why the team is not well; undefined if it is. */
@@ -78,6 +87,7 @@ function sampleMemory(demo) {
 }
 
 const wrong = [];
+const outcomes = new Outcomes();
 async function makeFault(demo, number) {
   const [fault, make] = faults[number % faults.length];
   try {
@@ -86,9 +96,12 @@ async function makeFault(demo, number) {
     let why;
     await until(async () => !(why = await illness(demo)), 'the team to be well', WELL_WITHIN_S, 50).catch(() => {});
     if (why) throw new Error(`the team is not well after ${WELL_WITHIN_S} s: ${why}`);
-    log(`${fault}: well again after ${((performance.now() - ended_ms) / 1000).toFixed(1)} s`);
+    const well_after_s = (performance.now() - ended_ms) / 1000;
+    outcomes.note(fault, well_after_s);
+    log(`${fault}: well again after ${well_after_s.toFixed(1)} s`);
   } catch (error) {
     if (stopping.signal.aborted) return; // Ctrl-C in a terminal ends the demo, too
+    outcomes.note(fault, undefined);
     wrong.push(`${fault}: ${error.message}`);
     log(`WRONG: ${fault}: ${error.message}`);
   }
@@ -97,14 +110,20 @@ async function makeFault(demo, number) {
 function judgeAllMemory() {
   for (const [name, list] of samples) {
     const judged = judgeMemory(list);
-    if (!judged) {
-      log(`memory of ${name}: too few samples`);
-      continue;
-    }
-    const { flat, mean_bytes, growth_bytes, bytes_per_hour } = judged;
-    log(`memory of ${name}: ${(mean_bytes / MB).toFixed(1)} MB, ${(bytes_per_hour / MB).toFixed(2)} MB more an hour${flat ? '' : ': it grows'}`);
-    if (!flat) wrong.push(`the memory of ${name} grew by ${(growth_bytes / MB).toFixed(1)} MB`);
+    log(memoryLine(name, judged));
+    if (judged && !judged.flat) wrong.push(`the memory of ${name} grew by ${(judged.growth_bytes / MB).toFixed(1)} MB`);
   }
+}
+
+const account = [];
+/** Ends the recorder, and notes what it and the monitor have counted. */
+async function countLosses({ recorder, metrics }) {
+  const { code, signal } = await recorder.stop();
+  const { recorded, lost } = recordedOf(recorder.output);
+  account.push(`messages: ${recorded} recorded, ${lost} lost and counted`);
+  for (const line of recorder.output.split('\n').filter((each) => / lost \d+ of | lacks, /.test(each)).slice(0, MOST_LOSSES)) account.push(`messages: ${line}`);
+  if (code !== 0 && code !== INCOMPLETE) wrong.push(`the recorder ended (${signal ?? `exit code ${code}`}): ${recorder.output}`);
+  for (const [name, count] of countedOf(await metrics())) account.push(`counted: ${name} ${count}`);
 }
 
 let made = 0;
@@ -124,6 +143,11 @@ try {
     await makeFault(demo, made++);
     await rest(next_ms - performance.now());
   }
+  clearInterval(sampling.timer);
+  await countLosses(demo).catch((error) => {
+    if (!stopping.signal.aborted) wrong.push(error.message);
+    account.push(`messages: they could not be counted to the end: ${error.message}`);
+  });
   if (!stopping.signal.aborted) {
     await flood(demo, rest);
     log('a stranger has invented robots for some seconds, at the end');
@@ -138,6 +162,7 @@ try {
   stopping.abort();
   await scope.end();
 }
+for (const line of [...outcomes.lines(), ...account]) log(line);
 judgeAllMemory();
 for (const each of wrong) log(`WRONG: ${each}`);
 const good = wrong.length === 0 && made > 0;

@@ -78,6 +78,8 @@ TEST(JsonText, AFileThatIsNoneIsToldByItsByte) {
   EXPECT_EQ(read_json("[1,]").error().message, "no JSON at byte 4");
   EXPECT_EQ(read_json("").error().message, "no JSON at byte 1");
   EXPECT_EQ(read_json(nested(1'000'000)).error().message, "the JSON nests deeper than 32 levels");
+  for (const auto* text : {"1e999", "[0,-1e999]", R"({"a":1e400})"})
+    EXPECT_EQ(read_json(text).error().message, "the JSON holds a number that is too large") << text;
 }
 
 TEST(JsonText, AnythingCanBePrinted) {

@@ -81,7 +81,10 @@ export class Running {
   }
 
   async stop(signal = 'SIGINT') {
-    if (this.process.exitCode === null && this.process.signalCode === null) this.process.kill(signal);
+    if (this.process.exitCode === null && this.process.signalCode === null) {
+      this.process.kill(signal);
+      this.process.kill('SIGCONT'); // one that stands still hears of it only then
+    }
     try {
       return await this.exited;
     } catch (late) {

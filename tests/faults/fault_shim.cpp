@@ -2,14 +2,17 @@
 // A library for LD_PRELOAD that makes faults in one process: its clock is set, or its disk fails.
 // The file that FAULT_SHIM names holds three numbers of 64 bits, which may change at any time: by
 // how many nanoseconds CLOCK_REALTIME is ahead, and the errno with which writing and syncing fail,
-// or 0. They fail for files whose path begins with FAULT_SHIM_FILES.
+// or 0. They fail for files whose path begins with FAULT_SHIM_FILES. Waits until a time of the
+// clock go by the clock that is set, as those of DDS do.
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <sys/mman.h>
 #include <sys/syscall.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -71,6 +74,32 @@ Function* next(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
 }
 
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+
+std::int64_t ns_of(const timespec& time) {
+  return time.tv_sec * kSecond_ns + time.tv_nsec;
+}
+
+std::int64_t true_ns(clockid_t clock) {
+  timespec now{};
+  syscall(SYS_clock_gettime, clock, &now);
+  return ns_of(now);
+}
+
+/// Waits until a time of the clock that is set. That may be set again meanwhile, so no wait is
+/// longer than kLongestWait_ns: it ends as one that was woken for nothing, which all who wait must
+/// expect.
+int wait_until_set_time(pthread_cond_t* condition, pthread_mutex_t* mutex, const timespec& end) {
+  constexpr std::int64_t kLongestWait_ns = 50'000'000;
+  const std::int64_t left_ns =
+      ns_of(end) - true_ns(CLOCK_REALTIME) - orders()->clock_ahead_ns.load();
+  const std::int64_t until_ns =
+      true_ns(CLOCK_MONOTONIC) + std::clamp<std::int64_t>(left_ns, 0, kLongestWait_ns);
+  const timespec until{until_ns / kSecond_ns, until_ns % kSecond_ns};
+  const int result = pthread_cond_clockwait(condition, mutex, CLOCK_MONOTONIC, &until);
+  return result == ETIMEDOUT && left_ns > kLongestWait_ns ? 0 : result;
+}
+
 }  // namespace
 
 extern "C" {
@@ -79,11 +108,20 @@ int clock_gettime(clockid_t clock, timespec* time) noexcept {
   const long result = syscall(SYS_clock_gettime, clock, time);
   const bool is_set = clock == CLOCK_REALTIME || clock == CLOCK_REALTIME_COARSE;
   if (result != 0 || !is_set || !orders()) return static_cast<int>(result);
-  constexpr std::int64_t kSecond_ns = 1'000'000'000;
-  const std::int64_t now_ns = time->tv_sec * kSecond_ns + time->tv_nsec + orders()->clock_ahead_ns;
+  const std::int64_t now_ns = ns_of(*time) + orders()->clock_ahead_ns;
   time->tv_sec = now_ns / kSecond_ns;
   time->tv_nsec = now_ns % kSecond_ns;
   return 0;
+}
+
+int pthread_cond_timedwait(pthread_cond_t* __restrict condition, pthread_mutex_t* __restrict mutex,
+                           const timespec* __restrict end) {
+  // A condition may go by the clock that nobody can set, whose times are less than thirty years.
+  constexpr std::int64_t kThirtyYears_s = 946'684'800;
+  if (end->tv_sec < kThirtyYears_s)
+    return pthread_cond_clockwait(condition, mutex, CLOCK_MONOTONIC, end);
+  if (!orders()) return pthread_cond_clockwait(condition, mutex, CLOCK_REALTIME, end);
+  return wait_until_set_time(condition, mutex, *end);
 }
 
 ssize_t write(int file, const void* bytes, size_t size) {

@@ -26,11 +26,15 @@ export function lineThrough(points) {
   return { slope, at: (place) => y + slope * (place - x) };
 }
 
-/** Judges samples [time in s, bytes], the oldest first: { flat, mean_bytes, growth_bytes, bytes_per_hour }, or undefined: too few. */
+/**
+ * Judges samples [time in s, bytes], the oldest first: { flat, mean_bytes, first_bytes, last_bytes, growth_bytes, bytes_per_hour },
+ * where the first one is behind the beginning; or undefined: too few.
+ */
 export function judgeMemory(samples) {
   const settled = samples.slice(Math.ceil(SETTLING_SHARE * samples.length));
   if (settled.length < LEAST_SAMPLES) return undefined;
   const line = lineThrough(settled), [begin, end] = [settled[0][0], settled.at(-1)[0]];
   const mean_bytes = line.at((begin + end) / 2), growth_bytes = line.slope * (end - begin);
-  return { flat: growth_bytes <= Math.max(FLAT_SHARE * mean_bytes, FLAT_BYTES), mean_bytes, growth_bytes, bytes_per_hour: 3600 * line.slope };
+  const flat = growth_bytes <= Math.max(FLAT_SHARE * mean_bytes, FLAT_BYTES);
+  return { flat, mean_bytes, first_bytes: settled[0][1], last_bytes: settled.at(-1)[1], growth_bytes, bytes_per_hour: 3600 * line.slope };
 }

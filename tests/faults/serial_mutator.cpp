@@ -4,6 +4,7 @@
 // input say, and ends with that input:
 //   pass                 they go through
 //   cut                  they are lost, and the cable seems to be there
+//   stall                those to the board wait, and come all at once afterwards
 //   drop N, garble N     of a thousand, N are lost, or have one bit wrong
 //   halve                each piece comes in two halves, 4 ms apart
 //   restart              it is silent for 300 ms, then tells another boot and counts from 0
@@ -83,7 +84,7 @@ class Mutator {
   void run() {
     while (obey_input()) {
       to_robot_.take(reports_.heard(bytes_from(board_)), mode_);
-      to_board_.take(bytes_from(robot_.file()), mode_);
+      if (mode_.name != "stall") to_board_.take(bytes_from(robot_.file()), mode_);
       to_robot_.pass_on(robot_.file());
       to_board_.pass_on(board_);
     }

@@ -2,32 +2,32 @@
 // What scripts/soak.mjs does to a demo, in turn: a name, and make(demo, number). Each ends the fault itself.
 import { spawn } from 'node:child_process';
 import { randomBytes } from 'node:crypto';
-import { once } from 'node:events';
 import { connect } from 'node:net';
 import { processesIn } from '../end_to_end/tools.mjs';
 import { testTool } from '../logs/tools.mjs';
+import { closeOf, endChild } from './stages/children.mjs';
 
 const FAULT_S = 3, FLOOD_S = 5, IDLE = 300;
 
 /** A stranger writes for some seconds. The robots that he invents stay known, as silent ones. */
 export async function flood(demo, rest) {
   const stranger = spawn(testTool('wire_stranger'), [demo.domain], { stdio: ['pipe', 'ignore', 'inherit'] });
-  const ended = once(stranger, 'close');
+  stranger.stdin.on('error', () => {}); // it has ended
+  const closed = closeOf(stranger);
   await rest(1000 * FLOOD_S);
-  stranger.stdin.end();
-  await ended;
+  await endChild(stranger, closed, () => stranger.stdin.end());
 }
 
-const signalled = async (demo, words, name) => {
-  const found = processesIn(demo.domain).filter(({ command }) => words.test(command));
+const signalled = async (demo, words, name, found = processesIn(demo.domain).filter(({ command }) => words.test(command))) => {
   if (found.length === 0) throw new Error(`no process is ${words}`);
   for (const { pid } of found) process.kill(pid, name);
   return found;
 };
 
 const pushed = (text, expected) => async (demo, number) => {
-  const { status, detail } = await demo.ask('/api/push', { files: [{ path: 'soak.bhdl', text: `; ${number}\n${text}` }], probation_s: 0, author: 'soak' });
+  const { status, state, detail } = await demo.ask('/api/push', { files: [{ path: 'soak.bhdl', text: `; ${number}\n${text}` }], probation_s: 0, author: 'soak' });
   if (status !== expected) throw new Error(`a push was answered with ${status}: ${detail}`);
+  if (status === 200 && state !== 'done') throw new Error(`a push is ${state}`);
 };
 
 async function wrongTokens(demo) {
@@ -42,7 +42,7 @@ export function soakFaults(rest) {
   const paused = (words) => async (demo) => {
     const found = await signalled(demo, words, 'SIGSTOP');
     await rest(1000 * FAULT_S);
-    for (const { pid } of found) process.kill(pid, 'SIGCONT');
+    await signalled(demo, words, 'SIGCONT', found);
   };
   const broken = (part) => async (demo, number) => {
     const subject = demo.names[number % demo.names.length];

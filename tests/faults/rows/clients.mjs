@@ -1,74 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clients of the monitor that cost it something. A page that is starved is in tests/browser/starved.test.mjs.
-import { spawn } from 'node:child_process';
 import { randomBytes } from 'node:crypto';
-import { once } from 'node:events';
-import { request } from 'node:http';
-import { connect } from 'node:net';
 import { setTimeout as sleep } from 'node:timers/promises';
-import { connect as connectFoxglove } from '../../end_to_end/foxglove_client.mjs';
-import { program } from '../../logs/tools.mjs';
+import { galilean } from '../../end_to_end/tools.mjs';
 import { within } from '../../tools/patience.mjs';
+import { CHECKED_BYTES, closeMany, floodWithPings, HOLDS, longProgram, memory_MB, openAsGuest, openMany, slowestAnswer, slowestHold } from '../stages/clients.mjs';
+import { channels, crowd, STALLED, VIEWERS } from '../stages/crowd.mjs';
 import { startSmallTeam } from '../stages/small_team.mjs';
-import { Scope } from '../table.mjs';
 
 const IDLE = 1000, SLOW = 200, WRONG_TOKENS = 30;
-const VIEWERS = 1000, STALLED = 100, WATCHED_S = 1;
-const QUESTIONS = 20;
-const HIGH_FILE_LIMIT = 4096;
-const COSTLY = ['sensor_msgs/msg/CompressedImage', 'visualization_msgs/msg/MarkerArray'];
-
-/** How long the monitor takes to answer on a connection of its own [s]. */
-async function answerTime({ monitor }) {
-  const asked_ms = performance.now();
-  const status = await within(new Promise((resolve, reject) => {
-    request(`${monitor.url}/healthz`, { agent: false }, (response) => response.resume().on('end', () => resolve(response.statusCode)))
-      .on('error', reject).end();
-  }), () => 'an answer', 20_000);
-  if (status !== 200) throw new Error(`/healthz answers ${status}`);
-  return (performance.now() - asked_ms) / 1000;
-}
-
-async function slowestAnswer(stage) {
-  let slowest_s = 0;
-  for (let question = 0; question < QUESTIONS; ++question) slowest_s = Math.max(slowest_s, await answerTime(stage));
-  return slowest_s;
-}
-
-/** Connections that have been made, or refused. */
-async function openMany(stage, count) {
-  stage.sockets = Array.from({ length: count }, () => connect(stage.monitor.port, '127.0.0.1').on('error', () => {}));
-  await Promise.all(stage.sockets.map((socket) => within(Promise.race([once(socket, 'connect'), once(socket, 'close')]), () => 'a connection')));
-}
-
-async function closeMany(stage) {
-  clearInterval(stage.dripping);
-  for (const socket of stage.sockets ?? []) socket.destroy();
-  await stage.well();
-}
-
-/** The channels of what is live, but for pictures and markers. */
-async function channels(stage) {
-  const scope = new Scope();
-  const { heard, channel } = connectFoxglove(scope, stage.monitor.url, { token: stage.monitor.token() });
-  await channel('/io/state');
-  await sleep(1000); // for what is advertised after that
-  const ids = heard.advertise.flat().filter(({ schemaName }) => !COSTLY.includes(schemaName)).map(({ id }) => String(id));
-  await scope.end();
-  return ids;
-}
-
-/** What crowd_bench measures. Its own files need a high limit, whatever this process has. */
-async function crowd(stage, ids) {
-  const child = spawn('bash', ['-c', `ulimit -n ${HIGH_FILE_LIMIT}; exec "$@"`, 'bash', program('crowd_bench'),
-    String(stage.monitor.port), `${VIEWERS}:${STALLED}`, String(WATCHED_S), ...ids], { stdio: ['ignore', 'pipe', 'pipe'] });
-  let said = '', problem = '';
-  child.stdout.on('data', (data) => { said += data; });
-  child.stderr.on('data', (data) => { problem += data; });
-  await within(once(child, 'close'), () => 'the end of crowd_bench');
-  if (!said) throw new Error(`crowd_bench failed: ${problem}`);
-  return JSON.parse(said);
-}
+const CHECKS = 50;
+const BRACKETS = 4_000_000;
 
 export const group = {
   name: 'clients',
@@ -78,12 +20,12 @@ export const group = {
       fault: `${WRONG_TOKENS} wrong tokens come at once`, promised: "The operator's token is taken within 0.5 s, from the same address",
       unit: 's', limit: 0.5,
       make: ({ monitor }) => Promise.all(Array.from({ length: WRONG_TOKENS }, async () => {
-        const { status } = await monitor.fetch('/api/command', { body: { kind: 'hold' }, token: randomBytes(32).toString('hex') });
+        const { status } = await monitor.answer('/api/command', { body: { kind: 'hold' }, token: randomBytes(32).toString('hex') });
         if (status < 400) throw new Error(`a wrong token was answered with ${status}`);
       })),
       measure: async ({ monitor }) => {
         const asked_ms = performance.now();
-        await monitor.ask('/api/command', { body: { kind: 'resume' } });
+        await monitor.order('resume');
         return (performance.now() - asked_ms) / 1000;
       },
     },
@@ -106,6 +48,58 @@ export const group = {
         await sleep(500);
       },
       measure: slowestAnswer, mend: closeMany,
+    },
+    {
+      fault: `${CHECKS} programs of ${CHECKED_BYTES / 1000} kB are to be checked at once`, promised: `The slowest of ${HOLDS} orders to hold is answered within 0.25 s`,
+      unit: 's', limit: 0.25,
+      make: (stage) => {
+        const program = longProgram();
+        // Those beyond what waits are answered with 503.
+        stage.checks = Array.from({ length: CHECKS }, () => stage.monitor.answer('/api/check', { body: program }).catch(() => undefined));
+      },
+      measure: slowestHold,
+      mend: async (stage) => {
+        await Promise.all(stage.checks);
+        await stage.monitor.order('resume');
+        await stage.well();
+      },
+    },
+    {
+      fault: `${BRACKETS / 1e6} million open brackets are sent as JSON`, promised: 'They are refused, and the next request is answered within 0.5 s',
+      unit: 's', limit: 0.5,
+      make: (stage) => {
+        stage.refused = stage.monitor.answer('/api/check', { text: '['.repeat(BRACKETS) }).catch((error) => ({ error }));
+      },
+      measure: async (stage) => {
+        const slowest_s = await slowestAnswer(stage);
+        const { status, error } = await stage.refused;
+        if (status !== 400) throw new Error(`the brackets were answered with ${status ?? error.message}`);
+        return slowest_s;
+      },
+    },
+    {
+      fault: 'A WebSocket sends pings without end', promised: 'It is closed, and the monitor needs no more than 50 MB for that',
+      unit: 'MB', limit: 50,
+      make: memory_MB,
+      measure: async (stage, before_MB) => {
+        await floodWithPings(stage);
+        return Math.max(0, await memory_MB(stage) - before_MB);
+      },
+      mend: (stage) => stage.well(),
+    },
+    {
+      fault: 'A token is revoked whose bearer has a WebSocket open', promised: 'It is closed within 1 s',
+      unit: 's', limit: 1,
+      make: openAsGuest,
+      measure: async (stage, socket) => {
+        const closed = new Promise((resolve) => socket.on('close', resolve));
+        const revoked = galilean(['tokens', 'revoke', stage.guest.name, '--data', stage.monitor.cwd], stage);
+        if (revoked.status !== 0) throw new Error(`the token was not revoked: ${revoked.stderr}`);
+        const revoked_ms = performance.now();
+        await within(closed, () => 'the WebSocket to be closed', 20_000);
+        return (performance.now() - revoked_ms) / 1000;
+      },
+      mend: (stage) => stage.guest.scope.end(),
     },
     {
       fault: `Of ${VIEWERS} viewers ${STALLED} stop reading`, promised: 'The others get 99 of 100 messages within 0.1 s',

@@ -3,9 +3,10 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { startDriven } from '../stages/driven.mjs';
 import { noShim } from '../stages/shim.mjs';
-import { secondsUntil } from '../table.mjs';
+import { secondsUntilEach } from '../table.mjs';
 
 const HOUR_S = 3600;
+const ROBOTS = 5;
 const WATCHED_S = 1;
 const settle = async (stage) => {
   stage.shims.robots.setClock(0);
@@ -37,7 +38,7 @@ const FRESH = { unit: 's', limit: 1, promised: 'No robot is told to be older tha
 
 export const group = {
   name: 'clock',
-  setUp: (scope) => startDriven(scope, { shim: true }),
+  setUp: (scope) => startDriven(scope, { count: ROBOTS, shim: true }),
   rows: [
     { fault: "The robots' clocks are set on by an hour", ...TURNS, make: setRobots(HOUR_S), measure: goesOn },
     { fault: "The robots' clocks are set back by an hour", ...TURNS, make: setRobots(-HOUR_S), measure: goesOn },
@@ -45,8 +46,8 @@ export const group = {
       fault: "The robots' clocks are set on by an hour", promised: 'The operator is told within 2 s',
       unit: 's', limit: 2, needs: noShim,
       make: setRobots(HOUR_S),
-      measure: (stage) => secondsUntil(async () => (await stage.monitor.robots()).every(({ problems }) => problems.some((each) => /ahead of/.test(each))),
-        'each robot to have the problem', 20),
+      measure: (stage) => secondsUntilEach(stage.names, () => stage.monitor.robots(),
+        (name, robots) => robots.find((each) => each.name === name).problems.some((each) => /ahead of/.test(each)), 'the problem', 20),
       mend: settle,
     },
     { fault: "The monitor's clock is set on by an hour", ...FRESH, make: setMonitor(HOUR_S), measure: oldest },

@@ -1,31 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Disks that are full, or fail.
-import { spawn, spawnSync } from 'node:child_process';
-import { mkdirSync, statSync } from 'node:fs';
 import { constants } from 'node:os';
 import { join } from 'node:path';
-import { freshDomain, scratchFolder } from '../../end_to_end/tools.mjs';
-import { program, start, testTool } from '../../logs/tools.mjs';
-import { within } from '../../tools/patience.mjs';
+import { setTimeout as sleep } from 'node:timers/promises';
+import { freshDomain } from '../../end_to_end/tools.mjs';
 import { Monitor } from '../stages/monitor.mjs';
-import { noSmallDisk, onSmallDisk } from '../stages/namespaces.mjs';
+import { noSmallDisk } from '../stages/namespaces.mjs';
+import { endTalk, lostAtTheEnd, recordings, recordUntilFull, recordUntilKilled } from '../stages/recorders.mjs';
 import { noShim, Shim } from '../stages/shim.mjs';
 import { MonitorOnSmallDisk } from '../stages/small_disk_monitor.mjs';
 import { anotherPush, startSmallTeam } from '../stages/small_team.mjs';
 import { secondsUntil, until } from '../table.mjs';
 
 const { EIO, ENOSPC } = constants.errno;
-const RECORDERS = 5, RECORDERS_DISK_kB = 1500, KILLED_AT_BYTES = 1_000_000;
 
 async function setUp(scope) {
-  const shims = {};
+  const shims = {}, hasSmallDisk = !noSmallDisk();
   const stage = await startSmallTeam(scope, {
     envs: (cwd, state) => {
       shims.robots = new Shim(scope, cwd, 'robots', state);
-      shims.monitor = new Shim(scope, cwd, 'monitor', join(cwd, 'disk'));
+      shims.monitor = new Shim(scope, cwd, 'monitor', hasSmallDisk ? join(cwd, 'disk') : cwd);
       return { robots: shims.robots.env, monitor: shims.monitor.env };
     },
-    monitorOf: noSmallDisk() ? Monitor : MonitorOnSmallDisk,
+    monitorOf: hasSmallDisk ? MonitorOnSmallDisk : Monitor,
   });
   // Recorders have a domain of their own: there are fewer domains than recordings.
   return { ...stage, shims, scope, recorders_domain: freshDomain() };
@@ -34,21 +31,30 @@ async function setUp(scope) {
 const ioOf = async ({ monitor }) => (await monitor.robots()).find(({ name }) => name === 'io');
 const hashOf = async (stage) => (await ioOf(stage)).program_hash;
 
+/** Robots tell their state ten times a second. */
+const TOLD_BY_THEN_MS = 400;
+
 /** Pushes. What was answered must be so: a push that was taken is in the history, and of one that was not, no robot has it. */
 async function pushOnce(stage) {
   const before = await hashOf(stage), asked_ms = performance.now();
-  const answer = await stage.monitor.fetch('/api/push', { body: anotherPush() });
-  const said = JSON.parse(await answer.text());
+  const { status, text, json } = await stage.monitor.answer('/api/push', { body: anotherPush() });
   const took_s = (performance.now() - asked_ms) / 1000;
-  if (answer.ok) {
-    stage.taken = said.id;
-  } else if (answer.status < 500) {
-    throw new Error(`the push was answered with ${answer.status}: ${said.detail}`);
-  } else if (await hashOf(stage) !== before) {
-    throw new Error('io runs a program whose push was refused');
+  if (status < 300) {
+    stage.taken = json().id;
+  } else if (status < 500) {
+    throw new Error(`the push was answered with ${status}: ${text}`);
+  } else {
+    await sleep(TOLD_BY_THEN_MS);
+    if (await hashOf(stage) !== before) throw new Error('io runs a program whose push was refused');
   }
   return took_s;
 }
+
+const historyProblem = async ({ monitor }) => (await monitor.ask('/api/status')).history_problem;
+const historyIsWell = (stage) => {
+  let problem;
+  return until(async () => !(problem = await historyProblem(stage)), () => `the history to be well: ${problem}`, 20, 30);
+};
 
 async function settle(stage) {
   for (const shim of Object.values(stage.shims)) {
@@ -56,6 +62,7 @@ async function settle(stage) {
     shim.failSyncing(0);
   }
   stage.monitor.empty?.();
+  await historyIsWell(stage);
   const { id } = await stage.monitor.ask('/api/push', { body: anotherPush() });
   const { state } = await stage.monitor.ended(id);
   if (state !== 'done') throw new Error(`a push to a sound disk is ${state}`);
@@ -63,56 +70,6 @@ async function settle(stage) {
   stage.taken = undefined;
   await until(async () => !(await ioOf(stage)).problems.some((each) => /the next start does not know/.test(each)), 'io to keep its program again', 20);
 }
-
-/** A recorder on a disk of its own, until that is full, and what can be read of the file then. */
-function recordUntilFull(scope, domain) {
-  const cwd = scratchFolder(scope), disk = join(cwd, 'disk');
-  mkdirSync(disk);
-  const script = `"$0" --out disk/run.mcap --domain ${domain} --picture-rate 0 --min-free 0 --compression none >&2
-    echo "{\\"code\\": $?, \\"ended_ns\\": \\"$(date +%s%N)\\"}"; "$1" info disk/run.mcap --json`;
-  const [command, ...args] = onSmallDisk(disk, RECORDERS_DISK_kB, ['bash', '-c', script, program('galilean-record'), program('galilean-log')]);
-  const child = spawn(command, args, { cwd });
-  const said = { stdout: '', stderr: '' };
-  for (const stream of ['stdout', 'stderr']) child[stream].setEncoding('utf8').on('data', (text) => { said[stream] += text; });
-  return within(new Promise((resolve) => child.on('close', () => resolve(said))), () => `a recorder's disk to be full: ${said.stderr}`);
-}
-
-/** A recorder that is killed while it writes, and how many seconds of its recording are lost at the end. */
-async function recordUntilKilled(scope, domain) {
-  const cwd = scratchFolder(scope), file = join(cwd, 'run.mcap');
-  const recorder = start(program('galilean-record'), ['--out', file, '--domain', domain, '--picture-rate', '0', '--min-free', '0']);
-  scope.after(() => recorder.kill('SIGKILL'));
-  await until(() => statSync(file, { throwIfNoEntry: false })?.size > KILLED_AT_BYTES, 'the recorder to write', 30);
-  recorder.kill('SIGKILL');
-  const killed_ms = Date.now();
-  await recorder.ended;
-  const { stdout, stderr } = spawnSync(program('galilean-log'), ['info', file, '--json'], { encoding: 'utf8' });
-  if (!stdout) throw new Error(`the recording cannot be read: ${stderr}`);
-  return (killed_ms - Number(JSON.parse(stdout).end_ns) / 1e6) / 1000;
-}
-
-/** How many seconds of a recording are lost at its end. */
-function lostAtTheEnd({ stdout, stderr }) {
-  const end = stdout.indexOf('\n');
-  const { code, ended_ns } = JSON.parse(stdout.slice(0, end));
-  if (code !== 1) throw new Error(`the recorder ended with ${code}: ${stderr}`);
-  if (!/cannot be written/.test(stderr)) throw new Error(`the recorder did not say why it ended: ${stderr}`);
-  const info = JSON.parse(stdout.slice(end));
-  return (Number(ended_ns) - Number(info.end_ns)) / 1e9;
-}
-
-const talk = (stage) => {
-  stage.talker = start(testTool('wire_talker'), ['io', stage.recorders_domain]);
-};
-const endTalk = (stage) => {
-  stage.talker.stdin.end();
-  stage.talker.kill('SIGKILL');
-  return stage.talker.ended;
-};
-const recordings = (record) => (stage) => {
-  talk(stage);
-  return Promise.all(Array.from({ length: RECORDERS }, () => record(stage.scope, stage.recorders_domain)));
-};
 
 const PUSH = { unit: 's', limit: 5, measure: pushOnce, mend: settle };
 
@@ -148,6 +105,23 @@ export const group = {
       fault: "The monitor's history cannot be synced", promised: 'A push is answered within 5 s: kept, or refused with no robot changed',
       ...PUSH, needs: noShim,
       make: (stage) => stage.shims.monitor.failSyncing(EIO),
+    },
+    {
+      fault: "The disk with the monitor's history is full", promised: 'The operator is told within 1 s',
+      unit: 's', limit: 1, needs: noSmallDisk,
+      make: (stage) => stage.monitor.fill(),
+      measure: (stage) => secondsUntil(() => historyProblem(stage), 'the operator to be told', 20),
+      mend: settle,
+    },
+    {
+      fault: "Writing the monitor's history fails, and a push is refused for that", promised: 'The operator is told within 1 s',
+      unit: 's', limit: 1, needs: noShim,
+      make: async (stage, number) => {
+        stage.shims.monitor.failWriting(number % 2 === 0 ? EIO : ENOSPC);
+        await pushOnce(stage);
+      },
+      measure: (stage) => secondsUntil(() => historyProblem(stage), 'the operator to be told', 20),
+      mend: settle,
     },
     {
       fault: 'A robot cannot write the program that it is to run after a crash', promised: 'The operator is told within 5 s of the push',

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the wheels do. Three robots drive in simulation, and each fault hits all three: each of them is a trial.
+// What the wheels do. Five robots drive in simulation, and each fault hits all of them: each is a trial. They go on by
+// themselves after a fault; those that are held are in held.mjs.
 import { setTimeout as sleep } from 'node:timers/promises';
 import { startDriven } from '../stages/driven.mjs';
-import { secondsUntil } from '../table.mjs';
+import { secondsUntilEach } from '../table.mjs';
 
+const ROBOTS = 5;
 /** For how long a line is bad, or somebody is away. */
 const WATCHED_S = 1;
 const AGAIN_S = 2.5;
@@ -36,7 +38,7 @@ const STANDS = { unit: 's', limit: 0.3, promised: 'The wheels stand still within
 
 export const group = {
   name: 'motors',
-  setUp: startDriven,
+  setUp: (scope) => startDriven(scope, { count: ROBOTS }),
   rows: [
     {
       fault: 'The robot program is killed', ...STANDS,
@@ -69,7 +71,8 @@ export const group = {
       fault: 'No byte comes through the serial line', promised: 'The operator is told within 2 s',
       unit: 's', limit: 2,
       make: spoil('cut'),
-      measure: (stage) => secondsUntil(async () => (await stage.monitor.robots()).every(({ problems }) => problems.length > 0), 'problems of all robots', 20),
+      measure: (stage) => secondsUntilEach(stage.names, () => stage.monitor.robots(),
+        (name, robots) => robots.find((each) => each.name === name).problems.length > 0, 'problems', 20),
       mend: mendLines,
     },
     {
@@ -93,6 +96,22 @@ export const group = {
       make: spoil('halve'),
       measure: (stage, began) => Promise.all(stage.robots.map(({ board }, index) => board.longestStop(began[index], WATCHED_S))),
       mend: mendLines,
+    },
+    {
+      fault: 'Nothing passes to the board for a second, and the robot is held meanwhile', promised: 'What waited then moves no wheel for more than 0.3 s',
+      unit: 's', limit: 0.3,
+      make: async (stage) => {
+        await spoil('stall')(stage);
+        await stage.monitor.order('hold');
+        await sleep(1000 * WATCHED_S);
+        return spoil('pass')(stage);
+      },
+      measure: stillAfter,
+      mend: async (stage) => {
+        await stage.each(({ board }) => board.order('pass'));
+        await stage.monitor.order('resume');
+        await stage.well();
+      },
     },
     {
       fault: 'The board is started anew', promised: 'The robot drives on within 2 s',

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Programs that are killed or stand still, and what the others say.
 import { setTimeout as sleep } from 'node:timers/promises';
+import { disagreement } from '../stages/agreement.mjs';
 import { anotherPush, startSmallTeam } from '../stages/small_team.mjs';
-import { secondsUntil, until } from '../table.mjs';
+import { secondsUntil, secondsUntilEach, until } from '../table.mjs';
 
 const robotOf = (robots, name) => robots.find((each) => each.name === name);
-/** How long a laptop sleeps: so long the first of ten times, and briefly then. */
-const ASLEEP_S = 30, BRIEFLY_S = 2, LONG_EACH = 10;
+/** How long a laptop sleeps: the first of ten times longer than DDS waits for anybody, and briefly then. */
+const ASLEEP_S = 12, BRIEFLY_S = 1.5, LONG_EACH = 10;
 /** What is no older was heard now. */
 const HEARD_S = 0.5;
 /** When in a push the monitor is killed: at any time in it. */
@@ -25,8 +26,7 @@ export const group = {
       fault: 'Robot programs are killed', promised: 'The operator is told within 3 s that they are silent',
       unit: 's', limit: 3,
       make: killRobots,
-      measure: (stage) => Promise.all(stage.names.map((name) =>
-        secondsUntil(async () => robotOf(await stage.monitor.robots(), name).silent, `silence of ${name}`, 20))),
+      measure: (stage) => secondsUntilEach(stage.names, () => stage.monitor.robots(), (name, robots) => robotOf(robots, name).silent, 'silence', 20),
       mend: async (stage) => {
         for (const name of stage.names) stage.startRobot(name);
         await stage.well();
@@ -41,14 +41,14 @@ export const group = {
         await until(async () => (await stage.monitor.robots()).every(({ age_s }) => age_s > 2 * HEARD_S), 'the dead to be quiet');
         for (const name of stage.names) stage.startRobot(name);
       },
-      measure: (stage) => Promise.all(stage.names.map((name) => secondsUntil(async () => {
-        const { silent, age_s } = robotOf(await stage.monitor.robots(), name);
+      measure: (stage) => secondsUntilEach(stage.names, () => stage.monitor.robots(), (name, robots) => {
+        const { silent, age_s } = robotOf(robots, name);
         return !silent && age_s < HEARD_S;
-      }, `${name} to be heard again`, 30))),
+      }, 'a sign', 30),
       mend: (stage) => stage.well(),
     },
     {
-      fault: 'The monitor is killed in a push, and started again', promised: 'Within 6 s it serves and tells how the push ended, and robots run either program whole',
+      fault: 'The monitor is killed in a push, and started again', promised: 'Within 6 s it serves and tells how the push ended, and robots run what it tells',
       unit: 's', limit: 6,
       make: async (stage, number) => {
         const before = (await stage.monitor.ask('/api/pushes')).pushes.length;
@@ -61,12 +61,16 @@ export const group = {
       measure: async (stage, before) => {
         const began_ms = performance.now();
         await stage.monitor.start();
+        let missing;
         await until(async () => {
           const { pushes } = await stage.monitor.ask('/api/pushes');
           if (pushes.length < Math.min(before, 200)) throw new Error(`of ${before} pushes ${pushes.length} are left`);
-          return pushes.every(({ state }) => state !== 'running');
-        }, 'every push to have ended', 30);
-        await stage.well();
+          const robots = await stage.monitor.robots();
+          const heard = robots.filter(({ silent, program_hash }) => !silent && program_hash).length;
+          const running = pushes.find(({ state }) => state === 'running');
+          missing = heard < stage.names.length ? `${heard} robots are heard` : running ? `push ${running.id} is running` : disagreement(pushes[0], robots);
+          return !missing;
+        }, () => `the history and the robots to agree: ${missing}`, 30, 30);
         const took_s = (performance.now() - began_ms) / 1000;
         for (const { program_name, problems } of await stage.monitor.robots())
           if (!['first.bhdl', 'pushed.bhdl'].includes(program_name)) throw new Error(`a robot runs '${program_name}': ${problems}`);
@@ -74,6 +78,7 @@ export const group = {
       },
       // All run one program again: what was interrupted may have reached some.
       mend: async (stage) => {
+        if (stage.monitor.process.exitCode !== null || stage.monitor.process.signalCode !== null) await stage.monitor.start();
         const { id } = await stage.monitor.ask('/api/push', { body: anotherPush() });
         const { state } = await stage.monitor.ended(id);
         if (state !== 'done') throw new Error(`a push to all is ${state}`);

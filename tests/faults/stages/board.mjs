@@ -3,12 +3,12 @@
 import { spawn } from 'node:child_process';
 import { createInterface } from 'node:readline';
 import { setTimeout as sleep } from 'node:timers/promises';
-import { within } from '../../tools/patience.mjs';
 import { testTool } from '../../logs/tools.mjs';
 import { until } from '../table.mjs';
+import { closeOf, endChild } from './children.mjs';
 
 /** Wheels that are slower stand still: 3 mm/s. */
-const STILL_COUNTS_S = 16;
+export const STILL_COUNTS_S = 16;
 const MOVING_COUNTS_S = 200;
 /** Wheels that stand for so long stand. */
 const STANDS_MS = 300;
@@ -22,11 +22,9 @@ export class Board {
     this.statuses = [];
     this.answers = [];
     this.process = spawn(testTool('serial_mutator'), [serial, link], { stdio: ['pipe', 'pipe', 'inherit'] });
-    const closed = new Promise((resolve) => this.process.on('close', resolve));
-    scope.after(() => {
-      this.process.stdin.end();
-      return within(closed, () => 'the end of serial_mutator');
-    });
+    const closed = closeOf(this.process);
+    this.process.stdin.on('error', () => {}); // it has ended
+    scope.after(() => endChild(this.process, closed, () => this.process.stdin.end()));
     createInterface({ input: this.process.stdout }).on('line', (line) => this.#heard(JSON.parse(line)));
   }
 

@@ -37,19 +37,29 @@ export class Monitor {
     return readFileSync(join(this.cwd, `${name}.token`), 'utf8').trim();
   }
 
-  fetch(path, { body, token = this.token() } = {}) {
+  /** Asks with `body` as JSON, or with `text` as it is. */
+  fetch(path, { body, text = body && JSON.stringify(body), token = this.token() } = {}) {
     const headers = { authorization: `Bearer ${token}` };
-    return fetch(`${this.url}${path}`, {
-      headers, method: body ? 'POST' : 'GET', body: body && JSON.stringify(body), signal: AbortSignal.timeout(NO_ANSWER_MS),
-    });
+    return fetch(`${this.url}${path}`, { headers, method: text ? 'POST' : 'GET', body: text, signal: AbortSignal.timeout(NO_ANSWER_MS) });
   }
 
   /** What it answers with 2xx, as JSON. */
   async ask(path, options) {
+    const { status, text, json } = await this.answer(path, options);
+    if (status >= 300) throw new Error(`${path}: ${status} ${text}`);
+    return json();
+  }
+
+  /** What it answers, with any status: { status, text, json() }. */
+  async answer(path, options) {
     const answer = await this.fetch(path, options);
     const text = await answer.text();
-    if (!answer.ok) throw new Error(`${path}: ${answer.status} ${text}`);
-    return JSON.parse(text);
+    return { status: answer.status, text, json: () => JSON.parse(text) };
+  }
+
+  /** Sends a command to all robots, such as hold. */
+  order(kind) {
+    return this.ask('/api/command', { body: { kind } });
   }
 
   async robots() {

@@ -5,10 +5,13 @@ import { galileanBinary } from '../../end_to_end/tools.mjs';
 import { start } from '../../logs/tools.mjs';
 import { until } from '../table.mjs';
 import { Monitor } from './monitor.mjs';
+import { closeOf, endChild } from './children.mjs';
 import { onSmallDisk } from './namespaces.mjs';
 
-const DISK_kB = 6000;
-const PIECE = Buffer.alloc(4096, 'x');
+/** The history wants three times its reserve, which is 8 MiB, before it takes it again. */
+const DISK_kB = 48_000;
+/** The disk is filled by large pieces first. */
+const PIECES = [1 << 20, 4096].map((size) => Buffer.alloc(size, 'x'));
 
 /** A monitor whose data folder is a small disk, which only it sees. */
 export class MonitorOnSmallDisk extends Monitor {
@@ -18,11 +21,9 @@ export class MonitorOnSmallDisk extends Monitor {
     const [command, ...args] = onSmallDisk(this.data, DISK_kB,
       [galileanBinary, 'monitor', '--listen', `127.0.0.1:${this.port}`, '--data', this.data]);
     this.child = start(command, args, { cwd: this.cwd, env: { ...process.env, ROS_DOMAIN_ID: this.domain, ...this.env } });
-    this.scope.after(() => {
-      if (this.child.exitCode === null && this.child.signalCode === null) this.child.kill('SIGINT');
-      return this.child.ended;
-    });
-    await until(() => /http:\/\/[0-9.]+:\d+/.test(this.child.text), 'the monitor to serve');
+    const closed = closeOf(this.child);
+    this.scope.after(() => endChild(this.child, closed));
+    await until(() => /http:\/\/[0-9.]+:\d+/.test(this.child.text), () => `the monitor to serve; it said ${this.child.text}`);
   }
 
   /** Where this process sees its disk. */
@@ -35,10 +36,12 @@ export class MonitorOnSmallDisk extends Monitor {
   }
 
   fill() {
-    try {
-      for (;;) appendFileSync(join(this.disk, 'filler'), PIECE);
-    } catch (error) {
-      if (error.code !== 'ENOSPC') throw error;
+    for (const piece of PIECES) {
+      try {
+        for (;;) appendFileSync(join(this.disk, 'filler'), piece);
+      } catch (error) {
+        if (error.code !== 'ENOSPC') throw error;
+      }
     }
   }
 

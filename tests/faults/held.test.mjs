@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import { group } from './rows/held.mjs';
+import { testGroup } from './table.mjs';
+
+testGroup(group);

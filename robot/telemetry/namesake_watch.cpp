@@ -23,7 +23,8 @@ NamesakeWatch::NamesakeWatch(wire::Participant& participant, const std::string& 
               kStatesKept) {}
 
 int NamesakeWatch::count(Time now) {
-  states_.take([&](const wire::Received& received) {
+  // A robot of another release may tell what is out of bounds here, and obeys nevertheless.
+  states_.take_unchecked([&](const wire::Received& received) {
     const auto known = writers_.find(received.writer);
     if (known != writers_.end()) {
       known->second.heard = now;

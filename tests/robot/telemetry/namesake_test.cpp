@@ -4,6 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+#include <optional>
+
 #include "tests/robot/telemetry/telemetry_robot.h"
 
 namespace galilean::robot {
@@ -43,6 +46,19 @@ TEST(NamesakeWatch, CountsThoseThatTellTheirStateUntilTheyAreSilent) {
   EXPECT_EQ(watch.count(clock.now()), 1);
   clock.advance(std::chrono::milliseconds(1));
   EXPECT_EQ(watch.count(clock.now()), 0);
+}
+
+TEST(NamesakeWatch, OneThatTellsWhatIsOutOfBoundsCountsToo) {
+  const auto own = joined("odd");
+  const auto other = joined("odd");
+  SteppedClock clock;
+  NamesakeWatch watch(*own, "odd");
+  wire::Writer<msg::RobotState> told(*other, wire::robot_topic("odd", "state"));
+  ASSERT_TRUE(looks_until([&] { return told.readers() == 1; }));
+  msg::RobotState state = state_of("odd");
+  state.x_m = std::numeric_limits<double>::quiet_NaN();
+  ASSERT_TRUE(told.write(state));
+  EXPECT_TRUE(looks_until([&] { return watch.count(clock.now()) == 1; }));
 }
 
 TEST(NamesakeWatch, AReplayIsNoRobot) {
@@ -87,24 +103,71 @@ bool has_namesake(TelemetryRobot& robot) {
                              [](const Problem& problem) { return problem.subject == "name"; });
 }
 
-TEST(NamesakeAlarm, BothRobotsSaySoAndTheNewcomerIsHeld) {
-  TelemetryRobot first("double");
-  ASSERT_TRUE(first.robot.load(kWaits));
-  first.robot.tick(static_cast<int>(NamesakeAlarm::kNewcomer / std::chrono::milliseconds(50)) + 1);
-  TelemetryRobot second("double");
-  ASSERT_TRUE(second.robot.load(kWaits));
-  auto states = first.mailbox<msg::RobotState>("state");
-  // Each tick waits until it was told: the robots' clocks must not run away from DDS.
-  for (int i = 0; i < 400 && !(has_namesake(first) && has_namesake(second)); ++i) {
-    first.robot.tick();
-    second.robot.tick();
-    const std::uint64_t tick = first.robot.executive->last_tick().number;
-    ASSERT_TRUE(states.wait_for([&](const auto& each) { return each.tick + 2 > tick; }));
+/// Two robots of one name in one process, whose clocks run alike.
+struct Twins {
+  explicit Twins(const std::string& name) : first(name) {}
+
+  void start_second() {
+    second.emplace(first.name);
+    ASSERT_TRUE(second->robot.load(kWaits));
   }
-  EXPECT_TRUE(has_namesake(first));
-  EXPECT_TRUE(has_namesake(second));
-  EXPECT_TRUE(second.robot.executive->held_after_fault());
-  EXPECT_FALSE(first.robot.executive->held()) << "an operator may rely on it";
+  /// Ticks both until `done` is true, for at most 20 s of their clocks. Each tick waits until it
+  /// was told: the robots' clocks must not run away from DDS. Returns whether it became true.
+  bool tick_until(const std::function<bool()>& done) {
+    auto states = first.mailbox<msg::RobotState>("state");
+    for (int i = 0; i < 400 && !done(); ++i) {
+      first.robot.tick();
+      second->robot.tick();
+      const std::uint64_t tick = first.robot.executive->last_tick().number;
+      EXPECT_TRUE(states.wait_for([&](const auto& each) { return each.tick + 2 > tick; }));
+    }
+    return done();
+  }
+  bool both_say_so() { return has_namesake(first) && has_namesake(*second); }
+
+  TelemetryRobot first;
+  std::optional<TelemetryRobot> second;
+};
+
+TEST(NamesakeAlarm, BothRobotsSaySoAndTheNewcomerIsHeld) {
+  Twins twins("double");
+  auto& first = twins.first.robot;
+  ASSERT_TRUE(first.load(kWaits));
+  first.tick(static_cast<int>(NamesakeAlarm::kNewcomer / std::chrono::milliseconds(50)) + 1);
+  twins.start_second();
+  auto& second = twins.second->robot;
+  EXPECT_TRUE(twins.tick_until(
+      [&] { return twins.both_say_so() && second.executive->held_after_fault(); }));
+  EXPECT_FALSE(first.executive->held()) << "an operator may rely on it";
+
+  second.executive->resume();
+  EXPECT_TRUE(twins.tick_until([&] { return second.executive->held_after_fault(); }))
+      << "who resumes the name means the robot that is known by it";
+  EXPECT_FALSE(first.executive->held());
+}
+
+TEST(NamesakeAlarm, OfTwoThatStartAtTheSameMomentNeitherMoves) {
+  Twins twins("same");
+  ASSERT_TRUE(twins.first.robot.load(kWaits));
+  twins.start_second();
+  EXPECT_TRUE(twins.tick_until([&] {
+    return twins.both_say_so() && twins.first.robot.executive->held_after_fault() &&
+           twins.second->robot.executive->held_after_fault();
+  }));
+}
+
+TEST(NamesakeAlarm, TheOneWhoseNamesakeIsGoneMayBeResumed) {
+  Twins twins("left");
+  ASSERT_TRUE(twins.first.robot.load(kWaits));
+  twins.start_second();
+  ASSERT_TRUE(twins.tick_until([&] { return twins.both_say_so(); }));
+  twins.second.reset();
+  auto& robot = twins.first;
+  EXPECT_TRUE(robot.tick_until([&] { return !has_namesake(robot); }));
+  EXPECT_TRUE(robot.robot.executive->held_after_fault()) << "nobody has let it go on";
+  robot.robot.executive->resume();
+  robot.robot.tick(20);
+  EXPECT_FALSE(robot.robot.executive->held());
 }
 
 }  // namespace

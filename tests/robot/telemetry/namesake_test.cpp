@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "tests/robot/telemetry/telemetry_robot.h"
 
@@ -97,13 +98,34 @@ TEST(NamesakeWatch, WhoIsToldToEndDoesNotWait) {
   EXPECT_TRUE(watch.expect_none(stands_still, [] { return true; }));
 }
 
+/// Returns what the robot says of another one of its name; empty if nothing.
+std::string said_by(TelemetryRobot& robot) {
+  for (const Problem& problem : robot.telemetry->problems().all())
+    if (problem.subject == "name") return problem.sentence;
+  return "";
+}
 bool has_namesake(TelemetryRobot& robot) {
-  const auto problems = robot.telemetry->problems().all();
-  return std::ranges::any_of(problems,
-                             [](const Problem& problem) { return problem.subject == "name"; });
+  return !said_by(robot).empty();
 }
 
-/// Two robots of one name in one process, whose clocks run alike.
+/// Lets the robot tick until it counts as one that runs already.
+void outgrow_newcomers(TelemetryRobot& robot) {
+  robot.robot.tick(static_cast<int>(NamesakeAlarm::kNewcomer / std::chrono::milliseconds(50)) + 1);
+}
+
+/// Ticks the robots until `done` is true, for at most 20 s of their clocks. Each tick waits until
+/// it was told: the robots' clocks must not run away from DDS. Returns whether it became true.
+bool tick_together(const std::vector<TelemetryRobot*>& robots, const std::function<bool()>& done) {
+  auto states = robots.front()->mailbox<msg::RobotState>("state");
+  for (int i = 0; i < 400 && !done(); ++i) {
+    for (TelemetryRobot* each : robots) each->robot.tick();
+    const std::uint64_t tick = robots.front()->robot.executive->last_tick().number;
+    EXPECT_TRUE(states.wait_for([&](const auto& each) { return each.tick + 2 > tick; }));
+  }
+  return done();
+}
+
+/// Two robots of one name in one process.
 struct Twins {
   explicit Twins(const std::string& name) : first(name) {}
 
@@ -111,17 +133,8 @@ struct Twins {
     second.emplace(first.name);
     ASSERT_TRUE(second->robot.load(kWaits));
   }
-  /// Ticks both until `done` is true, for at most 20 s of their clocks. Each tick waits until it
-  /// was told: the robots' clocks must not run away from DDS. Returns whether it became true.
   bool tick_until(const std::function<bool()>& done) {
-    auto states = first.mailbox<msg::RobotState>("state");
-    for (int i = 0; i < 400 && !done(); ++i) {
-      first.robot.tick();
-      second->robot.tick();
-      const std::uint64_t tick = first.robot.executive->last_tick().number;
-      EXPECT_TRUE(states.wait_for([&](const auto& each) { return each.tick + 2 > tick; }));
-    }
-    return done();
+    return tick_together({&first, &*second}, done);
   }
   bool both_say_so() { return has_namesake(first) && has_namesake(*second); }
 
@@ -133,7 +146,7 @@ TEST(NamesakeAlarm, BothRobotsSaySoAndTheNewcomerIsHeld) {
   Twins twins("double");
   auto& first = twins.first.robot;
   ASSERT_TRUE(first.load(kWaits));
-  first.tick(static_cast<int>(NamesakeAlarm::kNewcomer / std::chrono::milliseconds(50)) + 1);
+  outgrow_newcomers(twins.first);
   twins.start_second();
   auto& second = twins.second->robot;
   EXPECT_TRUE(twins.tick_until(
@@ -168,6 +181,33 @@ TEST(NamesakeAlarm, TheOneWhoseNamesakeIsGoneMayBeResumed) {
   robot.robot.executive->resume();
   robot.robot.tick(20);
   EXPECT_FALSE(robot.robot.executive->held());
+}
+
+TEST(NamesakeAlarm, ThatASecondWasStartedIsSaidForAWhile) {
+  TelemetryRobot robot("tried");
+  ASSERT_TRUE(robot.robot.load(kWaits));
+  outgrow_newcomers(robot);
+  auto second = joined("tried");
+  std::optional<NamesakeWatch> listens(std::in_place, *second, "tried");
+  ASSERT_TRUE(tick_together({&robot}, [&] { return has_namesake(robot); }));
+  EXPECT_THAT(said_by(robot), HasSubstr("Another robot named tried was started"));
+  listens.reset();
+  second.reset();
+  const Time gone = robot.robot.now();
+  const auto passed = [&](Duration time) { return robot.robot.now() - gone >= time; };
+  EXPECT_TRUE(tick_together({&robot}, [&] { return passed(std::chrono::seconds(10)); }));
+  EXPECT_TRUE(has_namesake(robot)) << "somebody must have the time to see it";
+  EXPECT_TRUE(robot.tick_until([&] { return !has_namesake(robot); }));
+  EXPECT_FALSE(robot.robot.executive->held());
+}
+
+TEST(NamesakeAlarm, OneThatStaysAndCannotBeHeardCountsAsOneThatObeys) {
+  const auto of_another_release = joined("mute");
+  const wire::Reader obeys(*of_another_release, wire::kCommandTopic, msg::Command::kRosType);
+  TelemetryRobot robot("mute");
+  ASSERT_TRUE(robot.robot.load(kWaits));
+  EXPECT_TRUE(tick_together({&robot}, [&] { return robot.robot.executive->held_after_fault(); }));
+  EXPECT_THAT(said_by(robot), HasSubstr("both obey every order"));
 }
 
 }  // namespace

@@ -255,6 +255,21 @@ TEST(FaultWatch, AnOperatorsHoldStaysTheOperators) {
   EXPECT_TRUE(robot.drive.moving);
 }
 
+TEST(FaultWatch, AnOperatorsHoldOutlivesAFaultAlsoWhereFaultsHoldNobody) {
+  HoldingRobot robot(false, false);
+  robot.port.answers = false;
+  robot.tick(30);
+  robot.executive->hold();
+  robot.tick(30);
+  robot.port.answers = true;
+  robot.tick(20);
+  EXPECT_EQ(robot.hold(), Hold::kOperator);
+  EXPECT_FALSE(robot.drive.moving);
+  robot.executive->resume();
+  robot.tick();
+  EXPECT_TRUE(robot.drive.moving);
+}
+
 TEST(FaultWatch, AStepDoesNotEndTheHold) {
   HoldingRobot robot;
   robot.lose(robot.port.answers);

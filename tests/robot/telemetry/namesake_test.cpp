@@ -173,7 +173,7 @@ TEST(NamesakeAlarm, TheOneWhoseNamesakeIsGoneMayBeResumed) {
   Twins twins("left");
   ASSERT_TRUE(twins.first.robot.load(kWaits));
   twins.start_second();
-  ASSERT_TRUE(twins.tick_until([&] { return twins.both_say_so(); }));
+  ASSERT_TRUE(twins.tick_until([&] { return twins.first.robot.executive->held_after_fault(); }));
   twins.second.reset();
   auto& robot = twins.first;
   EXPECT_TRUE(robot.tick_until([&] { return !has_namesake(robot); }));

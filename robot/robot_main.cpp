@@ -120,6 +120,12 @@ int refuse(const std::string& reason) {
   return 1;
 }
 
+/// What ran before a crash may need what is gone since, so that the robot would end at each start.
+int refuse_start(const std::string& reason, bool is_given) {
+  static_cast<void>(refuse(reason));
+  return is_given ? 1 : refuse("begin with --fresh to run the program of --bhdl instead");
+}
+
 /// Runs the robot until a signal comes. Threads end in the reverse order of their start.
 int work(const Options& options, const Registry& components, bhdl::Program given,
          Termination& termination) {
@@ -137,14 +143,16 @@ int work(const Options& options, const Registry& components, bhdl::Program given
   ProgramKeeper keeper(
       kept_program_file(state_folder(), options.name, participant.value()->domain()), options.name);
   const DeviceSettings given_settings = DeviceSettings::of(given, components.catalog());
+  const std::string given_hash = given.hash;
   Start start = choose(options, std::move(given), components.catalog(), keeper.file());
   const std::string pushed_hash = start.pushed ? start.program.hash : "";
+  const bool is_given = start.program.hash == given_hash;
   const DeviceSettings settings =
       settings_to_open(start.program, given_settings, components.catalog());
   SerialPort line(options.serial.value_or(settings.comm_port.device), settings.comm_port.baud);
   const auto camera = make_frame_source(options.camera.value_or(settings.frame_grabber.device));
   const OpenedDevices opened = opened_devices(options, settings);
-  if (!camera) return refuse(camera.error().message);
+  if (!camera) return refuse_start(camera.error().message, is_given);
 
   const SteadyClock clock;
   RobotDevices devices(line, *camera.value(), settings, from_seconds(1 / options.rate_hz));
@@ -168,7 +176,7 @@ int work(const Options& options, const Registry& components, bhdl::Program given
        .admits =
            [&](const bhdl::Program& next) { return admit(next, opened, components.catalog()); }});
   const auto loaded = executive.load(std::move(start.program));
-  if (!loaded) return refuse(loaded.error().message);
+  if (!loaded) return refuse_start(loaded.error().message, is_given);
   stand_still(start, options.resumes_by_itself, executive);
 
   const PumpThread line_pump(

@@ -255,6 +255,18 @@ TEST(FaultWatch, AnOperatorsHoldStaysTheOperators) {
   EXPECT_TRUE(robot.drive.moving);
 }
 
+TEST(FaultWatch, WhoStopsARobotThatAFaultHoldsMakesTheHoldTheirs) {
+  HoldingRobot robot;
+  robot.lose(robot.port.answers);
+  ASSERT_EQ(robot.hold(), Hold::kFault);
+  robot.executive->hold();
+  robot.tick();
+  robot.press(1);
+  robot.tick(2);
+  EXPECT_EQ(robot.hold(), Hold::kOperator) << "a bumper ended it";
+  EXPECT_FALSE(robot.drive.moving);
+}
+
 TEST(FaultWatch, AnOperatorsHoldOutlivesAFaultAlsoWhereFaultsHoldNobody) {
   HoldingRobot robot(false, false);
   robot.port.answers = false;

@@ -70,10 +70,11 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
          "how many changes of state per second a new program may make before it counts as failed")
       .between(1, ProbationRules::kMostCounted)
       .show_default();
-  app.flag("--resume-by-itself", options.resumes_by_itself,
-           "go on by itself after a fault of the line, the board, the camera or this program that "
-           "lasted over 1 s, for robots that nobody attends; else the robot is held until somebody "
-           "resumes it or pushes a bumper");
+  app.flag(
+      "--resume-by-itself", options.resumes_by_itself,
+      "go on by itself after a fault of the line, the board, the camera or this program that "
+      "lasted over 1 s, for robots that nobody attends, but not after an operator's stop; else "
+      "the robot is held until somebody resumes it or pushes a bumper");
   app.flag("--fresh", options.fresh,
            "begin with the --bhdl program also after a crash; else the one that was pushed and "
            "confirmed last runs again");

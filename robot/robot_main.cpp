@@ -76,6 +76,14 @@ OpenedDevices opened_devices(const Options& options, const DeviceSettings& setti
   return opened;
 }
 
+/// Errors: the program names other devices than those that are open.
+Result<void> admit(const bhdl::Program& next, const OpenedDevices& opened, const Catalog& catalog) {
+  auto accepted = opened.accept(next, catalog);
+  const std::string overruled = accepted ? opened.overruled(next, catalog) : "";
+  if (!overruled.empty()) log_warning(overruled);
+  return accepted;
+}
+
 /// A second robot of a name ends before it has told or moved anything. Whoever starts it, by hand
 /// or by a service, reads why at once. If it stayed, even held, the page would show two robots as
 /// one that jumps, and one push, or one order to go on, would reach both.
@@ -96,15 +104,26 @@ Start choose(const Options& options, bhdl::Program given, const Catalog& catalog
   return start;
 }
 
-/// Whoever started the robot program again, or what did, may not see the robot.
-void hold_after(LastEnd last_end, Executive& executive) {
-  if (last_end == LastEnd::kDied) executive.hold_after(FaultCause::kRestart);
-  if (last_end == LastEnd::kUnknown) executive.hold_after(FaultCause::kUnknownEnd);
+/// Whoever started the robot program again, or what did, may not see the robot. What operators had
+/// ordered before it died holds in any case: a robot that goes on by itself after faults does not
+/// go on after a stop.
+void stand_still(const Start& start, bool resumes_by_itself, Executive& executive) {
+  if (start.orders.out_of_service) executive.decommission();
+  if (!start.orders.held_by.empty()) return executive.hold();
+  if (resumes_by_itself) return;
+  if (start.last_end == LastEnd::kDied) executive.hold_after(FaultCause::kRestart);
+  if (start.last_end == LastEnd::kUnknown) executive.hold_after(FaultCause::kUnknownEnd);
 }
 
 int refuse(const std::string& reason) {
   std::cerr << "galilean-robot: " << reason << "\n";
   return 1;
+}
+
+/// What ran before a crash may need what is gone since, so that the robot would end at each start.
+int refuse_start(const std::string& reason, bool is_given) {
+  static_cast<void>(refuse(reason));
+  return is_given ? 1 : refuse("begin with --fresh to run the program of --bhdl instead");
 }
 
 /// Runs the robot until a signal comes. Threads end in the reverse order of their start.
@@ -123,13 +142,17 @@ int work(const Options& options, const Registry& components, bhdl::Program given
 
   ProgramKeeper keeper(
       kept_program_file(state_folder(), options.name, participant.value()->domain()), options.name);
+  const DeviceSettings given_settings = DeviceSettings::of(given, components.catalog());
+  const std::string given_hash = given.hash;
   Start start = choose(options, std::move(given), components.catalog(), keeper.file());
   const std::string pushed_hash = start.pushed ? start.program.hash : "";
-  const DeviceSettings settings = DeviceSettings::of(start.program, components.catalog());
+  const bool is_given = start.program.hash == given_hash;
+  const DeviceSettings settings =
+      settings_to_open(start.program, given_settings, components.catalog());
   SerialPort line(options.serial.value_or(settings.comm_port.device), settings.comm_port.baud);
   const auto camera = make_frame_source(options.camera.value_or(settings.frame_grabber.device));
   const OpenedDevices opened = opened_devices(options, settings);
-  if (!camera) return refuse(camera.error().message);
+  if (!camera) return refuse_start(camera.error().message, is_given);
 
   const SteadyClock clock;
   RobotDevices devices(line, *camera.value(), settings, from_seconds(1 / options.rate_hz));
@@ -151,10 +174,10 @@ int work(const Options& options, const Registry& components, bhdl::Program given
        .observers = {&tap, &images, &inputs},
        .on_waiting = [&wake] { wake.ring(); },
        .admits =
-           [&](const bhdl::Program& next) { return opened.accept(next, components.catalog()); }});
+           [&](const bhdl::Program& next) { return admit(next, opened, components.catalog()); }});
   const auto loaded = executive.load(std::move(start.program));
-  if (!loaded) return refuse(loaded.error().message);
-  if (!options.resumes_by_itself) hold_after(start.last_end, executive);
+  if (!loaded) return refuse_start(loaded.error().message, is_given);
+  stand_still(start, options.resumes_by_itself, executive);
 
   const PumpThread line_pump(
       clock, kLinePause, [&](Time now) { devices.pump_line(now); },
@@ -173,13 +196,19 @@ int work(const Options& options, const Registry& components, bhdl::Program given
        .accepted_senders = accepted_senders(options),
        .keep = [&](const bhdl::Program& proven,
                    bool pushed) { keeper.keep(proven, pushed || proven.hash == pushed_hash); },
-       .trust = trust.value()},
+       .trust = trust.value(),
+       .held_by = start.orders.held_by,
+       .keep_orders =
+           [&](const std::string& held_by, bool out_of_service) {
+             keeper.keep_orders({held_by, out_of_service});
+           }},
       images, inputs);
   const auto tell_kept = [&](const std::string& problem) {
     telemetry.problems().note("restart", problem);
   };
   if (!options.keeps_nothing)
-    tell_kept(keeper.begin(executive.description(loaded.value())->program, start.pushed));
+    tell_kept(
+        keeper.begin(executive.description(loaded.value())->program, start.pushed, start.orders));
   {
     const Worker writing = options.keeps_nothing ? Worker() : keeper.writer(tell_kept);
     // The watch is made before the loop: if it cannot be made, nothing has moved yet.

@@ -88,7 +88,7 @@ void BoardSession::handle_reply(const firmware::Frame& frame) {
     stage_ = Stage::kWrongVersion;
     return;
   }
-  boot_.note(reply.boot_count, reply.uptime_ms);
+  boot_.note_greeting(reply.name, reply.boot_count, reply.uptime_ms);
   stage_ = Stage::kConfiguring;
   send_parameters();
 }

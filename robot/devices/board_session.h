@@ -55,7 +55,7 @@ class BoardSession {
   [[nodiscard]] bool ready() const { return stage_ == Stage::kReady; }
   /// Returns the last status that came while the session was ready.
   [[nodiscard]] const firmware::Status& status() const { return status_; }
-  /// Returns how often this side noticed a restart of the board.
+  /// Returns how often this side noticed that the board was restarted or is another one.
   [[nodiscard]] std::uint32_t epoch() const { return boot_.epoch(); }
   /// Returns one sentence on why the session is not ready and what to do, or an empty text when it
   /// is ready.

@@ -9,11 +9,17 @@ namespace galilean::robot {
 /// device is back. What it decides is among the orders of this tick, and a rerun finds it there.
 void Executive::watch_faults(Duration since_last_tick) noexcept {
   const FaultCause noted = noted_fault_.exchange(FaultCause::kNone, std::memory_order_relaxed);
-  if (noted != FaultCause::kNone) faults_.note(noted);
+  if (noted != FaultCause::kNone) {
+    faults_.note(noted);
+    // Whoever noted it may not have come to hold the robot yet. Without a hold, the watch would
+    // forget the cause in this very tick.
+    static_cast<void>(holding_.stop(Hold::kFault));
+  }
   if (!setup_.holds_after_faults) return;
   const ControllerStatus& board = port_.status();
   const auto verdict = faults_.judge({.now = tick_.now,
                                       .since_last_tick = since_last_tick,
+                                      .tick_period = tick_.period,
                                       .health = health_,
                                       .uses_camera = program() && program()->devices.uses_camera,
                                       .board_heard = board.received,

@@ -21,7 +21,8 @@ FaultWatch::Verdict FaultWatch::judge(const Inputs& inputs) noexcept {
   const FaultCause missing = missing_device(inputs);
   if (missing != FaultCause::kNone) return judge_missing(missing, inputs);
   end_fault(inputs);
-  if (inputs.since_last_tick > kShortest) {
+  // A slow loop does not stand still: a tick of it may be due only after kShortest.
+  if (inputs.since_last_tick > std::max(kShortest, 2 * inputs.tick_period)) {
     pressed_ = true;
     report_ = {FaultCause::kStall, inputs.since_last_tick, true};
     return Verdict::kHold;
@@ -47,22 +48,33 @@ FaultCause FaultWatch::missing_device(const Inputs& inputs) const noexcept {
 /// back. Whoever resumes it meanwhile does not let it move later: it is held again.
 FaultWatch::Verdict FaultWatch::judge_missing(FaultCause missing, const Inputs& inputs) noexcept {
   pressed_ = true;
-  if (!began_) {
-    missing_ = missing;
-    began_ = missing == FaultCause::kSerialLine ? last_heard(inputs.board_heard, last_well_)
-             : missing == FaultCause::kCamera   ? last_heard(inputs.camera_heard, last_well_)
-                                                : last_well_;
-  }
-  const Duration lasted = inputs.now - *began_;
+  if (!began_) begin_fault(missing, inputs);
+  missing_ = missing;  // the device that is still gone names the fault
+  const Duration lasted = lasted_before_ + (inputs.now - *began_);
   if (lasted <= kShortest) return Verdict::kNothing;
   report_ = {missing_, lasted, false};
   return Verdict::kHold;
 }
 
+void FaultWatch::begin_fault(FaultCause missing, const Inputs& inputs) noexcept {
+  const Time began = missing == FaultCause::kSerialLine ? last_heard(inputs.board_heard, last_well_)
+                     : missing == FaultCause::kCamera ? last_heard(inputs.camera_heard, last_well_)
+                                                      : last_well_;
+  const bool goes_on = missing == missing_ && began - ended_ < kShortest;
+  if (!goes_on) lasted_before_ = {};
+  // No time counts twice: the device may have been heard last before its fault was found to be
+  // over.
+  began_ = goes_on ? std::max(began, ended_) : began;
+}
+
 void FaultWatch::end_fault(const Inputs& inputs) noexcept {
+  if (began_) {
+    lasted_before_ += inputs.now - *began_;
+    ended_ = inputs.now;
+  }
   if (began_ && report_.cause == missing_ && !report_.over) {
     report_.over = true;
-    report_.lasted = inputs.now - *began_;
+    report_.lasted = lasted_before_;
     if (missing_ == FaultCause::kSerialLine && inputs.epoch != last_epoch_)
       report_.cause = FaultCause::kBoard;
   }
@@ -76,10 +88,16 @@ FaultWatch::Verdict FaultWatch::judge_well(const Inputs& inputs) noexcept {
   const bool pushed = is_known && inputs.bumpers != 0 && !pressed_;
   pressed_ = !is_known || inputs.bumpers != 0;
   if (inputs.hold != Hold::kFault) {
-    report_ = {};
+    if (report_.cause != FaultCause::kNone) forget();
     return Verdict::kNothing;
   }
-  return pushed ? Verdict::kLetGo : Verdict::kNothing;
+  return pushed && ends_at_a_bumper(report_.cause) ? Verdict::kLetGo : Verdict::kNothing;
+}
+
+/// Somebody let the robot go on. What was before that holds it no more.
+void FaultWatch::forget() noexcept {
+  report_ = {};
+  missing_ = FaultCause::kNone;
 }
 
 }  // namespace galilean::robot

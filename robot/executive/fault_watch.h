@@ -14,7 +14,7 @@ namespace galilean::robot {
 enum class FaultCause : std::uint8_t {
   kNone,
   kSerialLine,  ///< the board did not answer
-  kBoard,       ///< so it was, and the board was restarted meanwhile
+  kBoard,       ///< so it was, and the board was restarted meanwhile, or is another one
   kMotorDrive,
   kCamera,
   kStall,       ///< the control loop stood still
@@ -32,9 +32,17 @@ struct FaultReport {
   bool operator==(const FaultReport&) const = default;
 };
 
+/// Returns whether a bumper ends the hold after such a fault. Whoever pushes the bumper of a second
+/// robot of one name does not make it the only one.
+[[nodiscard]] constexpr bool ends_at_a_bumper(FaultCause cause) noexcept {
+  return cause != FaultCause::kNamesake;
+}
+
 /// Decides when a robot is held after a fault, so that nothing moves unasked when a cable is
-/// plugged in again. A fault shorter than kShortest holds nobody. A device that has not answered
-/// yet is no fault: who starts a robot waits for it. It belongs to the control loop.
+/// plugged in again. A fault shorter than kShortest holds nobody, but one that comes back before
+/// the device was well for so long goes on, and what it lasted is added up: a loose plug is no
+/// series of short faults. A device that has not answered yet is no fault: who starts a robot waits
+/// for it. It belongs to the control loop.
 class FaultWatch {
  public:
   static constexpr Duration kShortest = std::chrono::seconds(1);
@@ -45,17 +53,19 @@ class FaultWatch {
   struct Inputs {
     Time now{};
     Duration since_last_tick{};  ///< 0 in the first tick
-    DeviceHealth health;         ///< in the tick before, as all that follows
+    Duration tick_period{};
+    DeviceHealth health;  ///< in the tick before, as all that follows
     bool uses_camera = false;
     Time board_heard{};       ///< when the board's newest status came; 0: none yet
     Time camera_heard{};      ///< when the newest picture was taken; 0: none yet
-    std::uint32_t epoch = 0;  ///< restarts of the board
+    std::uint32_t epoch = 0;  ///< restarts and exchanges of the board
     std::uint8_t bumpers = 0;
     Hold hold = Hold::kNone;
   };
 
   /// Returns kLetGo when somebody pushes a bumper of a robot that is held after a fault that is
-  /// over. A bumper that was pressed all the while does not count.
+  /// over, unless its cause says that no bumper does. A bumper that was pressed all the while does
+  /// not count.
   [[nodiscard]] Verdict judge(const Inputs& inputs) noexcept;
   /// Notes a fault that is known from elsewhere and is over.
   void note(FaultCause cause) noexcept;
@@ -66,12 +76,16 @@ class FaultWatch {
   [[nodiscard]] FaultCause missing_device(const Inputs& inputs) const noexcept;
   [[nodiscard]] Verdict judge_missing(FaultCause missing, const Inputs& inputs) noexcept;
   [[nodiscard]] Verdict judge_well(const Inputs& inputs) noexcept;
+  void begin_fault(FaultCause missing, const Inputs& inputs) noexcept;
   void end_fault(const Inputs& inputs) noexcept;
+  void forget() noexcept;
 
   FaultReport report_;
   DeviceHealth answered_;      ///< which devices have ever answered
   std::optional<Time> began_;  ///< of the fault that goes on
   FaultCause missing_ = FaultCause::kNone;
+  Duration lasted_before_{};  ///< in the earlier parts of a fault that comes and goes
+  Time ended_{};              ///< when the newest of them did
   Time last_well_{};
   std::uint32_t last_epoch_ = 0;
   bool pressed_ = true;  ///< a bumper is pressed, or may have been while nobody could tell

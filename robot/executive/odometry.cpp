@@ -39,7 +39,11 @@ Odometry::Travel Odometry::since_last(const ControllerStatus& status) noexcept {
 }
 
 void Odometry::update(const Devices& devices, RunningProgram* program, const Tick& tick) noexcept {
-  if (!devices.comm_port.healthy()) return;
+  if (!devices.comm_port.healthy()) {
+    // The board brakes by itself when it hears nothing. The speeds before that are none of now.
+    own_.speed_mps = own_.turn_rate_radps = 0;
+    return;
+  }
   const ControllerStatus& status = devices.comm_port.status();
   const double track_m = 2 * devices.motor_drive.turn_radius_m();
   const Travel travel = since_last(status);

@@ -26,8 +26,8 @@ class Odometry {
   /// Returns the first shaft of the program. Without a shaft it returns the robot's pose from its
   /// start.
   [[nodiscard]] Pose2 pose(const RunningProgram* program) const noexcept;
-  /// Return the robot's speed and turning rate when the board was heard last, whether or not its
-  /// program has a shaft.
+  /// Return the robot's speed and turning rate, whether or not its program has a shaft. While the
+  /// line is down they are 0.
   [[nodiscard]] double speed_mps() const noexcept { return own_.speed_mps; }
   [[nodiscard]] double turn_rate_radps() const noexcept { return own_.turn_rate_radps; }
 

@@ -7,6 +7,7 @@
 #include "bhdl/program/program.h"
 #include "core/catalog/catalog.h"
 #include "core/result.h"
+#include "robot/executive/device_settings.h"
 
 namespace galilean::robot {
 
@@ -21,6 +22,16 @@ struct OpenedDevices {
   /// a device takes the one that is open. Errors: the program names another device, or another
   /// speed of the line. The error names both, and says what to do.
   [[nodiscard]] Result<void> accept(const bhdl::Program& program, const Catalog& catalog) const;
+  /// Returns a sentence on the devices that the program names and does not get, because the command
+  /// line named them; empty if there are none.
+  [[nodiscard]] std::string overruled(const bhdl::Program& program, const Catalog& catalog) const;
 };
+
+/// Returns the settings with which a robot opens its devices for `first`: its own, but where it
+/// does not name a device, that of `given`. A program that was pushed and runs again after a crash
+/// took what was open, which is what the program of the command line names. Requires: both were
+/// checked against `catalog`.
+[[nodiscard]] DeviceSettings settings_to_open(const bhdl::Program& first,
+                                              const DeviceSettings& given, const Catalog& catalog);
 
 }  // namespace galilean::robot

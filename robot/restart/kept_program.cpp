@@ -12,8 +12,10 @@
 #include <utility>
 
 #include "bhdl/source/sha256.h"
+#include "core/cut_text.h"
 #include "core/json_text.h"
 #include "core/regular_file.h"
+#include "core/visible_text.h"
 
 namespace galilean::robot {
 namespace {
@@ -32,6 +34,8 @@ std::string json_of(const KeptProgram& kept) {
                     {"running", kept.running},
                     {"pushed", kept.pushed},
                     {"hash", kept.hash},
+                    {"held_by", kept.orders.held_by},
+                    {"out_of_service", kept.orders.out_of_service},
                     {"files", std::move(files)}});
 }
 
@@ -45,6 +49,10 @@ Result<KeptProgram> kept_in(const json& text) try {
   kept.hash = text.at("hash").get<std::string>();
   for (const json& file : text.at("files"))
     kept.files.push_back({file.at("path").get<std::string>(), file.at("text").get<std::string>()});
+  // Files of builds before this one have no orders.
+  const std::string held_by = visible(text.value("held_by", std::string()));
+  kept.orders.held_by = cut_text(held_by, KeptOrders::kMostHolderBytes);
+  kept.orders.out_of_service = text.value("out_of_service", false);
   return kept;
 } catch (const json::exception&) {
   return Error{"it has another format"};

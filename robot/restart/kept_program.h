@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -12,6 +13,16 @@
 
 namespace galilean::robot {
 
+/// What keeps a robot still that operators asked for. No death of the robot program ends it.
+struct KeptOrders {
+  static constexpr std::size_t kMostHolderBytes = 64;
+
+  std::string held_by;  ///< who or what holds the robot, but for faults; empty: nobody
+  bool out_of_service = false;
+
+  bool operator==(const KeptOrders&) const = default;
+};
+
 /// What a robot program keeps on disk for its next start.
 struct KeptProgram {
   std::string robot;     ///< its name
@@ -19,6 +30,7 @@ struct KeptProgram {
   bool pushed = false;   ///< a push brought the program, and not --bhdl or a file that was saved
   std::string hash;      ///< of the last program that proved itself
   std::vector<bhdl::SourceFile> files;  ///< of that program, the main file first
+  KeptOrders orders = {};
 };
 
 /// Returns the file in which the robot of this name in this DDS domain keeps it.

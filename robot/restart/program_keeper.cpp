@@ -10,9 +10,11 @@ ProgramKeeper::ProgramKeeper(std::filesystem::path file, std::string robot)
   newest_.robot = std::move(robot);
 }
 
-std::string ProgramKeeper::begin(const bhdl::Program& program, bool pushed) {
+std::string ProgramKeeper::begin(const bhdl::Program& program, bool pushed,
+                                 const KeptOrders& orders) {
   const std::lock_guard lock(mutex_);
   newest_.running = true;
+  newest_.orders = orders;
   note(program, pushed);
   return write(newest_);
 }
@@ -27,6 +29,13 @@ Worker ProgramKeeper::writer(const Tell& tell) {
 void ProgramKeeper::keep(const bhdl::Program& program, bool pushed) {
   const std::lock_guard lock(mutex_);
   note(program, pushed);
+  changed_ = true;
+  wake_.notify_one();
+}
+
+void ProgramKeeper::keep_orders(const KeptOrders& orders) {
+  const std::lock_guard lock(mutex_);
+  newest_.orders = orders;
   changed_ = true;
   wake_.notify_one();
 }

@@ -23,14 +23,17 @@ class ProgramKeeper {
   ProgramKeeper(std::filesystem::path file, std::string robot);
 
   [[nodiscard]] const std::filesystem::path& file() const noexcept { return file_; }
-  /// Writes at once that the robot program runs, and begins with this program. Returns what a Tell
-  /// gets.
-  [[nodiscard]] std::string begin(const bhdl::Program& program, bool pushed);
+  /// Writes at once that the robot program runs, and begins with this program and with what
+  /// operators had ordered before. Returns what a Tell gets.
+  [[nodiscard]] std::string begin(const bhdl::Program& program, bool pushed,
+                                  const KeptOrders& orders = {});
   /// Returns a thread that writes what `keep` is given. Requires: this outlives it.
   [[nodiscard]] Worker writer(const Tell& tell);
   /// Any thread but control. A program has proven itself. The thread writes it; only the newest
   /// counts.
   void keep(const bhdl::Program& program, bool pushed);
+  /// Any thread but control. Operators ordered this. The thread writes it; only the newest counts.
+  void keep_orders(const KeptOrders& orders);
   /// Writes at once that the robot program ended in order. Returns what a Tell gets. Requires: the
   /// writer has ended.
   [[nodiscard]] std::string end();

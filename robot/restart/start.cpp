@@ -71,6 +71,7 @@ Start choose_start(bhdl::Program given, const Result<std::optional<KeptProgram>>
   const KeptProgram& before = *kept.value();
   if (before.running) {
     start.last_end = LastEnd::kDied;
+    start.orders = before.orders;
     begin_after_death(before, catalog, fresh, start);
   } else if (before.pushed && before.hash != start.program.hash) {
     start.sentence = "it runs " + given_name + " of --bhdl, and not " +

@@ -27,6 +27,7 @@ struct Start {
   bool pushed = false;  ///< a push brought the program to the robot program before
   LastEnd last_end = LastEnd::kInOrder;
   std::string sentence = {};  ///< which program runs and why; empty if there was no choice
+  KeptOrders orders = {};     ///< of operators, which hold although the robot program died
 };
 
 /// Chooses between the program that was given with --bhdl and the one that was kept. After a death

@@ -116,6 +116,11 @@ BreakDesk::Told BreakDesk::told() const {
   return told_;
 }
 
+std::string BreakDesk::held_by() const {
+  const std::lock_guard lock(mutex_);
+  return held_by_;
+}
+
 std::uint64_t BreakDesk::orders() const {
   const std::lock_guard lock(mutex_);
   return told_.orders;

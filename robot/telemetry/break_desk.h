@@ -31,9 +31,9 @@ class BreakDesk {
     msg::TeamStop team_stop;  ///< of Hold::kTeam: what stopped the team
   };
 
-  /// Requires: `executive` outlives this.
-  BreakDesk(std::string robot, Executive& executive)
-      : robot_(std::move(robot)), executive_(executive) {}
+  /// `held_by` names who holds the robot already. Requires: `executive` outlives this.
+  BreakDesk(std::string robot, Executive& executive, std::string held_by = {})
+      : robot_(std::move(robot)), executive_(executive), held_by_(std::move(held_by)) {}
 
   void hold(const msg::Command& command);
   /// Another robot's break point stops the team. A robot that stands already is left as it is.
@@ -45,6 +45,8 @@ class BreakDesk {
   void refuse(const std::string& order_id, const OrderRefusal& refusal);
 
   [[nodiscard]] Told told() const;
+  /// Returns who ordered the newest hold; empty: nobody.
+  [[nodiscard]] std::string held_by() const;
   /// Returns Told::orders, without a copy of the texts.
   [[nodiscard]] std::uint64_t orders() const;
 

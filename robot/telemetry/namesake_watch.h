@@ -29,8 +29,9 @@ class NamesakeWatch {
   /// Returns how many robots of this name are heard; one of them is this process's own if that
   /// tells its state already.
   [[nodiscard]] int count(Time now);
-  /// Listens for kAcquaintance, or until `is_over`. Requires: this process does not tell the
-  /// robot's state yet. Errors: a robot of this name is there.
+  /// Listens for kAcquaintance, or until `is_over`, and longer if it hears somebody late, so that
+  /// the other one knows of this one. Requires: this process does not tell the robot's state yet.
+  /// Errors: a robot of this name is there.
   [[nodiscard]] Result<void> expect_none(const Clock& clock, const std::function<bool()>& is_over);
 
  private:

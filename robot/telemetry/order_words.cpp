@@ -3,16 +3,18 @@
 
 #include <algorithm>
 
+#include "core/cut_text.h"
 #include "core/visible_text.h"
 
 namespace galilean::robot {
 namespace {
 
 constexpr std::size_t kLongestName = 64;
+constexpr std::size_t kHashBytesShown = 8;
 
 /// Returns a text that a stranger chose, as it can be shown in a sentence.
-std::string shown(std::string_view text) {
-  return visible(text.substr(0, kLongestName));
+std::string shown(std::string_view text, std::size_t most_bytes = kLongestName) {
+  return visible(cut_text(text, most_bytes));
 }
 
 }  // namespace
@@ -56,11 +58,11 @@ std::string what_is(const msg::BreakOrder& order) {
 }
 
 std::string what_is(const msg::ProgramPush& push) {
-  return "A push of program " + shown(push.hash).substr(0, 8);
+  return "A push of program " + shown(push.hash, kHashBytesShown);
 }
 
 std::string what_is(const msg::ProgramRollback& order) {
-  return "A rollback of program " + shown(order.hash).substr(0, 8);
+  return "A rollback of program " + shown(order.hash, kHashBytesShown);
 }
 
 std::string words_of(const std::optional<wire::Sender>& sender) {

@@ -34,6 +34,11 @@ struct TelemetrySource {
   /// another, and whether a push brought it. It must not wait. May be null.
   std::function<void(const bhdl::Program& program, bool pushed)> keep = nullptr;
   std::optional<TrustedKeys> trust{};  ///< who may move the robot; none: anybody
+  /// Who held the robot when its program died, and holds it still; empty: nobody.
+  std::string held_by{};
+  /// Is called outside the control loop when who holds the robot (empty: nobody, or a fault) or
+  /// whether it is out of service has changed. It must not wait. May be null.
+  std::function<void(const std::string& held_by, bool out_of_service)> keep_orders = nullptr;
 };
 
 /// Publishes what the robot does. It uses a thread of its own, so that a stalled network delays

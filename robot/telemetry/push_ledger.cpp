@@ -78,8 +78,15 @@ void PushLedger::answer_those_who_joined(ProgramId program, Replies& replies) {
 
 Result<void> PushLedger::roll_back(Push order, std::string_view reason) {
   const std::lock_guard lock(mutex_);
-  if (order.hash != running_.hash())
-    return Error{"it cannot be rolled back, because program " + running_.hash() + " runs"};
+  const auto runs = runs_now();
+  const std::string hash = runs ? runs->program.hash : "";
+  if (order.hash != hash)
+    return Error{"it cannot be rolled back, because " +
+                 (hash.empty() ? "no program" : "program " + hash) + " runs"};
+  if (!running_.program || running_.program->id != runs->id)
+    return Error{
+        "it cannot be rolled back yet, because it is not told yet how it began: order it "
+        "again"};
   if (!running_.has_predecessor)
     return Error{"it cannot be rolled back, because no program ran before it"};
   if (!executive_.roll_back(running_.program->id, reason))

@@ -44,8 +44,9 @@ class PushLedger {
   [[nodiscard]] Result<std::vector<msg::ProgramReply>> load(bhdl::Program program,
                                                             const ProbationRules& rules, Push push,
                                                             const std::string& replaces);
-  /// Orders the executive to roll back the program that `order` names by its hash.
-  /// Errors: another program runs, none ran before it, or too many orders wait.
+  /// Orders the executive to roll back the program that `order` names by its hash. What runs is
+  /// judged by the executive, as in `load`. Errors: another program runs, no event told of that one
+  /// yet, none ran before it, or too many orders wait.
   [[nodiscard]] Result<void> roll_back(Push order, std::string_view reason);
   /// Returns whether a push brought the program, or another push would have. It is known of the
   /// newest kPushedKept.

@@ -8,6 +8,7 @@
 #include "robot/telemetry/break_desk.h"
 #include "robot/telemetry/break_publisher.h"
 #include "robot/telemetry/command_receiver.h"
+#include "robot/telemetry/hold_keeper.h"
 #include "robot/telemetry/image_publisher.h"
 #include "robot/telemetry/inputs_publisher.h"
 #include "robot/telemetry/namesake_alarm.h"
@@ -29,7 +30,8 @@ class Telemetry {
       : log_forwarding_(log_),
         executive_(source.executive),
         gate_(source.trust, source.clock, problems_),
-        break_desk_(source.robot, source.executive),
+        break_desk_(source.robot, source.executive, source.held_by),
+        holds_(source, break_desk_, problems_),
         breaks_(source, break_desk_),
         namesakes_(source, problems_),
         programs_(source, gate_, problems_.reporter("program_receiver")),
@@ -58,6 +60,7 @@ class Telemetry {
   void look_around(const Snapshot& newest) {
     // First the names of those whose orders were refused: who is answered may leave at once.
     gate_.on_round();
+    holds_.on_round(newest);
     breaks_.on_round(newest);
     namesakes_.on_round();
   }
@@ -79,6 +82,7 @@ class Telemetry {
   Executive& executive_;
   OrderGate gate_;
   BreakDesk break_desk_;
+  HoldKeeper holds_;
   BreakPublisher breaks_;
   NamesakeAlarm namesakes_;
   ProgramReceiver programs_;

@@ -41,7 +41,7 @@ std::string what_happened(const FaultReport& fault) {
     case FaultCause::kSerialLine:
       return "the serial line" + gone;
     case FaultCause::kBoard:
-      return "the serial line" + gone + ", and the board was restarted";
+      return "the serial line" + gone + ", and the board was restarted or exchanged";
     case FaultCause::kMotorDrive:
       return "the motor drive" + gone;
     case FaultCause::kCamera:
@@ -58,6 +58,11 @@ std::string what_happened(const FaultReport& fault) {
       break;
   }
   return "no reason is known";
+}
+
+std::string when_to_resume(const FaultReport& fault) {
+  if (fault.cause == FaultCause::kNamesake) return "; resume it when that one is gone";
+  return fault.over ? "; resume it" : "; resume it when it is back";
 }
 
 }  // namespace
@@ -96,9 +101,8 @@ std::string fault_of(const Event& rollback, const Description& of) {
 
 std::optional<Problem> hold_of(const Snapshot& snapshot) {
   if (snapshot.standstill.hold != Hold::kFault) return std::nullopt;
-  const bool by_bumper = snapshot.fault.cause != FaultCause::kNamesake;
-  return Problem{"held", what_happened(snapshot.fault) +
-                             (snapshot.fault.over ? "; resume it" : "; resume it when it is back") +
+  const bool by_bumper = ends_at_a_bumper(snapshot.fault.cause);
+  return Problem{"held", what_happened(snapshot.fault) + when_to_resume(snapshot.fault) +
                              (by_bumper ? ", or push a bumper." : ".")};
 }
 

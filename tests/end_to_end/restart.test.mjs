@@ -31,6 +31,10 @@ function stage(t) {
       await eventually(() => read().pushed);
     },
     resume: () => galilean(['resume', '--robot', 'io'], { domain }),
+    order: (verb) => {
+      const { status, stdout, stderr } = galilean([verb, '--robot', 'io'], { domain });
+      assert.equal(status, 0, stdout + stderr);
+    },
   };
 }
 
@@ -71,6 +75,34 @@ test('--fresh begins with the program that is given, and --resume-by-itself hold
   const fresh = await start('--fresh', '--resume-by-itself');
   assert.match(fresh.output, /it runs first\.bhdl \(\w{8}\) of --bhdl, since --fresh says so/);
   assert.deepEqual([newest().held, newest().program_name], [false, 'first.bhdl']);
+});
+
+test('who was held or taken out of service stays so after a crash, also where faults hold nobody', { timeout: 180_000 }, async (t) => {
+  const { read, newest, start, order, resume } = stage(t);
+  const first = await start('--resume-by-itself');
+  order('hold');
+  order('decommission');
+  await eventually(() => read().held_by !== '' && read().out_of_service);
+  const { held_by: holder } = read();
+  await die(first);
+
+  const again = await start('--resume-by-itself');
+  const sentence = `held: ${holder} held it when the robot program died and was started again; resume it.`;
+  await eventually(() => newest().problems.includes(sentence));
+  assert.deepEqual([newest().held, newest().out_of_service], [true, true]);
+  await die(again);
+
+  const third = await start('--resume-by-itself');
+  await eventually(() => newest().problems.includes(sentence));
+  assert.deepEqual([newest().held, newest().out_of_service], [true, true], 'a second crash ends it no more than the first');
+  order('commission');
+  const resumed = resume();
+  assert.equal(resumed.status, 0, resumed.stdout + resumed.stderr);
+  await eventually(() => !newest().held && !newest().problems.includes(sentence) && !newest().out_of_service);
+  await eventually(() => read().held_by === '' && !read().out_of_service);
+  await die(third);
+  await start('--resume-by-itself');
+  assert.deepEqual([newest().held, newest().out_of_service], [false, false]);
 });
 
 test('a file that is cut short or foreign is told of in one sentence, and written anew', { timeout: 180_000 }, async (t) => {

@@ -27,6 +27,12 @@ class BoardOnAPipe {
     controller_.emplace(bench_, firmware::Controller::Identity{{'i', 'o'}, ++boots_});
     board_ms_ = uptime_ms;
   }
+  /// Puts another board in its place, which was started as often and runs for `uptime_ms`.
+  void replace_board(std::uint32_t uptime_ms) {
+    bench_ = {};
+    controller_.emplace(bench_, firmware::Controller::Identity{{'e', 'u'}, boots_});
+    board_ms_ = uptime_ms;
+  }
   void run(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
       run_traffic(1);

@@ -207,6 +207,22 @@ TEST_F(Link, AResetThatIsNoticedByItsBootCountAlone) {
   EXPECT_EQ(link.status().left_travel_m, 0);
 }
 
+TEST_F(Link, AnotherBoardOnTheLineIsNoticedByItsNameAlone) {
+  robot.run(50);
+  robot.keep_driving({.speed_mps = 0.3}, 1000);
+  EXPECT_GT(link.status().left_travel_m, 0.2);
+  const auto epoch = link.status().epoch;
+  robot.pipe.connect(false);
+  robot.run(100);
+  // It was started as often as the one before, and has run for longer.
+  robot.replace_board(500000);
+  robot.pipe.connect(true);
+  robot.run(100);
+  EXPECT_TRUE(link.healthy());
+  EXPECT_EQ(link.status().epoch, epoch + 1);
+  EXPECT_EQ(link.status().left_travel_m, 0) << "the other board's encoders are no travel";
+}
+
 TEST_F(Link, StopIsRepeatedUntilTheMotorsAreOff) {
   robot.run(50);
   robot.keep_driving({.speed_mps = 0.3}, 500);

@@ -74,6 +74,89 @@ TEST(FaultWatch, AShortFaultHoldsNobody) {
   EXPECT_FALSE(robot.executive->held());
 }
 
+/// Loses the line for `gone` ticks, and then has it back for `well` ticks.
+void flap(HoldingRobot& robot, int gone, int well) {
+  robot.port.answers = false;
+  robot.tick(gone);
+  robot.port.answers = true;
+  robot.tick(well);
+}
+
+TEST(FaultWatch, AFaultHoldsFromASecondOnAndNotBefore) {
+  for (int gone = 1; gone <= 30; ++gone) {
+    HoldingRobot robot;
+    flap(robot, gone, 3);
+    EXPECT_EQ(robot.executive->held(), gone > 20) << gone << " ticks of 50 ms";
+    EXPECT_EQ(robot.drive.moving, gone <= 20) << gone;
+  }
+}
+
+TEST(FaultWatch, ALineThatComesAndGoesIsOneFault) {
+  HoldingRobot robot;
+  flap(robot, 12, 10);
+  EXPECT_FALSE(robot.executive->held()) << "0.6 s are short";
+  EXPECT_TRUE(robot.drive.moving);
+  flap(robot, 12, 3);
+  EXPECT_EQ(robot.hold(), Hold::kFault) << "1.2 s in all";
+  EXPECT_EQ(robot.events.fault.cause, FaultCause::kSerialLine);
+  EXPECT_TRUE(robot.events.fault.over);
+  EXPECT_NEAR(to_seconds(robot.events.fault.lasted), 1.3, 0.11)
+      << "what it was well does not count";
+  robot.executive->resume();
+  robot.tick();
+  EXPECT_TRUE(robot.drive.moving);
+  flap(robot, 12, 3);
+  EXPECT_FALSE(robot.executive->held()) << "somebody has let it go on since";
+}
+
+TEST(FaultWatch, ShortFaultsFarApartHoldNobody) {
+  HoldingRobot robot;
+  for (int i = 0; i < 10; ++i) {
+    flap(robot, 15, 25);
+    ASSERT_FALSE(robot.executive->held()) << i;
+  }
+  EXPECT_TRUE(robot.drive.moving);
+}
+
+TEST(FaultWatch, FaultsOfTwoDevicesAreNotAddedUp) {
+  HoldingRobot robot(true);
+  flap(robot, 15, 2);
+  robot.camera.answers = false;
+  robot.tick(15);
+  robot.camera.answers = true;
+  robot.tick(2);
+  EXPECT_FALSE(robot.executive->held());
+}
+
+TEST(FaultWatch, TheDeviceThatIsStillGoneNamesTheFault) {
+  HoldingRobot robot(true);
+  robot.port.answers = false;
+  robot.camera.answers = false;
+  robot.tick(30);
+  EXPECT_EQ(robot.events.fault.cause, FaultCause::kSerialLine);
+  robot.port.answers = true;
+  robot.tick(3);
+  EXPECT_EQ(robot.events.fault.cause, FaultCause::kCamera);
+  EXPECT_FALSE(robot.events.fault.over);
+  robot.camera.answers = true;
+  robot.tick(3);
+  EXPECT_EQ(robot.events.fault.cause, FaultCause::kCamera);
+  EXPECT_TRUE(robot.events.fault.over);
+  EXPECT_EQ(robot.hold(), Hold::kFault);
+}
+
+TEST(FaultWatch, ASlowLoopDoesNotStandStill) {
+  FaultWatch watch;
+  const auto judge = [&](Duration since_last_tick) {
+    return watch.judge({.now = Time{std::chrono::hours(1)},
+                        .since_last_tick = since_last_tick,
+                        .tick_period = std::chrono::seconds(1),
+                        .health = {true, true, true}});
+  };
+  EXPECT_EQ(judge(std::chrono::milliseconds(1050)), FaultWatch::Verdict::kNothing);
+  EXPECT_EQ(judge(std::chrono::milliseconds(2050)), FaultWatch::Verdict::kHold);
+}
+
 TEST(FaultWatch, EveryDeviceThatTheProgramUsesCounts) {
   HoldingRobot driven;
   driven.lose(driven.drive.answers);
@@ -172,6 +255,33 @@ TEST(FaultWatch, AnOperatorsHoldStaysTheOperators) {
   EXPECT_TRUE(robot.drive.moving);
 }
 
+TEST(FaultWatch, WhoStopsARobotThatAFaultHoldsMakesTheHoldTheirs) {
+  HoldingRobot robot;
+  robot.lose(robot.port.answers);
+  ASSERT_EQ(robot.hold(), Hold::kFault);
+  robot.executive->hold();
+  robot.tick();
+  robot.press(1);
+  robot.tick(2);
+  EXPECT_EQ(robot.hold(), Hold::kOperator) << "a bumper ended it";
+  EXPECT_FALSE(robot.drive.moving);
+}
+
+TEST(FaultWatch, AnOperatorsHoldOutlivesAFaultAlsoWhereFaultsHoldNobody) {
+  HoldingRobot robot(false, false);
+  robot.port.answers = false;
+  robot.tick(30);
+  robot.executive->hold();
+  robot.tick(30);
+  robot.port.answers = true;
+  robot.tick(20);
+  EXPECT_EQ(robot.hold(), Hold::kOperator);
+  EXPECT_FALSE(robot.drive.moving);
+  robot.executive->resume();
+  robot.tick();
+  EXPECT_TRUE(robot.drive.moving);
+}
+
 TEST(FaultWatch, AStepDoesNotEndTheHold) {
   HoldingRobot robot;
   robot.lose(robot.port.answers);
@@ -179,6 +289,19 @@ TEST(FaultWatch, AStepDoesNotEndTheHold) {
   robot.tick();
   EXPECT_EQ(robot.hold(), Hold::kFault);
   EXPECT_FALSE(is_stop(robot.hold()));
+}
+
+TEST(FaultWatch, NoBumperMakesASecondRobotOfOneNameTheOnlyOne) {
+  HoldingRobot robot;
+  robot.executive->hold_after(FaultCause::kNamesake);
+  robot.tick(2);
+  robot.press(1);
+  robot.tick(2);
+  EXPECT_EQ(robot.hold(), Hold::kFault);
+  EXPECT_EQ(robot.events.fault.cause, FaultCause::kNamesake);
+  robot.executive->resume();
+  robot.tick();
+  EXPECT_TRUE(robot.drive.moving);
 }
 
 TEST(FaultWatch, AFaultThatIsKnownFromElsewhereHoldsTheRobotFromItsFirstTickOn) {

@@ -88,6 +88,52 @@ TEST_F(Odometry_, CatchesUpAfterSilenceAndFadesMeanwhile) {
   EXPECT_DOUBLE_EQ(robot.variable<Shaft>("shaft").certainty_at(robot.now()), 1);
 }
 
+/// Keeps the speeds that a tick shows.
+struct SpeedWatch final : TickObserver {
+  void on_event(const Event&) noexcept override {}
+  void on_tick(const TickView& view) noexcept override {
+    speed_mps = view.speed_mps;
+    turn_rate_radps = view.turn_rate_radps;
+  }
+  double speed_mps = 0;
+  double turn_rate_radps = 0;
+};
+
+TEST(ShownSpeed, IsThatOfTheWheelsAlsoAfterASwapToAProgramWithoutAShaft) {
+  SpeedWatch shown;
+  TestRobot robot(1, {&shown});
+  ASSERT_TRUE(robot.load(kShaft));
+  robot.port.next.left_speed_mps = 0.1;
+  robot.port.next.right_speed_mps = 0.3;
+  robot.tick(2);
+  EXPECT_DOUBLE_EQ(shown.speed_mps, 0.2);
+  EXPECT_NEAR(shown.turn_rate_radps, 0.2 / kTrack_m, 1e-12);
+  ASSERT_TRUE(robot.load("state: name: \"go\" end\n"));
+  robot.port.next.left_speed_mps = robot.port.next.right_speed_mps = 0;
+  robot.tick(2);
+  EXPECT_DOUBLE_EQ(shown.speed_mps, 0);
+  EXPECT_DOUBLE_EQ(shown.turn_rate_radps, 0);
+  robot.port.next.right_speed_mps = 0.4;
+  robot.tick();
+  EXPECT_DOUBLE_EQ(shown.speed_mps, 0.2);
+}
+
+TEST(ShownSpeed, IsNoneWhileTheLineIsDown) {
+  SpeedWatch shown;
+  TestRobot robot(1, {&shown});
+  ASSERT_TRUE(robot.load(kShaft));
+  robot.port.next.left_speed_mps = robot.port.next.right_speed_mps = 0.3;
+  robot.tick(2);
+  EXPECT_DOUBLE_EQ(shown.speed_mps, 0.3);
+  robot.port.answers = false;
+  robot.tick();
+  EXPECT_DOUBLE_EQ(shown.speed_mps, 0) << "the speed before that is none of now";
+  EXPECT_DOUBLE_EQ(shown.turn_rate_radps, 0);
+  robot.port.answers = true;
+  robot.tick();
+  EXPECT_DOUBLE_EQ(shown.speed_mps, 0.3);
+}
+
 TEST_F(Odometry_, AShaftThatWasResetStartsOver) {
   travel(2, 2);
   robot.press(0);

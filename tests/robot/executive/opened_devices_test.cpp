@@ -57,6 +57,50 @@ TEST(OpenedDevices, WhatTheCommandLineNamesProgramsDoNot) {
             "");
 }
 
+TEST(OpenedDevices, WhatAProgramNamesInVainIsSaid) {
+  const auto& catalog = test_components().catalog();
+  const auto overruled = [&](const OpenedDevices& opened, const std::string& devices) {
+    return opened.overruled(program_of(devices + "\nstate: name: \"only\" end\n"), catalog);
+  };
+  const std::string names_both =
+      "input_devices: comm_port: device: \"/dev/ttyS1\" end "
+      "frame_grabber: device: \"red.jpg\" end end";
+  EXPECT_EQ(overruled({}, names_both),
+            "comm_port is '/dev/ttyS1', and frame_grabber is 'red.jpg' in test.bhdl, which does "
+            "not count: the command line named another");
+  EXPECT_EQ(overruled({.serial = "/dev/ttyS1"}, names_both),
+            "frame_grabber is 'red.jpg' in test.bhdl, which does not count: the command line named "
+            "another");
+  EXPECT_EQ(overruled(kOpened, names_both), "");
+  EXPECT_EQ(overruled({}, "input_devices: comm_port: baud: 9600 end end"), "");
+  EXPECT_EQ(overruled({}, ""), "");
+}
+
+TEST(OpenedDevices, AProgramThatNamesNoneIsOpenedWithThoseOfTheGivenOne) {
+  const auto& catalog = test_components().catalog();
+  const auto settings = [&](const std::string& devices) {
+    return DeviceSettings::of(program_of(devices + "\nstate: name: \"only\" end\n"), catalog);
+  };
+  const DeviceSettings given = settings(
+      "input_devices: comm_port: device: \"/dev/ttyS1\" baud: 9600 timeout: 2 end "
+      "frame_grabber: device: \"red.jpg\" end end");
+  const auto opened = [&](const std::string& devices) {
+    return settings_to_open(program_of(devices + "\nstate: name: \"pushed\" end\n"), given,
+                            catalog);
+  };
+  const DeviceSettings none = opened("");
+  EXPECT_EQ(none.comm_port.device, "/dev/ttyS1");
+  EXPECT_EQ(none.comm_port.baud, 9600);
+  EXPECT_EQ(none.comm_port.timeout_s, settings("").comm_port.timeout_s) << "it is its own";
+  EXPECT_EQ(none.frame_grabber.device, "red.jpg");
+  const DeviceSettings own = opened(
+      "input_devices: comm_port: device: \"/dev/ttyS2\" end "
+      "frame_grabber: device: \"blue.jpg\" end end");
+  EXPECT_EQ(own.comm_port.device, "/dev/ttyS2");
+  EXPECT_EQ(own.comm_port.baud, 115200);
+  EXPECT_EQ(own.frame_grabber.device, "blue.jpg");
+}
+
 TEST(OpenedDevices, TheExecutiveGoesOnWithTheProgramThatItHas) {
   TestRobot robot;
   ASSERT_TRUE(robot.load("state: name: \"first\" end\n"));

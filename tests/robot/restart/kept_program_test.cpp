@@ -5,6 +5,10 @@
 
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "bhdl/source/sha256.h"
 #include "tests/temporary_folder.h"
@@ -64,6 +68,60 @@ TEST_F(KeptProgramTest, WhatIsWrittenIsRead) {
     EXPECT_EQ(read.value()->files[0].text, kept.files[0].text);
   }
   EXPECT_EQ(std::distance(fs::directory_iterator(file.parent_path()), {}), 1) << "no draft is left";
+}
+
+TEST_F(KeptProgramTest, WhatOperatorsOrderedIsReadAsItWasWritten) {
+  for (const KeptOrders& orders : {KeptOrders{}, KeptOrders{"anna", false}, KeptOrders{"", true},
+                                   KeptOrders{"jürgen \"the\" 2nd", true}}) {
+    kept.orders = orders;
+    ASSERT_TRUE(write_kept_program(file, kept));
+    const auto read = read_kept_program(file, "io");
+    ASSERT_TRUE(read);
+    ASSERT_TRUE(read.value());
+    EXPECT_EQ(read.value()->orders, orders);
+  }
+}
+
+TEST_F(KeptProgramTest, AFileOfABuildThatKeptNoOrdersHasNone) {
+  ASSERT_TRUE(write_kept_program(file, kept));
+  auto old = nlohmann::json::parse(text());
+  old.erase("held_by");
+  old.erase("out_of_service");
+  put(old.dump());
+  const auto read = read_kept_program(file, "io");
+  ASSERT_TRUE(read);
+  ASSERT_TRUE(read.value());
+  EXPECT_EQ(read.value()->hash, kept.hash);
+  EXPECT_EQ(read.value()->orders, KeptOrders{});
+}
+
+TEST_F(KeptProgramTest, OrdersOfAnotherKindAreRefusedAndALongNameIsCut) {
+  ASSERT_TRUE(write_kept_program(file, kept));
+  const auto whole = nlohmann::json::parse(text());
+  const std::vector<std::pair<std::string, nlohmann::json>> of_another_kind{
+      {"held_by", 7}, {"held_by", nullptr}, {"out_of_service", "yes"}};
+  for (const auto& [field, value] : of_another_kind) {
+    auto changed = whole;
+    changed[field] = value;
+    put(changed.dump());
+    EXPECT_THAT(refused(), HasSubstr("another format")) << field;
+  }
+  kept.orders.held_by = std::string(1 << 20, 'x') + "\n";
+  ASSERT_TRUE(write_kept_program(file, kept));
+  const auto read = read_kept_program(file, "io");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read.value()->orders.held_by, std::string(KeptOrders::kMostHolderBytes, 'x'));
+}
+
+TEST_F(KeptProgramTest, WhereTheNewFileCannotBeWrittenWhatWasThereStays) {
+  ASSERT_TRUE(write_kept_program(file, kept));
+  const std::string before = text();
+  fs::create_directories(file.string() + ".new/in_the_way");
+  kept.orders.held_by = "anna";
+  const auto written = write_kept_program(file, kept);
+  ASSERT_FALSE(written);
+  EXPECT_THAT(written.error().message, HasSubstr(file.string() + " cannot be written: "));
+  EXPECT_EQ(text(), before);
 }
 
 TEST_F(KeptProgramTest, RobotsOfOtherDomainsKeepTheirOwn) {

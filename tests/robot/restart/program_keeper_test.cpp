@@ -64,6 +64,22 @@ TEST_F(ProgramKeeperTest, FromTheBeginningToTheEndTheFileSaysThatTheRobotProgram
   EXPECT_EQ(read().hash, second.hash);
 }
 
+TEST_F(ProgramKeeperTest, WhatOperatorsOrderedIsKeptBesideTheProgram) {
+  const KeptOrders of_before{"anna", true};
+  const KeptOrders newest{"balch", false};
+  ProgramKeeper keeper(file, "io");
+  EXPECT_EQ(keeper.begin(first, true, of_before), "");
+  EXPECT_EQ(read().orders, of_before) << "a second death ends them no more than the first";
+  const Worker writing = keeper.writer(tell);
+  keeper.keep_orders(newest);
+  EXPECT_TRUE(becomes([&] { return read().orders == newest; }));
+  EXPECT_EQ(read().hash, first.hash);
+  EXPECT_TRUE(read().pushed);
+  keeper.keep(second, true);
+  EXPECT_TRUE(becomes([&] { return read().hash == second.hash; }));
+  EXPECT_EQ(read().orders, newest);
+}
+
 TEST_F(ProgramKeeperTest, WhatTheThreadHadNoTimeForIsWrittenAtTheEnd) {
   ProgramKeeper keeper(file, "io");
   EXPECT_EQ(keeper.begin(first, false), "");

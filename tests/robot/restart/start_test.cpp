@@ -89,6 +89,19 @@ TEST(Start, AfterAnOrderlyEndTheGivenOneRuns) {
   EXPECT_EQ(start_after(kept_of(given(), false, true)).sentence, "");
 }
 
+TEST(Start, WhatOperatorsOrderedHoldsAfterADeathWhicheverProgramRuns) {
+  const KeptOrders orders{"anna", true};
+  for (const bhdl::Program* before : {&given(), &other()})
+    for (const bool fresh : {true, false}) {
+      KeptProgram kept = kept_of(*before, true, true);
+      kept.orders = orders;
+      EXPECT_EQ(start_after(kept, fresh).orders, orders);
+      kept.running = false;
+      EXPECT_EQ(start_after(kept, fresh).orders, KeptOrders{}) << "it ended in order";
+    }
+  EXPECT_EQ(start_with(Error{"x"}).orders, KeptOrders{});
+}
+
 TEST(Start, AProgramThatThisReleaseRefusesIsNotTakenUp) {
   KeptProgram broken = kept_of(other(), true, true);
   broken.files[0].text = "state: nmae: \"x\" end\n";

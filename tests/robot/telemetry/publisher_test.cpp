@@ -76,6 +76,12 @@ TEST(Publisher, TheReasonOfAHoldIsTheSameSentenceWhileTheFaultLasts) {
             "held: the camera was gone for 57 s; resume it, or push a bumper.");
   EXPECT_THAT(said({FaultCause::kStall, std::chrono::minutes(12), true}),
               HasSubstr("stood still for 12 min"));
+  EXPECT_EQ(said({FaultCause::kBoard, milliseconds(3240), true}),
+            "held: the serial line was gone for 3.2 s, and the board was restarted or exchanged; "
+            "resume it, or push a bumper.");
+  EXPECT_EQ(said({FaultCause::kNamesake, {}, true}),
+            "held: another robot of this name was there when this one started; resume it when "
+            "that one is gone.");
   snapshot.standstill.hold = Hold::kOperator;
   EXPECT_FALSE(hold_of(snapshot));
 }

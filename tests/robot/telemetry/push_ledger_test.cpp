@@ -110,6 +110,26 @@ TEST_F(PushLedgerTest, APushOfWhatWasRolledBackToIsAnsweredAfterTheRollback) {
   EXPECT_EQ(answers[2].status, status::CONFIRMED) << "the first program needs no probation";
 }
 
+TEST_F(PushLedgerTest, AnOrderToRollBackIsJudgedByWhatRunsToo) {
+  ASSERT_TRUE(push("b", "b"));
+  robot.tick();
+  const auto of_what_was_told = ledger.roll_back({"order", hash_of("a"), {}}, "by anna");
+  ASSERT_FALSE(of_what_was_told);
+  EXPECT_THAT(of_what_was_told.error().message,
+              HasSubstr("because program " + hash_of("b") + " runs"));
+  const auto too_early = ledger.roll_back({"order", hash_of("b"), {}}, "by anna");
+  ASSERT_FALSE(too_early);
+  EXPECT_THAT(too_early.error().message, HasSubstr("yet"));
+  tell();
+  ASSERT_TRUE(ledger.roll_back({"order", hash_of("b"), {}}, "by anna"));
+  robot.tick();
+  EXPECT_EQ(robot.state(), "a");
+  const auto answers = tell();
+  ASSERT_THAT(answers, SizeIs(2)) << "the push and the order";
+  EXPECT_EQ(answers[0].status, status::ROLLED_BACK);
+  EXPECT_EQ(answers[1].status, status::ROLLED_BACK);
+}
+
 TEST_F(PushLedgerTest, APushOfWhatIsKnownToRunIsAnsweredAtOnce) {
   const auto again = push("again", "a", hash_of("a"));
   ASSERT_TRUE(again);

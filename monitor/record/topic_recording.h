@@ -13,8 +13,8 @@
 #include "core/wire/endpoints.h"
 #include "core/wire/participant.h"
 #include "core/wire/reader.h"
+#include "core/wire/sequence_tally.h"
 #include "monitor/record/paused_tally.h"
-#include "monitor/record/sequence_tally.h"
 
 namespace galilean::monitor {
 
@@ -34,7 +34,7 @@ class TopicRecording {
   };
   struct Writer {
     wire::EndpointInfo info;
-    SequenceTally tally;
+    wire::SequenceTally tally;
     /// Of those that did not come: how many were missed while a reader's queue was full.
     std::uint64_t overrun = 0;
     bool recorded = true;  ///< otherwise it is heard, and counted nowhere

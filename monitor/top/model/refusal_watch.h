@@ -11,7 +11,7 @@
 
 namespace galilean::monitor::top {
 
-/// Something that is not taken in from DDS, and goes on.
+/// Something that is not taken in from DDS, or was lost on the way, and goes on.
 struct OngoingRefusal {
   std::string key;     ///< the same as long as it is the same
   std::string sender;  ///< the name that stands first in the topic, which may be no robot's

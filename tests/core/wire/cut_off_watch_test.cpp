@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace galilean::wire {
 namespace {
 
@@ -71,6 +73,25 @@ TEST_F(CutOffWatchTest, WhatHappenedBeforeAGapAndComesAgainFillsNothing) {
   EXPECT_FALSE(fills(event_ns));
   hear_for(1s);
   EXPECT_FALSE(fills(event_ns));
+}
+
+TEST_F(CutOffWatchTest, WhatARobotDoesFirstAfterItWasStartedAgainIsHeardInTime) {
+  hear_for(1s);
+  static_cast<void>(cut_off_for(10s));
+  const auto event_ns = robot_ns();
+  EXPECT_FALSE(fills(event_ns));
+  clock.advance(50ms);
+  hear_for(1s);
+  EXPECT_FALSE(fills(event_ns));
+}
+
+TEST_F(CutOffWatchTest, StampsThatNoClockShowsAreTaken) {
+  for (const auto sent_ns :
+       {std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()}) {
+    watch.note_state(clock.now(), sent_ns);
+    clock.advance(10s);
+    static_cast<void>(fills(-(sent_ns / 2)));
+  }
 }
 
 TEST_F(CutOffWatchTest, AHiccupIsNoGap) {

@@ -38,7 +38,8 @@ class TopicRecording {
     /// Of those that did not come: how many were missed while a reader's queue was full.
     std::uint64_t overrun = 0;
     bool recorded = true;  ///< otherwise it is heard, and counted nowhere
-    // For who receives the messages, to count what he did not write:
+    // For who receives the messages, to count what he wrote of a gap, and what he did not write:
+    std::uint64_t filled = 0;     ///< events of a robot that fill a gap
     std::uint64_t unwritten = 0;  ///< for want of room
     std::uint64_t left_out = 0;   ///< because more was not asked for
     PausedTally paused;           ///< because the recording was paused

@@ -22,14 +22,14 @@ class EventOutbox {
 
   explicit EventOutbox(Write write) : write_(std::move(write)) {}
 
-  /// Sends the events that wait, and then this one.
+  /// Sends an event, unless others wait: then it waits behind them. So a round is held up by one
+  /// event that DDS does not take, and not by each.
   void send(M event) {
+    if (waiting_.empty() && write_(event)) return;
     waiting_.push_back(std::move(event));
-    if (waiting_.size() > kMost) {
-      waiting_.pop_front();
-      ++dropped_;
-    }
-    send_waiting();
+    if (waiting_.size() <= kMost) return;
+    waiting_.pop_front();
+    ++dropped_;
   }
   /// Sends the events that wait, until DDS does not take one. Call it in each round.
   void send_waiting() {

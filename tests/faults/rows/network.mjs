@@ -2,61 +2,16 @@
 // A network that loses packets. Ten robots and the monitor are alone in it, and each robot is a trial.
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { createInterface } from 'node:readline';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { freshDomain, galileanBinary, scratchFolder } from '../../end_to_end/tools.mjs';
-import { start } from '../../logs/tools.mjs';
-import { Monitor } from '../stages/monitor.mjs';
-import { ownNetwork } from '../stages/namespaces.mjs';
+import { MonitorWithin, startWithin } from '../stages/monitor_within.mjs';
+import { NO_NETWORK, ownNetwork } from '../stages/namespaces.mjs';
 import { anotherPush, PROGRAM, robotArguments } from '../stages/small_team.mjs';
 import { secondsUntil, until } from '../table.mjs';
 
 const ROBOTS = 10;
-const PORT = 8080; // nobody else is in this network
-const LIMIT_MS = 10_000;
 /** DDS forgets whom it has not heard for ten seconds. */
 const BRIEF_S = 4, LONG_S = 15;
-const FETCHER = new URL('../stages/fetcher.mjs', import.meta.url).pathname;
-
-/** Starts a command in the network; it ends with `scope`. */
-function startWithin(scope, { network, domain, cwd }, command, args) {
-  const [first, ...rest] = [...network.within, command, ...args];
-  const child = start(first, rest, { cwd, env: { ...process.env, ROS_DOMAIN_ID: domain, XDG_STATE_HOME: cwd } });
-  scope.after(() => {
-    if (child.exitCode === null && child.signalCode === null) child.kill('SIGINT');
-    return child.ended;
-  });
-  return child;
-}
-
-/** A monitor in a network of its own, which a process there asks. */
-class MonitorWithin extends Monitor {
-  static async begin(scope, place) {
-    const monitor = new MonitorWithin(scope, { ...place, port: PORT });
-    monitor.child = startWithin(scope, place, galileanBinary, ['monitor', '--listen', `127.0.0.1:${PORT}`, '--data', place.cwd]);
-    monitor.asker = startWithin(scope, place, process.execPath, [FETCHER]);
-    monitor.asker.stdin.on('error', () => {});
-    monitor.waiting = new Map();
-    createInterface({ input: monitor.asker.stdout }).on('line', (line) => {
-      const said = JSON.parse(line);
-      monitor.waiting.get(said.number)?.(said);
-      monitor.waiting.delete(said.number);
-    });
-    await until(() => /http:\/\/[0-9.]+:\d+/.test(monitor.child.text), `the monitor to serve; it said ${monitor.child.text}`);
-    return monitor;
-  }
-
-  async fetch(path, { body, token = this.token() } = {}) {
-    const number = this.asked = (this.asked ?? 0) + 1;
-    const options = { headers: { authorization: `Bearer ${token}` }, method: body ? 'POST' : 'GET', body: body && JSON.stringify(body), limit_ms: LIMIT_MS };
-    const answer = await new Promise((resolve) => {
-      this.waiting.set(number, resolve);
-      this.asker.stdin.write(`${JSON.stringify([number, `${this.url}${path}`, options])}\n`);
-    });
-    if (answer.error) throw new Error(`${path}: ${answer.error}`);
-    return { ok: answer.status < 300, status: answer.status, text: () => Promise.resolve(answer.text) };
-  }
-}
 
 async function setUp(scope) {
   const network = await ownNetwork(scope);
@@ -71,7 +26,7 @@ async function setUp(scope) {
   return { network, names, monitor };
 }
 
-const needs = ({ network }) => (network ? undefined : 'no network can be made: it needs unshare, ip, nft, and root or namespaces of users');
+const needs = ({ network }) => (network ? undefined : NO_NETWORK);
 const mend = async ({ network, monitor }) => {
   network.mend();
   await monitor.hears(ROBOTS);

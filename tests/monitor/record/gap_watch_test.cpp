@@ -8,7 +8,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-wire::EndpointInfo writer_of(const std::string& topic, const std::string& type) {
+wire::EndpointInfo typed_writer(const std::string& topic, const std::string& type) {
   wire::EndpointInfo info;
   info.writes = true;
   info.topic = topic;
@@ -16,9 +16,9 @@ wire::EndpointInfo writer_of(const std::string& topic, const std::string& type) 
   return info;
 }
 
-const wire::EndpointInfo kState = writer_of("rt/io/state", "RobotState");
-const wire::EndpointInfo kTransition = writer_of("rt/io/transition", "Transition");
-const wire::EndpointInfo kReply = writer_of("rt/io/program_reply", "ProgramReply");
+const wire::EndpointInfo kIoState = typed_writer("rt/io/state", "RobotState");
+const wire::EndpointInfo kIoTransition = typed_writer("rt/io/transition", "Transition");
+const wire::EndpointInfo kIoReply = typed_writer("rt/io/program_reply", "ProgramReply");
 
 class RecordersGapWatchTest : public testing::Test {
  protected:
@@ -29,7 +29,7 @@ class RecordersGapWatchTest : public testing::Test {
   /// io is heard, and then it is not heard for a minute. Returns the middle of that.
   std::int64_t cut_off() {
     clock.advance(10s);
-    EXPECT_FALSE(note(kState, now_ns()));
+    EXPECT_FALSE(note(kIoState, now_ns()));
     clock.advance(60s);
     return now_ns() - 30'000'000'000;
   }
@@ -40,30 +40,30 @@ class RecordersGapWatchTest : public testing::Test {
 
 TEST_F(RecordersGapWatchTest, TellsTheEventsOfARobotThatWasNotHeard) {
   const auto then_ns = cut_off();
-  EXPECT_TRUE(note(kTransition, then_ns));
-  EXPECT_FALSE(note(kState, now_ns()));
-  EXPECT_TRUE(note(kReply, then_ns));
-  EXPECT_FALSE(note(kTransition, now_ns()));
+  EXPECT_TRUE(note(kIoTransition, then_ns));
+  EXPECT_FALSE(note(kIoState, now_ns()));
+  EXPECT_TRUE(note(kIoReply, then_ns));
+  EXPECT_FALSE(note(kIoTransition, now_ns()));
 }
 
 TEST_F(RecordersGapWatchTest, GoesByTheStatesOfTheSameRobot) {
   const auto then_ns = cut_off();
-  EXPECT_FALSE(note(writer_of("rt/ganymede/transition", "Transition"), then_ns));
+  EXPECT_FALSE(note(typed_writer("rt/ganymede/transition", "Transition"), then_ns));
 }
 
 TEST_F(RecordersGapWatchTest, OtherMessagesFillNothing) {
   const auto then_ns = cut_off();
-  EXPECT_FALSE(note(writer_of("rt/io/sightings", "Sightings"), then_ns));
-  EXPECT_FALSE(note(writer_of("rt/io/transition", "Strange"), then_ns));
-  EXPECT_FALSE(note(writer_of("state", "RobotState"), then_ns));
+  EXPECT_FALSE(note(typed_writer("rt/io/sightings", "Sightings"), then_ns));
+  EXPECT_FALSE(note(typed_writer("rt/io/transition", "Strange"), then_ns));
+  EXPECT_FALSE(note(typed_writer("state", "RobotState"), then_ns));
 }
 
 TEST_F(RecordersGapWatchTest, KnowsWhichChangesOfStateGoWithAState) {
-  EXPECT_TRUE(GapWatch::is_state(kState));
-  EXPECT_FALSE(GapWatch::is_state(kTransition));
-  const auto transitions = GapWatch::transitions_of(kState);
-  EXPECT_EQ(transitions.topic, kTransition.topic);
-  EXPECT_EQ(transitions.dds_type, kTransition.dds_type);
+  EXPECT_TRUE(GapWatch::is_state(kIoState));
+  EXPECT_FALSE(GapWatch::is_state(kIoTransition));
+  const auto transitions = GapWatch::transitions_of(kIoState);
+  EXPECT_EQ(transitions.topic, kIoTransition.topic);
+  EXPECT_EQ(transitions.dds_type, kIoTransition.dds_type);
   EXPECT_TRUE(is_robot_event(transitions));
 }
 

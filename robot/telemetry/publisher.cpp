@@ -31,14 +31,6 @@ void write(wire::Writer<M>& writer, const M& message) {
   static_cast<void>(writer.write(message));
 }
 
-/// Returns the highest power of ten that is not more, so that a count is told anew only when it has
-/// grown tenfold. Requires: `count` > 0.
-std::uint64_t power_of_ten_in(std::uint64_t count) {
-  std::uint64_t power = 1;
-  while (count / power >= 10) power *= 10;
-  return power;
-}
-
 /// Returns "office_cleanup.bhdl (0123abcd)".
 std::string named(const bhdl::Program& program) {
   return program.name + " (" + program.hash.substr(0, 8) + ")";
@@ -62,10 +54,7 @@ Publisher::Publisher(const TelemetrySource& source, LogQueue& log, const ThreadP
       threads_(threads),
       listener_(std::move(listener)),
       compose_(source.robot, source.clock),
-      writers_(std::make_shared<RobotWriters>(source.participant, source.robot)),
-      transitions_([writers = writers_](const msg::Transition& transition) {
-        return writers->transition.write(transition);
-      }) {
+      writers_(std::make_shared<RobotWriters>(source.participant, source.robot)) {
   write(writers_->catalog, compose_.catalog(source_.catalog));
   worker_ = Worker(
       [this](const std::stop_token& stop) {
@@ -79,7 +68,6 @@ Publisher::Publisher(const TelemetrySource& source, LogQueue& log, const ThreadP
 void Publisher::step() {
   compose_.refresh_time();
   source_.executive.collect();
-  transitions_.send_waiting();
   bool anything_happened = false;
   while (const auto event = source_.tap.next_event()) {
     tell(*event);
@@ -128,7 +116,7 @@ void Publisher::tell_transition(const Event& event) {
   const msg::Transition transition = compose_.transition(event, *from, *to);
   log_info(change_words(transition.from_state, transition.to_state) + " (" + transition.cause +
            ")");
-  transitions_.send(transition);
+  write(writers_->transition, transition);
 }
 
 void Publisher::tell_program(ProgramId id) {
@@ -149,10 +137,6 @@ std::vector<Problem> Publisher::problems() const {
   auto problems = problems_of(snapshot, described_.get(), source_.devices);
   if (source_.clock.now() - snapshot.now > kStandstill)
     problems.push_back({"executive", "The control loop stands still."});
-  if (const auto dropped = transitions_.dropped(); dropped > 0 && transitions_.waiting() > 0)
-    problems.push_back({"telemetry", "Changes of state were dropped, at least " +
-                                         std::to_string(power_of_ten_in(dropped)) +
-                                         " of them, because the network takes none."});
   std::ranges::move(threads_.all(), std::back_inserter(problems));
   return problems;
 }

@@ -13,7 +13,6 @@
 #include "robot/log/log_queue.h"
 #include "robot/telemetry/accepted_senders.h"
 #include "robot/telemetry/compose.h"
-#include "robot/telemetry/event_outbox.h"
 #include "robot/telemetry/thread_problems.h"
 
 namespace galilean::robot {
@@ -75,7 +74,6 @@ class Publisher {
   Listener listener_;
   Composer compose_;
   std::shared_ptr<RobotWriters> writers_;
-  EventOutbox<msg::Transition> transitions_;
   std::shared_ptr<const Description> described_;
   std::vector<Problem> problems_;
   Time next_report_{};

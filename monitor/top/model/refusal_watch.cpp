@@ -49,8 +49,8 @@ void RefusalWatch::look(const Intake& intake, Time now) {
          refused.messages, now);
   for (const auto& channel : intake.channels)
     if (channel.lost > 0)
-      note({"lost " + channel.topic, sender_of(channel.topic), loss_words(channel)}, channel.lost,
-           now);
+      note({"lost " + channel.topic, sender_of(channel.topic), loss_words(channel), true},
+           channel.lost, now);
   if (const auto topics = intake.topics_not_read; topics > 0)
     note({"refused topics", wire::Refusals::kOthers,
           plural(topics, "topic") + agreeing(topics, " is", " are") +

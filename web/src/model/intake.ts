@@ -37,7 +37,7 @@ function alarmOf(key: string, { topic, reason, messages }: RefusedMessages): Ala
 
 function alarmOfLosses({ topic, lost }: ChannelIntake): Alarm {
   const words = `${plural(lost, "message")} on ${topic.slice("rt".length)} ${lost === 1 ? "was" : "were"} lost: more happened in a gap than the robot keeps.`;
-  return { key: `lost ${topic}`, kind: "refused", robot: senderOf(topic), words, timed: true, advice: "Look at its network. What it did then stands in a recording that was made beside it, if there is one." };
+  return { key: `lost ${topic}`, kind: "lost", robot: senderOf(topic), words, timed: true, advice: "Look at its network. What it did then stands in a recording that was made beside it, if there is one." };
 }
 
 function alarmOfTopics(topics: number): Alarm {

@@ -30,7 +30,7 @@ it("tells of events that were lost, and not of those that filled a gap", () => {
   tell(0, 0);
   expect(intake.alarms(1000)).toEqual([]);
   tell(12, 5000);
-  expect(intake.alarms(6000)).toMatchObject([{ robot: "io", words: "12 messages on /io/transition were lost: more happened in a gap than the robot keeps." }]);
+  expect(intake.alarms(6000)).toMatchObject([{ kind: "lost", robot: "io", words: "12 messages on /io/transition were lost: more happened in a gap than the robot keeps." }]);
   tell(12, 20_000);
   expect(intake.alarms(40_000)).toEqual([]);
 });

@@ -63,6 +63,7 @@ TEST(RefusalWatch, TellsOfEventsThatWereLost) {
   EXPECT_EQ(watch.ongoing(Time{2s})[0].sender, "io");
   EXPECT_EQ(watch.ongoing(Time{2s})[0].words,
             "12 messages on /io/transition were lost: more happened in a gap than the robot keeps");
+  EXPECT_TRUE(watch.ongoing(Time{2s})[0].is_loss);
 }
 
 TEST(RefusalWatch, IsAnAlarmOfTheDashboard) {

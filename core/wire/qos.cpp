@@ -19,7 +19,7 @@ constexpr auto kDeliveries = std::to_array<std::pair<std::string_view, Delivery>
     {"galilean_msgs/msg/SimulationState", Delivery::kState},
     {"nav_msgs/msg/OccupancyGrid", Delivery::kState},
     {"visualization_msgs/msg/MarkerArray", Delivery::kState},
-    {"galilean_msgs/msg/Transition", Delivery::kEvent},
+    {"galilean_msgs/msg/Transition", Delivery::kJournal},
     {"galilean_msgs/msg/ProgramReply", Delivery::kEvent},
     {"galilean_msgs/msg/PushProgress", Delivery::kEvent},
     {"galilean_msgs/msg/SimulationEvent", Delivery::kEvent},
@@ -72,6 +72,9 @@ Qos make_qos(Delivery delivery) {
       break;
     case Delivery::kEvent:
       set_history(qos.get(), 64, true);
+      break;
+    case Delivery::kJournal:
+      set_history(qos.get(), kJournalDepth, true);
       break;
     case Delivery::kCommand:
       set_history(qos.get(), 64, false);

@@ -3,6 +3,7 @@
 #include <dds/ddsi/ddsi_serdata.h>
 
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "core/wire/announced.h"
@@ -13,6 +14,7 @@
 #include "core/wire/qos.h"
 #include "core/wire/reader.h"
 #include "core/wire/refusals.h"
+#include "core/wire/schemas.h"
 #include "core/wire/security.h"
 #include "core/wire/untyped_topic.h"
 
@@ -49,6 +51,13 @@ std::optional<Sender> participant_of(dds_entity_t member, dds_instance_handle_t 
   return sender;
 }
 
+/// Errors: throws std::runtime_error if no message has that type.
+UntypedTopic untyped_topic_of(const std::string& topic, const std::string& ros_type) {
+  const auto* schema = find_schema_by_ros_type(ros_type);
+  if (!schema) throw std::runtime_error("no message type is called " + ros_type);
+  return {.name = topic, .dds_type = std::string(schema->dds_type)};
+}
+
 }  // namespace
 
 Reader::Reader(Participant& participant, const std::string& topic, const std::string& ros_type,
@@ -70,6 +79,19 @@ Reader::Reader(Participant& participant, const UntypedTopic& topic, const Endpoi
   entity_ = Entity(permitted(
       dds_create_reader(participant.handle(), untyped_topic_.handle(), qos.get(), nullptr), "read",
       topic.name));
+}
+
+Reader::Reader(Participant& participant, const std::string& topic, const std::string& ros_type,
+               Numbered)
+    : topic_(topic),
+      refusals_(&participant.refusals()),
+      bounds_(bounds_of(ros_type)),
+      untyped_topic_(make_untyped_topic(participant, untyped_topic_of(topic, ros_type))) {
+  if (untyped_topic_.handle() == 0) return;
+  const auto qos = make_qos(delivery_of(ros_type));
+  entity_ = Entity(permitted(
+      dds_create_reader(participant.handle(), untyped_topic_.handle(), qos.get(), nullptr), "read",
+      topic));
 }
 
 Reader::~Reader() {
@@ -127,6 +149,11 @@ std::optional<Sender> Reader::sender(std::uint64_t writer) const {
   if (!endpoint) return std::nullopt;
   return participant_of(dds_get_participant(entity_.handle()),
                         endpoint->participant_instance_handle);
+}
+
+std::string Reader::guid_of(std::uint64_t writer) const {
+  const Endpoint endpoint(dds_get_matched_publication_data(entity_.handle(), writer));
+  return endpoint ? hexadecimal(endpoint->key) : std::string();
 }
 
 bool Reader::matches(std::uint64_t writer) const {

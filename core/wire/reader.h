@@ -24,8 +24,8 @@ struct Received {
   std::span<const std::uint8_t> cdr;  ///< with its four-byte header
   std::int64_t sent_ns;               ///< by its writer's clock, since the Unix epoch
   std::uint64_t writer;               ///< for Reader::sender; EndpointInfo::handle
-  /// The writer's number of the message, from 1, of which none is used twice; 0: unknown, as on
-  /// all topics that are not untyped.
+  /// The writer's number of the message, from 1, of which none is used twice; 0: unknown, as it is
+  /// to readers that are neither of an untyped topic nor Numbered.
   std::uint64_t sequence = 0;
   /// The robot that the message says it is of. It is empty if it names none, and on untyped topics.
   std::string_view robot = {};
@@ -40,6 +40,9 @@ struct Sender {
 
   bool operator==(const Sender&) const = default;
 };
+
+/// Asks a reader for the numbers that writers give to their messages.
+struct Numbered {};
 
 /// Receives the messages of one topic as bytes. msg::decode_cdr turns them into structs. A topic
 /// that DDS Security does not permit to read is left out, and nothing comes.
@@ -57,6 +60,10 @@ class Reader {
   /// asks of its writers. It keeps `depth` messages between two calls of `take`. Errors: throws
   /// std::runtime_error if Cyclone refuses the topic.
   Reader(Participant& participant, const UntypedTopic& topic, const EndpointQos& asked, int depth);
+  /// Receives the messages of one of this release's types, and hands each over with its writer's
+  /// number of it. Errors: throws std::runtime_error if Cyclone refuses the topic, or if `ros_type`
+  /// is not one of the messages.
+  Reader(Participant& participant, const std::string& topic, const std::string& ros_type, Numbered);
   ~Reader();
   /// Calls `receive` for each valid message that came since the last call, in the calling thread.
   void take(const std::function<void(const Received&)>& receive);
@@ -72,6 +79,10 @@ class Reader {
   /// Returns the writer's process, or nothing if the writer has left or announced no name. `writer`
   /// is Received::writer. Requires: the caller is no callback of on_data(), because this asks DDS.
   [[nodiscard]] std::optional<Sender> sender(std::uint64_t writer) const;
+  /// Returns the writer's GUID, hexadecimal, which it keeps as long as it lives; or an empty string
+  /// if it has left. `writer` is Received::writer, which is another one when DDS connects the same
+  /// writer anew. Requires: as `sender` does.
+  [[nodiscard]] std::string guid_of(std::uint64_t writer) const;
 
  private:
   /// Returns whether the message is within its bounds, and counts it if not. Sets its robot.

@@ -32,6 +32,7 @@ struct Message {
   std::int64_t sent_ns;      ///< time since the Unix epoch, of the writer's clock
   Payload cdr;               ///< the message in CDR, with the four-byte header
   bool replayed = false;     ///< a replay sent it: it comes from a recording, and nobody is there
+  bool filled = false;       ///< it is an event that fills a gap: see wire::CutOffWatch
 };
 
 }  // namespace galilean::monitor

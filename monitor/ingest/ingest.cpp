@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "core/visible_text.h"
+#include "core/wire/messages.h"
 #include "core/wire/refusals.h"
 #include "core/wire/ros_time.h"
+#include "monitor/ingest/event_intake.h"
 
 namespace galilean::monitor {
 
@@ -23,16 +25,41 @@ struct Ingest::Signals {
 };
 
 struct Ingest::Source {
+  /// What a message says of how its robot is heard.
+  enum class Kind { kState, kEvent, kOther };
+
   Channel channel;
+  Kind kind = Kind::kOther;
   std::atomic<bool> has_data{false};
   bool rests = false;
   std::unique_ptr<wire::Reader> reader;
   std::map<std::uint64_t, bool> replays = {};  ///< by writer: whether a replay has it
   std::uint64_t messages = 0;
-  Time newest{};  ///< when the newest of `messages` came
+  Time newest{};                                    ///< when the newest of `messages` came
+  EventIntake events = {};                          ///< of Kind::kEvent
+  std::map<std::uint64_t, std::string> guids = {};  ///< by writer, as far as they were asked for
 
+  [[nodiscard]] static Kind kind_of(std::string_view ros_type) noexcept;
   [[nodiscard]] bool is_replayed(const wire::Received& received);
+  [[nodiscard]] std::string guid_of(std::uint64_t writer);
 };
+
+Ingest::Source::Kind Ingest::Source::kind_of(std::string_view ros_type) noexcept {
+  if (ros_type == msg::RobotState::kRosType) return Kind::kState;
+  return ros_type == msg::Transition::kRosType || ros_type == msg::ProgramReply::kRosType
+             ? Kind::kEvent
+             : Kind::kOther;
+}
+
+/// Asks discovery once for each writer. One that has left already keeps the number by which DDS
+/// knew it.
+std::string Ingest::Source::guid_of(std::uint64_t writer) {
+  if (const auto known = guids.find(writer); known != guids.end()) return known->second;
+  const auto guid = reader->guid_of(writer);
+  if (guid.empty()) return "handle " + std::to_string(writer);
+  if (guids.size() >= EventIntake::kMostWriters) guids.clear();
+  return guids[writer] = guid;
+}
 
 /// Asks discovery once for each writer, because that takes longer than all else here. A writer that
 /// has left already is asked for again.
@@ -83,20 +110,36 @@ void Ingest::poll() {
 
 void Ingest::take(Source& source) {
   source.reader->take([&](const wire::Received& received) {
-    if (!follows(received)) return;
+    bool filled = false;
+    if (!follows(received) || !account(source, received, filled)) return;
     ++source.messages;
     source.newest = clock_.now();
     callbacks_.message({source.channel, wire::wall_clock_ns(), received.sent_ns,
                         std::make_shared<const std::vector<std::uint8_t>>(received.cdr.begin(),
                                                                           received.cdr.end()),
-                        source.is_replayed(received)});
+                        source.is_replayed(received), filled});
   });
+}
+
+bool Ingest::account(Source& source, const wire::Received& received, bool& filled) {
+  if (source.kind == Source::Kind::kOther || received.robot.empty()) return true;
+  auto watch = cut_offs_.find(received.robot);
+  if (watch == cut_offs_.end())
+    watch = cut_offs_.emplace(std::string(received.robot), wire::CutOffWatch()).first;
+  const Time now = clock_.now();
+  if (source.kind == Source::Kind::kState) {
+    watch->second.note_state(now, received.sent_ns);
+    return true;
+  }
+  filled = watch->second.fills_gap(now, received.sent_ns);
+  return source.events.note(source.guid_of(received.writer), received.sequence, filled);
 }
 
 // Only a valid message brings its robot here, so that a name that is only announced takes no place.
 bool Ingest::follows(const wire::Received& received) {
   if (received.robot.empty()) return true;
   const auto admission = robots_.hear(received.robot, clock_.now());
+  cut_offs_.erase(admission.forgotten);
   if (!admission.forgotten.empty() && callbacks_.forgotten)
     callbacks_.forgotten(admission.forgotten);
   if (admission.is_followed) return true;
@@ -138,6 +181,7 @@ void Ingest::add(const wire::Publication& publication) {
   auto& source = *sources_.emplace_back(std::make_unique<Source>());
   source.channel = {static_cast<std::uint32_t>(sources_.size()), publication.topic, schema,
                     wire::delivery_of(schema->ros_type)};
+  source.kind = Source::kind_of(schema->ros_type);
   by_topic_[publication.topic] = &source;
   if (callbacks_.channel) callbacks_.channel(source.channel);
   if (read_at_once_(source.channel)) open(source);
@@ -154,13 +198,18 @@ Intake Ingest::intake() const {
     channel.topic = source->channel.topic;
     channel.messages = source->messages;
     if (source->messages > 0) channel.age_s = to_seconds(now - source->newest);
+    channel.filled = source->events.filled();
+    channel.lost = source->events.lost();
   }
   return intake;
 }
 
 void Ingest::open(Source& source) try {
-  source.reader = std::make_unique<wire::Reader>(participant_, source.channel.topic,
-                                                 std::string(source.channel.schema->ros_type));
+  const std::string type(source.channel.schema->ros_type);
+  source.reader = source.kind == Source::Kind::kEvent
+                      ? std::make_unique<wire::Reader>(participant_, source.channel.topic, type,
+                                                       wire::Numbered{})
+                      : std::make_unique<wire::Reader>(participant_, source.channel.topic, type);
   source.has_data = true;  // because messages may have come before the listener was set
   source.reader->on_data([signals = signals_, &source] {
     source.has_data = true;

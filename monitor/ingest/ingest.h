@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/clock.h"
+#include "core/wire/cut_off_watch.h"
 #include "core/wire/discovery.h"
 #include "core/wire/participant.h"
 #include "core/wire/reader.h"
@@ -26,6 +27,10 @@ namespace galilean::monitor {
 /// reads so many topics, of all and of each process. It counts what is beyond, names the first of
 /// it, and ignores it. One call of `poll` takes in at most kMostNewTopics topics, so that a flood
 /// of them does not hold the thread.
+///
+/// Of a robot's changes of state and answers to pushes none may be missed. They are told apart by
+/// their writers' numbers: what DDS sends again is dropped, what fills a gap in which the robot
+/// could not be heard is marked, and what is lost is counted.
 ///
 /// For use by one thread, which also runs the callbacks. Cyclone's threads only call `wake`, at
 /// most once between two calls of `poll`. `wake` must make the owner's thread call `poll`: it posts
@@ -84,6 +89,9 @@ class Ingest {
   [[nodiscard]] bool has_room_for(const wire::Publication& publication);
   /// Returns whether the message is of a robot that is followed, or of none.
   [[nodiscard]] bool follows(const wire::Received& received);
+  /// Notes a state or an event of a robot, and sets whether the event fills a gap. Returns false if
+  /// it is an event that has come before.
+  [[nodiscard]] bool account(Source& source, const wire::Received& received, bool& filled);
 
   wire::Participant& participant_;
   Callbacks callbacks_;
@@ -94,6 +102,7 @@ class Ingest {
   std::map<std::string, std::size_t> topics_of_;  ///< how many are read, by their first process
   std::size_t topics_not_read_ = 0;
   RobotRoster robots_;
+  std::map<std::string, wire::CutOffWatch, std::less<>> cut_offs_;  ///< by robot, of `robots_`
   std::string beyond_;  ///< why messages of further robots are refused; it names the first
   SteadyClock clock_;
   std::unique_ptr<wire::Discovery> discovery_;

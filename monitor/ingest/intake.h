@@ -16,6 +16,9 @@ struct ChannelIntake {
   std::string topic;                 ///< as on DDS: "rt/io/state"
   std::uint64_t messages = 0;        ///< taken since the start
   std::optional<double> age_s = {};  ///< since the newest came; nothing: none came yet
+  // Of a robot's events, which its writers number; see EventIntake.
+  std::uint64_t filled = 0;  ///< of `messages`: those that fill a gap
+  std::uint64_t lost = 0;    ///< those that will not come any more
 };
 
 /// What a monitor takes in from DDS, and what it does not.

@@ -31,6 +31,7 @@ void add_wanted(wire::Delivery delivery, std::vector<std::uint16_t> channels, st
       to.push_back({std::move(channels), kept, 0});
       break;
     case wire::Delivery::kEvent:
+    case wire::Delivery::kJournal:
       to.push_back({std::move(channels), kept, before(at_ns, kEventsSince_ns)});
       break;
     case wire::Delivery::kFlow:

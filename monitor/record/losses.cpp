@@ -19,6 +19,7 @@ constexpr const char* kLossesSchema = R"({
     "process": {"type": "string", "description": "the name of the writer's process, or its GUID"},
     "writer": {"type": "string", "description": "the writer's own GUID"},
     "recorded": {"type": "integer", "description": "messages in the recording"},
+    "filled": {"type": "integer", "description": "of these: events of a robot that came late, and fill a gap in which it was not heard"},
     "not_received": {"type": ["integer", "null"], "description": "sent between the first and the last that came; null: unknown"},
     "overrun": {"type": "integer", "description": "of these: missed while the recorder's own queue was full"},
     "sent_before": {"type": "integer", "description": "sent before the first that came"},
@@ -38,6 +39,11 @@ std::string text_in(const nlohmann::json& json, const char* name) {
   return found != json.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
+/// Returns what is told while it records, each time that it has grown.
+std::uint64_t told_of(const WriterLosses& losses) noexcept {
+  return losses.missing() + losses.filled;
+}
+
 std::uint64_t beyond(std::uint64_t count, std::uint64_t before) noexcept {
   return count - std::min(count, before);
 }
@@ -52,15 +58,11 @@ std::uint64_t total_missing(const std::vector<WriterLosses>& losses) noexcept {
 
 nlohmann::ordered_json json_of(const WriterLosses& losses) {
   const nlohmann::ordered_json lost = losses.lost ? nlohmann::ordered_json(*losses.lost) : nullptr;
-  return {{"topic", losses.topic},
-          {"process", losses.process},
-          {"writer", losses.writer},
-          {"recorded", losses.recorded},
-          {"not_received", lost},
-          {"overrun", losses.overrun},
-          {"sent_before", losses.sent_before},
-          {"unwritten", losses.unwritten},
-          {"left_out", losses.left_out},
+  return {{"topic", losses.topic},         {"process", losses.process},
+          {"writer", losses.writer},       {"recorded", losses.recorded},
+          {"filled", losses.filled},       {"not_received", lost},
+          {"overrun", losses.overrun},     {"sent_before", losses.sent_before},
+          {"unwritten", losses.unwritten}, {"left_out", losses.left_out},
           {"paused", losses.paused}};
 }
 
@@ -72,6 +74,7 @@ std::optional<WriterLosses> read_losses(std::string_view text) {
                       .process = text_in(json, "process"),
                       .writer = text_in(json, "writer"),
                       .recorded = number_in(json, "recorded"),
+                      .filled = number_in(json, "filled"),
                       .lost = number_in(json, "not_received"),
                       .overrun = number_in(json, "overrun"),
                       .sent_before = number_in(json, "sent_before"),
@@ -84,6 +87,7 @@ std::optional<WriterLosses> read_losses(std::string_view text) {
 
 WriterLosses beyond(WriterLosses losses, const WriterLosses& before) noexcept {
   losses.recorded = beyond(losses.recorded, before.recorded);
+  losses.filled = beyond(losses.filled, before.filled);
   if (losses.lost) losses.lost = beyond(*losses.lost, before.lost.value_or(0));
   losses.overrun = beyond(losses.overrun, before.overrun);
   losses.sent_before = beyond(losses.sent_before, before.sent_before);
@@ -106,15 +110,15 @@ mcap::Metadata losses_metadata(const char* name, const std::vector<WriterLosses>
 }
 
 Result<void> LossLog::begin(const std::vector<WriterLosses>& before) {
-  for (const auto& each : before) told_[each.writer] = each.missing();
+  for (const auto& each : before) told_[each.writer] = told_of(each);
   return writer_.write(losses_metadata(kLossesBeforeMetadata, before));
 }
 
 Result<void> LossLog::tell(const std::vector<WriterLosses>& losses, std::int64_t now_ns) {
   for (const auto& each : losses) {
-    if (each.missing() == told_[each.writer]) continue;
+    if (told_of(each) == told_[each.writer]) continue;
     if (auto done = write(each, now_ns); !done) return done;
-    told_[each.writer] = each.missing();
+    told_[each.writer] = told_of(each);
   }
   return {};
 }

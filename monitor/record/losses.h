@@ -29,6 +29,8 @@ struct WriterLosses {
   std::string process;  ///< the name with which the writer's process joined, or its GUID
   std::string writer;   ///< its own GUID, which no other writer has
   std::uint64_t recorded = 0;
+  /// Of `recorded`: events of a robot that came late, and fill a gap in which it was not heard.
+  std::uint64_t filled = 0;
   /// Sent between the first and the last that came. Nothing: it cannot be known on a topic with
   /// keys, whose writers number what ends a key, too.
   std::optional<std::uint64_t> lost = 0;
@@ -77,7 +79,8 @@ class LossLog {
   mcap::Writer& writer_;
   std::uint16_t channel_ = 0;  ///< 0: nothing was told yet
   std::uint32_t sequence_ = 0;
-  std::map<std::string, std::uint64_t> told_;  ///< how many are missing, by writer
+  /// How many are missing and how many fill gaps, together, by writer. Both only grow.
+  std::map<std::string, std::uint64_t> told_;
 };
 
 }  // namespace galilean::monitor

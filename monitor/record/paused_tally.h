@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "monitor/record/sequence_tally.h"
+#include "core/wire/sequence_tally.h"
 
 namespace galilean::monitor {
 
@@ -14,7 +14,7 @@ class PausedTally {
  public:
   /// Takes note of a message that came in a pause. `pause` numbers the pauses, from 1. Requires:
   /// `tally` has taken note of the message.
-  void note(std::uint64_t pause, const SequenceTally& tally) noexcept {
+  void note(std::uint64_t pause, const wire::SequenceTally& tally) noexcept {
     ++came_;
     if (pause == pause_) lost_ += tally.lost() - lost_then_;
     pause_ = pause;

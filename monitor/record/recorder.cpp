@@ -16,14 +16,12 @@ constexpr Duration kLookEach = std::chrono::seconds(1);
 
 Recorder::Recorder(Setup setup)
     : setup_(std::move(setup)),
-      recordings_({.participant = setup_.participant,
-                   .selection = setup_.selection,
-                   .overhears =
-                       [trigger = setup_.snapshots.trigger](const wire::EndpointInfo& writer) {
-                         return trigger && trigger->wants(writer);
-                       },
-                   .warn = setup_.warn,
-                   .on_data = [this] { wake_.ring(); }}),
+      recordings_(
+          {.participant = setup_.participant,
+           .selection = setup_.selection,
+           .overhears = [this](const wire::EndpointInfo& writer) { return overhears(writer); },
+           .warn = setup_.warn,
+           .on_data = [this] { wake_.ring(); }}),
       definitions_(setup_.participant, setup_.ended),
       picture_budget_(setup_.picture_bytes_per_s),
       discovery_(setup_.participant) {
@@ -33,6 +31,12 @@ Recorder::Recorder(Setup setup)
   });
   if (setup_.snapshots.trigger) ring_.emplace(setup_.snapshots.before, setup_.snapshots.most_bytes);
   wake_.ring();
+}
+
+/// States tell which events fill a gap.
+bool Recorder::overhears(const wire::EndpointInfo& writer) const {
+  if (setup_.snapshots.trigger && setup_.snapshots.trigger->wants(writer)) return true;
+  return GapWatch::is_state(writer) && setup_.selection.takes(GapWatch::transitions_of(writer));
 }
 
 Result<void> Recorder::begin() {
@@ -67,8 +71,9 @@ Result<void> Recorder::record() {
 
 Result<void> Recorder::take_in(const wire::Received& received, TopicRecording::Writer& writer) {
   const Time now = setup_.clock.now();
+  const bool fills_gap = gaps_.note(writer.info, received, now);
   if (!writer.recorded) {
-    if (!pause_) setup_.snapshots.trigger->take(writer.info, received, now);
+    if (!pause_ && ring_) setup_.snapshots.trigger->take(writer.info, received, now);
     return {};
   }
   if (pause_) return pass_over(received, writer), Result<void>();
@@ -79,10 +84,17 @@ Result<void> Recorder::take_in(const wire::Received& received, TopicRecording::W
     ++writer.unwritten;
   else if (is_picture(writer.info) && !picture_budget_.takes(received.cdr.size(), now))
     ++writer.left_out;
-  else if (waits)
-    ring_->add(writer.info, received, now, wire::wall_clock_ns());
   else
-    return write(writer.info, received, wire::wall_clock_ns());
+    return keep(received, writer, now, fills_gap);
+  return {};
+}
+
+/// Writes a message, or keeps it for an event.
+Result<void> Recorder::keep(const wire::Received& received, TopicRecording::Writer& writer,
+                            Time now, bool fills_gap) {
+  if (fills_gap) ++writer.filled;
+  if (!ring_ || setup_.files.is_open()) return write(writer.info, received, wire::wall_clock_ns());
+  ring_->add(writer.info, received, now, wire::wall_clock_ns());
   return {};
 }
 

@@ -18,6 +18,7 @@
 #include "monitor/record/byte_budget.h"
 #include "monitor/record/channels.h"
 #include "monitor/record/disk_room.h"
+#include "monitor/record/gap_watch.h"
 #include "monitor/record/kept_messages.h"
 #include "monitor/record/losses.h"
 #include "monitor/record/message_ring.h"
@@ -106,6 +107,10 @@ class Recorder {
   [[nodiscard]] Result<void> record();
   [[nodiscard]] Result<void> take_in(const wire::Received& received,
                                      TopicRecording::Writer& writer);
+  /// Returns whether a writer is heard though it is not recorded.
+  [[nodiscard]] bool overhears(const wire::EndpointInfo& writer) const;
+  [[nodiscard]] Result<void> keep(const wire::Received& received, TopicRecording::Writer& writer,
+                                  Time now, bool fills_gap);
   void pass_over(const wire::Received& received, TopicRecording::Writer& writer);
   [[nodiscard]] Result<void> follow_events(Time now);
   [[nodiscard]] Result<void> begin_snapshot(const std::string& event);
@@ -137,6 +142,7 @@ class Recorder {
   std::optional<Contents> contents_;     ///< of the open file
   std::vector<WriterLosses> concluded_;  ///< what was told at the end of the newest file that ended
   KeptMessages kept_;
+  GapWatch gaps_;
   std::optional<Pause> pause_;              ///< the one that is going on
   std::uint64_t pauses_ = 0;                ///< that have begun
   std::set<std::string> changed_in_pause_;  ///< GUIDs of the writers whose messages came in it

@@ -39,13 +39,14 @@ std::string emptiness_text(Emptiness why) {
 std::string losses_text(const WriterLosses& losses) {
   const auto lost = losses.lost.value_or(losses.overrun);
   const auto overrun = std::min(losses.overrun, lost);
-  const std::array<std::pair<std::uint64_t, const char*>, 6> reasons{{
+  const std::array<std::pair<std::uint64_t, const char*>, 7> reasons{{
       {overrun, "lost because the recorder was too slow"},
       {lost - overrun, "lost before they reached the recorder"},
       {losses.unwritten, "not written for want of room"},
       {losses.paused, "sent while it was paused"},
       {losses.left_out, "left out as was asked"},
       {losses.sent_before, "sent before it listened"},
+      {losses.filled, "recorded late, after a gap"},
   }};
   std::string text = losses.lost ? "" : "an unknown number lost";
   for (const auto& [count, reason] : reasons)

@@ -74,7 +74,8 @@ void take_in_what_was_told(const mcap::ByteSource& source, const mcap::Summary& 
 
 bool says_nothing(const WriterLosses& losses) noexcept {
   return losses.lost == 0 &&
-         losses.sent_before + losses.unwritten + losses.left_out + losses.paused == 0;
+         losses.filled + losses.sent_before + losses.unwritten + losses.left_out + losses.paused ==
+             0;
 }
 
 }  // namespace

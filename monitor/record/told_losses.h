@@ -16,7 +16,7 @@ namespace galilean::monitor {
 /// What a file tells of what it lacks. Of a recording in several files, it is what the file lacks
 /// from the end of the file before.
 struct ToldLosses {
-  std::vector<WriterLosses> writers;  ///< those of which something did not come
+  std::vector<WriterLosses> writers;  ///< those of which something came late or did not come
   /// Whether it was told at the recording's end. Otherwise the recorder did not end in order, and
   /// more may have been lost. It is false for a copy that may lack more than it tells, too.
   bool is_whole = false;

@@ -13,8 +13,8 @@
 #include "core/wire/endpoints.h"
 #include "core/wire/participant.h"
 #include "core/wire/reader.h"
+#include "core/wire/sequence_tally.h"
 #include "monitor/record/paused_tally.h"
-#include "monitor/record/sequence_tally.h"
 
 namespace galilean::monitor {
 
@@ -34,11 +34,12 @@ class TopicRecording {
   };
   struct Writer {
     wire::EndpointInfo info;
-    SequenceTally tally;
+    wire::SequenceTally tally;
     /// Of those that did not come: how many were missed while a reader's queue was full.
     std::uint64_t overrun = 0;
     bool recorded = true;  ///< otherwise it is heard, and counted nowhere
-    // For who receives the messages, to count what he did not write:
+    // For who receives the messages, to count what he wrote of a gap, and what he did not write:
+    std::uint64_t filled = 0;     ///< events of a robot that fill a gap
     std::uint64_t unwritten = 0;  ///< for want of room
     std::uint64_t left_out = 0;   ///< because more was not asked for
     PausedTally paused;           ///< because the recording was paused

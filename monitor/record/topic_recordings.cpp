@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "core/visible_text.h"
+#include "core/wire/delivery.h"
+#include "monitor/record/gap_watch.h"
 #include "monitor/wire/topic_name.h"
 
 namespace galilean::monitor {
@@ -14,6 +16,13 @@ namespace {
 /// The number of messages of each reader that may wait while a chunk is compressed and written. It
 /// is a minute of a robot's state or six seconds of pictures.
 constexpr int kReaderDepth = 600, kPictureDepth = 60;
+/// What a robot kept while it could not be heard comes at once.
+constexpr int kEventDepth = wire::kJournalDepth + kReaderDepth;
+
+int depth_of(const wire::EndpointInfo& writer) {
+  if (is_picture(writer)) return kPictureDepth;
+  return is_robot_event(writer) ? kEventDepth : kReaderDepth;
+}
 
 WriterLosses losses_of(const TopicRecording::Kind& kind, const TopicRecording::Writer& writer) {
   const auto lost = writer.tally.lost() - writer.paused.lost();
@@ -22,6 +31,7 @@ WriterLosses losses_of(const TopicRecording::Kind& kind, const TopicRecording::W
           .writer = writer.info.guid,
           .recorded =
               writer.tally.received() - writer.unwritten - writer.left_out - writer.paused.came(),
+          .filled = writer.filled,
           .lost = kind.keyed ? std::nullopt : std::optional(lost),
           .overrun = std::min(writer.overrun, lost),
           .sent_before = writer.tally.sent_before(),
@@ -58,7 +68,7 @@ TopicRecording& TopicRecordings::recording_of(const wire::EndpointInfo& writer) 
         TopicRecording::Setup{.participant = setup_.participant,
                               .kind = TopicRecording::kind_of(writer),
                               .recorded = setup_.selection.takes(writer),
-                              .depth = is_picture(writer) ? kPictureDepth : kReaderDepth,
+                              .depth = depth_of(writer),
                               .find = [this](std::uint64_t handle) { return find_writer(handle); },
                               .on_data = setup_.on_data});
   return *recording;

@@ -86,6 +86,16 @@ void decode_for(const Message& message, Take take) {
   if (msg::decode_cdr(*message.cdr, decoded)) take(decoded);
 }
 
+/// Decodes an answer to a push. One that fills a gap says so wherever its words are kept or shown.
+template <class Take>
+void decode_reply_for(const Message& message, Take take) {
+  decode_for<msg::ProgramReply>(message, [&](msg::ProgramReply& reply) {
+    if (message.filled)
+      reply.message += reply.message.empty() ? "filled after a gap" : " (filled after a gap)";
+    take(reply);
+  });
+}
+
 }  // namespace
 
 // The members are destroyed in the reverse order. The io_context destroys the sessions, and these
@@ -255,7 +265,7 @@ void Monitor::Parts::receive(const Message& message) {
   team.receive(message);
   map.receive(message);
   trials.receive(message);
-  decode_for<msg::ProgramReply>(message, [this](const auto& reply) { desk.note(reply); });
+  decode_reply_for(message, [this](const auto& reply) { desk.note(reply); });
   decode_for<msg::ProgramPush>(message, [this](const auto& push) { desk.note(push); });
   decode_for<msg::SimulationState>(message, [this](const auto& state) { simulations.note(state); });
   decode_for<msg::SimulationEvent>(message, [this](const auto& event) { simulations.note(event); });
@@ -270,7 +280,7 @@ void Monitor::Parts::keep_order(const Message& message) {
   decode_for<msg::ProgramRollback>(message, note);
   decode_for<msg::SimulationOrder>(message, note);
   decode_for<msg::Breaks>(message, note);
-  decode_for<msg::ProgramReply>(message, note);
+  decode_reply_for(message, note);
   decode_for<msg::SimulationEvent>(message, note);
 }
 

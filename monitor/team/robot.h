@@ -16,9 +16,17 @@ namespace galilean::monitor {
 /// came: certainty(t) = max(0, certainty(0) - decay_per_s * t). It is 0 if the variable is invalid.
 [[nodiscard]] double certainty_after(const msg::Variable& variable, Duration age) noexcept;
 
+/// Numbers of transitions that follow one another, both ends included.
+struct NumberRange {
+  std::uint64_t first = 0, last = 0;
+
+  bool operator==(const NumberRange&) const = default;
+};
+
 /// The newest messages of one robot, as they were received. Times are of the monitor's clock.
 struct Robot {
   static constexpr std::size_t kTransitionsKept = 64;
+  static constexpr std::size_t kFilledKept = 16;
 
   std::string name;
   Time heard{};                      ///< when its last message came
@@ -31,6 +39,9 @@ struct Robot {
   msg::Variables variables;
   Time variables_received{};
   std::deque<msg::Transition> transitions;  ///< the newest ones, by number, the oldest first
+  /// Which transitions fill a gap in which it could not be heard: the newest ranges of them, the
+  /// oldest first.
+  std::vector<NumberRange> filled;
   std::optional<msg::Breaks> breaks;
   Time breaks_received{};
   /// The newest reply to a push: it tells of a swap before the next state does.
@@ -38,6 +49,8 @@ struct Robot {
 
   /// Returns the hash of the program that it runs, as it told last; empty if it has sent no state.
   [[nodiscard]] std::string running_hash() const;
+  /// Returns whether the transition of that number fills a gap, as far as is remembered.
+  [[nodiscard]] bool is_filled(std::uint64_t transition) const noexcept;
 };
 
 enum class Health {

@@ -40,10 +40,18 @@ bool note_state(Team& team, const Message& message) {
   return true;
 }
 
+bool note_transition(Team& team, const Message& message) {
+  msg::Transition transition;
+  if (!msg::decode_cdr(*message.cdr, transition)) return false;
+  team.note(transition, message.filled);
+  if (message.replayed) team.note_replay(transition.robot);
+  return true;
+}
+
 using Note = bool (*)(Team&, const Message&);
 constexpr std::array<std::pair<std::string_view, Note>, 9> kNotes{{
     {msg::RobotState::kRosType, note_state},
-    {msg::Transition::kRosType, note_as<msg::Transition>},
+    {msg::Transition::kRosType, note_transition},
     {msg::Variables::kRosType, note_as<msg::Variables>},
     {msg::Program::kRosType, note_as<msg::Program>},
     {msg::Catalog::kRosType, note_as<msg::Catalog>},
@@ -52,6 +60,28 @@ constexpr std::array<std::pair<std::string_view, Note>, 9> kNotes{{
     {msg::Score::kRosType, note_as<msg::Score>},
     {msg::ObjectMap::kRosType, note_as<msg::ObjectMap>},
 }};
+
+void add_filled(std::uint64_t number, std::vector<NumberRange>& ranges) {
+  if (!ranges.empty() && ranges.back().last + 1 == number) {
+    ranges.back().last = number;
+    return;
+  }
+  ranges.push_back({number, number});
+  if (ranges.size() > Robot::kFilledKept) ranges.erase(ranges.begin());
+}
+
+/// Forgets what a robot did before it was restarted. What it did since may be known already.
+void forget_run_before(const msg::RobotState& last, Robot& robot) {
+  const auto end_ns = wire::since_epoch_ns(last.stamp);
+  std::erase_if(robot.transitions, [&](const msg::Transition& transition) {
+    return wire::since_epoch_ns(transition.stamp) <= end_ns;
+  });
+  std::erase_if(robot.filled, [&](const NumberRange& range) {
+    return std::ranges::none_of(robot.transitions, [&](const msg::Transition& transition) {
+      return range.first <= transition.number && transition.number <= range.last;
+    });
+  });
+}
 
 /// Returns the age as a duration that a clock can hold, whatever was sent.
 Duration plausible_age(float age_s) {
@@ -66,6 +96,12 @@ std::string Robot::running_hash() const {
   const bool reply_is_newer = program_reply && wire::since_epoch_ns(program_reply->stamp) >
                                                    wire::since_epoch_ns(state->stamp);
   return reply_is_newer ? program_reply->running_hash : state->program_hash;
+}
+
+bool Robot::is_filled(std::uint64_t transition) const noexcept {
+  return std::ranges::any_of(filled, [&](const NumberRange& range) {
+    return range.first <= transition && transition <= range.last;
+  });
 }
 
 bool Team::receive(const Message& message) {
@@ -85,19 +121,25 @@ Robot& Team::hear(const std::string& robot) {
 void Team::note(msg::RobotState state) {
   Robot& robot = hear(state.robot);
   // A lower tick means that the robot was restarted, so its transitions' numbers begin again.
-  if (robot.state && state.tick < robot.state->tick) robot.transitions.clear();
+  if (robot.state && state.tick < robot.state->tick) forget_run_before(*robot.state, robot);
   tally_.note(state);
   robot.state = std::move(state);
   robot.state_received = robot.heard;
 }
 
-void Team::note(const msg::Transition& transition) {
-  auto& known = hear(transition.robot).transitions;
+void Team::note(const msg::Transition& transition, bool filled) {
+  Robot& robot = hear(transition.robot);
+  auto& known = robot.transitions;
   const auto at =
       std::lower_bound(known.begin(), known.end(), transition.number,
                        [](const auto& other, auto number) { return other.number < number; });
-  if (at != known.end() && at->number == transition.number) return;
-  known.insert(at, transition);
+  if (at != known.end() && at->number == transition.number) {
+    if (at->stamp == transition.stamp) return;
+    *at = transition;  // of a robot that was restarted, and numbers its transitions anew
+  } else {
+    known.insert(at, transition);
+  }
+  if (filled) add_filled(transition.number, robot.filled);
   if (known.size() > Robot::kTransitionsKept) known.pop_front();
 }
 

@@ -39,7 +39,8 @@ class Team {
   bool receive(const Message& message);
 
   void note(msg::RobotState state);
-  void note(const msg::Transition& transition);
+  /// `filled`: it fills a gap in which the robot could not be heard.
+  void note(const msg::Transition& transition, bool filled = false);
   void note(msg::Variables variables);
   void note(const msg::Program& program);
   void note(const msg::Catalog& catalog);

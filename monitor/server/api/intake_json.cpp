@@ -8,8 +8,11 @@ nlohmann::json channels_json(const Intake& intake) {
   for (const auto& channel : intake.channels) {
     nlohmann::json age_s = nullptr;
     if (channel.age_s) age_s = *channel.age_s;
-    list.push_back(
-        {{"topic", channel.topic}, {"messages", channel.messages}, {"age_s", std::move(age_s)}});
+    list.push_back({{"topic", channel.topic},
+                    {"messages", channel.messages},
+                    {"age_s", std::move(age_s)},
+                    {"filled", channel.filled},
+                    {"lost", channel.lost}});
   }
   return list;
 }

@@ -8,7 +8,7 @@
 namespace galilean::monitor {
 
 /// Returns each channel with its number of messages and the newest one's age, which is null before
-/// the first.
+/// the first; and of robots' events, how many fill a gap and how many are lost.
 [[nodiscard]] nlohmann::json channels_json(const Intake& intake);
 /// Returns the messages that were not taken, by topic and reason.
 [[nodiscard]] nlohmann::json refused_json(const Intake& intake);

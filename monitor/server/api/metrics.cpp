@@ -54,12 +54,28 @@ void process_metrics(std::ostream& out) {
          resident_pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
 }
 
+/// Topics of which nothing was lost or filled have no line, because only robots' events are
+/// counted.
+void event_metric(std::ostream& out, const Intake& intake, const std::string& name,
+                  const char* help, std::uint64_t ChannelIntake::*count) {
+  family(out, name, "counter", help);
+  for (const auto& channel : intake.channels)
+    if (const auto events = channel.*count; events > 0)
+      out << name << "{topic=\"" << escaped(visible(channel.topic)) << "\"} " << events << '\n';
+}
+
 void intake_metrics(std::ostream& out, const Intake& intake) {
   constexpr const char* kRefused = "galilean_refused_messages_total";
   family(out, kRefused, "counter", "Messages from DDS that were not taken, and why.");
   for (const auto& each : intake.refused)
     out << kRefused << "{topic=\"" << escaped(visible(each.topic)) << "\",reason=\""
         << escaped(each.reason) << "\"} " << each.messages << '\n';
+  event_metric(out, intake, "galilean_filled_events_total",
+               "Events of robots that came after a gap in which the robot could not be heard.",
+               &ChannelIntake::filled);
+  event_metric(out, intake, "galilean_lost_events_total",
+               "Events of robots that will not come: the robot does not keep them any more.",
+               &ChannelIntake::lost);
   metric(out, "galilean_topics", "gauge", "Topics known.", intake.channels.size());
   metric(out, "galilean_topics_not_read_total", "counter", "Topics beyond those that are read.",
          intake.topics_not_read);

@@ -27,7 +27,8 @@ nlohmann::json transitions_json(const Robot& robot) {
                            {"to_state", transition.to_state},
                            {"cause", transition.cause},
                            {"file", transition.file},
-                           {"line", transition.line}});
+                           {"line", transition.line},
+                           {"filled", robot.is_filled(transition.number)}});
   return transitions;
 }
 

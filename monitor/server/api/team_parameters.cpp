@@ -6,11 +6,22 @@
 namespace galilean::monitor {
 namespace {
 constexpr std::string_view kHeld = ".held";
+
+/// Returns by robot which transitions fill a gap, as ranges of their numbers.
+nlohmann::json filled_json(const Team& team) {
+  auto json = nlohmann::json::object();
+  for (const auto& [name, robot] : team.robots())
+    for (const auto& range : robot.filled)
+      json[name].push_back(nlohmann::json::array({range.first, range.last}));
+  return json;
 }
+
+}  // namespace
 
 foxglove::ParameterValues team_parameters(const Team& team, const LeaseDesk& leases) {
   foxglove::ParameterValues values{{"/team.program_hash", team.program_hash()},
                                    {"/team.replayed", team.replayed()},
+                                   {"/team.filled", filled_json(team)},
                                    {"/team.leases", held_leases_json(leases)}};
   for (const auto& robot : team.statuses()) {
     const auto prefix = "/" + robot.name + ".";

@@ -9,7 +9,8 @@ namespace galilean::monitor {
 
 /// Returns the team as Foxglove's parameters: each robot's /NAME.held, which clients can set, the
 /// name and hash of each robot's program, the hash of the team's program, the names of the
-/// robots that a recording plays, and the leases that somebody holds.
+/// robots that a recording plays, the changes of state that fill a gap, and the leases that
+/// somebody holds.
 [[nodiscard]] foxglove::ParameterValues team_parameters(const Team& team, const LeaseDesk& leases);
 
 /// Holds or resumes a robot whose /NAME.held `who` sets.

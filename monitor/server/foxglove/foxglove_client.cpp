@@ -17,6 +17,7 @@ namespace {
 std::size_t lane_depth(wire::Delivery delivery) {
   switch (delivery) {
     case wire::Delivery::kEvent:
+    case wire::Delivery::kJournal:
     case wire::Delivery::kCommand:
     case wire::Delivery::kRecord:
       return 0;

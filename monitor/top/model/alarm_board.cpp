@@ -49,6 +49,9 @@ Words words_of(AlarmKind kind) {
     case AlarmKind::kRefused:
       return {"sends messages that are not taken", "sent messages that were not taken",
               "send messages that are not taken", "sent messages that were not taken"};
+    case AlarmKind::kLost:
+      return {"did more in a gap than it keeps", "did more in a gap than it keeps",
+              "did more in a gap than they keep", "did more in a gap than they keep"};
     case AlarmKind::kProblem:
       break;
   }

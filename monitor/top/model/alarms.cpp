@@ -116,7 +116,8 @@ std::vector<Alarm> AlarmFinder::find(const DashboardModel& model, Time now) {
   find_failed_pushes(model, alarms);
   find_history_problem(model, alarms);
   for (const auto& each : model.refusals().ongoing(now))
-    alarms.push_back({each.key, AlarmKind::kRefused, each.sender, each.words});
+    alarms.push_back(
+        {each.key, each.is_loss ? AlarmKind::kLost : AlarmKind::kRefused, each.sender, each.words});
   return alarms;
 }
 

@@ -21,7 +21,8 @@ enum class AlarmKind : std::uint8_t {
   kUncertain,
   kProblem,
   kPush,
-  kRefused
+  kRefused,
+  kLost
 };
 
 /// What an operator must hear of. The page has the same alarms: web/src/model/alarms.ts.

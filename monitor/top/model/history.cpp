@@ -12,7 +12,7 @@ namespace {
 constexpr Duration kGridEach = std::chrono::seconds(10);
 
 bool is_event(const Channel& channel) {
-  return channel.delivery == wire::Delivery::kEvent;
+  return wire::is_event(channel.delivery);
 }
 
 Duration least_distance(const Channel& channel) {

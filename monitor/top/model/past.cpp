@@ -10,7 +10,7 @@ namespace galilean::monitor::top {
 Past::Past(const History& history, Time instant) {
   std::vector<std::pair<const Channel*, History::Sample>> samples;
   for (const auto& [topic, track] : history.tracks()) {
-    const bool is_event = track.channel.delivery == wire::Delivery::kEvent;
+    const bool is_event = wire::is_event(track.channel.delivery);
     for (auto& sample : history.until(topic, instant, is_event ? History::kEventsKept : 1))
       samples.emplace_back(&track.channel, std::move(sample));
   }

@@ -26,6 +26,13 @@ std::string refusal_words(const wire::Refusals::Count& refused) {
          " not taken: " + visible(refused.reason);
 }
 
+std::string loss_words(const ChannelIntake& channel) {
+  const std::string topic = visible(channel.topic.substr(kTopicRoot.size() - 1));
+  return plural(channel.lost, "message") + " on " + topic +
+         agreeing(channel.lost, " was", " were") +
+         " lost: more happened in a gap than the robot keeps";
+}
+
 }  // namespace
 
 void RefusalWatch::note(OngoingRefusal refusal, std::uint64_t count, Time now) {
@@ -40,6 +47,10 @@ void RefusalWatch::look(const Intake& intake, Time now) {
     note({"refused " + refused.topic + " " + refused.reason, sender_of(refused.topic),
           refusal_words(refused)},
          refused.messages, now);
+  for (const auto& channel : intake.channels)
+    if (channel.lost > 0)
+      note({"lost " + channel.topic, sender_of(channel.topic), loss_words(channel), true},
+           channel.lost, now);
   if (const auto topics = intake.topics_not_read; topics > 0)
     note({"refused topics", wire::Refusals::kOthers,
           plural(topics, "topic") + agreeing(topics, " is", " are") +

@@ -11,11 +11,12 @@
 
 namespace galilean::monitor::top {
 
-/// Something that is not taken in from DDS, and goes on.
+/// Something that is not taken in from DDS, or was lost on the way, and goes on.
 struct OngoingRefusal {
-  std::string key;     ///< the same as long as it is the same
-  std::string sender;  ///< the name that stands first in the topic, which may be no robot's
-  std::string words;   ///< one sentence without its full stop
+  std::string key;       ///< the same as long as it is the same
+  std::string sender;    ///< the name that stands first in the topic, which may be no robot's
+  std::string words;     ///< one sentence without its full stop
+  bool is_loss = false;  ///< it was lost on the way; else it is not taken
 };
 
 /// Tells from counts which refusals go on. web/src/model/intake.ts does the same for the page.

@@ -56,6 +56,7 @@ struct ShownChange {
   std::string place;                  ///< "office.bhdl:31", or empty
   std::vector<std::string> held_too;  ///< states to which a later condition would have led
   std::uint64_t missed = 0;           ///< changes before this one that were not heard
+  bool filled = false;                ///< it fills a gap in which the robot could not be heard
 };
 struct ShownVariable {
   std::string name;

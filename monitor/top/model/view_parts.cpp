@@ -86,6 +86,7 @@ void show_changes(const Robot& robot, double state_age_s, View& view) {
                      std::to_string(transition.line);
     change.held_too = states_held_too(transition);
     if (earlier) change.missed = transition.number - earlier->number - 1;
+    change.filled = robot.is_filled(transition.number);
     earlier = &transition;
     view.changes.push_back(std::move(change));
   }

@@ -29,6 +29,7 @@ std::vector<WhyLine> why_lines(const std::vector<ShownChange>& changes) {
         {"", change.cause + (change.place.empty() ? "" : "  " + change.place), Style::kPlain});
     if (!change.held_too.empty())
       lines.push_back({"", "also held: " + joined(change.held_too), Style::kWarning});
+    if (change.filled) lines.push_back({"", "filled after a gap", Style::kDim});
     if (change.missed > 0)
       lines.push_back(
           {"", plural(change.missed, "change") + " before this not heard", Style::kWarning});

@@ -5,8 +5,10 @@
 #include <cstdlib>
 #include <deque>
 #include <limits>
+#include <numeric>
 #include <set>
 
+#include "core/wire/delivery.h"
 #include "core/wire/discovery.h"
 #include "core/wire/graph.h"
 #include "core/wire/messages.h"
@@ -59,6 +61,72 @@ TEST(Wire, ALateJoinerLearnsTheNewestStateAtOnce) {
   std::vector<msg::RobotState> got;
   ASSERT_TRUE(wait_until([&] { return !(got = take(reader)).empty(); }));
   EXPECT_EQ(got, std::vector{state_of("io", 3)});
+}
+
+msg::Transition transition_of(const std::string& robot, std::uint64_t number) {
+  msg::Transition transition;
+  transition.robot = robot;
+  transition.number = number;
+  return transition;
+}
+
+/// Takes transitions until so many have come, and returns their numbers.
+std::vector<std::uint64_t> await_numbers(Reader& reader, std::size_t count) {
+  std::vector<std::uint64_t> numbers;
+  EXPECT_TRUE(wait_until([&] {
+    reader.take([&](const Received& received) {
+      msg::Transition transition;
+      EXPECT_TRUE(msg::decode_cdr(received.cdr, transition));
+      numbers.push_back(transition.number);
+    });
+    return numbers.size() >= count;
+  }));
+  return numbers;
+}
+
+TEST(Wire, ARobotsJournalReachesEachReaderThatIsConnectedAnewAndIsBounded) {
+  constexpr std::uint64_t kBeyond = 10;
+  const auto robot = join("io");
+  Writer<msg::Transition> writer(*robot, robot_topic("journal", "transition"));
+  for (std::uint64_t number = 1; number <= kBeyond + kJournalDepth; ++number)
+    ASSERT_TRUE(writer.write(transition_of("journal", number)));
+  std::vector<std::uint64_t> kept(kJournalDepth);
+  std::iota(kept.begin(), kept.end(), kBeyond + 1);
+  const auto monitor = join("monitor");
+  Reader first(*monitor, robot_topic("journal", "transition"), msg::Transition::kRosType);
+  EXPECT_EQ(await_numbers(first, kept.size()), kept);
+  const auto recorder = join("record");
+  Reader second(*recorder, robot_topic("journal", "transition"), msg::Transition::kRosType,
+                Numbered{});
+  EXPECT_EQ(await_numbers(second, kept.size()), kept);
+}
+
+TEST(Wire, ANumberedReaderChecksBoundsAndNamesItsWriter) {
+  const auto robot = join("io");
+  Writer<msg::RobotState> writer(*robot, "rt/numbered/state");
+  const auto monitor = join("monitor");
+  Reader reader(*monitor, "rt/numbered/state", kStateType, Numbered{});
+  auto broken = state_of("numbered", 1);
+  broken.x_m = std::numeric_limits<double>::infinity();
+  ASSERT_TRUE(writer.write(broken));
+  std::string robot_name, guid;
+  const auto note = [&](const Received& received) {
+    robot_name = received.robot;
+    guid = reader.guid_of(received.writer);
+  };
+  ASSERT_TRUE(wait_until([&] {
+    reader.take(note);
+    return !monitor->refusals().counts().empty();
+  }));
+  EXPECT_EQ(robot_name, "");
+  ASSERT_TRUE(writer.write(state_of("numbered", 2)));
+  ASSERT_TRUE(wait_until([&] {
+    reader.take(note);
+    return !robot_name.empty();
+  }));
+  EXPECT_EQ(robot_name, "numbered");
+  EXPECT_EQ(guid.size(), 32U);
+  EXPECT_EQ(reader.guid_of(0), "");
 }
 
 TEST(Wire, AReaderTakesOnAfterItsReceiverThrew) {

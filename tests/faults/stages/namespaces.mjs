@@ -17,6 +17,9 @@ export function noSmallDisk() {
   return spawnSync(command, args, { timeout: PATIENCE_MS }).status === 0 ? undefined : 'no small disk can be made: it needs unshare, mount, and root or namespaces of users';
 }
 
+/** Why no network of a test's own can be made. */
+export const NO_NETWORK = 'no network can be made: it needs unshare, nsenter, ip, nft, and root or namespaces of users';
+
 /** Makes a chain of rules for what the loopback hears, and says so. */
 const MAKE_NETWORK = `ip link set lo up multicast on && nft add table ip faults &&
   nft add chain ip faults heard '{ type filter hook input priority 0; }' && echo ready; exec cat`;

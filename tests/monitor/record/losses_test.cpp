@@ -14,6 +14,7 @@ const WriterLosses kSome{.topic = "/io/state",
                          .process = "io",
                          .writer = "0a1b",
                          .recorded = 7,
+                         .filled = 2,
                          .lost = 3,
                          .overrun = 1,
                          .sent_before = 4,
@@ -43,10 +44,12 @@ TEST(Losses, WhatWasNotAskedForOrCameBeforeIsNotMissing) {
 TEST(Losses, BeyondThoseBeforeAreWhatCameSince) {
   WriterLosses later = kSome;
   later.recorded += 10;
+  later.filled += 4;
   *later.lost += 2;
   later.unwritten += 1;
   const auto since = beyond(later, kSome);
   EXPECT_EQ(since.recorded, 10U);
+  EXPECT_EQ(since.filled, 4U);
   EXPECT_EQ(since.missing(), 3U);
   EXPECT_EQ(since.sent_before, 0U);
   EXPECT_EQ(beyond(kSome, later).missing(), 0U);

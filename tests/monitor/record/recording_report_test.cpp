@@ -11,6 +11,8 @@ TEST(RecordingReport, TellsEachLossUnderItsReasonAndNoReasonWithoutALoss) {
   EXPECT_EQ(losses_text({.lost = 5, .overrun = 5}), "5 lost because the recorder was too slow");
   EXPECT_EQ(losses_text({.lost = 12, .overrun = 5}),
             "5 lost because the recorder was too slow, 7 lost before they reached the recorder");
+  EXPECT_EQ(losses_text({.filled = 300, .lost = 2}),
+            "2 lost before they reached the recorder, 300 recorded late, after a gap");
   EXPECT_EQ(losses_text({.lost = 0, .paused = 9}), "9 sent while it was paused");
   EXPECT_EQ(losses_text({.lost = std::nullopt, .sent_before = 3}),
             "an unknown number lost, 3 sent before it listened");

@@ -97,7 +97,7 @@ TEST(PauseText, TellsWhoFromWhenToWhenAndHowMuch) {
 }
 
 TEST(PausedTally, WhatIsLostAtTheEdgesOfAPauseStaysLost) {
-  SequenceTally all;
+  wire::SequenceTally all;
   PausedTally paused;
   ASSERT_TRUE(all.note(1));
   ASSERT_TRUE(all.note(3));  // in the first pause; 2 may have been sent before it

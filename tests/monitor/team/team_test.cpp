@@ -110,6 +110,44 @@ TEST_F(TeamTest, ARobotThatStartsAnewForgetsItsTransitions) {
   EXPECT_TRUE(team.find("io")->transitions.empty());
 }
 
+TEST_F(TeamTest, TellsWhichTransitionsFillAGap) {
+  team.note(transition(1));
+  for (const std::uint64_t number : {2, 3, 4, 3}) team.note(transition(number), true);
+  team.note(transition(5));
+  team.note(transition(9), true);
+  const Robot& io = *team.find("io");
+  EXPECT_EQ(io.filled, (std::vector<NumberRange>{{2, 4}, {9, 9}}));
+  for (const std::uint64_t number : {2, 3, 4, 9}) EXPECT_TRUE(io.is_filled(number)) << number;
+  for (const std::uint64_t number : {1, 5, 8, 10}) EXPECT_FALSE(io.is_filled(number)) << number;
+}
+
+TEST_F(TeamTest, RemembersTheNewestRangesThatFillGaps) {
+  for (std::uint64_t number = 1; number <= 2 * (Robot::kFilledKept + 5); number += 2)
+    team.note(transition(number), true);
+  const Robot& io = *team.find("io");
+  ASSERT_EQ(io.filled.size(), Robot::kFilledKept);
+  EXPECT_EQ(io.filled.front().first, 11U);
+}
+
+TEST_F(TeamTest, WhatARestartedRobotDidInTheGapIsKept) {
+  const auto at = [](msg::Transition made, std::int32_t stamp_s) {
+    made.stamp.sec = stamp_s;
+    return made;
+  };
+  auto last = state_of("io", "a", 1000);
+  last.stamp.sec = 100;
+  team.note(last);
+  for (const std::uint64_t number : {1, 2, 3}) team.note(at(transition(number), 50));
+  for (const std::uint64_t number : {1, 2}) team.note(at(transition(number), 150), true);
+  auto anew = state_of("io", "a", 10);
+  anew.stamp.sec = 160;
+  team.note(anew);
+  const Robot& io = *team.find("io");
+  ASSERT_EQ(io.transitions.size(), 2U);
+  EXPECT_EQ(io.transitions[0].stamp.sec, 150);
+  EXPECT_EQ(io.filled, (std::vector<NumberRange>{{1, 2}}));
+}
+
 TEST_F(TeamTest, ARobotThatDiedBeforeIsKnownFromTheMonitor) {
   clock.advance(1h);
   team.note(state_of("io", "a"));

@@ -221,6 +221,14 @@ export interface RefusedMessages {
   readonly messages: number;
 }
 
+/** Of a topic that the monitor reads, what the page uses. */
+export interface ChannelIntake {
+  /** As on DDS, such as rt/io/transition. */
+  readonly topic: string;
+  /** Events of a robot that will not come, because it does not keep them any more. */
+  readonly lost: number;
+}
+
 /** Of GET /api/status what the page uses, as docs/openapi.yaml describes it. */
 export interface Status {
   readonly name: string;
@@ -230,6 +238,7 @@ export interface Status {
   readonly may_steer: boolean;
   /** Who the page's operator is, if it may steer. */
   readonly operator?: { name: string; account: string } | null;
+  readonly channels?: readonly ChannelIntake[];
   readonly refused_messages: readonly RefusedMessages[];
   /** Topics beyond those that the monitor reads. */
   readonly topics_not_read: number;

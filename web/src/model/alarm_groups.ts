@@ -23,6 +23,7 @@ const WORDS: Record<AlarmKind, readonly [now: string, past: string]> = {
   uncertain: ["are not where the map shows them", "were not where the map showed them"],
   problem: ["have problems", "had problems"],
   push: ["did not take a push", "did not take a push"],
+  lost: ["did more in a gap than they keep", "did more in a gap than they keep"],
   refused: ["send messages that are not taken", "sent messages that were not taken"],
 };
 /** What has alarms of a kind, where that need not be robots. */

@@ -11,7 +11,7 @@ import { loopOf, repeats } from "./loops";
 import type { Robot, Team } from "./model";
 import { age_s, isSilent } from "./silence";
 
-export type AlarmKind = "silent" | "overrun" | "drift" | "stuck" | "loop" | "uncertain" | "problem" | "push" | "refused";
+export type AlarmKind = "silent" | "overrun" | "drift" | "stuck" | "loop" | "uncertain" | "problem" | "push" | "refused" | "lost";
 
 export interface Alarm {
   /** The same as long as it is the same alarm. */
@@ -46,7 +46,7 @@ const UNCERTAIN_M = 0.8;
 
 type Find = (robot: Robot, now_ms: number, team: Team) => Omit<Alarm, "robot" | "key"> | undefined;
 
-const finders: Record<Exclude<AlarmKind, "silent" | "problem" | "push" | "drift" | "refused">, Find> = {
+const finders: Record<Exclude<AlarmKind, "silent" | "problem" | "push" | "drift" | "refused" | "lost">, Find> = {
   overrun: ({ name, events, state }, now_ms) => {
     const last = events.filter(({ kind }) => kind === "late").at(-1);
     if (!last || now_ms - last.at_ms > OVERRUN_ALARM_MS) return undefined;

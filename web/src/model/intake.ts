@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the monitor did not take of what comes over DDS, as alarms. It counts since it was started, and says nothing of when.
+// What the monitor did not take of what comes over DDS, and what it lost of robots' events, as alarms. It counts since it was started, and says nothing of when.
 
-import type { RefusedMessages, Status } from "../feed/api";
+import type { ChannelIntake, RefusedMessages, Status } from "../feed/api";
 import { plural } from "../lib/format";
 import type { Alarm } from "./alarms";
 
 /** The part of what the monitor tells that is of it. */
-export type IntakeStatus = Pick<Status, "refused_messages" | "topics_not_read">;
+export type IntakeStatus = Pick<Status, "channels" | "refused_messages" | "topics_not_read">;
 
 /** It goes on where more came so lately. The monitor is asked some times within this. */
 const GOES_ON_MS = 30_000;
@@ -35,10 +35,17 @@ function alarmOf(key: string, { topic, reason, messages }: RefusedMessages): Ala
   };
 }
 
+function alarmOfLosses({ topic, lost }: ChannelIntake): Alarm {
+  const words = `${plural(lost, "message")} on ${topic.slice("rt".length)} ${lost === 1 ? "was" : "were"} lost: more happened in a gap than the robot keeps.`;
+  return { key: `lost ${topic}`, kind: "lost", robot: senderOf(topic), words, timed: true, advice: "Look at its network. What it did then stands in a recording that was made beside it, if there is one." };
+}
+
 function alarmOfTopics(topics: number): Alarm {
   const words = `${plural(topics, "topic")} ${topics === 1 ? "is" : "are"} not read, because there are too many.`;
   return { key: `refused ${TOPICS_NOT_READ}`, kind: "refused", robot: "(others)", words, timed: true, advice: "Look who makes them (galilean list), and stop it." };
 }
+
+const lossesIn = ({ channels = [] }: IntakeStatus): ChannelIntake[] => channels.filter(({ lost }) => lost > 0);
 
 export class Intake {
   #status: IntakeStatus = { refused_messages: [], topics_not_read: 0 };
@@ -47,6 +54,7 @@ export class Intake {
   /** Takes in what the monitor said at `now_ms`. A monitor that was started anew counts anew. */
   told(status: IntakeStatus, now_ms: number): void {
     const counts = new Map(status.refused_messages.map((refused) => [Intake.#keyOf(refused), refused.messages]));
+    for (const channel of lossesIn(status)) counts.set(`lost ${channel.topic}`, channel.lost);
     if (status.topics_not_read > 0) counts.set(TOPICS_NOT_READ, status.topics_not_read);
     this.#counts = new Map([...counts].map(([key, count]) => [key, this.#counted(key, count, now_ms)]));
     this.#status = status;
@@ -56,7 +64,9 @@ export class Intake {
   alarms(now_ms: number): Alarm[] {
     const goesOn = (key: string): boolean => now_ms - (this.#counts.get(key)?.changed_ms ?? -Infinity) < GOES_ON_MS;
     const refused = this.#status.refused_messages.filter((each) => goesOn(Intake.#keyOf(each))).map((each) => alarmOf(Intake.#keyOf(each), each));
-    return goesOn(TOPICS_NOT_READ) ? [...refused, alarmOfTopics(this.#status.topics_not_read)] : refused;
+    const lost = lossesIn(this.#status).filter(({ topic }) => goesOn(`lost ${topic}`)).map(alarmOfLosses);
+    const topics = goesOn(TOPICS_NOT_READ) ? [alarmOfTopics(this.#status.topics_not_read)] : [];
+    return [...refused, ...lost, ...topics];
   }
 
   static #keyOf({ topic, reason }: RefusedMessages): string {

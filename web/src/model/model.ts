@@ -23,6 +23,7 @@ import type { Catalog } from "../bhdl/catalog";
 import type { Reply } from "../feed/api";
 import type { Coverages } from "./coverage";
 import type { RobotEvent } from "./events";
+import type { Filled } from "./filled";
 import type { Gap } from "./gaps";
 import type { Identity } from "./identity";
 import type { Lease } from "./lease";
@@ -146,6 +147,8 @@ export interface Team {
   readonly replayed: ReadonlySet<string>;
   /** What is wrong with the monitor's history, in one sentence; empty or not there where nothing is known to be. */
   readonly history_problem?: string;
+  /** Which changes of state fill a gap; undefined where the monitor tells nothing of it. */
+  readonly filled?: Filled;
   /** With the map's own time, which its objects' `last_seen` keeps. */
   readonly objects?: Stamped<readonly MapObject[]> & { readonly stamp: Time };
   readonly grid?: OccupancyGrid;

@@ -2,9 +2,10 @@
 import { catalogOf } from "../bhdl/catalog";
 import type * as wire from "../feed/messages";
 import type { News } from "../feed/portions";
-import { type FollowedParameter, HISTORY_PROBLEM, LEASES, REPLAYED, type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
+import { FILLED, type FollowedParameter, HISTORY_PROBLEM, LEASES, REPLAYED, type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
 import { withSeenState, withTransitionCounted } from "./coverage";
 import { contestBegan_ms, withEvents } from "./events";
+import type { Filled } from "./filled";
 import { type Gap, withJoined } from "./gaps";
 import { identityOf } from "./identity";
 import { type Lease, withLeaseChange } from "./lease";
@@ -109,6 +110,7 @@ const ofTeam: { [K in TeamTopic | FollowedParameter]: Reduce<Team, never> } = {
   [REPLAYED]: (team, names: readonly string[]) => ({ ...team, replayed: new Set(names) }),
   [HISTORY_PROBLEM]: (team, history_problem: string) => ({ ...team, history_problem }),
   [LEASES]: (team, leases: readonly Lease[]) => ({ ...team, leases }),
+  [FILLED]: (team, filled: Filled) => ({ ...team, filled }),
   "/team/lease_change": withLeaseChange,
   "/team/objects": withObjects,
   "/team/map": (team, grid: wire.OccupancyGrid) => ({ ...team, grid }),

@@ -28,17 +28,24 @@ export interface DrawnBar {
   readonly state: string;
   readonly from_ms: number;
   readonly to_ms: number;
+  /** It began in a silence, and was told afterwards. */
+  readonly filled?: true;
 }
 
-/** The bars that can be seen between two instants, cut to them. What a robot did while it was silent is not known. */
-export function drawnBars(bars: readonly StateBar[], from_ms: number, to_ms: number, silences: readonly Stretch[] = []): DrawnBar[] {
-  return bars
-    .map((bar, i) => ({
-      state: bar.state,
-      from_ms: Math.max(bar.from_ms, from_ms),
-      to_ms: Math.min(bars[i + 1]?.from_ms ?? to_ms, to_ms),
-    }))
-    .flatMap(({ state, ...bar }) => partsOutside(bar, silences).map((part) => ({ state, ...part })));
+/**
+ * The bars that can be seen between two instants, cut to them. What a robot did while it was silent is not known, unless
+ * the changes fill the gap: `isFilled` says so of a change's number.
+ */
+export function drawnBars(bars: readonly StateBar[], from_ms: number, to_ms: number, silences: readonly Stretch[] = [], isFilled = (_number: bigint): boolean => false): DrawnBar[] {
+  return bars.flatMap((bar, i) => {
+    const next = bars[i + 1];
+    const { state } = bar;
+    const stretch = { from_ms: Math.max(bar.from_ms, from_ms), to_ms: Math.min(next?.from_ms ?? to_ms, to_ms) };
+    const filled = isFilled(bar.number);
+    /** It is known when it ended, because no change between was missed. */
+    const isKnown = next?.number === bar.number + 1n && (filled || isFilled(next.number));
+    return partsOutside(stretch, isKnown ? [] : silences).map((part) => (filled ? { state, ...part, filled: true as const } : { state, ...part }));
+  });
 }
 
 interface Stretch {

@@ -24,6 +24,17 @@ it("tells of topics that are not read", () => {
   expect(said(intake, 2000)).toEqual(["3 topics are not read, because there are too many."]);
 });
 
+it("tells of events that were lost, and not of those that filled a gap", () => {
+  const intake = new Intake();
+  const tell = (lost: number, now_ms: number) => intake.told({ channels: [{ topic: "rt/io/transition", lost }], refused_messages: [], topics_not_read: 0 }, now_ms);
+  tell(0, 0);
+  expect(intake.alarms(1000)).toEqual([]);
+  tell(12, 5000);
+  expect(intake.alarms(6000)).toMatchObject([{ kind: "lost", robot: "io", words: "12 messages on /io/transition were lost: more happened in a gap than the robot keeps." }]);
+  tell(12, 20_000);
+  expect(intake.alarms(40_000)).toEqual([]);
+});
+
 it("is over when no more come, and is an alarm again when they do", () => {
   const intake = new Intake();
   const tell = (messages: number, now_ms: number) => intake.told({ refused_messages: [refused(messages)], topics_not_read: 0 }, now_ms);

@@ -30,5 +30,19 @@ TEST(TeamJson, TheWaitOfASilentRobotEndsAtItsLastMessage) {
   EXPECT_NEAR(io()["age_s"].get<double>(), 61.5, 1e-9);
 }
 
+TEST(TeamJson, SaysWhichTransitionsFillAGap) {
+  SteppedClock clock;
+  Team team(clock, 2s);
+  msg::Transition transition;
+  transition.robot = "io";
+  transition.number = 1;
+  team.note(transition);
+  transition.number = 2;
+  team.note(transition, true);
+  const auto transitions = to_json(team)["robots"][0]["transitions"];
+  EXPECT_EQ(transitions[0]["filled"], false);
+  EXPECT_EQ(transitions[1]["filled"], true);
+}
+
 }  // namespace
 }  // namespace galilean::monitor

@@ -49,6 +49,23 @@ TEST(RefusalWatch, TellsOfTopicsThatAreNotRead) {
   EXPECT_EQ(watch.ongoing(Time{2s})[0].words, "3 topics are not read, because there are too many");
 }
 
+TEST(RefusalWatch, TellsOfEventsThatWereLost) {
+  RefusalWatch watch;
+  Intake intake;
+  ChannelIntake& channel = intake.channels.emplace_back();
+  channel.topic = "rt/io/transition";
+  channel.filled = 1024;
+  watch.look(intake, Time{1s});
+  EXPECT_TRUE(watch.ongoing(Time{1s}).empty());
+  channel.lost = 12;
+  watch.look(intake, Time{2s});
+  ASSERT_EQ(watch.ongoing(Time{2s}).size(), 1U);
+  EXPECT_EQ(watch.ongoing(Time{2s})[0].sender, "io");
+  EXPECT_EQ(watch.ongoing(Time{2s})[0].words,
+            "12 messages on /io/transition were lost: more happened in a gap than the robot keeps");
+  EXPECT_TRUE(watch.ongoing(Time{2s})[0].is_loss);
+}
+
 TEST(RefusalWatch, IsAnAlarmOfTheDashboard) {
   SteppedClock clock;
   DashboardModel model(clock);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/record/sequence_tally.h"
+#include "core/wire/sequence_tally.h"
 
 #include <gtest/gtest.h>
 
-namespace galilean::monitor {
+namespace galilean::wire {
 namespace {
 
 SequenceTally tally_of(std::initializer_list<std::uint64_t> sequences) {
@@ -49,4 +49,4 @@ TEST(SequenceTally, NothingIsLostBeforeAnythingCame) {
 }
 
 }  // namespace
-}  // namespace galilean::monitor
+}  // namespace galilean::wire

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace galilean::monitor {
+namespace galilean::wire {
 
 /// Tells what is missing of a writer's messages, and what comes again, by the numbers that the
 /// writer gave them: they rise by one with each message, from 1, and come in that order.
@@ -25,4 +25,4 @@ class SequenceTally {
   std::uint64_t received_ = 0, lost_ = 0;
 };
 
-}  // namespace galilean::monitor
+}  // namespace galilean::wire

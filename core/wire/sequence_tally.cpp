@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "monitor/record/sequence_tally.h"
+#include "core/wire/sequence_tally.h"
 
-namespace galilean::monitor {
+namespace galilean::wire {
 
 bool SequenceTally::note(std::uint64_t sequence) noexcept {
   if (sequence > 0 && sequence <= last_) return false;
@@ -15,4 +15,4 @@ bool SequenceTally::note(std::uint64_t sequence) noexcept {
   return true;
 }
 
-}  // namespace galilean::monitor
+}  // namespace galilean::wire

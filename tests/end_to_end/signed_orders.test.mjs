@@ -57,9 +57,9 @@ test('anybody holds a robot, and only whom it trusts lets it go on', limit, asyn
 test('a key that is brought along does, too, and a step and break points are refused to others', limit, async (t) => {
   const { operator, stranger } = await startTrustingRobot(t);
   const key = join(operator.state, 'operator.key');
-  const set = stranger.run('break', 'grab_trash', '--lock', '--robot', 'io');
+  const set = stranger.run('break', 'grab_trash', '--robot', 'io');
   assert.equal(set.status, 0, set.stdout + set.stderr);
-  for (const order of [['break', '--clear'], ['step']]) {
+  for (const order of [['break', 'wander_for_trash', '--lock'], ['break', '--clear'], ['step']]) {
     const refused = stranger.run(...order, '--robot', 'io');
     assert.equal(refused.status, 1, refused.stdout);
     assert.match(refused.stdout, new RegExp(`^io: refused: ${NOT_TRUSTED}`));

@@ -6,6 +6,7 @@
 
 #include "bhdl/diff/diff.h"
 #include "core/device/comm_port.h"
+#include "core/orders/stopping_orders.h"
 #include "core/wire/messages.h"
 #include "core/wire/participant.h"
 #include "core/wire/ros_time.h"
@@ -98,11 +99,10 @@ std::int32_t argument_of(std::uint8_t kind, RequestFields& fields) {
   return fields.whole_number("argument", 0, 0, ControllerStatus::kBumpers - 1);
 }
 
-/// Returns what a command does. Whatever is not known to stop robots needs their leases.
-OrderKind order_kind(std::uint8_t kind) {
-  namespace kinds = msg::Command_Constants;
-  const bool stops = kind == kinds::HOLD || kind == kinds::DECOMMISSION;
-  return stops ? OrderKind::kStops : OrderKind::kSteers;
+/// Returns what an order does. Whatever is not known to stop robots needs their leases.
+template <class M>
+OrderKind order_kind(const M& order) {
+  return only_stops(order) ? OrderKind::kStops : OrderKind::kSteers;
 }
 
 Outcome refused(const RequestFields& fields) {
@@ -179,15 +179,16 @@ void Operations::command(const nlohmann::json& request, const OperatorId& who, F
   command.argument = argument_of(kind == command_kinds().end() ? 0 : kind->second, fields);
   if (!fields.ok()) return finish(refused(fields));
   command.kind = kind->second;
-  send(commands_, std::move(command), order_kind(kind->second), who, std::move(finish));
+  const OrderKind does = order_kind(command);
+  send(commands_, std::move(command), does, who, std::move(finish));
 }
 
 void Operations::order_breaks(const nlohmann::json& request, const OperatorId& who, Finish finish) {
   RequestFields fields(request);
   auto order = break_order(fields);
   if (!fields.ok()) return finish(refused(fields));
-  const auto kind = order.order == "set" ? OrderKind::kStops : OrderKind::kSteers;
-  send(break_orders_, std::move(order), kind, who, std::move(finish));
+  const OrderKind does = order_kind(order);
+  send(break_orders_, std::move(order), does, who, std::move(finish));
 }
 
 template <class M>

@@ -74,6 +74,7 @@ TEST_F(LeasesTest, WhoSteersFirstHoldsItAndAnotherIsToldWhoDoes) {
 TEST_F(LeasesTest, EveryOrderThatSteersIsRefusedAndNoStopIs) {
   ASSERT_EQ(resume("ada", {"io"}).status, 200U);
   const json points = json::array({{{"to", "grab"}}});
+  const json locks = json::array({{{"to", "grab"}}, {{"to", "rest"}, {"kind", "lock"}}});
   const std::vector<std::pair<std::string, json>> steering{
       {"/api/command", {{"kind", "resume"}, {"targets", {"io"}}}},
       {"/api/command", {{"kind", "step"}, {"targets", {"io"}}}},
@@ -81,6 +82,7 @@ TEST_F(LeasesTest, EveryOrderThatSteersIsRefusedAndNoStopIs) {
       {"/api/command", {{"kind", "commission"}, {"targets", {"io"}}}},
       {"/api/command", {{"kind", "resume"}}},
       {"/api/breaks", {{"order", "clear"}, {"targets", {"io"}}}},
+      {"/api/breaks", {{"order", "set"}, {"targets", {"io"}}, {"points", locks}}},
       {"/api/breaks", {{"order", "remove"}, {"targets", {"io"}}, {"points", points}}},
       {"/api/breaks", {{"order", "let_through"}, {"targets", {"io"}}, {"points", points}}},
       {"/api/push", {{"files", files(kProgram)}, {"targets", {"io"}}}},

@@ -144,9 +144,23 @@ TEST(OrderWords, ABreakPointMoreStopsAndOneLessLetsGoOn) {
   EXPECT_FALSE(can_move(order, {{{"rest", "wander"}, BreakKind::kLock}}));
   EXPECT_TRUE(can_move(order, {{{"wander", "grab"}, BreakKind::kLock}}));
   EXPECT_TRUE(can_move(order, {{{"", "grab"}, BreakKind::kLock}}));
+  order.points[0].kind = msg::BreakPoint_Constants::STOP_TEAM;
+  EXPECT_FALSE(can_move(order, {}));
   for (const std::string each : {"remove", "clear", "let_through", "nonsense"}) {
     order.order = each;
     EXPECT_TRUE(can_move(order, {})) << each;
+  }
+}
+
+TEST(OrderWords, ALockNeedsASignatureBecauseTheRobotDrivesOn) {
+  msg::BreakOrder order;
+  order.order = "set";
+  order.points = {{"wander", "grab", msg::BreakPoint_Constants::STOP}};
+  for (const std::uint8_t kind :
+       {msg::BreakPoint_Constants::LOCK, std::uint8_t{0}, std::uint8_t{99}}) {
+    order.points.push_back({"", "rest", kind});
+    EXPECT_TRUE(can_move(order, {})) << int{kind};
+    order.points.pop_back();
   }
 }
 

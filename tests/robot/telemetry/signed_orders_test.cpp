@@ -147,11 +147,16 @@ TEST_F(SignedOrdersTest, AnybodySetsABreakPointAndOnlyATrustedKeyRemovesIt) {
   order.author = "a stranger";
   order.targets = {io.name};
   order.order = "set";
-  order.points = {{"wait", "go", msg::BreakPoint_Constants::LOCK}};
+  order.points = {{"wait", "go", msg::BreakPoint_Constants::STOP}};
   io.send(order);
   const auto set = told_of("set");
   ASSERT_TRUE(set);
   EXPECT_EQ(set->points.size(), 1U);
+  order.id = "lock";
+  order.points = {{"go", "", msg::BreakPoint_Constants::LOCK}};
+  io.send(order);
+  EXPECT_THAT(refusal_of("lock"), HasSubstr("it is not signed by a key that this robot trusts"));
+  order.points = {{"wait", "go", msg::BreakPoint_Constants::STOP}};
   order.id = "remove";
   order.order = "remove";
   io.send(order);

@@ -21,6 +21,7 @@
 #include "robot/executive/snapshot.h"
 #include "robot/log/log.h"
 #include "robot/options.h"
+#include "robot/restart/order_keeper.h"
 #include "robot/restart/program_keeper.h"
 #include "robot/restart/start.h"
 #include "robot/robot_devices.h"
@@ -96,6 +97,21 @@ Start choose(const Options& options, bhdl::Program given, const Catalog& catalog
   return start;
 }
 
+/// Returns how far orders had come when the robot program ended, or says that nobody knows.
+OrderNumbers numbers_before(const std::filesystem::path& kept) {
+  auto numbers = read_order_numbers(kept);
+  if (numbers) return std::move(numbers).value();
+  log_warning(numbers.error().message +
+              "; if the clock was set back meanwhile, orders of before could be sent again");
+  return {};
+}
+
+/// Requires: the keeper outlives what is returned.
+OrderMemory memory_with(OrderKeeper& keeper) {
+  return {.before = numbers_before(keeper.file()),
+          .keep = [&keeper](const OrderNumbers& numbers) { keeper.keep(numbers); }};
+}
+
 /// Whoever started the robot program again, or what did, may not see the robot.
 void hold_after(LastEnd last_end, Executive& executive) {
   if (last_end == LastEnd::kDied) executive.hold_after(FaultCause::kRestart);
@@ -123,6 +139,9 @@ int work(const Options& options, const Registry& components, bhdl::Program given
 
   ProgramKeeper keeper(
       kept_program_file(state_folder(), options.name, participant.value()->domain()), options.name);
+  const bool keeps_orders = trust.value() && !options.keeps_nothing;
+  OrderKeeper order_keeper(
+      order_numbers_file(state_folder(), options.name, participant.value()->domain()));
   Start start = choose(options, std::move(given), components.catalog(), keeper.file());
   const std::string pushed_hash = start.pushed ? start.program.hash : "";
   const DeviceSettings settings = DeviceSettings::of(start.program, components.catalog());
@@ -173,7 +192,8 @@ int work(const Options& options, const Registry& components, bhdl::Program given
        .accepted_senders = accepted_senders(options),
        .keep = [&](const bhdl::Program& proven,
                    bool pushed) { keeper.keep(proven, pushed || proven.hash == pushed_hash); },
-       .trust = trust.value()},
+       .trust = trust.value(),
+       .order_memory = keeps_orders ? memory_with(order_keeper) : OrderMemory{}},
       images, inputs);
   const auto tell_kept = [&](const std::string& problem) {
     telemetry.problems().note("restart", problem);
@@ -182,6 +202,10 @@ int work(const Options& options, const Registry& components, bhdl::Program given
     tell_kept(keeper.begin(executive.description(loaded.value())->program, start.pushed));
   {
     const Worker writing = options.keeps_nothing ? Worker() : keeper.writer(tell_kept);
+    const auto tell_numbers = [&](const std::string& problem) {
+      telemetry.problems().note("order_numbers", problem);
+    };
+    const Worker writing_numbers = keeps_orders ? order_keeper.writer(tell_numbers) : Worker();
     // The watch is made before the loop: if it cannot be made, nothing has moved yet.
     std::optional<ProgramWatch> watch;
     if (!options.watched_file.empty())
@@ -195,6 +219,7 @@ int work(const Options& options, const Registry& components, bhdl::Program given
   std::this_thread::sleep_for(kStopFlushTime);
   if (const std::string problem = options.keeps_nothing ? "" : keeper.end(); !problem.empty())
     log_warning(problem);
+  if (const std::string problem = order_keeper.end(); !problem.empty()) log_warning(problem);
   log_info("the robot has stopped");
   return 0;
 }

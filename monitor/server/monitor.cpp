@@ -360,10 +360,10 @@ Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) tr
   participant.value()->refusals().tell_with([](const std::string& sentence) {
     std::clog << "galilean-monitor: " + sentence + "\n" << std::flush;
   });
-  auto blocks = std::make_unique<Parts>(options, limits_for(descriptors.value(), options.tls),
-                                        std::move(participant).value(), std::move(history).value(),
-                                        tokens.value(),
-                                        std::make_shared<OrderSigner>(std::move(key).value()));
+  auto blocks = std::make_unique<Parts>(
+      options, limits_for(descriptors.value(), options.tls), std::move(participant).value(),
+      std::move(history).value(), tokens.value(),
+      signer_of(std::move(key).value(), operator_key_file(options.data_folder)));
   if (tokens.value().are_new) blocks->new_operator_token = tokens.value().operator_;
   if (options.tls)
     if (const auto begun = blocks->begin_tls(options); !begun) return begun.error();

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/orders/order_memory.h"
 #include "core/signing/trusted_keys.h"
 #include "core/worker.h"
 #include "robot/executive/executive.h"
@@ -34,6 +35,7 @@ struct TelemetrySource {
   /// another, and whether a push brought it. It must not wait. May be null.
   std::function<void(const bhdl::Program& program, bool pushed)> keep = nullptr;
   std::optional<TrustedKeys> trust{};  ///< who may move the robot; none: anybody
+  OrderMemory order_memory{};          ///< of those keys' orders
 };
 
 /// Publishes what the robot does. It uses a thread of its own, so that a stalled network delays

@@ -28,7 +28,8 @@ class Telemetry {
   Telemetry(const TelemetrySource& source, ImageTap& images, InputsTap& inputs)
       : log_forwarding_(log_),
         executive_(source.executive),
-        gate_(source.trust, source.clock, problems_),
+        gate_(source.trust, source.clock, problems_, OrderGate::machine_times(),
+              source.order_memory),
         break_desk_(source.robot, source.executive),
         breaks_(source, break_desk_),
         namesakes_(source, problems_),

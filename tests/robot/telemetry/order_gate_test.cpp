@@ -75,6 +75,23 @@ TEST_F(OrderGateTest, WithoutKeysAnybodyIsLetThrough) {
   EXPECT_TRUE(open.admit(command_of(msg::Command_Constants::RESUME), kCommands, "A resume", {}));
 }
 
+TEST_F(OrderGateTest, KeepsHowFarOrdersHaveComeAndRefusesThoseOfBefore) {
+  const auto times = [] { return CheckTimes{.now_ns = kNow_ns, .uptime_ns = 1'000'000'000}; };
+  msg::Command command = command_of(msg::Command_Constants::RESUME);
+  signer.sign(command, kCommands);
+  OrderNumbers kept;
+  OrderGate first(trusting(key), clock, problems, times,
+                  {.before = {}, .keep = [&kept](const OrderNumbers& now) { kept = now; }});
+  EXPECT_FALSE(first.admit(command_of(msg::Command_Constants::STEP), kCommands, "A step", {}));
+  EXPECT_TRUE(kept.empty());
+  EXPECT_TRUE(first.admit(command, kCommands, "A resume", {}));
+  EXPECT_EQ(kept, (OrderNumbers{{signer.key_id(), command.signature.number}}));
+  OrderGate after(trusting(key), clock, problems, times, {.before = kept});
+  const auto again = after.admit(command, kCommands, "A resume", {});
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().kind, OrderRefusal::Kind::kOfBefore);
+}
+
 TEST_F(OrderGateTest, SaysWhoseOrderWasRefusedAndWhy) {
   EXPECT_FALSE(let_through(1, "monitor", "192.168.1.7"));
   EXPECT_THAT(sentences(),

@@ -136,6 +136,48 @@ TEST_F(SignedOrdersTest, AStrangerWhoSendsAPushFirstDoesNotSpoilItsAnswer) {
   }));
 }
 
+TEST_F(SignedOrdersTest, AStrangerWhoCopiesAPushDoesNotSpoilItsAnswer) {
+  auto push = io.push(std::string(kWaits) + "\n");
+  signer.sign(push, wire::kProgramPushTopic);
+  io.send(push);
+  ASSERT_TRUE(io.tick_until([&] {
+    return std::ranges::any_of(replies.all(), [](const msg::ProgramReply& reply) {
+      return reply.status == status::RUNNING;
+    });
+  }));
+  push.signature = {};
+  io.send(push);
+  EXPECT_TRUE(tells_of("A push of program"));
+  EXPECT_FALSE(std::ranges::any_of(replies.all(), [](const msg::ProgramReply& reply) {
+    return reply.status == status::REJECTED;
+  }));
+}
+
+TEST_F(SignedOrdersTest, AFloodOfAStrangersOrdersHidesNoAnswer) {
+  auto step = command(kinds::STEP);
+  step.id = "true step";
+  io.send(command(kinds::HOLD));
+  ASSERT_TRUE(is_held_within_ticks(true));
+  signer.sign(step, wire::kCommandTopic);
+  io.send(step);
+  const auto has_answer = [](const msg::Breaks& told, const std::string& id) {
+    return std::ranges::any_of(told.answers, [&](const auto& each) { return each.id == id; });
+  };
+  ASSERT_TRUE(
+      breaks.wait_for([&](const msg::Breaks& each) { return has_answer(each, "true step"); }));
+  constexpr std::size_t kFlood = 3 * BreakDesk::kAnswersKept;
+  for (std::size_t i = 1; i <= kFlood; ++i) {
+    auto resume = command(kinds::RESUME);
+    resume.id = "flood " + std::to_string(i);
+    io.send(resume);
+  }
+  const auto told = breaks.wait_for(
+      [&](const msg::Breaks& each) { return has_answer(each, "flood " + std::to_string(kFlood)); });
+  ASSERT_TRUE(told);
+  EXPECT_TRUE(has_answer(*told, "true step"));
+  EXPECT_LE(told->answers.size(), BreakDesk::kAnswersKept);
+}
+
 TEST_F(SignedOrdersTest, AnybodySetsABreakPointAndOnlyATrustedKeyRemovesIt) {
   const auto told_of = [&](const std::string& id) {
     return breaks.wait_for([&](const msg::Breaks& each) {

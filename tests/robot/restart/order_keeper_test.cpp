@@ -20,8 +20,8 @@ using testing::HasSubstr;
 class OrderKeeperTest : public testing::Test {
  protected:
   [[nodiscard]] OrderNumbers read() const {
-    const auto numbers = read_order_numbers(file);
-    return numbers ? numbers.value() : OrderNumbers{{"it cannot be read", 0}};
+    const auto kept = read_order_numbers(file);
+    return kept ? kept.value() : OrderNumbers{{"it cannot be read", 0}};
   }
   [[nodiscard]] std::string text() const {
     std::ifstream in(file);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/api/api.h"
+#include "monitor/server/api/order_author.h"
 #include "monitor/server/text/request_fields.h"
 #include "monitor/simulation/simulation_json.h"
 
@@ -12,7 +13,7 @@ msg::SimulationOrder simulation_order(RequestFields& fields) {
   constexpr double kMost = 1e6;
   const auto number = [&](const char* name) { return fields.number(name, 0, -kMost, kMost); };
   msg::SimulationOrder order;
-  order.author = fields.text("author", "operator");
+  order.author = fields.text("author");
   order.simulation = fields.text("simulation");
   order.subject = fields.text("subject");
   order.part = fields.text("part");
@@ -57,6 +58,7 @@ void Api::add_simulation_routes() {
        [this](auto& request, auto& body, auto& respond) {
          RequestFields fields(body);
          auto order = simulation_order(fields);
+         order.author = author_of(order.author, request.who);
          if (!fields.ok()) return respond(problem(400, fields.objection()));
          // What is done to a robot needs its lease. Pieces, furniture and the clock have none.
          if (parts_.team.find(order.subject) &&

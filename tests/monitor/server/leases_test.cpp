@@ -123,6 +123,19 @@ TEST_F(LeasesTest, AnOrderThatIsRefusedIsKeptWithTheReasonAndNotGiven) {
               AllOf(StartsWith("refused: "), HasSubstr("ada holds io.")));
 }
 
+TEST_F(LeasesTest, EveryOrderIsKeptWithTheNameOfWhoGaveIt) {
+  ASSERT_EQ(resume("ada", {"io"}).status, 200U);
+  ASSERT_EQ(post_as("ben", "/api/command", {{"kind", "hold"}, {"author", "operator"}}).status,
+            200U);
+  const auto kept_kind_of = [&](const std::string& author) {
+    for (const auto& each : get("/api/orders").as_json()["orders"])
+      if (each["author"] == author) return each["kind"].get<std::string>();
+    return std::string();
+  };
+  EXPECT_TRUE(becomes_true([&] { return kept_kind_of("ada") == "resume"; }));
+  EXPECT_TRUE(becomes_true([&] { return kept_kind_of("ben") == "hold"; }));
+}
+
 TEST_F(LeasesTest, ItIsAskedForGivenRefusedAndTakenOver) {
   ASSERT_EQ(resume("ada", {"io"}).status, 200U);
   ASSERT_EQ(lease("ben", "ask").status, 200U);

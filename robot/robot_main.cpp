@@ -4,11 +4,13 @@
 #include <spdlog/spdlog.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <iostream>
 #include <thread>
 
 #include "bhdl/check.h"
 #include "core/broken_pipe.h"
+#include "core/secure_folder.h"
 #include "core/state_folder.h"
 #include "core/termination.h"
 #include "core/wire/refusals.h"
@@ -70,6 +72,15 @@ Result<std::optional<TrustedKeys>> trusted_keys(const Options& options) {
   return std::optional<TrustedKeys>(std::move(keys).value());
 }
 
+/// Says so where anybody may move the robot. With DDS Security the roles of members say who may.
+void warn_without_keys(const Options& options) {
+  const char* secured = std::getenv(kSecureVariable);
+  if (!options.trust_file.empty() || (secured && *secured)) return;
+  log_warning(
+      "whoever is in this DDS domain can move this robot: name those who may with --trust FILE "
+      "(docs/SECURITY.md)");
+}
+
 OpenedDevices opened_devices(const Options& options, const DeviceSettings& settings) {
   OpenedDevices opened{.baud = settings.comm_port.baud};
   if (!options.serial) opened.serial = settings.comm_port.device;
@@ -128,6 +139,7 @@ int work(const Options& options, const Registry& components, bhdl::Program given
          Termination& termination) {
   const auto trust = trusted_keys(options);
   if (!trust) return refuse(trust.error().message);
+  warn_without_keys(options);
   const auto participant = wire::Participant::join(options.name, options.domain);
   if (!participant) return refuse(participant.error().message);
   participant.value()->refusals().tell_with(

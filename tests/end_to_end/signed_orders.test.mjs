@@ -110,3 +110,19 @@ test('a robot does not start with keys that it cannot read', limit, (t) => {
   assert.equal(refused.status, 1, refused.stdout);
   assert.match(refused.stderr, /galilean-robot: .*team\.keys:2: a line begins with 'ed25519'/);
 });
+
+test('the keys of the machine count where none are named, and a robot without keys says what that means', limit, async (t) => {
+  const domain = freshDomain();
+  const [operator, stranger] = [person(t, domain), person(t, domain)];
+  const trust = join(scratchFolder(t), 'team.keys');
+  writeFileSync(trust, operator.run('keys').stdout);
+  const start = (name, env) => new Running(t, ['robot', '--name', name, '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', '/dev/null/none',
+    '--camera', 'shm:none'], { domain, env });
+  const trusting = start('io', { GALILEAN_TRUST: trust });
+  await trusting.line(/comm_port/);
+  const refused = stranger.run('resume', '--robot', 'io');
+  assert.equal(refused.status, 1, refused.stdout);
+  assert.match(refused.stdout, new RegExp(NOT_TRUSTED));
+  assert.doesNotMatch(trusting.output, /can move this robot/);
+  await start('ganymede', { GALILEAN_TRUST: '' }).line(/whoever is in this DDS domain can move this robot: name those who may with --trust FILE/);
+});

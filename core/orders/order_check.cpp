@@ -53,7 +53,9 @@ Outcome OrderCheck::accept(const msg::Signature& signature, const Bytes& bytes,
     return OrderRefusal{Kind::kUntrusted, "it is not signed by a key that this robot trusts"};
   if (const auto of_now = check_times(signature, times); !of_now) return of_now;
   if (!signer->key.verify(bytes(), signature.bytes))
-    return OrderRefusal{Kind::kBroken, "its signature does not fit it: it was changed on the way"};
+    return OrderRefusal{
+        Kind::kBroken,
+        "its signature does not fit it: it was changed on the way, or is for another DDS domain"};
   return take_number(signer->id, signature.number);
 }
 

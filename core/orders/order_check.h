@@ -46,13 +46,14 @@ class OrderCheck {
   explicit OrderCheck(TrustedKeys trusted, OrderNumbers before = {})
       : trusted_(std::move(trusted)), before_(before), highest_(std::move(before)) {}
 
-  /// Takes in an order that came on `topic`. Requires: it is meant for this machine. Errors: it is
-  /// not to be carried out. An order that was accepted is refused when it comes again.
+  /// Takes in an order that came at this order_place(). Requires: it is meant for this machine.
+  /// Errors: it is not to be carried out. An order that was accepted is refused when it comes
+  /// again.
   template <class M>
-  [[nodiscard]] Result<void, OrderRefusal> accept(const M& order, const std::string& topic,
+  [[nodiscard]] Result<void, OrderRefusal> accept(const M& order, const std::string& place,
                                                   const CheckTimes& times) {
     return accept(
-        order.signature, [&] { return order_bytes(order, topic); }, times);
+        order.signature, [&] { return order_bytes(order, place); }, times);
   }
 
   /// Returns the highest numbers that were accepted, now or before.

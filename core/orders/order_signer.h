@@ -37,14 +37,14 @@ class OrderSigner {
     if (!numbers.empty()) numbers_.emplace(numbers);
   }
 
-  /// Signs the order as one of `topic`. Requires: it is not changed afterwards.
+  /// Signs the order for this order_place(). Requires: it is not changed afterwards.
   /// Errors: throws std::runtime_error if OpenSSL cannot sign.
   template <class M>
-  void sign(M& order, const std::string& topic) {
+  void sign(M& order, const std::string& place) {
     bool stops = false;
     if constexpr (requires { only_stops(order); }) stops = only_stops(order);
     order.signature = begin(!stops);
-    auto bytes = key_.sign(order_bytes(order, topic));
+    auto bytes = key_.sign(order_bytes(order, place));
     if (!bytes) throw std::runtime_error(bytes.error().message);
     order.signature.bytes = std::move(bytes).value();
   }

@@ -45,13 +45,14 @@ class OrderGate {
   OrderGate(std::optional<TrustedKeys> trust, const Clock& clock, ThreadProblems& problems,
             Times times = machine_times(), OrderMemory memory = {});
 
-  /// Errors: the order is not to be carried out. `what` names it, as order_words.h does.
+  /// `place` is the order_place() at which it came, and `what` names it, as order_words.h does.
+  /// Errors: the order is not to be carried out.
   template <class M>
-  [[nodiscard]] Result<void, OrderRefusal> admit(const M& order, const std::string& topic,
+  [[nodiscard]] Result<void, OrderRefusal> admit(const M& order, const std::string& place,
                                                  const std::string& what, Origin origin) {
     if (!check_) return {};
     const std::lock_guard lock(mutex_);
-    auto accepted = check_->accept(order, topic, times_());
+    auto accepted = check_->accept(order, place, times_());
     if (!accepted) note(what + " by ", accepted.error().why, std::move(origin));
     if (accepted && memory_.keep) memory_.keep(check_->numbers());
     return accepted;

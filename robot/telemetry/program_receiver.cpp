@@ -102,7 +102,8 @@ void ProgramReceiver::wait_and_take(const std::stop_token& stop) {
 
 template <class M>
 void ProgramReceiver::take_from(wire::Reader& reader, const std::string& topic) {
-  reader.take([this, &reader, &topic](const wire::Received& received) {
+  const std::string place = order_place(source_.participant.domain(), topic);
+  reader.take([this, &reader, &place](const wire::Received& received) {
     M message;
     if (!msg::decode_cdr(received.cdr, message)) return;
     if (!is_meant(source_.robot, message.targets)) return;
@@ -110,7 +111,7 @@ void ProgramReceiver::take_from(wire::Reader& reader, const std::string& topic) 
     const OrderGate::Origin origin{
         received.writer, [&reader, writer = received.writer] { return reader.sender(writer); }};
     const PushLedger::Push push{message.id, message.hash, {}};
-    if (const auto admitted = gate_.admit(message, topic, what_is(message), origin); !admitted)
+    if (const auto admitted = gate_.admit(message, place, what_is(message), origin); !admitted)
       return refuse(push, admitted.error());
     if (const auto done = handle_from(origin, message); !done) {
       log_rejection(push.hash, done.error().message);

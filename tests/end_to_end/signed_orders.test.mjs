@@ -126,3 +126,36 @@ test('the keys of the machine count where none are named, and a robot without ke
   assert.doesNotMatch(trusting.output, /can move this robot/);
   await start('ganymede', { GALILEAN_TRUST: '' }).line(/whoever is in this DDS domain can move this robot: name those who may with --trust FILE/);
 });
+
+test('a robot trusts several keys, until a line is deleted and it is started again, and remembers how far their orders came', limit, async (t) => {
+  const domain = freshDomain();
+  const [anna, ben] = [person(t, domain), person(t, domain)];
+  const trust = join(scratchFolder(t), 'team.keys'), state = scratchFolder(t);
+  const lines = [anna, ben].map(({ run }) => run('keys').stdout);
+  writeFileSync(trust, lines.join(''));
+  const start = async () => {
+    const robot = new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', '/dev/null/none',
+      '--camera', 'shm:none', '--trust', trust], { domain, env: { XDG_STATE_HOME: state } });
+    await robot.line(/comm_port/);
+    return robot;
+  };
+  const robot = await start();
+  for (const { run } of [anna, ben]) {
+    assert.equal(run('hold', '--robot', 'io').status, 0);
+    const resumed = run('resume', '--robot', 'io');
+    assert.equal(resumed.status, 0, resumed.stdout + resumed.stderr);
+  }
+  await robot.stop();
+  const kept = join(state, `galilean/robots/domain_${domain}/io.orders`);
+  assert.match(readFileSync(kept, 'utf8'), /^galilean orders, version 1\n([0-9a-f]{16} \d+\n){2}end\n$/);
+  assert.equal(statSync(kept).mode & 0o777, 0o600);
+
+  writeFileSync(trust, lines[0]);
+  await start();
+  assert.equal(ben.run('hold', '--robot', 'io').status, 0);
+  const refused = ben.run('resume', '--robot', 'io');
+  assert.equal(refused.status, 1, refused.stdout);
+  assert.match(refused.stdout, new RegExp(`^io: refused: ${NOT_TRUSTED}`));
+  const resumed = anna.run('resume', '--robot', 'io');
+  assert.equal(resumed.status, 0, resumed.stdout + resumed.stderr);
+});

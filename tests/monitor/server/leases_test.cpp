@@ -181,6 +181,28 @@ TEST_F(LeasesTest, OneOperatorWithoutANameSteersFromEverywhere) {
               HasSubstr("Nobody asks for io."));
 }
 
+/// DDS keeps 64 changes for who joins later, as a command in a terminal does.
+TEST_F(LeasesTest, WhoJoinsAfterManyChangesHearsWhoHoldsARobotForLong) {
+  ASSERT_EQ(resume("ada", {"io"}).status, 200U);
+  for (int turn = 0; turn < 40; ++turn) {
+    ASSERT_EQ(resume("ben", {"callisto"}).status, 200U);
+    ASSERT_EQ(post_as("ben", "/api/lease", {{"do", "release"}}).status, 200U);
+    ASSERT_EQ(io_lease("ada")["yours"], true);  // a word of hers
+  }
+  const auto participant = wire::Participant::join("late", test_domain()).value();
+  wire::Reader changes{*participant, wire::kLeaseChangeTopic, msg::LeaseChange::kRosType};
+  std::string holder;
+  EXPECT_TRUE(becomes_true([&] {
+    changes.take([&](const wire::Received& received) {
+      msg::LeaseChange change;
+      EXPECT_TRUE(msg::decode_cdr(received.cdr, change));
+      if (change.robot == "io") holder = change.holder;
+    });
+    return !holder.empty();
+  }));
+  EXPECT_EQ(holder, "ada");
+}
+
 TEST_F(LeasesTest, EveryChangeIsToldOnTheWire) {
   const auto participant = wire::Participant::join("listener", test_domain()).value();
   wire::Reader changes{*participant, wire::kLeaseChangeTopic, msg::LeaseChange::kRosType};

@@ -54,7 +54,8 @@ void LeaseTeller::tell() {
 void LeaseTeller::tell_again() {
   if (newest_.size() > kTellAgainAfter) return;
   for (auto& [robot, newest] : newest_) {
-    if (sent_ - newest.sent < kTellAgainAfter) continue;
+    // Of a robot that the monitor has forgotten nobody is told.
+    if (sent_ - newest.sent < kTellAgainAfter || !desk_.find(robot)) continue;
     send(newest.message);
     newest.sent = sent_;
   }

@@ -30,7 +30,7 @@ class LeaseTeller {
 
   struct Newest {
     msg::LeaseChange message;
-    std::uint64_t sent = 0;  ///< it was the how manieth
+    std::uint64_t sent = 0;  ///< its number among all that were sent, when it was sent last
   };
 
   void tell_again();

@@ -86,7 +86,8 @@ TEST_F(LeasesTest, EveryOrderThatSteersIsRefusedAndNoStopIs) {
       {"/api/breaks", {{"order", "remove"}, {"targets", {"io"}}, {"points", points}}},
       {"/api/breaks", {{"order", "let_through"}, {"targets", {"io"}}, {"points", points}}},
       {"/api/push", {{"files", files(kProgram)}, {"targets", {"io"}}}},
-      {"/api/simulation/orders", {{"order", "push"}, {"subject", "io"}}}};
+      {"/api/simulation/orders", {{"order", "push"}, {"subject", "io"}}},
+      {"/api/simulation/orders", {{"order", "start_contest"}}}};
   for (const auto& [target, body] : steering)
     EXPECT_EQ(post_as("ben", target, body).status, 409U) << target << body;
   const std::vector<std::pair<std::string, json>> stopping{

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
 #include <charconv>
 #include <filesystem>
 #include <iostream>
@@ -45,6 +47,16 @@ Result<void> read_start(const std::string& text, monitor::MonitorOptions& option
   return {};
 }
 
+/// Returns how a new token is used. The token itself is for a person who reads it now: where the
+/// output is kept, as by a service, others may read it later.
+std::string way_to_steer(const std::string& link, const std::string& token,
+                         const std::filesystem::path& file) {
+  if (isatty(STDOUT_FILENO) == 1)
+    return "  Open " + link + "/#token=" + token + " to steer the team.\n" +
+           "  This link is printed only once. The token is kept in " + file.string();
+  return "  To steer the team, open " + link + "/#token=TOKEN with the token in " + file.string();
+}
+
 int run(const monitor::MonitorOptions& options) {
   auto made = monitor::Monitor::make(options);
   if (!made) {
@@ -58,9 +70,8 @@ int run(const monitor::MonitorOptions& options) {
                            (is_ipv6 ? "]:" : ":") + std::to_string(running->port());
   std::cout << "galilean-monitor: " << link << std::endl;
   if (const auto token = running->new_operator_token(); !token.empty())
-    std::cout << "  Open " << link << "/#token=" << token << " to steer the team.\n"
-              << "  This link is printed only once. The token is kept in "
-              << monitor::operator_token_file(options.data_folder).string() << std::endl;
+    std::cout << way_to_steer(link, token, monitor::operator_token_file(options.data_folder))
+              << std::endl;
   if (options.tls)
     std::cout << "  The certificate's SHA-256 fingerprint, to compare with what the browser shows: "
               << running->fingerprint() << std::endl;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/options.h"
 
+#include <cstdlib>
+#include <filesystem>
 #include <iostream>
+#include <system_error>
 
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
@@ -24,6 +27,18 @@ std::string camera_device(const std::string& given) {
   if (!given.starts_with(kShared)) return given;
   const std::string name = given.substr(kShared.size());
   return "ring:" + (name.starts_with('/') ? name : "/" + name);
+}
+
+/// The keys that all robots of a machine trust.
+constexpr const char* kTrustOfMachine = "/etc/galilean/team.keys";
+
+/// Returns the file that counts where --trust is not given; empty if there is none. One that is
+/// there but cannot be read is named, too, so that the robot does not start without it.
+std::string usual_trust_file() {
+  if (const char* named = std::getenv("GALILEAN_TRUST"); named && *named) return named;
+  std::error_code unknown;
+  const auto kind = std::filesystem::symlink_status(kTrustOfMachine, unknown).type();
+  return kind == std::filesystem::file_type::not_found ? "" : kTrustOfMachine;
 }
 
 /// While watching, the file that is named stands for both if only one of the two is named.
@@ -86,7 +101,8 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
       .divided_by(',');
   app.option("--trust", options.trust_file,
              "obey only those whose public keys are in this file, a line each, as 'galilean keys' "
-             "prints it; anybody may still stop the robot")
+             "prints it; anybody may still stop the robot [GALILEAN_TRUST, else "
+             "/etc/galilean/team.keys where that is there]")
       .names_file();
   app.option("--log-level", options.log_level, "the least severe messages that are logged")
       .one_of({"debug", "info", "warning", "error", "off"})
@@ -95,6 +111,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
            "print the components that a program may name, as JSON, and exit");
   if (const auto code = app.parse(argc, argv)) return {std::nullopt, *code};
   settle_files(options, watch.given());
+  if (options.trust_file.empty()) options.trust_file = usual_trust_file();
   if (options.bhdl_file.empty() && !options.print_catalog) {
     std::cerr << "galilean-robot: --bhdl FILE is missing: name the program to run\n";
     return {std::nullopt, kWrongUsage};

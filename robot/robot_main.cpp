@@ -4,11 +4,13 @@
 #include <spdlog/spdlog.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <iostream>
 #include <thread>
 
 #include "bhdl/check.h"
 #include "core/broken_pipe.h"
+#include "core/secure_folder.h"
 #include "core/state_folder.h"
 #include "core/termination.h"
 #include "core/wire/refusals.h"
@@ -21,6 +23,7 @@
 #include "robot/executive/snapshot.h"
 #include "robot/log/log.h"
 #include "robot/options.h"
+#include "robot/restart/order_keeper.h"
 #include "robot/restart/program_keeper.h"
 #include "robot/restart/start.h"
 #include "robot/robot_devices.h"
@@ -69,6 +72,15 @@ Result<std::optional<TrustedKeys>> trusted_keys(const Options& options) {
   return std::optional<TrustedKeys>(std::move(keys).value());
 }
 
+/// Says so where anybody may move the robot. With DDS Security the roles of members say who may.
+void warn_without_keys(const Options& options) {
+  const char* secured = std::getenv(kSecureVariable);
+  if (!options.trust_file.empty() || (secured && *secured)) return;
+  log_warning(
+      "whoever is in this DDS domain can move this robot: name those who may with --trust FILE "
+      "(docs/SECURITY.md)");
+}
+
 OpenedDevices opened_devices(const Options& options, const DeviceSettings& settings) {
   OpenedDevices opened{.baud = settings.comm_port.baud};
   if (!options.serial) opened.serial = settings.comm_port.device;
@@ -104,6 +116,21 @@ Start choose(const Options& options, bhdl::Program given, const Catalog& catalog
   return start;
 }
 
+/// Returns how far orders had come when the robot program ended, or says that nobody knows.
+OrderNumbers numbers_before(const std::filesystem::path& kept) {
+  auto numbers = read_order_numbers(kept);
+  if (numbers) return std::move(numbers).value();
+  log_warning(numbers.error().message +
+              "; if the clock was set back meanwhile, orders of before could be sent again");
+  return {};
+}
+
+/// Requires: the keeper outlives what is returned.
+OrderMemory memory_with(OrderKeeper& keeper) {
+  return {.before = numbers_before(keeper.file()),
+          .keep = [&keeper](const OrderNumbers& numbers) { keeper.keep(numbers); }};
+}
+
 /// Whoever started the robot program again, or what did, may not see the robot. What operators had
 /// ordered before it died holds in any case: a robot that goes on by itself after faults does not
 /// go on after a stop.
@@ -131,6 +158,7 @@ int work(const Options& options, const Registry& components, bhdl::Program given
          Termination& termination) {
   const auto trust = trusted_keys(options);
   if (!trust) return refuse(trust.error().message);
+  warn_without_keys(options);
   const auto participant = wire::Participant::join(options.name, options.domain);
   if (!participant) return refuse(participant.error().message);
   participant.value()->refusals().tell_with(
@@ -144,6 +172,9 @@ int work(const Options& options, const Registry& components, bhdl::Program given
       kept_program_file(state_folder(), options.name, participant.value()->domain()), options.name);
   const DeviceSettings given_settings = DeviceSettings::of(given, components.catalog());
   const std::string given_hash = given.hash;
+  const bool keeps_orders = trust.value() && !options.keeps_nothing;
+  OrderKeeper order_keeper(
+      order_numbers_file(state_folder(), options.name, participant.value()->domain()));
   Start start = choose(options, std::move(given), components.catalog(), keeper.file());
   const std::string pushed_hash = start.pushed ? start.program.hash : "";
   const bool is_given = start.program.hash == given_hash;
@@ -201,7 +232,8 @@ int work(const Options& options, const Registry& components, bhdl::Program given
        .keep_orders =
            [&](const std::string& held_by, bool out_of_service) {
              keeper.keep_orders({held_by, out_of_service});
-           }},
+           },
+       .order_memory = keeps_orders ? memory_with(order_keeper) : OrderMemory{}},
       images, inputs);
   const auto tell_kept = [&](const std::string& problem) {
     telemetry.problems().note("restart", problem);
@@ -211,6 +243,10 @@ int work(const Options& options, const Registry& components, bhdl::Program given
         keeper.begin(executive.description(loaded.value())->program, start.pushed, start.orders));
   {
     const Worker writing = options.keeps_nothing ? Worker() : keeper.writer(tell_kept);
+    const auto tell_numbers = [&](const std::string& problem) {
+      telemetry.problems().note("order_numbers", problem);
+    };
+    const Worker writing_numbers = keeps_orders ? order_keeper.writer(tell_numbers) : Worker();
     // The watch is made before the loop: if it cannot be made, nothing has moved yet.
     std::optional<ProgramWatch> watch;
     if (!options.watched_file.empty())
@@ -224,6 +260,7 @@ int work(const Options& options, const Registry& components, bhdl::Program given
   std::this_thread::sleep_for(kStopFlushTime);
   if (const std::string problem = options.keeps_nothing ? "" : keeper.end(); !problem.empty())
     log_warning(problem);
+  if (const std::string problem = order_keeper.end(); !problem.empty()) log_warning(problem);
   log_info("the robot has stopped");
   return 0;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/orders/order_check.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace galilean {
@@ -52,11 +53,24 @@ Outcome OrderCheck::accept(const msg::Signature& signature, const Bytes& bytes,
     return OrderRefusal{Kind::kUntrusted, "it is not signed by a key that this robot trusts"};
   if (const auto of_now = check_times(signature, times); !of_now) return of_now;
   if (!signer->key.verify(bytes(), signature.bytes))
-    return OrderRefusal{Kind::kBroken, "its signature does not fit it: it was changed on the way"};
-  ReplayWindow& seen = seen_[signer->id];
-  if (seen.has(signature.number))
+    return OrderRefusal{
+        Kind::kBroken,
+        "its signature does not fit it: it was changed on the way, or is for another DDS domain"};
+  return take_number(signer->id, signature.number);
+}
+
+Outcome OrderCheck::take_number(const std::string& key_id, std::uint64_t number) {
+  const auto before = before_.find(key_id);
+  if (before != before_.end() && number <= before->second)
+    return OrderRefusal{Kind::kOfBefore,
+                        "it is not newer than orders that this robot carried out before it was "
+                        "started again; if it is, its sender's clock was set back: set it right"};
+  ReplayWindow& seen = seen_[key_id];
+  if (seen.has(number))
     return OrderRefusal{Kind::kReplayed, "it has come before, or is older than orders that have"};
-  seen.add(signature.number);
+  seen.add(number);
+  std::uint64_t& highest = highest_[key_id];
+  highest = std::max(highest, number);
   return {};
 }
 

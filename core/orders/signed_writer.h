@@ -17,20 +17,22 @@ template <class M>
 class SignedWriter {
  public:
   /// `signer` may be null. Errors: throws std::runtime_error if DDS refuses the topic.
-  SignedWriter(wire::Participant& participant, std::string topic,
+  SignedWriter(wire::Participant& participant, const std::string& topic,
                std::shared_ptr<OrderSigner> signer)
-      : topic_(std::move(topic)), signer_(std::move(signer)), writer_(participant, topic_) {}
+      : place_(order_place(participant.domain(), topic)),
+        signer_(std::move(signer)),
+        writer_(participant, topic) {}
 
   /// Returns false if DDS did not take the order in time. It is then lost. Errors: throws
   /// std::runtime_error if it cannot be signed.
   [[nodiscard]] bool write(M order) {
-    if (signer_) signer_->sign(order, topic_);
+    if (signer_) signer_->sign(order, place_);
     return writer_.write(order);
   }
   [[nodiscard]] int readers() const { return writer_.readers(); }
 
  private:
-  std::string topic_;
+  std::string place_;
   std::shared_ptr<OrderSigner> signer_;
   wire::Writer<M> writer_;
 };

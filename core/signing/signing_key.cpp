@@ -97,8 +97,10 @@ Result<SigningKey> SigningKey::load(const fs::path& file) {
   if (const auto safe = check_mode(file); !safe) return safe.error();
   const auto seed = seed_in(text.value());
   if (!seed)
-    return Error{file.string() +
-                 " holds no Ed25519 key in PEM without a password; 'galilean keys' makes one"};
+    return Error{
+        file.string() +
+        " holds no Ed25519 key in PEM without a password; where it is removed, 'galilean keys' "
+        "makes a new one, which robots must be told to trust"};
   return from_seed(*seed);
 }
 

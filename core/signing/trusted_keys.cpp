@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/signing/trusted_keys.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <sstream>
 #include <utility>
@@ -38,10 +40,20 @@ Result<TrustedKeys::Trusted> key_in(const std::string& line) {
 Result<TrustedKeys> TrustedKeys::load(const std::filesystem::path& file) {
   const auto text = read_regular_file(file.string(), kMostTrustBytes);
   if (!text) return Error{file.string() + " cannot be read: " + text.error().message};
+  struct stat status {};
+  if (stat(file.c_str(), &status) == 0 && (status.st_mode & S_IWOTH) != 0)
+    return Error{file.string() +
+                 " may be written by everybody, who could add a key: look at it, and run 'chmod "
+                 "o-w " +
+                 file.string() + "'"};
   return read(text.value(), file.string());
 }
 
 Result<TrustedKeys> TrustedKeys::read(std::string_view text, const std::string& file) {
+  if (text.find("PRIVATE KEY-----") != text.npos)
+    return Error{file +
+                 " is a private key, which its owner alone should have: name a file of what "
+                 "'galilean keys' prints, such as operator.key.pub"};
   TrustedKeys keys;
   std::istringstream lines{std::string(text)};
   std::string line;

@@ -24,7 +24,8 @@ class TrustedKeys {
     VerifyingKey key;
   };
 
-  /// Reads a file. Errors: it cannot be read, a line of it names no key, or none does.
+  /// Reads a file. Errors: it cannot be read, everybody may write it, it is a private key, a line
+  /// of it names no key, or none does.
   [[nodiscard]] static Result<TrustedKeys> load(const std::filesystem::path& file);
   /// Reads the text of such a file. `file` is what errors call it. Errors: as load().
   [[nodiscard]] static Result<TrustedKeys> read(std::string_view text, const std::string& file);

@@ -38,7 +38,11 @@ Result<std::shared_ptr<OrderSigner>> find_signer(const std::string& key_file) {
   }
   auto key = SigningKey::load(file);
   if (!key) return key.error();
-  return std::make_shared<OrderSigner>(std::move(key).value());
+  return signer_of(std::move(key).value(), file);
+}
+
+std::shared_ptr<OrderSigner> signer_of(SigningKey key, const std::filesystem::path& key_file) {
+  return std::make_shared<OrderSigner>(std::move(key), wire::wall_clock_ns, number_file(key_file));
 }
 
 CommandLineOption add_key_option(CommandLine& line, std::string& key_file,

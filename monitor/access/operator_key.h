@@ -23,6 +23,11 @@ namespace galilean::monitor {
 /// that nobody signed. Errors: the key cannot be read.
 [[nodiscard]] Result<std::shared_ptr<OrderSigner>> find_signer(const std::string& key_file);
 
+/// Returns a signer with the key of `key_file`. It shares the numbers of its orders with every
+/// process that signs with that file.
+[[nodiscard]] std::shared_ptr<OrderSigner> signer_of(SigningKey key,
+                                                     const std::filesystem::path& key_file);
+
 /// Adds --key. `note` ends the help, such as "with --direct".
 CommandLineOption add_key_option(CommandLine& line, std::string& key_file,
                                  const std::string& note = {});

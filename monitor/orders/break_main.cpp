@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/command_line/exit_code.h"
+#include "core/orders/stopping_orders.h"
 #include "core/visible_text.h"
 #include "monitor/access/operator_key.h"
 #include "monitor/orders/break_options.h"
@@ -70,7 +71,7 @@ struct Giver {
 Result<int> give(OrderSession& session, msg::BreakOrder order, const Giver& giver,
                  std::size_t there) {
   const Addressees& whom = giver.whom;
-  if (const auto may = session.check_leases(whom); order.order != "set" && !may) return may.error();
+  if (const auto may = session.check_leases(whom); !only_stops(order) && !may) return may.error();
   BreakOrders orders(session.participant(), giver.signer);
   order.targets = whom.robots;
   session.wait(OrderSession::kHear, [&] { return orders.listeners() >= static_cast<int>(there); });

@@ -7,6 +7,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <csignal>
 #include <iostream>
+#include <optional>
 
 #include "bhdl/program/catalog_file.h"
 #include "core/installation.h"
@@ -26,6 +27,7 @@
 #include "monitor/server/foxglove/domain_graph.h"
 #include "monitor/server/limits/descriptors.h"
 #include "monitor/server/limits/server_limits.h"
+#include "monitor/tls/certificate_watch.h"
 
 namespace galilean::monitor {
 namespace {
@@ -149,6 +151,7 @@ struct Monitor::Parts {
   std::uint16_t port = 0;
   std::string new_operator_token;
   std::string fingerprint;
+  std::optional<CertificateWatch> certificates;  ///< of TLS
 
   Parts(const MonitorOptions& options, const ServerLimits& limits,
         std::unique_ptr<wire::Participant> joined, std::unique_ptr<History> opened,
@@ -176,6 +179,8 @@ struct Monitor::Parts {
   [[nodiscard]] Result<void> begin_tls(const MonitorOptions& options);
   void keep_order(const Message& message);
   void tell_regularly();
+  [[nodiscard]] Result<void> open_door(const CertificateFiles& files);
+  void look_at_certificate();
   void look_at_tokens();
   void look_at_tokens_regularly();
   void tell_graph();
@@ -315,13 +320,31 @@ Result<void> Monitor::Parts::begin_tls(const MonitorOptions& options) {
     files = own_certificate(options.data_folder);
     if (auto made = ensure_own_certificate(files); !made) return made;
   }
+  // Before the files are read: what changes meanwhile is seen at the next look.
+  certificates.emplace(files);
+  return open_door(files);
+}
+
+Result<void> Monitor::Parts::open_door(const CertificateFiles& files) {
   auto door = TlsDoor::open(files);
   if (!door) return door.error();
   auto read = fingerprint_of(files.certificate);
   if (!read) return read.error();
   fingerprint = std::move(read).value();
+  if (const auto why = door.value()->objection(); !why.empty())
+    std::clog << "galilean-monitor: " << files.certificate.string() << ": " << why << std::endl;
   server.use_tls(std::move(door).value());
   return {};
+}
+
+void Monitor::Parts::look_at_certificate() {
+  if (!certificates || !certificates->is_renewed()) return;
+  const auto opened = open_door(certificates->files());
+  std::clog << "galilean-monitor: "
+            << (opened ? "a new certificate is served from now on; its SHA-256 fingerprint: " +
+                             fingerprint
+                       : opened.error().message + "; the certificate of before is served still")
+            << std::endl;
 }
 
 void Monitor::Parts::look_at_tokens() {
@@ -339,6 +362,7 @@ void Monitor::Parts::look_at_tokens_regularly() {
     look_at_tokens();
     server.end_withdrawn();
   });
+  (void)guarded("looking at the certificate", [this] { look_at_certificate(); });
   token_timer.expires_after(kTokenPeriod);
   token_timer.async_wait([this](boost::system::error_code error) {
     if (!error) look_at_tokens_regularly();
@@ -370,10 +394,10 @@ Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) tr
   participant.value()->refusals().tell_with([](const std::string& sentence) {
     std::clog << "galilean-monitor: " + sentence + "\n" << std::flush;
   });
-  auto blocks = std::make_unique<Parts>(options, limits_for(descriptors.value(), options.tls),
-                                        std::move(participant).value(), std::move(history).value(),
-                                        tokens.value(),
-                                        std::make_shared<OrderSigner>(std::move(key).value()));
+  auto blocks = std::make_unique<Parts>(
+      options, limits_for(descriptors.value(), options.tls), std::move(participant).value(),
+      std::move(history).value(), tokens.value(),
+      signer_of(std::move(key).value(), operator_key_file(options.data_folder)));
   if (tokens.value().are_new) blocks->new_operator_token = tokens.value().operator_;
   if (options.tls)
     if (const auto begun = blocks->begin_tls(options); !begun) return begun.error();

@@ -21,6 +21,8 @@ Dashboard::Dashboard(const Parts& parts, std::string chosen)
       curves_(parts.history) {
   choice_.robot = std::move(chosen);
   is_settled_ = !choice_.robot.empty();
+  steering_.ask_before_orders(
+      [this](const std::string& robot, bool all) { return may_steer(robot, all); });
 }
 
 void Dashboard::update() {

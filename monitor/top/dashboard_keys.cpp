@@ -124,7 +124,6 @@ void Dashboard::press_letter(char letter) {
     case 'r':
       return ask_to_resume(to_all);
     case 's':
-      if (!may_steer(shown_robot(), to_all)) return;
       return steering_.say(Operator::Word::kStart, shown_robot(), to_all);
     case 'a':
       return to_all ? acknowledge_shown() : acknowledge_first();
@@ -137,7 +136,6 @@ void Dashboard::press_letter(char letter) {
     case 'd':
       return to_all ? void() : ask_about_service();
     case 'n':
-      if (!may_steer(shown_robot(), to_all)) return;
       return steering_.say(Operator::Word::kStep, shown_robot(), to_all);
     case 'l':
       return go_to({});

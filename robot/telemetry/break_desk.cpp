@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/break_desk.h"
 
+#include <algorithm>
+
 #include "robot/log/log.h"
 #include "robot/telemetry/break_words.h"
 
@@ -71,6 +73,8 @@ void BreakDesk::answer(const std::string& id, const std::string& what, const Res
 void BreakDesk::keep_answer(const std::string& id, const std::string& refused) {
   ++told_.orders;
   auto& answers = told_.answers;
+  // A stranger may have sent the order first, without its signature.
+  std::erase_if(answers, [&](const msg::BreakAnswer& known) { return known.id == id; });
   answers.push_back({id, refused});
   if (answers.size() > kAnswersKept) answers.erase(answers.begin());
 }
@@ -80,6 +84,16 @@ void BreakDesk::refuse(const std::string& order_id, const OrderRefusal& refusal)
   // it.
   if (refusal.kind == OrderRefusal::Kind::kReplayed) return;
   const std::lock_guard lock(mutex_);
+  auto& answers = told_.answers;
+  if (std::ranges::find(answers, order_id, &msg::BreakAnswer::id) != answers.end()) return;
+  // However many orders strangers send, the answers to others are still told.
+  refused_ids_.push_back(order_id);
+  if (refused_ids_.size() > kRefusalsKept) {
+    std::erase_if(answers, [&](const msg::BreakAnswer& known) {
+      return known.id == refused_ids_.front() && !known.refused.empty();
+    });
+    refused_ids_.pop_front();
+  }
   keep_answer(order_id, with_advice(refusal));
 }
 

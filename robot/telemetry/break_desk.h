@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -20,6 +21,7 @@ namespace galilean::robot {
 class BreakDesk {
  public:
   static constexpr std::size_t kAnswersKept = 16;
+  static constexpr std::size_t kRefusalsKept = 8;  ///< so many of these, of orders not carried out
 
   struct Told {
     std::uint64_t orders = 0;  ///< how many were given: another number means that something changed
@@ -41,7 +43,7 @@ class BreakDesk {
   void resume(const msg::Command& command);
   void step(const msg::Command& command);
   void obey(const msg::BreakOrder& order);
-  /// Answers an order that is not carried out. One that was sent again is not answered again.
+  /// Answers an order that is not admitted. One that was sent again is not answered again.
   void refuse(const std::string& order_id, const OrderRefusal& refusal);
 
   [[nodiscard]] Told told() const;
@@ -61,6 +63,7 @@ class BreakDesk {
   Executive& executive_;
   mutable std::mutex mutex_;
   std::string held_by_;
+  std::deque<std::string> refused_ids_;  ///< of the newest orders that were not admitted
   Told told_;
 };
 

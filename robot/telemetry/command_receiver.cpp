@@ -15,6 +15,7 @@ CommandReceiver::CommandReceiver(const TelemetrySource& source, BreakDesk& desk,
     : executive_(source.executive),
       desk_(desk),
       gate_(gate),
+      place_(order_place(source.participant.domain(), wire::kCommandTopic)),
       commands_(
           source.participant, wire::kCommandTopic, source.robot,
           [this](const msg::Command& command, OrderGate::Origin origin) {
@@ -24,8 +25,7 @@ CommandReceiver::CommandReceiver(const TelemetrySource& source, BreakDesk& desk,
 
 bool CommandReceiver::admit(const msg::Command& command, OrderGate::Origin origin) {
   if (!can_move(command)) return true;
-  const auto admitted =
-      gate_.admit(command, wire::kCommandTopic, what_is(command), std::move(origin));
+  const auto admitted = gate_.admit(command, place_, what_is(command), std::move(origin));
   if (!admitted) desk_.refuse(command.id, admitted.error());
   return admitted.ok();
 }

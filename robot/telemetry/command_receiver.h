@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "robot/telemetry/break_desk.h"
 #include "robot/telemetry/order_gate.h"
 #include "robot/telemetry/order_reader.h"
@@ -25,6 +27,7 @@ class CommandReceiver {
   Executive& executive_;
   BreakDesk& desk_;
   OrderGate& gate_;
+  const std::string place_;
   OrderReader<msg::Command> commands_;
 };
 

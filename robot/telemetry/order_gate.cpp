@@ -28,9 +28,9 @@ bool reaches_power_of_ten(std::uint64_t before, std::uint64_t now) {
 }  // namespace
 
 OrderGate::OrderGate(std::optional<TrustedKeys> trust, const Clock& clock, ThreadProblems& problems,
-                     Times times)
-    : clock_(clock), problems_(problems), times_(std::move(times)) {
-  if (trust) check_.emplace(std::move(*trust));
+                     Times times, OrderMemory memory)
+    : clock_(clock), problems_(problems), times_(std::move(times)), memory_(std::move(memory)) {
+  if (trust) check_.emplace(std::move(*trust), memory_.before);
 }
 
 OrderGate::Times OrderGate::machine_times() {

@@ -12,6 +12,7 @@
 
 #include "core/clock.h"
 #include "core/orders/order_check.h"
+#include "core/orders/order_memory.h"
 #include "core/result.h"
 #include "core/signing/trusted_keys.h"
 #include "core/wire/reader.h"
@@ -37,18 +38,23 @@ class OrderGate {
   static constexpr std::size_t kMostSenders = 16;  ///< further ones are told as one
   static constexpr std::size_t kMostWaiting = 64;  ///< further ones are counted without a name
 
+  /// Returns the times of this machine, whose uptime begins now.
+  [[nodiscard]] static Times machine_times();
+
   /// Requires: `clock` and `problems` outlive this.
   OrderGate(std::optional<TrustedKeys> trust, const Clock& clock, ThreadProblems& problems,
-            Times times = machine_times());
+            Times times = machine_times(), OrderMemory memory = {});
 
-  /// Errors: the order is not to be carried out. `what` names it, as order_words.h does.
+  /// `place` is the order_place() at which it came, and `what` names it, as order_words.h does.
+  /// Errors: the order is not to be carried out.
   template <class M>
-  [[nodiscard]] Result<void, OrderRefusal> admit(const M& order, const std::string& topic,
+  [[nodiscard]] Result<void, OrderRefusal> admit(const M& order, const std::string& place,
                                                  const std::string& what, Origin origin) {
     if (!check_) return {};
     const std::lock_guard lock(mutex_);
-    auto accepted = check_->accept(order, topic, times_());
+    auto accepted = check_->accept(order, place, times_());
     if (!accepted) note(what + " by ", accepted.error().why, std::move(origin));
+    if (accepted && memory_.keep) memory_.keep(check_->numbers());
     return accepted;
   }
 
@@ -66,7 +72,6 @@ class OrderGate {
     Time last{};
   };
 
-  [[nodiscard]] static Times machine_times();
   void note(std::string what, std::string why, Origin origin);
   void tell(const Refused& refused);
   void tell_unnamed(std::uint64_t number);
@@ -78,6 +83,7 @@ class OrderGate {
   const Clock& clock_;
   ThreadProblems& problems_;
   const Times times_;
+  const OrderMemory memory_;
   std::mutex mutex_;  // of check_, waiting_ and unnamed_
   std::deque<Refused> waiting_;
   std::uint64_t unnamed_ = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/cut_text.h"
+#include "core/orders/stopping_orders.h"
 #include "core/visible_text.h"
 
 namespace galilean::robot {
@@ -20,12 +21,11 @@ std::string shown(std::string_view text, std::size_t most_bytes = kLongestName) 
 }  // namespace
 
 bool can_move(const msg::Command& command) noexcept {
-  return command.kind != msg::Command_Constants::HOLD &&
-         command.kind != msg::Command_Constants::DECOMMISSION;
+  return !only_stops(command);
 }
 
 bool can_move(const msg::BreakOrder& order, const std::vector<BreakPoint>& points) {
-  if (order.order != "set") return true;
+  if (!only_stops(order)) return true;
   const auto is_there = [&](const msg::BreakPoint& wanted) {
     const StateChange place{wanted.from_state, wanted.to_state};
     return std::ranges::any_of(points,

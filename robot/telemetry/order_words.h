@@ -14,8 +14,8 @@ namespace galilean::robot {
 /// Returns whether the command could move a robot, so that it needs a signature. Holding a robot
 /// and taking it out of service need none: who sees a robot go wrong must be able to stop it.
 [[nodiscard]] bool can_move(const msg::Command& command) noexcept;
-/// Returns whether the order could let a robot with these break points go on: all orders but a set
-/// whose points have no change of state in common with them.
+/// Returns whether the order could move a robot with these break points: all orders but a set of
+/// points that stop, and that have no change of state in common with them.
 [[nodiscard]] bool can_move(const msg::BreakOrder& order, const std::vector<BreakPoint>& points);
 
 /// Returns what the order is, such as "A resume".

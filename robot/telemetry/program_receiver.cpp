@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/telemetry/program_receiver.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -44,6 +45,10 @@ std::vector<msg::Diagnostic> to_messages(const std::vector<bhdl::Diagnostic>& di
 /// whether the canary's program is rolled back.
 constexpr float kLongestProbation_s = 3610;
 constexpr std::size_t kShownOfHash = 8;
+
+void log_rejection(const std::string& hash, const std::string& why) {
+  log_warning("program " + std::string(cut_text(hash, kShownOfHash)) + " was rejected: " + why);
+}
 
 /// Errors: the push's rules of probation are not valid.
 Result<void> check_rules(const msg::ProgramPush& push) {
@@ -97,31 +102,31 @@ void ProgramReceiver::wait_and_take(const std::stop_token& stop) {
 
 template <class M>
 void ProgramReceiver::take_from(wire::Reader& reader, const std::string& topic) {
-  reader.take([this, &reader, &topic](const wire::Received& received) {
+  const std::string place = order_place(source_.participant.domain(), topic);
+  reader.take([this, &reader, &place](const wire::Received& received) {
     M message;
     if (!msg::decode_cdr(received.cdr, message)) return;
     if (!is_meant(source_.robot, message.targets)) return;
     if (message.targets.empty() && !source_.executive.in_service()) return;
     const OrderGate::Origin origin{
         received.writer, [&reader, writer = received.writer] { return reader.sender(writer); }};
-    const auto done = handle_from(origin, topic, message);
-    if (!done) refuse({message.id, message.hash, {}}, done.error());
+    const PushLedger::Push push{message.id, message.hash, {}};
+    if (const auto admitted = gate_.admit(message, place, what_is(message), origin); !admitted)
+      return refuse(push, admitted.error());
+    if (const auto done = handle_from(origin, message); !done) {
+      log_rejection(push.hash, done.error().message);
+      write(stamped(rejection(push, done.error().message, {})));
+    }
   });
 }
 
 template <class M>
-Result<void, OrderRefusal> ProgramReceiver::handle_from(const OrderGate::Origin& origin,
-                                                        const std::string& topic,
-                                                        const M& message) {
-  using Kind = OrderRefusal::Kind;
-  if (const auto admitted = gate_.admit(message, topic, what_is(message), origin); !admitted)
-    return OrderRefusal{admitted.error().kind, with_advice(admitted.error())};
+Result<void> ProgramReceiver::handle_from(const OrderGate::Origin& origin, const M& message) {
   const auto sender = origin.sender();
   const auto name = sender ? std::optional(sender->name) : std::nullopt;
-  if (const auto accepted = source_.accepted_senders.accept(name); !accepted)
-    return OrderRefusal{Kind::kUntrusted, accepted.error().message};
+  if (auto accepted = source_.accepted_senders.accept(name); !accepted) return accepted;
   if (const auto done = attempt([&] { handle(message); }); !done)
-    return OrderRefusal{Kind::kBroken, "this robot could not handle it: " + done.error().message};
+    return Error{"this robot could not handle it: " + done.error().message};
   return {};
 }
 
@@ -203,8 +208,6 @@ void ProgramReceiver::on_event(const Event& event) {
 
 msg::ProgramReply ProgramReceiver::rejection(const PushLedger::Push& push, std::string why,
                                              std::vector<msg::Diagnostic> diagnostics) const {
-  log_warning("program " + std::string(cut_text(push.hash, kShownOfHash)) +
-              " was rejected: " + why);
   return {.id = push.id,
           .hash = push.hash,
           .running_hash = ledger_.running_hash(),
@@ -215,14 +218,21 @@ msg::ProgramReply ProgramReceiver::rejection(const PushLedger::Push& push, std::
 
 void ProgramReceiver::reject(const PushLedger::Push& push, std::string why,
                              std::vector<msg::Diagnostic> diagnostics) {
+  log_rejection(push.hash, why);
   send(rejection(push, std::move(why), std::move(diagnostics)));
 }
 
 void ProgramReceiver::refuse(const PushLedger::Push& push, const OrderRefusal& refusal) {
   // The first answer to a push is the true one. Whoever sends it again must not change it.
-  if (refusal.kind == OrderRefusal::Kind::kReplayed) return;
+  if (refusal.kind == OrderRefusal::Kind::kReplayed || is_answered(push)) return;
+  const Time now = source_.clock.now();
+  if (now - refusing_since_ >= std::chrono::seconds(1)) {
+    refusing_since_ = now;
+    refusals_ = 0;
+  }
+  if (++refusals_ > kRefusalsEachSecond) return;
   // It is not remembered: a stranger who sends a push first must not spoil the true one's answer.
-  write(stamped(rejection(push, refusal.why, {})));
+  write(stamped(rejection(push, with_advice(refusal), {})));
 }
 
 void ProgramReceiver::send(msg::ProgramReply reply) {
@@ -251,6 +261,13 @@ void ProgramReceiver::remember(const msg::ProgramReply& reply) {
   });
   answered_.push_back(reply);
   if (answered_.size() > kMostRemembered) answered_.pop_front();
+}
+
+bool ProgramReceiver::is_answered(const PushLedger::Push& push) {
+  const std::lock_guard lock(answered_mutex_);
+  return std::ranges::any_of(answered_, [&](const msg::ProgramReply& known) {
+    return known.id == push.id && known.hash == push.hash;
+  });
 }
 
 bool ProgramReceiver::answer_again(const msg::ProgramPush& push) {

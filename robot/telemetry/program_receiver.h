@@ -29,14 +29,15 @@ class ProgramReceiver {
   void on_event(const Event& event);
 
  private:
+  /// More than so many answers a second are for no operator, and would push those to others out.
+  static constexpr int kRefusalsEachSecond = 8;
+
   void wait_and_take(const std::stop_token& stop);
   template <class M>
   void take_from(wire::Reader& reader, const std::string& topic);
-  /// Handles the message if it is admitted and its sender is accepted. Errors: it is not, or
-  /// handling it threw.
+  /// Handles a message that is admitted. Errors: its sender is not accepted, or handling it threw.
   template <class M>
-  [[nodiscard]] Result<void, OrderRefusal> handle_from(const OrderGate::Origin& origin,
-                                                       const std::string& topic, const M& message);
+  [[nodiscard]] Result<void> handle_from(const OrderGate::Origin& origin, const M& message);
   void handle(const msg::ProgramPush& push);
   void handle(const msg::ProgramRollback& order);
   void wait_until_runs(const std::string& hash) const;
@@ -47,7 +48,7 @@ class ProgramReceiver {
   void keep_proven(const Event& event) const;
   void reject(const PushLedger::Push& push, std::string why,
               std::vector<msg::Diagnostic> diagnostics = {});
-  /// Answers a message that was not handled.
+  /// Answers a message that is not admitted. The gate has told of it, once a sender.
   void refuse(const PushLedger::Push& push, const OrderRefusal& refusal);
   [[nodiscard]] msg::ProgramReply rejection(const PushLedger::Push& push, std::string why,
                                             std::vector<msg::Diagnostic> diagnostics) const;
@@ -58,12 +59,15 @@ class ProgramReceiver {
   /// Answers a push that came before as it was answered last. Returns false if it is a new one.
   [[nodiscard]] bool answer_again(const msg::ProgramPush& push);
   void remember(const msg::ProgramReply& reply);
+  [[nodiscard]] bool is_answered(const PushLedger::Push& push);
 
   TelemetrySource source_;
   OrderGate& gate_;
   const bhdl::Vocabulary vocabulary_;
   PushLedger ledger_;
   wire::Writer<msg::ProgramReply> replies_;
+  Time refusing_since_{};  ///< the worker's thread alone uses this and the next
+  int refusals_ = 0;
   std::mutex answered_mutex_;
   std::deque<msg::ProgramReply> answered_;  ///< the newest reply to each of the newest pushes
   std::mutex mutex_;

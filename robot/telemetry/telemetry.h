@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <utility>
 
 #include "core/wire/topic_names.h"
@@ -29,7 +30,9 @@ class Telemetry {
   Telemetry(const TelemetrySource& source, ImageTap& images, InputsTap& inputs)
       : log_forwarding_(log_),
         executive_(source.executive),
-        gate_(source.trust, source.clock, problems_),
+        gate_(source.trust, source.clock, problems_, OrderGate::machine_times(),
+              source.order_memory),
+        break_place_(order_place(source.participant.domain(), wire::kBreakOrderTopic)),
         break_desk_(source.robot, source.executive, source.held_by),
         holds_(source, break_desk_, problems_),
         breaks_(source, break_desk_),
@@ -70,8 +73,7 @@ class Telemetry {
   }
   [[nodiscard]] bool admit(const msg::BreakOrder& order, OrderGate::Origin origin) {
     if (!can_move(order, executive_.breaks().points())) return true;
-    const auto admitted =
-        gate_.admit(order, wire::kBreakOrderTopic, what_is(order), std::move(origin));
+    const auto admitted = gate_.admit(order, break_place_, what_is(order), std::move(origin));
     if (!admitted) break_desk_.refuse(order.id, admitted.error());
     return admitted.ok();
   }
@@ -81,6 +83,7 @@ class Telemetry {
   LogForwarding log_forwarding_;
   Executive& executive_;
   OrderGate gate_;
+  const std::string break_place_;
   BreakDesk break_desk_;
   HoldKeeper holds_;
   BreakPublisher breaks_;

@@ -31,7 +31,7 @@ test("it stops where a click has set a break point, says whose, and Why says so 
     await tab.untilIs(`state-${name}`, "data-break", "stop");
   }
   await row("io").getByRole("button", { name: "Go on" }).click();
-  await untilSaid(/^stopped at \w+ → \w+ \(operator's break point\)$/);
+  await untilSaid(/^stopped at \w+ → \w+ \(\S+'s break point\)$/);
   const { breaks, transitions } = await io();
   assert.equal(breaks.points.length, all.length);
   const { number, from_state, to_state } = transitions.find(({ number }) => number === breaks.stopped_at);

@@ -38,7 +38,8 @@ test("a slider that rests is one push to the team, which says what it changes", 
   assert.deepEqual(told.filter((words) => steps.includes(words)), steps, told.join("; "));
   const [push, ...more] = await pushes();
   assert.deepEqual(more, []);
-  assert.equal(push.author, "operator (combine · gain of noise 0.4 → 0.44)");
+  assert.match(push.author, /^\S+ \(combine · gain of noise 0\.4 → 0\.44\)$/);
+  assert.doesNotMatch(push.author, /^operator /, "it names who moved it");
   const { files } = await tab.api(`/api/pushed/${push.hash}`);
   assert.match(files[0].text, /gains: 1 0\.44 ; how much each counts/);
 });

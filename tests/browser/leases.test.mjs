@@ -40,6 +40,17 @@ test("another one sees before he presses anything that he may not, and still sto
   await ada.untilRow("io", "data-held", "false");
 });
 
+test("he may set a break point, and no lock, at which it would drive on", async () => {
+  const state = ben.at("machine").locator("[data-state]").first();
+  await state.click();
+  const choice = (name) => ben.at("break-choice").getByRole("button", { name, exact: true });
+  await choice("Lock").waitFor();
+  assert.equal(await choice("Stop").getAttribute("aria-disabled"), "false");
+  assert.equal(await choice("Lock").getAttribute("aria-disabled"), "true");
+  assert.match(await choice("Lock").getAttribute("title"), /^Ada holds io\. Ask for it/);
+  await state.click();
+});
+
 test("he asks, and is refused", async () => {
   await ben.at("lease-ask-io").click();
   await ada.untilText("lease-asked-io", /Ben asks for io/);

@@ -57,9 +57,9 @@ test('anybody holds a robot, and only whom it trusts lets it go on', limit, asyn
 test('a key that is brought along does, too, and a step and break points are refused to others', limit, async (t) => {
   const { operator, stranger } = await startTrustingRobot(t);
   const key = join(operator.state, 'operator.key');
-  const set = stranger.run('break', 'grab_trash', '--lock', '--robot', 'io');
+  const set = stranger.run('break', 'grab_trash', '--robot', 'io');
   assert.equal(set.status, 0, set.stdout + set.stderr);
-  for (const order of [['break', '--clear'], ['step']]) {
+  for (const order of [['break', 'wander_for_trash', '--lock'], ['break', '--clear'], ['step']]) {
     const refused = stranger.run(...order, '--robot', 'io');
     assert.equal(refused.status, 1, refused.stdout);
     assert.match(refused.stdout, new RegExp(`^io: refused: ${NOT_TRUSTED}`));
@@ -109,4 +109,53 @@ test('a robot does not start with keys that it cannot read', limit, (t) => {
     '--camera', 'shm:none', '--trust', trust], { domain: freshDomain() });
   assert.equal(refused.status, 1, refused.stdout);
   assert.match(refused.stderr, /galilean-robot: .*team\.keys:2: a line begins with 'ed25519'/);
+});
+
+test('the keys of the machine count where none are named, and a robot without keys says what that means', limit, async (t) => {
+  const domain = freshDomain();
+  const [operator, stranger] = [person(t, domain), person(t, domain)];
+  const trust = join(scratchFolder(t), 'team.keys');
+  writeFileSync(trust, operator.run('keys').stdout);
+  const start = (name, env) => new Running(t, ['robot', '--name', name, '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', '/dev/null/none',
+    '--camera', 'shm:none'], { domain, env });
+  const trusting = start('io', { GALILEAN_TRUST: trust });
+  await trusting.line(/comm_port/);
+  const refused = stranger.run('resume', '--robot', 'io');
+  assert.equal(refused.status, 1, refused.stdout);
+  assert.match(refused.stdout, new RegExp(NOT_TRUSTED));
+  assert.doesNotMatch(trusting.output, /can move this robot/);
+  await start('ganymede', { GALILEAN_TRUST: '' }).line(/whoever is in this DDS domain can move this robot: name those who may with --trust FILE/);
+});
+
+test('a robot trusts several keys, until a line is deleted and it is started again, and remembers how far their orders came', limit, async (t) => {
+  const domain = freshDomain();
+  const [anna, ben] = [person(t, domain), person(t, domain)];
+  const trust = join(scratchFolder(t), 'team.keys'), state = scratchFolder(t);
+  const lines = [anna, ben].map(({ run }) => run('keys').stdout);
+  writeFileSync(trust, lines.join(''));
+  const start = async () => {
+    const robot = new Running(t, ['robot', '--name', 'io', '--bhdl', `${programs}/office_cleanup.bhdl`, '--serial', '/dev/null/none',
+      '--camera', 'shm:none', '--trust', trust], { domain, env: { XDG_STATE_HOME: state } });
+    await robot.line(/comm_port/);
+    return robot;
+  };
+  const robot = await start();
+  for (const { run } of [anna, ben]) {
+    assert.equal(run('hold', '--robot', 'io').status, 0);
+    const resumed = run('resume', '--robot', 'io');
+    assert.equal(resumed.status, 0, resumed.stdout + resumed.stderr);
+  }
+  await robot.stop();
+  const kept = join(state, `galilean/robots/domain_${domain}/io.orders`);
+  assert.match(readFileSync(kept, 'utf8'), /^galilean orders, version 1\n([0-9a-f]{16} \d+\n){2}end\n$/);
+  assert.equal(statSync(kept).mode & 0o777, 0o600);
+
+  writeFileSync(trust, lines[0]);
+  await start();
+  assert.equal(ben.run('hold', '--robot', 'io').status, 0);
+  const refused = ben.run('resume', '--robot', 'io');
+  assert.equal(refused.status, 1, refused.stdout);
+  assert.match(refused.stdout, new RegExp(`^io: refused: ${NOT_TRUSTED}`));
+  const resumed = anna.run('resume', '--robot', 'io');
+  assert.equal(resumed.status, 0, resumed.stdout + resumed.stderr);
 });

@@ -2,7 +2,7 @@
 // The monitor behind TLS: the page, the API, WebSockets and commands, and how its certificate is known.
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
-import { mkdirSync, readFileSync, statSync } from 'node:fs';
+import { mkdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
 import { request as plainRequest } from 'node:http';
 import { request } from 'node:https';
 import { createRequire } from 'node:module';
@@ -127,4 +127,37 @@ test('a revoked token ends what it has open over TLS, too', async (t) => {
   assert.equal(galilean(['tokens', 'revoke', 'anna', '--data', cwd]).status, 0);
   const [code] = await within(closed, () => 'a revoked socket to close');
   assert.equal(code, 1008);
+});
+
+test('a certificate that is renewed is served from then on, what is open stays, and a damaged one changes nothing', async (t) => {
+  const { monitor, url, ca, cwd, fingerprint } = await startEncrypted(t);
+  const other = await startEncrypted(t);
+  await other.monitor.stop();
+  const socket = new WebSocket(`${url.replace('https', 'wss')}/ws`, ['foxglove.websocket.v1'], { ca });
+  t.after(() => socket.terminate());
+  await within(once(socket, 'open'), () => 'a WebSocket to open');
+
+  const place = (name, content) => {
+    writeFileSync(join(cwd, `${name}.new`), content);
+    renameSync(join(cwd, `${name}.new`), join(cwd, name));
+  };
+  place('certificate.pem', 'not a certificate\n');
+  await monitor.line(/certificate\.pem has no certificate in PEM: .*; the certificate of before is served still\n/);
+  assert.equal((await ask(request, `${url}/api/status`, { ca })).fingerprint, fingerprint);
+
+  for (const name of ['certificate.key', 'certificate.pem']) place(name, readFileSync(join(other.cwd, name)));
+  await monitor.line(new RegExp(`a new certificate is served from now on; its SHA-256 fingerprint: ${other.fingerprint}\n`));
+  const answer = await ask(request, `${url}/api/status`, { ca: other.ca });
+  assert.deepEqual([answer.status, answer.fingerprint], [200, other.fingerprint]);
+  await assert.rejects(ask(request, `${url}/api/status`, { ca }), /self.signed|certificate/);
+  const answered = once(socket, 'pong');
+  socket.ping();
+  await within(answered, () => 'an answer on what was open');
+});
+
+test('the monitor answers for the names of its certificate, and for no others', async (t) => {
+  const { url, ca } = await startEncrypted(t);
+  const status = async (host) => (await ask(request, `${url}/api/status`, { ca, headers: { host } })).status;
+  assert.equal(await status('localhost:1'), 200);
+  assert.equal(await status('evil.example'), 403);
 });

@@ -152,3 +152,9 @@ test('tokens that were damaged give no right, and the log says so', async (t) =>
   assert.equal(tokens(cwd, 'add', 'anna').status, 1);
   assert.equal((await ask(url, token('operator'), { path: '/api/command', method: 'POST', body: '{"kind": "hold"}' })).statusCode, 200);
 });
+
+test("the monitor's output, which a service keeps, holds no token", async (t) => {
+  const { monitor, token } = await startMonitor(t);
+  await monitor.line(/To steer the team, open http:\/\/\S+\/#token=TOKEN with the token in \S+operator\.token\n/);
+  for (const name of ['operator', 'viewer']) assert.ok(!monitor.output.includes(token(name)), name);
+});

@@ -23,6 +23,10 @@ constexpr std::array kVariables{
                         "member of its own name. Without both, messages are neither encrypted nor "
                         "signed.",
                         "--secure", ""},
+    EnvironmentVariable{"GALILEAN_TRUST",
+                        "The file of the keys whose orders move a robot, where --trust does not "
+                        "name one. Without both it is /etc/galilean/team.keys, if that is there.",
+                        "--trust", ""},
     EnvironmentVariable{"CYCLONEDDS_URI", "Settings of Cyclone DDS, in addition to Galilean's.",
                         "--domain", ""},
     EnvironmentVariable{"XDG_STATE_HOME",

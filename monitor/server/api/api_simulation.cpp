@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "monitor/server/api/api.h"
+#include "monitor/server/api/order_author.h"
 #include "monitor/server/text/request_fields.h"
 #include "monitor/simulation/simulation_json.h"
 
@@ -12,7 +17,7 @@ msg::SimulationOrder simulation_order(RequestFields& fields) {
   constexpr double kMost = 1e6;
   const auto number = [&](const char* name) { return fields.number(name, 0, -kMost, kMost); };
   msg::SimulationOrder order;
-  order.author = fields.text("author", "operator");
+  order.author = fields.text("author");
   order.simulation = fields.text("simulation");
   order.subject = fields.text("subject");
   order.part = fields.text("part");
@@ -27,6 +32,16 @@ msg::SimulationOrder simulation_order(RequestFields& fields) {
   order.order = fields.text("order");
   if (order.order.empty()) fields.refuse("'order' must say what to do, such as pause.");
   return order;
+}
+
+/// Returns the robots whose leases the order needs: the one to which something is done, or none by
+/// name, which is the team, where the contest's start pushes everybody's bumper. Pieces, furniture
+/// and the clock have no leases.
+std::optional<std::vector<std::string>> steered_by(const msg::SimulationOrder& order,
+                                                   const Team& team) {
+  if (order.order == "start_contest") return std::vector<std::string>();
+  if (team.find(order.subject)) return std::vector<std::string>{order.subject};
+  return std::nullopt;
 }
 
 int status_of(UnansweredOrder::Reason reason) {
@@ -57,11 +72,11 @@ void Api::add_simulation_routes() {
        [this](auto& request, auto& body, auto& respond) {
          RequestFields fields(body);
          auto order = simulation_order(fields);
+         order.author = author_of(order.author, request.who);
          if (!fields.ok()) return respond(problem(400, fields.objection()));
-         // What is done to a robot needs its lease. Pieces, furniture and the clock have none.
-         if (parts_.team.find(order.subject) &&
-             !parts_.operations.admits(OrderKind::kSteers, request.who, {order.subject},
-                                       finish_of(respond)))
+         if (const auto robots = steered_by(order, parts_.team);
+             robots && !parts_.operations.admits(OrderKind::kSteers, request.who, *robots,
+                                                 finish_of(respond)))
            return;
          parts_.simulations.order(
              std::move(order),

@@ -56,7 +56,7 @@ void check_order(RequestFields& fields, const msg::BreakOrder& order) {
 msg::BreakOrder break_order(RequestFields& fields) {
   msg::BreakOrder order;
   order.targets = fields.names("targets");
-  order.author = fields.text("author", "operator");
+  order.author = fields.text("author");
   read_points(fields, order);
   order.order = fields.text("order");
   check_order(fields, order);

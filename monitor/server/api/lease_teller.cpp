@@ -2,6 +2,7 @@
 #include "monitor/server/api/lease_teller.h"
 
 #include <iostream>
+#include <utility>
 
 #include "core/wire/ros_time.h"
 #include "core/wire/topic_names.h"
@@ -38,15 +39,36 @@ LeaseTeller::LeaseTeller(LeaseDesk& desk, Worker& worker, wire::Participant& par
 void LeaseTeller::tell() {
   desk_.refresh();
   for (const auto& change : desk_.take_changes()) {
-    const auto text = change.robot + ": " + in_words(change);
-    std::clog << "galilean-monitor: lease of " << text << std::endl;
-    worker_.run(
-        [this, message = message_of(change, desk_.now())] { return changes_.write(message); },
-        [text](bool is_taken) {
-          if (!is_taken) say_untold(text, "DDS did not accept it");
-        },
-        [text](const std::string& why) { say_untold(text, why); });
+    std::clog << "galilean-monitor: lease of " << change.robot << ": " << in_words(change)
+              << std::endl;
+    auto message = message_of(change, desk_.now());
+    send(message);
+    if (message.holder.empty())
+      newest_.erase(change.robot);
+    else
+      newest_[change.robot] = {std::move(message), sent_};
   }
+  tell_again();
+}
+
+void LeaseTeller::tell_again() {
+  if (newest_.size() > kTellAgainAfter) return;
+  for (auto& [robot, newest] : newest_) {
+    // Of a robot that the monitor has forgotten nobody is told.
+    if (sent_ - newest.sent < kTellAgainAfter || !desk_.find(robot)) continue;
+    send(newest.message);
+    newest.sent = sent_;
+  }
+}
+
+void LeaseTeller::send(const msg::LeaseChange& message) {
+  ++sent_;
+  const auto text = message.robot + ": " + message.text;
+  worker_.run([this, message] { return changes_.write(message); },
+              [text](bool is_taken) {
+                if (!is_taken) say_untold(text, "DDS did not accept it");
+              },
+              [text](const std::string& why) { say_untold(text, why); });
 }
 
 }  // namespace galilean::monitor

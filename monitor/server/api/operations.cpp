@@ -6,6 +6,7 @@
 
 #include "bhdl/diff/diff.h"
 #include "core/device/comm_port.h"
+#include "core/orders/stopping_orders.h"
 #include "core/wire/messages.h"
 #include "core/wire/participant.h"
 #include "core/wire/ros_time.h"
@@ -14,6 +15,7 @@
 #include "monitor/pushes/history/push_messages.h"
 #include "monitor/server/api/break_order.h"
 #include "monitor/server/api/command_kinds.h"
+#include "monitor/server/api/order_author.h"
 #include "monitor/server/text/request_fields.h"
 
 namespace galilean::monitor {
@@ -80,7 +82,7 @@ bool is_id(const std::string& text) {
 PushOrder order_of(RequestFields& fields) {
   PushOrder order{.files = files_field(fields),
                   .targets = fields.names("targets"),
-                  .author = fields.text("author", "unnamed"),
+                  .author = fields.text("author"),
                   .replaces = fields.text("replaces"),
                   .trial = trial_field(fields),
                   .canary = fields.text("canary")};
@@ -98,11 +100,10 @@ std::int32_t argument_of(std::uint8_t kind, RequestFields& fields) {
   return fields.whole_number("argument", 0, 0, ControllerStatus::kBumpers - 1);
 }
 
-/// Returns what a command does. Whatever is not known to stop robots needs their leases.
-OrderKind order_kind(std::uint8_t kind) {
-  namespace kinds = msg::Command_Constants;
-  const bool stops = kind == kinds::HOLD || kind == kinds::DECOMMISSION;
-  return stops ? OrderKind::kStops : OrderKind::kSteers;
+/// Returns what an order does. Whatever is not known to stop robots needs their leases.
+template <class M>
+OrderKind order_kind(const M& order) {
+  return only_stops(order) ? OrderKind::kStops : OrderKind::kSteers;
 }
 
 Outcome refused(const RequestFields& fields) {
@@ -147,6 +148,7 @@ void Operations::check(const nlohmann::json& request, Finish finish) {
 void Operations::push(const nlohmann::json& request, const OperatorId& who, Finish finish) {
   RequestFields fields(request);
   auto order = order_of(fields);
+  order.author = author_of(order.author, who);
   if (!fields.ok()) return finish(refused(fields));
   const bool are_known = std::ranges::all_of(
       order.targets, [this](const std::string& name) { return parts_.team.find(name) != nullptr; });
@@ -160,7 +162,7 @@ void Operations::push(const nlohmann::json& request, const OperatorId& who, Fini
 
 void Operations::cancel_push(const nlohmann::json& request, const OperatorId& who, Finish finish) {
   RequestFields fields(request);
-  const auto id = fields.text("id"), author = fields.text("author", "an operator");
+  const auto id = fields.text("id"), author = author_of(fields.text("author"), who);
   if (!fields.ok()) return finish(refused(fields));
   if (!admits(OrderKind::kStops, who, {}, finish)) return;
   parts_.desk.cancel(id, author, [finish = std::move(finish)](const PushAnswer& answer) {
@@ -174,20 +176,22 @@ void Operations::command(const nlohmann::json& request, const OperatorId& who, F
   if (kind == command_kinds().end())
     fields.refuse("'kind' must be hold, resume, step, push_bumper, decommission or commission.");
   msg::Command command;
-  command.author = fields.text("author", "operator");
+  command.author = author_of(fields.text("author"), who);
   command.targets = fields.names("targets");
   command.argument = argument_of(kind == command_kinds().end() ? 0 : kind->second, fields);
   if (!fields.ok()) return finish(refused(fields));
   command.kind = kind->second;
-  send(commands_, std::move(command), order_kind(kind->second), who, std::move(finish));
+  const OrderKind does = order_kind(command);
+  send(commands_, std::move(command), does, who, std::move(finish));
 }
 
 void Operations::order_breaks(const nlohmann::json& request, const OperatorId& who, Finish finish) {
   RequestFields fields(request);
   auto order = break_order(fields);
+  order.author = author_of(order.author, who);
   if (!fields.ok()) return finish(refused(fields));
-  const auto kind = order.order == "set" ? OrderKind::kStops : OrderKind::kSteers;
-  send(break_orders_, std::move(order), kind, who, std::move(finish));
+  const OrderKind does = order_kind(order);
+  send(break_orders_, std::move(order), does, who, std::move(finish));
 }
 
 template <class M>

@@ -37,9 +37,7 @@ void set_team_parameter(Operations& operations, const foxglove::Parameter& wante
   if (!wanted.name.ends_with(kHeld) || !wanted.value.is_boolean())
     return answer(Error{wanted.name + " cannot be set: /NAME.held can, to true or false."});
   const auto robot = wanted.name.substr(1, wanted.name.size() - 1 - kHeld.size());
-  operations.command({{"kind", wanted.value.get<bool>() ? "hold" : "resume"},
-                      {"targets", {robot}},
-                      {"author", "a Foxglove client"}},
+  operations.command({{"kind", wanted.value.get<bool>() ? "hold" : "resume"}, {"targets", {robot}}},
                      who, [answer = std::move(answer)](const Outcome& outcome) {
                        if (outcome.status < 400) return answer(outcome.json);
                        answer(Error{outcome.detail});

@@ -31,7 +31,7 @@ bool Guard::is_own_host(std::string_view host) const {
   if (name == "localhost" || name == lower(listen_address_)) return true;
   boost::system::error_code not_an_address;
   const auto address = boost::asio::ip::make_address(name, not_an_address);
-  if (not_an_address) return false;  // anybody's DNS may point another name here
+  if (not_an_address) return is_named_(name);  // anybody's DNS may point another name here
   const auto listens = boost::asio::ip::make_address(listen_address_, not_an_address);
   return address.is_loopback() || (!not_an_address && listens.is_unspecified());
 }

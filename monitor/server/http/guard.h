@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/result.h"
@@ -15,7 +17,8 @@ namespace galilean::monitor {
 /// A page of another site can make its reader's browser send requests here. By DNS rebinding it can
 /// even read the answers. The browser then names the page's host in the Host field or the page's
 /// site in the Origin field. Host must therefore be "localhost", a loopback address or the address
-/// that the server listens on; it may be any address if the server listens on all. Origin, if it is
+/// that the server listens on; it may be any address if the server listens on all. With TLS it may
+/// also be a name of the certificate, which no browser accepts for another site. Origin, if it is
 /// sent, must be this host with the scheme that is served here, or a site that the operator
 /// allowed. The origin "file://" passes, too: the desktop programs of Foxglove and Lichtblick send
 /// it, and no site can send it.
@@ -34,6 +37,10 @@ class Guard {
         allowed_origins_(std::move(allowed_origins)),
         scheme_(std::move(scheme)) {}
 
+  /// Lets requests through for hosts of which `is_named` returns true, too.
+  void answer_also_for(std::function<bool(const std::string& name)> is_named) {
+    is_named_ = std::move(is_named);
+  }
   /// Errors: the request is refused; the error is a sentence for its author.
   [[nodiscard]] Result<void> admit(const HttpRequest& request) const;
   /// Returns whether a page of another site sent the request that was not allowed to.
@@ -47,6 +54,7 @@ class Guard {
   std::string listen_address_;
   std::vector<std::string> allowed_origins_;
   std::string scheme_;
+  std::function<bool(const std::string& name)> is_named_ = [](const std::string&) { return false; };
 };
 
 }  // namespace galilean::monitor

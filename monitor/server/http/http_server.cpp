@@ -43,6 +43,12 @@ Result<std::uint16_t> HttpServer::listen(const std::string& address, std::uint16
   return acceptor_.local_endpoint().port();
 }
 
+void HttpServer::use_tls(std::shared_ptr<TlsDoor> door) {
+  tls_ = std::move(door);
+  context_->guard.answer_also_for(
+      [door = tls_](const std::string& name) { return door->is_named(name); });
+}
+
 void HttpServer::close() {
   error_code ignored;
   acceptor_.close(ignored);

@@ -74,8 +74,9 @@ class HttpServer {
   /// port. Returns the port.
   /// Errors: `address` is not a valid address, or the port is taken or not permitted.
   [[nodiscard]] Result<std::uint16_t> listen(const std::string& address, std::uint16_t port);
-  /// Lets connections in through `door`, which speaks TLS. Requires: `listen` was not called yet.
-  void use_tls(std::shared_ptr<TlsDoor> door) { tls_ = std::move(door); }
+  /// Lets connections in through `door`, which speaks TLS, from now on. Those that came through
+  /// another one stay. Requires: `listen` was not called yet, or there was a door then.
+  void use_tls(std::shared_ptr<TlsDoor> door);
   /// Accepts no more connections. Those that are open stay.
   void close();
   [[nodiscard]] Counts counts() const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/tls/tls_door.h"
 
+#include <openssl/x509v3.h>
+
 #include <boost/asio/ssl/context.hpp>
 #include <utility>
 
@@ -49,6 +51,24 @@ Result<std::shared_ptr<TlsDoor>> TlsDoor::open(const CertificateFiles& files) {
   if (SSL_CTX_check_private_key(parts->context.native_handle()) != 1)
     return unusable("they do not belong together");
   return std::shared_ptr<TlsDoor>(new TlsDoor(std::move(parts)));
+}
+
+bool TlsDoor::is_named(const std::string& name) const {
+  X509* certificate = SSL_CTX_get0_certificate(parts_->context.native_handle());
+  // An empty name would fit every certificate.
+  return certificate != nullptr && !name.empty() &&
+         X509_check_host(certificate, name.data(), name.size(), 0, nullptr) == 1;
+}
+
+std::string TlsDoor::objection() const {
+  const X509* certificate = SSL_CTX_get0_certificate(parts_->context.native_handle());
+  if (certificate == nullptr) return {};
+  if (X509_cmp_current_time(X509_get0_notAfter(certificate)) < 0)
+    return "the certificate is over, and clients refuse it: renew it";
+  if (X509_cmp_current_time(X509_get0_notBefore(certificate)) > 0)
+    return "the certificate's time has not begun, and clients refuse it: is this machine's clock "
+           "right?";
+  return {};
 }
 
 void TlsDoor::enter(boost::asio::ip::tcp::socket socket, Admit admit) {

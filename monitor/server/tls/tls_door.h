@@ -29,6 +29,12 @@ class TlsDoor {
   TlsDoor(const TlsDoor&) = delete;
   TlsDoor& operator=(const TlsDoor&) = delete;
 
+  /// Returns whether the certificate is for a machine of this name.
+  [[nodiscard]] bool is_named(const std::string& name) const;
+  /// Returns why clients will not accept the certificate now, such as that it is over; empty if its
+  /// time is no reason.
+  [[nodiscard]] std::string objection() const;
+
   /// Shakes hands with a client, and calls `admit` if that succeeds. A client that speaks plain
   /// HTTP is told so in one sentence.
   void enter(boost::asio::ip::tcp::socket socket, Admit admit);

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/orders/stopping_orders.h"
 #include "monitor/orders/break_words.h"
 
 namespace galilean::monitor::top {
@@ -10,6 +11,10 @@ namespace {
 
 constexpr Duration kTellAgainEach = std::chrono::seconds(1);
 constexpr Duration kAllStoppedShown = std::chrono::seconds(5);
+
+bool is_stop(Operator::Word word) noexcept {
+  return word == Operator::Word::kHold || word == Operator::Word::kDecommission;
+}
 
 std::vector<std::string> names_of(const std::vector<Unconfirmed>& robots) {
   std::vector<std::string> names;
@@ -53,6 +58,7 @@ void Steering::stop_all() {
 
 void Steering::say(Operator::Word word, const std::string& robot, bool to_all) {
   if (robot.empty()) return notices_.tell("No robot is heard that could be told.");
+  if (!is_stop(word) && !may_steer_(robot, to_all)) return;
   if (word == Operator::Word::kResume) end_stop_of(robot, to_all);
   const std::string id =
       voice_.say(word, to_all ? std::vector<std::string>{} : std::vector<std::string>{robot});
@@ -65,10 +71,9 @@ void Steering::say(Operator::Word word, const std::string& robot, bool to_all) {
 /// them.
 void Steering::expect_answers(Operator::Word word, const std::string& id,
                               std::vector<std::string> robots) {
-  const bool stops = word == Operator::Word::kHold || word == Operator::Word::kDecommission;
   if (word == Operator::Word::kStep)
     answers_.expect(id, "", std::move(robots), clock_.now());
-  else if (!stops)
+  else if (!is_stop(word))
     answers_.expect_refusals(id, std::move(robots), clock_.now());
 }
 
@@ -78,6 +83,7 @@ void Steering::order_breaks(const std::string& robot, const std::string& order,
   told.targets = {robot};
   told.order = order;
   told.points = std::move(points);
+  if (!only_stops(told) && !may_steer_(robot, false)) return;
   const std::string id = voice_.order_breaks(told);
   if (id.empty()) return notices_.tell_of_now("could not tell " + robot + " about break points");
   answers_.expect(id, effect_of(told), {robot}, clock_.now());

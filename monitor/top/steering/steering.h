@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "monitor/orders/operator.h"
@@ -25,9 +26,14 @@ struct Voice {
 /// Gives orders to robots, and tells the operator what became of them.
 class Steering {
  public:
+  /// Returns whether this operator may steer the robot, or all robots. It has told why not.
+  using MaySteer = std::function<bool(const std::string& robot, bool all)>;
+
   /// Requires: what is passed as a reference outlives this.
   Steering(const DashboardModel& model, const Clock& clock, Voice voice, NoticeBoard& notices);
 
+  /// Has every order that does more than stop asked about first.
+  void ask_before_orders(MaySteer may_steer) { may_steer_ = std::move(may_steer); }
   /// Tells again those that have not confirmed the order to stop, and tells the operator of
   /// answers. Call it some times a second.
   void update();
@@ -53,6 +59,7 @@ class Steering {
   const DashboardModel& model_;
   const Clock& clock_;
   const Voice voice_;
+  MaySteer may_steer_ = [](const std::string&, bool) { return true; };
   NoticeBoard& notices_;
   Answers answers_;
   std::optional<StopOrder> stop_order_;

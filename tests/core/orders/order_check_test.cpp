@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/orders/order_signer.h"
+#include "tests/temporary_folder.h"
 
 namespace galilean {
 namespace {
@@ -151,6 +152,95 @@ TEST_F(OrderCheckTest, AClockThatIsSetBackLetsNothingComeTwice) {
   robot_ns -= 3 * kSecond;
   expect_refused(command, Kind::kReplayed, "it has come before");
   operator_ns -= kSecond;  // the numbers rise all the same
+  EXPECT_FALSE(refusal_of(signed_resume()));
+}
+
+/// Somebody captured the order, and the robot's clock comes to its time a second time.
+TEST_F(OrderCheckTest, AClockThatIsSetBackOverARestartLetsNothingComeTwice) {
+  const auto captured = signed_resume();
+  EXPECT_FALSE(refusal_of(captured));
+  OrderCheck again{trust_in(key), check.numbers()};
+  EXPECT_EQ(again.numbers(), check.numbers());
+  const auto refused = again.accept(captured, kTopic, {robot_ns, uptime_ns});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, Kind::kOfBefore);
+  EXPECT_THAT(refused.error().why, HasSubstr("before it was started again"));
+  OrderCheck forgetful{trust_in(key)};
+  EXPECT_TRUE(forgetful.accept(captured, kTopic, {robot_ns, uptime_ns})) << "this is what it keeps";
+  EXPECT_TRUE(again.accept(signed_resume(), kTopic, {robot_ns, uptime_ns}));
+}
+
+TEST_F(OrderCheckTest, AnOlderOrderThatArrivesLateLowersNothing) {
+  const auto first = signed_resume(), second = signed_resume();
+  EXPECT_FALSE(refusal_of(second));
+  EXPECT_FALSE(refusal_of(first));
+  EXPECT_EQ(check.numbers().at(signer.key_id()), second.signature.number);
+}
+
+TEST_F(OrderCheckTest, WhatIsRefusedMovesNoNumber) {
+  auto forged = signed_resume();
+  forged.signature.number = UINT64_MAX;
+  EXPECT_TRUE(refusal_of(forged));
+  EXPECT_TRUE(check.numbers().empty());
+}
+
+TEST_F(OrderCheckTest, EachKeyHasNumbersOfItsOwn) {
+  const SigningKey bens = make_key();
+  const auto both = TrustedKeys::read("ed25519 " + key.verifying_key().text() + " anna\ned25519 " +
+                                          bens.verifying_key().text() + " ben",
+                                      "team.keys");
+  ASSERT_TRUE(both) << both.error().message;
+  OrderCheck trusting(both.value());
+  OrderSigner ben(bens, [this] { return operator_ns; });
+  msg::Command of_ben = resume();
+  ben.sign(of_ben, kTopic);
+  const auto of_anna = signed_resume();
+  EXPECT_EQ(of_ben.signature.number, of_anna.signature.number) << "their clocks show the same";
+  EXPECT_TRUE(trusting.accept(of_anna, kTopic, {robot_ns, uptime_ns}));
+  EXPECT_TRUE(trusting.accept(of_ben, kTopic, {robot_ns, uptime_ns}));
+  EXPECT_FALSE(trusting.accept(of_ben, kTopic, {robot_ns, uptime_ns}));
+  auto stolen = of_ben;
+  stolen.signature.key_id = signer.key_id();
+  EXPECT_FALSE(trusting.accept(stolen, kTopic, {robot_ns, uptime_ns}));
+}
+
+/// Both machines had a wrong clock, which was set right, and both were started again.
+TEST_F(OrderCheckTest, ASignerThatIsStartedAgainGoesOnAboveItsNumbersOfBefore) {
+  const TemporaryFolder folder;
+  const auto numbers = number_file(folder / "operator.key");
+  {
+    OrderSigner before(
+        key, [this] { return operator_ns; }, numbers);
+    msg::Command command = resume();
+    before.sign(command, kTopic);
+    EXPECT_FALSE(refusal_of(command));
+  }
+  constexpr std::int64_t kHour = 3600 * kSecond;
+  operator_ns -= kHour;
+  OrderCheck robot_again{trust_in(key), check.numbers()};
+  OrderSigner again(
+      key, [this] { return operator_ns; }, numbers);
+  msg::Command command = resume();
+  again.sign(command, kTopic);
+  EXPECT_TRUE(robot_again.accept(command, kTopic, {operator_ns, uptime_ns}));
+  OrderSigner without(key, [this] { return operator_ns; });
+  without.sign(command, kTopic);
+  EXPECT_FALSE(robot_again.accept(command, kTopic, {operator_ns, uptime_ns}));
+}
+
+TEST_F(OrderCheckTest, AnHourOfDifferenceIsSaidOnEitherSideAndEndsWithIt) {
+  constexpr std::int64_t kHour = 3600 * kSecond;
+  operator_ns = kStart + kHour;
+  expect_refused(signed_resume(), Kind::kEarly, "3600 s after this robot's time; set the clocks");
+  operator_ns = kStart - kHour;
+  expect_refused(signed_resume(), Kind::kExpired, "set the clocks of both machines");
+  operator_ns = kStart;
+  EXPECT_FALSE(refusal_of(signed_resume()));
+  robot_ns = kStart + kHour;  // the robot's clock is set forward while it runs
+  expect_refused(signed_resume(), Kind::kExpired, "set the clocks of both machines");
+  operator_ns = robot_ns;
+  EXPECT_FALSE(refusal_of(signed_resume()));
+  robot_ns = operator_ns = kStart;  // and back
   EXPECT_FALSE(refusal_of(signed_resume()));
 }
 

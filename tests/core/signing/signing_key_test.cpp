@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include <fstream>
+#include <iterator>
 
 #include "core/signing/trusted_keys.h"
 #include "tests/temporary_folder.h"
@@ -134,6 +135,29 @@ TEST(SigningKey, AMissingOrForeignPublicHalfIsWrittenAnew) {
     ASSERT_TRUE(trusted) << trusted.error().message;
     EXPECT_EQ(trusted.value().all()[0].key, key.value().verifying_key());
   }
+}
+
+TEST(SigningKey, AKeyThatIsTornEmptyOrAFolderIsNeitherUsedNorReplaced) {
+  const TemporaryFolder folder;
+  const auto whole = folder / "whole.key";
+  ASSERT_TRUE(new_key().save(whole, "anna"));
+  std::ifstream in(whole);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const auto file = folder / "operator.key";
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, text.size() / 2}) {
+    std::ofstream(file) << text.substr(0, size);
+    chmod(file.c_str(), 0600);
+    const auto torn = load_or_make_key(file, "anna");
+    ASSERT_FALSE(torn) << size;
+    EXPECT_THAT(torn.error().message, HasSubstr("where it is removed, 'galilean keys' makes"));
+    EXPECT_EQ(std::filesystem::file_size(file), size);
+    EXPECT_FALSE(std::filesystem::exists(public_key_file(file)));
+    std::filesystem::remove(file);
+  }
+  std::filesystem::create_directory(file);
+  const auto as_folder = load_or_make_key(file, "anna");
+  ASSERT_FALSE(as_folder);
+  EXPECT_THAT(as_folder.error().message, HasSubstr("it is a folder, and no file"));
 }
 
 TEST(SigningKey, SaysWhatIsWrongWithAFile) {

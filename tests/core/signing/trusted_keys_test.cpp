@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 
@@ -68,6 +69,37 @@ TEST(TrustedKeys, AFileWithoutAKeyIsAnError) {
   const auto none = TrustedKeys::load(file);
   ASSERT_FALSE(none);
   EXPECT_THAT(none.error().message, HasSubstr("names no key"));
+}
+
+TEST(TrustedKeys, APrivateKeyIsToldFromAPublicOne) {
+  const auto wrong = TrustedKeys::read(
+      "-----BEGIN PRIVATE KEY-----\nMC4=\n-----END PRIVATE KEY-----\n", "operator.key");
+  ASSERT_FALSE(wrong);
+  EXPECT_THAT(wrong.error().message, HasSubstr("operator.key is a private key"));
+}
+
+TEST(TrustedKeys, AFileThatEverybodyMayWriteIsNotTrusted) {
+  const TemporaryFolder folder;
+  const auto file = folder / "team.keys";
+  std::ofstream(file) << line(kFirst, "anna");
+  ASSERT_EQ(chmod(file.c_str(), 0646), 0);
+  const auto open = TrustedKeys::load(file);
+  ASSERT_FALSE(open);
+  EXPECT_THAT(open.error().message, HasSubstr("could add a key"));
+  ASSERT_EQ(chmod(file.c_str(), 0644), 0);
+  EXPECT_TRUE(TrustedKeys::load(file));
+}
+
+TEST(TrustedKeys, WhatIsNoFileIsAnErrorAndKeepsNobodyWaiting) {
+  const TemporaryFolder folder;
+  const auto as_folder = TrustedKeys::load(folder.path());
+  ASSERT_FALSE(as_folder);
+  EXPECT_THAT(as_folder.error().message, HasSubstr("it is a folder, and no file"));
+  const auto pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_FALSE(TrustedKeys::load(pipe));
+  std::ofstream(folder / "empty") << "";
+  EXPECT_FALSE(TrustedKeys::load(folder / "empty"));
 }
 
 }  // namespace

@@ -74,6 +74,7 @@ TEST_F(LeasesTest, WhoSteersFirstHoldsItAndAnotherIsToldWhoDoes) {
 TEST_F(LeasesTest, EveryOrderThatSteersIsRefusedAndNoStopIs) {
   ASSERT_EQ(resume("ada", {"io"}).status, 200U);
   const json points = json::array({{{"to", "grab"}}});
+  const json locks = json::array({{{"to", "grab"}}, {{"to", "rest"}, {"kind", "lock"}}});
   const std::vector<std::pair<std::string, json>> steering{
       {"/api/command", {{"kind", "resume"}, {"targets", {"io"}}}},
       {"/api/command", {{"kind", "step"}, {"targets", {"io"}}}},
@@ -81,10 +82,12 @@ TEST_F(LeasesTest, EveryOrderThatSteersIsRefusedAndNoStopIs) {
       {"/api/command", {{"kind", "commission"}, {"targets", {"io"}}}},
       {"/api/command", {{"kind", "resume"}}},
       {"/api/breaks", {{"order", "clear"}, {"targets", {"io"}}}},
+      {"/api/breaks", {{"order", "set"}, {"targets", {"io"}}, {"points", locks}}},
       {"/api/breaks", {{"order", "remove"}, {"targets", {"io"}}, {"points", points}}},
       {"/api/breaks", {{"order", "let_through"}, {"targets", {"io"}}, {"points", points}}},
       {"/api/push", {{"files", files(kProgram)}, {"targets", {"io"}}}},
-      {"/api/simulation/orders", {{"order", "push"}, {"subject", "io"}}}};
+      {"/api/simulation/orders", {{"order", "push"}, {"subject", "io"}}},
+      {"/api/simulation/orders", {{"order", "start_contest"}}}};
   for (const auto& [target, body] : steering)
     EXPECT_EQ(post_as("ben", target, body).status, 409U) << target << body;
   const std::vector<std::pair<std::string, json>> stopping{
@@ -119,6 +122,19 @@ TEST_F(LeasesTest, AnOrderThatIsRefusedIsKeptWithTheReasonAndNotGiven) {
   EXPECT_EQ(kept[1]["outcomes"][0]["of"], "io");
   EXPECT_THAT(kept[1]["outcomes"][0]["outcome"].get<std::string>(),
               AllOf(StartsWith("refused: "), HasSubstr("ada holds io.")));
+}
+
+TEST_F(LeasesTest, EveryOrderIsKeptWithTheNameOfWhoGaveIt) {
+  ASSERT_EQ(resume("ada", {"io"}).status, 200U);
+  ASSERT_EQ(post_as("ben", "/api/command", {{"kind", "hold"}, {"author", "operator"}}).status,
+            200U);
+  const auto kept_kind_of = [&](const std::string& author) {
+    for (const auto& each : get("/api/orders").as_json()["orders"])
+      if (each["author"] == author) return each["kind"].get<std::string>();
+    return std::string();
+  };
+  EXPECT_TRUE(becomes_true([&] { return kept_kind_of("ada") == "resume"; }));
+  EXPECT_TRUE(becomes_true([&] { return kept_kind_of("ben") == "hold"; }));
 }
 
 TEST_F(LeasesTest, ItIsAskedForGivenRefusedAndTakenOver) {
@@ -164,6 +180,28 @@ TEST_F(LeasesTest, OneOperatorWithoutANameSteersFromEverywhere) {
   socket.send_binary(service_call(service, 7, R"({"do": "give", "robots": ["io"]})"));
   EXPECT_THAT(socket.read_op("serviceCallFailure")["message"].get<std::string>(),
               HasSubstr("Nobody asks for io."));
+}
+
+/// DDS keeps 64 changes for who joins later, as a command in a terminal does.
+TEST_F(LeasesTest, WhoJoinsAfterManyChangesHearsWhoHoldsARobotForLong) {
+  ASSERT_EQ(resume("ada", {"io"}).status, 200U);
+  for (int turn = 0; turn < 40; ++turn) {
+    ASSERT_EQ(resume("ben", {"callisto"}).status, 200U);
+    ASSERT_EQ(post_as("ben", "/api/lease", {{"do", "release"}}).status, 200U);
+    ASSERT_EQ(io_lease("ada")["yours"], true);  // a word of hers
+  }
+  const auto participant = wire::Participant::join("late", test_domain()).value();
+  wire::Reader changes{*participant, wire::kLeaseChangeTopic, msg::LeaseChange::kRosType};
+  std::string holder;
+  EXPECT_TRUE(becomes_true([&] {
+    changes.take([&](const wire::Received& received) {
+      msg::LeaseChange change;
+      EXPECT_TRUE(msg::decode_cdr(received.cdr, change));
+      if (change.robot == "io") holder = change.holder;
+    });
+    return !holder.empty();
+  }));
+  EXPECT_EQ(holder, "ada");
 }
 
 TEST_F(LeasesTest, EveryChangeIsToldOnTheWire) {

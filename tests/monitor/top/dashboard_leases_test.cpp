@@ -42,6 +42,27 @@ TEST_F(TakingTurns, WhatAnotherHoldsIsShownAndNotSteeredButStopped) {
   EXPECT_THAT(said, ElementsAre("hold callisto"));
 }
 
+TEST_F(TakingTurns, OfBreakPointsAnotherOperatorIsGivenNewOnesAloneAndNoLock) {
+  namespace kinds = msg::BreakPoint_Constants;
+  msg::Program program;
+  program.robot = kShown;
+  program.states = {{.name = "start"}, {.name = "grab"}};
+  tell_of_program(program);
+  msg::Breaks breaks;
+  breaks.robot = kShown;
+  tell_of_breaks(breaks);
+  hold(false);
+  press("Jb");
+  EXPECT_EQ(said.size(), 1U) << "a break point stops";
+  breaks.points = {{"start", "grab", kinds::STOP}, {"", "grab", kinds::STOP_TEAM}};
+  tell_of_breaks(breaks);
+  press("BxlC");
+  press(Key::kDown);
+  press("t");  // a lock
+  EXPECT_EQ(said.size(), 1U);
+  EXPECT_THAT(screen(), HasSubstr("ada steers callisto: m asks for it, M takes it over"));
+}
+
 TEST_F(TakingTurns, ItIsAskedForOnce) {
   hold(false);
   press("m");

@@ -75,6 +75,23 @@ TEST_F(OrderGateTest, WithoutKeysAnybodyIsLetThrough) {
   EXPECT_TRUE(open.admit(command_of(msg::Command_Constants::RESUME), kCommands, "A resume", {}));
 }
 
+TEST_F(OrderGateTest, KeepsHowFarOrdersHaveComeAndRefusesThoseOfBefore) {
+  const auto times = [] { return CheckTimes{.now_ns = kNow_ns, .uptime_ns = 1'000'000'000}; };
+  msg::Command command = command_of(msg::Command_Constants::RESUME);
+  signer.sign(command, kCommands);
+  OrderNumbers kept;
+  OrderGate first(trusting(key), clock, problems, times,
+                  {.before = {}, .keep = [&kept](const OrderNumbers& now) { kept = now; }});
+  EXPECT_FALSE(first.admit(command_of(msg::Command_Constants::STEP), kCommands, "A step", {}));
+  EXPECT_TRUE(kept.empty());
+  EXPECT_TRUE(first.admit(command, kCommands, "A resume", {}));
+  EXPECT_EQ(kept, (OrderNumbers{{signer.key_id(), command.signature.number}}));
+  OrderGate after(trusting(key), clock, problems, times, {.before = kept});
+  const auto again = after.admit(command, kCommands, "A resume", {});
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().kind, OrderRefusal::Kind::kOfBefore);
+}
+
 TEST_F(OrderGateTest, SaysWhoseOrderWasRefusedAndWhy) {
   EXPECT_FALSE(let_through(1, "monitor", "192.168.1.7"));
   EXPECT_THAT(sentences(),
@@ -144,9 +161,23 @@ TEST(OrderWords, ABreakPointMoreStopsAndOneLessLetsGoOn) {
   EXPECT_FALSE(can_move(order, {{{"rest", "wander"}, BreakKind::kLock}}));
   EXPECT_TRUE(can_move(order, {{{"wander", "grab"}, BreakKind::kLock}}));
   EXPECT_TRUE(can_move(order, {{{"", "grab"}, BreakKind::kLock}}));
+  order.points[0].kind = msg::BreakPoint_Constants::STOP_TEAM;
+  EXPECT_FALSE(can_move(order, {}));
   for (const std::string each : {"remove", "clear", "let_through", "nonsense"}) {
     order.order = each;
     EXPECT_TRUE(can_move(order, {})) << each;
+  }
+}
+
+TEST(OrderWords, ALockNeedsASignatureBecauseTheRobotDrivesOn) {
+  msg::BreakOrder order;
+  order.order = "set";
+  order.points = {{"wander", "grab", msg::BreakPoint_Constants::STOP}};
+  for (const std::uint8_t kind :
+       {msg::BreakPoint_Constants::LOCK, std::uint8_t{0}, std::uint8_t{99}}) {
+    order.points.push_back({"", "rest", kind});
+    EXPECT_TRUE(can_move(order, {})) << int{kind};
+    order.points.pop_back();
   }
 }
 

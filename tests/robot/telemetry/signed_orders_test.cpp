@@ -24,6 +24,10 @@ TrustedKeys trust_of(const SigningKey& key) {
   return std::move(keys).value();
 }
 
+std::string place(const std::string& topic) {
+  return order_place(static_cast<std::uint32_t>(kDomain), topic);
+}
+
 class SignedOrdersTest : public testing::Test {
  protected:
   SignedOrdersTest()
@@ -44,7 +48,7 @@ class SignedOrdersTest : public testing::Test {
     return message;
   }
   void send_signed(msg::Command message) {
-    signer.sign(message, wire::kCommandTopic);
+    signer.sign(message, place(wire::kCommandTopic));
     io.send(message);
   }
   bool is_held_within_ticks(bool held) {
@@ -93,12 +97,23 @@ TEST_F(SignedOrdersTest, AnybodyHoldsItAndOnlyATrustedKeyResumesIt) {
 
 TEST_F(SignedOrdersTest, AnOrderThatIsSentAgainDoesNothing) {
   auto resume = command(kinds::RESUME);
-  signer.sign(resume, wire::kCommandTopic);
+  signer.sign(resume, place(wire::kCommandTopic));
   io.send(resume);
   io.send(command(kinds::HOLD));
   ASSERT_TRUE(is_held_within_ticks(true));
   io.send(resume);
   EXPECT_TRUE(tells_of("it has come before"));
+  io.robot.tick(3);
+  EXPECT_EQ(io.robot.events.standstill.hold, Hold::kOperator);
+}
+
+TEST_F(SignedOrdersTest, WhatWasOrderedInAnotherDomainDoesNothingHere) {
+  io.send(command(kinds::HOLD));
+  ASSERT_TRUE(is_held_within_ticks(true));
+  auto resume = command(kinds::RESUME);
+  signer.sign(resume, order_place(static_cast<std::uint32_t>(kDomain) + 1, wire::kCommandTopic));
+  io.send(resume);
+  EXPECT_THAT(refusal_of(resume.id), HasSubstr("or is for another DDS domain"));
   io.robot.tick(3);
   EXPECT_EQ(io.robot.events.standstill.hold, Hold::kOperator);
 }
@@ -113,7 +128,7 @@ TEST_F(SignedOrdersTest, OnlyAPushThatIsSignedRuns) {
   EXPECT_EQ(rejected->status, status::REJECTED);
   EXPECT_THAT(rejected->message, HasSubstr("not signed by a key that this robot trusts"));
   push.id = "signed";
-  signer.sign(push, wire::kProgramPushTopic);
+  signer.sign(push, place(wire::kProgramPushTopic));
   io.send(push);
   EXPECT_TRUE(io.tick_until([&] {
     return std::ranges::any_of(replies.all(), [](const msg::ProgramReply& reply) {
@@ -127,13 +142,55 @@ TEST_F(SignedOrdersTest, AStrangerWhoSendsAPushFirstDoesNotSpoilItsAnswer) {
   io.send(push);
   ASSERT_TRUE(replies.wait_for(
       [](const msg::ProgramReply& reply) { return reply.status == status::REJECTED; }));
-  signer.sign(push, wire::kProgramPushTopic);
+  signer.sign(push, place(wire::kProgramPushTopic));
   io.send(push);
   EXPECT_TRUE(io.tick_until([&] {
     return std::ranges::any_of(replies.all(), [](const msg::ProgramReply& reply) {
       return reply.status == status::RUNNING;
     });
   }));
+}
+
+TEST_F(SignedOrdersTest, AStrangerWhoCopiesAPushDoesNotSpoilItsAnswer) {
+  auto push = io.push(std::string(kWaits) + "\n");
+  signer.sign(push, place(wire::kProgramPushTopic));
+  io.send(push);
+  ASSERT_TRUE(io.tick_until([&] {
+    return std::ranges::any_of(replies.all(), [](const msg::ProgramReply& reply) {
+      return reply.status == status::RUNNING;
+    });
+  }));
+  push.signature = {};
+  io.send(push);
+  EXPECT_TRUE(tells_of("A push of program"));
+  EXPECT_FALSE(std::ranges::any_of(replies.all(), [](const msg::ProgramReply& reply) {
+    return reply.status == status::REJECTED;
+  }));
+}
+
+TEST_F(SignedOrdersTest, AFloodOfAStrangersOrdersHidesNoAnswer) {
+  auto step = command(kinds::STEP);
+  step.id = "true step";
+  io.send(command(kinds::HOLD));
+  ASSERT_TRUE(is_held_within_ticks(true));
+  signer.sign(step, place(wire::kCommandTopic));
+  io.send(step);
+  const auto has_answer = [](const msg::Breaks& told, const std::string& id) {
+    return std::ranges::any_of(told.answers, [&](const auto& each) { return each.id == id; });
+  };
+  ASSERT_TRUE(
+      breaks.wait_for([&](const msg::Breaks& each) { return has_answer(each, "true step"); }));
+  constexpr std::size_t kFlood = 3 * BreakDesk::kAnswersKept;
+  for (std::size_t i = 1; i <= kFlood; ++i) {
+    auto resume = command(kinds::RESUME);
+    resume.id = "flood " + std::to_string(i);
+    io.send(resume);
+  }
+  const auto told = breaks.wait_for(
+      [&](const msg::Breaks& each) { return has_answer(each, "flood " + std::to_string(kFlood)); });
+  ASSERT_TRUE(told);
+  EXPECT_TRUE(has_answer(*told, "true step"));
+  EXPECT_LE(told->answers.size(), BreakDesk::kAnswersKept);
 }
 
 TEST_F(SignedOrdersTest, AnybodySetsABreakPointAndOnlyATrustedKeyRemovesIt) {
@@ -147,17 +204,22 @@ TEST_F(SignedOrdersTest, AnybodySetsABreakPointAndOnlyATrustedKeyRemovesIt) {
   order.author = "a stranger";
   order.targets = {io.name};
   order.order = "set";
-  order.points = {{"wait", "go", msg::BreakPoint_Constants::LOCK}};
+  order.points = {{"wait", "go", msg::BreakPoint_Constants::STOP}};
   io.send(order);
   const auto set = told_of("set");
   ASSERT_TRUE(set);
   EXPECT_EQ(set->points.size(), 1U);
+  order.id = "lock";
+  order.points = {{"go", "", msg::BreakPoint_Constants::LOCK}};
+  io.send(order);
+  EXPECT_THAT(refusal_of("lock"), HasSubstr("it is not signed by a key that this robot trusts"));
+  order.points = {{"wait", "go", msg::BreakPoint_Constants::STOP}};
   order.id = "remove";
   order.order = "remove";
   io.send(order);
   EXPECT_THAT(refusal_of("remove"), HasSubstr("it is not signed by a key that this robot trusts"));
   order.id = "signed remove";
-  signer.sign(order, wire::kBreakOrderTopic);
+  signer.sign(order, place(wire::kBreakOrderTopic));
   io.send(order);
   const auto removed = told_of("signed remove");
   ASSERT_TRUE(removed);

@@ -9,6 +9,8 @@ export interface RobotEvent {
   readonly at_ms: number;
   readonly kind: "held" | "stopped" | "resumed" | "problem" | "well" | "decommissioned" | "commissioned" | "late" | "lease";
   readonly words: string;
+  /** Of the message that told it, where that may come again. */
+  readonly id?: string;
 }
 
 const KEPT = 200;

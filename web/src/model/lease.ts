@@ -41,16 +41,13 @@ export function leaseObjection(team: Team, robots: readonly string[], me: Operat
   return `${who}. Ask for ${others.length === 1 ? "it" : "them"} in the panel Team, or take over with a reason.`;
 }
 
-/** The same change comes again when the page has connected anew. */
-const SAME_WITHIN_MS = 2000;
 const KEPT = 200;
 
-/** The robot with a change of its lease among what happened to it. */
-function withLeaseEvent(robot: Robot, { text }: LeaseChange, at_ms: number): Robot {
-  const words = `lease: ${text}`;
-  const isKnown = robot.events.some((each) => each.words === words && Math.abs(each.at_ms - at_ms) < SAME_WITHIN_MS);
-  if (isKnown) return robot;
-  const event: RobotEvent = { at_ms, kind: "lease", words };
+/** The robot with a change of its lease among what happened to it. The same change comes again when the page has connected
+ *  anew, and when the monitor tells it for who joined later. */
+function withLeaseEvent(robot: Robot, { id, text }: LeaseChange, at_ms: number): Robot {
+  if (robot.events.some((each) => each.id === id)) return robot;
+  const event: RobotEvent = { at_ms, kind: "lease", words: `lease: ${text}`, id };
   return { ...robot, events: [...robot.events, event].slice(-KEPT) };
 }
 

@@ -45,8 +45,9 @@ describe("a change of a lease", () => {
   it("stands once among what happened to the robot, also when it is told again", () => {
     const once = apply(team, "/team/lease_change", change, 5000);
     const twice = apply(once, "/team/lease_change", change, 5300);
-    expect(twice.robots.get("io")?.events).toEqual([{ at_ms: 5000, kind: "lease", words: "lease: ben took it over from ada: it stands in the door" }]);
-    expect(apply(twice, "/team/lease_change", change, 60_000).robots.get("io")?.events).toHaveLength(2);
+    expect(twice.robots.get("io")?.events).toEqual([{ at_ms: 5000, kind: "lease", words: "lease: ben took it over from ada: it stands in the door", id: "1" }]);
+    expect(apply(twice, "/team/lease_change", change, 60_000).robots.get("io")?.events).toHaveLength(1);
+    expect(apply(twice, "/team/lease_change", { ...change, id: "2" }, 60_000).robots.get("io")?.events).toHaveLength(2);
   });
   it("makes no robot of a name alone", () => {
     expect(apply(emptyTeam, "/team/lease_change", change, 5000).robots.size).toBe(0);

@@ -36,6 +36,15 @@ TEST(Guard, AServerOnAllAddressesAnswersForAddressesButNotForNames) {
   EXPECT_FALSE(passes(guard, "robots.example:8080"));
 }
 
+TEST(Guard, ANameOfTheCertificateIsItsOwn) {
+  Guard guard("0.0.0.0", {}, "https");
+  guard.answer_also_for([](const std::string& name) { return name == "robots.example"; });
+  EXPECT_TRUE(passes(guard, "Robots.example:8080", "https://robots.example:8080"));
+  EXPECT_FALSE(passes(guard, "robots.example:8080", "http://robots.example:8080"));
+  for (const auto* host : {"evil.example", "", "robots.example.evil.example", "["})
+    EXPECT_FALSE(passes(guard, host)) << host;
+}
+
 TEST(Guard, OnlyItsOwnPageAndAllowedOnesMayAsk) {
   const Guard guard("127.0.0.1", {"https://studio.example"});
   EXPECT_TRUE(passes(guard, "localhost:8080", "http://localhost:8080"));

@@ -107,6 +107,13 @@ TEST_F(TlsDoorTest, ASessionSeesThatItsClientIsGone) {
   EXPECT_EQ(end, asio::error::eof);
 }
 
+TEST_F(TlsDoorTest, KnowsTheNamesOfItsCertificateAndWhetherItIsOfNow) {
+  EXPECT_TRUE(door->is_named("localhost"));
+  for (const std::string name : {"", "evil.example", "localhost.evil.example", "127.0.0.1"})
+    EXPECT_FALSE(door->is_named(name)) << name;
+  EXPECT_EQ(door->objection(), "");
+}
+
 TEST_F(TlsDoorTest, WhoSpeaksPlainHttpIsToldSoInOneSentence) {
   asio::write(plain, asio::buffer(std::string("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n")));
   plain.shutdown(tcp::socket::shutdown_send);

@@ -16,7 +16,7 @@ export const rooms = {
     wire: ['.'],
     'wire/types': ['.', 'wire'],
     orders: ['.', 'signing', 'wire'],
-    'wire/authentication': [],
+    'wire/authentication': ['.'],
     'wire/generate': [],
   },
   bhdl: {

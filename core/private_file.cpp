@@ -28,13 +28,21 @@ bool is_open_to_others(const struct stat& status) noexcept {
   return S_ISREG(status.st_mode) && (status.st_mode & kOthersRights) != 0;
 }
 
-/// Makes a change of names in a folder last, also if the power fails. A folder that cannot be
-/// synced has the new name at once all the same.
-void sync_folder(const fs::path& folder) noexcept {
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  fsync(descriptor);
+/// Writes a new file beside `file`, which the disk then has. Returns its name. Errors: it cannot be
+/// written, and nothing of it is left. The sentence names `file`.
+Result<std::string> write_draft(const fs::path& file, std::string_view text, mode_t mode) {
+  std::string draft = file.string() + ".XXXXXX";
+  const int descriptor = mkostemp(draft.data(), O_CLOEXEC);  // mode 0600
+  if (descriptor < 0) return cannot(file, "written");
+  const bool is_written = write_all(descriptor, text) &&
+                          (mode == kOwnersFile || fchmod(descriptor, mode) == 0) &&
+                          fsync(descriptor) == 0;
+  const int problem = errno;
   close(descriptor);
+  if (is_written) return draft;
+  unlink(draft.c_str());
+  errno = problem;
+  return cannot(file, "written");
 }
 
 }  // namespace
@@ -64,19 +72,38 @@ bool write_all(int descriptor, std::string_view text) noexcept {
   return true;
 }
 
-Result<void> replace_private_file(const fs::path& file, std::string_view text) {
-  std::string draft = file.string() + ".XXXXXX";
-  const int descriptor = mkostemp(draft.data(), O_CLOEXEC);  // mode 0600
-  if (descriptor < 0) return cannot(file, "written");
-  const bool written = write_all(descriptor, text) && fsync(descriptor) == 0;
-  int problem = errno;
+void sync_folder(const fs::path& folder) noexcept {
+  const char* name = folder.empty() ? "." : folder.c_str();
+  const int descriptor = open(name, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  fsync(descriptor);
   close(descriptor);
-  if (written && rename(draft.c_str(), file.c_str()) == 0) {
-    sync_folder(file.has_parent_path() ? file.parent_path() : fs::path("."));
+}
+
+Result<void> replace_private_file(const fs::path& file, std::string_view text) {
+  const auto draft = write_draft(file, text, kOwnersFile);
+  if (!draft) return draft.error();
+  if (rename(draft.value().c_str(), file.c_str()) == 0) {
+    sync_folder(file.parent_path());
     return {};
   }
-  if (written) problem = errno;
-  unlink(draft.c_str());
+  const int problem = errno;
+  unlink(draft.value().c_str());
+  errno = problem;
+  return cannot(file, "written");
+}
+
+Result<void> write_new_file(const fs::path& file, std::string_view text, mode_t mode) {
+  const auto draft = write_draft(file, text, mode);
+  if (!draft) return draft.error();
+  // The link fails if the file is there. What it holds is valid then.
+  const bool is_placed = link(draft.value().c_str(), file.c_str()) == 0 || errno == EEXIST;
+  const int problem = errno;
+  unlink(draft.value().c_str());
+  if (is_placed) {
+    sync_folder(file.parent_path());
+    return {};
+  }
   errno = problem;
   return cannot(file, "written");
 }

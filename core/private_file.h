@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <string_view>
 
@@ -29,6 +31,16 @@ void take_from_others(const std::filesystem::path& file) noexcept;
 /// Errors: nothing can be written there. The sentence names the file.
 [[nodiscard]] Result<void> replace_private_file(const std::filesystem::path& file,
                                                 std::string_view text);
+
+/// Writes a file that is not there yet, whole or not at all, so that a crash never leaves half a
+/// secret. One that is there stays as it is, which is no error: another process was quicker. `mode`
+/// is the file's, whatever the umask is. Errors: it cannot be written. The sentence names the file.
+[[nodiscard]] Result<void> write_new_file(const std::filesystem::path& file, std::string_view text,
+                                          mode_t mode);
+
+/// Has the disk keep the names in a folder, so that a change of them outlasts a loss of power. A
+/// folder that cannot be synced has them at once all the same.
+void sync_folder(const std::filesystem::path& folder) noexcept;
 
 /// Makes the folder and those above it that are missing. Folders that are there stay as they are,
 /// because they may be shared on purpose.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/hexadecimal.h"
 #include "core/signing/openssl.h"
 
 namespace galilean {
@@ -11,16 +12,6 @@ namespace {
 
 constexpr std::size_t kBase64Size = 44;  // of 32 bytes, with one character of padding
 constexpr std::size_t kIdBytes = 8;
-
-std::string in_hexadecimal(std::span<const std::uint8_t> bytes) {
-  static constexpr char kHexDigits[] = "0123456789abcdef";
-  std::string digits;
-  for (const std::uint8_t byte : bytes) {
-    digits += kHexDigits[byte >> 4];
-    digits += kHexDigits[byte & 15];
-  }
-  return digits;
-}
 
 }  // namespace
 
@@ -52,7 +43,7 @@ std::string VerifyingKey::id() const {
   unsigned size = 0;
   if (EVP_Digest(bytes_.data(), bytes_.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1)
     throw std::runtime_error("OpenSSL cannot compute SHA-256 on this machine");
-  return in_hexadecimal(std::span(digest).first(kIdBytes));
+  return hexadecimal(std::span(digest).first(kIdBytes));
 }
 
 bool VerifyingKey::verify(std::span<const std::uint8_t> message,

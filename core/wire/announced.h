@@ -3,25 +3,17 @@
 
 #include <dds/dds.h>
 
-#include <cstdint>
-#include <span>
 #include <string>
 
 #include "core/wire/address.h"
+#include "core/hexadecimal.h"
 
 namespace galilean::wire {
 
-[[nodiscard]] inline std::string hexadecimal(std::span<const std::uint8_t> bytes) {
-  static constexpr char kDigits[] = "0123456789abcdef";
-  std::string text;
-  for (const std::uint8_t byte : bytes) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
-}
+using galilean::hexadecimal;
+
 [[nodiscard]] inline std::string hexadecimal(const dds_guid_t& guid) {
-  return hexadecimal(guid.v);
+  return galilean::hexadecimal(guid.v);
 }
 
 /// Returns the name that an entity announced, or an empty text if it announced none.

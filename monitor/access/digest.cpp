@@ -4,21 +4,20 @@
 #include <sys/random.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
 #include "bhdl/source/sha256.h"
+#include "core/hexadecimal.h"
 
 namespace galilean::monitor {
 
 Result<std::string> random_token(std::size_t bytes) {
-  static constexpr char kDigits[] = "0123456789abcdef";
-  std::vector<unsigned char> random(bytes);
+  std::vector<std::uint8_t> random(bytes);
   if (getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size()))
     return Error{std::string("the system gives no random numbers: ") + std::strerror(errno)};
-  std::string token;
-  for (const auto byte : random) (token += kDigits[byte >> 4]) += kDigits[byte & 15];
-  return token;
+  return hexadecimal(random);
 }
 
 std::string digest_of(std::string_view token) {

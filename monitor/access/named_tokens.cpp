@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/access/named_tokens.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <functional>
 #include <utility>
 
+#include "core/file_lock.h"
 #include "core/json_text.h"
 #include "core/private_file.h"
 #include "core/regular_file.h"
@@ -30,21 +27,6 @@ constexpr std::size_t kTokenBytes = 32;
 constexpr std::uintmax_t kMostFileBytes = 4 << 20;
 constexpr std::size_t kDigestDigits = 64;
 constexpr std::size_t kLongestName = 64;
-
-/// Holds a lock on a file for as long as it lives, so that two edits do not lose one another's.
-class EditLock {
- public:
-  explicit EditLock(int descriptor) : descriptor_(descriptor) {
-    while (flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
-    }
-  }
-  ~EditLock() { close(descriptor_); }
-  EditLock(const EditLock&) = delete;
-  EditLock& operator=(const EditLock&) = delete;
-
- private:
-  int descriptor_;
-};
 
 std::optional<Right> right_of_role(const std::string& role) {
   for (const Right right : {Right::kRead, Right::kOperate})
@@ -118,9 +100,8 @@ using Edit = std::function<Result<void>(std::vector<NamedToken>&)>;
 
 Result<void> edit_named_tokens(const fs::path& data_folder, const Edit& edit) {
   if (auto made = make_private_folder(data_folder); !made) return made;
-  const auto opened = open_private_file(data_folder / "tokens.lock", O_RDWR);
-  if (!opened) return opened.error();
-  const EditLock lock(opened.value());
+  const auto lock = FileLock::wait_for(data_folder / "tokens.lock");
+  if (!lock) return lock.error();
   const auto file = named_tokens_file(data_folder);
   auto tokens = read_named_tokens(file);
   if (!tokens) return tokens.error();

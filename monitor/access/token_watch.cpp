@@ -4,13 +4,13 @@
 namespace galilean::monitor {
 
 TokenWatch::Mark TokenWatch::mark() const {
-  constexpr std::int64_t kSecond_ns = 1'000'000'000;
   struct stat status {};
   if (stat(file_.c_str(), &status) != 0) return {};
   return {.number = status.st_ino,
           .bytes = status.st_size,
           .mode = status.st_mode,
-          .written_ns = status.st_mtim.tv_sec * kSecond_ns + status.st_mtim.tv_nsec};
+          .written_s = status.st_mtim.tv_sec,
+          .written_ns = status.st_mtim.tv_nsec};
 }
 
 std::optional<Result<std::vector<NamedToken>>> TokenWatch::look() {

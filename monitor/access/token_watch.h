@@ -3,6 +3,7 @@
 
 #include <sys/stat.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -28,6 +29,7 @@ class TokenWatch {
     ino_t number = 0;
     off_t bytes = 0;
     mode_t mode = 0;
+    std::int64_t written_s = 0;  ///< since 1970, with the nanoseconds of that second
     std::int64_t written_ns = 0;
     bool operator==(const Mark&) const = default;
   };

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/access/tokens.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <sstream>
 
 #include "core/private_file.h"
@@ -18,31 +13,15 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::size_t kFileTokenBytes = 20;
-
-/// Writes the file whole or not at all, so that a crash never leaves half a token. Returns false,
-/// with the reason in errno, if there is no such file afterwards.
-bool write_secret(const fs::path& file, const std::string& token) {
-  const fs::path draft = file.string() + "." + std::to_string(getpid());
-  const auto opened = open_private_file(draft, O_WRONLY | O_EXCL);
-  if (!opened) return false;
-  const bool written = write_all(opened.value(), token + "\n") && fsync(opened.value()) == 0;
-  const int problem = errno;
-  close(opened.value());
-  // The link fails if another monitor was quicker. Its token is the valid one then.
-  const bool placed = written && (link(draft.c_str(), file.c_str()) == 0 || errno == EEXIST);
-  if (!written) errno = problem;
-  unlink(draft.c_str());
-  return placed;
-}
+constexpr mode_t kOwnersFile = 0600;
 
 Result<std::string> read_or_make(const fs::path& file, bool& is_new) {
   std::error_code unknown;
   if (!fs::exists(file, unknown)) {
     const auto token = random_token(kFileTokenBytes);
     if (!token) return token.error();
-    if (!write_secret(file, token.value()))
-      return Error{file.string() + " cannot be written: " + std::strerror(errno) +
-                   "; name a folder that can be written with --data DIR"};
+    if (const auto written = write_new_file(file, token.value() + "\n", kOwnersFile); !written)
+      return Error{written.error().message + "; name a folder that can be written with --data DIR"};
     is_new = true;
   }
   return read_token(file);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <ctime>
 #include <iomanip>
 #include <iostream>
 
@@ -8,6 +7,7 @@
 #include "bhdl/program/catalog_file.h"
 #include "core/command_line/command_line.h"
 #include "core/json_text.h"
+#include "core/time_text.h"
 #include "core/visible_text.h"
 #include "monitor/access/tokens.h"
 #include "monitor/commands/push_session.h"
@@ -19,6 +19,7 @@ namespace {
 using namespace galilean::monitor;
 namespace bhdl = galilean::bhdl;
 using galilean::json_text;
+using galilean::local_time;
 using galilean::visible;
 using nlohmann::json;
 using Files = std::vector<bhdl::SourceFile>;
@@ -31,14 +32,6 @@ constexpr int kBroken = 1, kUnreadable = 3;
 int fail(const std::string& why, int exit_code = galilean::kFailed) {
   std::cerr << kCommand << ": " << why << std::endl;
   return exit_code;
-}
-
-std::string clock_text(std::int64_t since_epoch_ns) {
-  const std::time_t seconds = since_epoch_ns / 1'000'000'000;
-  std::tm local{};
-  localtime_r(&seconds, &local);
-  char text[32];
-  return std::string(text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &local));
 }
 
 std::string joined(const json& names) {
@@ -74,7 +67,7 @@ void tell_empty(const std::string& url) {
 std::string state_words(const json& push) {
   const auto word = push.value("state", "");
   if (push_state_of(word) != PushState::kToldLater) return word;
-  return "confirmed (told later, " + clock_text(push.value("told_ns", std::int64_t{})) + ") ";
+  return "confirmed (told later, " + local_time(push.value("told_ns", std::int64_t{})) + ") ";
 }
 
 int list(const MonitorClient& monitor, const std::string& url, bool as_json) {
@@ -85,7 +78,7 @@ int list(const MonitorClient& monitor, const std::string& url, bool as_json) {
   const auto& pushes = answer.value().json["pushes"];
   if (pushes.empty()) tell_empty(url);
   for (const auto& push : pushes)
-    std::cout << clock_text(push.value("pushed_ns", std::int64_t{})) << "  "
+    std::cout << local_time(push.value("pushed_ns", std::int64_t{})) << "  "
               << visible(push.value("hash", "").substr(0, 12)) << "  " << std::left << std::setw(24)
               << visible(push.value("program", "")) << ' ' << std::setw(10)
               << visible(push.value("author", "")) << ' ' << std::setw(12)
@@ -109,7 +102,7 @@ int list_orders(const MonitorClient& monitor, bool as_json) {
   if (!answer.value().ok()) return fail(answer.value().detail());
   if (as_json) return std::cout << json_text(answer.value().json, 1) << std::endl, EXIT_SUCCESS;
   for (const auto& order : answer.value().json.value("orders", json::array()))
-    std::cout << clock_text(order.value("ordered_ns", std::int64_t{})) << "  " << std::left
+    std::cout << local_time(order.value("ordered_ns", std::int64_t{})) << "  " << std::left
               << std::setw(20) << visible(order.value("kind", "")) << ' ' << std::setw(12)
               << visible(order.value("author", "")) << "to "
               << joined(order.value("targets", json::array()))

@@ -9,14 +9,14 @@
 #include "core/command_line/command_line.h"
 #include "core/command_line/seconds_of.h"
 #include "core/json_text.h"
+#include "core/time_text.h"
 #include "monitor/access/tokens.h"
-#include "monitor/keys/security_documents.h"
 #include "monitor/keys/team_keys.h"
 
 namespace {
 
 using namespace galilean::monitor;
-using galilean::Result, galilean::Error;
+using galilean::Result, galilean::Error, galilean::utc_text;
 
 constexpr const char* kCommand = "galilean team keys";
 
@@ -84,7 +84,7 @@ int print_json(const std::vector<TeamMember>& members) {
     items.push_back({{"name", member.name},
                      {"role", std::string(name_of(member.role))},
                      {"serial", member.serial},
-                     {"expires", document_time(member.expires_s)},
+                     {"expires", utc_text(member.expires_s)},
                      {"state", std::string(state_of(member))}});
   std::cout << galilean::json_text({{"certificates", std::move(items)}}, 1) << std::endl;
   return EXIT_SUCCESS;
@@ -96,7 +96,7 @@ int list(const Options& options) {
   if (options.as_json) return print_json(members.value());
   for (const auto& member : members.value())
     std::cout << member.name << "  " << name_of(member.role) << "  " << state_of(member)
-              << "  expires " << document_time(member.expires_s) << '\n';
+              << "  expires " << utc_text(member.expires_s) << '\n';
   if (members.value().empty())
     std::cerr << kCommand << ": the team in " << options.team.string() << " has no members\n";
   return EXIT_SUCCESS;

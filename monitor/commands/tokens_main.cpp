@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
 #include <cstdlib>
-#include <ctime>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "core/command_line/command_line.h"
 #include "core/command_line/seconds_of.h"
 #include "core/json_text.h"
+#include "core/time_text.h"
 #include "core/visible_text.h"
 #include "monitor/access/named_tokens.h"
 #include "monitor/access/tokens.h"
@@ -15,22 +14,13 @@
 namespace {
 
 using namespace galilean::monitor;
-using galilean::Result, galilean::Error;
+using galilean::Result, galilean::Error, galilean::utc_text;
 
 constexpr const char* kCommand = "galilean tokens";
 
 int fail(const std::string& why) {
   std::cerr << kCommand << ": " << why << '\n';
   return galilean::kFailed;
-}
-
-/// Returns a time as people and sort(1) read it: 2026-03-01T12:00:00Z.
-std::string utc(std::int64_t since_1970_s) {
-  const auto time = static_cast<std::time_t>(since_1970_s);
-  std::tm parts{};
-  std::array<char, 64> text{};
-  if (gmtime_r(&time, &parts) == nullptr) return std::to_string(since_1970_s);
-  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts)};
 }
 
 int add(const std::filesystem::path& data_folder, NamedToken wanted, double expires_after_s) {
@@ -41,7 +31,7 @@ int add(const std::filesystem::path& data_folder, NamedToken wanted, double expi
   if (!token) return fail(token.error().message);
   std::cout << token.value() << std::endl;
   std::cerr << "This is " << wanted.name << "'s token, of the role " << role_of(wanted.right)
-            << (wanted.expires_s ? ", until " + utc(*wanted.expires_s) : "")
+            << (wanted.expires_s ? ", until " + utc_text(*wanted.expires_s) : "")
             << ". It is printed only once and kept nowhere.\n"
             << "It goes behind the page's address: http://HOST:PORT/#token=TOKEN\n";
   return EXIT_SUCCESS;
@@ -52,10 +42,10 @@ int print_json(const std::vector<NamedToken>& tokens, std::int64_t now_s) {
   for (const auto& token : tokens) {
     nlohmann::json item{{"name", token.name},
                         {"role", std::string(role_of(token.right))},
-                        {"made", utc(token.made_s)},
+                        {"made", utc_text(token.made_s)},
                         {"expired", token.is_expired(now_s)}};
     item["expires"] = nullptr;
-    if (token.expires_s) item["expires"] = utc(*token.expires_s);
+    if (token.expires_s) item["expires"] = utc_text(*token.expires_s);
     list.push_back(std::move(item));
   }
   std::cout << galilean::json_text({{"tokens", std::move(list)}}, 1) << std::endl;
@@ -70,9 +60,9 @@ int list(const std::filesystem::path& data_folder, bool as_json) {
   if (as_json) return print_json(tokens.value(), now_s);
   for (const auto& token : tokens.value())
     std::cout << galilean::visible(token.name) << "  " << role_of(token.right) << "  made "
-              << utc(token.made_s)
+              << utc_text(token.made_s)
               << (token.expires_s ? (token.is_expired(now_s) ? "  expired " : "  expires ") +
-                                        utc(*token.expires_s)
+                                        utc_text(*token.expires_s)
                                   : "")
               << '\n';
   if (tokens.value().empty())

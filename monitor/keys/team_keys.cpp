@@ -8,12 +8,12 @@
 #include <system_error>
 #include <utility>
 
+#include "core/file_lock.h"
 #include "core/private_file.h"
 #include "core/secure_folder.h"
 #include "core/spelling.h"
 #include "core/visible_text.h"
 #include "monitor/keys/authority.h"
-#include "monitor/keys/edit_lock.h"
 #include "monitor/keys/member_list.h"
 #include "monitor/keys/security_documents.h"
 
@@ -80,6 +80,15 @@ Result<void> copy_private(const fs::path& from, const fs::path& to) {
   return replace_private_file(to, text.value());
 }
 
+Result<FileLock> lock_for_edit(const fs::path& team_folder) {
+  std::error_code unknown;
+  if (!fs::is_directory(team_folder, unknown))
+    return Error{team_folder.string() +
+                 " is no folder of a team; make one with 'galilean team keys init', or name it "
+                 "with --team"};
+  return FileLock::wait_for(team_folder / "members.lock");
+}
+
 }  // namespace
 
 fs::path TeamKeys::member_folder(const std::string& name) const {
@@ -88,8 +97,8 @@ fs::path TeamKeys::member_folder(const std::string& name) const {
 
 Result<void> TeamKeys::init() const {
   if (auto made = make_private_folder(folder_ / kMembersFolder); !made) return made;
-  const EditLock lock(folder_);
-  if (!lock.problem().empty()) return Error{lock.problem()};
+  const auto lock = lock_for_edit(folder_);
+  if (!lock) return lock.error();
   const MemberFiles files(folder_);
   std::error_code unknown;
   for (const auto& file : {files.identity_ca, files.permissions_ca, list_file(folder_)})
@@ -115,8 +124,8 @@ Result<void> TeamKeys::init() const {
 Result<fs::path> TeamKeys::add(const std::string& name, MemberRole role,
                                std::int64_t expires_s) const {
   if (const auto valid = check_member(name, role); !valid) return valid.error();
-  const EditLock lock(folder_);
-  if (!lock.problem().empty()) return Error{lock.problem()};
+  const auto lock = lock_for_edit(folder_);
+  if (!lock) return lock.error();
   auto members = list();
   if (!members) return members.error();
   if (newest_of(name, members.value()) != members.value().end())
@@ -125,8 +134,8 @@ Result<fs::path> TeamKeys::add(const std::string& name, MemberRole role,
 }
 
 Result<fs::path> TeamKeys::renew(const std::string& name, std::int64_t expires_s) const {
-  const EditLock lock(folder_);
-  if (!lock.problem().empty()) return Error{lock.problem()};
+  const auto lock = lock_for_edit(folder_);
+  if (!lock) return lock.error();
   auto members = list();
   if (!members) return members.error();
   const auto newest = newest_of(name, members.value());
@@ -174,8 +183,8 @@ Result<fs::path> TeamKeys::issue(const std::string& name, MemberRole role, std::
 }
 
 Result<void> TeamKeys::revoke(const std::string& name) const {
-  const EditLock lock(folder_);
-  if (!lock.problem().empty()) return Error{lock.problem()};
+  const auto lock = lock_for_edit(folder_);
+  if (!lock) return lock.error();
   auto read = list();
   if (!read) return read.error();
   auto members = std::move(read).value();

@@ -69,7 +69,7 @@ struct RobotStatus {
   bool has_state = false;  ///< it has sent its state; without, nothing is known up to `overruns`
   std::string state;
   double in_state_s = 0;
-  double clock_ahead_s = 0;  ///< of its clock before this machine's; 0 where that is little
+  double clock_ahead_s = 0;  ///< its clock, less this machine's; 0 where that is little
   std::string program_name;
   std::string program_hash;
   bool drifting = false;  ///< its program differs from the team's program

@@ -44,25 +44,14 @@ std::string alternative_names() {
   return names;
 }
 
-bool add_extension(X509& certificate, int kind, const std::string& value) {
-  X509V3_CTX context;
-  X509V3_set_ctx_nodb(&context);
-  X509V3_set_ctx(&context, &certificate, &certificate, nullptr, nullptr, 0);
-  const openssl::Extension extension(X509V3_EXT_conf_nid(nullptr, &context, kind, value.c_str()));
-  return extension && X509_add_ext(&certificate, extension.get(), -1) == 1;
-}
-
 bool set_serial_and_name(X509& certificate) {
   std::array<unsigned char, 8> random{};
   if (RAND_bytes(random.data(), static_cast<int>(random.size())) != 1) return false;
   std::uint64_t serial = 0;
   for (const auto byte : random) serial = serial << 8 | byte;
   X509_NAME* name = X509_get_subject_name(&certificate);
-  const std::string text = "galilean-monitor";
   return ASN1_INTEGER_set_uint64(X509_get_serialNumber(&certificate), serial >> 1) == 1 &&
-         X509_NAME_add_entry_by_txt(name, "CN", MBSTRING_UTF8,
-                                    reinterpret_cast<const unsigned char*>(text.data()),
-                                    static_cast<int>(text.size()), -1, 0) == 1 &&
+         openssl::add_field(name, "CN", "galilean-monitor") &&
          X509_set_issuer_name(&certificate, name) == 1;
 }
 
@@ -77,38 +66,29 @@ openssl::Certificate signed_by_itself(EVP_PKEY& key) {
       X509_gmtime_adj(X509_getm_notBefore(&made), -kDay_s) != nullptr &&  // clocks differ
       X509_gmtime_adj(X509_getm_notAfter(&made), kValidFor_s - kDay_s) != nullptr &&
       X509_set_pubkey(&made, &key) == 1 &&
-      add_extension(made, NID_basic_constraints, "critical,CA:FALSE") &&
-      add_extension(made, NID_ext_key_usage, "serverAuth") &&
-      add_extension(made, NID_subject_alt_name, alternative_names()) &&
+      openssl::add_extension(made, made, NID_basic_constraints, "critical,CA:FALSE") &&
+      openssl::add_extension(made, made, NID_ext_key_usage, "serverAuth") &&
+      openssl::add_extension(made, made, NID_subject_alt_name, alternative_names()) &&
       X509_sign(&made, &key, EVP_sha256()) != 0;
   return done ? std::move(certificate) : openssl::Certificate();
 }
 
-std::string text_in(BIO& memory) {
-  char* data = nullptr;
-  const long size = BIO_get_mem_data(&memory, &data);
-  return size > 0 ? std::string(data, static_cast<std::size_t>(size)) : std::string();
-}
-
 Result<void> make_own(const CertificateFiles& files) {
-  const openssl::Key key(EVP_PKEY_Q_keygen(nullptr, nullptr, "EC", "P-256"));
+  const auto key = openssl::make_key();
   if (!key) return unmade(files);
   const auto certificate = signed_by_itself(*key);
-  const openssl::Memory key_text(BIO_new(BIO_s_mem())), text(BIO_new(BIO_s_mem()));
-  if (!certificate || !key_text || !text ||
-      PEM_write_bio_PrivateKey(key_text.get(), key.get(), nullptr, nullptr, 0, nullptr, nullptr) !=
-          1 ||
-      PEM_write_bio_X509(text.get(), certificate.get()) != 1)
-    return unmade(files);
+  if (!certificate) return unmade(files);
+  const auto key_text = openssl::pem_of(*key), text = openssl::pem_of(*certificate);
+  if (key_text.empty() || text.empty()) return unmade(files);
   if (auto made = make_private_folder(files.key.parent_path()); !made) return made;
-  if (auto written = replace_private_file(files.key, text_in(*key_text)); !written) return written;
-  return replace_private_file(files.certificate, text_in(*text));
+  if (auto written = replace_private_file(files.key, key_text); !written) return written;
+  return replace_private_file(files.certificate, text);
 }
 
 Result<openssl::Certificate> read_certificate(const fs::path& file) {
   const auto text = read_regular_file(file.string(), kMostPemBytes);
   if (!text) return Error{file.string() + " cannot be read: " + text.error().message};
-  const openssl::Memory memory(
+  const openssl::Bio memory(
       BIO_new_mem_buf(text.value().data(), static_cast<int>(text.value().size())));
   openssl::Certificate certificate(
       memory ? PEM_read_bio_X509(memory.get(), nullptr, nullptr, nullptr) : nullptr);

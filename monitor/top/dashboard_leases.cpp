@@ -15,9 +15,9 @@ void Dashboard::take_turns() {
   if (lease->is_asked_by_you)
     return notices_.tell_of_now(lease->holder + " was asked for " + robot + " already.");
   pusher_.change_lease(lease->is_yours ? "give" : "ask", robot, {});
-  notices_.tell_of_now(lease->is_yours
-                           ? "gave " + robot + " to " + lease->asker
-                           : "asked " + lease->holder + " for " + robot + "; it is yours in 10 s");
+  notices_.tell_of_now(lease->is_yours ? "gave " + robot + " to " + lease->asker
+                                       : "asked " + lease->holder + " for " + robot +
+                                             "; unless it is refused, it is yours in 10 s");
 }
 
 void Dashboard::insist() {
@@ -56,7 +56,7 @@ std::string Dashboard::asked_for() const {
   for (const auto& [name, known] : model_.team().robots())
     if (const auto lease = pusher_.lease(name); lease && lease->is_yours && !lease->asker.empty())
       return lease->asker + " asks for " + name +
-             ", and gets it in 10 s: choose it, then m gives " + "it, M refuses";
+             ", and gets it in 10 s: choose it, then m gives it, M refuses";
   return {};
 }
 

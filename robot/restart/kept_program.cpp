@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/restart/kept_program.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "bhdl/source/sha256.h"
 #include "core/cut_text.h"
 #include "core/json_text.h"
+#include "core/private_file.h"
 #include "core/regular_file.h"
 #include "core/visible_text.h"
 
@@ -69,33 +63,6 @@ Result<KeptProgram> parse(const std::string& text, const std::string& robot) {
   return kept;
 }
 
-bool write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const auto count = write(descriptor, text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return false;
-    text.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return true;
-}
-
-/// Writes a file that reached the disk. Returns 0, or the number of the system's error.
-int write_through(const fs::path& file, const std::string& text) {
-  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  if (descriptor < 0) return errno;
-  const int problem = write_all(descriptor, text) && fsync(descriptor) == 0 ? 0 : errno;
-  close(descriptor);
-  return problem;
-}
-
-/// Has the disk keep the new name. Some file systems cannot do that for a folder.
-void sync_folder(const fs::path& folder) {
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  static_cast<void>(fsync(descriptor));
-  close(descriptor);
-}
-
 }  // namespace
 
 fs::path kept_program_file(const fs::path& state_folder, const std::string& robot,
@@ -116,18 +83,8 @@ Result<std::optional<KeptProgram>> read_kept_program(const fs::path& file,
 }
 
 Result<void> write_kept_program(const fs::path& file, const KeptProgram& kept) {
-  std::error_code failed;
-  fs::create_directories(file.parent_path(), failed);
-  const fs::path draft = file.string() + ".new";
-  int problem = failed ? failed.value() : write_through(draft, json_of(kept));
-  if (problem == 0 && std::rename(draft.c_str(), file.c_str()) != 0) problem = errno;
-  if (problem == 0) {
-    sync_folder(file.parent_path());
-    return {};
-  }
-  std::error_code not_there;
-  fs::remove(draft, not_there);
-  return Error{file.string() + " cannot be written: " + std::strerror(problem)};
+  (void)make_private_folder(file.parent_path());  // what fails is said when the file is written
+  return replace_private_file(file, json_of(kept));
 }
 
 }  // namespace galilean::robot

@@ -63,8 +63,8 @@ Start choose_start(bhdl::Program given, const Result<std::optional<KeptProgram>>
   if (!kept) {
     start.last_end = LastEnd::kUnknown;
     start.sentence = kept.error().message +
-                     "; so it is not known how the robot program ended: it " + "runs " +
-                     given_name + " of --bhdl, and writes the file anew";
+                     "; so it is not known how the robot program ended: it runs " + given_name +
+                     " of --bhdl, and writes the file anew";
     return start;
   }
   if (!kept.value()) return start;

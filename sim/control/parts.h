@@ -9,8 +9,8 @@
 
 namespace galilean::sim {
 
-/// Breaks a part: "camera", "serial_line", "board", "left_wheel", "right_wheel" or "bumper_0" … "bumper_7".
-/// `fault` is "dead", which an empty text means as well, or for a bumper "stuck".
+/// Breaks a part: "camera", "serial_line", "board", "left_wheel", "right_wheel" or "bumper_0" …
+/// "bumper_7". `fault` is "dead", which an empty text means as well, or for a bumper "stuck".
 /// Errors: there is no such part, or it cannot break in this way.
 Result<void> break_part(BrokenParts& broken, const std::string& part, const std::string& fault);
 /// Errors: there is no such part, or it is not broken.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/devices/boot_memory.h"
 
-#include <unistd.h>
-
 #include <charconv>
 #include <fstream>
 #include <limits>
 #include <optional>
 #include <system_error>
 #include <utility>
+
+#include "core/private_file.h"
 
 namespace galilean::sim {
 namespace {
@@ -49,18 +49,11 @@ std::uint16_t BootMemory::count_start() {
 }
 
 void BootMemory::keep() {
-  // A file is replaced as a whole: whoever is ended meanwhile leaves the old count or the new one.
-  std::error_code failed;
-  std::filesystem::create_directories(file_.parent_path(), failed);
-  const std::filesystem::path made = file_.string() + "." + std::to_string(getpid());
-  std::ofstream out(made, std::ios::trunc);
-  out << count_ << "\n";
-  out.close();
-  const bool written = out.good();
-  if (written) std::filesystem::rename(made, file_, failed);
-  if (written && !failed) return;
-  std::error_code gone_already;
-  std::filesystem::remove(made, gone_already);
+  // The file is replaced as a whole: whoever is ended meanwhile leaves the old count or the new
+  // one.
+  if (make_private_folder(file_.parent_path()) &&
+      replace_private_file(file_, std::to_string(count_) + "\n"))
+    return;
   problem_ = file_.string() +
              " cannot be written, so that the next simulator does not know how often this board "
              "was started: make its folder one that can be written, or set XDG_STATE_HOME.";

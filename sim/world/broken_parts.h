@@ -12,7 +12,7 @@ struct BrokenParts {
   std::uint8_t stuck_bumpers = 0;  ///< bit n: switch n is always closed
   bool camera = false;
   bool serial_line = false;
-  bool board = false;  ///< it has no power; mended, it starts anew
+  bool board = false;       ///< it has no power; mended, it starts anew
   bool left_wheel = false;  ///< its motor gets no power
   bool right_wheel = false;
 

@@ -93,6 +93,21 @@ TEST_F(PrivateFile, WhatCannotBeReplacedSaysWhichFileAndLeavesNoDraft) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
 }
 
+TEST_F(PrivateFile, ANewOneHasItsModeWhateverTheUmaskAndOneThatIsThereStays) {
+  umask(0777);
+  ASSERT_TRUE(write_new_file(folder / "key.pub", "the first", 0644));
+  ASSERT_TRUE(write_new_file(folder / "key.pub", "the second", 0600));
+  EXPECT_EQ(mode_of(folder / "key.pub"), 0644U);
+  EXPECT_EQ(content_of(folder / "key.pub"), "the first");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1) << "no draft is left";
+}
+
+TEST_F(PrivateFile, ANewOneThatCannotBeWrittenSaysWhichFile) {
+  const auto nowhere = write_new_file(folder / "none" / "key", "new", 0600);
+  ASSERT_FALSE(nowhere);
+  EXPECT_THAT(nowhere.error().message, HasSubstr((folder / "none" / "key").string()));
+}
+
 TEST_F(PrivateFile, FoldersThatAreMissingAreMadeForTheOwnerAndOthersStay) {
   ASSERT_EQ(mkdir((folder / "shared").c_str(), 0755), 0);
   const fs::path inner = folder / "shared" / "state" / "galilean";

@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 
+#include "core/openssl.h"
 #include "core/wire/authentication/subject_prefix.h"
 
 namespace galilean::wire {
@@ -24,24 +25,16 @@ using RevokedMembers = std::set<SubjectPrefix>;
 // Everything here is inline, for the module, which is linked with none of Galilean's libraries, and
 // for tests of lists.
 
-template <auto free_it>
-struct FreeWith {
-  template <class T>
-  void operator()(T* object) const noexcept {
-    free_it(object);
-  }
-};
-
 /// Reads a PEM file by one of OpenSSL's readers. Returns null if it cannot be read.
 template <class T, auto free_it, class Read>
-std::unique_ptr<T, FreeWith<free_it>> read_pem(const std::string& file, Read read) {
-  const std::unique_ptr<BIO, FreeWith<BIO_free_all>> bio(BIO_new_file(file.c_str(), "r"));
-  return std::unique_ptr<T, FreeWith<free_it>>(bio ? read(bio.get(), nullptr, nullptr, nullptr)
-                                                   : nullptr);
+std::unique_ptr<T, openssl::Free<free_it>> read_pem(const std::string& file, Read read) {
+  const openssl::Bio bio(BIO_new_file(file.c_str(), "r"));
+  return std::unique_ptr<T, openssl::Free<free_it>>(bio ? read(bio.get(), nullptr, nullptr, nullptr)
+                                                        : nullptr);
 }
 
 inline std::optional<SubjectPrefix> prefix_of_serial(const ASN1_INTEGER* serial) {
-  const std::unique_ptr<BIGNUM, FreeWith<BN_free>> number(ASN1_INTEGER_to_BN(serial, nullptr));
+  const std::unique_ptr<BIGNUM, openssl::Free<BN_free>> number(ASN1_INTEGER_to_BN(serial, nullptr));
   std::array<std::uint8_t, kSerialBytes> bytes{};
   if (!number || BN_bn2binpad(number.get(), bytes.data(), static_cast<int>(bytes.size())) < 0)
     return {};
@@ -50,9 +43,8 @@ inline std::optional<SubjectPrefix> prefix_of_serial(const ASN1_INTEGER* serial)
 
 /// Returns the prefix of the participant whose certificate, in PEM, this is; nothing if it is none.
 inline std::optional<SubjectPrefix> prefix_of_certificate(std::span<const std::uint8_t> pem) {
-  const std::unique_ptr<BIO, FreeWith<BIO_free_all>> bio(
-      BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size())));
-  const std::unique_ptr<X509, FreeWith<X509_free>> certificate(
+  const openssl::Bio bio(BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size())));
+  const std::unique_ptr<X509, openssl::Free<X509_free>> certificate(
       bio ? PEM_read_bio_X509(bio.get(), nullptr, nullptr, nullptr) : nullptr);
   if (!certificate) return {};
   unsigned char* encoded = nullptr;

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/plural.h"
-#include "core/visible_text.h"
+#include "core/refusal_words.h"
 
 namespace galilean::front {
 namespace {
@@ -44,16 +44,6 @@ std::vector<Refused> all_refused(const json& status) {
   return all;
 }
 
-/// Returns "12 messages on /io/state were not taken: RobotState.heading_rad is not a number".
-std::string words_of(const Refused& refused) {
-  constexpr std::string_view kTopicRoot = "rt";
-  const std::string place = refused.topic.starts_with("rt/")
-                                ? " on " + visible(refused.topic.substr(kTopicRoot.size()))
-                                : std::string();
-  return plural(refused.messages, "message") + place + agreeing(refused.messages, " was", " were") +
-         " not taken: " + visible(refused.reason);
-}
-
 }  // namespace
 
 Check intake_check(const json& status) {
@@ -61,13 +51,14 @@ Check intake_check(const json& status) {
   if (refused.empty()) return {kWhat, true, "the monitor took all that came"};
   std::string told;
   for (std::size_t i = 0; i < std::min(refused.size(), kMostTold); ++i)
-    told += (i == 0 ? "" : "; ") + words_of(refused[i]);
+    told += (i == 0 ? "" : "; ") +
+            refusal_words(refused[i].topic, refused[i].messages, refused[i].reason);
   if (refused.size() > kMostTold)
     told +=
         "; and of " + plural(refused.size() - kMostTold, "more kind") + ", which /api/status lists";
   return {kWhat, false, std::move(told),
-          "look who writes the topic (galilean info TOPIC), and stop or update it; the monitor "
-          "counts since it was started"};
+          "find out with 'galilean info TOPIC' who writes the topic, and stop or update it; the "
+          "monitor counts since it was started"};
 }
 
 }  // namespace galilean::front

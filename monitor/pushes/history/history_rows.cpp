@@ -214,8 +214,8 @@ std::optional<std::vector<bhdl::SourceFile>> files_of(sqlite3* database, const s
   if (bhdl::program_hash(files) != found)
     throw std::runtime_error(
         "the history of pushes: the text that is kept as " + found +
-        " is another program's: push the program from its file; `galilean programs "
-        "verify` tells more");
+        " is another program's: push the program from its file; 'galilean programs "
+        "verify' tells more");
   return files;
 }
 

@@ -19,7 +19,7 @@ struct OrderRecord {
   std::string id;
   std::int64_t ordered_ns = 0;  ///< since the Unix epoch
   std::string author;
-  std::string kind;                  ///< such as "hold", "set breaks" or "simulation: drop"
+  std::string kind;                  ///< such as "hold", "breaks: set" or "simulation: drop"
   std::vector<std::string> targets;  ///< empty: the team
   std::string detail = {};           ///< what it says besides, in words; may be empty
   std::vector<OrderOutcome> outcomes = {};

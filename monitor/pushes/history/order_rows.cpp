@@ -15,7 +15,7 @@ nlohmann::json content_of(const chain::Row& row) {
   auto json = read_json(row.content);
   if (!json || !json.value().is_object())
     throw std::runtime_error("the history of pushes: row " + std::to_string(row.number) +
-                             " is damaged; `galilean programs verify` tells more");
+                             " is damaged; 'galilean programs verify' tells more");
   return std::move(json).value();
 }
 

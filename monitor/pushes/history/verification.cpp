@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/pushes/history/verification.h"
 
-#include <ctime>
 #include <limits>
 #include <map>
 #include <memory>
@@ -12,6 +11,7 @@
 
 #include "bhdl/source/sha256.h"
 #include "core/json_text.h"
+#include "core/time_text.h"
 #include "monitor/pushes/history/chain.h"
 #include "monitor/pushes/history/history_rows.h"
 #include "monitor/pushes/history/told_rows.h"
@@ -31,14 +31,6 @@ struct PushedText {
 };
 /// By kind, id and robot.
 using Newest = std::map<std::tuple<std::string, std::string, std::string>, Last>;
-
-std::string local_time(std::int64_t since_epoch_ns) {
-  const std::time_t seconds = since_epoch_ns / 1'000'000'000;
-  std::tm local{};
-  localtime_r(&seconds, &local);
-  char text[32];
-  return std::string(text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &local));
-}
 
 bool is_of_table(const std::string& kind) {
   return kind == chain::kPush || kind == chain::kReply || kind == chain::kProgress;

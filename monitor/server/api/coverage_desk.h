@@ -21,7 +21,7 @@ class CoverageDesk {
   /// wait for.
   CoverageDesk(const RecordingFolder& folder, Worker& worker) : folder_(folder), worker_(worker) {}
 
-  /// Answers later: 200, 403, 404, 422 or 503; at once with 503 if too many others wait.
+  /// Answers later: 200, 403, 404, 422, 500 or 503; at once with 503 if too many others wait.
   void ask(const std::string& name, const Respond& respond);
   /// Ends what is being counted. Call it before the worker is finished.
   void stop() noexcept { stops_ = true; }

@@ -108,8 +108,7 @@ void limit_metrics(std::ostream& out, const LimitCounts& counts) {
         << counts.count(limit) << '\n';
   }
   metric(out, "galilean_out_of_memory_total", "counter",
-         "Requests and other works that failed because no memory was left.",
-         memory_failures.load());
+         "Requests and other jobs that failed because no memory was left.", memory_failures.load());
 }
 
 }  // namespace
@@ -138,7 +137,7 @@ std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocke
   robot_metric(out, robots, "drifting", "gauge", "1 while it runs another program than the team.",
                [](const R& robot) { return robot.drifting ? 1 : 0; });
   robot_metric(out, robots, "clock_ahead_seconds", "gauge",
-               "Of its clock before the monitor's; 0 where that is little.",
+               "How far its clock is ahead of the monitor's; 0 where that is little.",
                [](const R& robot) { return robot.clock_ahead_s; });
   intake_metrics(out, intake);
   metric(out, "galilean_strategies_dropped_total", "counter",

@@ -34,7 +34,8 @@ constexpr std::array<LimitWords, kLimitCount> kLimitWords{{
     {"pings", "A WebSocket sent more pings a second than the monitor answers, and was closed."},
     {"message", "A client's message was longer than the monitor reads, and was refused."},
     {"subscriptions", "A client subscribed oftener than the monitor keeps, and was refused."},
-    {"calls", "A client called services faster than they answer, and was refused."},
+    {"calls",
+     "As many calls of a client wait for answers as the monitor keeps, so a call was refused."},
     {"waiting_events",
      "A client read its events more slowly than the monitor keeps them, and was closed."},
 }};

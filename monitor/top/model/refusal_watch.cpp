@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/plural.h"
+#include "core/refusal_words.h"
 #include "core/visible_text.h"
 
 namespace galilean::monitor::top {
@@ -19,11 +20,7 @@ std::string sender_of(const std::string& topic) {
 }
 
 std::string refusal_words(const wire::Refusals::Count& refused) {
-  const bool is_named = refused.topic.starts_with(kTopicRoot);
-  const std::string place =
-      is_named ? " on " + visible(refused.topic.substr(kTopicRoot.size() - 1)) : std::string();
-  return plural(refused.messages, "message") + place + agreeing(refused.messages, " was", " were") +
-         " not taken: " + visible(refused.reason);
+  return galilean::refusal_words(refused.topic, refused.messages, refused.reason);
 }
 
 std::string loss_words(const ChannelIntake& channel) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/access/named_tokens.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
+#include <array>
+#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <thread>
@@ -177,6 +180,19 @@ TEST_F(NamedTokens, AWatchTellsEachChangeOnce) {
   const auto removed = watch.look();
   ASSERT_TRUE(removed && *removed);
   EXPECT_TRUE(removed->value().empty());
+}
+
+TEST_F(NamedTokens, AFileThatIsDatedFarAheadIsWatchedToo) {
+  (void)add(token_named("anna"));
+  TokenWatch watch(file);
+  EXPECT_TRUE(watch.look());
+  constexpr std::time_t kYear2286_s = 10'000'000'000;  // in nanoseconds it has no 64-bit number
+  const std::array<timespec, 2> times{timespec{kYear2286_s, 0}, timespec{kYear2286_s, 0}};
+  ASSERT_EQ(utimensat(AT_FDCWD, file.c_str(), times.data(), 0), 0);
+  const auto dated = watch.look();
+  ASSERT_TRUE(dated && *dated);
+  EXPECT_EQ(dated->value().size(), 1U);
+  EXPECT_FALSE(watch.look());
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ std::string text_of(const fs::path& file) {
 
 openssl::Certificate certificate_in(const fs::path& file) {
   const auto text = text_of(file);
-  const openssl::Memory memory(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
+  const openssl::Bio memory(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
   return openssl::Certificate(PEM_read_bio_X509(memory.get(), nullptr, nullptr, nullptr));
 }
 
@@ -49,13 +49,13 @@ bool is_issued_by(const fs::path& certificate, const fs::path& authority) {
 /// What an S/MIME document says, if the authority in `ca_file` has signed it; as Cyclone checks it.
 std::string signed_text(const fs::path& file, const fs::path& ca_file) {
   const auto text = text_of(file);
-  const openssl::Memory memory(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
+  const openssl::Bio memory(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
   BIO* content = nullptr;
   PKCS7* document = SMIME_read_PKCS7(memory.get(), &content);
   const auto ca = certificate_in(ca_file);
   X509_STORE* store = X509_STORE_new();
   X509_STORE_add_cert(store, ca.get());
-  const openssl::Memory out(BIO_new(BIO_s_mem()));
+  const openssl::Bio out(BIO_new(BIO_s_mem()));
   std::string said;
   if (document && content &&
       PKCS7_verify(document, nullptr, store, content, out.get(), PKCS7_TEXT) == 1) {

@@ -31,7 +31,7 @@ class OwnCertificate : public testing::Test {
   }
   openssl::Certificate read() const {
     const auto text = pem_of(files.certificate);
-    const openssl::Memory memory(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
+    const openssl::Bio memory(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
     return openssl::Certificate(PEM_read_bio_X509(memory.get(), nullptr, nullptr, nullptr));
   }
 

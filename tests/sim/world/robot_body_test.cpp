@@ -17,7 +17,8 @@ TEST(RobotBody, DeadZonesHoldTheMotorsAndAreWiderInATurn) {
 }
 
 // By hand for a straight run: m = 4.5 + 2 · 0.6 kg, K = 2 · 12 N · 0.81 / 0.6 m/s, dry friction
-// 2 · 12 N · 0.19, so that a short takes m/K · ln(1 + K v / friction) = 0.20 s, and a step more here.
+// 2 · 12 N · 0.19, so that a short takes m/K · ln(1 + K v / friction) = 0.20 s, and a step more
+// here.
 TEST(RobotBody, AShortBrakesAndPowerBackwardsBrakesHarder) {
   const struct {
     std::int16_t pwm;

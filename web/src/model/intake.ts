@@ -31,7 +31,7 @@ function alarmOf(key: string, { topic, reason, messages }: RefusedMessages): Ala
     robot: senderOf(topic),
     words: `${plural(messages, "message")}${place} ${messages === 1 ? "was" : "were"} not taken: ${reason}.`,
     timed: true,
-    advice: isNamed ? `Look who writes the topic (galilean info ${name}), and stop or update it.` : "Look who writes them (galilean list), and stop it.",
+    advice: isNamed ? `Find out who writes the topic (galilean info ${name}), and stop or update it.` : "Find out who writes them (galilean list), and stop it.",
   };
 }
 
@@ -42,7 +42,7 @@ function alarmOfLosses({ topic, lost }: ChannelIntake): Alarm {
 
 function alarmOfTopics(topics: number): Alarm {
   const words = `${plural(topics, "topic")} ${topics === 1 ? "is" : "are"} not read, because there are too many.`;
-  return { key: `refused ${TOPICS_NOT_READ}`, kind: "refused", robot: "(others)", words, timed: true, advice: "Look who makes them (galilean list), and stop it." };
+  return { key: `refused ${TOPICS_NOT_READ}`, kind: "refused", robot: "(others)", words, timed: true, advice: "Find out who makes them (galilean list), and stop it." };
 }
 
 const lossesIn = ({ channels = [] }: IntakeStatus): ChannelIntake[] => channels.filter(({ lost }) => lost > 0);

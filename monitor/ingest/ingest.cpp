@@ -74,15 +74,20 @@ bool Ingest::all_but_costly(const Channel& channel) {
 void Ingest::poll() {
   signals_->pending = false;
   if (signals_->topics_changed.exchange(false)) discover();
-  for (std::size_t i = 0; i < sources_.size(); ++i) {
-    Source& source = *sources_[i];
+  const Time until = clock_.now() + kLongestTurn;
+  for (std::size_t left = sources_.size(); left > 0; --left) {
+    Source& source = *sources_[next_++ % sources_.size()];
     if (!source.reader || source.rests || !source.has_data.exchange(false)) continue;
     take(source);
+    if (clock_.now() < until) continue;
+    // The rest waits for the next turn, which begins with the next topic.
+    signals_->raise();
+    return;
   }
 }
 
 void Ingest::take(Source& source) {
-  source.reader->take([&](const wire::Received& received) {
+  const bool are_more = source.reader->take_some(kMostAtOnce, [&](const wire::Received& received) {
     if (!follows(received)) return;
     ++source.messages;
     source.newest = clock_.now();
@@ -91,6 +96,9 @@ void Ingest::take(Source& source) {
                                                                           received.cdr.end()),
                         source.is_replayed(received)});
   });
+  if (!are_more) return;
+  source.has_data = true;
+  signals_->raise();
 }
 
 // Only a valid message brings its robot here, so that a name that is only announced takes no place.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -36,6 +38,8 @@ class Ingest {
   static constexpr std::size_t kMostTopics = 6144;
   static constexpr std::size_t kMostTopicsOfProcess = 2048;
   static constexpr std::size_t kMostNewTopics = 64;
+  static constexpr std::size_t kMostAtOnce = 8;
+  static constexpr Duration kLongestTurn = std::chrono::milliseconds(4);
 
   using Wake = std::function<void()>;
   using ReadAtOnce = std::function<bool(const Channel&)>;
@@ -57,13 +61,14 @@ class Ingest {
   Ingest(const Ingest&) = delete;
   Ingest& operator=(const Ingest&) = delete;
 
-  /// Takes the messages and the topics that came since the last call. Never waits.
+  /// Takes messages and topics that came since the last call. Never waits. Where not all were
+  /// taken, it has called `wake`.
   void poll();
   /// Begins or ends the reading of a topic that is not always read. Calls need not be paired, and
   /// an unknown id is ignored.
   void want(std::uint32_t channel_id, bool wanted);
   /// Leaves a topic's messages with its reader, or takes them again. Of a state the reader keeps
-  /// the newest, which the first `poll` after that takes. An unknown id is ignored.
+  /// the newest, which a `poll` after that takes. An unknown id is ignored.
   void rest(std::uint32_t channel_id, bool rests);
 
   /// Returns how it stands with what comes in.
@@ -90,6 +95,7 @@ class Ingest {
   ReadAtOnce read_at_once_;
   std::shared_ptr<Signals> signals_;
   std::vector<std::unique_ptr<Source>> sources_;  ///< at index channel id - 1
+  std::size_t next_ = 0;                          ///< the source that the next turn begins with
   std::map<std::string, Source*> by_topic_;
   std::map<std::string, std::size_t> topics_of_;  ///< how many are read, by their first process
   std::size_t topics_not_read_ = 0;

@@ -290,6 +290,7 @@ void Monitor::Parts::tell_regularly() {
     lease_teller.tell();
     auto parameters = team_parameters(team, leases);
     parameters["/team.history_problem"] = history_watch.problem();
+    parameters["/team.map_problem"] = map.watch().problem();
     hub.send_parameters(std::move(parameters));
     tell_graph();
   });

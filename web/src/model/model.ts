@@ -146,6 +146,8 @@ export interface Team {
   readonly replayed: ReadonlySet<string>;
   /** What is wrong with the monitor's history, in one sentence; empty or not there where nothing is known to be. */
   readonly history_problem?: string;
+  /** What is wrong with the monitor's map, in the same way. */
+  readonly map_problem?: string;
   /** With the map's own time, which its objects' `last_seen` keeps. */
   readonly objects?: Stamped<readonly MapObject[]> & { readonly stamp: Time };
   readonly grid?: OccupancyGrid;

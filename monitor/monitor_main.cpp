@@ -7,6 +7,7 @@
 #include "core/broken_pipe.h"
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "core/last_sentence.h"
 #include "monitor/access/access.h"
 #include "monitor/access/tokens.h"
 #include "monitor/server/monitor.h"
@@ -110,6 +111,7 @@ std::string no_folder(const monitor::MonitorOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  galilean::say_why_it_ends("galilean-monitor");
   galilean::ignore_broken_pipes();
   galilean::ignore_file_size_limit();
   monitor::MonitorOptions options;

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <csignal>
 #include <iostream>
+#include <new>
+#include <optional>
+#include <system_error>
 
 #include "bhdl/program/catalog_file.h"
 #include "core/installation.h"
@@ -15,6 +16,7 @@
 #include "core/wire/ros_time.h"
 #include "monitor/access/operator_key.h"
 #include "monitor/access/token_watch.h"
+#include "monitor/background/end_watch.h"
 #include "monitor/background/guarded.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/pushes/history/history_folder.h"
@@ -91,6 +93,7 @@ void decode_for(const Message& message, Take take) {
 // The members are destroyed in the reverse order. The io_context destroys the sessions, and these
 // use the hub, so the hub must stand before it.
 struct Monitor::Parts {
+  std::optional<EndWatch> end_watch;  ///< the last to go, since the end of the others may hang
   ServerLimits limits;
   std::unique_ptr<wire::Participant> participant;
   std::unique_ptr<History> history;
@@ -104,7 +107,6 @@ struct Monitor::Parts {
   Playbacks playbacks;
   ReplayContext replay{recordings, playbacks};
   asio::io_context io{1};
-  asio::signal_set signals{io, SIGINT, SIGTERM};
   asio::steady_timer tell_timer{io};
   asio::steady_timer token_timer{io};
   TokenWatch token_watch;
@@ -144,6 +146,7 @@ struct Monitor::Parts {
         std::unique_ptr<wire::Participant> joined, std::unique_ptr<History> opened,
         const Tokens& tokens, const std::shared_ptr<OrderSigner>& signer);
   ~Parts() {
+    end_watch->forget();
     playbacks.finish();
     checks.drop_waiting();
     push_checks.drop_waiting();
@@ -226,15 +229,13 @@ Monitor::Parts::Parts(const MonitorOptions& options, const ServerLimits& bounds,
   operations.offer(hub);
   api.set_counts([this] { return server.counts(); });
   api.set_intake([this] { return ingest.intake(); });
-  signals.async_wait([this](boost::system::error_code error, int) {
-    if (!error) io.stop();
-  });
   hub.on_set_parameter([this](const auto& wanted, auto answer) {
     set_team_parameter(operations, wanted, hub.caller(), std::move(answer));
   });
   recording_worker.run([this] { remove_abandoned_uploads(recordings); });
   tell_regularly();
   look_at_tokens_regularly();
+  end_watch.emplace([this] { io.stop(); });
 }
 
 Ingest::Callbacks Monitor::Parts::callbacks() {
@@ -372,6 +373,11 @@ Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) tr
   if (!port) return port.error();
   blocks->port = port.value();
   return std::unique_ptr<Monitor>(new Monitor(std::move(blocks)));
+} catch (const std::bad_alloc&) {
+  return Error{"no memory is left to start with; see 'ulimit -v' and what else runs here"};
+} catch (const std::system_error& error) {
+  return Error{std::string("the system gives it no thread or no file: ") + error.what() +
+               "; see 'ulimit -a'"};
 } catch (const std::exception& error) {
   return Error{std::string("DDS cannot be used: ") + error.what()};
 }

@@ -58,16 +58,16 @@ const std::map<std::string, void (*)(Hub::Client&, Request)> Hub::Client::kOpera
 Hub::Client::Client(Hub& hub, Link& link, bool may_call, OperatorId who)
     : hub_(hub), link_(link), may_call_(may_call), who_(std::move(who)) {
   hub_.clients_.push_back(this);
+  outbox_->on_taken([all = hub_.queued_bytes_](std::size_t bytes) { *all -= bytes; });
   tell(server_info(hub_.server_name_, hub_.session_id_));
   if (!hub_.services_.empty()) tell(advertise_services(hub_.services_));
-  std::vector<const Channel*> channels;
-  for (const auto& [id, topic] : hub_.topics_) channels.push_back(topic.channel);
-  if (!channels.empty()) tell(advertise(channels));
+  if (!hub_.topics_.empty()) push(hub_.advertisement());
 }
 
 Hub::Client::~Client() {
   while (!channel_of_.empty()) unsubscribe_one(channel_of_.begin()->first);
   hub_.past_.superseded += outbox_->superseded();
+  outbox_->clear();
   std::erase(hub_.clients_, this);
   *alive_ = false;
 }
@@ -205,10 +205,19 @@ void Hub::Client::deliver(std::uint32_t subscription_id, const Message& message)
 void Hub::Client::push(Frame frame) {
   if (dismissed_) return;
   ++hub_.past_.frames;
-  if (outbox_->push(std::move(frame))) return link_.flush();
+  *hub_.queued_bytes_ += frame.kept_size();
+  if (outbox_->push(std::move(frame))) {
+    link_.flush();
+  } else {
+    hub_.limit_counts_->reached(Limit::kWaitingEvents);
+    dismiss();
+  }
+  hub_.bound_queues();
+}
+
+void Hub::Client::dismiss() {
   dismissed_ = true;
   ++hub_.past_.dismissed;
-  hub_.limit_counts_->reached(Limit::kWaitingEvents);
   outbox_->clear();
   link_.close("too slow: more events waited for this client than the server keeps");
 }

@@ -21,6 +21,7 @@ void Hub::add_service(Service service, Handler handler) {
 
 void Hub::add_channel(const Channel& channel) {
   topics_[channel.id].channel = &channel;
+  advertisement_ = {};
   const auto text = advertise({&channel});
   for (Client* client : std::vector(clients_)) client->tell(text);
 }
@@ -70,6 +71,25 @@ bool Hub::graph_is_watched() const {
 
 std::unique_ptr<Hub::Client> Hub::connect(Link& link, bool may_call, OperatorId who) {
   return std::make_unique<Client>(*this, link, may_call, std::move(who));
+}
+
+const Frame& Hub::advertisement() {
+  if (advertisement_.payload) return advertisement_;
+  std::vector<const Channel*> channels;
+  for (const auto& [id, topic] : topics_) channels.push_back(topic.channel);
+  advertisement_ = text_frame(advertise(channels));
+  advertisement_.is_kept_anyway = true;
+  return advertisement_;
+}
+
+void Hub::bound_queues() {
+  while (*queued_bytes_ > limits_.waiting_events_bytes && !clients_.empty()) {
+    const auto slowest = std::ranges::max_element(
+        clients_, {}, [](const Client* client) { return client->outbox_->queued_bytes(); });
+    if ((*slowest)->outbox_->queued_bytes() == 0) return;
+    limit_counts_->reached(Limit::kWaitingEventsOfAll);
+    (*slowest)->dismiss();
+  }
 }
 
 Hub::Topic* Hub::find(std::uint32_t channel_id) {

@@ -109,6 +109,10 @@ class Hub {
   };
 
   [[nodiscard]] Topic* find(std::uint32_t channel_id);
+  /// Dismisses those clients for which most waits, until not too much waits for all of them.
+  void bound_queues();
+  /// Returns what announces all channels. It is made once for all clients.
+  [[nodiscard]] const Frame& advertisement();
 
   std::string server_name_;
   std::string session_id_;
@@ -116,6 +120,9 @@ class Hub {
   std::vector<Service> services_;
   std::vector<Handler> handlers_;
   std::map<std::uint32_t, Topic> topics_;
+  Frame advertisement_;  ///< without a payload: a channel came since it was made
+  /// What waits in all clients' queues [bytes].
+  std::shared_ptr<std::size_t> queued_bytes_ = std::make_shared<std::size_t>(0);
   ParameterValues parameters_;
   SetParameter set_parameter_;
   OperatorId caller_;
@@ -165,6 +172,8 @@ class Hub::Client {
               const Result<nlohmann::json>& result);
   void deliver(std::uint32_t subscription_id, const Message& message);
   void push(Frame frame);
+  /// Drops what waits for the client, and closes its connection.
+  void dismiss();
   void tell(const std::string& text) { push(text_frame(text)); }
   void refuse(const std::string& why) { tell(status(StatusLevel::kError, why)); }
 

@@ -70,6 +70,26 @@ TEST_F(HubTest, GreetsWithServerInfoAndChannels) {
   EXPECT_THAT(channels[0]["schema"].get<std::string>(), HasSubstr("struct RobotState"));
 }
 
+TEST_F(HubTest, WhereTooMuchWaitsForAllTheSlowestClientGoes) {
+  FakeLink quick_link;
+  const auto quick = hub.connect(quick_link, true);
+  ServerLimits limits;
+  limits.waiting_events_bytes = 20'000;
+  hub.limit(limits);
+  (void)sent();
+  (void)quick->outbox().take(100);
+  subscribe(1, 2);
+  quick->receive_text(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":2}]})");
+  for (int i = 0; i < 1000; ++i) {
+    send(transition, 1);
+    if (i % 100 == 0) (void)quick->outbox().take(100'000);
+  }
+  EXPECT_THAT(link.closed_for, HasSubstr("too slow"));
+  EXPECT_EQ(quick_link.closed_for, "");
+  EXPECT_EQ(hub.counts().dismissed, 1U);
+  EXPECT_EQ(hub.limit_counts()->count(Limit::kWaitingEventsOfAll), 1U);
+}
+
 TEST_F(HubTest, AMessageCarriesTheClientsSubscriptionAndSharesItsBytes) {
   (void)sent();
   subscribe(0, 2);

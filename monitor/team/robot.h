@@ -33,7 +33,8 @@ struct Robot {
   std::deque<msg::Transition> transitions;  ///< the newest ones, by number, the oldest first
   std::optional<msg::Breaks> breaks;
   Time breaks_received{};
-  /// The newest reply to a push: it tells of a swap before the next state does.
+  /// The newest reply to a push, by the robot's ticks: it tells of a swap before the next state
+  /// does.
   std::optional<msg::ProgramReply> program_reply;
 
   /// Returns the hash of the program that it runs, as it told last; empty if it has sent no state.

@@ -63,8 +63,8 @@ Duration plausible_age(float age_s) {
 
 std::string Robot::running_hash() const {
   if (!state) return {};
-  const bool reply_is_newer = program_reply && wire::since_epoch_ns(program_reply->stamp) >
-                                                   wire::since_epoch_ns(state->stamp);
+  // Ticks only go on, and a clock may be set.
+  const bool reply_is_newer = program_reply && program_reply->tick > state->tick;
   return reply_is_newer ? program_reply->running_hash : state->program_hash;
 }
 
@@ -84,8 +84,11 @@ Robot& Team::hear(const std::string& robot) {
 
 void Team::note(msg::RobotState state) {
   Robot& robot = hear(state.robot);
-  // A lower tick means that the robot was restarted, so its transitions' numbers begin again.
-  if (robot.state && state.tick < robot.state->tick) robot.transitions.clear();
+  // A lower tick means that the robot was restarted, so ticks and transitions' numbers begin again.
+  if (robot.state && state.tick < robot.state->tick) {
+    robot.transitions.clear();
+    robot.program_reply.reset();
+  }
   tally_.note(state);
   robot.state = std::move(state);
   robot.state_received = robot.heard;
@@ -125,8 +128,8 @@ void Team::note(const msg::ProgramReply& reply) {
   const auto found = robots_.find(reply.robot);
   if (found == robots_.end() || reply.running_hash.empty()) return;
   auto& known = found->second.program_reply;
-  if (!known || wire::since_epoch_ns(reply.stamp) >= wire::since_epoch_ns(known->stamp))
-    known = reply;
+  // A reply that tells of no swap has no tick.
+  if (!known || reply.tick >= known->tick) known = reply;
 }
 
 void Team::note(const msg::Score& score) {

@@ -29,7 +29,8 @@ struct Ingest::Source {
   std::unique_ptr<wire::Reader> reader;
   std::map<std::uint64_t, bool> replays = {};  ///< by writer: whether a replay has it
   std::uint64_t messages = 0;
-  Time newest{};  ///< when the newest of `messages` came
+  std::size_t kept_bytes = 0;  ///< as KeptBytes counts them
+  Time newest{};               ///< when the newest of `messages` came
 
   [[nodiscard]] bool is_replayed(const wire::Received& received);
 };
@@ -88,7 +89,7 @@ void Ingest::poll() {
 
 void Ingest::take(Source& source) {
   const bool are_more = source.reader->take_some(kMostAtOnce, [&](const wire::Received& received) {
-    if (!follows(received)) return;
+    if (!follows(received) || !has_room_for(source, received)) return;
     ++source.messages;
     source.newest = clock_.now();
     callbacks_.message({source.channel, wire::wall_clock_ns(), received.sent_ns,
@@ -112,6 +113,14 @@ bool Ingest::follows(const wire::Received& received) {
     beyond_ = "more than " + std::to_string(kMostRobots) + " robots are not followed, such as " +
               std::string(received.robot);
   participant_.refusals().note(wire::Refusals::kOthers, beyond_);
+  return false;
+}
+
+bool Ingest::has_room_for(Source& source, const wire::Received& received) {
+  if (kept_bytes_.take(source.kept_bytes, source.channel.delivery, received.cdr.size()))
+    return true;
+  participant_.refusals().note(source.channel.topic,
+                               "all topics' newest messages are longer than the monitor keeps");
   return false;
 }
 

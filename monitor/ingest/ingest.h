@@ -15,6 +15,7 @@
 #include "core/wire/reader.h"
 #include "monitor/ingest/channel.h"
 #include "monitor/ingest/intake.h"
+#include "monitor/ingest/kept_bytes.h"
 #include "monitor/ingest/robot_roster.h"
 
 namespace galilean::monitor {
@@ -89,6 +90,8 @@ class Ingest {
   [[nodiscard]] bool has_room_for(const wire::Publication& publication);
   /// Returns whether the message is of a robot that is followed, or of none.
   [[nodiscard]] bool follows(const wire::Received& received);
+  /// Returns whether there is room to keep the message, and counts it.
+  [[nodiscard]] bool has_room_for(Source& source, const wire::Received& received);
 
   wire::Participant& participant_;
   Callbacks callbacks_;
@@ -99,6 +102,7 @@ class Ingest {
   std::map<std::string, Source*> by_topic_;
   std::map<std::string, std::size_t> topics_of_;  ///< how many are read, by their first process
   std::size_t topics_not_read_ = 0;
+  KeptBytes kept_bytes_;
   RobotRoster robots_;
   std::string beyond_;  ///< why messages of further robots are refused; it names the first
   SteadyClock clock_;

@@ -27,8 +27,11 @@ namespace galilean::monitor {
 /// Whoever writes to DDS can name any robots and topics. Ingest therefore takes the messages of
 /// kMostRobots robots, the first that sent a valid one (RobotRoster says who gives a place up), and
 /// reads so many topics, of all and of each process. It counts what is beyond, names the first of
-/// it, and ignores it. One call of `poll` takes in at most kMostNewTopics topics, so that a flood
-/// of them does not hold the thread.
+/// it, and ignores it. KeptBytes bounds how long the messages are.
+///
+/// One call of `poll` takes in at most kMostNewTopics topics and kMostAtOnce messages of each
+/// topic, and turns to no further topic after kLongestTurn. It then wakes the thread for the rest,
+/// so that a flood does not keep it from its other work.
 ///
 /// For use by one thread, which also runs the callbacks. Cyclone's threads only call `wake`, at
 /// most once between two calls of `poll`. `wake` must make the owner's thread call `poll`: it posts

@@ -119,8 +119,14 @@ Result<void> Hub::Client::subscribe_one(std::uint32_t subscription_id, std::uint
     return Error{"A client has at most " + std::to_string(hub_.limits_.subscriptions) +
                  " subscriptions."};
   }
+  if (subscriptions_to_[channel_id] >= hub_.limits_.subscriptions_of_channel) {
+    hub_.limit_counts_->reached(Limit::kSubscriptions);
+    return Error{"A client has at most " + std::to_string(hub_.limits_.subscriptions_of_channel) +
+                 " subscriptions to one channel."};
+  }
   if (!channel_of_.emplace(subscription_id, channel_id).second)
     return Error{"Subscription id " + std::to_string(subscription_id) + " is in use already."};
+  ++subscriptions_to_[channel_id];
   topic->subscribers.emplace(this, subscription_id);
   if (topic->subscribers.size() == 1 && hub_.demand_) hub_.demand_(channel_id, true);
   for (const auto& message : topic->kept) deliver(subscription_id, message);
@@ -143,6 +149,7 @@ void Hub::Client::unsubscribe(RequestFields& request) {
 void Hub::Client::unsubscribe_one(std::uint32_t subscription_id) {
   const auto channel_id = channel_of_.at(subscription_id);
   channel_of_.erase(subscription_id);
+  --subscriptions_to_[channel_id];
   outbox_->close_lane(subscription_id);
   auto& subscribers = hub_.find(channel_id)->subscribers;
   subscribers.erase({this, subscription_id});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -155,7 +156,8 @@ class Hub::Client {
   static const std::map<std::string, void (*)(Client&, RequestFields& request)> kOperations;
 
   void subscribe(RequestFields& request);
-  /// Errors: there is no such channel, the id is in use, or it has as many as it may.
+  /// Errors: there is no such channel, the id is in use, or it has as many as it may, in all or of
+  /// the channel.
   [[nodiscard]] Result<void> subscribe_one(std::uint32_t subscription_id, std::uint32_t channel_id);
   void unsubscribe(RequestFields& request);
   void unsubscribe_one(std::uint32_t subscription_id);
@@ -183,7 +185,8 @@ class Hub::Client {
   OperatorId who_;
   std::shared_ptr<Outbox> outbox_ = std::make_shared<Outbox>();
   bool dismissed_ = false;
-  std::map<std::uint32_t, std::uint32_t> channel_of_;  ///< by subscription id
+  std::map<std::uint32_t, std::uint32_t> channel_of_;      ///< by subscription id
+  std::map<std::uint32_t, std::size_t> subscriptions_to_;  ///< how many, by channel id
   std::set<std::string> watched_parameters_;
   bool watches_graph_ = false;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< late answers find it false

@@ -19,7 +19,7 @@ HttpServer::HttpServer(boost::asio::io_context& io, ServerContext context)
     : acceptor_(io),
       pause_(io),
       context_(std::make_shared<ServerContext>(std::move(context))),
-      turns_(std::make_shared<Turns>(io)) {
+      turns_(std::make_shared<Turns>(io, context_->clock)) {
   context_->limit_counts = context_->hub.limit_counts();
   context_->connections = std::make_shared<Connections>(context_->limits, context_->limit_counts);
   context_->connections->take_turns_by(

@@ -41,7 +41,7 @@ class Ingest {
   static constexpr std::size_t kMostRobots = RobotRoster::kMost;
   static constexpr std::size_t kMostTopics = 6144;
   static constexpr std::size_t kMostTopicsOfProcess = 2048;
-  static constexpr std::size_t kMostNewTopics = 64;
+  static constexpr std::size_t kMostNewTopics = 16;
   static constexpr std::size_t kMostAtOnce = 8;
   static constexpr Duration kLongestTurn = std::chrono::milliseconds(4);
 

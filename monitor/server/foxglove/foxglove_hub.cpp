@@ -22,8 +22,8 @@ void Hub::add_service(Service service, Handler handler) {
 void Hub::add_channel(const Channel& channel) {
   topics_[channel.id].channel = &channel;
   advertisement_ = {};
-  const auto text = advertise({&channel});
-  for (Client* client : std::vector(clients_)) client->tell(text);
+  const Frame frame = text_frame(advertise({&channel}));  // clients share its payload
+  for (Client* client : std::vector(clients_)) client->push(frame);
 }
 
 void Hub::send(const Message& message) {
@@ -59,10 +59,10 @@ void Hub::send_parameters(ParameterValues now) {
 void Hub::send_graph(ConnectionGraph now) {
   for (const auto& service : services_) now.services[service.name].insert(server_name_);
   if (now == graph_) return;
-  const auto text = graph_update(graph_, now);
+  const Frame frame = text_frame(graph_update(graph_, now));
   graph_ = std::move(now);
   for (Client* client : std::vector(clients_))
-    if (client->watches_graph_) client->tell(text);
+    if (client->watches_graph_) client->push(frame);
 }
 
 bool Hub::graph_is_watched() const {

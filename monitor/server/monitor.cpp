@@ -28,6 +28,7 @@
 #include "monitor/server/foxglove/domain_graph.h"
 #include "monitor/server/limits/descriptors.h"
 #include "monitor/server/limits/server_limits.h"
+#include "monitor/server/map_teller.h"
 
 namespace galilean::monitor {
 namespace {
@@ -112,7 +113,7 @@ struct Monitor::Parts {
   TokenWatch token_watch;
   SendRounds rounds{io};
   Worker worker{io};
-  Worker telling_worker{io};  ///< tells of the history's disk, and so never waits for it
+  Worker telling_worker{io};  ///< tells on DDS how things stand, and so never waits for a disk
   Worker language_worker{io};
   Worker recording_worker{io, 1, limits.waiting_recordings};
   Worker transfer_worker{io};
@@ -129,6 +130,7 @@ struct Monitor::Parts {
   PushDesk desk;
   LeaseDesk leases{clock};
   LeaseTeller lease_teller;
+  MapTeller map_teller;
   SimulationDesk simulations;
   OrderLog orders;
   HistoryWatch history_watch;
@@ -193,7 +195,8 @@ Monitor::Parts::Parts(const MonitorOptions& options, const ServerLimits& bounds,
              options.simulator.empty() ? program_folder() / "galilean-sim" : options.simulator,
              options.data_folder / "trials"),
       desk({io, worker, push_checks, team, library, *history, trials, signer}, clock, *participant),
-      lease_teller(leases, worker, *participant),
+      lease_teller(leases, telling_worker, *participant),
+      map_teller(map, telling_worker, clock, *participant),
       simulations(io, worker, clock, *participant),
       orders({io, worker, team, *history, clock, participant->refusals()}),
       history_watch({io, worker, telling_worker, *history, clock}, *participant),
@@ -289,6 +292,7 @@ void Monitor::Parts::tell_regularly() {
   (void)guarded("telling the clients", [this] {
     hub.send_time(wire::wall_clock_ns());
     lease_teller.tell();
+    map_teller.tell();
     auto parameters = team_parameters(team, leases);
     parameters["/team.history_problem"] = history_watch.problem();
     parameters["/team.map_problem"] = map.watch().problem();

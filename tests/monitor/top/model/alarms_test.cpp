@@ -126,8 +126,8 @@ TEST_F(Finder, ASilentRobotIsAnAlarm) {
 }
 
 TEST_F(Finder, WhatTheMonitorTellsOfItsHistoryAndItsMapIsAnAlarmWhileItTellsSo) {
-  const auto tell_of = [this](std::uint8_t level, const std::string& name,
-                              const std::string& words = "The history is in danger.") {
+  const auto tell_status = [this](std::uint8_t level, const std::string& name,
+                                  const std::string& words = "The history is in danger.") {
     tell("rt/diagnostics", msg::DiagnosticArray::kRosType,
          Bytes()
              .number<std::int32_t>(0)
@@ -140,16 +140,16 @@ TEST_F(Finder, WhatTheMonitorTellsOfItsHistoryAndItsMapIsAnAlarmWhileItTellsSo) 
              .text("")
              .number<std::uint32_t>(0));
   };
-  tell_of(2, "another program");
+  tell_status(2, "another program");
   EXPECT_TRUE(found().empty());
-  tell_of(2, "galilean-monitor: history");
+  tell_status(2, "galilean-monitor: history");
   EXPECT_THAT(found(), ElementsAre("The history is in danger"));
-  tell_of(2, "galilean-monitor: map", "The map has stood still for 4 s.");
+  tell_status(2, "galilean-monitor: map", "The map has stood still for 4 s.");
   EXPECT_THAT(found(), ElementsAre("The history is in danger", "The map has stood still for 4 s"));
-  tell_of(0, "galilean-monitor: map");
-  tell_of(0, "galilean-monitor: history");
+  tell_status(0, "galilean-monitor: map");
+  tell_status(0, "galilean-monitor: history");
   EXPECT_TRUE(found().empty());
-  tell_of(2, "galilean-monitor: history");
+  tell_status(2, "galilean-monitor: history");
   clock.advance(seconds(6));
   EXPECT_TRUE(found().empty()) << "the monitor has ended";
 }

@@ -6,7 +6,7 @@ import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { request } from 'node:http';
 import { setTimeout as sleep } from 'node:timers/promises';
-import { within } from './patience.mjs';
+import { eventually, within } from './patience.mjs';
 
 const LOAD = new URL('load_process.mjs', import.meta.url).pathname;
 /** The crowd is ended when all was measured. */
@@ -32,11 +32,11 @@ export async function crowded({ port, ids, crowdBench, viewers, stalled, checks,
   crowd.stderr.on('data', (data) => { problem += data; });
   try {
     await within(once(load.stdout, 'data'), () => 'the load to begin');
-    for (;;) {
+    await eventually(async () => {
       if (crowd.exitCode !== null) throw new Error(`no crowd came: ${problem}`);
-      if (await viewersOf(url) >= viewers) break;
       await sleep(100);
-    }
+      return await viewersOf(url) >= viewers;
+    });
     return await measure();
   } finally {
     load.stdin.end();

@@ -41,7 +41,7 @@ struct TakenSamples {
 constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
 /// What the bounds of a type's fields allow in all may be far more than anybody sends.
-constexpr std::size_t kMostMessageBytes = std::size_t{64} << 20;
+constexpr std::size_t kMostMessageBytes = std::size_t{16} << 20;
 
 /// Cyclone lists here where it hears a participant.
 constexpr const char* kAddressesProperty = "__NetworkAddresses";
@@ -99,7 +99,7 @@ Reader::~Reader() {
 bool Reader::admits(Received& received) const {
   if (!bounds_) return true;
   if (received.cdr.size() > kMostMessageBytes) {
-    refusals_->note(topic_, "it has more than 64 MB");
+    refusals_->note(topic_, "it has more than 16 MB");
     return false;
   }
   msg::CdrChecker checker(received.cdr);

@@ -9,6 +9,8 @@
 #include "core/broken_pipe.h"
 #include "core/command_line/command_line.h"
 #include "core/command_line/domain_option.h"
+#include "core/last_sentence.h"
+#include "core/non_blocking_log.h"
 #include "monitor/access/access.h"
 #include "monitor/access/tokens.h"
 #include "monitor/server/monitor.h"
@@ -121,8 +123,10 @@ std::string no_folder(const monitor::MonitorOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  galilean::say_why_it_ends("galilean-monitor");
   galilean::ignore_broken_pipes();
   galilean::ignore_file_size_limit();
+  const galilean::NonBlockingLog log(STDERR_FILENO, std::clog);
   monitor::MonitorOptions options;
   options.data_folder = monitor::default_data_folder();
   options.recordings_folder = options.data_folder / "recordings";

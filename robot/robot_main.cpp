@@ -10,6 +10,7 @@
 
 #include "bhdl/check.h"
 #include "core/broken_pipe.h"
+#include "core/last_sentence.h"
 #include "core/secure_folder.h"
 #include "core/state_folder.h"
 #include "core/termination.h"
@@ -287,6 +288,7 @@ int run(int argc, const char* const* argv) {
 }  // namespace galilean::robot
 
 int main(int argc, char** argv) {
+  galilean::say_why_it_ends("galilean-robot");
   try {
     return galilean::robot::run(argc, argv);
   } catch (const std::exception& problem) {

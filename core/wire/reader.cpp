@@ -2,6 +2,8 @@
 #include <dds/dds.h>
 #include <dds/ddsi/ddsi_serdata.h>
 
+#include <algorithm>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -36,6 +38,11 @@ struct TakenSamples {
     for (ddsi_serdata* sample : samples) ddsi_serdata_unref(sample);
   }
 };
+
+constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+
+/// What the bounds of a type's fields allow in all may be far more than anybody sends.
+constexpr std::size_t kMostMessageBytes = std::size_t{16} << 20;
 
 /// Returns what discovery knows of the participant, in the domain of `member`.
 std::optional<Sender> participant_of(dds_entity_t member, dds_instance_handle_t who) {
@@ -100,6 +107,10 @@ Reader::~Reader() {
 
 bool Reader::admits(Received& received) const {
   if (!bounds_) return true;
+  if (received.cdr.size() > kMostMessageBytes) {
+    refusals_->note(topic_, "it has more than 16 MB");
+    return false;
+  }
   msg::CdrChecker checker(received.cdr);
   bounds_(checker);
   received.robot = checker.robot();
@@ -109,20 +120,30 @@ bool Reader::admits(Received& received) const {
 }
 
 void Reader::take(const std::function<void(const Received&)>& receive) {
-  take_unchecked([&](const Received& received) {
+  static_cast<void>(take_some(kAll, receive));
+}
+
+bool Reader::take_some(std::size_t most, const std::function<void(const Received&)>& receive) {
+  return take_bytes(most, [&](const Received& received) {
     Received checked = received;
     if (admits(checked)) receive(checked);
   });
 }
 
 void Reader::take_unchecked(const std::function<void(const Received&)>& receive) {
-  if (entity_.handle() == 0) return;
-  constexpr int kAtOnce = 32;
+  static_cast<void>(take_bytes(kAll, receive));
+}
+
+bool Reader::take_bytes(std::size_t most, const std::function<void(const Received&)>& receive) {
+  if (entity_.handle() == 0) return false;
+  constexpr std::size_t kAtOnce = 32;
   ddsi_serdata* samples[kAtOnce] = {};
   dds_sample_info_t infos[kAtOnce];
   std::vector<std::uint8_t> bytes;
-  for (int count;
-       (count = dds_takecdr(entity_.handle(), samples, kAtOnce, infos, DDS_ANY_STATE)) > 0;) {
+  while (most > 0) {
+    const auto wanted = static_cast<std::uint32_t>(std::min(most, kAtOnce));
+    const auto count = dds_takecdr(entity_.handle(), samples, wanted, infos, DDS_ANY_STATE);
+    if (count <= 0) return false;
     const TakenSamples taken{{samples, static_cast<std::size_t>(count)}};
     for (int i = 0; i < count; ++i) {
       if (infos[i].valid_data) {
@@ -132,7 +153,9 @@ void Reader::take_unchecked(const std::function<void(const Received&)>& receive)
                  sequence_of(*samples[i])});
       }
     }
+    most -= std::min(most, static_cast<std::size_t>(count));
   }
+  return true;
 }
 
 void Reader::on_data(std::function<void()> callback) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -67,6 +68,10 @@ class Reader {
   ~Reader();
   /// Calls `receive` for each valid message that came since the last call, in the calling thread.
   void take(const std::function<void(const Received&)>& receive);
+  /// Does the same, and ends after `most` messages, valid or not, so that a writer that sends
+  /// faster than its messages are handled does not hold the caller. Returns whether more may wait.
+  [[nodiscard]] bool take_some(std::size_t most,
+                               const std::function<void(const Received&)>& receive);
   /// Does the same with all messages, valid or not, for those who only pass the bytes on.
   void take_unchecked(const std::function<void(const Received&)>& receive);
   /// Sets the callback that Cyclone calls, on a thread of its own, when there is a message to take.
@@ -87,6 +92,9 @@ class Reader {
  private:
   /// Returns whether the message is within its bounds, and counts it if not. Sets its robot.
   [[nodiscard]] bool admits(Received& received) const;
+  /// As take_some, without the bounds.
+  [[nodiscard]] bool take_bytes(std::size_t most,
+                                const std::function<void(const Received&)>& receive);
 
   std::string topic_;
   Refusals* refusals_ = nullptr;  ///< of the participant, which outlives this

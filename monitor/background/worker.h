@@ -67,7 +67,14 @@ class Worker {
   template <class Job, class Then, class Otherwise>
   void run(Job job, Then then, Otherwise otherwise) {
     using Whole = JobAndEnd<Job, Then, Otherwise>;
-    begin(std::make_unique<Whole>(std::move(job), std::move(then), std::move(otherwise)));
+    begin(std::make_unique<Whole>(std::move(job), std::move(then), std::move(otherwise)), others_);
+  }
+  /// As `run`, before all jobs that wait and were not given so. For what somebody waits for who
+  /// must not wait for others.
+  template <class Job, class Then, class Otherwise>
+  void run_first(Job job, Then then, Otherwise otherwise) {
+    using Whole = JobAndEnd<Job, Then, Otherwise>;
+    begin(std::make_unique<Whole>(std::move(job), std::move(then), std::move(otherwise)), first_);
   }
   /// As `run`, unless as many jobs wait as may: then does nothing and returns false. For jobs that
   /// clients ask for.
@@ -107,22 +114,29 @@ class Worker {
     Result<void> done;
   };
 
-  void begin(std::unique_ptr<Task> task) {
+  /// Puts a task among `waiting`, and has a thread take one that waits.
+  void begin(std::unique_ptr<Task> task, Tasks& waiting) {
     Tasks one;
     one.push_back(std::move(task));
+    const std::lock_guard lock(mutex_);
+    boost::asio::post(pool_, [this] { do_one(); });  // if this throws, nothing has changed
+    waiting.splice(waiting.end(), one);
     ++waiting_;
-    try {
-      boost::asio::post(pool_, [this, one = std::move(one)]() mutable {
-        --waiting_;
-        if (drops_) return keep_until_end(one);
-        if (priority_ == Priority::kLow) lower_priority();
-        one.front()->work();
-        give_back(std::move(one));
-      });
-    } catch (...) {
-      --waiting_;
-      throw;
-    }
+  }
+  void do_one() {
+    Tasks one = next();
+    if (drops_) return keep_until_end(one);
+    if (priority_ == Priority::kLow) lower_priority();
+    one.front()->work();
+    give_back(std::move(one));
+  }
+  [[nodiscard]] Tasks next() {
+    const std::lock_guard lock(mutex_);
+    Tasks& from = first_.empty() ? others_ : first_;
+    Tasks one;
+    one.splice(one.end(), from, from.begin());
+    --waiting_;
+    return one;
   }
   /// Linux has a niceness for each thread. Where it cannot be set, the thread runs as it is.
   static void lower_priority() {
@@ -164,7 +178,8 @@ class Worker {
   std::atomic<std::size_t> waiting_ = 0;
   std::atomic<bool> drops_ = false;
   std::mutex mutex_;
-  Tasks done_;  ///< for the io_context's thread; what is left is destroyed with this
+  Tasks first_, others_;  ///< which have not begun
+  Tasks done_;            ///< for the io_context's thread; what is left is destroyed with this
   boost::asio::thread_pool pool_;
 };
 

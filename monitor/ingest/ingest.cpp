@@ -35,6 +35,7 @@ struct Ingest::Source {
   std::unique_ptr<wire::Reader> reader;
   std::map<std::uint64_t, bool> replays = {};  ///< by writer: whether a replay has it
   std::uint64_t messages = 0;
+  std::size_t kept_bytes = 0;                       ///< as KeptBytes counts them
   Time newest{};                                    ///< when the newest of `messages` came
   EventIntake events = {};                          ///< of Kind::kEvent
   std::map<std::uint64_t, std::string> guids = {};  ///< by writer, as far as they were asked for
@@ -101,17 +102,24 @@ bool Ingest::all_but_costly(const Channel& channel) {
 void Ingest::poll() {
   signals_->pending = false;
   if (signals_->topics_changed.exchange(false)) discover();
-  for (std::size_t i = 0; i < sources_.size(); ++i) {
-    Source& source = *sources_[i];
+  const Time until = clock_.now() + kLongestTurn;
+  for (std::size_t left = sources_.size(); left > 0; --left) {
+    Source& source = *sources_[next_++ % sources_.size()];
     if (!source.reader || source.rests || !source.has_data.exchange(false)) continue;
     take(source);
+    if (clock_.now() < until) continue;
+    // The rest waits for the next turn, which begins with the next topic.
+    signals_->raise();
+    return;
   }
 }
 
 void Ingest::take(Source& source) {
-  source.reader->take([&](const wire::Received& received) {
+  const bool are_more = source.reader->take_some(kMostAtOnce, [&](const wire::Received& received) {
     bool filled = false;
-    if (!follows(received) || !account(source, received, filled)) return;
+    if (!follows(received) || !has_room_for(source, received) ||
+        !account(source, received, filled))
+      return;
     ++source.messages;
     source.newest = clock_.now();
     callbacks_.message({source.channel, wire::wall_clock_ns(), received.sent_ns,
@@ -119,6 +127,9 @@ void Ingest::take(Source& source) {
                                                                           received.cdr.end()),
                         source.is_replayed(received), filled});
   });
+  if (!are_more) return;
+  source.has_data = true;
+  signals_->raise();
 }
 
 bool Ingest::account(Source& source, const wire::Received& received, bool& filled) {
@@ -147,6 +158,14 @@ bool Ingest::follows(const wire::Received& received) {
     beyond_ = "more than " + std::to_string(kMostRobots) + " robots are not followed, such as " +
               std::string(received.robot);
   participant_.refusals().note(wire::Refusals::kOthers, beyond_);
+  return false;
+}
+
+bool Ingest::has_room_for(Source& source, const wire::Received& received) {
+  if (kept_bytes_.take(source.kept_bytes, source.channel.delivery, received.cdr.size()))
+    return true;
+  participant_.refusals().note(source.channel.topic,
+                               "all topics' newest messages are longer than the monitor keeps");
   return false;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -14,6 +16,7 @@
 #include "core/wire/reader.h"
 #include "monitor/ingest/channel.h"
 #include "monitor/ingest/intake.h"
+#include "monitor/ingest/kept_bytes.h"
 #include "monitor/ingest/robot_roster.h"
 
 namespace galilean::monitor {
@@ -25,8 +28,11 @@ namespace galilean::monitor {
 /// Whoever writes to DDS can name any robots and topics. Ingest therefore takes the messages of
 /// kMostRobots robots, the first that sent a valid one (RobotRoster says who gives a place up), and
 /// reads so many topics, of all and of each process. It counts what is beyond, names the first of
-/// it, and ignores it. One call of `poll` takes in at most kMostNewTopics topics, so that a flood
-/// of them does not hold the thread.
+/// it, and ignores it. KeptBytes bounds how long the messages are.
+///
+/// One call of `poll` takes in at most kMostNewTopics topics and kMostAtOnce messages of each
+/// topic, and turns to no further topic after kLongestTurn. It then wakes the thread for the rest,
+/// so that a flood does not keep it from its other work.
 ///
 /// Of a robot's changes of state and answers to pushes none may be missed. They are told apart by
 /// their writers' numbers: what DDS sends again is dropped, what fills a gap in which the robot
@@ -40,7 +46,9 @@ class Ingest {
   static constexpr std::size_t kMostRobots = RobotRoster::kMost;
   static constexpr std::size_t kMostTopics = 6144;
   static constexpr std::size_t kMostTopicsOfProcess = 2048;
-  static constexpr std::size_t kMostNewTopics = 64;
+  static constexpr std::size_t kMostNewTopics = 16;
+  static constexpr std::size_t kMostAtOnce = 8;
+  static constexpr Duration kLongestTurn = std::chrono::milliseconds(4);
 
   using Wake = std::function<void()>;
   using ReadAtOnce = std::function<bool(const Channel&)>;
@@ -62,13 +70,14 @@ class Ingest {
   Ingest(const Ingest&) = delete;
   Ingest& operator=(const Ingest&) = delete;
 
-  /// Takes the messages and the topics that came since the last call. Never waits.
+  /// Takes messages and topics that came since the last call. Never waits. Where not all were
+  /// taken, it has called `wake`.
   void poll();
   /// Begins or ends the reading of a topic that is not always read. Calls need not be paired, and
   /// an unknown id is ignored.
   void want(std::uint32_t channel_id, bool wanted);
   /// Leaves a topic's messages with its reader, or takes them again. Of a state the reader keeps
-  /// the newest, which the first `poll` after that takes. An unknown id is ignored.
+  /// the newest, which a `poll` after that takes. An unknown id is ignored.
   void rest(std::uint32_t channel_id, bool rests);
 
   /// Returns how it stands with what comes in.
@@ -92,15 +101,19 @@ class Ingest {
   /// Notes a state or an event of a robot, and sets whether the event fills a gap. Returns false if
   /// it is an event that has come before.
   [[nodiscard]] bool account(Source& source, const wire::Received& received, bool& filled);
+  /// Returns whether there is room to keep the message, and counts it.
+  [[nodiscard]] bool has_room_for(Source& source, const wire::Received& received);
 
   wire::Participant& participant_;
   Callbacks callbacks_;
   ReadAtOnce read_at_once_;
   std::shared_ptr<Signals> signals_;
   std::vector<std::unique_ptr<Source>> sources_;  ///< at index channel id - 1
+  std::size_t next_ = 0;                          ///< the source that the next turn begins with
   std::map<std::string, Source*> by_topic_;
   std::map<std::string, std::size_t> topics_of_;  ///< how many are read, by their first process
   std::size_t topics_not_read_ = 0;
+  KeptBytes kept_bytes_;
   RobotRoster robots_;
   std::map<std::string, wire::CutOffWatch, std::less<>> cut_offs_;  ///< by robot, of `robots_`
   std::string beyond_;  ///< why messages of further robots are refused; it names the first

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <iostream>
+#include <exception>
 #include <utility>
 
 #include "core/wire/ros_time.h"
@@ -15,8 +15,8 @@ namespace {
 
 /// Messages are added to the map in each slice, so that little is left to do when it publishes.
 constexpr auto kSlice = std::chrono::milliseconds(20);
-constexpr int kSlicesAPeriod = 10;
-constexpr int kSlicesAGrid = 5 * kSlicesAPeriod;
+constexpr Duration kPeriod = std::chrono::milliseconds(200);
+constexpr int kPeriodsAGrid = 5;
 
 template <class M>
 void add_as(TeamMap& map, const std::vector<std::uint8_t>& cdr, Time at) {
@@ -46,6 +46,7 @@ MapService::Handler handler_for(const Message& message) {
 
 MapService::MapService(wire::Participant& participant, const Clock& clock, const Options& options)
     : clock_(clock),
+      watch_(clock),
       map_(options.silent_after),
       objects_(participant, wire::kObjectsTopic),
       grid_(participant, wire::kMapTopic),
@@ -68,7 +69,11 @@ void MapService::receive(const Message& message) {
   const Handler handler = handler_for(message);
   if (!handler) return;
   const std::lock_guard lock(mutex_);
-  if (waiting_.size() < kMostWaiting) waiting_.push_back({handler, message.cdr, clock_.now()});
+  const std::size_t bytes = message.cdr->size();
+  if (waiting_.size() >= kMostWaiting || waiting_bytes_ + bytes > kMostWaitingBytes)
+    return watch_.note_dropped();
+  waiting_.push_back({handler, message.cdr, clock_.now()});
+  waiting_bytes_ += bytes;
 }
 
 void MapService::forget(const std::string& robot) {
@@ -77,22 +82,36 @@ void MapService::forget(const std::string& robot) {
   waiting_.push_back({forget_named, std::move(name), clock_.now()});
 }
 
+template <class Work>
+bool MapService::attempt(Work work) try {
+  work();
+  return true;
+} catch (const std::exception& error) {
+  watch_.note_failure(error.what());
+  return false;
+} catch (...) {
+  watch_.note_failure("it threw what is no std::exception");
+  return false;
+}
+
+// What is due goes by the clock, and not by slices, which last longer where many messages wait.
 void MapService::run() {
   auto next = std::chrono::steady_clock::now();
-  for (int slice = 0;; ++slice) {
+  Time due = clock_.now();
+  for (int periods = 0;;) {
+    watch_.note_alive();
     next = std::max(next + kSlice, std::chrono::steady_clock::now());
     const auto arrived = arrived_until(next);
     if (!arrived) return;
-    try {
-      const Time began = clock_.now();
-      take_in(*arrived);
-      if (ending_) return;
-      if (slice % kSlicesAPeriod != 0) continue;
-      publish(clock_.now(), slice % kSlicesAGrid == 0);
-      update_s_ = to_seconds(clock_.now() - began);
-    } catch (const std::exception& error) {
-      std::clog << "galilean-monitor: the map lost an update: " << error.what() << '\n';
-    }
+    const Time began = clock_.now();
+    take_in(*arrived);
+    if (ending_) return;
+    if (clock_.now() < due) continue;
+    due += kPeriod;
+    if (due < clock_.now()) due = clock_.now() + kPeriod;
+    const bool with_grid = periods++ % kPeriodsAGrid == 0;
+    const bool is_published = attempt([&] { publish(clock_.now(), with_grid); });
+    if (is_published) update_s_ = to_seconds(clock_.now() - began);
   }
 }
 
@@ -100,13 +119,15 @@ std::optional<std::vector<MapService::Arrived>> MapService::arrived_until(
     std::chrono::steady_clock::time_point end) {
   std::unique_lock lock(mutex_);
   if (ended_.wait_until(lock, end, [this] { return ending_.load(); })) return std::nullopt;
+  waiting_bytes_ = 0;
   return std::exchange(waiting_, {});
 }
 
 void MapService::take_in(const std::vector<Arrived>& arrived) {
   for (const auto& [handler, cdr, at] : arrived) {
     if (ending_) return;  // Whoever ends the service does not wait for what has piled up.
-    handler(map_, *cdr, at);
+    (void)attempt([&, handler = handler, &bytes = *cdr, at = at] { handler(map_, bytes, at); });
+    watch_.note_alive();
   }
 }
 

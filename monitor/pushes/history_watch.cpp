@@ -5,10 +5,9 @@
 #include <iostream>
 #include <utility>
 
-#include "core/wire/ros_time.h"
 #include "core/wire/topic_names.h"
 #include "monitor/background/guarded.h"
-#include "monitor/team/history_status.h"
+#include "monitor/team/monitor_status.h"
 
 namespace galilean::monitor {
 namespace {
@@ -16,7 +15,6 @@ namespace {
 constexpr auto kLookAtDiskEach = std::chrono::milliseconds(500);
 /// A disk that has not answered for so long is told of. What else the same thread does takes less.
 constexpr Duration kDiskPatience = std::chrono::seconds(3);
-constexpr std::uint8_t kGoodLevel = 0, kErrorLevel = 2;
 
 }  // namespace
 
@@ -85,14 +83,10 @@ void HistoryWatch::tell() {
                 << std::endl;
     told_problem_ = now;
   }
-  msg::DiagnosticArray message;
-  message.header.stamp = wire::ros_time(wire::wall_clock_ns());
-  auto& status = message.status.emplace_back();
-  status.level = now.empty() ? kGoodLevel : kErrorLevel;
-  status.name = kHistoryStatusName;
-  status.message = now.empty() ? "The history can be written." : now;
-  status.hardware_id = "galilean-monitor";
-  parts_.sender.run([this, message] { (void)diagnostics_.write(message); });
+  parts_.sender.run(
+      [this, message = monitor_status(kHistoryStatusName, now, "The history can be written.")] {
+        (void)diagnostics_.write(message);
+      });
 }
 
 }  // namespace galilean::monitor

@@ -92,15 +92,19 @@ void OrderLog::keep(const Given& given, const Kept& kept) {
   if (!is_known && !kept && !is_own(given.order.id) && !has_room_for(given))
     return parts_.refusals.note(given.topic,
                                 "more orders than others give by hand are not kept in the history");
-  const auto done = [kept](const Result<void>& outcome) {
+  const auto waiting = std::make_shared<Kept>(kept);
+  if (kept) waiting_.push_back({parts_.clock.now(), waiting});
+  const auto done = [waiting](const Result<void>& outcome) {
     if (!outcome) log_lost_order(outcome.error().message);
-    if (kept) kept(outcome);
+    if (const auto tell = std::exchange(*waiting, nullptr)) tell(outcome);
   };
   const auto failed = [done](const std::string& why) { done(Error{why}); };
   // The history keeps it once. Whoever waits is told whether it is there.
-  if (!is_known || kept)
-    parts_.worker.run([this, order = given.order] { return parts_.history.add_order(order); }, done,
-                      failed);
+  const auto add = [this, order = given.order] { return parts_.history.add_order(order); };
+  if (kept)
+    parts_.worker.run_first(add, done, failed);
+  else if (!is_known)
+    parts_.worker.run(add, done, failed);
   if (is_known) return;
   newest_.push_back(given.order.id);
   if (newest_.size() > kMostRemembered) newest_.pop_front();
@@ -167,11 +171,22 @@ void OrderLog::watch() {
     const Time now = parts_.clock.now();
     for (auto& open : open_) see(open, now);
     std::erase_if(open_, [](const Open& open) { return open.waiting.empty(); });
+    answer_late(now);
   });
   timer_.expires_after(kLookEach);
   timer_.async_wait([this](boost::system::error_code error) {
     if (!error) watch();
   });
+}
+
+void OrderLog::answer_late(Time now) {
+  while (!waiting_.empty()) {
+    const auto [since, kept] = waiting_.front();
+    if (*kept && now - since < kDiskPatience) return;
+    waiting_.pop_front();
+    if (const auto tell = std::exchange(*kept, nullptr))
+      tell(Error{"the disk has not answered yet; it is kept when the disk does"});
+  }
 }
 
 void OrderLog::see(Open& open, Time now) {

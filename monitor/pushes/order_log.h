@@ -6,6 +6,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,8 @@ namespace galilean::monitor {
 class OrderLog {
  public:
   static constexpr Duration kPatience = std::chrono::seconds(2);
+  /// Whoever gave an order is not kept waiting for longer by a disk that does not answer.
+  static constexpr Duration kDiskPatience = std::chrono::seconds(1);
 
   struct Parts {
     boost::asio::io_context& io;
@@ -36,7 +39,8 @@ class OrderLog {
     const Clock& clock;
     wire::Refusals& refusals;  ///< counts the orders that are not kept
   };
-  /// `kept` is an error if the disk could not be written.
+  /// `kept` is an error if the disk could not be written, or has not answered for kDiskPatience. In
+  /// that case the order is kept when the disk answers.
   using Kept = std::function<void(const Result<void>& kept)>;
 
   explicit OrderLog(const Parts& parts);
@@ -88,10 +92,18 @@ class OrderLog {
   /// Keeps what became of the order at `of`, if it is waited for.
   void tell(const std::string& order_id, const std::string& of, const std::string& outcome);
   void watch();
+  void answer_late(Time now);
   void see(Open& open, Time now);
+
+  /// Somebody who waits until an order is kept.
+  struct Waiting {
+    Time since{};
+    std::shared_ptr<Kept> kept;  ///< empty once it was called
+  };
 
   Parts parts_;
   std::deque<Open> open_;
+  std::deque<Waiting> waiting_;
   std::deque<std::pair<Time, std::size_t>> others_;  ///< the newest of those: when, rows
   std::size_t rows_of_others_ = 0;                   ///< the sum of their rows
   std::deque<std::string> newest_;                   ///< the ids of the newest orders

@@ -19,6 +19,16 @@ constexpr std::size_t kMostOpen = 64;
 constexpr std::size_t kMostRefused = 64;
 constexpr auto kWatchEach = std::chrono::milliseconds(50);
 
+/// Programs of a team have a part of it. To keep one of others takes time and room, and anybody can
+/// send one.
+constexpr std::size_t kMostBytesOfOthers = std::size_t{1} << 20;
+
+std::size_t bytes_of(const msg::ProgramPush& push) {
+  std::size_t bytes = 0;
+  for (const auto& file : push.files) bytes += file.path.size() + file.text.size();
+  return bytes;
+}
+
 /// Returns the push with this machine's time, if its sender's clock is ahead. The time is for
 /// people: the order of pushes is that in which they come.
 msg::ProgramPush not_of_the_future(msg::ProgramPush push) {
@@ -238,6 +248,9 @@ bool PushDesk::has_room_for_others() {
 
 void PushDesk::note(const msg::ProgramPush& announced) {
   if (find(announced.id)) return;
+  if (bytes_of(announced) > kMostBytesOfOthers)
+    return refusals_.note(wire::kProgramPushTopic,
+                          "programs of more than 1 MB that others push are not recorded");
   if (!has_room_for_others())
     return refusals_.note(wire::kProgramPushTopic,
                           "more pushes than others make by hand are not recorded");

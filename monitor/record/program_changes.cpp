@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/record/program_changes.h"
 
+#include "core/wire/decode_untrusted.h"
 #include "core/wire/messages.h"
 #include "core/wire/ros_time.h"
 #include "monitor/record/times.h"
@@ -13,7 +14,8 @@ std::optional<mcap::Metadata> ProgramChanges::note(const wire::EndpointInfo& wri
                                                    std::int64_t log_ns) {
   msg::Program program;
   if (shown_type(writer.dds_type) != msg::Program::kRosType) return std::nullopt;
-  if (!msg::decode_cdr(received.cdr, program)) return std::nullopt;
+  if (!wire::decode_untrusted(received.cdr, program)) return std::nullopt;
+  if (hashes_.size() >= kMostRobots && !hashes_.contains(program.robot)) return std::nullopt;
   const auto [known, is_new] = hashes_.try_emplace(program.robot, program.hash);
   if (!is_new && known->second == program.hash) return std::nullopt;
   known->second = program.hash;

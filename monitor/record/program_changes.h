@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -16,9 +17,12 @@ namespace galilean::monitor {
 /// file, and one for each that follows.
 inline constexpr const char* kProgramMetadata = "program";
 
-/// Finds out which programs robots run, by their hashes, and when that changes.
+/// Finds out which programs robots run, by their hashes, and when that changes. Whoever writes to
+/// DDS can invent robots, so it follows the first kMostRobots of them.
 class ProgramChanges {
  public:
+  static constexpr std::size_t kMostRobots = 1024;
+
   /// Takes a message, which was received at `log_ns`, since the Unix epoch. Returns the metadata of
   /// a robot's program that is another one than before: its `robot`, `hash` and `name`, since when
   /// the robot runs it by its own clock (`since`), and when that was received (`received`); nothing

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <csignal>
 #include <iostream>
+#include <new>
 #include <optional>
+#include <system_error>
 
 #include "bhdl/program/catalog_file.h"
 #include "core/installation.h"
@@ -16,6 +16,7 @@
 #include "core/wire/ros_time.h"
 #include "monitor/access/operator_key.h"
 #include "monitor/access/token_watch.h"
+#include "monitor/background/end_watch.h"
 #include "monitor/background/guarded.h"
 #include "monitor/ingest/ingest.h"
 #include "monitor/pushes/history/history_folder.h"
@@ -27,6 +28,7 @@
 #include "monitor/server/foxglove/domain_graph.h"
 #include "monitor/server/limits/descriptors.h"
 #include "monitor/server/limits/server_limits.h"
+#include "monitor/server/map_teller.h"
 #include "monitor/tls/certificate_watch.h"
 
 namespace galilean::monitor {
@@ -103,6 +105,7 @@ void decode_reply_for(const Message& message, Take take) {
 // The members are destroyed in the reverse order. The io_context destroys the sessions, and these
 // use the hub, so the hub must stand before it.
 struct Monitor::Parts {
+  std::optional<EndWatch> end_watch;  ///< the last to go, since the end of the others may hang
   ServerLimits limits;
   std::unique_ptr<wire::Participant> participant;
   std::unique_ptr<History> history;
@@ -116,13 +119,12 @@ struct Monitor::Parts {
   Playbacks playbacks;
   ReplayContext replay{recordings, playbacks};
   asio::io_context io{1};
-  asio::signal_set signals{io, SIGINT, SIGTERM};
   asio::steady_timer tell_timer{io};
   asio::steady_timer token_timer{io};
   TokenWatch token_watch;
   SendRounds rounds{io};
   Worker worker{io};
-  Worker telling_worker{io};  ///< tells of the history's disk, and so never waits for it
+  Worker telling_worker{io};  ///< tells on DDS how things stand, and so never waits for a disk
   Worker language_worker{io};
   Worker recording_worker{io, 1, limits.waiting_recordings};
   Worker transfer_worker{io};
@@ -139,6 +141,7 @@ struct Monitor::Parts {
   PushDesk desk;
   LeaseDesk leases{clock};
   LeaseTeller lease_teller;
+  MapTeller map_teller;
   SimulationDesk simulations;
   OrderLog orders;
   HistoryWatch history_watch;
@@ -157,6 +160,7 @@ struct Monitor::Parts {
         std::unique_ptr<wire::Participant> joined, std::unique_ptr<History> opened,
         const Tokens& tokens, const std::shared_ptr<OrderSigner>& signer);
   ~Parts() {
+    end_watch->forget();
     playbacks.finish();
     checks.drop_waiting();
     push_checks.drop_waiting();
@@ -205,7 +209,8 @@ Monitor::Parts::Parts(const MonitorOptions& options, const ServerLimits& bounds,
              options.simulator.empty() ? program_folder() / "galilean-sim" : options.simulator,
              options.data_folder / "trials"),
       desk({io, worker, push_checks, team, library, *history, trials, signer}, clock, *participant),
-      lease_teller(leases, worker, *participant),
+      lease_teller(leases, telling_worker, *participant),
+      map_teller(map, telling_worker, clock, *participant),
       simulations(io, worker, clock, *participant),
       orders({io, worker, team, *history, clock, participant->refusals()}),
       history_watch({io, worker, telling_worker, *history, clock}, *participant),
@@ -241,15 +246,13 @@ Monitor::Parts::Parts(const MonitorOptions& options, const ServerLimits& bounds,
   operations.offer(hub);
   api.set_counts([this] { return server.counts(); });
   api.set_intake([this] { return ingest.intake(); });
-  signals.async_wait([this](boost::system::error_code error, int) {
-    if (!error) io.stop();
-  });
   hub.on_set_parameter([this](const auto& wanted, auto answer) {
     set_team_parameter(operations, wanted, hub.caller(), std::move(answer));
   });
   recording_worker.run([this] { remove_abandoned_uploads(recordings); });
   tell_regularly();
   look_at_tokens_regularly();
+  end_watch.emplace([this] { io.stop(); });
 }
 
 Ingest::Callbacks Monitor::Parts::callbacks() {
@@ -303,8 +306,10 @@ void Monitor::Parts::tell_regularly() {
   (void)guarded("telling the clients", [this] {
     hub.send_time(wire::wall_clock_ns());
     lease_teller.tell();
+    map_teller.tell();
     auto parameters = team_parameters(team, leases);
     parameters["/team.history_problem"] = history_watch.problem();
+    parameters["/team.map_problem"] = map.watch().problem();
     hub.send_parameters(std::move(parameters));
     tell_graph();
   });
@@ -405,6 +410,11 @@ Result<std::unique_ptr<Monitor>> Monitor::make(const MonitorOptions& options) tr
   if (!port) return port.error();
   blocks->port = port.value();
   return std::unique_ptr<Monitor>(new Monitor(std::move(blocks)));
+} catch (const std::bad_alloc&) {
+  return Error{"no memory is left to start with; see 'ulimit -v' and what else runs here"};
+} catch (const std::system_error& error) {
+  return Error{std::string("the system gives it no thread or no file: ") + error.what() +
+               "; see 'ulimit -a'"};
 } catch (const std::exception& error) {
   return Error{std::string("DDS cannot be used: ") + error.what()};
 }

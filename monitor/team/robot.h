@@ -44,7 +44,8 @@ struct Robot {
   std::vector<NumberRange> filled;
   std::optional<msg::Breaks> breaks;
   Time breaks_received{};
-  /// The newest reply to a push: it tells of a swap before the next state does.
+  /// The newest reply to a push, by the robot's ticks: it tells of a swap before the next state
+  /// does.
   std::optional<msg::ProgramReply> program_reply;
 
   /// Returns the hash of the program that it runs, as it told last; empty if it has sent no state.

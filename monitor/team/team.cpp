@@ -72,6 +72,7 @@ void add_filled(std::uint64_t number, std::vector<NumberRange>& ranges) {
 
 /// Forgets what a robot did before it was restarted. What it did since may be known already.
 void forget_run_before(const msg::RobotState& last, Robot& robot) {
+  robot.program_reply.reset();
   const auto end_ns = wire::since_epoch_ns(last.stamp);
   std::erase_if(robot.transitions, [&](const msg::Transition& transition) {
     return wire::since_epoch_ns(transition.stamp) <= end_ns;
@@ -93,8 +94,8 @@ Duration plausible_age(float age_s) {
 
 std::string Robot::running_hash() const {
   if (!state) return {};
-  const bool reply_is_newer = program_reply && wire::since_epoch_ns(program_reply->stamp) >
-                                                   wire::since_epoch_ns(state->stamp);
+  // Ticks only go on, and a clock may be set.
+  const bool reply_is_newer = program_reply && program_reply->tick > state->tick;
   return reply_is_newer ? program_reply->running_hash : state->program_hash;
 }
 
@@ -120,7 +121,7 @@ Robot& Team::hear(const std::string& robot) {
 
 void Team::note(msg::RobotState state) {
   Robot& robot = hear(state.robot);
-  // A lower tick means that the robot was restarted, so its transitions' numbers begin again.
+  // A lower tick means that the robot was restarted, so ticks and transitions' numbers begin again.
   if (robot.state && state.tick < robot.state->tick) forget_run_before(*robot.state, robot);
   tally_.note(state);
   robot.state = std::move(state);
@@ -167,8 +168,8 @@ void Team::note(const msg::ProgramReply& reply) {
   const auto found = robots_.find(reply.robot);
   if (found == robots_.end() || reply.running_hash.empty()) return;
   auto& known = found->second.program_reply;
-  if (!known || wire::since_epoch_ns(reply.stamp) >= wire::since_epoch_ns(known->stamp))
-    known = reply;
+  // A reply that tells of no swap has no tick.
+  if (!known || reply.tick >= known->tick) known = reply;
 }
 
 void Team::note(const msg::Score& score) {

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,6 +18,23 @@ namespace {
 
 constexpr int kNotStarted = 127;
 
+constexpr int kNiceness = 10;
+constexpr rlim_t kMostFileBytes = rlim_t{8} << 20;
+
+/// Lets the child have what others leave: processor time, room on the disk, and no dump of its
+/// memory. Where memory is short, the kernel ends the child first. What cannot be set stays as it
+/// is. Must not allocate.
+void be_modest() {
+  (void)setpriority(PRIO_PROCESS, 0, kNiceness);
+  const rlimit files{kMostFileBytes, kMostFileBytes}, dumps{0, 0};
+  (void)setrlimit(RLIMIT_FSIZE, &files);
+  (void)setrlimit(RLIMIT_CORE, &dumps);
+  const int score = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
+  if (score < 0) return;
+  [[maybe_unused]] const auto written = ::write(score, "1000", 4);
+  close(score);
+}
+
 /// Turns the forked child into the program. Must not allocate, because another thread may have held
 /// the allocator's lock at the fork.
 [[noreturn]] void become(char* const* command, const char* out, const char* err, pid_t parent) {
@@ -26,6 +44,7 @@ constexpr int kNotStarted = 127;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   setpgid(0, 0);
+  be_modest();
   const int nothing = open("/dev/null", O_RDONLY);
   // As open_private_file does, which allocates.
   const int to_out = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0600);

@@ -16,7 +16,8 @@
 namespace galilean::monitor {
 
 /// A child process, whose end is awaited on an io_context without a thread. The kernel kills it
-/// when the thread that started it ends, even by a crash. The destructor kills it, too.
+/// when the thread that started it ends, even by a crash. The destructor kills it, too. Others have
+/// the processor first, and its files have at most 8 MB each.
 class ChildProcess {
  public:
   /// Called on the io_context's thread with the exit code, which is 128 + N if signal N ended the

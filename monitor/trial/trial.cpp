@@ -5,10 +5,12 @@
 #include <unistd.h>
 
 #include <boost/asio/post.hpp>
+#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <utility>
 
+#include "core/cut_text.h"
 #include "core/json_text.h"
 #include "core/private_file.h"
 
@@ -16,6 +18,9 @@ namespace galilean::monitor {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// So much of what a simulator says is told.
+constexpr std::size_t kMostSaidBytes = 8192;
 
 std::string content(const fs::path& file) {
   std::ifstream in(file);
@@ -37,6 +42,18 @@ fs::path below(const fs::path& folder, const std::string& path) {
   for (const auto& part : fs::path(path).relative_path())
     result = part == ".." ? (result == folder ? result : result.parent_path()) : result / part;
   return result;
+}
+
+std::string who_cannot_be_tried(bool is_next) {
+  return is_next ? "the program cannot be tried: " : "the program that runs now cannot be tried: ";
+}
+
+/// Returns how a simulator ended that said nothing.
+std::string ending_of(int exit_code) {
+  constexpr int kBySignal = 128;
+  if (exit_code <= kBySignal)
+    return "the simulator ended with exit code " + std::to_string(exit_code);
+  return "the simulator crashed (signal " + std::to_string(exit_code - kBySignal) + ")";
 }
 
 }  // namespace
@@ -125,8 +142,25 @@ void Trial::start_pending() {
                                        });
     if (!process) return fail(process.error().message);
     run->process = std::move(process).value();
+    end_in_time(*run);
   }
   if (running_.empty()) finish(figures());
+}
+
+void Trial::end_in_time(Run& run) {
+  const double most_s = order_.duration_s + order_.patience_s;
+  run.patience = std::make_unique<boost::asio::steady_timer>(
+      io_,
+      std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::duration<double>(most_s)));
+  run.patience->async_wait(
+      [this, is_next = run.is_next, most_s,
+       under_way = std::weak_ptr<bool>(run.is_under_way)](boost::system::error_code error) {
+        if (error || under_way.expired()) return;
+        attempt([&] {
+          fail(who_cannot_be_tried(is_next) + "a run of it hangs: it did not end within " +
+               json_text(nlohmann::json(most_s)) + " s");
+        });
+      });
 }
 
 void Trial::take(const Run& run, int exit_code) {
@@ -134,10 +168,8 @@ void Trial::take(const Run& run, int exit_code) {
   if (exit_code != 0 || !report || !report.value().is_object()) {
     auto said = content(output(run, ".err"));
     while (said.ends_with('\n')) said.pop_back();
-    if (said.empty()) said = "exit code " + std::to_string(exit_code);
-    return fail((run.is_next ? "the program cannot be tried: "
-                             : "the program that runs now cannot be tried: ") +
-                said);
+    if (said.empty()) said = ending_of(exit_code);
+    return fail(who_cannot_be_tried(run.is_next) + std::string(cut_text(said, kMostSaidBytes)));
   }
   (run.is_next ? next_ : now_).push_back(std::move(report).value());
   ++finished_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <deque>
 #include <filesystem>
 #include <functional>
@@ -25,19 +26,23 @@ struct TrialOrder {
   std::string scenario;                ///< the arena: its walls, furniture and rules
   int seeds = 8;
   double duration_s = 120;  ///< simulated time of each run
+  /// A run that takes so much longer than its simulated time hangs. Runs in order take a part of
+  /// it.
+  double patience_s = 30;
 };
 
 /// Runs the new program and the program that runs now in simulated contests, which continue from
 /// the live team's situation. Both programs get the same seeds, so that they meet the same chances.
 /// Each run is a process of `galilean sim --headless`, and two run at a time. The destructor ends
-/// the processes. For use on the io_context's thread.
+/// the processes, and so does a run that crashes or hangs: the trial fails then, and nothing else
+/// does. For use on the io_context's thread.
 class Trial {
  public:
   using Done = std::function<void(Result<TrialFigures>)>;
 
   /// Makes `folder` for its files; the destructor removes it. Calls `done` once, later, unless this
   /// object is destroyed before. Errors that `done` gets: the folder cannot be written, a simulator
-  /// cannot be started, fails, or prints no report.
+  /// cannot be started, fails, does not end in time, or prints no report.
   Trial(boost::asio::io_context& io, std::filesystem::path simulator, std::filesystem::path folder,
         TrialOrder order, Done done);
   ~Trial();
@@ -53,6 +58,9 @@ class Trial {
     bool is_next = false;
     int seed = 1;
     std::unique_ptr<ChildProcess> process = nullptr;
+    std::unique_ptr<boost::asio::steady_timer> patience = nullptr;
+    /// A late call of the timer finds it gone.
+    std::shared_ptr<bool> is_under_way = std::make_shared<bool>(true);
   };
 
   /// Runs a handler that is called from outside. If it throws, the trial ends with the exception as
@@ -65,6 +73,7 @@ class Trial {
   [[nodiscard]] std::vector<std::string> command(const Run& run) const;
   void begin();
   void start_pending();
+  void end_in_time(Run& run);
   void take(const Run& run, int exit_code);
   void fail(std::string why);
   void finish(Result<TrialFigures> result);

@@ -4,10 +4,13 @@
 #include <arpa/inet.h>
 #include <netinet/tcp.h>
 #include <sys/epoll.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cstring>
 #include <stdexcept>
 
@@ -19,6 +22,9 @@ constexpr std::size_t kMaskBytes = 4;
 
 int connect_to(std::uint16_t port) {
   const int descriptor = socket(AF_INET, SOCK_STREAM, 0);
+  if (descriptor < 0)
+    throw std::runtime_error(std::string("a client has no socket: ") + std::strerror(errno) +
+                             "; see 'ulimit -Hn'");
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(port);
@@ -28,6 +34,14 @@ int connect_to(std::uint16_t port) {
   const int on = 1;
   setsockopt(descriptor, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
   return descriptor;
+}
+
+/// Each client takes a file descriptor, and the usual limit is a thousand.
+void raise_descriptor_limit() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  (void)setrlimit(RLIMIT_NOFILE, &limit);
 }
 
 void send_all(int socket, std::string_view bytes) {
@@ -57,6 +71,7 @@ std::uint64_t payload_size(std::span<const std::uint8_t> head) {
 WebSocketCrowd::WebSocketCrowd(std::uint16_t port, const std::string& target,
                                const std::string& subprotocol, std::size_t clients)
     : epoll_(epoll_create1(0)), clients_(clients), buffer_(kReadAtOnce) {
+  raise_descriptor_limit();
   for (std::size_t i = 0; i < clients; ++i) {
     clients_[i].socket = connect_to(port);
     handshake(clients_[i].socket, port, target, subprotocol);

@@ -71,7 +71,7 @@ test("the protocol's own client", async (t) => {
     await next('serverInfo');
     client.getParameters([], 'all');
     const { parameters } = await next('parameterValues', ({ id }) => id === 'all');
-    assert.deepEqual(parameters.map(({ name }) => name), ['/io.held', '/io.program_hash', '/io.program_name', '/team.filled', '/team.history_problem', '/team.leases', '/team.program_hash', '/team.replayed']);
+    assert.deepEqual(parameters.map(({ name }) => name), ['/io.held', '/io.program_hash', '/io.program_name', '/team.filled', '/team.history_problem', '/team.leases', '/team.map_problem', '/team.program_hash', '/team.replayed']);
     client.subscribeParameterUpdates(['/io.held']);
     client.setParameters([{ name: '/io.held', value: true }]);
     const update = await next('parameterValues', ({ id, parameters: [first] }) => id === undefined && first.value === true);

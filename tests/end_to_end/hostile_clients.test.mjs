@@ -12,6 +12,8 @@ import { eventually, freshDomain, galileanBinary, scratchFolder, startMonitor } 
 /** A command was answered after up to 22 s beside one check. Most of this is for a machine that does other things. */
 const MOST_MS = 250;
 const PING = 0x89;
+/** For so long a monitor runs that has enough memory, before it is told to end. */
+const RUNS_FOR_MS = 5000;
 
 /** A socket to the monitor that may be closed at any time; `heard` is what came. */
 function raw(t, url, text = '') {
@@ -159,6 +161,19 @@ test('too few file descriptors end the start with a sentence', (t) => {
     });
     assert.equal(status, 1, `${signal} ${stdout}${stderr}`);
     assert.match(stderr, /^galilean-monitor: only \d+ files and connections .*ulimit -n 1024'\n$/);
+  }
+});
+
+test('too little memory ends the monitor with a sentence, or it runs and ends when it is told to', (t) => {
+  for (const most_kB of [300_000, 500_000, 700_000, 1_000_000]) {
+    const { status, signal, stdout, stderr } = spawnSync('bash', ['-c', `ulimit -v ${most_kB} && exec "$@"`, 'bash', galileanBinary, 'monitor', '--listen', '127.0.0.1:0', '--data', scratchFolder(t)], {
+      env: { ...process.env, ROS_DOMAIN_ID: freshDomain() }, encoding: 'utf8', timeout: RUNS_FOR_MS, killSignal: 'SIGTERM',
+    });
+    const said = `${most_kB} kB: ${status} ${signal} ${stdout}${stderr}`;
+    if (status === 0) continue; // it ran, was told to end, and did
+    assert.ok(signal === null || signal === 'SIGABRT', said);
+    assert.match(stderr, /memory|no thread|map segment|cannot allocate|DDS cannot/i, said);
+    assert.ok(stderr.trim().split('\n').length <= 2, said);
   }
 });
 

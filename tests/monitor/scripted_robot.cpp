@@ -127,6 +127,9 @@ void ScriptedRobot::reply(const std::string& id, const std::string& hash, std::u
   reply.status = status;
   reply.message = message;
   if (status == msg::ProgramReply_Constants::RUNNING) reply.kept_variables = {"shaft"};
+  const bool tells_of_swap = status == msg::ProgramReply_Constants::RUNNING ||
+                             status == msg::ProgramReply_Constants::ROLLED_BACK;
+  if (tells_of_swap) reply.tick = state_.tick + 1;
   (void)replies_.write(reply);
 }
 

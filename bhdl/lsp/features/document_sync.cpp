@@ -20,9 +20,14 @@ void apply_change(std::string& text, const Json& change, PositionEncoding encodi
   text.replace(begin, end - begin, put_in);
 }
 
-void refuse_too_large(const std::string& uri, std::size_t bytes) {
-  if (bytes > kMostDocumentBytes)
-    throw Refusal(RpcError::kInvalidParams, in_quotes(uri) + " has more than 16 MiB");
+/// Requires: the document at `path` would have `bytes`.
+void refuse_too_large(const Session& session, const std::string& path, std::size_t bytes) {
+  std::size_t all = bytes;
+  for (const auto& [other, document] : session.workspace.open_documents())
+    if (other != path) all += document.text.size();
+  if (all > kMostOpenBytes)
+    throw Refusal(RpcError::kInvalidParams,
+                  "with " + in_quotes(path) + " all open documents have more than 16 MiB");
 }
 
 }  // namespace
@@ -35,7 +40,7 @@ void did_open(const Session& session, const Json& params) {
   if (is_new && session.workspace.open_documents().size() >= kMostDocuments)
     throw Refusal(RpcError::kInvalidParams, "no more than 256 documents can be open");
   auto text = document.at("text").get<std::string>();
-  refuse_too_large(uri, text.size());
+  refuse_too_large(session, path, text.size());
   session.workspace.open(
       path, {std::move(uri), document.value("version", std::int64_t{0}), std::move(text)});
 }
@@ -43,13 +48,14 @@ void did_open(const Session& session, const Json& params) {
 void did_change(const Session& session, const Json& params) {
   const Json& named = params.at("textDocument");
   const auto uri = named.at("uri").get<std::string>();
-  Workspace::Document* document = session.workspace.find_open(path_of(uri));
+  const std::string path = path_of(uri);
+  Workspace::Document* document = session.workspace.find_open(path);
   if (document == nullptr)
     throw Refusal(RpcError::kInvalidParams, in_quotes(uri) + " was changed but is not open");
   std::string text = document->text;
   for (const auto& change : params.at("contentChanges")) {
     apply_change(text, change, session.client.encoding);
-    refuse_too_large(uri, text.size());
+    refuse_too_large(session, path, text.size());
   }
   document->text = std::move(text);
   document->version = named.value("version", document->version);

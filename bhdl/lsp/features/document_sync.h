@@ -5,9 +5,9 @@
 
 namespace galilean::bhdl::lsp {
 
-/// How much text a client may keep open. One document may have 16 MiB.
+/// How much text a client may keep open: so many documents, with so many bytes in all.
 inline constexpr std::size_t kMostDocuments = 256;
-inline constexpr std::size_t kMostDocumentBytes = 16 << 20;
+inline constexpr std::size_t kMostOpenBytes = 16 << 20;
 
 /// Handle textDocument/didOpen, didChange (whole or in parts) and didClose.
 void did_open(const Session& session, const Json& params);

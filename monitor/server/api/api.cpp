@@ -63,7 +63,7 @@ void Api::add_routes() {
   get("/metrics", [this](auto&, auto& respond) {
     respond(text_response(
         metrics_text(parts_.team, parts_.hub.counts(), counts_ ? counts_() : HttpServer::Counts{},
-                     intake_ ? intake_() : Intake{}, parts_.limit_counts, parts_.map.update_s(),
+                     intake_ ? intake_() : Intake{}, parts_.limit_counts, parts_.map,
                      parts_.history_watch),
         "text/plain; version=0.0.4; charset=utf-8"));
   });
@@ -278,6 +278,7 @@ void Api::status(const HttpRequest& request, const Respond& respond) const {
                          {"refused_messages", refused_json(intake)},
                          {"topics_not_read", intake.topics_not_read},
                          {"history_problem", parts_.history_watch.problem()},
+                         {"map_problem", parts_.map.watch().problem()},
                          {"robots_forgotten", intake.robots_forgotten},
                          {"robots", std::move(robots)},
                          {"score", score_json(parts_.team)}}));

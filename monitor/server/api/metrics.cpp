@@ -84,6 +84,18 @@ void intake_metrics(std::ostream& out, const Intake& intake) {
          intake.robots_forgotten);
 }
 
+void map_metrics(std::ostream& out, const MapService& map) {
+  metric(out, "galilean_map_update_seconds", "gauge", "Duration of the last map update.",
+         map.update_s());
+  metric(out, "galilean_map_well", "gauge",
+         "0 while the map stands still, loses updates or drops messages.",
+         map.watch().problem().empty() ? 1 : 0);
+  metric(out, "galilean_map_failures_total", "counter",
+         "Messages and updates at which the map failed.", map.watch().failures());
+  metric(out, "galilean_map_dropped_messages_total", "counter",
+         "Messages that the map did not take, because too many waited.", map.watch().dropped());
+}
+
 void history_metrics(std::ostream& out, const HistoryWatch& history) {
   metric(out, "galilean_history_disk_well", "gauge",
          "1 while the history's disk has room and can be written.", history.is_disk_well() ? 1 : 0);
@@ -115,12 +127,11 @@ void limit_metrics(std::ostream& out, const LimitCounts& counts) {
 
 std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocket,
                          const HttpServer::Counts& http, const Intake& intake,
-                         const LimitCounts& limit_counts, double map_update_s,
+                         const LimitCounts& limit_counts, const MapService& map,
                          const HistoryWatch& history) {
   std::ostringstream out;
   process_metrics(out);
-  metric(out, "galilean_map_update_seconds", "gauge", "Duration of the last map update.",
-         map_update_s);
+  map_metrics(out, map);
   const auto robots = team.statuses();
   metric(out, "galilean_robots", "gauge", "Robots that are known.", robots.size());
   using R = RobotStatus;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "monitor/ingest/intake.h"
+#include "monitor/map/map_service.h"
 #include "monitor/pushes/history_watch.h"
 #include "monitor/server/foxglove/foxglove_hub.h"
 #include "monitor/server/http/http_server.h"
@@ -12,11 +13,10 @@
 
 namespace galilean::monitor {
 
-/// Returns the metrics in Prometheus' text format 0.0.4. `map_update_s` is how long the map's last
-/// update took.
+/// Returns the metrics in Prometheus' text format 0.0.4.
 [[nodiscard]] std::string metrics_text(const Team& team, const foxglove::Hub::Counts& websocket,
                                        const HttpServer::Counts& http, const Intake& intake,
-                                       const LimitCounts& limit_counts, double map_update_s,
+                                       const LimitCounts& limit_counts, const MapService& map,
                                        const HistoryWatch& history);
 
 }  // namespace galilean::monitor

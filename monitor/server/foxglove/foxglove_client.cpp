@@ -59,16 +59,16 @@ const std::map<std::string, void (*)(Hub::Client&, Request)> Hub::Client::kOpera
 Hub::Client::Client(Hub& hub, Link& link, bool may_call, OperatorId who)
     : hub_(hub), link_(link), may_call_(may_call), who_(std::move(who)) {
   hub_.clients_.push_back(this);
+  outbox_->on_taken([all = hub_.queued_bytes_](std::size_t bytes) { *all -= bytes; });
   tell(server_info(hub_.server_name_, hub_.session_id_));
   if (!hub_.services_.empty()) tell(advertise_services(hub_.services_));
-  std::vector<const Channel*> channels;
-  for (const auto& [id, topic] : hub_.topics_) channels.push_back(topic.channel);
-  if (!channels.empty()) tell(advertise(channels));
+  if (!hub_.topics_.empty()) push(hub_.advertisement());
 }
 
 Hub::Client::~Client() {
   while (!channel_of_.empty()) unsubscribe_one(channel_of_.begin()->first);
   hub_.past_.superseded += outbox_->superseded();
+  outbox_->clear();
   std::erase(hub_.clients_, this);
   *alive_ = false;
 }
@@ -120,8 +120,14 @@ Result<void> Hub::Client::subscribe_one(std::uint32_t subscription_id, std::uint
     return Error{"A client has at most " + std::to_string(hub_.limits_.subscriptions) +
                  " subscriptions."};
   }
+  if (subscriptions_to_[channel_id] >= hub_.limits_.subscriptions_of_channel) {
+    hub_.limit_counts_->reached(Limit::kSubscriptions);
+    return Error{"A client has at most " + std::to_string(hub_.limits_.subscriptions_of_channel) +
+                 " subscriptions to one channel."};
+  }
   if (!channel_of_.emplace(subscription_id, channel_id).second)
     return Error{"Subscription id " + std::to_string(subscription_id) + " is in use already."};
+  ++subscriptions_to_[channel_id];
   topic->subscribers.emplace(this, subscription_id);
   if (topic->subscribers.size() == 1 && hub_.demand_) hub_.demand_(channel_id, true);
   for (const auto& message : topic->kept) deliver(subscription_id, message);
@@ -144,6 +150,7 @@ void Hub::Client::unsubscribe(RequestFields& request) {
 void Hub::Client::unsubscribe_one(std::uint32_t subscription_id) {
   const auto channel_id = channel_of_.at(subscription_id);
   channel_of_.erase(subscription_id);
+  --subscriptions_to_[channel_id];
   outbox_->close_lane(subscription_id);
   auto& subscribers = hub_.find(channel_id)->subscribers;
   subscribers.erase({this, subscription_id});
@@ -206,10 +213,19 @@ void Hub::Client::deliver(std::uint32_t subscription_id, const Message& message)
 void Hub::Client::push(Frame frame) {
   if (dismissed_) return;
   ++hub_.past_.frames;
-  if (outbox_->push(std::move(frame))) return link_.flush();
+  *hub_.queued_bytes_ += frame.kept_size();
+  if (outbox_->push(std::move(frame))) {
+    link_.flush();
+  } else {
+    hub_.limit_counts_->reached(Limit::kWaitingEvents);
+    dismiss();
+  }
+  hub_.bound_queues();
+}
+
+void Hub::Client::dismiss() {
   dismissed_ = true;
   ++hub_.past_.dismissed;
-  hub_.limit_counts_->reached(Limit::kWaitingEvents);
   outbox_->clear();
   link_.close("too slow: more events waited for this client than the server keeps");
 }

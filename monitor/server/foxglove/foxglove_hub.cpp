@@ -21,8 +21,9 @@ void Hub::add_service(Service service, Handler handler) {
 
 void Hub::add_channel(const Channel& channel) {
   topics_[channel.id].channel = &channel;
-  const auto text = advertise({&channel});
-  for (Client* client : std::vector(clients_)) client->tell(text);
+  advertisement_ = {};
+  const Frame frame = text_frame(advertise({&channel}));  // clients share its payload
+  for (Client* client : std::vector(clients_)) client->push(frame);
 }
 
 void Hub::send(const Message& message) {
@@ -58,10 +59,10 @@ void Hub::send_parameters(ParameterValues now) {
 void Hub::send_graph(ConnectionGraph now) {
   for (const auto& service : services_) now.services[service.name].insert(server_name_);
   if (now == graph_) return;
-  const auto text = graph_update(graph_, now);
+  const Frame frame = text_frame(graph_update(graph_, now));
   graph_ = std::move(now);
   for (Client* client : std::vector(clients_))
-    if (client->watches_graph_) client->tell(text);
+    if (client->watches_graph_) client->push(frame);
 }
 
 bool Hub::graph_is_watched() const {
@@ -70,6 +71,25 @@ bool Hub::graph_is_watched() const {
 
 std::unique_ptr<Hub::Client> Hub::connect(Link& link, bool may_call, OperatorId who) {
   return std::make_unique<Client>(*this, link, may_call, std::move(who));
+}
+
+const Frame& Hub::advertisement() {
+  if (advertisement_.payload) return advertisement_;
+  std::vector<const Channel*> channels;
+  for (const auto& [id, topic] : topics_) channels.push_back(topic.channel);
+  advertisement_ = text_frame(advertise(channels));
+  advertisement_.is_kept_anyway = true;
+  return advertisement_;
+}
+
+void Hub::bound_queues() {
+  while (*queued_bytes_ > limits_.waiting_events_bytes && !clients_.empty()) {
+    const auto slowest = std::ranges::max_element(
+        clients_, {}, [](const Client* client) { return client->outbox_->queued_bytes(); });
+    if ((*slowest)->outbox_->queued_bytes() == 0) return;
+    limit_counts_->reached(Limit::kWaitingEventsOfAll);
+    (*slowest)->dismiss();
+  }
 }
 
 Hub::Topic* Hub::find(std::uint32_t channel_id) {

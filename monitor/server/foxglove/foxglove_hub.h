@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -109,6 +110,10 @@ class Hub {
   };
 
   [[nodiscard]] Topic* find(std::uint32_t channel_id);
+  /// Dismisses those clients for which most waits, until not too much waits for all of them.
+  void bound_queues();
+  /// Returns what announces all channels. It is made once for all clients.
+  [[nodiscard]] const Frame& advertisement();
 
   std::string server_name_;
   std::string session_id_;
@@ -116,6 +121,9 @@ class Hub {
   std::vector<Service> services_;
   std::vector<Handler> handlers_;
   std::map<std::uint32_t, Topic> topics_;
+  Frame advertisement_;  ///< without a payload: a channel came since it was made
+  /// What waits in all clients' queues [bytes].
+  std::shared_ptr<std::size_t> queued_bytes_ = std::make_shared<std::size_t>(0);
   ParameterValues parameters_;
   SetParameter set_parameter_;
   OperatorId caller_;
@@ -148,7 +156,8 @@ class Hub::Client {
   static const std::map<std::string, void (*)(Client&, RequestFields& request)> kOperations;
 
   void subscribe(RequestFields& request);
-  /// Errors: there is no such channel, the id is in use, or it has as many as it may.
+  /// Errors: there is no such channel, the id is in use, or it has as many as it may, in all or of
+  /// the channel.
   [[nodiscard]] Result<void> subscribe_one(std::uint32_t subscription_id, std::uint32_t channel_id);
   void unsubscribe(RequestFields& request);
   void unsubscribe_one(std::uint32_t subscription_id);
@@ -165,6 +174,8 @@ class Hub::Client {
               const Result<nlohmann::json>& result);
   void deliver(std::uint32_t subscription_id, const Message& message);
   void push(Frame frame);
+  /// Drops what waits for the client, and closes its connection.
+  void dismiss();
   void tell(const std::string& text) { push(text_frame(text)); }
   void refuse(const std::string& why) { tell(status(StatusLevel::kError, why)); }
 
@@ -174,7 +185,8 @@ class Hub::Client {
   OperatorId who_;
   std::shared_ptr<Outbox> outbox_ = std::make_shared<Outbox>();
   bool dismissed_ = false;
-  std::map<std::uint32_t, std::uint32_t> channel_of_;  ///< by subscription id
+  std::map<std::uint32_t, std::uint32_t> channel_of_;      ///< by subscription id
+  std::map<std::uint32_t, std::size_t> subscriptions_to_;  ///< how many, by channel id
   std::set<std::string> watched_parameters_;
   bool watches_graph_ = false;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< late answers find it false

@@ -57,7 +57,7 @@ class HttpConnection final : public IncomingBody,
   [[nodiscard]] std::optional<HttpRequest> begin(const Request<Body>& message);
   [[nodiscard]] std::string origin_for(const HttpRequest& request) const;
   void become_websocket(const HttpRequest& request, const TextRequest& message);
-  void handle(const HttpRequest& request);
+  void handle(HttpRequest request);
 
   // What tokens permit: http_rights.cpp.
   [[nodiscard]] Right right_of(const HttpRequest& request);

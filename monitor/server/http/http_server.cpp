@@ -16,9 +16,18 @@ constexpr auto kPauseWithoutDescriptors = std::chrono::milliseconds(100);
 }  // namespace
 
 HttpServer::HttpServer(boost::asio::io_context& io, ServerContext context)
-    : acceptor_(io), pause_(io), context_(std::make_shared<ServerContext>(std::move(context))) {
+    : acceptor_(io),
+      pause_(io),
+      context_(std::make_shared<ServerContext>(std::move(context))),
+      turns_(std::make_shared<Turns>(io, context_->clock)) {
   context_->limit_counts = context_->hub.limit_counts();
   context_->connections = std::make_shared<Connections>(context_->limits, context_->limit_counts);
+  context_->connections->take_turns_by(
+      [turns = turns_](std::function<void()> work) { turns->take(std::move(work)); });
+}
+
+HttpServer::~HttpServer() {
+  turns_->end();
 }
 
 Result<std::uint16_t> HttpServer::listen(const std::string& address, std::uint16_t port) {

@@ -18,6 +18,7 @@
 #include "monitor/server/http/guard.h"
 #include "monitor/server/http/http_messages.h"
 #include "monitor/server/http/open_sockets.h"
+#include "monitor/server/http/turns.h"
 #include "monitor/server/limits/connections.h"
 #include "monitor/server/limits/descriptors.h"
 #include "monitor/server/lsp/language_session.h"
@@ -30,7 +31,7 @@ namespace galilean::monitor {
 /// Serves HTTP/1.1 on one address and port. GET /ws becomes a WebSocket of the hub, GET /lsp one of
 /// the language server, GET /replay one of a recording. Everything runs on the io_context's one
 /// thread. Connections, of which WebSockets are some, are limited in number, and requests in size
-/// and in the time that they take to arrive.
+/// and in the time that they take to arrive. What clients ask for and may wait is done in Turns.
 class HttpServer {
  public:
   struct Counts {
@@ -69,6 +70,9 @@ class HttpServer {
   };
 
   HttpServer(boost::asio::io_context& io, ServerContext context);
+  ~HttpServer();
+  HttpServer(const HttpServer&) = delete;
+  HttpServer& operator=(const HttpServer&) = delete;
 
   /// Begins to accept connections. `address` is an IP address or "localhost"; port 0 takes any free
   /// port. Returns the port.
@@ -96,6 +100,7 @@ class HttpServer {
   boost::asio::steady_timer pause_;
   ReserveDescriptor reserve_;
   std::shared_ptr<ServerContext> context_;
+  std::shared_ptr<Turns> turns_;
   std::shared_ptr<TlsDoor> tls_;  ///< null where plain HTTP is spoken
 };
 

@@ -179,7 +179,7 @@ void HttpConnection::read_body() {
     if (!request) return;
     if (length) request->body_bytes = *length;
     request->body_stream = shared_from_this();
-    return handle(*request);
+    return handle(std::move(*request));
   }
   if (length.value_or(0) > most) return fail(http::error::body_limit);
   const bool is_kept = keep_body(head_parser_->chunked() ? most : length.value_or(0));
@@ -226,7 +226,7 @@ void HttpConnection::receive() {
     return respond(websocket_needed(request->path));
   }
   request->body = std::move(message.body());
-  handle(*request);
+  handle(std::move(*request));
 }
 
 /// Takes a message's head. Returns nothing if the guard refused it, which is answered.
@@ -281,14 +281,20 @@ void HttpConnection::become_websocket(const HttpRequest& request, const TextRequ
     context_->sockets.add(digest_, token_right_, std::move(session));
 }
 
-void HttpConnection::handle(const HttpRequest& request) {
+/// An operator's orders pass by all other requests, which are answered in turn.
+void HttpConnection::handle(HttpRequest request) {
   stream_.expires_never();
-  context_->handler(request,
-                    [self = shared_from_this(), number = ++handled_](HttpResponse response) {
-                      // Only the first answer to a request is sent.
-                      if (self->awaits_answer_ && self->handled_ == number)
-                        self->respond(std::move(response));
-                    });
+  const bool is_order = request.right == Right::kOperate && request.method == "POST";
+  auto work = [self = shared_from_this(), number = ++handled_, asked = std::move(request)] {
+    self->attempt([&] {
+      self->context_->handler(asked, [self, number](HttpResponse response) {
+        // Only the first answer to a request is sent.
+        if (self->awaits_answer_ && self->handled_ == number) self->respond(std::move(response));
+      });
+    });
+  };
+  if (is_order) return work();
+  place_->in_turn(std::move(work));
 }
 
 void serve_http(boost::asio::ip::tcp::socket socket,

@@ -73,9 +73,18 @@ class WebSocketSession final : public foxglove::Link,
   void read() {
     socket_.read([self = shared_from_this()](error_code error) {
       if (error) return self->client_.reset();
+      self->take_message();
+    });
+  }
+
+  /// What an operator orders passes by all other clients' messages, which are taken in turn.
+  void take_message() {
+    const auto work = [self = shared_from_this()] {
       self->attempt([&] { self->receive(); });
       self->read();
-    });
+    };
+    if (right_ == Right::kOperate) return work();
+    socket_.in_turn(work);
   }
 
   void receive() {

@@ -15,6 +15,7 @@ Connections::Place::Place(std::shared_ptr<Connections> all, std::string address,
 
 Connections::Place::~Place() {
   serve();
+  let_go();
   --all_->open_;
   if (is_reserved_) {
     --all_->reserved_;
@@ -34,6 +35,29 @@ void Connections::Place::wait(std::function<void()> close) {
 void Connections::Place::serve() {
   if (std::exchange(waits_, false)) all_->waiting_.erase(turn_);
   close_ = nullptr;
+}
+
+void Connections::Place::in_turn(std::function<void()> work) const {
+  if (!all_->in_turn_) return work();
+  all_->in_turn_(std::move(work));
+}
+
+bool Connections::Place::keep(std::size_t bytes) {
+  read_bytes_ += bytes;
+  if (read_bytes_ <= kFreeBytes) return true;
+  const std::size_t more = read_bytes_ - kFreeBytes - kept_bytes_;
+  if (all_->kept_bytes_ + more > all_->limits_.messages_bytes) {
+    all_->counts_->reached(Limit::kMessages);
+    return false;
+  }
+  kept_bytes_ += more;
+  all_->kept_bytes_ += more;
+  return true;
+}
+
+void Connections::Place::let_go() {
+  all_->kept_bytes_ -= std::exchange(kept_bytes_, 0);
+  read_bytes_ = 0;
 }
 
 std::shared_ptr<Connections::Place> Connections::admit(const std::string& address,

@@ -36,6 +36,15 @@ class Connections : public std::enable_shared_from_this<Connections> {
     void serve();
     /// Returns whether only an operator's requests may be answered on it.
     [[nodiscard]] bool is_reserved() const noexcept { return is_reserved_; }
+    /// Does `work`, which must not throw, when its turn comes among all connections' work; at once
+    /// where they take no turns.
+    void in_turn(std::function<void()> work) const;
+    /// Counts so many bytes more that are kept of the message that is being read. The first
+    /// kFreeBytes of a connection are not counted, so that others' messages delay no command.
+    /// Returns false if all connections together keep as many as they may.
+    [[nodiscard]] bool keep(std::size_t bytes);
+    /// Nothing is kept of that message any more.
+    void let_go();
     /// Counts what this connection reaches.
     [[nodiscard]] LimitCounts& limit_counts() const noexcept { return *all_->counts_; }
     [[nodiscard]] const ServerLimits& limits() const noexcept { return all_->limits_; }
@@ -46,15 +55,23 @@ class Connections : public std::enable_shared_from_this<Connections> {
     std::string address_;
     bool is_reserved_;
     bool waits_ = false;
+    std::size_t read_bytes_ = 0;        ///< of the message that is being read
+    std::size_t kept_bytes_ = 0;        ///< those of them that are counted
     std::list<Place*>::iterator turn_;  ///< in waiting_, while it waits
     std::function<void()> close_;
   };
+
+  /// What does a client's work when its turn comes.
+  using InTurn = std::function<void(std::function<void()> work)>;
+  static constexpr std::size_t kFreeBytes = std::size_t{64} << 10;
 
   Connections(const ServerLimits& limits, std::shared_ptr<LimitCounts> counts)
       : limits_(limits), counts_(std::move(counts)) {}
 
   /// Returns the place of a new connection from `address`; null if it must be closed at once.
   [[nodiscard]] std::shared_ptr<Place> admit(const std::string& address, bool is_loopback);
+  /// Has connections' work done by `in_turn` from now on; with an empty one, at once.
+  void take_turns_by(InTurn in_turn) { in_turn_ = std::move(in_turn); }
   /// Closes the connection that has waited longest for a request, so that what it takes is free.
   /// Returns whether there was one.
   bool close_waiting();
@@ -70,6 +87,8 @@ class Connections : public std::enable_shared_from_this<Connections> {
   std::size_t open_ = 0;      ///< the reserved ones included
   std::size_t reserved_ = 0;  ///< of them
   std::uint64_t closed_for_others_ = 0;
+  std::size_t kept_bytes_ = 0;  ///< of messages that are being read
+  InTurn in_turn_;
   std::map<std::string, std::size_t> open_of_;  ///< by address, without the reserved ones
   std::list<Place*> waiting_;                   ///< the one that has waited longest first
 };

@@ -33,11 +33,16 @@ constexpr std::array<LimitWords, kLimitCount> kLimitWords{{
     {"commands", "As many commands wait for DDS as the monitor keeps, so a command was refused."},
     {"pings", "A WebSocket sent more pings a second than the monitor answers, and was closed."},
     {"message", "A client's message was longer than the monitor reads, and was refused."},
+    {"messages",
+     "As many bytes of WebSockets' messages are being read as the monitor keeps, so one was "
+     "closed."},
     {"subscriptions", "A client subscribed oftener than the monitor keeps, and was refused."},
     {"calls",
      "As many calls of a client wait for answers as the monitor keeps, so a call was refused."},
     {"waiting_events",
      "A client read its events more slowly than the monitor keeps them, and was closed."},
+    {"waiting_events_of_all",
+     "As many events wait for slow clients as the monitor keeps, so the slowest was closed."},
 }};
 
 }  // namespace

@@ -22,11 +22,13 @@ enum class Limit : std::uint8_t {
   kCommands,
   kPings,
   kMessage,
+  kMessages,
   kSubscriptions,
   kCalls,
   kWaitingEvents,
+  kWaitingEventsOfAll,
 };
-inline constexpr std::size_t kLimitCount = 14;
+inline constexpr std::size_t kLimitCount = 16;
 
 /// Counts how often each limit was reached, and writes to stderr when one is for the first time.
 /// May be used from any thread.

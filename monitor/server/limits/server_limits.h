@@ -25,7 +25,12 @@ struct ServerLimits {
   // WebSockets.
   std::size_t pings_per_s = 50;        ///< of one WebSocket
   std::size_t subscriptions = 10'000;  ///< of one WebSocket
-  std::size_t waiting_calls = 64;      ///< service calls of one WebSocket without an answer
+  /// Of one WebSocket to one channel: each message of it is sent so often.
+  std::size_t subscriptions_of_channel = 4;
+  /// Of the events and answers that wait for all slow clients.
+  std::size_t waiting_events_bytes = std::size_t{256} << 20;
+  std::size_t waiting_calls = 64;  ///< service calls of one WebSocket without an answer
+  std::size_t messages_bytes = std::size_t{64} << 20;  ///< of all messages that are being read
   JsonLimits message = {.bytes = std::size_t{512} << 10, .values = 20'000};  ///< a text message
 
   // Jobs that wait for a thread.

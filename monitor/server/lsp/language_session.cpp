@@ -31,14 +31,24 @@ class LanguageSession final : public Revocable,
   LanguageSession(boost::asio::ip::tcp::socket socket, SendRounds& rounds,
                   LanguageServerContext& context, std::shared_ptr<Connections::Place> place)
       : socket_(std::move(socket), rounds, kMostMessageBytes, std::move(place)),
-        context_(context) {}
+        context_(context),
+        sessions_(context.sessions) {
+    ++*sessions_;
+  }
+  ~LanguageSession() override { --*sessions_; }
+  LanguageSession(const LanguageSession&) = delete;
+  LanguageSession& operator=(const LanguageSession&) = delete;
 
   void start(const WebSocket::Upgrade& upgrade) {
     const std::string_view target(upgrade.target().data(), upgrade.target().size());
     socket_.accept(
         upgrade, {},
         [self = shared_from_this(), robot = query_value(target, "robot")](error_code error) {
-          if (!error) self->begin(robot);
+          if (error) return;
+          if (*self->sessions_ > kMostLanguageSessions)
+            return self->close(CloseCode::kPolicy,
+                               "as many editors are open as the monitor serves; close one");
+          self->begin(robot);
         });
   }
 
@@ -150,6 +160,7 @@ class LanguageSession final : public Revocable,
 
   WebSocket socket_;
   LanguageServerContext& context_;
+  std::shared_ptr<std::size_t> sessions_;
   std::unique_ptr<bhdl::lsp::Server> server_;  ///< used on the worker only
   std::deque<std::string> waiting_;
   std::size_t waiting_bytes_ = 0;

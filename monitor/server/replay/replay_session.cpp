@@ -117,8 +117,10 @@ class ReplaySession final : public Revocable, public std::enable_shared_from_thi
   void read() {
     socket_.read([self = shared_from_this()](error_code error) {
       if (error) return self->end();
-      self->attempt([&] { self->receive(); });
-      self->read();
+      self->socket_.in_turn([self] {
+        self->attempt([&] { self->receive(); });
+        self->read();
+      });
     });
   }
 

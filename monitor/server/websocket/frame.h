@@ -16,11 +16,14 @@ struct Frame {
   std::array<std::uint8_t, 10 + 13> head{};  ///< WebSocket's at most 10 bytes, then Foxglove's 13
   std::uint8_t head_size = 0;
   Payload payload;
+  bool is_kept_anyway = false;  ///< the payload; it costs nothing to keep it for this client, too
 
   [[nodiscard]] std::span<const std::uint8_t> head_bytes() const {
     return std::span(head).first(head_size);
   }
   [[nodiscard]] std::size_t size() const { return head_size + (payload ? payload->size() : 0); }
+  /// Returns how many bytes it takes to keep it for a client.
+  [[nodiscard]] std::size_t kept_size() const { return is_kept_anyway ? head_size : size(); }
 };
 
 // The server's messages of Foxglove's protocol (ws-protocol, "Binary messages") as WebSocket frames

@@ -7,7 +7,7 @@
 namespace galilean::monitor {
 
 bool Outbox::push(Frame frame) {
-  queued_bytes_ += frame.size();
+  queued_bytes_ += frame.kept_size();
   queue_.push_back(std::move(frame));
   return queued_bytes_ <= kMostQueuedBytes;
 }
@@ -31,7 +31,8 @@ void Outbox::close_lane(std::uint32_t lane) {
 
 void Outbox::clear() {
   queue_.clear();
-  queued_bytes_ = 0;
+  if (const auto bytes = std::exchange(queued_bytes_, 0); tell_taken_ && bytes > 0)
+    tell_taken_(bytes);
   lanes_.clear();
   turns_.clear();
 }
@@ -40,7 +41,7 @@ std::vector<Frame> Outbox::take(std::size_t most) {
   std::vector<Frame> taken;
   const auto queued_before = queued_bytes_;
   for (; taken.size() < most && !queue_.empty(); queue_.pop_front()) {
-    queued_bytes_ -= queue_.front().size();
+    queued_bytes_ -= queue_.front().kept_size();
     taken.push_back(std::move(queue_.front()));
   }
   if (tell_taken_ && queued_bytes_ < queued_before) tell_taken_(queued_before - queued_bytes_);

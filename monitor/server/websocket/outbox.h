@@ -34,8 +34,11 @@ class Outbox {
   /// Removes and returns at most `most` frames: first those of the queue, then one of each lane in
   /// turn.
   [[nodiscard]] std::vector<Frame> take(std::size_t most);
-  /// Calls `tell` with the size of the frames of the queue [bytes] whenever some of them are taken.
+  /// Calls `tell` with the size of the frames of the queue [bytes] whenever some of them are taken
+  /// or dropped.
   void on_taken(std::function<void(std::size_t bytes)> tell) { tell_taken_ = std::move(tell); }
+  /// Returns what the frames of the queue take to keep.
+  [[nodiscard]] std::size_t queued_bytes() const noexcept { return queued_bytes_; }
   [[nodiscard]] bool empty() const noexcept { return queue_.empty() && turns_.empty(); }
   /// Returns how many frames a newer one replaced in a lane before they were sent.
   [[nodiscard]] std::uint64_t superseded() const noexcept { return superseded_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/server/websocket/web_socket.h"
 
+#include <boost/asio/error.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http/field.hpp>
 #include <boost/beast/websocket/stream.hpp>
@@ -13,6 +14,12 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
 using error_code = boost::system::error_code;
+
+namespace {
+
+constexpr std::size_t kPieceBytes = std::size_t{64} << 10;
+
+}  // namespace
 
 struct WebSocket::Stream {
   websocket::stream<BatchingSocket> beast;
@@ -62,9 +69,30 @@ void WebSocket::accept(const Upgrade& upgrade, std::string_view subprotocol, The
 }
 
 void WebSocket::read(Then then) {
-  stream_->incoming.consume(stream_->incoming.size());
-  stream_->beast.async_read(
-      stream_->incoming, [then = std::move(then)](error_code error, std::size_t) { then(error); });
+  let_message_go();
+  read_piece(std::move(then));
+}
+
+void WebSocket::let_message_go() {
+  auto& incoming = stream_->incoming;
+  incoming.consume(incoming.size());
+  if (incoming.capacity() > kPieceBytes) incoming.shrink_to_fit();
+  if (place_) place_->let_go();
+}
+
+/// A message is read in pieces, so that each of them is counted before there is room for the next.
+void WebSocket::read_piece(Then then) {
+  stream_->beast.async_read_some(
+      stream_->incoming, kPieceBytes,
+      [this, then = std::move(then)](error_code error, std::size_t bytes) mutable {
+        if (error) return then(error);
+        if (place_ && !place_->keep(bytes)) {
+          cut();
+          return then(boost::asio::error::no_buffer_space);
+        }
+        if (stream_->beast.is_message_done()) return then(error);
+        read_piece(std::move(then));
+      });
 }
 
 std::span<const std::uint8_t> WebSocket::message() const {

@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "monitor/server/limits/connections.h"
 #include "monitor/server/websocket/outbox.h"
@@ -38,12 +39,18 @@ class WebSocket {
             std::shared_ptr<Connections::Place> place = nullptr);
   /// Closes the connection, even if something is being written.
   ~WebSocket();
+  /// Does `work`, which must not throw, when its turn comes among all clients' work.
+  void in_turn(std::function<void()> work) const {
+    if (!place_) return work();
+    place_->in_turn(std::move(work));
+  }
   WebSocket(const WebSocket&) = delete;
   WebSocket& operator=(const WebSocket&) = delete;
 
   /// Answers the client's handshake, and names `subprotocol` in the answer if it is not empty.
   void accept(const Upgrade& upgrade, std::string_view subprotocol, Then then);
-  /// Reads the next message, in place of the last one.
+  /// Reads the next message, in place of the last one. Where all connections together keep as much
+  /// of their messages as they may, the connection ends.
   void read(Then then);
   /// Returns the message that was read, until the next read.
   [[nodiscard]] std::span<const std::uint8_t> message() const;
@@ -65,6 +72,8 @@ class WebSocket {
 
  private:
   void count_ping();
+  void let_message_go();
+  void read_piece(Then then);
 
   struct Stream;
   std::shared_ptr<Connections::Place> place_;

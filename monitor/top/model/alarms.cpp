@@ -52,12 +52,11 @@ void find_failed_pushes(const DashboardModel& model, std::vector<Alarm>& alarms)
   }
 }
 
-/// Whoever steers must know at once that pushes may be refused, or that what was kept was changed.
-void find_history_problem(const DashboardModel& model, std::vector<Alarm>& alarms) {
-  auto words = model.history_problem();
+/// Whoever steers must know at once what is wrong with the monitor itself.
+void add_monitors_problem(const char* key, std::string words, std::vector<Alarm>& alarms) {
   if (words.empty()) return;
   if (words.ends_with('.')) words.pop_back();
-  alarms.push_back({"history", AlarmKind::kProblem, "monitor", std::move(words)});
+  alarms.push_back({key, AlarmKind::kProblem, "monitor", std::move(words)});
 }
 
 }  // namespace
@@ -114,7 +113,8 @@ std::vector<Alarm> AlarmFinder::find(const DashboardModel& model, Time now) {
   }
   find_misplaced(model, alarms);
   find_failed_pushes(model, alarms);
-  find_history_problem(model, alarms);
+  add_monitors_problem("history", model.history_problem(), alarms);
+  add_monitors_problem("map", model.map_problem(), alarms);
   for (const auto& each : model.refusals().ongoing(now))
     alarms.push_back(
         {each.key, each.is_loss ? AlarmKind::kLost : AlarmKind::kRefused, each.sender, each.words});

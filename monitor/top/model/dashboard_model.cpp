@@ -6,7 +6,7 @@
 
 #include "core/wire/messages.h"
 #include "core/wire/topic_names.h"
-#include "monitor/team/history_status.h"
+#include "monitor/team/monitor_status.h"
 
 namespace galilean::monitor::top {
 namespace {
@@ -82,13 +82,15 @@ void DashboardModel::note_reply(const Message& message) {
 void DashboardModel::note_diagnostics(const Message& message) {
   msg::DiagnosticArray array;
   if (!msg::decode_cdr(*message.cdr, array)) return;
-  if (auto problem = monitor::history_problem(array))
+  if (auto problem = monitor_problem(array, kHistoryStatusName))
     history_problem_ = Heard<std::string>{std::move(*problem), clock_.now()};
+  if (auto problem = monitor_problem(array, kMapStatusName))
+    map_problem_ = Heard<std::string>{std::move(*problem), clock_.now()};
 }
 
-std::string DashboardModel::history_problem() const {
-  if (!history_problem_ || clock_.now() - history_problem_->received > kStaleAfter) return {};
-  return history_problem_->message;
+std::string DashboardModel::told_lately(const std::optional<Heard<std::string>>& told) const {
+  if (!told || clock_.now() - told->received > kStaleAfter) return {};
+  return told->message;
 }
 
 void DashboardModel::note_push(const Message& message) {

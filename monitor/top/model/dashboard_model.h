@@ -45,7 +45,9 @@ class DashboardModel {
   [[nodiscard]] std::string pushed_name(const std::string& push_id) const;
   /// Returns what the monitor tells to be wrong with its history; empty if nothing is, or if it
   /// told nothing in the last 5 s.
-  [[nodiscard]] std::string history_problem() const;
+  [[nodiscard]] std::string history_problem() const { return told_lately(history_problem_); }
+  /// Returns what a monitor tells to be wrong with its map, in the same way.
+  [[nodiscard]] std::string map_problem() const { return told_lately(map_problem_); }
   /// Returns the map's objects; nullptr if no message with them came in the last 5 s.
   [[nodiscard]] const msg::ObjectMap* objects() const noexcept;
   [[nodiscard]] Time objects_received() const noexcept {
@@ -65,6 +67,7 @@ class DashboardModel {
   template <class M>
   bool note(const Message& message, std::optional<Heard<M>>& to);
 
+  [[nodiscard]] std::string told_lately(const std::optional<Heard<std::string>>& told) const;
   void note_objects(const Message& message);
   void note_floor(const Message& message);
   void note_reply(const Message& message);
@@ -77,7 +80,7 @@ class DashboardModel {
   RefusalWatch refusals_;
   std::deque<msg::ProgramReply> replies_;
   std::map<std::string, std::string> pushed_names_;  ///< by the push's id
-  std::optional<Heard<std::string>> history_problem_;
+  std::optional<Heard<std::string>> history_problem_, map_problem_;
   std::deque<std::string> pushes_;  ///< their ids, the oldest first
   std::optional<Heard<msg::ObjectMap>> objects_;
   std::shared_ptr<const Floor> floor_;

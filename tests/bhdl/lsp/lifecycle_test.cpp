@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include "bhdl/lsp/features/document_sync.h"
 #include "bhdl/lsp/protocol/framing.h"
 #include "tests/bhdl/lsp/editor.h"
 #include "tests/bhdl/small_catalog.h"
@@ -17,6 +18,14 @@ int error_code(Server& server, const std::string& message) {
 Server fresh_server() {
   return Server(small_catalog(),
                 std::make_unique<MemoryFolder>(std::map<std::string, std::string>{}));
+}
+
+std::string did_open_message(const std::string& uri, const std::string& text) {
+  const Json document{{"uri", uri}, {"languageId", "bhdl"}, {"version", 1}, {"text", text}};
+  return Json{{"jsonrpc", "2.0"},
+              {"method", "textDocument/didOpen"},
+              {"params", {{"textDocument", document}}}}
+      .dump();
 }
 
 TEST(Lifecycle, WhatIsNoMessageIsToldSoWithTheRightCode) {
@@ -61,6 +70,18 @@ TEST(Lifecycle, ANoticeThatCannotBeFollowedIsLogged) {
           {"textDocument":{"uri":"file:///x.bhdl"},"contentChanges":[]}})");
   ASSERT_EQ(answers.size(), 1u);
   EXPECT_EQ(Json::parse(answers[0])["method"], "window/logMessage");
+}
+
+TEST(Lifecycle, AllOpenDocumentsTogetherHaveABound) {
+  const std::string half(kMostOpenBytes / 2, ' ');
+  Editor editor;
+  editor.open("a.bhdl", half);
+  editor.open("b.bhdl", half);
+  EXPECT_THAT(editor.server().receive(did_open_message("file:///c.bhdl", "x")),
+              testing::Contains(testing::HasSubstr("16 MiB")));
+  editor.close("a.bhdl");
+  EXPECT_THAT(editor.server().receive(did_open_message("file:///c.bhdl", "x")),
+              testing::Not(testing::Contains(testing::HasSubstr("16 MiB"))));
 }
 
 TEST(Lifecycle, ExitAfterShutdownIsWell) {

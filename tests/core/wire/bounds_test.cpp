@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "core/wire/decode_untrusted.h"
 #include "core/wire/messages.h"
 #include "core/wire/schemas.h"
 #include "tests/core/wire/cdr_bytes.h"
@@ -53,6 +54,14 @@ TEST(Bounds, AreKeptByAMessageThatIsWell) {
   msg::Sightings decoded;
   ASSERT_TRUE(msg::decode_cdr(bytes_of({}), decoded));
   EXPECT_EQ(decoded.view_angle_rad, 1.2F);
+}
+
+TEST(Bounds, HoldForWhatDidNotComeThroughAReader) {
+  msg::Sightings decoded;
+  EXPECT_TRUE(decode_untrusted(bytes_of({}), decoded));
+  EXPECT_EQ(decoded.x_m, 1);
+  EXPECT_FALSE(decode_untrusted(bytes_of({.x_m = kNan}), decoded));
+  EXPECT_FALSE(decode_untrusted(bytes_of({.items = 1}), decoded)) << "it is cut short";
 }
 
 TEST(Bounds, RefuseNumbersThatNoRobotHas) {

@@ -3,13 +3,15 @@
 import { randomBytes } from 'node:crypto';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { galilean } from '../../end_to_end/tools.mjs';
+import { program } from '../../logs/tools.mjs';
+import { commandTimes, crowded, p99 } from '../../tools/crowded.mjs';
 import { within } from '../../tools/patience.mjs';
 import { CHECKED_BYTES, closeMany, floodWithPings, HOLDS, longProgram, memory_MB, openAsGuest, openMany, slowestAnswer, slowestHold } from '../stages/clients.mjs';
 import { channels, crowd, STALLED, VIEWERS } from '../stages/crowd.mjs';
 import { startSmallTeam } from '../stages/small_team.mjs';
 
 const IDLE = 1000, SLOW = 200, WRONG_TOKENS = 30;
-const CHECKS = 50;
+const CHECKS = 50, FLOODS = 10, COMMANDS = 200;
 const BRACKETS = 4_000_000;
 
 export const group = {
@@ -108,6 +110,19 @@ export const group = {
         stage.channels ??= await channels(stage);
       },
       measure: async (stage) => (await crowd(stage, stage.channels)).p99_ms / 1000,
+      mend: (stage) => stage.well(),
+    },
+    {
+      fault: `Beside ${VIEWERS} viewers of whom ${STALLED} stop reading, ${CHECKS} have a megabyte checked and ${FLOODS} ask without end`,
+      promised: '99 of 100 commands are answered within 0.02 s',
+      unit: 's', limit: 0.02,
+      make: async (stage) => {
+        stage.channels ??= await channels(stage);
+      },
+      measure: ({ monitor, channels: ids }) => crowded(
+        { port: monitor.port, ids, crowdBench: program('crowd_bench'), viewers: VIEWERS, stalled: STALLED, checks: CHECKS, floods: FLOODS },
+        async () => p99(await commandTimes(monitor.url, monitor.token(), COMMANDS)) / 1000,
+      ),
       mend: (stage) => stage.well(),
     },
   ],

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <deque>
 #include <limits>
 #include <set>
@@ -47,11 +48,12 @@ class IngestTest : public testing::Test {
   std::size_t messages = 0;
   std::set<std::string> topics;
   std::vector<std::string> problems;
+  std::atomic<int> wakes = 0;
   Ingest ingest{*monitor,
                 {.channel = [this](const Channel& channel) { topics.insert(channel.topic); },
                  .message = [this](const Message&) { ++messages; },
                  .problem = [this](const std::string& problem) { problems.push_back(problem); }},
-                [] {}};
+                [this] { ++wakes; }};
 };
 
 TEST_F(IngestTest, TellsHowOldTheNewestMessageOfAChannelIs) {
@@ -95,6 +97,36 @@ TEST_F(IngestTest, FollowsOnlySoManyRobotsAndNamesTheFirstBeyond) {
   EXPECT_EQ(kinds[0].reason, "more than 256 robots are not followed, such as europa_1");
   ASSERT_TRUE(states.write(state_of("invented_7")));
   ASSERT_TRUE(comes([&] { return messages == Ingest::kMostRobots + 1; }));
+}
+
+TEST_F(IngestTest, AFloodOfMessagesIsTakenInInPortionsAndNothingIsLost) {
+  constexpr std::uint64_t kCommands = 5 * Ingest::kMostAtOnce;
+  wire::Writer<msg::Command> commands(*robots, wire::kCommandTopic);
+  wire::Writer<msg::RobotState> states(*robots, wire::robot_topic("io", "state"));
+  ASSERT_TRUE(comes([&] { return topics.size() == 2; }));
+  ASSERT_TRUE(wire::wait_until([&] { return commands.readers() == 1 && states.readers() == 1; }));
+  for (std::uint64_t i = 0; i < kCommands; ++i) ASSERT_TRUE(commands.write(msg::Command{}));
+  ASSERT_TRUE(states.write(state_of("io")));
+  const auto most_a_turn = 2 * Ingest::kMostAtOnce;  // of the two topics
+  ASSERT_TRUE(wire::wait_until([&] {
+    const std::size_t before = messages;
+    ingest.poll();
+    EXPECT_LE(messages - before, most_a_turn);
+    return messages == kCommands + 1;
+  }));
+}
+
+TEST_F(IngestTest, WakesItsThreadForWhatATurnLeft) {
+  wire::Writer<msg::Command> commands(*robots, wire::kCommandTopic);
+  ASSERT_TRUE(comes([&] { return topics.size() == 1; }));
+  ASSERT_TRUE(wire::wait_until([&] { return commands.readers() == 1; }));
+  for (std::size_t i = 0; i < 2 * Ingest::kMostAtOnce; ++i)
+    ASSERT_TRUE(commands.write(msg::Command{}));
+  // From now on it is asked only when it has said that something waits.
+  ASSERT_TRUE(wire::wait_until([&] {
+    while (wakes.exchange(0) > 0) ingest.poll();
+    return messages == 2 * Ingest::kMostAtOnce;
+  }));
 }
 
 TEST_F(IngestTest, AFloodOfTopicsIsTakenInInPortions) {

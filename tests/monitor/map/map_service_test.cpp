@@ -132,6 +132,20 @@ TEST_F(MapServiceTest, IgnoresAMessageThatDoesNotConcernTheMap) {
       service, [](const MapService::Newest& newest) { return newest.objects.robots.size() == 1; }));
 }
 
+TEST_F(MapServiceTest, CountsWhatItDropsAndGoesOn) {
+  constexpr int kAtOnce = 20'000;
+  const Arrival state = arrival_of(state_of("io"));
+  MapService service(*participant, clock, options);
+  for (const auto began = std::chrono::steady_clock::now();
+       service.watch().dropped() == 0 && is_patient(began);)
+    for (int i = 0; i < kAtOnce; ++i) service.receive(state.message());
+  EXPECT_GT(service.watch().dropped(), 0U);
+  EXPECT_NE(service.watch().problem(), "");
+  EXPECT_EQ(service.watch().failures(), 0U);
+  EXPECT_TRUE(comes(
+      service, [](const MapService::Newest& newest) { return newest.objects.robots.size() == 1; }));
+}
+
 TEST_F(MapServiceTest, ThreadsMayBringMessagesAndAskAtTheSameTime) {
   constexpr int kMessages = 500;
   std::vector<Arrival> states;

@@ -130,6 +130,22 @@ TEST_F(KeptOrdersTest, AFloodOfOrdersOfOthersIsCountedAndDoesNotFillTheHistory) 
   EXPECT_EQ(get("/api/orders").as_json()["orders"][0]["author"], "balch") << "one's own is kept";
 }
 
+TEST_F(KeptOrdersTest, AVeryLongPushOfOthersIsCountedAndNotKept) {
+  const auto stranger = wire::Participant::join("stranger", test_domain());
+  ASSERT_TRUE(stranger);
+  wire::Writer<msg::ProgramPush> pushes(*stranger.value(), wire::kProgramPushTopic);
+  msg::ProgramPush push;
+  push.author = "stranger";
+  push.files.push_back({"long.bhdl", std::string(std::size_t{2} << 20, ' ')});
+  int number = 0;
+  ASSERT_TRUE(becomes_true([&] {
+    push.id = "long-push-" + std::to_string(++number);
+    EXPECT_TRUE(pushes.write(push));
+    return get("/api/status").body.find("programs of more than 1 MB") != std::string::npos;
+  }));
+  EXPECT_EQ(get("/api/pushes").as_json()["pushes"].size(), 0U);
+}
+
 TEST_F(KeptOrdersTest, TheHistoryIsVerifiedAndItsDiskIsWatched) {
   ASSERT_TRUE(becomes_true(
       [&] { return get("/metrics").body.find("galilean_history_whole 1") != std::string::npos; }));

@@ -112,6 +112,33 @@ TEST(BoundedWorker, RefusesWhatIsMoreThanMayWait) {
   EXPECT_EQ(done, 4);
 }
 
+TEST(WorkersOrder, WhatIsFirstPassesByWhatWaits) {
+  asio::io_context io{1};
+  Worker worker(io);
+  std::promise<void> may_end, has_begun;
+  std::vector<int> begun;
+  const auto number = [&begun](int which) {
+    return [&begun, which] {
+      begun.push_back(which);
+      return which;
+    };
+  };
+  const auto nothing = [](const auto&) {};
+  worker.run([&] {
+    has_begun.set_value();
+    may_end.get_future().wait();
+  });
+  has_begun.get_future().wait();
+  worker.run(number(1), nothing, nothing);
+  worker.run(number(2), nothing, nothing);
+  worker.run_first(number(3), nothing, nothing);
+  worker.run_first(number(4), nothing, nothing);
+  EXPECT_EQ(worker.waiting(), 4U);
+  may_end.set_value();
+  worker.finish();
+  EXPECT_EQ(begun, (std::vector<int>{3, 4, 1, 2}));
+}
+
 TEST(BoundedWorker, DropsWhatHasNotBegunWhereItIsToldTo) {
   asio::io_context io{1};
   std::thread::id destroyed_on;

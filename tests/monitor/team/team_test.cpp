@@ -31,6 +31,17 @@ msg::Transition transition(std::uint64_t number) {
   return result;
 }
 
+/// What a robot answers that swapped at `tick`, by a clock that shows `stamp_s`. Tick 0: it did
+/// not.
+msg::ProgramReply reply_of(const std::string& hash, std::uint64_t tick, std::int32_t stamp_s) {
+  msg::ProgramReply reply;
+  reply.robot = "io";
+  reply.running_hash = hash;
+  reply.tick = tick;
+  reply.stamp.sec = stamp_s;
+  return reply;
+}
+
 class TeamTest : public testing::Test {
  protected:
   [[nodiscard]] RobotStatus status(const std::string& robot) const {
@@ -146,6 +157,35 @@ TEST_F(TeamTest, WhatARestartedRobotDidInTheGapIsKept) {
   ASSERT_EQ(io.transitions.size(), 2U);
   EXPECT_EQ(io.transitions[0].stamp.sec, 150);
   EXPECT_EQ(io.filled, (std::vector<NumberRange>{{1, 2}}));
+}
+
+TEST_F(TeamTest, AnAnswerCountsBeforeTheNextState) {
+  team.note(state_of("io", "a", 10));
+  team.note(reply_of("b", 11, 100));
+  team.note(reply_of("b", 0, 101));  // another push was refused
+  EXPECT_EQ(team.find("io")->running_hash(), "b");
+  team.note(state_of("io", "a", 10));  // it was under way
+  EXPECT_EQ(team.find("io")->running_hash(), "b");
+  team.note(state_of("io", "c", 12));
+  EXPECT_EQ(team.find("io")->running_hash(), "c");
+}
+
+TEST_F(TeamTest, AClockThatIsSetBackKeepsNoAnswerNewest) {
+  team.note(state_of("io", "a", 10));
+  team.note(reply_of("b", 11, 3700));
+  team.note(reply_of("a", 30, 100));  // it went back, by a clock that was set back by an hour
+  EXPECT_EQ(team.find("io")->running_hash(), "a");
+  team.note(state_of("io", "a", 31));
+  EXPECT_EQ(team.find("io")->running_hash(), "a");
+}
+
+TEST_F(TeamTest, WhatARobotAnsweredBeforeItWasRestartedIsOver) {
+  team.note(state_of("io", "a", 1000));
+  team.note(reply_of("b", 1001, 100));
+  team.note(state_of("io", "a", 3));
+  EXPECT_EQ(team.find("io")->running_hash(), "a");
+  team.note(reply_of("c", 5, 200));
+  EXPECT_EQ(team.find("io")->running_hash(), "c");
 }
 
 TEST_F(TeamTest, ARobotThatDiedBeforeIsKnownFromTheMonitor) {

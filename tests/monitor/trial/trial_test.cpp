@@ -172,6 +172,41 @@ TEST_F(TrialTest, WhatCannotBeTriedIsSaidInWords) {
   EXPECT_THAT(none.error().message, HasSubstr("No such file"));
 }
 
+/// Returns a program in place of the simulator, which does what the shell's `commands` say.
+std::filesystem::path simulator_that(const std::filesystem::path& folder,
+                                     const std::string& commands) {
+  const auto file = folder / "simulator";
+  std::ofstream(file) << "#!/bin/sh\n" << commands << "\n";
+  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  return file;
+}
+
+TEST_F(TrialTest, ASimulatorThatCrashesFailsTheTrialAlone) {
+  const auto crashed =
+      outcome(order({{"a.bhdl", ""}}), simulator_that(folder.path(), "kill -SEGV $$"));
+  ASSERT_FALSE(crashed);
+  EXPECT_THAT(crashed.error().message, HasSubstr("the simulator crashed (signal 11)"));
+  EXPECT_THAT(children(), IsEmpty());
+}
+
+TEST_F(TrialTest, ASimulatorThatHangsFailsTheTrialInTime) {
+  auto hangs = order({{"a.bhdl", ""}});
+  hangs.duration_s = 0.125;
+  hangs.patience_s = 0.125;
+  const auto ended = outcome(std::move(hangs), simulator_that(folder.path(), "exec sleep 1000"));
+  ASSERT_FALSE(ended);
+  EXPECT_THAT(ended.error().message, HasSubstr("it did not end within 0.25 s"));
+  EXPECT_THAT(children(), IsEmpty());
+  EXPECT_FALSE(std::filesystem::exists(folder / "trial")) << "it cleans up";
+}
+
+TEST_F(TrialTest, ASimulatorThatWritesWithoutEndFillsNoDisk) {
+  const auto filled =
+      outcome(order({{"a.bhdl", ""}}), simulator_that(folder.path(), "exec cat /dev/zero"));
+  ASSERT_FALSE(filled);
+  EXPECT_THAT(filled.error().message, HasSubstr("the program"));
+}
+
 TEST_F(TrialTest, LettingGoOfItEndsItsSimulators) {
   auto long_order = order({{"wander.bhdl", text_of("wander.bhdl")}});
   long_order.duration_s = 3600;

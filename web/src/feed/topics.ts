@@ -19,12 +19,14 @@ export const teamTopics = [
 export const REPLAYED = "/team.replayed";
 /** A parameter, too: what is wrong with the monitor's history or its disk, in one sentence; empty where nothing is. */
 export const HISTORY_PROBLEM = "/team.history_problem";
+/** And a parameter: what is wrong with the monitor's map, in one sentence; empty where nothing is. */
+export const MAP_PROBLEM = "/team.map_problem";
 /** A parameter as well: the robots that somebody holds, with who does and who asks for them. */
 export const LEASES = "/team.leases";
 /** A parameter as well: which changes of state fill a gap, by robot, as ranges of their numbers. */
 export const FILLED = "/team.filled";
 /** The parameters that the page follows. */
-export const parameters = [REPLAYED, HISTORY_PROBLEM, LEASES, FILLED] as const;
+export const parameters = [REPLAYED, HISTORY_PROBLEM, MAP_PROBLEM, LEASES, FILLED] as const;
 export type FollowedParameter = (typeof parameters)[number];
 
 export type RobotTopic = (typeof robotTopics | typeof watchedTopics)[number];

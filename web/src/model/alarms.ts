@@ -111,13 +111,19 @@ const inService = (team: Team): Robot[] => [...team.robots.values()].filter(({ n
 
 export function alarms(team: Team, now_ms: number): Alarm[] {
   const programs = { shares: programShares(inService(team)), underWay: hashesUnderWay(team.pushes, now_ms) };
-  return [...[...team.robots.values()].flatMap((robot) => ofRobot(robot, team, programs, now_ms)), ...ofPushes(team, now_ms), ...ofHistory(team)];
+  return [...[...team.robots.values()].flatMap((robot) => ofRobot(robot, team, programs, now_ms)), ...ofPushes(team, now_ms), ...ofHistory(team), ...ofMap(team)];
 }
 
 /** What the monitor tells of its history: pushes may be refused, or what was kept was changed. It is of no robot. */
 function ofHistory({ history_problem }: Team): Alarm[] {
   if (!history_problem) return [];
   return [{ key: "history", kind: "problem", robot: "monitor", words: history_problem, advice: "Make room on the monitor's disk, or look with galilean programs verify. Stop, hold and resume go on." }];
+}
+
+/** What the monitor tells of its map: where it stands still, what the page shows on it is old. It is of no robot. */
+function ofMap({ map_problem }: Team): Alarm[] {
+  if (!map_problem) return [];
+  return [{ key: "map", kind: "problem", robot: "monitor", words: map_problem, advice: "Do not steer by the map. Look at the monitor's log, and start the monitor again if it goes on." }];
 }
 
 /** Those that robots did not take: until they answer a newer one or run it all the same, and not for ever. */

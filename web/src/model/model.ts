@@ -147,6 +147,8 @@ export interface Team {
   readonly replayed: ReadonlySet<string>;
   /** What is wrong with the monitor's history, in one sentence; empty or not there where nothing is known to be. */
   readonly history_problem?: string;
+  /** What is wrong with the monitor's map, in the same way. */
+  readonly map_problem?: string;
   /** Which changes of state fill a gap; undefined where the monitor tells nothing of it. */
   readonly filled?: Filled;
   /** With the map's own time, which its objects' `last_seen` keeps. */

@@ -2,7 +2,7 @@
 import { catalogOf } from "../bhdl/catalog";
 import type * as wire from "../feed/messages";
 import type { News } from "../feed/portions";
-import { FILLED, type FollowedParameter, HISTORY_PROBLEM, LEASES, REPLAYED, type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
+import { FILLED, type FollowedParameter, HISTORY_PROBLEM, LEASES, MAP_PROBLEM, REPLAYED, type RobotTopic, robotTopicOf, type TeamTopic } from "../feed/topics";
 import { withSeenState, withTransitionCounted } from "./coverage";
 import { contestBegan_ms, withEvents } from "./events";
 import type { Filled } from "./filled";
@@ -109,6 +109,7 @@ function withObjects(team: Team, message: wire.ObjectMap, received_ms: number): 
 const ofTeam: { [K in TeamTopic | FollowedParameter]: Reduce<Team, never> } = {
   [REPLAYED]: (team, names: readonly string[]) => ({ ...team, replayed: new Set(names) }),
   [HISTORY_PROBLEM]: (team, history_problem: string) => ({ ...team, history_problem }),
+  [MAP_PROBLEM]: (team, map_problem: string) => ({ ...team, map_problem }),
   [LEASES]: (team, leases: readonly Lease[]) => ({ ...team, leases }),
   [FILLED]: (team, filled: Filled) => ({ ...team, filled }),
   "/team/lease_change": withLeaseChange,

@@ -49,8 +49,8 @@ describe("the feed", () => {
     listener.connect();
     await until(() => played.asked.some(({ op }) => op === "getParameters"));
     expect(played.asked.filter(({ op }) => op.includes("arameter"))).toEqual([
-      { op: "subscribeParameterUpdates", parameterNames: ["/team.replayed", "/team.history_problem", "/team.leases", "/team.filled"] },
-      { op: "getParameters", parameterNames: ["/team.replayed", "/team.history_problem", "/team.leases", "/team.filled"] },
+      { op: "subscribeParameterUpdates", parameterNames: ["/team.replayed", "/team.history_problem", "/team.map_problem", "/team.leases", "/team.filled"] },
+      { op: "getParameters", parameterNames: ["/team.replayed", "/team.history_problem", "/team.map_problem", "/team.leases", "/team.filled"] },
     ]);
     for (const value of [["io"], []]) played.tell({ op: "parameterValues", parameters: [{ name: "/team.replayed", value }, { name: "/io.held", value: true }] });
     played.tell({ op: "parameterValues", parameters: [{ name: "/team.history_problem", value: "The disk is full." }] });

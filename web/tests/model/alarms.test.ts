@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from "vitest";
 import { ProgramReply_Constants } from "../../src/feed/messages";
-import { HISTORY_PROBLEM, REPLAYED } from "../../src/feed/topics";
+import { HISTORY_PROBLEM, MAP_PROBLEM, REPLAYED } from "../../src/feed/topics";
 import { acknowledged, type Alarm, alarms, sentenceOf, withAlarms } from "../../src/model/alarms";
 import { breaks, mapRobot, state, T0_MS, time, told, transition } from "./told";
 
@@ -57,6 +57,11 @@ describe("alarms", () => {
     const one = (robot: string, program_hash: string, at_ms = T0_MS): Told => [`/${robot}/state`, state({ robot, program_hash }), at_ms];
     const played: Told = [REPLAYED, ["ganymede", "callisto", "europa"], 0];
     expect(kinds([one("io", "a"), one("ganymede", "b"), one("callisto", "b"), one("europa", "b", T0_MS - 9000), played], T0_MS)).toEqual([]);
+  });
+  it("tell what is wrong with the monitor's map, as long as it is", () => {
+    const still: Told = [MAP_PROBLEM, "The map has stood still for 4 s. Stop, hold and all other commands go on without it.", 0];
+    expect(alarms(told([still]), T0_MS).map(({ key, words }) => [key, words])).toEqual([["map", still[1]]]);
+    expect(alarms(told([still, [MAP_PROBLEM, "", 0]]), T0_MS)).toEqual([]);
   });
   it("tell what is wrong with the monitor's history, as long as it is", () => {
     const full: Told = [HISTORY_PROBLEM, "The history of pushes is in danger: the disk is full.", 0];

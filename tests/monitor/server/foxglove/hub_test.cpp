@@ -70,6 +70,40 @@ TEST_F(HubTest, GreetsWithServerInfoAndChannels) {
   EXPECT_THAT(channels[0]["schema"].get<std::string>(), HasSubstr("struct RobotState"));
 }
 
+TEST_F(HubTest, OneClientGetsAMessageNotTooOften) {
+  ServerLimits limits;
+  limits.subscriptions_of_channel = 2;
+  hub.limit(limits);
+  for (std::uint32_t id = 1; id <= 3; ++id) subscribe(id, 2);
+  EXPECT_EQ(hub.counts().subscriptions, 2U);
+  EXPECT_THAT(text(sent().back()), HasSubstr("at most 2 subscriptions to one channel"));
+  subscribe(4, 1);
+  EXPECT_EQ(hub.counts().subscriptions, 3U) << "another channel is another matter";
+  client->receive_text(R"({"op":"unsubscribe","subscriptionIds":[1]})");
+  subscribe(5, 2);
+  EXPECT_EQ(hub.counts().subscriptions, 3U);
+}
+
+TEST_F(HubTest, WhereTooMuchWaitsForAllTheSlowestClientGoes) {
+  FakeLink quick_link;
+  const auto quick = hub.connect(quick_link, true);
+  ServerLimits limits;
+  limits.waiting_events_bytes = 20'000;
+  hub.limit(limits);
+  (void)sent();
+  (void)quick->outbox().take(100);
+  subscribe(1, 2);
+  quick->receive_text(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":2}]})");
+  for (int i = 0; i < 1000; ++i) {
+    send(transition, 1);
+    if (i % 100 == 0) (void)quick->outbox().take(100'000);
+  }
+  EXPECT_THAT(link.closed_for, HasSubstr("too slow"));
+  EXPECT_EQ(quick_link.closed_for, "");
+  EXPECT_EQ(hub.counts().dismissed, 1U);
+  EXPECT_EQ(hub.limit_counts()->count(Limit::kWaitingEventsOfAll), 1U);
+}
+
 TEST_F(HubTest, AMessageCarriesTheClientsSubscriptionAndSharesItsBytes) {
   (void)sent();
   subscribe(0, 2);
@@ -183,7 +217,7 @@ std::string request_for(const char* op, const char* list, std::uint32_t count,
 
 TEST_F(HubTest, VeryManySubscriptionsGoInOneRequestAndTheFaultsAreToldInOneSentence) {
   ServerLimits limits;
-  limits.subscriptions = 100'000;
+  limits.subscriptions = limits.subscriptions_of_channel = 100'000;
   limits.message = {};
   hub.limit(limits);
   (void)sent();
@@ -205,6 +239,7 @@ TEST_F(HubTest, VeryManySubscriptionsGoInOneRequestAndTheFaultsAreToldInOneSente
 TEST_F(HubTest, WhatAClientMayAskForIsBounded) {
   ServerLimits limits;
   limits.subscriptions = 10;
+  limits.subscriptions_of_channel = 100;
   limits.message = {.bytes = 2000, .values = 100};
   hub.limit(limits);
   (void)sent();

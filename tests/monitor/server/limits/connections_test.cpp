@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <functional>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -42,6 +44,47 @@ TEST_F(ConnectionsTest, CountsWhatIsOpen) {
   first.reset();
   EXPECT_EQ(all->open(), 1U);
   EXPECT_FALSE(second->is_reserved());
+}
+
+TEST_F(ConnectionsTest, OfLongMessagesOnlySoMuchIsKept) {
+  ServerLimits limits = few_connections();
+  limits.messages_bytes = 1000;
+  const auto bounded = std::make_shared<Connections>(limits, counts);
+  const auto first = bounded->admit("a", false), second = bounded->admit("b", false);
+  EXPECT_TRUE(first->keep(Connections::kFreeBytes + 900));
+  EXPECT_TRUE(second->keep(Connections::kFreeBytes)) << "a short one always has room";
+  EXPECT_TRUE(second->keep(100));
+  EXPECT_FALSE(second->keep(1));
+  EXPECT_EQ(counts->count(Limit::kMessages), 1U);
+  first->let_go();
+  EXPECT_TRUE(second->keep(1));
+}
+
+TEST_F(ConnectionsTest, WhatOneKeptIsFreeWhenItIsClosed) {
+  ServerLimits limits = few_connections();
+  limits.messages_bytes = 1000;
+  const auto bounded = std::make_shared<Connections>(limits, counts);
+  auto first = bounded->admit("a", false);
+  const auto second = bounded->admit("b", false);
+  EXPECT_TRUE(first->keep(Connections::kFreeBytes + 1000));
+  EXPECT_FALSE(second->keep(Connections::kFreeBytes + 1));
+  second->let_go();
+  first.reset();
+  EXPECT_TRUE(second->keep(Connections::kFreeBytes + 1));
+}
+
+TEST_F(ConnectionsTest, WorkIsDoneAtOnceOrInTurn) {
+  const auto place = admit("a");
+  int done = 0;
+  place->in_turn([&] { ++done; });
+  EXPECT_EQ(done, 1);
+  std::vector<std::function<void()>> waiting;
+  all->take_turns_by([&](std::function<void()> work) { waiting.push_back(std::move(work)); });
+  place->in_turn([&] { ++done; });
+  EXPECT_EQ(done, 1);
+  ASSERT_EQ(waiting.size(), 1U);
+  waiting.front()();
+  EXPECT_EQ(done, 2);
 }
 
 TEST_F(ConnectionsTest, TheOneThatWaitedLongestMakesRoom) {

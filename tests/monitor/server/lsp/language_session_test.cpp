@@ -7,6 +7,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
+#include <deque>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -131,6 +132,16 @@ TEST_F(LanguageSessionTest, EditorsThatAskAtTheSameTimeGetTheirOwnAnswers) {
   std::thread other(ask, "ganymede");
   ask("io");
   other.join();
+}
+
+TEST_F(LanguageSessionTest, OnlySoManyEditorsAreServedAtOnce) {
+  serve();
+  std::deque<EditorPage> pages;
+  for (std::size_t i = 0; i < kMostLanguageSessions; ++i) pages.emplace_back(port);
+  for (auto& page : pages) page.start("variables:\n");
+  EditorPage one_more(port);
+  EXPECT_THROW((void)one_more.next(), boost::system::system_error);
+  EXPECT_THAT(pages.front().proposed(), HasSubstr("built_in"));
 }
 
 TEST_F(LanguageSessionTest, WithoutARobotItIsTheInstalledOne) {

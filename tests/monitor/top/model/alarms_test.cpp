@@ -125,8 +125,9 @@ TEST_F(Finder, ASilentRobotIsAnAlarm) {
   EXPECT_THAT(found(), ElementsAre("io is silent"));
 }
 
-TEST_F(Finder, WhatTheMonitorTellsOfItsHistoryIsAnAlarmWhileItTellsSo) {
-  const auto tell_of_history = [this](std::uint8_t level, const std::string& name) {
+TEST_F(Finder, WhatTheMonitorTellsOfItsHistoryAndItsMapIsAnAlarmWhileItTellsSo) {
+  const auto tell_status = [this](std::uint8_t level, const std::string& name,
+                                  const std::string& words = "The history is in danger.") {
     tell("rt/diagnostics", msg::DiagnosticArray::kRosType,
          Bytes()
              .number<std::int32_t>(0)
@@ -135,17 +136,20 @@ TEST_F(Finder, WhatTheMonitorTellsOfItsHistoryIsAnAlarmWhileItTellsSo) {
              .number<std::uint32_t>(1)
              .number(level)
              .text(name)
-             .text("The history is in danger.")
+             .text(words)
              .text("")
              .number<std::uint32_t>(0));
   };
-  tell_of_history(2, "another program");
+  tell_status(2, "another program");
   EXPECT_TRUE(found().empty());
-  tell_of_history(2, "galilean-monitor: history");
+  tell_status(2, "galilean-monitor: history");
   EXPECT_THAT(found(), ElementsAre("The history is in danger"));
-  tell_of_history(0, "galilean-monitor: history");
+  tell_status(2, "galilean-monitor: map", "The map has stood still for 4 s.");
+  EXPECT_THAT(found(), ElementsAre("The history is in danger", "The map has stood still for 4 s"));
+  tell_status(0, "galilean-monitor: map");
+  tell_status(0, "galilean-monitor: history");
   EXPECT_TRUE(found().empty());
-  tell_of_history(2, "galilean-monitor: history");
+  tell_status(2, "galilean-monitor: history");
   clock.advance(seconds(6));
   EXPECT_TRUE(found().empty()) << "the monitor has ended";
 }

@@ -7,8 +7,9 @@ import { until } from '../table.mjs';
 import { Monitor } from './monitor.mjs';
 import { onSmallDisk } from './namespaces.mjs';
 
-const DISK_kB = 6000;
-const PIECE = Buffer.alloc(4096, 'x');
+/** The monitor keeps 8 MB of it back, and takes them again where 24 MB are free. */
+const DISK_kB = 40_000;
+const PIECE = Buffer.alloc(65536, 'x');
 
 /** A monitor whose data folder is a small disk, which only it sees. */
 export class MonitorOnSmallDisk extends Monitor {
@@ -35,10 +36,12 @@ export class MonitorOnSmallDisk extends Monitor {
   }
 
   fill() {
-    try {
-      for (;;) appendFileSync(join(this.disk, 'filler'), PIECE);
-    } catch (error) {
-      if (error.code !== 'ENOSPC') throw error;
+    for (let size = PIECE.length; size >= 1; size = Math.floor(size / 2)) {
+      try {
+        for (;;) appendFileSync(join(this.disk, 'filler'), PIECE.subarray(0, size));
+      } catch (error) {
+        if (error.code !== 'ENOSPC') throw error;
+      }
     }
   }
 

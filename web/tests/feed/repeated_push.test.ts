@@ -9,6 +9,11 @@ vi.stubGlobal("fetch", fetched);
 const lost = (): Promise<Response> => Promise.reject(new TypeError("Failed to fetch"));
 const bodies = (): { id: string }[] => fetched.mock.calls.map(([, { body }]) => JSON.parse(body as string) as { id: string });
 
+/** Lets half a minute pass, with pauses in which answers come. */
+async function pass(): Promise<void> {
+  for (let second = 0; second < 30; second += 1) await vi.advanceTimersByTimeAsync(1000);
+}
+
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => {
   vi.useRealTimers();
@@ -20,7 +25,7 @@ it("a push whose answer was lost is sent again with the same id, until it is ans
   const busy = async (): Promise<Response> => Response.json({ detail: "It is only beginning." }, { status: 503 });
   fetched.mockImplementationOnce(lost).mockImplementationOnce(busy).mockImplementation(async () => Response.json({ id: "1", state: "done" }));
   const pushed = api.push([], ["io"]);
-  await vi.runAllTimersAsync();
+  await pass();
   expect((await pushed).state).toBe("done");
   const ids = bodies().map(({ id }) => id);
   expect(ids).toHaveLength(3);
@@ -48,7 +53,7 @@ it("a push that nobody answers ends, and says that it is not known what became o
   const api = await import("../../src/feed/api");
   fetched.mockImplementation(lost);
   const pushed = expect(api.push([], ["io"])).rejects.toThrow("Whether the program was pushed is not known");
-  await vi.runAllTimersAsync();
+  await pass();
   await pushed;
   expect(fetched).toHaveBeenCalledTimes(11);
 });

@@ -88,6 +88,30 @@ TEST_F(KeptOrdersTest, OfTwoAtTheSameTimeTheSecondIsToldTheFirstOnesHashAndAutho
               HasSubstr(first["hash"].get<std::string>().substr(0, 8)));
 }
 
+TEST_F(KeptOrdersTest, AnOrderThatComesAgainGetsItsAnswerWhoeverHasTheLeaseByThen) {
+  ScriptedRobot io("io", test_domain(), catalog);
+  wait_for_robots(1);
+  const auto post_as = [this](const std::string& name, const std::string& target,
+                              const json& body) {
+    auto headers = bearer("operator.token");
+    headers["X-Galilean-Operator"] = name;
+    headers["X-Galilean-Client"] = name + "s tab";
+    return request(boost::beast::http::verb::post, target, body.dump(), headers);
+  };
+  const json order{{"files", files(kProgram)}, {"targets", {"io"}}, {"id", "order-0004"}};
+  const auto first = post_as("ada", "/api/push", order);
+  ASSERT_EQ(first.status, 200U) << first.body;
+  const json take{{"do", "take"}, {"robots", {"io"}}, {"reason", "it is on fire"}};
+  ASSERT_EQ(post_as("ben", "/api/lease", take).status, 200U);
+  const auto again = post_as("ada", "/api/push", order);
+  EXPECT_EQ(again.status, 200U) << again.body;
+  EXPECT_EQ(again.as_json()["hash"], first.as_json()["hash"]);
+  auto another = order;
+  another["id"] = "order-0005";
+  EXPECT_EQ(post_as("ada", "/api/push", another).status, 409U);
+  EXPECT_EQ(get("/api/pushes").as_json()["pushes"].size(), 1U);
+}
+
 TEST_F(KeptOrdersTest, AProgramWithErrorsKeepsNobodyWaitingForLong) {
   ScriptedRobot io("io", test_domain(), catalog);
   wait_for_robots(1);

@@ -280,24 +280,9 @@ bool PushDesk::has_room(std::deque<Time>& newest) const {
   return true;
 }
 
-// A stranger must not fill the disk.
-bool PushDesk::has_room_for_text(const msg::ProgramPush& announced) {
-  constexpr std::size_t kMostBytes = std::size_t{4} << 20;
-  constexpr Duration kWithin = std::chrono::seconds(10);
-  const Time now = clock_.now();
-  while (!texts_.empty() && now - texts_.front().first > kWithin) texts_.pop_front();
-  std::size_t bytes = 0;
-  for (const auto& [when, each] : texts_) bytes += each;
-  std::size_t more = announced.author.size();
-  for (const auto& file : announced.files) more += file.path.size() + file.text.size();
-  if (bytes + more > kMostBytes) return false;
-  texts_.emplace_back(now, more);
-  return true;
-}
-
 void PushDesk::note(const msg::ProgramPush& announced) {
   if (find(announced.id)) return;
-  if (!has_room(others_) || !has_room_for_text(announced))
+  if (!has_room(others_))
     return refusals_.note(wire::kProgramPushTopic,
                           "more pushes than others make by hand are not recorded");
   const msg::ProgramPush message = not_of_the_future(announced);

@@ -3,7 +3,6 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <cstddef>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -92,16 +91,13 @@ class PushDesk {
   /// Returns whether another row beside those of this monitor's pushes may be written now, and
   /// notes it in `newest`.
   [[nodiscard]] bool has_room(std::deque<Time>& newest) const;
-  /// Returns whether the text of another push of others may be written now, and notes it.
-  [[nodiscard]] bool has_room_for_text(const msg::ProgramPush& announced);
 
   PushExecutor::Parts parts_;
   const Clock& clock_;
   wire::Refusals& refusals_;
   PushExecutor executor_;
-  std::deque<Time> others_;                         ///< when the newest pushes of others came
-  std::deque<std::pair<Time, std::size_t>> texts_;  ///< the bytes of the newest of them
-  std::deque<Time> kept_refusals_;                  ///< when the newest refusals were kept
+  std::deque<Time> others_;         ///< when the newest pushes of others came
+  std::deque<Time> kept_refusals_;  ///< when the newest refusals were kept
   LateReplies late_;
   std::deque<std::pair<std::string, Refusal>> refused_;  ///< the newest refusals, by orders' ids
   std::deque<OpenPtr> open_;  ///< the newest last; old ones that are over are dropped

@@ -71,10 +71,8 @@ TEST(PushWords, WhatHistoryDoesNotHoldYetIsTold) {
                                           {"not_kept", "the disk is full"}});
   EXPECT_EQ(report.stage, Stage::kDone);
   EXPECT_EQ(text_of(report),
-            "Push of office.bhdl 3f2a91c0: done
-The history does not hold all of this yet: the "
-            "disk is full
-");
+            "Push of office.bhdl 3f2a91c0: done\nThe history does not hold all of this yet: the "
+            "disk is full\n");
 }
 
 TEST(PushWords, APushThatItsRobotsConfirmedLaterHasNotFailed) {

@@ -113,8 +113,8 @@ int list_orders(const MonitorClient& monitor, bool as_json) {
   return EXIT_SUCCESS;
 }
 
-int verify(const std::filesystem::path& data_folder) {
-  const auto found = verify_history(data_folder / "history.sqlite");
+int verify(const std::filesystem::path& data_folder, const std::string& noted) {
+  const auto found = verify_history(data_folder / "history.sqlite", noted);
   if (!found) return fail(found.error().message, kUnreadable);
   std::cout << visible(in_words(found.value())) << std::endl;
   return found.value().broken ? kBroken : EXIT_SUCCESS;
@@ -196,6 +196,7 @@ int main(int argc, char** argv) {
   std::string hash;
   bool list_as_json = false;
   std::filesystem::path data_folder = default_data_folder();
+  std::string noted;
   galilean::CommandLine app(
       "Lists, shows, compares and restores pushed programs, and verifies their history.", kCommand);
   app.require_command();
@@ -210,6 +211,11 @@ int main(int argc, char** argv) {
       app.command("verify", "check that no row of the history was changed or taken away");
   verifying.option("--data", data_folder, "the folder that has the monitor's history.sqlite")
       .names_folder();
+  verifying
+      .option("--head", noted,
+              "a hash that an earlier verification printed, or the beginning of it: the row that "
+              "has it must still be there")
+      .not_empty();
   verifying.describe_exit(kBroken, "A row was changed or taken away; the first one is printed.");
   verifying.describe_exit(kUnreadable, "The history cannot be read.");
   auto showing = app.command("show", "print a program's text");
@@ -230,7 +236,7 @@ int main(int argc, char** argv) {
   if (const auto code = app.parse(argc, argv)) return *code;
   if (const auto targets = check_targets(options); restoring.chosen() && !targets)
     return app.refuse(targets.error().message);
-  if (verifying.chosen()) return verify(data_folder);
+  if (verifying.chosen()) return verify(data_folder, noted);
   const auto monitor = MonitorClient::at(options.monitor, options.token_file, options.trust);
   if (!monitor)
     return fail(monitor.error().message, comparing.chosen() ? kNotCompared : galilean::kFailed);

@@ -15,6 +15,7 @@
 #include "core/termination.h"
 #include "core/visible_text.h"
 #include "monitor/pushes/history/json.h"
+#include "monitor/pushes/history/push_messages.h"
 #include "monitor/pushes/history/words.h"
 
 namespace galilean::monitor {
@@ -61,8 +62,13 @@ class PushSession {
       : monitor_(monitor), command_(std::move(command)), options_(options) {}
 
   int push(const std::vector<bhdl::SourceFile>& files) {
-    const auto answer = monitor_.post("/api/push", push_request(files, options_));
-    if (!answer) return fail(answer.error().message);
+    const auto request = push_request(files, options_);
+    const auto id = request.value("id", "");
+    const auto answer = ask_until_answered([&] { return monitor_.post("/api/push", request); },
+                                           [this] { return waits_for_answer(); });
+    if (!answer)
+      return answer.error().was_sent ? tell_unknown(id, answer.error())
+                                     : fail(answer.error().message);
     if (!answer.value().ok()) {
       let_go();
       return tell_refusal(answer.value());
@@ -70,8 +76,11 @@ class PushSession {
     json push = answer.value().json;
     for (show(push); state_of(push) == PushState::kRunning; show(push)) {
       if (is_interrupted()) cancel(push.value("id", ""));
-      const auto now = monitor_.get("/api/pushes/" + push.value("id", ""));
-      if (!now) return fail(now.error().message);
+      waited_since_.reset();
+      const auto now =
+          ask_until_answered([&] { return monitor_.get("/api/pushes/" + push.value("id", "")); },
+                             [this] { return waits_for_answer(); }, true);
+      if (!now) return tell_unknown(push.value("id", ""), now.error());
       if (!now.value().ok()) return fail(now.value().detail());
       push = now.value().json;
     }
@@ -83,6 +92,22 @@ class PushSession {
   int fail(const std::string& why) const {
     std::cerr << command_ << ": " << why << std::endl;
     return kFailed;
+  }
+
+  int tell_unknown(const std::string& id, const Unanswered& why) const {
+    return fail(why.message + "; whether the program was pushed is not known: look for push " + id +
+                " with 'galilean programs list --json' once a monitor answers");
+  }
+
+  /// Waits before a request is repeated. Returns false if its answer is not to be waited for any
+  /// more.
+  bool waits_for_answer() {
+    constexpr int kAskAgainEach_ms = 500;
+    const Time now = clock_.now();
+    if (!waited_since_) waited_since_ = now;
+    if (now - *waited_since_ > kAskAgainFor) return false;
+    pollfd event{termination_.descriptor(), POLLIN, 0};
+    return ::poll(&event, 1, kAskAgainEach_ms) == 0;
   }
 
   /// Ends the leases that this command took, so that the next who steers need not ask.
@@ -127,17 +152,35 @@ class PushSession {
   }
 
   int tell_end(json push) const {
-    const bool is_done = state_of(push) == PushState::kDone;
+    const auto state = state_of(push);
+    const bool is_done = state == PushState::kDone || state == PushState::kToldLater;
     if (options_.json) {
       push["ok"] = is_done;
       std::cout << json_text(push) << std::endl;
     } else {
       for (const auto& reply : push.value("replies", json::array())) print_reply(reply);
+      tell_notes(push);
     }
     return is_done ? EXIT_SUCCESS : kFailed;
   }
 
+  /// Prints what the steps and the replies do not tell.
+  void tell_notes(const json& push) const {
+    if (state_of(push) == PushState::kInterrupted)
+      std::cerr
+          << command_
+          << ": the push was interrupted, because its monitor ended; 'galilean programs list' "
+             "tells it as confirmed once all its robots have told that they run it"
+          << std::endl;
+    if (const auto why = push.value("not_kept", ""); !why.empty())
+      std::cerr << command_
+                << ": warning: the history does not hold all of this yet: " << visible(why)
+                << std::endl;
+  }
+
   Termination termination_;
+  SteadyClock clock_;
+  std::optional<Time> waited_since_;  ///< since when an answer is asked for again
   const MonitorClient& monitor_;
   std::string command_;
   PushOptions options_;
@@ -149,15 +192,28 @@ class PushSession {
 
 nlohmann::json push_request(const std::vector<bhdl::SourceFile>& files,
                             const PushOptions& options) {
-  json request{{"files", to_json(files)},
-               {"targets", options.robots},
-               {"author", options.author},
-               {"replaces", options.replaces},
-               {"canary", options.canary}};
+  json request{
+      {"id", new_id()},           {"files", to_json(files)},      {"targets", options.robots},
+      {"author", options.author}, {"replaces", options.replaces}, {"canary", options.canary}};
   if (options.tries || options.tries_only)
     request["try"] = {{"only", options.tries_only}, {"even_if_worse", options.even_if_worse}};
   if (options.probation_s) request["probation_s"] = *options.probation_s;
   return request;
+}
+
+Result<MonitorAnswer, Unanswered> ask_until_answered(
+    const std::function<Result<MonitorAnswer, Unanswered>()>& ask,
+    const std::function<bool()>& pause, bool was_sent) {
+  constexpr int kCannotNow = 503;
+  for (;;) {
+    auto answer = ask();
+    // A monitor that cannot look the first request up says nothing of it.
+    if (answer && !(was_sent && answer.value().status == kCannotNow)) return answer;
+    if (!answer) was_sent = was_sent || answer.error().was_sent;
+    if (was_sent && pause()) continue;
+    if (answer) return Unanswered{{answer.value().detail()}, was_sent};
+    return Unanswered{{answer.error().message}, was_sent};
+  }
 }
 
 void print_reply(const json& reply) {

@@ -16,8 +16,8 @@
 namespace galilean::monitor {
 
 /// Looks after the history: whether its chain is whole, once at the start, and whether its disk can
-/// be written, twice a second. What is wrong is told on /diagnostics, too, for whoever watches
-/// without the monitor's page.
+/// be written, more than twice a second. What is wrong is told on /diagnostics, too, for whoever
+/// watches without the monitor's page.
 ///
 /// Lives on the io_context's thread.
 class HistoryWatch {
@@ -45,6 +45,7 @@ class HistoryWatch {
  private:
   void verify();
   void look();
+  void see(History::Disk disk);
   void tell();
   [[nodiscard]] std::string disk_problem() const;
 

@@ -2,7 +2,9 @@
 #include "monitor/pushes/push_desk.h"
 
 #include <algorithm>
+#include <iostream>
 #include <utility>
+#include <variant>
 
 #include "core/wire/ros_time.h"
 #include "core/wire/topic_names.h"
@@ -46,7 +48,7 @@ PushDesk::PushDesk(const PushExecutor::Parts& parts, const Clock& clock,
       refusals_(participant.refusals()),
       executor_(parts, participant,
                 [this](const std::string& id, const PushResult& result) { take(id, result); }),
-      late_(parts.worker, parts.history, parts.team,
+      late_(parts.worker, parts.history, parts.team, clock,
             [this](const PushRecord& push) {
               // From now on the history describes it.
               std::erase_if(open_, [&](const auto& each) { return each->push.id() == push.id; });
@@ -78,28 +80,40 @@ PushDesk::OpenPtr PushDesk::keep(Push push, std::vector<Finish> finish) {
   return open_.back();
 }
 
-void PushDesk::order(PushOrder order, Finish finish) {
+void PushDesk::order(PushOrder order, const Admit& admit, const Finish& finish) {
   if (order.id.empty()) {
     order.id = new_id();
-    return begin(std::move(order), finish);
+    if (admit()) begin(order, finish);
+    return;
   }
   if (answer_again(order.id, finish)) return;
-  parts_.worker.run([this, id = order.id] { return parts_.history.push(id); },
-                    [this, order, finish](const auto& found) {
-                      if (!found) return finish(cannot_now(found.error().message));
-                      if (found.value()) return finish(*found.value());
+  parts_.worker.run([this, id = order.id] { return kept_answer(parts_.history, id); },
+                    [this, order, admit, finish](const auto& kept) {
+                      if (!kept) return finish(cannot_now(kept.error().message));
+                      if (kept.value()) return finish(*kept.value());
                       // The same order may have begun while the history was asked.
-                      if (!answer_again(order.id, finish)) begin(order, finish);
+                      if (!answer_again(order.id, finish) && admit()) begin(order, finish);
                     },
                     [finish](const std::string& why) { finish(cannot_now(why)); });
 }
 
+Result<std::optional<PushAnswer>> PushDesk::kept_answer(const History& history,
+                                                        const std::string& id) {
+  using Kept = std::optional<PushAnswer>;
+  const auto push = history.push(id);
+  if (!push) return push.error();
+  if (push.value()) return Kept(PushAnswer(*push.value()));
+  const auto refused = history.refused_push(id);
+  if (!refused) return refused.error();
+  return refused.value() ? Kept(PushAnswer(refused_before(*refused.value()))) : Kept();
+}
+
 bool PushDesk::answer_again(const std::string& id, const Finish& finish) {
   if (const auto open = find(id)) {
-    if (!open->push.is_ours() || open->answer)
-      finish(open->answer && !*open->answer ? *open->answer : PushAnswer(open->push.record()));
-    else
+    if (open->push.is_ours() && !open->answer)
       open->finish.push_back(finish);
+    else
+      give({finish}, open->answer && !*open->answer ? *open->answer : open->push.record());
     return true;
   }
   const auto refused = std::ranges::find(refused_, id, &std::pair<std::string, Refusal>::first);
@@ -108,44 +122,66 @@ bool PushDesk::answer_again(const std::string& id, const Finish& finish) {
   return true;
 }
 
-void PushDesk::begin(PushOrder order, const Finish& finish) {
+void PushDesk::begin(const PushOrder& order, const Finish& finish) {
+  // It may have begun while it waited for another push's check.
+  if (answer_again(order.id, finish)) return;
   auto targets = targets_of(order.targets, parts_.team);
   if (const auto there = require_targets(order, targets, parts_.team); !there)
-    return refuse(order.id, there.error(), finish);
-  if (const auto other = under_way_to(order.targets))
-    return refuse_under_way(order, other->push.record(), runs_now(order, targets, parts_.team),
-                            finish);
+    return refuse(order, there.error(), finish);
+  if (const auto other = under_way_to(order.targets)) {
+    const auto record = other->push.record();
+    // Who comes second is told which program came first, and that is known once it is checked.
+    if (record.hash.empty())
+      return other->after_check.push_back([this, order, finish] { begin(order, finish); });
+    return refuse_under_way(order, record, runs_now(order, targets, parts_.team), finish);
+  }
   if (const auto other = stale(order, targets, parts_.team))
     return refuse_stale(order, *other, finish);
   const PushIdentity identity{
       .id = order.id, .rollback_id = new_id(), .pushed_ns = wire::wall_clock_ns()};
-  late_.supersede(order.targets);
-  advance(*keep(Push(std::move(order), std::move(targets), identity), {finish}));
+  advance(*keep(Push(order, std::move(targets), identity), {finish}));
 }
 
-void PushDesk::refuse(const std::string& id, const Refusal& refusal, const Finish& finish) {
-  refused_.emplace_back(id, refusal);
+void PushDesk::refuse(const PushOrder& order, const Refusal& refusal, const Finish& finish) {
+  remember({.id = order.id,
+            .pushed_ns = wire::wall_clock_ns(),
+            .author = order.author,
+            .program = order.files.empty() ? std::string() : order.files.front().path,
+            .hash = {},
+            .targets = order.targets},
+           refusal);
+  give({finish}, refusal);
+}
+
+// A refusal that may pass, such as that of a disk that fails, is for this monitor alone. A flood of
+// them must not fill the history.
+void PushDesk::remember(const PushRecord& push, const Refusal& refusal) {
+  refused_.emplace_back(push.id, refusal);
   if (refused_.size() > kMostRefused) refused_.pop_front();
-  finish(PushAnswer(refusal));
+  if (refusal.reason == Refusal::Reason::kUnavailable || !has_room(kept_refusals_)) return;
+  parts_.worker.run([this, kept = kept_form(refusal, push)] {
+    if (const auto done = parts_.history.add_refused_push(kept); !done)
+      std::clog << "galilean-monitor: a refused push was not kept: " << done.error().message
+                << std::endl;
+  });
 }
 
 void PushDesk::refuse_stale(const PushOrder& order, const Stale& stale, const Finish& finish) {
-  parts_.worker.run(
-      [this, hash = stale.hash] { return parts_.history.last_push_of(hash); },
-      [this, id = order.id, replaces = order.replaces, stale, finish](const auto& by) {
-        refuse(
-            id,
-            by ? replaced_meanwhile(replaces, stale, by.value()) : cannot_now(by.error().message),
-            finish);
-      },
-      [finish](const std::string& why) { finish(cannot_now(why)); });
+  parts_.worker.run([this, hash = stale.hash] { return parts_.history.last_push_of(hash); },
+                    [this, order, stale, finish](const auto& by) {
+                      refuse(order,
+                             by ? replaced_meanwhile(order.replaces, stale, by.value())
+                                : cannot_now(by.error().message),
+                             finish);
+                    },
+                    [finish](const std::string& why) { finish(cannot_now(why)); });
 }
 
 void PushDesk::refuse_under_way(const PushOrder& order, const PushRecord& other,
                                 const std::string& running_hash, const Finish& finish) {
   parts_.worker.run([this, running_hash] { return parts_.history.last_push_of(running_hash); },
-                    [this, id = order.id, other, running_hash, finish](const auto& by) {
-                      refuse(id,
+                    [this, order, other, running_hash, finish](const auto& by) {
+                      refuse(order,
                              by ? under_way(other, running_hash, by.value())
                                 : under_way(other, running_hash, std::nullopt),
                              finish);
@@ -160,13 +196,12 @@ void PushDesk::cancel(const std::string& id, const std::string& who, const Finis
   if (!open) return finish(not_found("No push '" + id + "' is under way."));
   if (const auto cancelled = open->push.cancel(who); !cancelled) return finish(cancelled.error());
   advance(*open);
-  after_writes([finish, record = open->push.record()] { finish(record); });
+  give({finish}, open->push.record());
 }
 
 // The worker does one job after another: what is told by `then` is in the history before.
-void PushDesk::after_writes(const std::function<void()>& then) {
-  parts_.worker.run([] { return true; }, [then](bool /*done*/) { then(); },
-                    [then](const std::string& /*why*/) { then(); });
+void PushDesk::after_writes(const std::function<void(const std::string& not_kept)>& then) {
+  parts_.worker.run([this] { return parts_.history.not_kept(); }, then, then);
 }
 
 void PushDesk::describe(const std::string& id, Finish finish) {
@@ -194,6 +229,9 @@ void PushDesk::advance(Open& open) {
   for (auto asked = push.take_requests(); !asked.empty(); asked = push.take_requests())
     for (auto& request : asked) {
       Result<void> begun;
+      // From here on the targets may run it, and what they tell is of this push.
+      if (const auto* send = std::get_if<SendProgram>(&request))
+        late_.supersede(send->push.targets);
       const auto carried_out =
           guarded("a push", [&] { begun = executor_.carry_out(push.id(), std::move(request)); });
       if (!carried_out) push.take(RequestFailed{carried_out.error().message}, clock_.now());
@@ -202,16 +240,22 @@ void PushDesk::advance(Open& open) {
   if (const auto answer = push.take_answer()) give(open, *answer);
   if (push.is_over() && push.is_ours() && !std::exchange(open.is_told_over, true))
     late_.add(push.record());
+  if (open.after_check.empty() || (!push.is_over() && push.record().hash.empty())) return;
+  // One of them may drop this push, which is therefore not looked at any more.
+  for (const auto& next : std::exchange(open.after_check, {})) next();
 }
 
 void PushDesk::give(Open& open, const PushAnswer& answer) {
   open.answer = answer;
-  if (!answer) {
-    refused_.emplace_back(open.push.id(), answer.error());
-    if (refused_.size() > kMostRefused) refused_.pop_front();
-  }
-  after_writes([waiting = std::exchange(open.finish, {}), answer] {
-    for (const auto& finish : waiting) finish(answer);
+  if (!answer) remember(open.push.record(), answer.error());
+  give(std::exchange(open.finish, {}), answer);
+}
+
+void PushDesk::give(const std::vector<Finish>& waiting, const PushAnswer& answer) {
+  after_writes([waiting, answer](const std::string& not_kept) {
+    auto told = answer;
+    if (told) told.value().not_kept = not_kept;
+    for (const auto& finish : waiting) finish(told);
   });
 }
 
@@ -236,13 +280,13 @@ void PushDesk::watch(Open& open) {
 }
 
 // Each record waits for the disk. The monitor must not be held by a flood of them, nor at its end.
-bool PushDesk::has_room_for_others() {
+bool PushDesk::has_room(std::deque<Time>& newest) const {
   constexpr std::size_t kMost = 32;
   constexpr Duration kWithin = std::chrono::seconds(10);
   const Time now = clock_.now();
-  while (!others_.empty() && now - others_.front() > kWithin) others_.pop_front();
-  if (others_.size() >= kMost) return false;
-  others_.push_back(now);
+  while (!newest.empty() && now - newest.front() > kWithin) newest.pop_front();
+  if (newest.size() >= kMost) return false;
+  newest.push_back(now);
   return true;
 }
 
@@ -251,7 +295,7 @@ void PushDesk::note(const msg::ProgramPush& announced) {
   if (bytes_of(announced) > kMostBytesOfOthers)
     return refusals_.note(wire::kProgramPushTopic,
                           "programs of more than 1 MB that others push are not recorded");
-  if (!has_room_for_others())
+  if (!has_room(others_))
     return refusals_.note(wire::kProgramPushTopic,
                           "more pushes than others make by hand are not recorded");
   const msg::ProgramPush message = not_of_the_future(announced);

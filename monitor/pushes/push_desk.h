@@ -31,15 +31,18 @@ namespace galilean::monitor {
 class PushDesk {
  public:
   using Finish = std::function<void(const PushAnswer&)>;
+  /// Returns whether an order may be carried out. If not, it has told whoever gave the order.
+  using Admit = std::function<bool()>;
 
   PushDesk(const PushExecutor::Parts& parts, const Clock& clock, wire::Participant& participant);
 
   /// Begins a push, and calls `finish` when each robot has replied or kReplyTimeout is over. A
   /// push with a trial or a canary takes longer: `finish` is called as soon as it is recorded.
-  /// An order with the id of an earlier one begins nothing, and gets the earlier one's answer. No
-  /// answer is given before what it tells is in the history.
+  /// An order with the id of an earlier one begins nothing, and gets the earlier one's answer, also
+  /// that of a former monitor. `admit` is asked of any other, once. No answer is given before what
+  /// it tells is in the history; where the disk fails, the answer says so.
   /// Errors: the order is refused, or this machine cannot carry it out.
-  void order(PushOrder order, Finish finish);
+  void order(PushOrder order, const Admit& admit, const Finish& finish);
   /// Cancels a push. Errors: no such push is under way (kNotFound), or it is too late (kConflict).
   void cancel(const std::string& id, const std::string& who, const Finish& finish);
   /// Calls `finish` with the push, which is open or in the history. Errors: there is no such push
@@ -56,6 +59,8 @@ class PushDesk {
     std::vector<Finish> finish;             ///< of those who wait for the answer
     std::optional<PushAnswer> answer = {};  ///< the one that was given
     bool is_told_over = false;              ///< it is over, and LateReplies knows it
+    /// What waits until the program's hash is known, or the push is over.
+    std::vector<std::function<void()>> after_check = {};
   };
   using OpenPtr = std::shared_ptr<Open>;
 
@@ -64,25 +69,35 @@ class PushDesk {
   OpenPtr keep(Push push, std::vector<Finish> finish);
   /// Answers an order as the earlier one of the same id. Returns false if none is remembered.
   [[nodiscard]] bool answer_again(const std::string& id, const Finish& finish);
-  void begin(PushOrder order, const Finish& finish);
-  void refuse(const std::string& id, const Refusal& refusal, const Finish& finish);
+  /// Returns the answer to the order of this id that the history tells of, if it tells of one.
+  [[nodiscard]] static Result<std::optional<PushAnswer>> kept_answer(const History& history,
+                                                                     const std::string& id);
+  void begin(const PushOrder& order, const Finish& finish);
+  void refuse(const PushOrder& order, const Refusal& refusal, const Finish& finish);
+  /// Remembers a refusal for an order that comes again.
+  void remember(const PushRecord& push, const Refusal& refusal);
   void refuse_stale(const PushOrder& order, const Stale& stale, const Finish& finish);
   void refuse_under_way(const PushOrder& order, const PushRecord& other,
                         const std::string& running_hash, const Finish& finish);
-  void after_writes(const std::function<void()>& then);
+  /// `then` is told why the history does not hold all that was written before; empty: it does.
+  void after_writes(const std::function<void(const std::string& not_kept)>& then);
   void give(Open& open, const PushAnswer& answer);
+  /// Gives an answer once what it tells is in the history.
+  void give(const std::vector<Finish>& waiting, const PushAnswer& answer);
   void take(const std::string& id, const PushResult& result);
   void advance(Open& open);
   void watch();
   void watch(Open& open);
-  /// Returns whether another push of others may be recorded now, and notes it.
-  [[nodiscard]] bool has_room_for_others();
+  /// Returns whether another row beside those of this monitor's pushes may be written now, and
+  /// notes it in `newest`.
+  [[nodiscard]] bool has_room(std::deque<Time>& newest) const;
 
   PushExecutor::Parts parts_;
   const Clock& clock_;
   wire::Refusals& refusals_;
   PushExecutor executor_;
-  std::deque<Time> others_;  ///< when the newest pushes of others came
+  std::deque<Time> others_;         ///< when the newest pushes of others came
+  std::deque<Time> kept_refusals_;  ///< when the newest refusals were kept
   LateReplies late_;
   std::deque<std::pair<std::string, Refusal>> refused_;  ///< the newest refusals, by orders' ids
   std::deque<OpenPtr> open_;  ///< the newest last; old ones that are over are dropped

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/pushes/refusal.h"
 
+#include <array>
 #include <ctime>
+#include <string_view>
 #include <utility>
 
 #include "core/cut_text.h"
@@ -10,6 +12,15 @@
 
 namespace galilean::monitor {
 namespace {
+
+using Reason = Refusal::Reason;
+
+/// How the history tells a reason. The words in its file never change.
+constexpr std::array<std::pair<Reason, std::string_view>, 4> kReasons{
+    {{Reason::kNotFound, "not_found"},
+     {Reason::kConflict, "conflict"},
+     {Reason::kBroken, "broken"},
+     {Reason::kUnavailable, "unavailable"}}};
 
 std::string short_hash(const std::string& hash) {
   return std::string(cut_text(hash, 8));
@@ -95,6 +106,26 @@ Refusal too_late(const PushRecord& push) {
                                   : "Every robot has been sent " + program_words(push) +
                                         " already; push the program before it to go back.");
   refusal.pushed = push;
+  return refusal;
+}
+
+RefusedPush kept_form(const Refusal& refusal, const PushRecord& push) {
+  RefusedPush kept{.id = push.id,
+                   .ordered_ns = push.pushed_ns,
+                   .author = push.author,
+                   .targets = push.targets,
+                   .program = push.program,
+                   .reason = {},
+                   .message = refusal.message};
+  for (const auto& [reason, word] : kReasons)
+    if (reason == refusal.reason) kept.reason = word;
+  return kept;
+}
+
+Refusal refused_before(const RefusedPush& kept) {
+  auto refusal = conflict(kept.message);
+  for (const auto& [reason, word] : kReasons)
+    if (word == kept.reason) refusal.reason = reason;
   return refusal;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/result.h"
+#include "monitor/pushes/history/order_record.h"
 #include "monitor/pushes/history/push_record.h"
 #include "monitor/pushes/target_check.h"
 
@@ -55,6 +56,11 @@ using PushAnswer = Result<PushRecord, Refusal>;
 [[nodiscard]] Refusal broken(TargetCheck check);
 /// Returns the refusal to cancel `push`, which can no longer be cancelled.
 [[nodiscard]] Refusal too_late(const PushRecord& push);
+
+/// Returns the order of `push`, which was refused, as the history keeps it.
+[[nodiscard]] RefusedPush kept_form(const Refusal& refusal, const PushRecord& push);
+/// Returns the refusal of an order that the history tells to have been refused.
+[[nodiscard]] Refusal refused_before(const RefusedPush& kept);
 
 /// Returns {pushed, running_hash, running_pushed, robot, diagnostics}, without what the refusal
 /// does not have.

@@ -36,7 +36,6 @@ namespace {
 namespace asio = boost::asio;
 
 constexpr auto kTellPeriod = std::chrono::milliseconds(100);
-constexpr const char* kHistoryFile = "history.sqlite";
 /// A socket whose token was revoked is closed within one period, and cut within two.
 constexpr auto kTokenPeriod = std::chrono::milliseconds(400);
 
@@ -56,9 +55,8 @@ std::filesystem::path library_folder(const MonitorOptions& options) {
 /// Says where another history is if this one is only begun.
 Result<std::unique_ptr<History>> open_history(const MonitorOptions& options, std::uint32_t domain) {
   const auto usual = options.data_folder / kHistoryFile;
-  const auto file = options.shares_data_folder
-                        ? history_folder(options.data_folder, domain, options.port) / kHistoryFile
-                        : usual;
+  const auto file =
+      options.shares_data_folder ? history_file(options.data_folder, domain, options.port) : usual;
   std::error_code unknown;
   if (!std::filesystem::exists(file, unknown) && std::filesystem::exists(usual, unknown))
     std::clog << "galilean-monitor: the history of pushes in this domain and on this port begins "

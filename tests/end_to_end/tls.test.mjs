@@ -109,7 +109,7 @@ test("a certificate stays for the next start, and another's can be named", async
   const cwd = scratchFolder(t);
   const third = new Running(t, ['monitor', '--listen', '127.0.0.1:0', '--tls', ...files, '--data', cwd], { domain, cwd });
   await third.line(new RegExp(`fingerprint, .*: ${first.fingerprint}\n`));
-  const none = galilean(['monitor', '--listen', '127.0.0.1:0', '--tls', '--certificate', '/none.pem', '--key', '/none.key', '--data', cwd], { domain, cwd });
+  const none = galilean(['monitor', '--listen', '127.0.0.1:0', '--tls', '--certificate', '/none.pem', '--key', '/none.key', '--data', scratchFolder(t)], { domain, cwd });
   assert.equal(none.status, 1);
   assert.match(none.stderr, /^galilean-monitor: \/none\.pem has no certificate in PEM: /);
 });

@@ -152,9 +152,10 @@ void ScriptedRobot::run_silently(const std::string& hash) {
   state_.program_hash = running_.hash = hash;
 }
 
-void ScriptedRobot::confirm(const std::string& push_id, const std::string& hash) {
+void ScriptedRobot::answer(const std::string& push_id, const std::string& hash,
+                           std::uint8_t status) {
   const std::lock_guard lock(mutex_);
-  reply(push_id, hash, msg::ProgramReply_Constants::CONFIRMED);
+  reply(push_id, hash, status);
 }
 
 std::string ScriptedRobot::running_hash() {

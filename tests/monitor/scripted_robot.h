@@ -26,8 +26,11 @@ class ScriptedRobot {
   void refuse_pushes(const std::string& why);
   /// From now on runs a program that it was sent before, and tells so in its state alone.
   void run_silently(const std::string& hash);
-  /// Answers a push as one whose answer was long on its way.
-  void confirm(const std::string& push_id, const std::string& hash);
+  /// Answers a push as one whose answer was long on its way, with a status of msg::ProgramReply.
+  void answer(const std::string& push_id, const std::string& hash, std::uint8_t status);
+  void confirm(const std::string& push_id, const std::string& hash) {
+    answer(push_id, hash, msg::ProgramReply_Constants::CONFIRMED);
+  }
   [[nodiscard]] std::string running_hash();
   [[nodiscard]] bool held();
   [[nodiscard]] bool out_of_service();

@@ -31,10 +31,6 @@ void sync_folder(const std::filesystem::path& folder) {
   ::close(opened);
 }
 
-std::string megabytes(std::uintmax_t bytes) {
-  return std::to_string(bytes >> 20) + " MB";
-}
-
 /// Makes the database's file, because SQLite would let others read what it makes. Where this fails,
 /// SQLite says why. The files that SQLite puts beside it get its mode, but an earlier release may
 /// have left some.
@@ -46,20 +42,29 @@ void make_private_database(const std::filesystem::path& file) {
 
 }  // namespace
 
-History::History(sqlite3* database, const std::filesystem::path& file, Options options)
-    : database_(database),
+History::History(sqlite3* database, const std::filesystem::path& file, Options options,
+                 HistoryLock lock)
+    : lock_(std::move(lock)),
+      database_(database),
       folder_(file.parent_path().empty() ? "." : file.parent_path()),
       now_ns_(std::move(options.now_ns)),
-      reserve_(folder_ / "history.reserve", options.reserve_bytes) {}
+      reserve_(folder_ / "history.reserve", options.reserve_bytes),
+      probe_(folder_ / "history.probe") {}
 
 Result<std::unique_ptr<History>> History::open(const std::filesystem::path& file,
                                                Options options) try {
   std::error_code failed;
   const bool is_new = !std::filesystem::exists(file, failed);
   make_private_database(file);
+  // A second monitor would take the pushes that are under way for interrupted ones.
+  auto lock = HistoryLock::take(lock_file_of(file));
+  if (!lock)
+    return Error{"another monitor keeps its history in " + file.string() +
+                 "; end that one, or name another folder with --data DIR"};
   sqlite3* database = nullptr;
   const int opened = sqlite3_open(file.c_str(), &database);
-  std::unique_ptr<History> history(new History(database, file, std::move(options)));
+  std::unique_ptr<History> history(
+      new History(database, file, std::move(options), std::move(lock).value()));
   if (opened != SQLITE_OK) sql::fail(database);
   sqlite3_busy_timeout(database, 2000);
   history->begin();
@@ -99,6 +104,7 @@ void History::begin() {
 }
 
 History::~History() {
+  (void)pay();
   sqlite3_close(database_);
 }
 
@@ -117,16 +123,53 @@ auto History::change_once(Job job) -> decltype(job()) {
 
 template <class Job>
 auto History::change(Job job) -> Result<decltype(job())> {
-  auto done = sql::attempt([&]() -> decltype(job()) {
+  may_pass_ = false;
+  const int before = sqlite3_total_changes(database_);
+  const auto once = [&]() -> decltype(job()) {
     try {
       return change_once(job);
     } catch (const sql::Failure& failure) {
+      may_pass_ = failure.may_pass();
+      throw;
+    }
+  };
+  auto done = sql::attempt([&]() -> decltype(job()) {
+    try {
+      return once();
+    } catch (const sql::Failure& failure) {
       if (!failure.is_of_disk() || !reserve_.release()) throw;
     }
-    return change_once(job);
+    return once();
   });
-  write_problem_ = done ? std::string() : done.error().message;
+  // What changes nothing does not tell whether the disk can be written again.
+  if (!done)
+    write_problem_ = done.error().message;
+  else if (sqlite3_total_changes(database_) != before)
+    write_problem_.clear();
   return done;
+}
+
+Result<void> History::keep(const std::string& key, OwedChanges::Change wanted) {
+  owed_.add(key, std::move(wanted));
+  return pay();
+}
+
+Result<void> History::pay() {
+  Result<void> done;
+  while (!owed_.empty()) {
+    done = change([this] { owed_.oldest()(); });
+    if (!done && may_pass_) break;
+    owed_.drop_oldest();
+  }
+  return done;
+}
+
+void History::try_disk() {
+  (void)change([this] {
+    sql::Statement(database_, "INSERT OR REPLACE INTO disk_trial VALUES(1, ?)")
+        .bind(now_ns_())
+        .run();
+  });
 }
 
 void History::put_reply(const std::string& push_id, const RobotReply& reply) {
@@ -147,7 +190,10 @@ void History::tell_progress(const std::string& push_id) {
     chain::append(database_, now_ns_(), chain::kProgress, push_id, row.content);
 }
 
+// What waits for the disk comes first, so that the chain's order is that of what happened. A push
+// is not begun before it.
 Result<void> History::add(const msg::ProgramPush& push, const Progress& progress) {
+  if (auto paid = pay(); !owed_.empty()) return paid;
   return change([&] {
     if (!rows::put_push(database_, push)) return;
     rows::put_files(database_, push);
@@ -159,6 +205,7 @@ Result<void> History::add(const msg::ProgramPush& push, const Progress& progress
 
 Result<void> History::add_sending(const std::string& push_id, const Progress& progress,
                                   const std::vector<std::string>& robots) {
+  if (auto paid = pay(); !owed_.empty()) return paid;
   return change([&] {
     const auto listed = rows::told(database_, chain::kReply, push_id);
     for (const auto& robot : robots) {
@@ -170,11 +217,16 @@ Result<void> History::add_sending(const std::string& push_id, const Progress& pr
 }
 
 Result<void> History::add_reply(const std::string& push_id, const RobotReply& reply) {
-  return change([&] { put_reply(push_id, reply); });
+  return keep("reply " + push_id + ' ' + reply.robot,
+              [this, push_id, reply] { put_reply(push_id, reply); });
 }
 
 Result<void> History::set_progress(const std::string& push_id, const Progress& progress) {
-  return change([&] { put_progress(push_id, progress); });
+  // A push that could not be written was refused, and has no progress.
+  const auto listed = sql::attempt([&] { return rows::told(database_, chain::kPush, push_id); });
+  if (listed && listed.value().empty()) return {};
+  return keep("progress " + push_id,
+              [this, push_id, progress] { put_progress(push_id, progress); });
 }
 
 Result<std::optional<PushRecord>> History::add_late_reply(const msg::ProgramReply& reply) {
@@ -183,6 +235,7 @@ Result<std::optional<PushRecord>> History::add_late_reply(const msg::ProgramRepl
   if (!known || !known.value()) return known;
   const auto late = with_late_reply(*known.value(), reply);
   if (!late && !may_be_told_later(*known.value())) return Marked();
+  if (auto paid = pay(); !owed_.empty()) return paid.error();
   return change([&]() -> Marked {
     if (late) put_reply(reply.id, *late);
     auto now_known = push(reply.id).value();
@@ -195,12 +248,22 @@ Result<std::optional<PushRecord>> History::add_late_reply(const msg::ProgramRepl
 }
 
 Result<void> History::add_order(const OrderRecord& order) {
-  return change([&] { rows::put_order(database_, order, now_ns_()); });
+  return keep("order " + order.id, [this, order] { rows::put_order(database_, order, now_ns_()); });
 }
 
 Result<void> History::add_outcome(const std::string& order_id, OrderOutcome outcome) {
   outcome.told_ns = now_ns_();
-  return change([&] { rows::put_outcome(database_, order_id, outcome); });
+  return keep("outcome " + order_id + ' ' + outcome.of,
+              [this, order_id, outcome] { rows::put_outcome(database_, order_id, outcome); });
+}
+
+Result<void> History::add_refused_push(const RefusedPush& refused) {
+  return keep("refused " + refused.id,
+              [this, refused] { rows::put_refused_push(database_, refused, now_ns_()); });
+}
+
+Result<std::optional<RefusedPush>> History::refused_push(const std::string& id) const {
+  return sql::attempt([&] { return rows::refused_push(database_, id); });
 }
 
 Result<std::vector<OrderRecord>> History::orders(int most) const {
@@ -226,7 +289,8 @@ Result<std::optional<PushRecord>> History::push(const std::string& id) const {
 Result<std::optional<PushRecord>> History::last_push_of(const std::string& hash) const {
   return sql::attempt([&] {
     auto found =
-        rows::select_pushes(database_, "WHERE push.hash = ? ORDER BY sequence DESC LIMIT 1");
+        rows::select_pushes(database_, std::string("WHERE push.hash = ? AND ") + rows::kBroughtIt +
+                                           " ORDER BY sequence DESC LIMIT 1");
     found.bind(hash);
     return rows::record_of(database_, found);
   });
@@ -235,36 +299,6 @@ Result<std::optional<PushRecord>> History::last_push_of(const std::string& hash)
 Result<std::optional<std::vector<bhdl::SourceFile>>> History::program(
     const std::string& hash) const {
   return sql::attempt([&] { return rows::files_of(database_, hash); });
-}
-
-History::Disk History::check_disk() {
-  std::error_code failed;
-  const auto room = std::filesystem::space(folder_, failed);
-  Disk disk;
-  if (!failed) disk.available_bytes = room.available;
-  if (!write_problem_.empty())
-    (void)change([this] {
-      sql::Statement(database_, "INSERT OR REPLACE INTO disk_trial VALUES(1, ?)")
-          .bind(now_ns_())
-          .run();
-    });
-  const auto needed = reserve_.bytes();
-  if (!reserve_.is_taken() && disk.available_bytes > 3 * needed) (void)reserve_.take();
-  disk.has_reserve = reserve_.is_taken();
-  const std::string where = folder_.string();
-  if (!write_problem_.empty())
-    disk.problem = "nothing can be kept, so that pushes are refused: " + write_problem_;
-  else if (failed)
-    disk.problem = "the disk of " + where + " cannot be asked: " + failed.message();
-  else if (needed > 0 && disk.available_bytes < needed)
-    disk.problem = "the disk of " + where + " is full: " + megabytes(disk.available_bytes) +
-                   " are left" +
-                   (disk.has_reserve ? " and a reserve of " + megabytes(needed)
-                                     : ", and the reserve is used up");
-  else if (needed > 0 && !disk.has_reserve)
-    disk.problem = "the disk of " + where +
-                   " is nearly full: there is no room for the reserve of " + megabytes(needed);
-  return disk;
 }
 
 }  // namespace galilean::monitor

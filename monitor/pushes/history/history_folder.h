@@ -12,5 +12,13 @@ namespace galilean::monitor {
 /// itself, where all of them used to keep it.
 [[nodiscard]] std::filesystem::path history_folder(const std::filesystem::path& data_folder,
                                                    std::uint32_t domain, std::uint16_t port);
+/// Returns the file in which such a monitor keeps its history from now on. Monitors that take any
+/// free port have a folder in common: one that another uses now is not taken, but the next one,
+/// with a number at its end.
+[[nodiscard]] std::filesystem::path history_file(const std::filesystem::path& data_folder,
+                                                 std::uint32_t domain, std::uint16_t port);
+
+/// The history's file in its folder.
+inline constexpr const char* kHistoryFile = "history.sqlite";
 
 }  // namespace galilean::monitor

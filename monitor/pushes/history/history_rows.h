@@ -35,6 +35,10 @@ void set_state(sqlite3* database, const std::string& push_id, PushState state);
 [[nodiscard]] std::vector<std::string> in_state(sqlite3* database, PushState state);
 /// Returns a query for pushes that ends with `condition`. The caller binds its parameters.
 [[nodiscard]] sql::Statement select_pushes(sqlite3* database, const std::string& condition);
+/// Of such a query's condition: the push was made through a monitor, or a robot took it.
+inline constexpr const char* kBroughtIt =
+    "(coalesce(state, 'done') <> '' OR EXISTS (SELECT 1 FROM answer WHERE answer.push_id = "
+    "push.id AND status IN ('running', 'confirmed', 'rolled_back')))";
 [[nodiscard]] std::vector<PushRecord> records_of(sqlite3* database, sql::Statement& rows);
 /// Returns the push in the first row; nothing if there is no row.
 [[nodiscard]] std::optional<PushRecord> record_of(sqlite3* database, sql::Statement& rows);

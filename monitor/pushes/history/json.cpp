@@ -43,17 +43,19 @@ nlohmann::json to_json(const Step& step) {
 nlohmann::json to_json(const PushRecord& record) {
   auto steps = nlohmann::json::array();
   for (const auto& step : record.progress.steps) steps.push_back(to_json(step));
-  return {{"id", record.id},
-          {"pushed_ns", record.pushed_ns},
-          {"author", record.author},
-          {"program", record.program},
-          {"hash", record.hash},
-          {"targets", record.targets},
-          {"state", to_text(record.progress.state)},
-          {"told_ns", record.progress.told_ns},
-          {"steps", std::move(steps)},
-          {"trial", record.progress.trial},
-          {"replies", to_json(record.replies)}};
+  nlohmann::json json{{"id", record.id},
+                      {"pushed_ns", record.pushed_ns},
+                      {"author", record.author},
+                      {"program", record.program},
+                      {"hash", record.hash},
+                      {"targets", record.targets},
+                      {"state", to_text(record.progress.state)},
+                      {"told_ns", record.progress.told_ns},
+                      {"steps", std::move(steps)},
+                      {"trial", record.progress.trial},
+                      {"replies", to_json(record.replies)}};
+  if (!record.not_kept.empty()) json["not_kept"] = record.not_kept;
+  return json;
 }
 
 nlohmann::json to_json(const OrderRecord& order) {

@@ -18,7 +18,8 @@ namespace galilean::monitor {
 [[nodiscard]] nlohmann::json to_json(const std::vector<RobotReply>& replies);
 /// {name, state, detail}
 [[nodiscard]] nlohmann::json to_json(const Step& step);
-/// {id, pushed_ns, author, program, hash, targets, state, told_ns, steps, trial, replies}
+/// {id, pushed_ns, author, program, hash, targets, state, told_ns, steps, trial, replies}, and
+/// not_kept if there is such a reason
 [[nodiscard]] nlohmann::json to_json(const PushRecord& record);
 /// {id, ordered_ns, author, kind, targets, detail, outcomes: [{of, outcome, told_ns}]}
 [[nodiscard]] nlohmann::json to_json(const OrderRecord& order);

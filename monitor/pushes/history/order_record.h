@@ -25,4 +25,15 @@ struct OrderRecord {
   std::vector<OrderOutcome> outcomes = {};
 };
 
+/// An order to push a program that was refused, as it is kept.
+struct RefusedPush {
+  std::string id;
+  std::int64_t ordered_ns = 0;  ///< since the Unix epoch
+  std::string author;
+  std::vector<std::string> targets;  ///< empty: the team
+  std::string program;               ///< the main file's name
+  std::string reason;                ///< of the refusal, as a word
+  std::string message;               ///< one sentence
+};
+
 }  // namespace galilean::monitor

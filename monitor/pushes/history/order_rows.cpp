@@ -2,6 +2,7 @@
 #include "monitor/pushes/history/order_rows.h"
 
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 #include "core/json_text.h"
@@ -9,6 +10,11 @@
 
 namespace galilean::monitor::rows {
 namespace {
+
+// How a refused push is told. The words in the file never change.
+constexpr const char* kPushKind = "push";
+constexpr const char* kRefuser = "monitor";
+constexpr std::string_view kRefused = "refused: ";
 
 /// Returns the row's content as JSON. Throws if it is damaged.
 nlohmann::json content_of(const chain::Row& row) {
@@ -32,12 +38,16 @@ std::vector<OrderOutcome> outcomes_of(sqlite3* database, const std::string& orde
   return outcomes;
 }
 
+bool has_order(sqlite3* database, const std::string& id) {
+  auto known = chain::select(database, "WHERE kind = ? AND subject = ? LIMIT 1");
+  known.bind(chain::kOrder).bind(id);
+  return chain::next(known).has_value();
+}
+
 }  // namespace
 
 void put_order(sqlite3* database, const OrderRecord& order, std::int64_t now_ns) {
-  auto known = chain::select(database, "WHERE kind = ? AND subject = ? LIMIT 1");
-  known.bind(chain::kOrder).bind(order.id);
-  if (chain::next(known)) return;
+  if (has_order(database, order.id)) return;
   chain::append(database, now_ns, chain::kOrder, order.id,
                 {{"ordered_ns", order.ordered_ns},
                  {"author", order.author},
@@ -49,6 +59,39 @@ void put_order(sqlite3* database, const OrderRecord& order, std::int64_t now_ns)
 void put_outcome(sqlite3* database, const std::string& order_id, const OrderOutcome& outcome) {
   chain::append(database, outcome.told_ns, chain::kOutcome, order_id,
                 {{"of", outcome.of}, {"outcome", outcome.outcome}});
+}
+
+void put_refused_push(sqlite3* database, const RefusedPush& refused, std::int64_t now_ns) {
+  if (has_order(database, refused.id)) return;
+  chain::append(database, now_ns, chain::kOrder, refused.id,
+                {{"ordered_ns", refused.ordered_ns},
+                 {"author", refused.author},
+                 {"kind", kPushKind},
+                 {"targets", refused.targets},
+                 {"detail", refused.program},
+                 {"reason", refused.reason}});
+  put_outcome(
+      database, refused.id,
+      {.of = kRefuser, .outcome = std::string(kRefused) + refused.message, .told_ns = now_ns});
+}
+
+std::optional<RefusedPush> refused_push(sqlite3* database, const std::string& id) {
+  auto rows = chain::select(database, "WHERE kind = ? AND subject = ? LIMIT 1");
+  rows.bind(chain::kOrder).bind(id);
+  const auto row = chain::next(rows);
+  if (!row) return std::nullopt;
+  const auto content = content_of(*row);
+  if (content.value("kind", "") != kPushKind) return std::nullopt;
+  RefusedPush refused{.id = id,
+                      .ordered_ns = content.value("ordered_ns", std::int64_t{}),
+                      .author = content.value("author", ""),
+                      .targets = content.value("targets", std::vector<std::string>()),
+                      .program = content.value("detail", ""),
+                      .reason = content.value("reason", ""),
+                      .message = {}};
+  for (const auto& each : outcomes_of(database, id))
+    if (each.outcome.starts_with(kRefused)) refused.message = each.outcome.substr(kRefused.size());
+  return refused;
 }
 
 std::vector<OrderRecord> newest_orders(sqlite3* database, int most) {

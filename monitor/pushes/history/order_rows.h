@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,11 @@ namespace galilean::monitor::rows {
 void put_order(sqlite3* database, const OrderRecord& order, std::int64_t now_ns);
 /// Requires: a transaction is open.
 void put_outcome(sqlite3* database, const std::string& order_id, const OrderOutcome& outcome);
+/// Adds a refused push as an order with its outcome. Does nothing if there is an order of this id.
+/// Requires: a transaction is open.
+void put_refused_push(sqlite3* database, const RefusedPush& refused, std::int64_t now_ns);
+/// Returns nothing if no push of this id was refused.
+[[nodiscard]] std::optional<RefusedPush> refused_push(sqlite3* database, const std::string& id);
 /// Returns the newest orders, at most `most` of them, the newest first.
 [[nodiscard]] std::vector<OrderRecord> newest_orders(sqlite3* database, int most);
 

@@ -20,6 +20,7 @@ struct PushRecord {
   std::vector<std::string> targets;  ///< empty: the team
   Progress progress = {};
   std::vector<RobotReply> replies = {};
+  std::string not_kept = {};  ///< why the history does not hold all of this yet; empty: it does
 };
 
 }  // namespace galilean::monitor

@@ -22,6 +22,11 @@ struct Failure : std::runtime_error {
   [[nodiscard]] bool is_of_disk() const noexcept {
     return code == SQLITE_FULL || code == SQLITE_IOERR;
   }
+  /// Returns whether the same may be done later, once the disk or another process lets it be done.
+  [[nodiscard]] bool may_pass() const noexcept {
+    return is_of_disk() || code == SQLITE_BUSY || code == SQLITE_LOCKED ||
+           code == SQLITE_READONLY || code == SQLITE_CANTOPEN || code == SQLITE_NOMEM;
+  }
 };
 
 [[noreturn]] inline void fail(sqlite3* database) {

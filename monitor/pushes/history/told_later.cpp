@@ -53,6 +53,20 @@ std::optional<Progress> told_later(const PushRecord& push, std::int64_t now_ns) 
   return progress;
 }
 
+bool is_undecided(ReplyStatus status) {
+  return status == ReplyStatus::kNoAnswer || status == ReplyStatus::kReceived ||
+         status == ReplyStatus::kRunning;
+}
+
+std::vector<RobotReply> undecided(const PushRecord& push) {
+  const auto state = push.progress.state;
+  if (state == PushState::kRunning || state == PushState::kForeign) return {};
+  std::vector<RobotReply> found;
+  for (const auto& reply : push.replies)
+    if (is_undecided(reply.status)) found.push_back(reply);
+  return found;
+}
+
 std::optional<RobotReply> with_late_reply(const PushRecord& push, const msg::ProgramReply& reply) {
   const auto known = std::ranges::find(push.replies, reply.robot, &RobotReply::robot);
   RobotReply late;

@@ -150,6 +150,15 @@ class Verifier {
   std::int64_t last_ = 0;
 };
 
+/// Returns whether a row has a hash that begins with `noted`.
+Result<bool> has_hash(sqlite3* database, const std::string& noted) {
+  return sql::attempt([&] {
+    auto rows = chain::select(database, "WHERE substr(hash, 1, length(?)) = ? LIMIT 1");
+    rows.bind(noted).bind(noted);
+    return noted.empty() || chain::next(rows).has_value();
+  });
+}
+
 }  // namespace
 
 Result<Verification> verify(sqlite3* database) {
@@ -159,7 +168,7 @@ Result<Verification> verify(sqlite3* database) {
   });
 }
 
-Result<Verification> verify_history(const std::filesystem::path& file) {
+Result<Verification> verify_history(const std::filesystem::path& file, const std::string& noted) {
   sqlite3* opened = nullptr;
   const int result = sqlite3_open_v2(file.c_str(), &opened, SQLITE_OPEN_READONLY, nullptr);
   const std::unique_ptr<sqlite3, int (*)(sqlite3*)> database(opened, sqlite3_close);
@@ -173,6 +182,11 @@ Result<Verification> verify_history(const std::filesystem::path& file) {
                  sqlite3_errmsg(opened) + "; its monitor's next start adds the chain" + name};
   auto found = verify(opened);
   if (!found) return Error{found.error().message + name};
+  const auto is_there = has_hash(opened, noted);
+  if (!is_there) return Error{is_there.error().message + name};
+  if (!is_there.value() && !found.value().broken)
+    found.value().broken = BrokenRow{
+        0, 0, "the row with the hash " + noted + " was taken away, or the chain was made anew"};
   return found;
 }
 
@@ -183,7 +197,7 @@ std::string in_words(const Verification& verification) {
            ".";
   const auto& row = *verification.broken;
   const std::string which = row.number == 0
-                                ? "One row that the chain does not know"
+                                ? "One row that the chain does not have"
                                 : "Row " + std::to_string(row.number) +
                                       (row.time_ns == 0 ? "" : " of " + local_time(row.time_ns));
   return "The history is broken. " + which + ": " + row.what + ".";

@@ -31,8 +31,11 @@ struct Verification {
 /// program's text has its hash. Whoever can write the file can make a whole chain anew: what was
 /// noted of `head` elsewhere shows that. Errors: the file cannot be read, or is no history.
 [[nodiscard]] Result<Verification> verify(sqlite3* database);
-/// As above, of a file that is only read. Errors: also if it has no chain yet.
-[[nodiscard]] Result<Verification> verify_history(const std::filesystem::path& file);
+/// As above, of a file that is only read. If `noted` is not empty, a row whose hash begins with it
+/// must be there: it is the head that an earlier verification told, so that it shows whether rows
+/// were taken away from the end. Errors: also if it has no chain yet.
+[[nodiscard]] Result<Verification> verify_history(const std::filesystem::path& file,
+                                                  const std::string& noted = {});
 
 /// Returns one sentence.
 [[nodiscard]] std::string in_words(const Verification& verification);

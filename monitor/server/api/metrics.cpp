@@ -104,6 +104,11 @@ void history_metrics(std::ostream& out, const HistoryWatch& history) {
   metric(out, "galilean_history_reserve", "gauge",
          "1 while room on the disk is kept back for the history.",
          history.disk().has_reserve ? 1 : 0);
+  metric(out, "galilean_history_owed_changes", "gauge",
+         "Changes of the history that wait in memory for its disk.", history.disk().owed);
+  metric(out, "galilean_history_lost_changes_total", "counter",
+         "Changes of the history that were lost, because too many waited for its disk.",
+         history.disk().lost);
   const auto& found = history.verification();
   if (!found) return;
   metric(out, "galilean_history_whole", "gauge",

@@ -152,12 +152,15 @@ void Operations::push(const nlohmann::json& request, const OperatorId& who, Fini
   if (!fields.ok()) return finish(refused(fields));
   const bool are_known = std::ranges::all_of(
       order.targets, [this](const std::string& name) { return parts_.team.find(name) != nullptr; });
-  // What the desk refuses anyway needs no lease, and neither does a trial.
-  if (are_known && !order.trial.only && !admits(OrderKind::kSteers, who, order.targets, finish))
-    return;
-  parts_.desk.order(std::move(order), [finish = std::move(finish)](const PushAnswer& answer) {
-    finish(outcome_of_order(answer));
-  });
+  // What the desk refuses anyway needs no lease, and neither does a trial. One that comes again
+  // gets its first answer, whoever has the lease by now.
+  const bool needs_lease = are_known && !order.trial.only;
+  const auto admit = [this, who, targets = order.targets, needs_lease, finish] {
+    return !needs_lease || admits(OrderKind::kSteers, who, targets, finish);
+  };
+  parts_.desk.order(
+      std::move(order), admit,
+      [finish = std::move(finish)](const PushAnswer& answer) { finish(outcome_of_order(answer)); });
 }
 
 void Operations::cancel_push(const nlohmann::json& request, const OperatorId& who, Finish finish) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "monitor/top/push/monitor_pusher.h"
 
+#include "monitor/commands/push_session.h"
+
 namespace galilean::monitor::top {
 namespace {
 
@@ -20,10 +22,11 @@ AskMonitor over_http(const PushOptions& options) {
 
 }  // namespace
 
-MonitorPusher::MonitorPusher(PushOptions options) : MonitorPusher(options, over_http(options)) {}
+MonitorPusher::MonitorPusher(PushOptions options)
+    : MonitorPusher(options, over_http(options), kAskAgainFor) {}
 
-MonitorPusher::MonitorPusher(PushOptions options, AskMonitor ask)
-    : worker_(std::make_shared<PushWorker>(std::move(options), std::move(ask))),
+MonitorPusher::MonitorPusher(PushOptions options, AskMonitor ask, Duration ask_again_for)
+    : worker_(std::make_shared<PushWorker>(std::move(options), std::move(ask), ask_again_for)),
       thread_([worker = worker_] { worker->run(); }) {}
 
 MonitorPusher::~MonitorPusher() {

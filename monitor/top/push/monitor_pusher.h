@@ -14,8 +14,9 @@ class MonitorPusher : public Pusher {
  public:
   /// `options` names the monitor, the token and the author.
   explicit MonitorPusher(PushOptions options);
-  /// As above, with another way to the monitor. `ask` may be called after the destructor.
-  MonitorPusher(PushOptions options, AskMonitor ask);
+  /// As above, with another way to the monitor, and another time for which an answer that was lost
+  /// is asked for again. `ask` may be called after the destructor.
+  MonitorPusher(PushOptions options, AskMonitor ask, Duration ask_again_for);
   /// Waits only a moment: a request that nobody answers goes on without this.
   ~MonitorPusher() override;
 

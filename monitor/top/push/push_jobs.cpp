@@ -125,8 +125,21 @@ void PushWorker::push_now(const Checked& checked, bool with_canary) {
   if (!done) tell(report_of_silence(report(), done.error().message));
 }
 
+Result<MonitorAnswer, Unanswered> PushWorker::ask_again(const std::string& path,
+                                                        const std::optional<json>& body,
+                                                        bool was_sent) {
+  std::optional<Time> since;
+  return ask_until_answered([&] { return ask_(path, body); },
+                            [&] {
+                              const Time now = clock_.now();
+                              if (!since) since = now;
+                              return now - *since < ask_again_for_ && pause();
+                            },
+                            was_sent);
+}
+
 void PushWorker::follow(const json& request) {
-  auto answer = ask_("/api/push", request);
+  auto answer = ask_again("/api/push", request, false);
   if (!answer)
     return tell(answer.error().was_sent ? report_of_silence(report(), answer.error().message)
                                         : report_of_refusal({}, answer.error().message));
@@ -137,7 +150,7 @@ void PushWorker::follow(const json& request) {
     tell(report_of_push(answer.value().json));
     if (report().stage != Stage::kPushing || !pause()) return;
     if (take_cancel()) static_cast<void>(ask_(path + "/cancel", json{{"author", options_.author}}));
-    answer = ask_(path, {});
+    answer = ask_again(path, {}, true);
     if (!answer) return tell(report_of_silence(report(), answer.error().message));
     if (!answer.value().ok()) return tell(report_of_silence(report(), answer.value().detail()));
   }

@@ -46,6 +46,10 @@ Style style_of(const std::optional<StepState>& state) {
   return state == StepState::kRunning ? Style::kBold : Style::kDim;
 }
 
+bool is_done(const std::optional<PushState>& state) {
+  return state == PushState::kDone || state == PushState::kToldLater;
+}
+
 void add_reply(const json& reply, Lines& lines) {
   const auto word = reply.value("status", "");
   const auto status = reply_status_of(word);
@@ -76,7 +80,7 @@ PushReport report_of_push(const json& answer) {
       answer.value("program", "") + " " + answer.value("hash", "").substr(0, 8);
   PushReport report;
   report.stage = state == PushState::kRunning ? Stage::kPushing
-                 : state == PushState::kDone  ? Stage::kDone
+                 : is_done(state)             ? Stage::kDone
                                               : Stage::kFailed;
   report.title = "Push of " + program + ": " + answer.value("state", "");
   report.id = answer.value("id", "");
@@ -88,6 +92,11 @@ PushReport report_of_push(const json& answer) {
          style_of(step_state)});
   }
   for (const auto& reply : answer.value("replies", json::array())) add_reply(reply, report.lines);
+  if (state == PushState::kInterrupted)
+    report.lines.push_back(
+        {"Its monitor ended before it did: some robots may not have got it.", Style::kWarning});
+  if (const auto why = answer.value("not_kept", ""); !why.empty())
+    report.lines.push_back({"The history does not hold all of this yet: " + why, Style::kAlarm});
   return report;
 }
 
@@ -107,7 +116,7 @@ std::vector<PastPush> past_pushes(const json& answer) {
                   .state = each.value("state", ""),
                   .targets = each.value("targets", std::vector<std::string>{})};
     const auto state = push_state_of(push.state);
-    push.has_failed = state != PushState::kRunning && state != PushState::kDone;
+    push.has_failed = state != PushState::kRunning && !is_done(state);
     for (const auto& reply : each.value("replies", json::array()))
       push.outcomes.push_back(reply.value("robot", "") + " " + reply.value("status", ""));
     pushes.push_back(std::move(push));

@@ -33,8 +33,8 @@ std::map<std::string, ToldLease> leases_in(const json& status) {
 
 }  // namespace
 
-PushWorker::PushWorker(PushOptions options, AskMonitor ask)
-    : options_(std::move(options)), ask_(std::move(ask)) {}
+PushWorker::PushWorker(PushOptions options, AskMonitor ask, Duration ask_again_for)
+    : options_(std::move(options)), ask_(std::move(ask)), ask_again_for_(ask_again_for) {}
 
 std::string PushWorker::hindrance() const {
   const std::lock_guard lock(mutex_);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bhdl/source/diagnostic.h"
+#include "core/clock.h"
 #include "monitor/commands/monitor_client.h"
 #include "monitor/commands/push_options.h"
 #include "monitor/top/push/pusher.h"
@@ -27,7 +28,8 @@ using AskMonitor = std::function<Result<MonitorAnswer, Unanswered>(
 /// the other functions, and none of them waits for the monitor.
 class PushWorker {
  public:
-  PushWorker(PushOptions options, AskMonitor ask);
+  /// An answer that was lost is asked for again for so long.
+  PushWorker(PushOptions options, AskMonitor ask, Duration ask_again_for);
 
   /// Works until `end` is called.
   void run();
@@ -72,6 +74,9 @@ class PushWorker {
   void begin_push(Checked checked, bool with_canary);
   void push_now(const Checked& checked, bool with_canary);
   void follow(const nlohmann::json& request);
+  /// Asks until there is an answer, as ask_until_answered does.
+  [[nodiscard]] Result<MonitorAnswer, Unanswered> ask_again(
+      const std::string& path, const std::optional<nlohmann::json>& body, bool was_sent);
   /// Returns whether another check was ordered, or this one was cancelled.
   [[nodiscard]] bool is_outdated(std::uint64_t check) const;
   /// Waits until it is time to ask for the push's state again. Returns false at the end.
@@ -86,6 +91,8 @@ class PushWorker {
 
   const PushOptions options_;
   const AskMonitor ask_;
+  const Duration ask_again_for_;
+  const SteadyClock clock_;
 
   mutable std::mutex mutex_;  ///< guards what follows
   std::condition_variable woken_;

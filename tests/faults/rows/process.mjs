@@ -18,6 +18,27 @@ const killRobots = async (stage) => {
   for (const robot of stage.robots.values()) await robot.exited;
 };
 
+/** What was answered before the monitor was killed is in the history, and of the newest push it tells what the robots run. */
+async function historyAgrees({ monitor }, told) {
+  if (told?.id) {
+    const kept = await monitor.ask(`/api/pushes/${told.id}`);
+    if (told.state === 'done' && kept.state !== 'done') throw new Error(`a push that was told to be done is ${kept.state}`);
+  }
+  let differs = [];
+  const agrees = async () => {
+    const { pushes: [newest] } = await monitor.ask('/api/pushes');
+    const robots = await monitor.robots();
+    differs = (newest?.replies ?? []).filter(({ robot, status }) => {
+      const runs = robotOf(robots, robot).program_hash === newest.hash;
+      return runs !== ['running', 'confirmed'].includes(status);
+    });
+    return differs.length === 0;
+  };
+  await until(agrees, 'the history to agree with what the robots run', 20).catch((error) => {
+    throw new Error(`${error.message}: ${JSON.stringify(differs)}`);
+  });
+}
+
 export const group = {
   name: 'process',
   setUp: (scope) => startSmallTeam(scope, { count: 5 }),
@@ -48,17 +69,17 @@ export const group = {
       mend: (stage) => stage.well(),
     },
     {
-      fault: 'The monitor is killed in a push, and started again', promised: 'Within 6 s it serves and tells how the push ended, and robots run what it tells',
+      fault: 'The monitor is killed in a push, and started again', promised: 'Within 6 s it serves and tells how the push ended; what it answered is there, and it agrees with what robots run',
       unit: 's', limit: 6,
       make: async (stage, number) => {
         const before = (await stage.monitor.ask('/api/pushes')).pushes.length;
         const sent = stage.monitor.fetch('/api/push', { body: anotherPush() }).catch(() => undefined);
         await sleep(killAfter_ms(number));
         await stage.monitor.kill();
-        await sent;
-        return before;
+        const answer = await sent;
+        return { before, told: await answer?.json().catch(() => undefined) };
       },
-      measure: async (stage, before) => {
+      measure: async (stage, { before, told }) => {
         const began_ms = performance.now();
         await stage.monitor.start();
         let missing;
@@ -74,6 +95,7 @@ export const group = {
         const took_s = (performance.now() - began_ms) / 1000;
         for (const { program_name, problems } of await stage.monitor.robots())
           if (!['first.bhdl', 'pushed.bhdl'].includes(program_name)) throw new Error(`a robot runs '${program_name}': ${problems}`);
+        await historyAgrees(stage, told);
         return took_s;
       },
       // All run one program again: what was interrupted may have reached some.

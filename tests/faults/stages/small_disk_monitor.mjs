@@ -8,10 +8,10 @@ import { Monitor } from './monitor.mjs';
 import { closeOf, endChild } from './children.mjs';
 import { onSmallDisk } from './namespaces.mjs';
 
-/** The history wants three times its reserve, which is 8 MiB, before it takes it again. */
+/** The monitor keeps 8 MB of it back, and takes them again where 24 MB are free. */
 const DISK_kB = 48_000;
 /** The disk is filled by large pieces first. */
-const PIECES = [1 << 20, 4096].map((size) => Buffer.alloc(size, 'x'));
+const PIECE = Buffer.alloc(1 << 20, 'x');
 
 /** A monitor whose data folder is a small disk, which only it sees. */
 export class MonitorOnSmallDisk extends Monitor {
@@ -36,9 +36,9 @@ export class MonitorOnSmallDisk extends Monitor {
   }
 
   fill() {
-    for (const piece of PIECES) {
+    for (let size = PIECE.length; size >= 1; size = Math.floor(size / 2)) {
       try {
-        for (;;) appendFileSync(join(this.disk, 'filler'), piece);
+        for (;;) appendFileSync(join(this.disk, 'filler'), PIECE.subarray(0, size));
       } catch (error) {
         if (error.code !== 'ENOSPC') throw error;
       }

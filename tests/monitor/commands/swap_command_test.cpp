@@ -6,6 +6,7 @@
 #include <boost/asio/write.hpp>
 #include <csignal>
 #include <thread>
+#include <vector>
 
 #include "monitor/front/process.h"
 #include "tests/free_domain.h"
@@ -119,6 +120,37 @@ TEST_F(SwapCommandTest, AnotherServerOnTheMonitorsPortIsNamedAsSuch) {
   EXPECT_EQ(list.exit_code, 1) << list.output;
   EXPECT_THAT(list.output, HasSubstr("is no monitor of Galilean"));
   EXPECT_EQ(std::ranges::count(list.output, '\n'), 1) << list.output;
+}
+
+TEST_F(SwapCommandTest, APushWhoseAnswerWasLostIsSentAgainWithTheSameId) {
+  boost::asio::io_context io;
+  using boost::asio::ip::tcp;
+  tcp::acceptor acceptor(io, {boost::asio::ip::address_v4::loopback(), 0});
+  std::vector<std::string> requests;
+  std::thread monitor_that_restarts([&] {
+    const std::string body = R"({"id":"1","state":"done","steps":[],"replies":[]})";
+    const std::string done =
+        "HTTP/1.1 200 OK\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
+    // The push, the same again, and the end of the lease.
+    for (const auto& answer : {std::string(), done, done}) {
+      auto socket = acceptor.accept();
+      std::array<char, 8192> request{};
+      const auto size = socket.read_some(boost::asio::buffer(request));
+      requests.emplace_back(request.data(), size);
+      if (!answer.empty()) boost::asio::write(socket, boost::asio::buffer(answer));
+    }
+  });
+  const std::string url = "http://127.0.0.1:" + std::to_string(acceptor.local_endpoint().port());
+  const auto swapped = run_command(std::string(GALILEAN_SWAP) + " --monitor " + url + " --team " +
+                                   (folder / "good.bhdl").string());
+  monitor_that_restarts.join();
+  EXPECT_EQ(swapped.exit_code, 0) << swapped.output;
+  const auto id_in = [](const std::string& request) {
+    const auto body = json::parse(request.substr(request.find("\r\n\r\n") + 4), nullptr, false);
+    return body.is_object() ? body.value("id", "") : std::string();
+  };
+  EXPECT_EQ(id_in(requests[0]).size(), 32U) << requests[0];
+  EXPECT_EQ(id_in(requests[1]), id_in(requests[0]));
 }
 
 TEST_F(SwapCommandTest, SwapWithoutAMonitorThereSaysSoInOneLine) {

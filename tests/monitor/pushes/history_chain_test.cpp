@@ -140,6 +140,47 @@ TEST_F(HistoryChainTest, FindsThatTheLastRowsWereTakenAway) {
   EXPECT_EQ(broken().number, 10);
 }
 
+TEST_F(HistoryChainTest, FindsThatRowsChangedPlaces) {
+  const auto copy = folder / "copy";
+  fs::copy_file(file, copy);
+  // Rows 4 and 7, with all that they hold.
+  tamper(file, "UPDATE chain SET number = -1 WHERE number = 4");
+  tamper(file, "UPDATE chain SET number = 4 WHERE number = 7");
+  tamper(file, "UPDATE chain SET number = 7 WHERE number = -1");
+  EXPECT_EQ(broken().number, 4);
+  EXPECT_THAT(broken().what, HasSubstr("does not follow the row that stands before it now"));
+  // What they tell, each under the number of the other.
+  tamper(
+      copy,
+      "UPDATE chain SET content = (SELECT other.content FROM chain AS other WHERE other.number = "
+      "11 - chain.number) WHERE number IN (4, 7)");
+  const auto found = verify_history(copy);
+  ASSERT_TRUE(found && found.value().broken);
+  EXPECT_EQ(found.value().broken->number, 4);
+}
+
+TEST_F(HistoryChainTest, FindsThatTheEndIsMissingByTheHashThatWasNoted) {
+  const auto noted = verified().head;
+  EXPECT_FALSE(verify_history(file, noted).value().broken);
+  {
+    auto history = History::open(file);
+    ASSERT_TRUE(history.value()->add(chained_push(4)));
+  }
+  EXPECT_FALSE(verify_history(file, noted).value().broken) << "more rows may follow it";
+  EXPECT_FALSE(verify_history(file, noted.substr(0, 12)).value().broken) << "its beginning will do";
+  // Whoever takes rows away, and every trace of them.
+  tamper(file, "DELETE FROM push WHERE id = '4'");
+  tamper(file, "DELETE FROM push_sequence WHERE push_id = '4'");
+  tamper(file, "DELETE FROM progress WHERE push_id = '4'");
+  tamper(file, "DELETE FROM chain WHERE number >= 10");
+  tamper(file, "UPDATE sqlite_sequence SET seq = 9 WHERE name = 'chain'");
+  EXPECT_FALSE(verified().broken) << "the file alone does not tell it";
+  const auto found = verify_history(file, noted);
+  ASSERT_TRUE(found && found.value().broken);
+  EXPECT_THAT(in_words(found.value()), HasSubstr(noted));
+  EXPECT_THAT(found.value().broken->what, HasSubstr("was taken away, or the chain was made anew"));
+}
+
 TEST_F(HistoryChainTest, FindsWhatWasTakenOutOfTheTables) {
   tamper(file, "DELETE FROM answer WHERE push_id = '1'");
   EXPECT_EQ(broken().number, 3);

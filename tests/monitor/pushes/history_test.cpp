@@ -369,6 +369,51 @@ TEST_F(HistoryTest, RemembersOrdersWithWhatBecameOfThem) {
   EXPECT_FALSE(history.value()->verify().value().broken);
 }
 
+TEST_F(HistoryTest, APushThatWasRefusedIsKnownToTheNextMonitor) {
+  const RefusedPush refused{.id = "order-0001",
+                            .ordered_ns = 5,
+                            .author = "balch",
+                            .targets = {"io"},
+                            .program = "main.bhdl",
+                            .reason = "conflict",
+                            .message = "io runs another program."};
+  {
+    auto history = History::open(file);
+    EXPECT_TRUE(history.value()->add_refused_push(refused));
+    auto again = refused;
+    again.message = "It is another one.";
+    EXPECT_TRUE(history.value()->add_refused_push(again)) << "it comes twice, and is kept once";
+    EXPECT_TRUE(history.value()->add(push(1)));
+  }
+  auto history = History::open(file);
+  const auto found = history.value()->refused_push("order-0001").value();
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->author, "balch");
+  EXPECT_EQ(found->targets, std::vector<std::string>{"io"});
+  EXPECT_EQ(found->reason, "conflict");
+  EXPECT_EQ(found->message, "io runs another program.");
+  EXPECT_FALSE(history.value()->refused_push("1").value()) << "it was not refused";
+  EXPECT_FALSE(history.value()->push("order-0001").value()) << "it is no push";
+  const auto orders = history.value()->orders(10).value();
+  ASSERT_EQ(orders.size(), 1U);
+  EXPECT_EQ(orders[0].kind, "push");
+  ASSERT_EQ(orders[0].outcomes.size(), 1U);
+  EXPECT_EQ(orders[0].outcomes[0].outcome, "refused: io runs another program.");
+  EXPECT_FALSE(history.value()->verify().value().broken);
+}
+
+TEST_F(HistoryTest, APushOfOthersThatNoRobotTookDoesNotCountAsTheOneThatBroughtAProgram) {
+  auto history = History::open(file);
+  EXPECT_TRUE(history.value()->add(push(1), {.state = PushState::kDone}));
+  auto strangers = push(4);  // of the same program
+  strangers.author = "mallory";
+  EXPECT_TRUE(history.value()->add(strangers, {.state = PushState::kForeign}));
+  EXPECT_TRUE(history.value()->add_reply("4", {.robot = "io", .status = ReplyStatus::kRejected}));
+  EXPECT_EQ(history.value()->last_push_of(push(1).hash).value()->author, "operator");
+  EXPECT_TRUE(history.value()->add_reply("4", {.robot = "io", .status = ReplyStatus::kRunning}));
+  EXPECT_EQ(history.value()->last_push_of(push(1).hash).value()->author, "mallory");
+}
+
 TEST_F(HistoryTest, AFolderThatCannotBeWrittenIsAnErrorThatSaysWhatToDo) {
   std::ofstream(folder / "file") << "no folder";
   const auto history = History::open(folder / "file" / "history.sqlite");
@@ -385,6 +430,20 @@ TEST(HistoryFolder, IsOneForEachDomainAndPort) {
   EXPECT_EQ(folders.size(), 9U);
   EXPECT_EQ(history_folder(data, 0, 8080), data) << "where it always was";
   EXPECT_EQ(history_folder(data, 7, 8090), data / "histories" / "domain-7-port-8090");
+}
+
+TEST(HistoryFolder, IsNotSharedByMonitorsThatTakeAnyFreePortAtTheSameTime) {
+  const TemporaryFolder data;
+  const auto first = history_file(data.path(), 7, 0);
+  EXPECT_EQ(first, data / "histories" / "domain-7-port-0" / "history.sqlite");
+  {
+    const auto history = History::open(first);
+    ASSERT_TRUE(history) << history.error().message;
+    const auto second = history_file(data.path(), 7, 0);
+    EXPECT_EQ(second, data / "histories" / "domain-7-port-0-2" / "history.sqlite");
+    ASSERT_TRUE(History::open(second));
+  }
+  EXPECT_EQ(history_file(data.path(), 7, 0), first) << "nobody uses it any more";
 }
 
 }  // namespace

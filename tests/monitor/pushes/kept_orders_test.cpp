@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What was acknowledged is kept, and what is kept agrees with what robots run: over HTTP, to robots
 // that are scripted but speak real DDS.
+#include <thread>
+
 #include "core/wire/participant.h"
 #include "core/wire/topic_names.h"
 #include "core/wire/writer.h"
@@ -59,6 +61,79 @@ TEST_F(KeptOrdersTest, TheSecondOfTwoThatReplaceTheSameProgramIsToldWhoseRunsAtO
     EXPECT_EQ(second.as_json()["running_hash"], first.as_json()["hash"]);
     EXPECT_EQ(second.as_json()["running_pushed"]["author"], "balch");
   }
+}
+
+TEST_F(KeptOrdersTest, OfTwoAtTheSameTimeTheSecondIsToldTheFirstOnesHashAndAuthor) {
+  ScriptedRobot io("io", test_domain(), catalog);
+  wait_for_robots(1);
+  std::vector<HttpAnswer> answers(2);
+  std::vector<std::thread> operators;
+  for (std::size_t number = 0; number < answers.size(); ++number)
+    operators.emplace_back([&, number] {
+      const std::string text = std::string(kProgram) + "; " + std::to_string(number) + "\n";
+      answers[number] = post("/api/push", {{"files", files(text.c_str())},
+                                           {"author", "operator " + std::to_string(number)},
+                                           {"replaces", "first"}});
+    });
+  for (auto& each : operators) each.join();
+  const std::size_t lost = answers[0].status == 409U ? 0 : 1;
+  const auto& won = answers[1 - lost];
+  EXPECT_EQ(won.status, 200U) << won.body;
+  ASSERT_EQ(answers[lost].status, 409U) << answers[lost].body;
+  const json refusal = answers[lost].as_json();
+  const json first = won.as_json();
+  EXPECT_EQ(refusal["pushed"]["hash"], first["hash"]);
+  EXPECT_EQ(refusal["pushed"]["author"], first["author"]);
+  EXPECT_THAT(refusal["detail"].get<std::string>(),
+              HasSubstr(first["hash"].get<std::string>().substr(0, 8)));
+}
+
+TEST_F(KeptOrdersTest, AnOrderThatComesAgainGetsItsAnswerWhoeverHasTheLeaseByThen) {
+  ScriptedRobot io("io", test_domain(), catalog);
+  wait_for_robots(1);
+  const auto post_as = [this](const std::string& name, const std::string& target,
+                              const json& body) {
+    auto headers = bearer("operator.token");
+    headers["X-Galilean-Operator"] = name;
+    headers["X-Galilean-Client"] = name + "s tab";
+    return request(boost::beast::http::verb::post, target, body.dump(), headers);
+  };
+  const json order{{"files", files(kProgram)}, {"targets", {"io"}}, {"id", "order-0004"}};
+  const auto first = post_as("ada", "/api/push", order);
+  ASSERT_EQ(first.status, 200U) << first.body;
+  const json take{{"do", "take"}, {"robots", {"io"}}, {"reason", "it is on fire"}};
+  ASSERT_EQ(post_as("ben", "/api/lease", take).status, 200U);
+  const auto again = post_as("ada", "/api/push", order);
+  EXPECT_EQ(again.status, 200U) << again.body;
+  EXPECT_EQ(again.as_json()["hash"], first.as_json()["hash"]);
+  auto another = order;
+  another["id"] = "order-0005";
+  EXPECT_EQ(post_as("ada", "/api/push", another).status, 409U);
+  EXPECT_EQ(get("/api/pushes").as_json()["pushes"].size(), 1U);
+}
+
+TEST_F(KeptOrdersTest, AProgramWithErrorsKeepsNobodyWaitingForLong) {
+  ScriptedRobot io("io", test_domain(), catalog);
+  wait_for_robots(1);
+  HttpAnswer broken, whole;
+  std::thread first([&] { broken = post("/api/push", {{"files", files(kBroken)}}); });
+  std::thread second([&] { whole = post("/api/push", {{"files", files(kProgram)}}); });
+  first.join();
+  second.join();
+  EXPECT_TRUE(broken.status == 422U || broken.status == 409U) << broken.body;
+  EXPECT_EQ(whole.status, 200U) << whole.body;
+}
+
+TEST_F(KeptOrdersTest, ARefusedPushIsListedWithWhoAndWhy) {
+  const json order{{"files", files(kProgram)}, {"author", "balch"}, {"id", "order-0003"}};
+  EXPECT_EQ(post("/api/push", order).status, 409U) << "no robot is heard";
+  const json listed = get("/api/orders").as_json();
+  ASSERT_EQ(listed["orders"].size(), 1U) << listed.dump();
+  EXPECT_EQ(listed["orders"][0]["id"], "order-0003");
+  EXPECT_EQ(listed["orders"][0]["kind"], "push");
+  EXPECT_EQ(listed["orders"][0]["author"], "balch");
+  EXPECT_THAT(listed["orders"][0]["outcomes"][0]["outcome"].get<std::string>(),
+              HasSubstr("refused: No robot is heard"));
 }
 
 TEST_F(KeptOrdersTest, EveryOrderIsKeptWithWhoWhenAndWhatBecameOfIt) {
@@ -180,6 +255,13 @@ class TakenOverTest : public ServerFixture {
         {.state = PushState::kRunning,
          .steps = {{StepKind::kCheck, StepState::kDone}, {StepKind::kRest, StepState::kRunning}}},
         {"io"}));
+    ASSERT_TRUE(history->add_refused_push({.id = "refused-push",
+                                           .ordered_ns = 1,
+                                           .author = "balch",
+                                           .targets = {"io"},
+                                           .program = "sent.bhdl",
+                                           .reason = "conflict",
+                                           .message = "It was refused then."}));
   }
   [[nodiscard]] bool is_told_later() {
     const auto push = push_named("killed");
@@ -196,6 +278,28 @@ TEST_F(TakenOverTest, APushThatWasInterruptedIsConfirmedByTheRobotsState) {
   wait_for_robots(1);
   io.run_silently(hash);
   EXPECT_TRUE(becomes_true([&] { return is_told_later(); }));
+}
+
+TEST_F(TakenOverTest, AnOrderThatComesAgainGetsTheAnswerOfTheFormerMonitorAndDoesNothing) {
+  ScriptedRobot io("io", test_domain(), catalog);
+  wait_for_robots(1);
+  const auto refused = post("/api/push", {{"files", files(kProgram)}, {"id", "refused-push"}});
+  EXPECT_EQ(refused.status, 409U) << refused.body;
+  EXPECT_EQ(refused.as_json()["detail"], "It was refused then.");
+  EXPECT_EQ(get("/api/pushes").as_json()["pushes"].size(), 1U);
+  EXPECT_EQ(io.running_hash(), "first");
+}
+
+TEST_F(TakenOverTest, ARobotThatWentBackUnheardIsToldToRunAnotherProgram) {
+  ScriptedRobot io("io", test_domain(), catalog);
+  wait_for_robots(1);
+  io.answer("killed", hash, msg::ProgramReply_Constants::RUNNING);
+  EXPECT_TRUE(becomes_true([&] {
+    const auto reply = push_named("killed")["replies"][0];
+    return reply["status"] == "rolled_back" &&
+           reply["message"].get<std::string>().find("another program: first") != std::string::npos;
+  }));
+  EXPECT_EQ(push_named("killed")["state"], "interrupted");
 }
 
 TEST_F(TakenOverTest, APushThatWasInterruptedIsConfirmedByALateAnswer) {

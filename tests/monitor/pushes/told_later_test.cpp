@@ -71,6 +71,20 @@ TEST(ToldLater, WhatEndedOtherwiseStaysAsItIs) {
   EXPECT_FALSE(told_later(canary, 7));
 }
 
+TEST(ToldLater, OfRobotsThatMayStillTellNothingIsKnownYet) {
+  const auto push = ended(PushState::kDone, StepState::kDone,
+                          {reply_of("callisto", kNoAnswer), reply_of("europa", kRejected),
+                           reply_of("ganymede", kConfirmed), reply_of("io", kRunning)});
+  std::string robots;
+  for (const auto& reply : undecided(push)) robots += reply.robot + " ";
+  EXPECT_EQ(robots, "callisto io ");
+  auto under_way = push;
+  under_way.progress.state = PushState::kRunning;
+  EXPECT_TRUE(undecided(under_way).empty());
+  under_way.progress.state = PushState::kForeign;
+  EXPECT_TRUE(undecided(under_way).empty());
+}
+
 TEST(ToldLater, ALateReplyCountsOnlyIfItTellsMore) {
   const auto push = ended(PushState::kInterrupted, StepState::kRunning, {reply_of("io", kRunning)});
   msg::ProgramReply reply;

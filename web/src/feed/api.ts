@@ -5,7 +5,7 @@ import type { Command_Constants, Diagnostic, ProgramReply, PushStep, SourceFile 
 import type { BreakKind, Machine, StateChange } from "./parts";
 import { RECORDED, recording } from "./recording";
 import { credentials } from "./token";
-import { introduction } from "./who";
+import { introduction, newId } from "./who";
 
 /** What a robot answers to a push; `latency_ms` where the monitor measured it. */
 export type Reply = Pick<
@@ -58,6 +58,8 @@ export interface PushResult {
   steps: PushStep[];
   trial: Trial | null;
   replies: Reply[];
+  /** Why the monitor's history does not hold all of this yet. */
+  not_kept?: string;
 }
 
 /** The way that a program takes to its robots. */
@@ -96,6 +98,11 @@ export class Refusal extends Error {
   }
 }
 
+/** No answer came: the monitor may have done what it was asked for, or not. */
+class Unanswered extends Refusal {}
+/** The monitor cannot do it now, nor look an earlier order up. */
+class Unavailable extends Refusal {}
+
 interface Problem {
   title?: string;
   detail?: string;
@@ -111,12 +118,12 @@ async function call<T>(path: string, body?: unknown, keepalive = false): Promise
   try {
     response = await fetch(path, request);
   } catch {
-    throw new Refusal("The monitor does not answer.");
+    throw new Unanswered("The monitor does not answer.");
   }
   if (response.ok) return (await response.json()) as T;
   const problem = (await response.json().catch(() => ({}))) as Problem;
   const sentence = problem.detail || problem.title || `The monitor answered ${response.status}.`;
-  throw new Refusal(sentence, problem.diagnostics);
+  throw new (response.status === 503 ? Unavailable : Refusal)(sentence, problem.diagnostics);
 }
 
 /** What robots or a simulation are told. A page that shows a recording tells the live team nothing. */
@@ -160,11 +167,31 @@ export function check(files: readonly SourceFile[], robot?: string, against?: re
   return call("/api/check", { files, ...(robot && { robot }), ...(against && { against }) });
 }
 
+/** How often a push whose answer was lost is sent again, and how long after. A monitor starts again in less. */
+const REPEATS = 10;
+const REPEAT_EACH_MS = 1000;
+
+const pause = (wait_ms: number): Promise<void> => new Promise((resolve) => void setTimeout(resolve, wait_ms));
+
+/** Sends a push until it is answered. It has an id, by which the monitor knows it again: however often it comes, it is one push. */
+async function orderPush(body: unknown): Promise<PushResult> {
+  for (let repeat = 0; ; repeat += 1) {
+    try {
+      return await order<PushResult>("/api/push", body);
+    } catch (error) {
+      const isUnknown = error instanceof Unanswered || (error instanceof Unavailable && repeat > 0);
+      if (!isUnknown) throw error;
+      if (repeat === REPEATS) throw new Refusal("The monitor does not answer. Whether the program was pushed is not known; the history of pushes tells it once the monitor answers.");
+      await pause(REPEAT_EACH_MS);
+    }
+  }
+}
+
 /** Empty `targets` mean the whole team. */
 export function push(files: readonly SourceFile[], targets: readonly string[], way: PushWay = {}): Promise<PushResult> {
   const { tries, reason, ...rest } = way;
   const author = reason ? `operator (${reason})` : "operator";
-  return order("/api/push", { files, targets, author, try: tries ?? false, ...rest });
+  return orderPush({ id: newId(), files, targets, author, try: tries ?? false, ...rest });
 }
 
 export function readPush(id: string): Promise<PushResult> {

@@ -8,8 +8,8 @@ export const LONGEST_NAME = 64;
 
 type Store = Pick<Storage, "getItem" | "setItem">;
 
-/** `crypto.randomUUID` is not there on a page that came over plain HTTP from another machine. */
-function newClient(): string {
+/** An id that no other has. `crypto.randomUUID` is not there on a page that came over plain HTTP from another machine. */
+export function newId(): string {
   return [...crypto.getRandomValues(new Uint8Array(8))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
@@ -17,7 +17,7 @@ function newClient(): string {
 export function takeClient(tab: Store): string {
   const kept = tab.getItem(CLIENT);
   if (kept) return kept;
-  const made = newClient();
+  const made = newId();
   tab.setItem(CLIENT, made);
   return made;
 }

@@ -89,9 +89,21 @@ class MonitorPusherTest : public testing::Test {
   TemporaryFolder folder;
   std::shared_ptr<ScriptedMonitor> monitor = std::make_shared<ScriptedMonitor>();
   std::optional<MonitorPusher> pusher{
-      std::in_place, PushOptions{}, [monitor = monitor](const std::string& path, const auto& body) {
+      std::in_place, PushOptions{},
+      [monitor = monitor](const std::string& path, const auto& body) {
         return monitor->ask(path, body);
-      }};
+      },
+      Duration::zero()};
+
+  /// From now on an answer that was lost is asked for again.
+  void be_patient() {
+    pusher.emplace(
+        PushOptions{},
+        [monitor = monitor](const std::string& path, const auto& body) {
+          return monitor->ask(path, body);
+        },
+        std::chrono::minutes(1));
+  }
 };
 
 TEST_F(MonitorPusherTest, AMonitorThatStopsAnsweringLeavesThePushUnknown) {
@@ -121,6 +133,37 @@ TEST_F(MonitorPusherTest, AnOrderThatNobodyConfirmedMayHaveArrived) {
   pusher->push(false);
   monitor->answer("/api/push", Unanswered{{"timed out"}, true});
   EXPECT_EQ(wait_for(Stage::kUnknown).stage, Stage::kUnknown);
+}
+
+TEST_F(MonitorPusherTest, AnOrderWhoseAnswerWasLostIsRepeatedWithItsId) {
+  be_patient();
+  check("office.bhdl");
+  pusher->push(false);
+  monitor->wait_for("/api/push");
+  const auto id = monitor->last_body("/api/push").value("id", "");
+  EXPECT_EQ(id.size(), 32U);
+  monitor->answer("/api/push", Unanswered{{"timed out"}, true});
+  monitor->answer("/api/push", Unanswered{{"connection refused"}});
+  monitor->answer("/api/push", MonitorAnswer{503, json{{"detail", "It is only beginning."}}});
+  monitor->wait_for("/api/push", 4);
+  EXPECT_EQ(monitor->last_body("/api/push").value("id", ""), id);
+  monitor->answer("/api/push", MonitorAnswer{200, json{{"id", id}, {"state", "running"}}});
+  monitor->answer("/api/pushes/" + id, Unanswered{{"connection refused"}});
+  monitor->answer("/api/pushes/" + id, MonitorAnswer{200, json{{"id", id}, {"state", "done"}}});
+  EXPECT_EQ(wait_for(Stage::kDone).id, id);
+}
+
+TEST_F(MonitorPusherTest, AnotherPushHasAnotherId) {
+  std::string before;
+  for (int number = 1; number <= 2; ++number) {
+    check("office.bhdl");
+    pusher->push(false);
+    monitor->answer("/api/push", MonitorAnswer{200, json{{"id", "7"}, {"state", "done"}}});
+    EXPECT_EQ(wait_for(Stage::kDone).stage, Stage::kDone);
+    const auto id = monitor->last_body("/api/push").value("id", "");
+    EXPECT_NE(id, before);
+    before = id;
+  }
 }
 
 TEST_F(MonitorPusherTest, AnOrderThatCouldNotBeSentPushedNothing) {

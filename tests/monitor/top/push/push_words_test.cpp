@@ -63,6 +63,27 @@ TEST(PushWords, APushTellsItsStepsAndTheAnswers) {
   EXPECT_EQ(report_of_push(json{{"state", "done"}}).stage, Stage::kDone);
 }
 
+TEST(PushWords, WhatHistoryDoesNotHoldYetIsTold) {
+  const auto report = report_of_push(json{{"id", "7"},
+                                          {"program", "office.bhdl"},
+                                          {"hash", "3f2a91c0"},
+                                          {"state", "done"},
+                                          {"not_kept", "the disk is full"}});
+  EXPECT_EQ(report.stage, Stage::kDone);
+  EXPECT_EQ(text_of(report),
+            "Push of office.bhdl 3f2a91c0: done\nThe history does not hold all of this yet: the "
+            "disk is full\n");
+}
+
+TEST(PushWords, APushThatItsRobotsConfirmedLaterHasNotFailed) {
+  EXPECT_EQ(report_of_push(json{{"state", "told_later"}}).stage, Stage::kDone);
+  const auto interrupted = report_of_push(json{{"state", "interrupted"}});
+  EXPECT_EQ(interrupted.stage, Stage::kFailed);
+  EXPECT_NE(text_of(interrupted).find("Its monitor ended before it did"), std::string::npos);
+  const json list{{"pushes", json::array({json{{"state", "told_later"}}})}};
+  EXPECT_FALSE(past_pushes(list)[0].has_failed);
+}
+
 TEST(PushWords, ARefusalTellsWhy) {
   const auto report = report_of_refusal(json{{"detail", "locked"}}, "somebody else pushes");
   EXPECT_EQ(text_of(report), "Nothing was pushed\nsomebody else pushes\n");

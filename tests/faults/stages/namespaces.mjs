@@ -7,9 +7,15 @@ import { closeOf, endChild } from './children.mjs';
 
 const asRoot = () => (process.getuid() === 0 ? [] : ['--user', '--map-root-user']);
 
+// In a chroot no namespace can make the mounts that it begins with its own. There a folder is first made a mount.
+const canOwnMounts = spawnSync('unshare', [...asRoot(), '--mount', 'true'], { timeout: PATIENCE_MS }).status === 0;
+const SHARES_MOUNTS = ['--propagation', 'unchanged'];
+const OWN_MOUNT = 'mount --bind "$0" "$0" && mount --make-private "$0" && ';
+
 /** The command that runs `command` with a disk of so many kB on `folder`, in the same process. */
 export const onSmallDisk = (folder, size_kB, command) =>
-  ['unshare', ...asRoot(), '--mount', 'bash', '-c', `mount -t tmpfs -o size=${size_kB}k,mode=0700 tmpfs "$0" && exec "$@"`, folder, ...command];
+  ['unshare', ...asRoot(), '--mount', ...(canOwnMounts ? [] : SHARES_MOUNTS), 'bash', '-c',
+    `${canOwnMounts ? '' : OWN_MOUNT}mount -t tmpfs -o size=${size_kB}k,mode=0700 tmpfs "$0" && exec "$@"`, folder, ...command];
 
 /** Why no such disk can be made; undefined where it can. */
 export function noSmallDisk() {

@@ -16,31 +16,6 @@
 namespace galilean::wire {
 namespace {
 
-struct NamedProcess {
-  std::string guid, name;
-};
-
-NamedProcess named_process(const dds_builtintopic_participant_t& sample) {
-  return {hexadecimal(sample.key), announced_name(sample.qos)};
-}
-
-struct Reading {
-  std::string process_guid, topic;
-};
-
-Reading reading(const dds_builtintopic_endpoint_t& sample) {
-  return {hexadecimal(sample.participant_key), sample.topic_name};
-}
-
-/// Returns what other processes know of this one.
-NamedProcess this_process(const Participant& participant) {
-  dds_guid_t guid;
-  checked(dds_get_guid(participant.handle(), &guid), "the participant's GUID");
-  const Qos qos(dds_create_qos());
-  checked(dds_get_qos(participant.handle(), qos.get()), "the participant's name");
-  return {hexadecimal(guid), announced_name(qos.get())};
-}
-
 Entity reader_of(const Participant& participant, dds_entity_t builtin_topic) {
   return Entity(checked(dds_create_reader(participant.handle(), builtin_topic, nullptr, nullptr),
                         "discovery"));
@@ -49,6 +24,31 @@ Entity reader_of(const Participant& participant, dds_entity_t builtin_topic) {
 }  // namespace
 
 struct Namesakes::State {
+  struct NamedProcess {
+    std::string guid, name;
+  };
+
+  struct Reading {
+    std::string process_guid, topic;
+  };
+
+  static NamedProcess named_process(const dds_builtintopic_participant_t& sample) {
+    return {hexadecimal(sample.key), announced_name(sample.qos)};
+  }
+
+  static Reading reading(const dds_builtintopic_endpoint_t& sample) {
+    return {hexadecimal(sample.participant_key), sample.topic_name};
+  }
+
+  /// Returns what other processes know of this one.
+  static NamedProcess this_process(const Participant& participant) {
+    dds_guid_t guid;
+    checked(dds_get_guid(participant.handle(), &guid), "the participant's GUID");
+    const Qos qos(dds_create_qos());
+    checked(dds_get_qos(participant.handle(), qos.get()), "the participant's name");
+    return {hexadecimal(guid), announced_name(qos.get())};
+  }
+
   Participant& participant;
   std::vector<std::string> topics;
   NamedProcess own;
@@ -85,7 +85,7 @@ Namesakes::Namesakes(Participant& participant, std::vector<std::string> topics)
     : state_(
           std::make_unique<State>(State{participant,
                                         std::move(topics),
-                                        this_process(participant),
+                                        State::this_process(participant),
                                         reader_of(participant, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT),
                                         {},
                                         std::nullopt,
@@ -94,7 +94,7 @@ Namesakes::Namesakes(Participant& participant, std::vector<std::string> topics)
 Namesakes::~Namesakes() = default;
 
 int Namesakes::count() {
-  take_changes(state_->process_reader, state_->processes, named_process);
+  take_changes(state_->process_reader, state_->processes, State::named_process);
   const auto namesakes = state_->namesakes();
   if (namesakes.empty()) {
     state_->forget_readings();

@@ -101,8 +101,8 @@ TEST(Contest, DeadReckoningDriftsButNotBeyondUse) {
   const auto done = contest("office", {.robots = 1, .seed = 1, .duration_s = 60});
   const RobotStatistics statistics = done->robot(0).statistics();
   EXPECT_GT(statistics.distance_m, 10);
-  EXPECT_GT(statistics.drift_m, 0.01);
-  EXPECT_LT(statistics.drift_m, 0.1);
+  EXPECT_GT(statistics.drift_m, 0.001 * statistics.distance_m);
+  EXPECT_LT(statistics.drift_m, 0.03 * statistics.distance_m);
 }
 
 TEST(Contest, ReportAndTraceSayWhatHappened) {

@@ -18,7 +18,7 @@ using Match = DataAssociation::Match;
 constexpr double kMaxDeviation_m = 0.25;
 constexpr double kMaxBasketDeviation_m = 0.9;
 /// Up to this standard deviation one piece of trash tells where its observer is.
-constexpr double kClear_m = 0.15;
+constexpr double kClear_m = 0.18;
 /// The best match has a rival if another match's squared Mahalanobis distance is larger by less
 /// than this.
 constexpr double kRivalMargin = 6;

@@ -17,7 +17,7 @@
 namespace galilean::wire {
 namespace {
 
-const std::vector<std::string> kTopics{robot_topic("io", "state"), kCommandTopic};
+const std::vector<std::string> kRobotsTopics{robot_topic("io", "state"), kCommandTopic};
 
 /// A process that reads a topic.
 struct Process {
@@ -32,14 +32,14 @@ TEST(Namesakes, AreTheOthersOfThatNameThatReadTheTopicsWhileTheyAreThere) {
   const int domain = free_domain();
   const auto own = Participant::join("io", domain).value();
   const auto ganymede = Participant::join("ganymede", domain).value();
-  Namesakes namesakes(*own, kTopics);
-  Namesakes of_ganymede(*ganymede, kTopics);
+  Namesakes namesakes(*own, kRobotsTopics);
+  Namesakes of_ganymede(*ganymede, kRobotsTopics);
   EXPECT_EQ(namesakes.count(), 0);
   for (int round = 0; round < 2; ++round) {
-    const Process second("io", domain, kTopics[0], msg::RobotState::kRosType);
+    const Process second("io", domain, kRobotsTopics[0], msg::RobotState::kRosType);
     EXPECT_TRUE(wait_until([&] { return namesakes.count() == 1; }));
     {
-      const Process third("io", domain, kTopics[1], msg::Command::kRosType);
+      const Process third("io", domain, kRobotsTopics[1], msg::Command::kRosType);
       EXPECT_TRUE(wait_until([&] { return namesakes.count() == 2; }));
     }
     EXPECT_TRUE(wait_until([&] { return namesakes.count() == 1; }));
@@ -51,12 +51,12 @@ TEST(Namesakes, AreTheOthersOfThatNameThatReadTheTopicsWhileTheyAreThere) {
 TEST(Namesakes, AToolThatIsCalledAsTheRobotIsIsNone) {
   const int domain = free_domain();
   const auto own = Participant::join("io", domain).value();
-  Namesakes namesakes(*own, kTopics);
+  Namesakes namesakes(*own, kRobotsTopics);
   const Process tool("io", domain, robot_topic("ganymede", "state"), msg::RobotState::kRosType);
-  const Process robot("io", domain, kTopics[0], msg::RobotState::kRosType);
+  const Process robot("io", domain, kRobotsTopics[0], msg::RobotState::kRosType);
   EXPECT_TRUE(wait_until([&] { return namesakes.count() == 1; }));
   // Both are known by now: whoever joins is told of all readers that are there.
-  const Process last("io", domain, kTopics[0], msg::RobotState::kRosType);
+  const Process last("io", domain, kRobotsTopics[0], msg::RobotState::kRosType);
   EXPECT_TRUE(wait_until([&] { return namesakes.count() >= 2; }));
   EXPECT_EQ(namesakes.count(), 2);
 }

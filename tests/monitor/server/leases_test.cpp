@@ -129,7 +129,7 @@ TEST_F(LeasesTest, EveryOrderIsKeptWithTheNameOfWhoGaveIt) {
   ASSERT_EQ(post_as("ben", "/api/command", {{"kind", "hold"}, {"author", "operator"}}).status,
             200U);
   const auto kept_kind_of = [&](const std::string& author) {
-    for (const auto& each : get("/api/orders").as_json()["orders"])
+    for (const auto& each : list_in("/api/orders", "orders"))
       if (each["author"] == author) return each["kind"].get<std::string>();
     return std::string();
   };

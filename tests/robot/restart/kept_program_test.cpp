@@ -2,7 +2,9 @@
 #include "robot/restart/kept_program.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -18,6 +20,19 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+
+/// Runs what then cannot write a byte to any file.
+auto without_room(const auto& run) {
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit none{.rlim_cur = 0, .rlim_max = before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &none);
+  auto result = run();
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  return result;
+}
 
 class KeptProgramTest : public testing::Test {
  protected:
@@ -116,9 +131,8 @@ TEST_F(KeptProgramTest, OrdersOfAnotherKindAreRefusedAndALongNameIsCut) {
 TEST_F(KeptProgramTest, WhereTheNewFileCannotBeWrittenWhatWasThereStays) {
   ASSERT_TRUE(write_kept_program(file, kept));
   const std::string before = text();
-  fs::create_directories(file.string() + ".new/in_the_way");
   kept.orders.held_by = "anna";
-  const auto written = write_kept_program(file, kept);
+  const auto written = without_room([&] { return write_kept_program(file, kept); });
   ASSERT_FALSE(written);
   EXPECT_THAT(written.error().message, HasSubstr(file.string() + " cannot be written: "));
   EXPECT_EQ(text(), before);

@@ -80,9 +80,9 @@ TEST(Contest, AnOrderThatCannotBeCarriedOutEndsTheRun) {
 
 // Every compiler must agree on them: who changes what happens in a contest changes them on purpose.
 TEST(Contest, EndsInTheKnownStateWithEveryCompiler) {
-  constexpr std::array<std::uint64_t, 5> kKnown{0xe0d95485e16652a2, 0x05a77358f3f0fab1,
-                                                0xbb455675592dabf9, 0x29ff043663a9e091,
-                                                0xc3ee56fa2de62e72};
+  constexpr std::array<std::uint64_t, 5> kKnown{0x56718f583e863c12, 0x59352ce28358854b,
+                                                0x3044a479c78f828b, 0xcfd57ab2b3093190,
+                                                0xc5ce0e2e168be5a4};
   for (std::size_t i = 0; i < kKnown.size(); ++i) {
     const auto done = contest("office", {.robots = 3, .seed = i + 1, .duration_s = 30});
     EXPECT_EQ(done->hash(), kKnown[i]) << "seed " << i + 1 << std::hex << ": 0x" << done->hash();

@@ -13,6 +13,7 @@ export default defineConfig({
   test: {
     include: ["tests/**/*.test.ts"],
     environment: "node",
+    setupFiles: ["tests/setup.ts"],
     testTransformMode: { web: ["**/*.svelte.test.ts"] },
     testTimeout: 30_000,
   },

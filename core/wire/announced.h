@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "core/wire/address.h"
 #include "core/hexadecimal.h"
+#include "core/wire/address.h"
 
 namespace galilean::wire {
 

@@ -117,8 +117,7 @@ void Ingest::poll() {
 void Ingest::take(Source& source) {
   const bool are_more = source.reader->take_some(kMostAtOnce, [&](const wire::Received& received) {
     bool filled = false;
-    if (!follows(received) || !has_room_for(source, received) ||
-        !account(source, received, filled))
+    if (!follows(received) || !has_room_for(source, received) || !account(source, received, filled))
       return;
     ++source.messages;
     source.newest = clock_.now();

@@ -40,7 +40,7 @@ struct TelemetrySource {
   /// Is called outside the control loop when who holds the robot (empty: nobody, or a fault) or
   /// whether it is out of service has changed. It must not wait. May be null.
   std::function<void(const std::string& held_by, bool out_of_service)> keep_orders = nullptr;
-  OrderMemory order_memory{};          ///< of those keys' orders
+  OrderMemory order_memory{};  ///< of those keys' orders
 };
 
 /// Publishes what the robot does. It uses a thread of its own, so that a stalled network delays

@@ -61,9 +61,9 @@ TEST(Scenario, ErrorsNameFilePathAndWhatIsExpected) {
 }
 
 TEST(Scenario, WhatIsNoJsonIsOneLine) {
-  for (const std::string& text : {std::string(), std::string("{"), std::string("[1]"),
-                                  std::string("\0\xff\xfe", 3), std::string(100000, '['),
-                                  std::string("{\"name\": 1e999}")}) {
+  for (const std::string& text :
+       {std::string(), std::string("{"), std::string("[1]"), std::string("\0\xff\xfe", 3),
+        std::string(100000, '['), std::string("{\"name\": 1e999}")}) {
     const std::string error = error_of(text);
     EXPECT_THAT(error, HasSubstr("mine.json: "));
     EXPECT_EQ(error.find('\n'), std::string::npos);
